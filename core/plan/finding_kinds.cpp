@@ -441,6 +441,9 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "this motion is told to speed up {times:.1f} times as hard as planned"_text, kWriteAgain},
     {LoadChanged, "loadChanged", "loadChanged", Replay, Blocks,
      "the arm is told to carry {mass:.2f} kg, some {planned:.2f} kg are planned"_text, kWriteAgain},
+    {NozzleElsewhere, "nozzleElsewhere", "nozzleElsewhere", Replay, Blocks,
+     "the program has its nozzle {distance:.2f} and {angle:.2f} from where the cell's stands"_text,
+     kWriteAgain},
     {FlowErrors, "flowErrors", "flowErrors", Replay, Blocks,
      "at the controller's own speeds {share:.2f} of the beads' length get more than 5 % "
      "too much or too little material, the first of them here"_text,

@@ -124,6 +124,7 @@ enum class FindingKind : std::uint8_t {
   FirstMotionFast,
   AccelerationChanged,
   LoadChanged,
+  NozzleElsewhere,
   FlowErrors,
   Uncovered,
   Overfill,

@@ -97,11 +97,17 @@ struct ProgramDefect {
   base::Message reason;
 };
 
+// Where in its files a program says something.
+struct ProgramPlace {
+  std::size_t file = 0, line = 0; // from 0; 1-based, 0: nowhere in particular
+};
+
 struct ReadProgram {
   std::string format;
   Eigen::Isometry3d flange_T_tcp = Eigen::Isometry3d::Identity(); // as the program sets it
   // A nozzle that stands, as the program sets it; flange_T_tcp is then the work object's frame.
   std::optional<Eigen::Isometry3d> base_T_nozzle;
+  ProgramPlace nozzleAt; // where it sets that, or first moves by it
   std::vector<ProgramMotion> motions;
   // Those before are not of the text: what was printed before it begins.
   std::size_t firstMotion = 0;

@@ -13,6 +13,7 @@
 #include "program/joint_rows.h"
 #include "program/joint_table.h"
 #include "program/krl.h"
+#include "program/krl_eki.h"
 #include "program/language_words.h"
 #include "program/melfa.h"
 #include "program/melfa_datalink.h"
@@ -36,6 +37,13 @@ constexpr double kSameJointRad = 1e-5; // as near as joints are written
 // Of MELFA's controllers, whatever brings them their motions; three cycles of a CR750.
 constexpr plan::TimeModel kMelfaTime = {
     .accelerationMmPerS2 = kMelfaMmPerS2, .jointAccelerationRadPerS2 = 20.0, .cycleS = 0.00711};
+// Machine data of KUKA's mostly have 10 m/s2. The controller knows as many motions as $ADVANCE, at
+// most 5. Two cycles of its interpolation.
+constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMostMmPerS2,
+                                      .jointAccelerationRadPerS2 = 10.0,
+                                      .jointsInPercent = true,
+                                      .lookAhead = 5};
+constexpr MergeLimits kKrlMerge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad};
 constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad};
 } // namespace
 
@@ -148,14 +156,8 @@ const std::vector<Dialect>& dialects() {
        .extension = "src",
        .controller = "krl",
        .needsJoints = false,
-       // Machine data mostly have 10 m/s2. The controller knows as many motions as $ADVANCE, at
-       // most 5.
-       .time = {.accelerationMmPerS2 = kKrlMostMmPerS2,
-                .jointAccelerationRadPerS2 = 10.0,
-                .jointsInPercent = true,
-                .lookAhead = 5},
-       // Two cycles of its interpolation.
-       .merge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad},
+       .time = kKrlTime,
+       .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
        .options = krlOptions,
        .write = writeKrl,
@@ -165,6 +167,21 @@ const std::vector<Dialect>& dialects() {
        .isWord = isKrlWord,
        .remark = ";",
        .mayBeMissing = mayBeMissingInKrl},
+      {.id = "krl-eki",
+       .label = "Lines by EthernetKRL (KUKA, with receiver and sender)"_text,
+       .extension = "eki",
+       .controller = "krl",
+       .turnsRods = false,
+       .time = kKrlTime,
+       .merge = kKrlMerge,
+       // Every line says its flow.
+       .extruders = {},
+       .write = writeKrlEki,
+       .read = readKrlEki,
+       .looksLike = looksLikeKrlEki,
+       .goesOnIn = filesOfKrlEki,
+       .remark = "#",
+       .mayBeMissing = mayBeMissingInKrlEki},
       {.id = "spel",
        .label = "SPEL+ (Epson)"_text,
        .extension = "prg",
@@ -450,6 +467,7 @@ plan::ReadProgram readWithStream(const Dialect& dialect,
   std::ranges::for_each(program.defects, place);
   if (program.load)
     place(*program.load);
+  place(program.nozzleAt);
   applyStream(files[stream].text, stream, program);
   return program;
 }

@@ -3,8 +3,8 @@
 #include "program/gcode_rapid.h"
 #include "program/gcode_reader.h"
 #include "program/job_head.h"
-#include "program/joint_rows.h"
 #include "program/text.h"
+#include "program/text_rows.h"
 
 #include <cmath>
 #include <utility>

@@ -1,6 +1,7 @@
 #include "program/joint_rows.h"
 
 #include "program/text.h"
+#include "program/text_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,40 +21,20 @@ public:
       : start_(start), out_(out), ctx_(ctx) {}
 
   RowsRead read(std::string_view text) {
-    out_.beginOutputs();
-    LineReader lines(text);
-    for (std::string_view line; lines.next(line);) {
-      out_.line = lines.number();
-      if (out_.line % 4096 == 0)
-        ctx_.checkpoint();
-      line = rowOf(line);
-      if (line.empty())
-        continue;
-      if (ended_)
-        defect("text behind the end"_text);
-      else if (!headed_)
-        header(line);
-      else
-        take(line);
-    }
-    if (!headed_)
-      defect("the header line is missing"_text);
-    if (!ended_)
-      defect("the row that ends the stream is missing: the file was cut short"_text);
-    read_.complete = ended_;
+    const RowsForm form{kRowHeader, "not the header of a joint stream"_text,
+                        "the row that ends the stream is missing: the file was cut short"_text};
+    read_.complete = readEachRow(
+        text, form,
+        [this](std::string_view row) {
+          take(row);
+          return ended_;
+        },
+        out_, ctx_);
     return std::move(read_);
   }
 
 private:
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
-
-  void header(std::string_view line) {
-    headed_ = true;
-    if (line == kRowHeader)
-      return;
-    defect("not the header of a joint stream"_text);
-    take(line);
-  }
 
   void take(std::string_view line) {
     JointRow row;
@@ -110,7 +91,7 @@ private:
   const base::RunContext& ctx_;
   RowsRead read_;
   std::array<double, kRowJoints> at_ = {};
-  bool headed_ = false, started_ = false, ended_ = false;
+  bool started_ = false, ended_ = false;
 };
 
 } // namespace
@@ -138,14 +119,8 @@ void appendRow(std::string& out, const JointRow& row) {
 
 bool parseRow(std::string_view line, JointRow& row) {
   std::array<double, kRowJoints + 4> numbers = {};
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const bool last = k + 1 == numbers.size();
-    const std::size_t comma = line.find(',');
-    if (last != (comma == std::string_view::npos) ||
-        !parseNumber(trimmed(line.substr(0, comma)), numbers[k]))
-      return false;
-    line.remove_prefix(last ? line.size() : comma + 1);
-  }
+  if (!parseNumbers(line, numbers))
+    return false;
   const auto isAmong = [](double value, int most) {
     return value >= 0.0 && value <= most && value == std::floor(value);
   };
@@ -163,32 +138,13 @@ bool parseRow(std::string_view line, JointRow& row) {
          row.flow >= 0.0 && row.flow <= 1.0;
 }
 
-std::string_view rowOf(std::string_view line) {
-  return trimmed(line.substr(0, line.find('#')));
-}
-
 RowsRead readRows(std::string_view text, const StartMotion& start, ProgramBuilder& out,
                   const base::RunContext& ctx) {
   return RowsReader(start, out, ctx).read(text);
 }
 
 bool looksLikeRows(std::string_view text) {
-  LineReader lines(text.substr(0, 16384));
-  for (std::string_view line; lines.next(line);)
-    if (line = rowOf(line); !line.empty())
-      return line.starts_with("kind,seconds,");
-  return false;
-}
-
-std::vector<std::string> namesBehind(std::string_view text,
-                                     std::initializer_list<std::string_view> notes) {
-  std::vector<std::string> names;
-  LineReader lines(text.substr(0, 16384));
-  for (std::string_view line; lines.next(line);)
-    for (const std::string_view note : notes)
-      if (line.starts_with(note))
-        names.emplace_back(trimmed(line.substr(note.size())));
-  return names;
+  return firstRow(text).starts_with("kind,seconds,");
 }
 
 bool isWaitingRow(const std::vector<std::string>& lines, std::size_t i) {

@@ -16,7 +16,6 @@
 
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,8 +42,6 @@ JointRow asWritten(JointRow row);
 void appendRow(std::string& out, const JointRow& row);
 // A line without its remark; false: no row.
 bool parseRow(std::string_view line, JointRow& row);
-// What of a line stands before its remark.
-std::string_view rowOf(std::string_view line);
 
 // How the way to the start goes, by the joint that goes furthest.
 struct StartMotion {
@@ -61,9 +58,6 @@ RowsRead readRows(std::string_view text, const StartMotion& start, ProgramBuilde
                   const base::RunContext& ctx);
 // Does a text's first row head rows?
 bool looksLikeRows(std::string_view text);
-// Names of files that stand in its head behind these words, each of which begins a line.
-std::vector<std::string> namesBehind(std::string_view text,
-                                     std::initializer_list<std::string_view> notes);
 // Rows in which the arm stands and the extruder runs, the prime: Dialect::mayBeMissing.
 bool isWaitingRow(const std::vector<std::string>& lines, std::size_t i);
 

@@ -46,17 +46,20 @@ std::optional<base::Message> krlSpeed(const KrlVariables& variables,
     return "an acceleration is no sensible number"_text;
   m.speedMmPerS = *speed * 1000.0;
   m.accelerationMmPerS2 = acceleration * 1000.0 < kKrlMostMmPerS2 ? acceleration * 1000.0 : 0.0;
-  if (!last)
-    return std::nullopt;
-  const double way = (m.frame_T_tcp.translation() - last->translation()).norm() / m.speedMmPerS;
+  if (last)
+    slowByTurn(*last, turning, m);
+  return std::nullopt;
+}
+
+void slowByTurn(const Eigen::Isometry3d& last, double turning, plan::ProgramMotion& m) {
+  const double way = (m.frame_T_tcp.translation() - last.translation()).norm() / m.speedMmPerS;
   const double turn =
       base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
-                                 .angularDistance(Eigen::Quaterniond(last->linear())));
+                                 .angularDistance(Eigen::Quaterniond(last.linear())));
   if (turn / turning > way + 1e-9) {
     m.durationS = turn / turning;
     m.speedMmPerS = 0.0;
   }
-  return std::nullopt;
 }
 
 std::optional<base::Message> krlBlend(const KrlVariables& variables, plan::ProgramMotion& m) {

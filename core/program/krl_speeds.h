@@ -19,4 +19,8 @@ std::optional<base::Message> krlSpeed(const KrlVariables& variables,
 // Likewise its blend, of a motion with C_DIS.
 std::optional<base::Message> krlBlend(const KrlVariables& variables, plan::ProgramMotion& motion);
 
+// Where turning from `last` at `degPerS` takes longer than the way at the motion's speed, the
+// motion's time is that.
+void slowByTurn(const Eigen::Isometry3d& last, double degPerS, plan::ProgramMotion& motion);
+
 } // namespace voluta::program

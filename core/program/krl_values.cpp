@@ -217,16 +217,25 @@ KrlValue KrlVariables::below(const std::string& path) const {
   return {partsBelow(all_.numbers, path), partsBelow(all_.words, path)};
 }
 
+std::optional<Eigen::Isometry3d> krlPose(const Eigen::Vector3d& mm,
+                                         const Eigen::Vector3d& degrees) {
+  const auto within = [](const Eigen::Vector3d& v, double most) {
+    return (v.array().abs() <= most).all();
+  };
+  if (!within(mm, kMostMm) || !within(degrees, kMostDegrees))
+    return std::nullopt;
+  return poseOfZyx(mm, degrees);
+}
+
 std::optional<Eigen::Isometry3d> krlFrame(const KrlValue& value) {
   std::array<double, 6> parts{};
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto part = value.numbers.find(kKrlPose[k]);
-    if (part == value.numbers.end() ||
-        !(std::abs(part->second) <= (k < 3 ? kMostMm : kMostDegrees)))
+    if (part == value.numbers.end())
       return std::nullopt;
     parts[k] = part->second;
   }
-  return poseOfZyx({parts[0], parts[1], parts[2]}, {parts[3], parts[4], parts[5]});
+  return krlPose(Eigen::Vector3d(parts.data()), Eigen::Vector3d(parts.data() + 3));
 }
 
 } // namespace voluta::program

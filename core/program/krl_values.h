@@ -67,7 +67,9 @@ private:
   KrlValue all_;
 };
 
-// The frame of {X,Y,Z,A,B,C}, mm and degrees. Nothing: a part is missing or out of any reach.
+// The frame of X, Y, Z, mm, and A, B, C, degrees. Nothing: it is out of any reach.
+std::optional<Eigen::Isometry3d> krlPose(const Eigen::Vector3d& mm, const Eigen::Vector3d& degrees);
+// Likewise of {X,Y,Z,A,B,C}. Nothing: a part is missing, too.
 std::optional<Eigen::Isometry3d> krlFrame(const KrlValue& value);
 
 } // namespace voluta::program

@@ -5,6 +5,8 @@
 #include "program/filament.h"
 #include "program/job_head.h"
 #include "program/krl.h"
+#include "program/krl_motions.h"
+#include "program/krl_text.h"
 #include "program/krl_values.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -21,19 +23,13 @@ namespace voluta::program {
 
 namespace {
 
-// A controller keeps a number to 24 bits: 180 degrees to 0.00002.
-constexpr int kPositionDecimals = 4, kDegreeDecimals = 5, kFrameDecimals = 6;
 constexpr int kSpeedDigits = 6, kBlendDecimals = 4;
-constexpr double kTurnDegPerS = 200.0;     // at least
 constexpr double kMostTurnDegPerS = 400.0; // that machine data mostly have
-constexpr double kLeastTurnDegPerS = 0.5;
-constexpr double kStartPercent = 10.0;
-constexpr double kLeastMmPerS = 1.0; // of $VEL.CP
 
 class KrlWriter : private Speller {
 public:
   KrlWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
+      : in_(input), ctx_(ctx), motions_(input, ctx),
         cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
                                            ? input.options.motionsPerFile
                                            : kKrlMotionsPerFile)),
@@ -43,9 +39,7 @@ public:
   }
 
   plan::Program write() {
-    placeInWorkFrame(in_, kPositionDecimals, targets_);
-    findTurnLimit();
-    walkTrajectory(in_, {"krl", cuts_, &motions_}, *this, ctx_);
+    walkTrajectory(in_, {"krl", cuts_, &motions_.tcp()}, *this, ctx_);
     program_.files.push_back({name_ + ".src", mainFile()});
     program_.files.push_back({name_ + ".dat", dataFile()});
     for (std::size_t part = 1; !oneFile() && part <= bodies_.size(); ++part)
@@ -159,11 +153,11 @@ private:
     else
       line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], 1 = ",
                    fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s, 0 to 10 V"}));
-    if (turnLimit_ > kMostTurnDegPerS)
-      line(joined({"; the tool turns by up to ", fixedText(turnLimit_, 0),
+    if (motions_.turnLimit() > kMostTurnDegPerS)
+      line(joined({"; the tool turns by up to ", fixedText(motions_.turnLimit(), 0),
                    " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));
-    if (slow_ > 0)
-      line(joined({"; ", std::to_string(slow_),
+    if (motions_.slow() > 0)
+      line(joined({"; ", std::to_string(motions_.slow()),
                    " motions are slower than 1 mm/s, which may be the least that $VEL.CP takes"}));
     if (bodies_.size() > 1)
       line(joined({"; it calls ", std::to_string(bodies_.size()), " more files beside it"}));
@@ -182,11 +176,8 @@ private:
   }
 
   void setUp() {
-    line(";FOLD INI");
-    line("GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )");
-    line("INTERRUPT ON 3");
-    line("BAS (#INITMOV,0 )");
-    line(";ENDFOLD (INI)");
+    for (const std::string_view text : kKrlInit)
+      line(text);
     line("$ADVANCE=5");
     if (byAxis_)
       line(joined({kKrlExtruder, "=", std::to_string(in_.cell.externalAxes().size() + 1)}));
@@ -205,37 +196,15 @@ private:
     out_ += "$TOOL=";
     frame(in_.cell.flange_T_moved());
     line("");
-    out_ += joined({"$LOAD={M ", fixedText(assumedLoadKg(in_), 3), ",CM {"});
-    const Eigen::Vector3d centre = in_.cell.flange_T_moved().translation();
-    for (int k = 0; k < 3; ++k)
-      out_ += joined({k > 0 ? "," : "",
-                      k == 0   ? "X "
-                      : k == 1 ? "Y "
-                               : "Z ",
-                      fixedText(centre[k], 1)});
-    line(joined({",A 0,B 0,C 0},J {X 0,Y 0,Z 0}} ; assumed: ", assumedLoadText(in_)}));
+    line(joined({"$LOAD=", krlLoadText(assumedLoadKg(in_), in_.cell.flange_T_moved().translation()),
+                 " ; assumed: ", assumedLoadText(in_)}));
     line(joined({"$ACC.CP=", fixedText(kKrlMostMmPerS2 / 1000.0, 2)}));
-    line(joined({"$VEL.ORI1=", fixedText(turnLimit_, 0)}));
-    line(joined({"$VEL.ORI2=", fixedText(turnLimit_, 0)}));
+    line(joined({"$VEL.ORI1=", fixedText(motions_.turnLimit(), 0)}));
+    line(joined({"$VEL.ORI2=", fixedText(motions_.turnLimit(), 0)}));
   }
 
   void frame(const Eigen::Isometry3d& pose) {
-    coordinates(pose.translation(), Eigen::Quaterniond(pose.linear()), kFrameDecimals,
-                kFrameDecimals);
-    out_ += '}';
-  }
-  // Without the closing bracket.
-  void coordinates(const Eigen::Vector3d& mm, const Eigen::Quaterniond& turn, int decimals,
-                   int degreeDecimals) {
-    const Eigen::Vector3d degrees = zyxDegrees(turn);
-    static constexpr std::string_view kNames[] = {"{X ", ",Y ", ",Z ", ",A ", ",B ", ",C "};
-    for (int k = 0; k < 6; ++k) {
-      out_ += kNames[k];
-      if (k < 3)
-        number(mm[k], decimals);
-      else
-        number(degrees[k - 3], degreeDecimals);
-    }
+    out_ += krlFrameText(pose.translation(), zyxDegrees(Eigen::Quaterniond(pose.linear())));
   }
 
   // ---- what is said in turn
@@ -244,7 +213,7 @@ private:
     out_.clear();
     // Settings live on, but a file is to be read by itself.
     held_.clear();
-    held_["$VEL.ORI1"] = held_["$VEL.ORI2"] = fixedText(turnLimit_, 0);
+    held_["$VEL.ORI1"] = held_["$VEL.ORI2"] = fixedText(motions_.turnLimit(), 0);
     outputsOff();
     stands_ = true;
   }
@@ -305,13 +274,7 @@ private:
 
   void jointMotion(std::size_t i) override {
     const plan::Trajectory& t = in_.trajectory;
-    double percent = kStartPercent;
-    if (const double s = motionSeconds(t, i); s > 0.0) {
-      const double largest = leadingJointRad(in_, i);
-      percent = std::clamp(std::round(100.0 * base::radiansToDegrees(largest) / s / kKrlPtpDegPerS),
-                           1.0, 100.0);
-    }
-    const std::string said = fixedText(percent, 0);
+    const std::string said = fixedText(motions_.jointPercent(i), 0);
     if (held_["BAS"] != said) {
       line(joined({"BAS (#VEL_PTP,", said, ")"})); // of external axes too
       held_.erase(feedSpeed());
@@ -324,7 +287,7 @@ private:
     } else {
       for (int k = 0; k < in_.cell.armDof(); ++k) {
         out_ += joined({k > 0 ? ",A" : "{A", std::to_string(k + 1), " "});
-        number(base::radiansToDegrees(t.at(i)[k]), kDegreeDecimals);
+        number(base::radiansToDegrees(t.at(i)[k]), kKrlDegDecimals);
       }
       external(i);
       out_ += '}';
@@ -333,7 +296,7 @@ private:
     stands_ = true;
   }
   void target(std::size_t i) {
-    coordinates(targets_[i].tcpMm, targets_[i].tcpTurn, kPositionDecimals, kDegreeDecimals);
+    appendKrlTarget(out_, motions_.mm(i), motions_.degrees(i));
     external(i);
     out_ += '}';
   }
@@ -343,7 +306,7 @@ private:
       // Degrees, or mm of one that slides.
       number(robot::shownValue(in_.cell.limits()[static_cast<std::size_t>(k)].kind,
                                in_.trajectory.at(i)[k]),
-             kDegreeDecimals);
+             kKrlDegDecimals);
     }
     if (byAxis_) {
       out_ += joined({",", extruderAxis(), " "});
@@ -351,40 +314,16 @@ private:
     }
   }
 
-  double turnDegPerS(std::size_t i) const {
-    const double s = motions_.seconds(i);
-    return s > 0.0 ? base::radiansToDegrees(
-                         targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn)) /
-                         s
-                   : 0.0;
-  }
-  // The TCP hardly moves, and how fast it turns says how long the motion takes.
-  bool goesByTurn(std::size_t i) const {
-    return motions_.needsTime(i) && turnDegPerS(i) > kLeastTurnDegPerS;
-  }
-  void findTurnLimit() {
-    for (std::size_t i = 1; i < targets_.size(); ++i)
-      if (in_.trajectory.move[i] != plan::MoveKind::Joint && !goesByTurn(i)) {
-        turnLimit_ = std::max(turnLimit_, std::ceil(1.05 * turnDegPerS(i)));
-        slow_ += motions_.seconds(i) > 0.0 && motions_.speedMmPerS(i) < kLeastMmPerS ? 1 : 0;
-      }
-  }
-
   void straightMotion(std::size_t i, bool stops) override {
     axisMm_ += motionVolumeMm3(in_.trajectory, i) / filamentArea();
     setFeedPercent(100.0);
-    const bool byTurn = goesByTurn(i);
-    double mmPerS = motions_.speedMmPerS(i);
-    if (byTurn || !(mmPerS > 0.0))
-      mmPerS = std::max(in_.process.travelSpeedMmPerS, 2.0 * mmPerS);
-    const std::string turn =
-        byTurn ? fixedText(turnDegPerS(i), decimalsFor(turnDegPerS(i), kSpeedDigits))
-               : fixedText(turnLimit_, 0);
+    const double mmPerS = motions_.mmPerS(i), degPerS = motions_.degPerS(i);
+    const std::string turn = fixedText(degPerS, decimalsFor(degPerS, kSpeedDigits));
     set("$VEL.CP", fixedText(mmPerS / 1000.0, decimalsFor(mmPerS / 1000.0, kSpeedDigits)));
     set("$VEL.ORI1", turn);
     set("$VEL.ORI2", turn);
     const double blend = stops ? 0.0 : motions_.blendMm(i);
-    const bool rounds = blend >= std::pow(10.0, -kBlendDecimals);
+    const bool rounds = blend > 0.0;
     if (rounds)
       set("$APO.CDIS", fixedText(steppedDown(blend), kBlendDecimals));
     out_ += "LIN ";
@@ -395,8 +334,7 @@ private:
 
   const ProgramInput& in_;
   const base::RunContext& ctx_;
-  std::vector<MotionTarget> targets_;
-  TcpMotions motions_;
+  KrlMotions motions_;
   std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of file k
   std::string name_, out_;
   const bool byAxis_; // the extruder is an external axis
@@ -404,8 +342,6 @@ private:
   std::vector<std::string> bodies_; // of the files
   std::map<std::string, std::string> held_;
   bool stands_ = true; // the arm, behind the last motion
-  double turnLimit_ = kTurnDegPerS;
-  std::size_t slow_ = 0; // motions
   plan::Program program_;
 };
 

@@ -2,16 +2,15 @@
 
 #include "base/units.h"
 #include "program/job_head.h"
-#include "program/joint_rows.h"
-#include "program/link_rows.h"
+#include "program/link_files.h"
+#include "program/link_writer.h"
 #include "program/melfa.h"
 #include "program/melfa_motions.h"
 #include "program/melfa_taking.h"
 #include "program/melfa_text.h"
-#include "program/program_builder.h"
-#include "program/same_text.h"
+#include "program/melfa_values.h"
 #include "program/text.h"
-#include "program/walk.h"
+#include "program/text_rows.h"
 
 #include <algorithm>
 #include <iterator>
@@ -26,6 +25,14 @@ constexpr std::string_view kId = "melfa-datalink", kTitle = "lines for a data li
                            kTakes = "' Takes lines by data link", kOpen = "Open \"COM";
 constexpr MelfaTaking kTaking{"' Takes lines by data link, MELFA-BASIC V", kOpen, "3:"};
 constexpr std::size_t kNameCharacters = 7; // with "_link" 12
+constexpr LinkForm kForm{.header = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,mm_per_s,flow,blend_mm",
+                         .fullFlow = kMelfaFullFlow,
+                         .wholeFlow = true,
+                         .jointRadPerS = kMelfaJointRadPerS,
+                         .mmDecimals = kMelfaMmDecimals,
+                         .degDecimals = kMelfaDegDecimals,
+                         .frameDecimals = kMelfaFrameDecimals,
+                         .pose = melfaPose};
 
 // The same for every job. Lines wait in the controller, no more than a few, so that it always knows
 // the next ones and never too many.
@@ -87,13 +94,6 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     main(*sys.argv[1:])
 )";
-
-// What of the lines the program that takes them has to know.
-struct Link {
-  LinkFrame tool;
-  std::optional<LinkFrame> nozzle;
-  LinkRow start;
-};
 
 Eigen::Vector3d mmOf(const LinkFrame& frame) {
   return Eigen::Vector3d(frame.data());
@@ -172,179 +172,71 @@ std::string programText(const ProgramInput& in, const Link& link) {
   return melfaTakingText(in, kTaking, notes, stepsFor(link));
 }
 
-void readTaking(std::string_view text, const std::optional<Link>& link, ProgramBuilder& out) {
-  if (!link)
-    return;
-  const MelfaTakingRead read = readMelfaTaking(
-      text, kTaking, stepsFor(*link),
+bool isTaking(std::string_view text) {
+  return text.substr(0, 16384).find(kTakes) != std::string_view::npos;
+}
+
+void readTaking(std::string_view text, const Link& link, ProgramBuilder& out) {
+  readMelfaTaking(
+      text, kTaking, stepsFor(link),
       [](std::string_view rest) -> std::size_t { // COM1: to COM8:
         return rest.size() > 1 && rest[0] >= '1' && rest[0] <= '8' && rest[1] == ':' ? 2 : 0;
       },
-      out);
-  if (!read.other.empty())
-    out.defect(
-        base::message("not what takes these lines: '{code}'"_text, read.other.substr(0, 60)));
-  else if (!read.complete)
-    out.defect("the program that takes the lines was cut short"_text);
+      kOtherTaking, out);
 }
 
-class LinkWriter : private Speller {
-public:
-  LinkWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), motions_(input, ctx), name_(identifierOf(input.name)) {}
-
-  plan::Program write() {
-    walkTrajectory(in_, {kId, cutsOf(in_.trajectory, 0), &motions_.tcp()}, *this, ctx_);
-    plan::Program program;
-    program.format = kId;
-    program.foreign = in_.foreign;
-    program.files = {{name_ + ".lines", std::move(out_)},
-                     {programName(), programText(in_, link_)},
-                     {senderName(), std::string(kSender)}};
-    return program;
-  }
-
-private:
-  std::string programName() const {
-    return joined({name_.substr(0, kNameCharacters), "_link.prg"});
-  }
-  std::string senderName() const { return name_ + "_link.py"; }
-
-  static LinkFrame frameOf(const Eigen::Isometry3d& pose) {
-    LinkFrame frame;
-    const Eigen::Vector3d degrees = melfaDegrees(pose);
-    for (int k = 0; k < 3; ++k) {
-      frame[static_cast<std::size_t>(k)] = roundedTo(pose.translation()[k], kMelfaFrameDecimals);
-      frame[static_cast<std::size_t>(k) + 3] = roundedTo(degrees[k], kMelfaFrameDecimals);
-    }
-    return frame;
-  }
-
-  void beginFile(std::size_t) override {
-    out_.reserve(motions_.count() * 80 + 2048);
-    remark(kTitle);
-    remark(joined({kProgramNote.substr(2), programName()}));
-    remark(joined({kSenderNote.substr(2), senderName()}));
-    if (in_.foreign)
-      remark("FOREIGN: not the language of the cell's controller; Cartesian targets only");
-    for (const std::string& head : headLines(in_))
-      remark(head);
-    remark(outputsNote(in_.process));
-    out_ += joined({kLinkHeader, "\n"});
-    link_.tool = frameOf(in_.cell.flange_T_moved());
-    appendLinkFrame(out_, kLinkTool, link_.tool);
-    if (!motions_.holdsWork())
-      return;
-    link_.nozzle = frameOf(in_.cell.base_T_fixed());
-    appendLinkFrame(out_, kLinkNozzle, *link_.nozzle);
-  }
-  void endFile(std::size_t) override {
-    row_.speed = row_.flow = 0.0;
-    appendLinkRow(out_, row_);
-  }
-
-  void remark(std::string_view text) override { out_ += joined({"# ", text, "\n"}); }
-  void flow(std::string_view share) override {
-    parseNumber(share, share_);
-    share_ = std::round(share_ * kMelfaFullFlow);
-  }
-  void extruder(bool on) override { on_ = on; }
-  void wait(double seconds) override {
-    row_.speed = -seconds;
-    put();
-  }
-
-  void jointMotion(std::size_t i) override {
-    pose(i);
-    row_.blend = kLinkByJointsToPose;
-    if (!in_.foreign) {
-      row_.blend = kLinkByJoints;
-      for (std::size_t k = 0; k < row_.target.size(); ++k)
-        row_.target[k] =
-            roundedTo(base::radiansToDegrees(in_.trajectory.at(i)[k]), kMelfaFrameDecimals);
-    }
-    row_.speed = motions_.jointPercent(i);
-    put();
-    if (i == 0)
-      link_.start = row_;
-  }
-  void straightMotion(std::size_t i, bool stops) override {
-    pose(i);
-    row_.speed = motions_.mmPerS(i);
-    row_.blend = stops ? 0.0 : motions_.blendMm(i);
-    put();
-  }
-
-  void pose(std::size_t i) {
-    for (int k = 0; k < 3; ++k) {
-      row_.target[static_cast<std::size_t>(k)] = motions_.mm(i)[k];
-      row_.target[static_cast<std::size_t>(k) + 3] = motions_.degrees(i)[k];
-    }
-  }
-  void put() {
-    row_.flow = on_ ? share_ : 0.0;
-    appendLinkRow(out_, row_);
-  }
-
-  const ProgramInput& in_;
-  const base::RunContext& ctx_;
-  MelfaMotions motions_;
-  std::string name_, out_;
-  Link link_;
-  LinkRow row_;
-  double share_ = 0.0; // of kMelfaFullFlow
-  bool on_ = false;
-};
+LinkFrame frameOf(const Eigen::Isometry3d& pose) {
+  return linkFrame(pose.translation(), melfaDegrees(pose), kForm);
+}
 
 } // namespace
 
+const LinkForm& melfaLinkForm() {
+  return kForm;
+}
+
 plan::Program writeMelfaDatalink(const ProgramInput& input, const base::RunContext& ctx) {
-  return LinkWriter(input, ctx).write();
+  const MelfaMotions motions(input, ctx);
+  const std::string name = identifierOf(input.name),
+                    taking = joined({name.substr(0, kNameCharacters), "_link.prg"}),
+                    sender = name + "_link.py";
+  LinkHead head{kId,
+                {std::string(kTitle), joined({kProgramNote.substr(2), taking}),
+                 joined({kSenderNote.substr(2), sender})},
+                {}};
+  if (input.foreign)
+    head.remarks.emplace_back(
+        "FOREIGN: not the language of the cell's controller; Cartesian targets only");
+  std::ranges::copy(headLines(input), std::back_inserter(head.remarks));
+  head.remarks.push_back(outputsNote(input.process));
+  head.frames.tool = frameOf(input.cell.flange_T_moved());
+  if (motions.holdsWork())
+    head.frames.nozzle = frameOf(input.cell.base_T_fixed());
+  LinkText lines = writeLinkRows(input, kForm, motions, head, ctx);
+  plan::Program program;
+  program.format = kId;
+  program.foreign = input.foreign;
+  program.files = {{name + ".lines", std::move(lines.text)},
+                   {taking, programText(input, lines.link)},
+                   {sender, std::string(kSender)}};
+  return program;
 }
 
 plan::ReadProgram readMelfaDatalink(const std::vector<plan::ProgramFile>& files,
                                     const process::Process& process, const base::RunContext& ctx) {
-  ProgramBuilder out(kId, process);
-  const auto isTaking = [](std::string_view text) {
-    return text.substr(0, 16384).find(kTakes) != std::string_view::npos;
-  };
-  LinkRead lines;
-  bool found = false;
-  for (out.file = 0; out.file < files.size(); ++out.file) {
-    const std::string_view text = files[out.file].text;
-    out.line = 1;
-    if (text.starts_with("#!"))
-      tellOtherText(text, kSender, 1, out);
-    else if (isTaking(text))
-      continue;
-    else if (std::exchange(found, true))
-      out.defect("a second stream"_text);
-    else
-      lines = readLinkRows(text, out, ctx);
-  }
-  std::optional<Link> link;
-  if (lines.tool && lines.start)
-    link = {*lines.tool, lines.nozzle, *lines.start};
-  for (out.file = 0; out.file < files.size(); ++out.file) {
-    out.line = 1;
-    if (isTaking(files[out.file].text))
-      readTaking(files[out.file].text, link, out);
-  }
-  return out.take(lines.complete);
+  return readLinkFiles(kId, files, kForm, kSender, {{isTaking, readTaking}}, process, ctx);
 }
 
 bool looksLikeMelfaDatalink(std::string_view text) {
-  return looksLikeLinkRows(text);
+  return looksLikeLinkRows(text, kForm);
 }
 
 std::vector<std::string> filesOfMelfaDatalink(std::string_view text) {
   return namesBehind(text, {kProgramNote, kSenderNote});
 }
 
-// The prime, as of a wait.
 bool mayBeMissingInMelfaDatalink(const std::vector<std::string>& lines, std::size_t i) {
-  LinkRow row;
-  return parseLinkRow(rowOf(lines[i]), row) && row.speed < 0.0;
+  return isStandingLinkRow(lines, i, kForm);
 }
 
 } // namespace voluta::program

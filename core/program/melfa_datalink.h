@@ -13,6 +13,7 @@
 
 #include "base/run_context.h"
 #include "plan/program.h"
+#include "program/link_rows.h"
 #include "program/program_input.h"
 
 #include <string>
@@ -20,6 +21,9 @@
 #include <vector>
 
 namespace voluta::program {
+
+// What its lines are.
+const LinkForm& melfaLinkForm();
 
 plan::Program writeMelfaDatalink(const ProgramInput& input, const base::RunContext& ctx);
 // `complete`: the lines came to their end.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "program/link_writer.h"
 #include "program/motion_targets.h"
 #include "program/program_input.h"
 #include "program/tcp_motions.h"
@@ -27,7 +28,7 @@ Eigen::Vector3d melfaDegrees(const Eigen::Isometry3d& pose);
 // A frame as a position; its flags say nothing.
 std::string melfaFrame(const Eigen::Vector3d& mm, const Eigen::Vector3d& degrees);
 
-class MelfaMotions {
+class MelfaMotions : public LinkMotions {
 public:
   // Throws as motionTargets. The input lives as long.
   MelfaMotions(const ProgramInput& input, const base::RunContext& ctx);
@@ -35,17 +36,19 @@ public:
 
   // The nozzle is in the world, the arm holds the plate.
   bool holdsWork() const { return in_.cell.nozzleMount() == robot::Mount::World; }
-  const TcpMotions& tcp() const { return motions_; }
+  const TcpMotions& tcp() const override { return motions_; }
   std::size_t count() const { return poses_.size(); }
   // The TCP in the robot's base, rounded as it is written.
-  const Eigen::Vector3d& mm(std::size_t i) const { return poses_[i].tcpMm; }
-  const Eigen::Vector3d& degrees(std::size_t i) const { return angles_[i]; }
+  Eigen::Vector3d mm(std::size_t i) const override { return poses_[i].tcpMm; }
+  Eigen::Vector3d degrees(std::size_t i) const override { return angles_[i]; }
   // Of what moves straight.
-  double mmPerS(std::size_t i) const;
+  double mmPerS(std::size_t i) const override;
+  // Turns are not in the text.
+  double degPerS(std::size_t) const override { return 0.0; }
   // Rounded down as written; 0: the arm stands behind it. Precondition: i > 0.
-  double blendMm(std::size_t i) const;
+  double blendMm(std::size_t i) const override;
   // Of a motion by joints; the first one's is kMelfaStartPercent.
-  double jointPercent(std::size_t i) const;
+  double jointPercent(std::size_t i) const override;
 
 private:
   void placeNozzle();

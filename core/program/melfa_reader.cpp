@@ -202,6 +202,7 @@ private:
     if (!pose || index < 1.0 || index > kWorkCoordinates)
       return false;
     work_[static_cast<std::size_t>(index) - 1] = *pose;
+    workAt_[static_cast<std::size_t>(index) - 1] = {out_.file, out_.line};
     return true;
   }
   void output(std::string_view name, double first, double value) {
@@ -427,6 +428,8 @@ private:
         defect("work coordinates that P_WkCord does not set"_text);
       return false;
     }
+    if (!nozzle_)
+      out_.program().nozzleAt = workAt_[coordinates - 1];
     nozzle_ = nozzle;
     return true;
   }
@@ -474,8 +477,9 @@ private:
   std::vector<bool> ran_;
   ScriptVariables variables_;
   std::optional<Eigen::Isometry3d> work_[kWorkCoordinates]; // base_T_work coordinates
-  std::optional<Eigen::Isometry3d> nozzle_;                 // what straight motions are of
-  std::optional<bool> held_;                                // straight motions are EMvs
+  plan::ProgramPlace workAt_[kWorkCoordinates];
+  std::optional<Eigen::Isometry3d> nozzle_; // what straight motions are of
+  std::optional<bool> held_;                // straight motions are EMvs
   double mmPerS_ = 0.0, override_ = 100.0, jointOverride_ = 100.0;
   bool continuous_ = false;
   std::optional<double> blendMm_; // without one: as far as it takes to stop

@@ -11,6 +11,7 @@
 #include "program/program_builder.h"
 #include "program/same_text.h"
 #include "program/text.h"
+#include "program/text_rows.h"
 
 #include <algorithm>
 #include <iterator>
@@ -104,18 +105,15 @@ std::string programText(const ProgramInput& in, const JointRow& start) {
 void readTaking(std::string_view text, const std::optional<JointRow>& start, ProgramBuilder& out) {
   if (!start)
     return;
-  const MelfaTakingRead read = readMelfaTaking(
+  readMelfaTaking(
       text, kTaking, stepsFor(*start),
       [](std::string_view rest) {
         const std::size_t quote = rest.find('"');
         return quote == std::string_view::npos ? 0 : quote;
       },
+      {"not what takes this stream: '{code}'"_text,
+       "the program that takes the stream was cut short"_text},
       out);
-  if (!read.other.empty())
-    out.defect(
-        base::message("not what takes this stream: '{code}'"_text, read.other.substr(0, 60)));
-  else if (!read.complete)
-    out.defect("the program that takes the stream was cut short"_text);
 }
 
 void readPackets(std::string_view bytes, std::string_view wanted, ProgramBuilder& out) {

@@ -27,26 +27,19 @@ std::string melfaTakingText(const ProgramInput& input, const MelfaTaking& taking
   return out;
 }
 
-MelfaTakingRead readMelfaTaking(std::string_view text, const MelfaTaking& taking,
-                                const std::vector<std::string>& steps,
-                                const std::function<std::size_t(std::string_view)>& addressLength,
-                                ProgramBuilder& out) {
-  std::size_t next = 0;
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    out.line = lines.number();
+void readMelfaTaking(std::string_view text, const MelfaTaking& taking,
+                     const std::vector<std::string>& steps,
+                     const std::function<std::size_t(std::string_view)>& addressLength,
+                     const OtherSteps& told, ProgramBuilder& out) {
+  const auto code = [&](std::string_view line) {
     std::size_t number = 0;
-    std::string code(trimmed(melfaCode(line, number)));
-    if (code.empty())
-      continue;
-    if (code.starts_with(taking.open))
-      code.erase(taking.open.size(),
-                 addressLength(std::string_view(code).substr(taking.open.size())));
-    if (next == steps.size() || code != steps[next])
-      return {false, code};
-    ++next;
-  }
-  return {next == steps.size(), {}};
+    std::string step(trimmed(melfaCode(line, number)));
+    if (step.starts_with(taking.open))
+      step.erase(taking.open.size(),
+                 addressLength(std::string_view(step).substr(taking.open.size())));
+    return step;
+  };
+  tellOtherSteps(text, steps, code, told, out);
 }
 
 } // namespace voluta::program

@@ -4,6 +4,7 @@
 
 #include "program/program_builder.h"
 #include "program/program_input.h"
+#include "program/same_text.h"
 
 #include <cstddef>
 #include <functional>
@@ -24,14 +25,11 @@ struct MelfaTaking {
 std::string melfaTakingText(const ProgramInput& input, const MelfaTaking& taking,
                             const std::vector<std::string>& notes, std::vector<std::string> steps);
 
-struct MelfaTakingRead {
-  bool complete = false; // every step is there, and no other
-  std::string other;     // the first that is not what it has to be, at out.line; empty: cut short
-};
-// With any address: `addressLength` says how many characters of what stands behind `open` it has.
-MelfaTakingRead readMelfaTaking(std::string_view text, const MelfaTaking& taking,
-                                const std::vector<std::string>& steps,
-                                const std::function<std::size_t(std::string_view)>& addressLength,
-                                ProgramBuilder& out);
+// Steps with any address: `addressLength` says how many characters of what stands behind `open` it
+// has. Others are a defect at their line, told so.
+void readMelfaTaking(std::string_view text, const MelfaTaking& taking,
+                     const std::vector<std::string>& steps,
+                     const std::function<std::size_t(std::string_view)>& addressLength,
+                     const OtherSteps& told, ProgramBuilder& out);
 
 } // namespace voluta::program

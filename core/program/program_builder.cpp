@@ -28,6 +28,8 @@ bool ProgramBuilder::tool(const Eigen::Isometry3d& flange_T_tcp,
                    base_T_nozzle.has_value() != before.has_value() ||
                    (before && !base_T_nozzle->isApprox(*before, kSame))))
     return false;
+  if (base_T_nozzle && !before)
+    program_.nozzleAt = {file, line};
   toolSet_ = true;
   program_.flange_T_tcp = flange_T_tcp;
   program_.base_T_nozzle = base_T_nozzle;

@@ -28,4 +28,23 @@ void tellOtherText(std::string_view text, std::string_view expected, std::size_t
   }
 }
 
+void tellOtherSteps(std::string_view text, const std::vector<std::string>& steps,
+                    const CodeOf& codeOf, const OtherSteps& told, ProgramBuilder& out) {
+  std::size_t next = 0;
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    out.line = lines.number();
+    const std::string code = codeOf(line);
+    if (code.empty())
+      continue;
+    if (next == steps.size() || code != steps[next]) {
+      out.defect(base::message(told.other, code.substr(0, 60)));
+      return;
+    }
+    ++next;
+  }
+  if (next < steps.size())
+    out.defect(told.cutShort);
+}
+
 } // namespace voluta::program

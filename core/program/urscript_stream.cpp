@@ -8,6 +8,7 @@
 #include "program/same_text.h"
 #include "program/tcp_motions.h"
 #include "program/text.h"
+#include "program/text_rows.h"
 #include "program/urscript.h"
 #include "program/urscript_stream_texts.h"
 

@@ -1,5 +1,6 @@
 #include "replay/beside_motion.h"
 
+#include "base/units.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "process/bead_model.h"
@@ -16,6 +17,7 @@ using enum plan::FindingKind;
 constexpr double kLeastMm3 = 0.005, kLongestPauseS = 1.0, kPrimeTolerance = 0.1;
 constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0;
 constexpr double kFirstRadPerS = 1.0471975511965976, kFirstRadPerS2 = 2.0, kFirstMmPerS = 250.0;
+constexpr double kNozzleMm = 0.05, kNozzleRad = 0.01;
 constexpr double kHarder = 1.5;
 // Writers let the speed change within half the motion.
 constexpr double kHalf = 2.0;
@@ -47,6 +49,7 @@ public:
     pauses();
     prime();
     load();
+    nozzle();
     firstMotion();
     for (std::size_t m = 1; m < program_.motions.size(); ++m)
       acceleration(m);
@@ -110,6 +113,19 @@ private:
       return;
     add(LoadChanged, {program_.load->file + 1, program_.load->line},
         {{"mass", base::number(kg)}, {"planned", base::number(planned)}});
+  }
+
+  // Targets of the arm lead to the same places whatever the nozzle is said to be; but speeds and
+  // straight ways are those of the nozzle.
+  void nozzle() {
+    if (!program_.base_T_nozzle || cell_.nozzleMount() != robot::Mount::World)
+      return;
+    const Eigen::Isometry3d away = cell_.base_T_fixed().inverse() * *program_.base_T_nozzle;
+    const double mm = away.translation().norm(),
+                 rad = std::acos(std::clamp(away.linear()(2, 2), -1.0, 1.0));
+    if (mm > kNozzleMm || rad > kNozzleRad)
+      add(NozzleElsewhere, {program_.nozzleAt.file + 1, program_.nozzleAt.line},
+          {{"distance", base::mm(mm)}, {"angle", base::degrees(base::radiansToDegrees(rad))}});
   }
 
   void firstMotion() {

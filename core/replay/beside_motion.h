@@ -1,5 +1,5 @@
 // What a program does beside going where it was planned to: it waits, it primes, it tells the
-// controller how hard to speed up and what the arm carries.
+// controller how hard to speed up, what the arm carries and where a nozzle stands.
 #pragma once
 
 #include "plan/program.h"
@@ -22,12 +22,15 @@ double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& traje
 // Material that pauses between the first bead and the last let out; it lies in no bead. mm3.
 double standingMm3(const plan::ReadProgram& program);
 
-// Findings of pauses, prime, load, the first motion's speed and accelerations, each at its line.
+// Findings of pauses, prime, load, nozzle, the first motion's speed and accelerations, each at its
+// line.
 // - A pause amid the print in which more than 0.005 mm3 flow, or which is longer than a second.
 // - Before the first bead what flows is the prime, within a tenth; languages that have no word for
 //   a pause have none.
 // - The load is told within a kilogram or a factor of 3 of what is assumed (0.5 kg of plate and
 //   the part, or 1 kg of head).
+// - A nozzle that stands, where the program says where, is within 0.05 mm of the cell's, its axis
+//   within 0.01 rad.
 // - The first motion starts from wherever the arm stands: at most 60 degrees/s, 2 rad/s2,
 //   250 mm/s (the speed that safety standards have for teaching, ISO 10218-1).
 // - A straight motion speeds up at most half as hard again as the process does or as its own

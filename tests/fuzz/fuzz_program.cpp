@@ -20,6 +20,12 @@ constexpr const char* kLines = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,mm_per_s,flow,b
                                "0,0,90,0,90,0,8,0,-1\n-10.5,20,300,12,-3,90,20,4113,0.05\n"
                                "-10.5,21,300,12,-3,90,0,0,0\n";
 
+constexpr const char* kEkiLines =
+    "X_mm,Y_mm,Z_mm,A_deg,B_deg,C_deg,mm_per_s,deg_per_s,flow,blend_mm\n"
+    "tool,0,0,100,0,0,0\nnozzle,-800,-250,0,180,0,0\nload,1,0,0,50,0,0\n"
+    "0,0,90,0,90,0,8,0,0,-1\n-10.5,20,300,12,-3,90,20,200,0.4113,0.05\n"
+    "-10.5,21,300,12,-3,90,0,0,0,0\n";
+
 // `external`: with an external axis behind the arm's.
 plan::Trajectory sampleTrajectory(bool external) {
   plan::Trajectory t;
@@ -87,6 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const char* id : {"urscript-stream", "melfa-stream"})
     program::readProgram(id, {{"rows", kRows}, {"beside", text}}, process);
   program::readProgram("melfa-datalink", {{"lines", kLines}, {"beside", text}}, process);
+  program::readProgram("krl-eki", {{"lines", kEkiLines}, {"beside", text}}, process);
   for (const program::Dialect& dialect : program::dialects()) {
     const plan::ReadProgram read = program::readProgram(dialect.id, {{"input", text}}, process);
     fuzz::expect(read.defects.size() <= program::kMaxDefects, "defects are not listed without end");

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "program/dialect.h"
-#include "program/link_rows.h"
+#include "program/melfa_datalink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -377,20 +377,20 @@ TEST_F(Datalink, RefusesAnotherSender) {
 // Golden lines, and such as are none.
 TEST(LinkRows, AreNineNumbers) {
   LinkRow row;
-  ASSERT_TRUE(parseLinkRow("-10.5, 20,300,12,-3,90, 20 ,4113,0.05", row));
+  ASSERT_TRUE(parseLinkRow("-10.5, 20,300,12,-3,90, 20 ,4113,0.05", melfaLinkForm(), row));
   EXPECT_EQ(row.target, (std::array<double, 6>{-10.5, 20, 300, 12, -3, 90}));
   EXPECT_EQ(row.speed, 20.0);
   EXPECT_EQ(row.flow, 4113.0);
   EXPECT_EQ(row.blend, 0.05);
   std::string text;
-  appendLinkRow(text, row);
+  appendLinkRow(text, row, melfaLinkForm());
   EXPECT_EQ(text, "-10.5,20,300,12,-3,90,20,4113,0.05\n");
   for (const char* bad :
        {"", "1,2,3", "0,0,0,0,0,0,20,0", "0,0,0,0,0,0,20,0,0,0", "0,0,0,0,0,x,20,0,0",
         "0,0,0,0,0,0,20,0.5,0", "0,0,0,0,0,0,20,-1,0", "0,0,0,0,0,0,20,10001,0",
         "0,0,0,0,0,0,20,0,-0.5", "0,0,0,0,0,0,20,0,-3", "0,0,0,0,0,0,101,0,-1",
         "0,0,0,0,0,0,nan,0,0", "0,0,0,0,0,0,1e9,0,0", "0,0,0,0,0,0,20,0,99999"})
-    EXPECT_FALSE(parseLinkRow(bad, row)) << bad;
+    EXPECT_FALSE(parseLinkRow(bad, melfaLinkForm(), row)) << bad;
 }
 
 // A pause amid blends, and an output that changes there, would run ahead of the arm.
@@ -398,7 +398,8 @@ TEST(LinkRows, SwitchOnlyWhereTheArmStands) {
   const auto defectsOf = [](const std::string& lines) {
     process::Process process;
     return readProgram("melfa-datalink",
-                       {{"a.lines", std::string(kLinkHeader) + "\ntool,0,0,100,0,0,0\n" + lines}},
+                       {{"a.lines",
+                         std::string(melfaLinkForm().header) + "\ntool,0,0,100,0,0,0\n" + lines}},
                        process)
         .defects;
   };

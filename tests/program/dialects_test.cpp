@@ -355,14 +355,15 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
                                  {"spel", "Pause\r\n"},
                                  {"urscript-stream", "popup("},
                                  {"melfa-stream", "Hlt\r\n"},
-                                 {"melfa-datalink", "Hlt\r\n"}}) {
+                                 {"melfa-datalink", "Hlt\r\n"},
+                                 {"krl-eki", "HALT\r\n"}}) {
     randomFor(findDialect(id), 2, 50);
     const plan::Program program = writeProgram(id, input());
     const plan::ReadProgram back = readProgram(id, program.files, process_);
     // Of a stream the program that takes it asks.
     const auto taking = std::ranges::find_if(program.files, [](const auto& f) {
       return !f.name.ends_with(".joints") && !f.name.ends_with(".rows") &&
-             !f.name.ends_with(".mxt") && !f.name.ends_with(".lines");
+             !f.name.ends_with(".mxt") && !f.name.ends_with(".lines") && !f.name.ends_with(".eki");
     });
     const bool streams = taking != program.files.begin();
     const std::string& text = streams ? taking->text : program.files[0].text;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace voluta::replay {
 namespace {
@@ -147,6 +148,56 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
     const Verification v = verify(text);
     EXPECT_FALSE(v.passed);
     EXPECT_TRUE(toldAt(v, c.word, line)) << line << ": " << text.lines[line - 1] << "\n" << told(v);
+  }
+}
+
+// Each dialect whose text has the nozzle's frame. Where targets are the arm's (melfa, its lines,
+// spel) nothing else shows it on a plate that does not turn.
+TEST(BesideMotion, AnotherNozzleIsFound) {
+  const struct {
+    const char *format, *mark, *from, *to;
+  } cases[] = {{"melfa-datalink", "nozzle,", "nozzle,-", "nozzle,-1"},
+               {"krl-eki", "nozzle,", "nozzle,-", "nozzle,-1"},
+               {"melfa", "P_WkCord(1)=", "=(-", "=(-1"},
+               {"spel", "ECPSet 1", "XY(-", "XY(-1"},
+               {"krl", "$BASE=", "{X -", "{X -1"},
+               {"rapid", "PERS tooldata", "[[-", "[[-1"}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.format);
+    test::ProgramText text = textOf(c.format);
+    const std::size_t line = change(text, c.mark, c.from, c.to);
+    ASSERT_GT(line, 0u);
+    const Verification v = verify(text);
+    EXPECT_FALSE(v.passed);
+    const std::size_t first = test::read(text, scene().process).motions.front().line;
+    EXPECT_TRUE(toldAt(v, "nozzleElsewhere", line) || toldAt(v, "nozzleElsewhere", first))
+        << text.lines[line - 1] << "\n"
+        << told(v);
+  }
+}
+
+// A hair's breadth is within what a frame is written to by hand.
+TEST(BesideMotion, ANozzleMayStandWithinTheDeviationAllowed) {
+  test::ProgramText text = textOf("melfa-datalink");
+  const auto row = std::ranges::find_if(
+      text.lines, [](const std::string& line) { return line.starts_with("nozzle,"); });
+  ASSERT_NE(row, text.lines.end());
+  const robot::Cell& cell = scene().cell;
+  for (const double off : {0.03, 0.08}) {
+    const Eigen::Vector3d at = cell.base_T_fixed().translation();
+    std::vector<std::string> numbers;
+    std::istringstream in(*row);
+    for (std::string number; std::getline(in, number, ',');)
+      numbers.push_back(number);
+    ASSERT_EQ(numbers.size(), 7u);
+    numbers[3] = std::to_string(at.z() + off);
+    std::string other = numbers[0];
+    for (std::size_t k = 1; k < numbers.size(); ++k)
+      other += "," + numbers[k];
+    test::ProgramText changed = text;
+    changed.lines[static_cast<std::size_t>(row - text.lines.begin())] = other;
+    const Verification v = verify(changed);
+    EXPECT_EQ(v.passed, off < 0.05) << told(v);
   }
 }
 

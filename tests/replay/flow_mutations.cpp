@@ -132,6 +132,8 @@ Mutation lowerFlow(const std::string& format, double share, std::size_t lines) {
               return lowerEach(s, m, ",1,([0-9.]+)$", 6, share, lines);
             if (format == "melfa-datalink")
               return lowerEach(s, m, ",([0-9]+),[^,]*$", 0, share, lines);
+            if (format == "krl-eki")
+              return lowerEach(s, m, ",([0-9.]+),[^,]*$", 6, share, lines);
             const auto rate = rateWords().find(format);
             return rate == rateWords().end() ? lowerAmounts(s, m, amountWords(format), share, lines)
                                              : lowerRate(s, m, rate->second, share, lines);

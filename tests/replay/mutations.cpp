@@ -356,35 +356,53 @@ void words(std::vector<Mutation>& all, const std::string& format) {
     all.push_back(replaced("another output", "M_Out\\(10\\)", "M_Out(11)"));
     all.push_back(insertedInHead("Accel 20,20"));
     all.push_back(insertedInHead("Base (0,0,10,0,0,0)"));
-  } else if (format == "melfa-datalink") {
-    const std::string target = "^((?:[^,]*,){6})", speed = "^((?:[^,]*,){7})",
-                      flow = "^((?:[^,]*,){8})";
+  } else if (format == "melfa-datalink" || format == "krl-eki") {
+    // Columns: target, speed, of KRL the turn, flow, blend.
+    const bool turns = format == "krl-eki";
+    const std::string target = "^((?:[^,]*,){6})",
+                      speed = turns ? "^((?:[^,]*,){8})" : "^((?:[^,]*,){7})",
+                      flow = turns ? "^((?:[^,]*,){9})" : "^((?:[^,]*,){8})",
+                      on = turns ? "0.4" : "4000", start = turns ? ",10,0,0,-2" : ",8,0,-2",
+                      still = turns ? ",0" : "";
     all.push_back(replaced("speed ten times", target + "([0-9])", "$019$2"));
     all.push_back(replaced("speed of 1", target + "[0-9.]+", "$011"));
     all.push_back(replaced("a motion becomes the end", target + "[0-9.]+", "$010"));
     all.push_back(replaced("a motion becomes a wait", target, "$01-"));
-    all.push_back(replaced("more flow", speed + "[0-9]+", "$019999"));
-    all.push_back(replaced("no flow", speed + "[0-9]+", "$010"));
-    all.push_back(replaced("a flow of a half", speed + "([0-9]+)", "$01$2.5"));
-    all.push_back(replaced("flow of more than all", speed + "[0-9]+", "$0110001"));
-    all.push_back(replaced("the extruder stays on", ",0,(0|-2)$", ",4000,$1"));
+    all.push_back(replaced("more flow", speed + "[0-9.]+", turns ? "$010.9999" : "$019999"));
+    all.push_back(replaced("no flow", speed + "[0-9.]+", "$010"));
+    all.push_back(
+        replaced("flow of more than all", speed + "[0-9.]+", turns ? "$011.0001" : "$0110001"));
+    all.push_back(replaced("the extruder stays on", ",0,(0|-2)$", "," + on + ",$1"));
     all.push_back(replaced("blend of 10 mm", flow + "0\\.[0-9]+", "$0110"));
     all.push_back(replaced("motion by joints", flow + "0\\.[0-9]+", "$01-2"));
     all.push_back(replaced("a pose becomes joints", flow + "0\\.[0-9]+", "$01-1"));
     all.push_back(replaced("a blend that there is not", flow + "0\\.[0-9]+", "$01-3"));
     all.push_back(replaced("a column too many", ",", ",0,"));
     all.push_back(replaced("a column is missing", ",[^,]*,", ","));
-    all.push_back(replaced("another header", "z_mm", "z_m", true));
-    all.push_back(replaced("no header", "^x_mm", "# x_mm", true));
+    all.push_back(replaced("another header", "([zZ])_mm", "$1_m", true));
+    all.push_back(replaced("no header", "^([xX]_mm)", "# $1", true));
     all.push_back(replaced("a line becomes a remark", "^(-?[0-9])", "# $1"));
     all.push_back(replaced("tool 1 mm off", "^tool,0,0,[0-9]+", "tool,0,0,777", true));
     all.push_back(erased("the tool is missing", "^tool", true));
-    all.push_back(replaced("first motion fast", ",8,0,-2", ",100,0,-2", true));
-    all.push_back(erased("the start is missing", ",8,0,-2", true));
+    all.push_back(replaced("the nozzle stands elsewhere", "^nozzle,-?[0-9.]+", "nozzle,777", true));
+    all.push_back(replaced("first motion fast", start, turns ? ",100,0,0,-2" : ",100,0,-2", true));
+    all.push_back(erased("the start is missing", start, true));
     all.push_back(erased("the prime is missing", ",-0\\.2,", true));
     all.push_back(replaced("ten times the prime", ",-0\\.2,", ",-2,", true));
-    for (const char* wait : {",-600,4000,0", ",-600,0,0", ",-0.5,4000,0", ",0,0,0"})
-      all.push_back({std::string("amid, where the arm is: ") + wait,
+    if (turns) {
+      const std::string turn = "^((?:[^,]*,){7})";
+      all.push_back(replaced("no turn", turn + "[0-9.]+", "$010"));
+      all.push_back(replaced("a turn back", turn, "$01-"));
+      all.push_back(erased("the nozzle is missing", "^nozzle", true));
+      all.push_back(erased("the load is missing", "^load", true));
+      all.push_back(replaced("load of 20 kg", "^load,[0-9.]+", "load,20", true));
+      all.push_back(insertedInHead("base,0,0,10,0,0,0"));
+    } else {
+      all.push_back(replaced("a flow of a half", speed + "([0-9]+)", "$01$2.5"));
+    }
+    for (const std::string& wait : {",-600" + still + "," + on + ",0", ",-600" + still + ",0,0",
+                                    ",-0.5" + still + "," + on + ",0", ",0" + still + ",0,0"})
+      all.push_back({"amid, where the arm is: " + wait,
                      [wait](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
                        const std::size_t line = s.read.motions[m].line;
                        std::smatch place;
@@ -462,12 +480,20 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
 }
 
 std::vector<Mutation> harmlessMutations(const std::string& format) {
-  static const std::map<std::string, std::string> kRemark = {
-      {"urscript", "# "},      {"rapid", "! "},           {"gcode-extended", "; "},
-      {"gcode-bc", "; "},      {"gcode", "; "},           {"krl", "; "},
-      {"spel", "' "},          {"melfa", "' "},           {"tmscript", "// "},
-      {"csv", "# "},           {"urscript-stream", "# "}, {"melfa-stream", "# "},
-      {"melfa-datalink", "# "}};
+  static const std::map<std::string, std::string> kRemark = {{"urscript", "# "},
+                                                             {"rapid", "! "},
+                                                             {"gcode-extended", "; "},
+                                                             {"gcode-bc", "; "},
+                                                             {"gcode", "; "},
+                                                             {"krl", "; "},
+                                                             {"spel", "' "},
+                                                             {"melfa", "' "},
+                                                             {"tmscript", "// "},
+                                                             {"csv", "# "},
+                                                             {"urscript-stream", "# "},
+                                                             {"melfa-stream", "# "},
+                                                             {"melfa-datalink", "# "},
+                                                             {"krl-eki", "# "}};
   const std::string remark = kRemark.at(format);
   const auto any = [](Subject& s, std::mt19937_64& random) {
     return s.read.motions.front().line + random() % (s.text.lines.size() - 40);
