@@ -1628,10 +1628,6 @@ mm³</translation>
         <translation>a espansione</translation>
     </message>
     <message>
-        <source>format {format} knows no external axis: it cannot turn the {axis} of cell {cell}</source>
-        <translation>il formato {format} non conosce assi esterni: non può girare {axis} della cella {cell}</translation>
-    </message>
-    <message>
         <source>front</source>
         <translation>fronte</translation>
     </message>
@@ -4129,13 +4125,6 @@ mm³</translation>
             <numerusform>{place}: il braccio non riuscirebbe ad allontanarsi da dove finiscono {pieces} tratti di percorsi</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>{waypoints} waypoints, {share} of the material, are left out here and there, as told above</source>
-        <translation>
-            <numerusform>{waypoints} punto del percorso, {share} del materiale, viene tralasciato qua e là, come detto sopra</numerusform>
-            <numerusform>{waypoints} punti del percorso, {share} del materiale, vengono tralasciati qua e là, come detto sopra</numerusform>
-        </translation>
-    </message>
     <message>
         <source>pieces are not cut out of a mesh with defects</source>
         <translation>da una mesh con difetti non si ritagliano pezzi</translation>
@@ -5558,10 +5547,6 @@ mm³</translation>
         <translation>devono essere meno: robot e assi sono al più {most}</translation>
     </message>
     <message>
-        <source>must be platform: an axis that carries the robot is not read</source>
-        <translation>deve essere platform: un asse che porta il robot non viene letto</translation>
-    </message>
-    <message>
         <source>must be turning or sliding, is &apos;{kind}&apos;</source>
         <translation>deve essere turning o sliding, è &apos;{kind}&apos;</translation>
     </message>
@@ -5890,10 +5875,6 @@ mm³</translation>
         <translation>{found} numeri in una riga, {wanted} nella prima</translation>
     </message>
     <message>
-        <source>Beads on the plate under rims of round feet that would hang just over it. They come off.</source>
-        <translation>Cordoni sul piatto sotto i bordi di piedi tondi che penderebbero appena sopra. Si staccano.</translation>
-    </message>
-    <message>
         <source>CR750 (7.11 ms)</source>
         <translation>CR750 (7,11 ms)</translation>
     </message>
@@ -5957,13 +5938,6 @@ mm³</translation>
         <source>as the arm goes best</source>
         <translation>come conviene al braccio</translation>
     </message>
-    <message numerus="yes">
-        <source>beads of support ({volume}) are laid on the plate under {paths} low rims that would hang just over it</source>
-        <translation>
-            <numerusform>cordoni di supporto ({volume}) sono deposti sul piatto sotto {paths} bordo basso che penderebbe appena sopra</numerusform>
-            <numerusform>cordoni di supporto ({volume}) sono deposti sul piatto sotto {paths} bordi bassi che penderebbero appena sopra</numerusform>
-        </translation>
-    </message>
     <message>
         <source>controller of the stream</source>
         <translation>controllore del flusso</translation>
@@ -5995,10 +5969,6 @@ mm³</translation>
     <message>
         <source>packet {number} is not what the rows make</source>
         <translation>il pacchetto {number} non corrisponde alle righe</translation>
-    </message>
-    <message>
-        <source>support under low rims</source>
-        <translation>supporto sotto i bordi bassi</translation>
     </message>
     <message>
         <source>take melfa</source>
@@ -6223,6 +6193,56 @@ mm³</translation>
     <message>
         <source>what goes back of C</source>
         <translation>che cosa torna indietro di C</translation>
+    </message>
+    <message>
+        <source>Beads under what would hang just over the plate or over what is printed, which is laid thicker where that is enough. They come off.</source>
+        <translation>Cordoni sotto ciò che penderebbe appena sopra il piatto o sopra quanto è già stampato; dove basta, il cordone stesso è deposto più spesso. Si staccano.</translation>
+    </message>
+    <message>
+        <source>Lines by EthernetKRL (KUKA, with receiver and sender)</source>
+        <translation>Righe via EthernetKRL (KUKA, con ricevitore e mittente)</translation>
+    </message>
+    <message>
+        <source>an axis that carries the robot is missing</source>
+        <translation>manca un asse che porta il robot</translation>
+    </message>
+    <message numerus="yes">
+        <source>beads of support ({volume}) are laid under {paths} beads that would hang just over the plate or over what is printed</source>
+        <translation>
+            <numerusform>cordoni di supporto ({volume}) sono deposti sotto {paths} cordone che penderebbe appena sopra il piatto o sopra quanto è stampato</numerusform>
+            <numerusform>cordoni di supporto ({volume}) sono deposti sotto {paths} cordoni che penderebbero appena sopra il piatto o sopra quanto è stampato</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>format {format} knows no external axis: it cannot move the {axis} of cell {cell}</source>
+        <translation>il formato {format} non conosce assi esterni: non può muovere {axis} della cella {cell}</translation>
+    </message>
+    <message>
+        <source>must be platform behind an axis that carries the platform</source>
+        <translation>deve essere platform dopo un asse che porta la piattaforma</translation>
+    </message>
+    <message>
+        <source>must be platform or robot, is &apos;{carries}&apos;</source>
+        <translation>deve essere platform o robot, è &apos;{carries}&apos;</translation>
+    </message>
+    <message>
+        <source>positions are in a base, or of a nozzle that stands: one of them has to be set</source>
+        <translation>le posizioni sono in una base, o di un ugello fisso: va impostato uno dei due</translation>
+    </message>
+    <message>
+        <source>support under what hangs low</source>
+        <translation>supporto sotto ciò che pende basso</translation>
+    </message>
+    <message>
+        <source>the program has its nozzle {distance:.2f} and {angle:.2f} from where the cell&apos;s stands</source>
+        <translation>il programma ha l&apos;ugello a {distance:.2f} e {angle:.2f} da dove sta quello della cella</translation>
+    </message>
+    <message numerus="yes">
+        <source>{waypoints} waypoints, {share:.2g} of the material, are left out here and there, as told above</source>
+        <translation>
+            <numerusform>{waypoints} punto, {share:.2g} del materiale, è tralasciato qua e là, come detto sopra</numerusform>
+            <numerusform>{waypoints} punti, {share:.2g} del materiale, sono tralasciati qua e là, come detto sopra</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8477,6 +8497,17 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>“%1” had this key and has none now.</source>
         <translation>“%1” aveva questi tasti e ora non ne ha.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::SimulatePage</name>
+    <message>
+        <source>Collision solids</source>
+        <translation>Solidi di collisione</translation>
+    </message>
+    <message>
+        <source>The arm as the solids that are checked for collisions, where it has meshes of its own</source>
+        <translation>Il braccio come i solidi di cui si verificano le collisioni, dove ha mesh proprie</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "replay/verification.h"
 
 #include <algorithm>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <sstream>
 
@@ -151,27 +152,35 @@ TEST(BesideMotion, LoadFirstMotionAndAccelerationsAreHeldToThePlan) {
   }
 }
 
-// Each dialect whose text has the nozzle's frame. Where targets are the arm's (melfa, its lines,
-// spel) nothing else shows it on a plate that does not turn.
+// Each dialect whose text has the nozzle's frame: another first digit behind what comes before it.
+// Where targets are the arm's (melfa, its lines, spel) nothing else shows it on a plate that does
+// not turn.
 TEST(BesideMotion, AnotherNozzleIsFound) {
   const struct {
-    const char *format, *mark, *from, *to;
-  } cases[] = {{"melfa-datalink", "nozzle,", "nozzle,-", "nozzle,-1"},
-               {"krl-eki", "nozzle,", "nozzle,-", "nozzle,-1"},
-               {"melfa", "P_WkCord(1)=", "=(-", "=(-1"},
-               {"spel", "ECPSet 1", "XY(-", "XY(-1"},
-               {"krl", "$BASE=", "{X -", "{X -1"},
-               {"rapid", "PERS tooldata", "[[-", "[[-1"}};
+    const char *format, *mark, *before;
+  } cases[] = {{"melfa-datalink", "nozzle,", "nozzle,"},
+               {"krl-eki", "nozzle,", "nozzle,"},
+               {"melfa", "P_WkCord(1)=", "=("},
+               {"spel", "ECPSet 1", "XY("},
+               {"krl", "$BASE=", "{X "},
+               {"rapid", "PERS tooldata", "[["}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.format);
     test::ProgramText text = textOf(c.format);
-    const std::size_t line = change(text, c.mark, c.from, c.to);
-    ASSERT_GT(line, 0u);
+    const auto said = std::ranges::find_if(text.lines, [&](const std::string& line) {
+      return line.find(c.mark) != std::string::npos && line.find(c.before) != std::string::npos;
+    });
+    ASSERT_NE(said, text.lines.end());
+    const std::size_t at =
+        said->find_first_of("0123456789", said->find(c.before) + std::strlen(c.before));
+    ASSERT_NE(at, std::string::npos);
+    said->insert(at, "1");
+    const std::size_t line = static_cast<std::size_t>(said - text.lines.begin()) + 1;
     const Verification v = verify(text);
     EXPECT_FALSE(v.passed);
     const std::size_t first = test::read(text, scene().process).motions.front().line;
     EXPECT_TRUE(toldAt(v, "nozzleElsewhere", line) || toldAt(v, "nozzleElsewhere", first))
-        << text.lines[line - 1] << "\n"
+        << *said << "\n"
         << told(v);
   }
 }
