@@ -6240,8 +6240,8 @@ mm³</translation>
     <message numerus="yes">
         <source>{waypoints} waypoints, {share:.2g} of the material, are left out here and there, as told above</source>
         <translation>
-            <numerusform>{waypoints} punto, {share:.2g} del materiale, è tralasciato qua e là, come detto sopra</numerusform>
-            <numerusform>{waypoints} punti, {share:.2g} del materiale, sono tralasciati qua e là, come detto sopra</numerusform>
+            <numerusform>{waypoints} punto del percorso, {share:.2g} del materiale, viene tralasciato qua e là, come detto sopra</numerusform>
+            <numerusform>{waypoints} punti del percorso, {share:.2g} del materiale, vengono tralasciati qua e là, come detto sopra</numerusform>
         </translation>
     </message>
 </context>
