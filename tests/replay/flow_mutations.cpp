@@ -1,5 +1,7 @@
 #include "replay/flow_mutations.h"
 
+#include "replay/mutation_text.h"
+
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -7,12 +9,6 @@
 namespace voluta::test {
 
 namespace {
-
-using Line = std::optional<std::size_t>;
-
-std::ptrdiff_t at(std::size_t line) { // 1-based
-  return static_cast<std::ptrdiff_t>(line) - 1;
-}
 
 // How a dialect whose flow is a rate says it, its value alone in brackets, and that it flows.
 struct RateWords {

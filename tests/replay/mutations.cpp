@@ -2,6 +2,7 @@
 
 #include "mutation_lines.h"
 #include "replay/flow_mutations.h"
+#include "replay/mutation_text.h"
 
 #include "base/units.h"
 
@@ -13,25 +14,6 @@
 namespace voluta::test {
 
 namespace {
-
-using Line = std::optional<std::size_t>;
-
-std::ptrdiff_t at(std::size_t line) { // 1-based
-  return static_cast<std::ptrdiff_t>(line) - 1;
-}
-std::string& lineOf(Subject& s, std::size_t m) {
-  return s.text.lines[s.read.motions.at(m).line - 1];
-}
-bool endsWithCr(const std::string& line) {
-  return line.ends_with('\r');
-}
-// Where a line's own text ends.
-std::size_t endOf(const std::string& line) {
-  return line.size() - (endsWithCr(line) ? 1 : 0);
-}
-std::string ended(const Subject& s, const std::string& line) {
-  return !s.text.lines.empty() && endsWithCr(s.text.lines.front()) ? line + "\r" : line;
-}
 
 // How far two motions' targets are apart, in what is about a millimetre.
 double apart(const plan::ProgramMotion& a, const plan::ProgramMotion& b) {
@@ -476,130 +458,6 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
   targets(all, format == "gcode-bc" ? 5 : format.starts_with("gcode") ? 3 : 6);
   words(all, format);
   all.push_back(lowerFlow(format, 0.8, 200));
-  return all;
-}
-
-std::vector<Mutation> harmlessMutations(const std::string& format) {
-  static const std::map<std::string, std::string> kRemark = {{"urscript", "# "},
-                                                             {"rapid", "! "},
-                                                             {"gcode-extended", "; "},
-                                                             {"gcode-bc", "; "},
-                                                             {"gcode", "; "},
-                                                             {"krl", "; "},
-                                                             {"spel", "' "},
-                                                             {"melfa", "' "},
-                                                             {"tmscript", "// "},
-                                                             {"csv", "# "},
-                                                             {"urscript-stream", "# "},
-                                                             {"melfa-stream", "# "},
-                                                             {"melfa-datalink", "# "},
-                                                             {"krl-eki", "# "}};
-  const std::string remark = kRemark.at(format);
-  const auto any = [](Subject& s, std::mt19937_64& random) {
-    return s.read.motions.front().line + random() % (s.text.lines.size() - 40);
-  };
-  std::vector<Mutation> all;
-  all.push_back({"a remark", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-                   const std::size_t line = any(s, random);
-                   s.text.lines.insert(s.text.lines.begin() + at(line),
-                                       ended(s, remark + "seen by me " + std::to_string(random())));
-                   return line;
-                 }});
-  all.push_back({"an empty line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-                   const std::size_t line = any(s, random);
-                   s.text.lines.insert(s.text.lines.begin() + at(line), ended(s, "   "));
-                   return line;
-                 }});
-  all.push_back(
-      {"blanks before a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-         const std::size_t line = any(s, random);
-         s.text.lines[line - 1].insert(0, 1 + random() % 5, ' ');
-         return line;
-       }});
-  all.push_back(
-      {"a tab before a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-         const std::size_t line = any(s, random);
-         s.text.lines[line - 1].insert(0, 1, '\t');
-         return line;
-       }});
-  all.push_back(
-      {"zeros behind a number", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-         const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
-         std::string& line = lineOf(s, m);
-         std::vector<std::size_t> ends;
-         for (const auto& [begin, end] : numbersIn(line))
-           if (line.substr(begin, end - begin).find('.') != std::string::npos &&
-               line.substr(begin, end - begin).find_first_of("eE") == std::string::npos)
-             ends.push_back(end);
-         if (ends.empty())
-           return std::nullopt;
-         line.insert(ends[random() % ends.size()], "000");
-         return s.read.motions[m].line;
-       }});
-  all.push_back(
-      {"blanks within a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-         const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
-         std::string& line = lineOf(s, m);
-         const char mark = format.starts_with("gcode") ? ' ' : ',';
-         std::vector<std::size_t> places;
-         for (std::size_t i = line.find(mark); i != std::string::npos; i = line.find(mark, i + 1))
-           places.push_back(i);
-         line.insert(places[random() % places.size()] + 1, "  ");
-         return s.read.motions[m].line;
-       }});
-  all.push_back(
-      {"blanks behind a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-         const std::size_t line = any(s, random);
-         std::string& text = s.text.lines[line - 1];
-         text.insert(endOf(text), "  ");
-         return line;
-       }});
-  if (format != "csv")
-    all.push_back(
-        {"a remark behind a line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-           const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
-           std::string& text = lineOf(s, m);
-           text.insert(endOf(text), " " + remark + "ok");
-           return s.read.motions[m].line;
-         }});
-  if (format == "rapid" || format == "krl" || format == "spel" || format == "melfa")
-    all.push_back(
-        {"letters of the other case", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
-           const std::size_t m = 1 + random() % (s.read.motions.size() - 1);
-           for (char& c : lineOf(s, m))
-             c = static_cast<char>(random() % 2 ? std::toupper(c) : std::tolower(c));
-           return s.read.motions[m].line;
-         }});
-  const auto swapped = [](const std::string& a, const std::string& b) {
-    return Mutation{"lines of the head in another order",
-                    [a, b](Subject& s, std::size_t, std::mt19937_64&) -> Line {
-                      std::size_t first = 0, second = 0;
-                      for (std::size_t i = s.text.lines.size(); i-- > 0;) {
-                        first = s.text.lines[i].find(a) != std::string::npos ? i + 1 : first;
-                        second = s.text.lines[i].find(b) != std::string::npos ? i + 1 : second;
-                      }
-                      if (!first || !second)
-                        return std::nullopt;
-                      std::swap(s.text.lines[first - 1], s.text.lines[second - 1]);
-                      return first;
-                    }};
-  };
-  if (format == "urscript") {
-    all.push_back(swapped("set_tcp", "set_payload"));
-    all.push_back(swapped("set_standard_digital_out(0,False)", "set_standard_analog_out(0,0)"));
-  } else if (format == "rapid") {
-    all.push_back(swapped("ConfL", "ConfJ"));
-    all.push_back(swapped("PERS tooldata", "PERS wobjdata"));
-  } else if (format == "krl") {
-    all.push_back(swapped("$BASE=", "$TOOL="));
-    all.push_back(swapped("$VEL.ORI1", "$LOAD"));
-  } else if (format == "spel") {
-    all.push_back(swapped("Weight", "AutoLJM"));
-    all.push_back(swapped("Power Low", "TLSet"));
-  } else if (format.starts_with("gcode")) {
-    all.push_back(swapped("G21", "G90"));
-    all.push_back(swapped("G90", "M82"));
-  }
   return all;
 }
 
