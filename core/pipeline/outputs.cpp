@@ -69,6 +69,12 @@ void writeProgram(const CheckedProgram& checked, const std::filesystem::path& fo
 } // namespace
 
 namespace {
+// What stops the plan before what is only worth knowing; each in the order of the stages.
+void writeReport(project::Report report, const std::filesystem::path& folder) {
+  std::ranges::stable_partition(report.findings, &plan::Finding::blocking);
+  base::writeFile(folder / kReportName, project::reportJson(report));
+}
+
 // Its tool-paths are the whole part's: of a print that is taken up again there is none.
 bool writesBuildFile(const PlanResult& result) {
   return result.buildFile && result.job.toolPlan && result.job.resumedAt == 0;
@@ -107,7 +113,7 @@ void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
   result.job.report.timings.write += writing.seconds();
   result.job.report.timings.total += writing.seconds();
   result.job.report.peakRssMb = base::peakResidentMb();
-  base::writeFile(folder / kReportName, project::reportJson(result.job.report));
+  writeReport(result.job.report, folder);
 }
 
 Programs chosenPrograms(const PlanResult& result, const std::vector<std::string>& formats,
@@ -161,7 +167,7 @@ void writeHandover(const PlanResult& result, const Programs& programs,
            (!finding.program.format.empty() && !isThere(finding.program.format));
   });
   written.peakRssMb = base::peakResidentMb();
-  base::writeFile(folder / kReportName, project::reportJson(written));
+  writeReport(std::move(written), folder);
 }
 
 } // namespace voluta::pipeline

@@ -1,4 +1,8 @@
 #include "base/error.h"
+#include "base/files.h"
+#include "base/run_context.h"
+#include "helpers/temporary_folder.h"
+#include "pipeline/outputs.h"
 #include "plan/finding_kinds.h"
 #include "project/report.h"
 
@@ -51,6 +55,29 @@ TEST(Report, EveryKeyIsThereEvenWhenEmpty) {
     EXPECT_TRUE(j.at("findings")[0].contains(key)) << key;
   for (const char* key : {"peakRssMb", "threads", "version"})
     EXPECT_TRUE(j.contains(key)) << key;
+}
+
+// Whoever reads the first finding of a plan that failed reads why.
+TEST(Report, WhatBlocksIsWrittenFirst) {
+  pipeline::PlanResult plan;
+  plan.proofs = false;
+  using enum plan::FindingKind;
+  for (const plan::FindingKind kind : {LiesBadly, PatchWithoutBead, Overfill, Uncovered, Mass}) {
+    plan::Finding& finding = plan.job.report.findings.emplace_back();
+    finding.kind = kind;
+    finding.blocking = kind == Uncovered || kind == Mass;
+  }
+  const plan::Findings before = plan.job.report.findings;
+  const test::TemporaryFolder folder;
+  pipeline::writeHandover(plan, {}, folder.path(), base::RunContext());
+  const nlohmann::json j = nlohmann::json::parse(base::readFile(folder / "report.json"));
+  std::vector<std::string> kinds;
+  for (const nlohmann::json& row : j.at("findings"))
+    kinds.push_back(row.at("kind"));
+  EXPECT_EQ(kinds, (std::vector<std::string>{"uncovered", "mass", "liesBadly", "patchWithoutBead",
+                                             "overfill"}));
+  for (std::size_t i = 0; i < before.size(); ++i) // the job's stay with their stages
+    EXPECT_EQ(plan.job.report.findings[i].kind, before[i].kind);
 }
 
 TEST(Report, TextThatIsNotUtf8StaysReadable) {
