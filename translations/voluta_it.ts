@@ -6207,10 +6207,10 @@ mm³</translation>
         <translation>manca un asse che porta il robot</translation>
     </message>
     <message numerus="yes">
-        <source>beads of support ({volume}) are laid under {paths} beads that would hang just over the plate or over what is printed</source>
+        <source>beads of support ({volume:.3g}) are laid under {paths} beads that would hang just over the plate or over what is printed</source>
         <translation>
-            <numerusform>cordoni di supporto ({volume}) sono deposti sotto {paths} cordone che penderebbe appena sopra il piatto o sopra quanto è stampato</numerusform>
-            <numerusform>cordoni di supporto ({volume}) sono deposti sotto {paths} cordoni che penderebbero appena sopra il piatto o sopra quanto è stampato</numerusform>
+            <numerusform>cordoni di supporto ({volume:.3g}) sono deposti sotto {paths} cordone che penderebbe appena sopra il piatto o sopra quanto è stampato</numerusform>
+            <numerusform>cordoni di supporto ({volume:.3g}) sono deposti sotto {paths} cordoni che penderebbero appena sopra il piatto o sopra quanto è stampato</numerusform>
         </translation>
     </message>
     <message>

@@ -46,7 +46,7 @@ public:
     start_ = std::max<std::size_t>(1, front_.count());
     if (!guide_.empty())
       lowerLevels();
-    while (front_.count() > 0) {
+    while (front_.count() > 0 && isWanted()) {
       reportProgress();
       if (round(options_.sheet, options_.tolerance) || peelFrontOnly() || goOnWhenStuck())
         continue;
@@ -71,13 +71,16 @@ private:
                 "growth"_text);
   }
 
+  bool isWanted() const { return !options_.needless || !options_.needless->cancelled(); }
+
   void lowerLevels() {
     float highest = 0.0f;
     for (std::size_t v = 0; v < graph_.size(); ++v)
       if (present_[v])
         highest = std::max(highest, guide_[v]);
     const auto step = static_cast<float>(options_.levelStep);
-    for (level_ = highest - step; level_ > -step && front_.count() > 0; level_ -= step) {
+    for (level_ = highest - step; level_ > -step && front_.count() > 0 && isWanted();
+         level_ -= step) {
       reportProgress();
       round(options_.sheet, options_.tolerance);
     }

@@ -9,6 +9,7 @@
 #include "process/process.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct PeelOptions {
   // Null: the front is flat everywhere.
   const process::HeadShape* head = nullptr;
   int runs = 12; // peelAll(): at most
+  // Once it is cancelled what is peeled is not wanted any more: as if nothing could go on.
+  std::optional<base::CancelToken> needless;
 };
 
 struct Peeling {

@@ -1,6 +1,7 @@
 #include "curved/smooth_field.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "curved/field_fit.h"
 #include "curved/flood.h"
 #include "curved/reverse_growth.h"
@@ -108,21 +109,37 @@ public:
     for (int round = 0; round < rounds_; ++round) {
       ctx.report((round + 0.5) / (rounds_ + 0.5), "field"_text);
       field = flood(graph_, {}, field, kPitSlope, ctx, Steps::FacesFirst).value;
-      const FieldScore score =
-          scoreField(graph_, field, fit_.normals(), limits_, front.head, deep, ctx);
+      // Growth along the field goes on beside its judgement, which may make it needless.
+      FieldScore score;
+      Peeling grown;
+      const base::CancelToken ends;
+      peelOptions.needless = ends;
+      const auto judge = [&] {
+        score = scoreField(graph_, field, fit_.normals(), limits_, front.head, deep, ctx);
+        const bool good = score.inaccessible <= kAccessible && score.within >= kWithin &&
+                          score.deepest <= kDeepest && (front.givesWay || score.roofs <= kRoofs);
+        if (good || round + 1 == rounds_ ||
+            (fitOptions.overhang > kOverhangFirst && score.roofs > front.roofsMost))
+          ends.cancel();
+      };
+      const auto grow = [&] {
+        if (round + 1 < rounds_)
+          grown = peelGuided(graph_, field, rank_, peelOptions, ctx.quiet());
+      };
+      base::parallelChunks(ctx, 2, 1, [&](std::size_t begin, std::size_t) {
+        if (begin == 0)
+          judge();
+        else
+          grow();
+      });
       const bool stalled =
           round > 0 && score.inaccessible > kAccessible && score.inaccessible > kStalled * before;
       before = score.inaccessible;
       keepIfBetter(field, score);
-      if (round + 1 == rounds_ ||
-          (score.inaccessible <= kAccessible && score.within >= kWithin &&
-           score.deepest <= kDeepest && (front.givesWay || score.roofs <= kRoofs)))
-        break;
-      if (fitOptions.overhang > kOverhangFirst && score.roofs > front.roofsMost)
+      if (ends.cancelled())
         break;
       if (stalled && front.givesWay)
         fitOptions.overhang += kOverhangStep;
-      const Peeling grown = peelGuided(graph_, field, rank_, peelOptions, ctx.quiet());
       std::vector<float> target(graph_.size());
       for (std::size_t v = 0; v < graph_.size(); ++v)
         target[v] = grown.rank[v] > 0 ? std::max(grown.level[v], 0.25f) : field[v];

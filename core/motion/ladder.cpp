@@ -29,7 +29,8 @@ double step(const double* from, const robot::JointVector& to,
     const auto& limit = limits[static_cast<std::size_t>(j)];
     double d = robot::asTurn(limit.kind, to[j] - from[j]);
     if (std::abs(d) > maxStep) {
-      if (limit.kind == robot::JointKind::Sliding)
+      // Most candidates of another branch end here: no whole turn brings them nearer.
+      if (limit.kind == robot::JointKind::Sliding || std::abs(d) < base::kTurn - maxStep)
         return kInfinity;
       d -= base::kTurn * rounded(d / base::kTurn);
       if (std::abs(d) > maxStep)

@@ -288,9 +288,11 @@ constexpr auto kRows = std::to_array<FindingRow>({
     {PatchWithoutBead, "patchWithoutBead", "patchWithoutBead", Toolpath, Depends,
      "pieces of layers are narrower than half a bead and stay empty"_text, kFiner},
     {RimSupports, "rimSupports", "rimSupports", Toolpath, Tells,
-     "beads of support ({volume}) are laid under {paths} bead that would hang just over the plate "
+     "beads of support ({volume:.3g}) are laid under {paths} bead that would hang just over the "
+     "plate "
      "or over what is printed|"
-     "beads of support ({volume}) are laid under {paths} beads that would hang just over the plate "
+     "beads of support ({volume:.3g}) are laid under {paths} beads that would hang just over the "
+     "plate "
      "or over what is printed"_plural,
      kBreakOff},
     {Gouge, "gouge", "gouge", Toolpath, Depends,

@@ -255,8 +255,8 @@ public:
       const std::uint32_t cell = shares[s].cell;
       if (!ofPart && placed_[s] > 0.0f)
         result_.otherFill[cell] += placed_[s];
-      if (result_.filledBy[cell] == kNeverFilled && result_.fill[cell] > 0.5f)
-        result_.filledBy[cell] = piece;
+      if (result_.filler[cell] == 0 && result_.fill[cell] > 0.5f)
+        result_.filler[cell] = piece + 1;
     }
     return left;
   }
@@ -317,11 +317,11 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
   base::require(options.samplesPerCell >= 1, "depositBeads: samplesPerCell >= 1");
   BeadGrid result;
   result.grid = grid;
-  result.fill.assign(grid.cellCount(), 0.0f);
-  result.filledBy.assign(grid.cellCount(), kNeverFilled);
+  result.fill = base::ZeroedArray<float>(grid.cellCount());
+  result.filler = base::ZeroedArray<std::uint32_t>(grid.cellCount());
   result.pieceExcessMm3.assign(pieces.size(), 0.0f);
   if (std::any_of(pieces.begin(), pieces.end(), [](const BeadPiece& p) { return !p.ofPart; }))
-    result.otherFill.assign(grid.cellCount(), 0.0f);
+    result.otherFill = base::ZeroedArray<float>(grid.cellCount());
   const double cellVolume = std::pow(grid.pitch, 3);
 
   // Footprints don't depend on what lies there already: made side by side, laid one by one.

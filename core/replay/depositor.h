@@ -12,6 +12,7 @@
 // laid = sum of fill x cell volume + excess, always.
 #pragma once
 
+#include "base/zeroed_array.h"
 #include "voxel/voxel_grid.h"
 
 #include <Eigen/Geometry>
@@ -50,12 +51,14 @@ BeadSection sectionOf(const BeadPiece& piece, double widthMaxMm);
 
 struct BeadGrid {
   voxel::VoxelGrid grid;
-  std::vector<float> fill;             // 0..1, all material
-  std::vector<float> otherFill;        // of that, supports and skirts; empty when there are none
-  std::vector<std::uint32_t> filledBy; // piece that filled it more than half, or kNeverFilled
-  double laidMm3 = 0.0;                // volume of all pieces
-  double excessMm3 = 0.0;              // of it, what found no room
-  std::vector<float> pieceExcessMm3;   // per piece
+  base::ZeroedArray<float> fill;      // 0..1, all material
+  base::ZeroedArray<float> otherFill; // of that, supports and skirts; empty when there are none
+  base::ZeroedArray<std::uint32_t> filler; // 1 + piece that filled it more than half; 0: none did
+  // That piece, or kNeverFilled.
+  std::uint32_t filledBy(std::size_t cell) const { return filler[cell] - 1u; }
+  double laidMm3 = 0.0;              // volume of all pieces
+  double excessMm3 = 0.0;            // of it, what found no room
+  std::vector<float> pieceExcessMm3; // per piece
 };
 
 struct DepositOptions {

@@ -65,10 +65,10 @@ GroundCells::GroundCells(const geometry::TriangleMesh& mesh, double pitchMm,
                          const base::RunContext& ctx) {
   cells_.grid = gridRound(mesh, pitchMm);
   const PartCells inside = partCells(mesh, geometry::MeshQuery(mesh), cells_.grid, ctx);
-  cells_.filledBy.assign(inside.share.size(), kNeverFilled);
+  cells_.filler = base::ZeroedArray<std::uint32_t>(inside.share.size());
   for (std::size_t c = 0; c < inside.share.size(); ++c)
     if (inside.share[c] > 127)
-      cells_.filledBy[c] = 0;
+      cells_.filler[c] = 1;
   // A run that no bead has: none of it is soft.
   piece_.emplace_back().run = kNeverFilled - 1;
   part_.emplace(cells_, piece_);

@@ -4,7 +4,6 @@ namespace voluta::replay {
 
 PrintedPart::PrintedPart(const BeadGrid& beads, const std::vector<BeadPiece>& pieces)
     : beads_(beads), pieces_(pieces) {
-  const std::vector<std::uint32_t>* below = &beads_.filledBy;
   Eigen::Vector3i size = beads_.grid.size;
   for (int cells = kBranch; cells <= kBranch * kBranch * kBranch; cells *= kBranch) {
     Level level;
@@ -19,11 +18,10 @@ PrintedPart::PrintedPart(const BeadGrid& beads, const std::vector<BeadPiece>& pi
       for (int j = 0; j < size.y(); ++j)
         for (int i = 0; i < size.x(); ++i, ++at) {
           std::uint32_t& least = level.least[level.index({i / kBranch, j / kBranch, k / kBranch})];
-          least = std::min(least, (*below)[at]);
+          least = std::min(least, levels_.empty() ? beads_.filledBy(at) : levels_.back().least[at]);
         }
     size = level.size;
     levels_.push_back(std::move(level));
-    below = &levels_.back().least;
   }
 }
 

@@ -29,7 +29,7 @@ public:
   const voxel::VoxelGrid& grid() const { return beads_.grid; }
 
   bool printed(std::size_t cell, const Moment& moment) const {
-    const std::uint32_t by = beads_.filledBy[cell];
+    const std::uint32_t by = beads_.filledBy(cell);
     if (by >= moment.before)
       return false;
     const BeadPiece& piece = pieces_[by];
@@ -112,7 +112,7 @@ private:
           }
           const std::size_t cell = grid().index(i, j, k);
           // The piece that filled it lies far away in memory.
-          if (beads_.filledBy[cell] < moment.before && within(grid().centre(i, j, k), 0.0) &&
+          if (beads_.filledBy(cell) < moment.before && within(grid().centre(i, j, k), 0.0) &&
               printed(cell, moment))
             return cell;
         }

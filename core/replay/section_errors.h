@@ -26,7 +26,8 @@ struct SectionErrors {
 // text lays without ramps. `pointOf`: per motion, as of alignment.h. Sections are compared by
 // volume, as both have one length.
 SectionErrors sectionErrors(const plan::ReadProgram& program, const ExecutedPath& path,
-                      const plan::Trajectory& trajectory, const std::vector<std::size_t>& pointOf,
-                      const std::vector<double>& seconds);
+                            const plan::Trajectory& trajectory,
+                            const std::vector<std::size_t>& pointOf,
+                            const std::vector<double>& seconds);
 
 } // namespace voluta::replay
