@@ -18,32 +18,29 @@ namespace {
 constexpr std::size_t kRowsAChunk = 256;
 } // namespace
 
-FillTimes::FillTimes(const voxel::VoxelGrid& grid, std::vector<std::uint32_t> filledAt,
-                     const base::RunContext& ctx)
-    : grid_(grid), filledAt_(std::move(filledAt)) {
-  base::require(filledAt_.size() == grid_.cellCount(), "a time for each cell");
-  if (filledAt_.empty())
+FillTimes::FillTimes(const voxel::VoxelGrid& grid, Leads leads, const base::RunContext& ctx)
+    : grid_(grid), leads_(std::move(leads)) {
+  base::require(leads_.size() == grid_.cellCount(), "a time for each cell");
+  if (leads_.empty())
     return;
   const auto rows = static_cast<std::size_t>(grid_.size.z());
   fromUp_.resize(rows);
   base::parallelChunks(ctx, rows, 1, [&](std::size_t b, std::size_t e) {
-    const std::size_t cells = filledAt_.size() / rows;
-    for (std::size_t z = b; z < e; ++z) {
-      const auto first = filledAt_.begin() + static_cast<std::ptrdiff_t>(z * cells);
-      fromUp_[z] = *std::min_element(first, first + static_cast<std::ptrdiff_t>(cells));
-    }
+    const std::size_t cells = leads_.size() / rows;
+    for (std::size_t z = b; z < e; ++z)
+      fromUp_[z] =
+          kNever - *std::max_element(leads_.begin() + z * cells, leads_.begin() + (z + 1) * cells);
   });
   for (std::size_t z = rows - 1; z-- > 0;)
     fromUp_[z] = std::min(fromUp_[z], fromUp_[z + 1]);
-  const std::vector<std::uint32_t>* below = &filledAt_;
+  const Leads* below = &leads_;
   Vector3i belowSize = grid_.size;
   while (belowSize.maxCoeff() > 1) {
     Level level;
     level.size = (belowSize.array() + 1) / 2;
-    level.least.assign(static_cast<std::size_t>(level.size.x()) *
-                           static_cast<std::size_t>(level.size.y()) *
-                           static_cast<std::size_t>(level.size.z()),
-                       kNever);
+    level.most =
+        Leads(static_cast<std::size_t>(level.size.x()) * static_cast<std::size_t>(level.size.y()) *
+              static_cast<std::size_t>(level.size.z()));
     const auto nx = static_cast<std::size_t>(level.size.x());
     const auto ny = static_cast<std::size_t>(level.size.y());
     const auto mx = static_cast<std::size_t>(belowSize.x());
@@ -53,17 +50,18 @@ FillTimes::FillTimes(const voxel::VoxelGrid& grid, std::vector<std::uint32_t> fi
                          [&](std::size_t b, std::size_t e) {
                            for (std::size_t row = b; row < e; ++row) {
                              const std::size_t j = row % ny, k = row / ny;
-                             std::uint32_t* out = level.least.data() + row * nx;
+                             std::uint32_t* out = level.most.begin() + row * nx;
                              for (std::size_t z = 2 * k; z < std::min(mz, 2 * k + 2); ++z)
                                for (std::size_t y = 2 * j; y < std::min(my, 2 * j + 2); ++y) {
-                                 const std::uint32_t* in = below->data() + mx * (y + my * z);
+                                 const std::uint32_t* in = below->begin() + mx * (y + my * z);
                                  for (std::size_t x = 0; x < mx; ++x)
-                                   out[x / 2] = std::min(out[x / 2], in[x]);
+                                   if (in[x] > out[x / 2])
+                                     out[x / 2] = in[x];
                                }
                            }
                          });
     pyramid_.push_back(std::move(level));
-    below = &pyramid_.back().least;
+    below = &pyramid_.back().most;
     belowSize = pyramid_.back().size;
   }
 }
@@ -144,24 +142,24 @@ private:
 } // namespace
 
 std::uint32_t FillTimes::leastAt(int level, const Vector3i& block) const {
-  const auto at = [&](const Vector3i& size, const std::vector<std::uint32_t>& least) {
+  const auto at = [&](const Vector3i& size, const Leads& most) {
     if (block.x() >= size.x() || block.y() >= size.y() || block.z() >= size.z())
       return kNever;
-    return least[static_cast<std::size_t>(block.x()) +
-                 static_cast<std::size_t>(size.x()) *
-                     (static_cast<std::size_t>(block.y()) +
-                      static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(block.z()))];
+    return kNever -
+           most[static_cast<std::size_t>(block.x()) +
+                static_cast<std::size_t>(size.x()) *
+                    (static_cast<std::size_t>(block.y()) +
+                     static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(block.z()))];
   };
   if (level == 0)
-    return at(grid_.size, filledAt_);
+    return at(grid_.size, leads_);
   const Level& l = pyramid_[static_cast<std::size_t>(level) - 1];
-  return at(l.size, l.least);
+  return at(l.size, l.most);
 }
 
 bool FillTimes::holds(const Eigen::Vector3d& point, std::uint32_t before) const {
   const Eigen::Vector3i c = grid_.cellOf(point);
-  return grid_.contains(c.x(), c.y(), c.z()) &&
-         filledAt_[grid_.index(c.x(), c.y(), c.z())] < before;
+  return grid_.contains(c.x(), c.y(), c.z()) && filledAt(grid_.index(c.x(), c.y(), c.z())) < before;
 }
 
 double FillTimes::topBefore(std::uint32_t before) const {
@@ -173,7 +171,7 @@ double FillTimes::topBefore(std::uint32_t before) const {
 
 bool FillTimes::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                         double marginMm, std::uint32_t before) const {
-  if (filledAt_.empty())
+  if (leads_.empty())
     return false;
   const auto leastFilled = [this](int level, const Vector3i& b) { return leastAt(level, b); };
   const int top = static_cast<int>(pyramid_.size());
@@ -197,7 +195,7 @@ bool FillTimes::touches(const robot::Shape& shape, const Eigen::Isometry3d& work
 
 double FillTimes::distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                            double capMm, std::uint32_t before) const {
-  if (filledAt_.empty())
+  if (leads_.empty())
     return capMm;
   const auto leastFilled = [this](int level, const Vector3i& b) { return leastAt(level, b); };
   const int top = static_cast<int>(pyramid_.size());

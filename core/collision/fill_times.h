@@ -1,6 +1,7 @@
 // A grid of moments at which cells are filled, and how far shapes are from what is filled in time.
 #pragma once
 
+#include "base/zeroed_array.h"
 #include "robot/body.h"
 #include "voxel/voxel_grid.h"
 
@@ -20,12 +21,15 @@ public:
   static constexpr std::uint32_t kNever = 0xffffffffu;
 
   FillTimes() = default;
-  // filledAt: of each cell, kNever where it stays empty. Throws Cancelled.
-  FillTimes(const voxel::VoxelGrid& grid, std::vector<std::uint32_t> filledAt,
-            const base::RunContext& ctx);
+  // Of each cell how long before kNever it is filled; 0: it stays empty, and takes no memory.
+  using Leads = base::ZeroedArray<std::uint32_t>;
+  static constexpr std::uint32_t leadOf(std::uint32_t moment) { return kNever - moment; }
+
+  // Throws Cancelled.
+  FillTimes(const voxel::VoxelGrid& grid, Leads leads, const base::RunContext& ctx);
 
   const voxel::VoxelGrid& grid() const { return grid_; }
-  std::uint32_t filledAt(std::size_t cell) const { return filledAt_[cell]; }
+  std::uint32_t filledAt(std::size_t cell) const { return kNever - leads_[cell]; }
 
   // Is the point in a cell that is filled at a moment < `before`?
   bool holds(const Eigen::Vector3d& point, std::uint32_t before) const;
@@ -49,11 +53,11 @@ private:
   double topBefore(std::uint32_t before) const;
 
   voxel::VoxelGrid grid_;
-  std::vector<std::uint32_t> filledAt_;
+  Leads leads_;
   std::vector<std::uint32_t> fromUp_; // of each z: least moment there or higher
   struct Level {
     Eigen::Vector3i size;
-    std::vector<std::uint32_t> least; // of a block of 2^level cells
+    Leads most; // of a block of 2^level cells: of what is filled first
   };
   std::vector<Level> pyramid_;
 };

@@ -66,10 +66,10 @@ voxel::VoxelGrid gridAround(const plan::ToolPlan& plan, const std::vector<std::u
   return grid;
 }
 
-void lower(std::uint32_t& cell, std::uint32_t value) {
+void raise(std::uint32_t& cell, std::uint32_t value) {
   std::atomic_ref<std::uint32_t> shared(cell);
   std::uint32_t old = shared.load(std::memory_order_relaxed);
-  while (value < old && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {
+  while (value > old && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {
   }
 }
 
@@ -117,10 +117,11 @@ std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& plat
     else
       voxel::fillOpen(solid, caps, grid, inside, ctx);
   }
-  std::vector<std::uint32_t> filledAt(inside.size());
-  std::transform(inside.begin(), inside.end(), filledAt.begin(),
-                 [](std::uint8_t in) { return in != 0 ? kFromTheStart : FillTimes::kNever; });
-  return std::make_shared<FillTimes>(grid, std::move(filledAt), ctx);
+  FillTimes::Leads leads(inside.size());
+  for (std::size_t c = 0; c < inside.size(); ++c)
+    if (inside[c] != 0)
+      leads[c] = FillTimes::leadOf(kFromTheStart);
+  return std::make_shared<FillTimes>(grid, std::move(leads), ctx);
 }
 
 GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx,
@@ -134,7 +135,7 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
   base::require(plan.waypointCount() < kNeverFilled, "fewer than 2^32 - 1 waypoints");
   const std::vector<std::uint32_t> segments = segmentsOf(plan);
   const voxel::VoxelGrid grid = gridAround(plan, segments, pitchMm);
-  std::vector<std::uint32_t> filledAt(grid.cellCount(), kNeverFilled);
+  FillTimes::Leads leads(grid.cellCount());
   base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t s = b; s < e; ++s) {
       const BeadSolid bead(plan, segments[s]);
@@ -144,10 +145,10 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
         for (int j = low.y(); j <= high.y(); ++j)
           for (int i = low.x(); i <= high.x(); ++i)
             if (bead.contains(grid.centre(i, j, k)))
-              lower(filledAt[grid.index(i, j, k)], segments[s] + 1);
+              raise(leads[grid.index(i, j, k)], FillTimes::leadOf(segments[s] + 1));
     }
   });
-  beads_ = FillTimes(grid, std::move(filledAt), ctx);
+  beads_ = FillTimes(grid, std::move(leads), ctx);
 }
 
 bool GrowingPart::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,

@@ -39,15 +39,14 @@ protected:
     grid.pitch = 1.0;
     grid.size = {60, 60, 6};
     grid.origin = {-30.0, -30.0, kLow};
-    std::vector<std::uint32_t> filled(grid.cellCount(), collision::FillTimes::kNever);
-    for (std::size_t c = 0; c < filled.size(); ++c) {
+    collision::FillTimes::Leads leads(grid.cellCount());
+    for (std::size_t c = 0; c < leads.size(); ++c) {
       const Eigen::Vector3i at = grid.cell(c);
       const double r = grid.centre(at.x(), at.y(), at.z()).head<2>().norm();
       if (r > kHole && r < kCollar)
-        filled[c] = 0;
+        leads[c] = collision::FillTimes::leadOf(0);
     }
-    return std::make_shared<const collision::FillTimes>(grid, std::move(filled),
-                                                        base::RunContext());
+    return std::make_shared<const collision::FillTimes>(grid, std::move(leads), base::RunContext());
   }
 
   motion::MotionResult planned(std::shared_ptr<const collision::FillTimes> ground) const {
