@@ -4,8 +4,9 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace voluta::motion {
@@ -43,12 +44,20 @@ double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double r
     more[j] += step;
     const Eigen::Isometry3d a = robot.kinematics->flange(less), b = robot.kinematics->flange(more);
     jacobian.col(j).head<3>() = (b.translation() - a.translation()) / (2.0 * kStep * reachMm);
-    const Eigen::AngleAxisd turn(b.linear() * a.linear().transpose());
-    jacobian.col(j).tail<3>() = turn.angle() * turn.axis() / (2.0 * kStep);
+    // Of so small a turn what is skew is the turn itself.
+    const Eigen::Matrix3d turn = b.linear() * a.linear().transpose();
+    jacobian.col(j).tail<3>() =
+        Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) /
+        (4.0 * kStep);
   }
-  const Eigen::JacobiSVD<decltype(jacobian)> svd(jacobian);
-  const auto& values = svd.singularValues();
-  return values[0] > 0.0 ? values[values.size() - 1] / values[0] : 0.0;
+  // Singular values are the roots of the eigenvalues of the smaller of J J' and J' J, ascending.
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+  const Square square =
+      dof < 6 ? Square(jacobian.transpose() * jacobian) : Square(jacobian * jacobian.transpose());
+  const Eigen::SelfAdjointEigenSolver<Square> eigen(square, Eigen::EigenvaluesOnly);
+  const auto& values = eigen.eigenvalues();
+  const double most = values[values.size() - 1];
+  return most > 0.0 ? std::sqrt(std::max(0.0, values[0]) / most) : 0.0;
 }
 
 MotionMargins marginsOf(const plan::Trajectory& t, const robot::Cell& cell,
