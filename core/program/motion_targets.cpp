@@ -81,7 +81,7 @@ double leadingJointRad(const ProgramInput& input, std::size_t point) {
   if (point == 0)
     return 0.0;
   const Eigen::Map<const Eigen::VectorXd> from(t.at(point - 1), t.dof), to(t.at(point), t.dof);
-  return robot::largestTurn(to - from, input.cell.robot().limits);
+  return robot::largestTurn(to - from, input.cell.limits());
 }
 
 double rampedSpeed(double rad, double seconds, double radPerS2) {

@@ -36,7 +36,8 @@ void placeInWorkFrame(const ProgramInput& input, int decimals, std::vector<Motio
 // Time and material of the motion that ends at `point`; 0 at point 0.
 double motionSeconds(const plan::Trajectory& trajectory, std::size_t point);
 double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point);
-// How far the arm's joint that goes furthest goes in it, rad; sliding ones by robot::asTurn.
+// How far the axis that goes furthest, of the arm and beside it, goes in it, rad; sliding ones by
+// robot::asTurn.
 double leadingJointRad(const ProgramInput& input, std::size_t point);
 // The speed at which a joint motion from rest to rest takes `seconds` (> 0), with ramps of
 // `radPerS2`; the greatest that it gets to, where it takes longer. rad/s.

@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
+#include "replay/controller_time.h"
 #include "replay/executed_path.h"
 #include "replay/ground.h"
 #include "replay/scene.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <string>
 
 namespace voluta::replay {
@@ -138,6 +140,39 @@ TEST(Rod, RapidPasses) {
   EXPECT_TRUE(v.passed) << told(v);
   EXPECT_TRUE(v.armChecked);
   EXPECT_LE(v.maxDeviationMm, 0.02); // what blends may round
+}
+
+// The arm hardly moves while the rod turns on to where the next bead begins: its speed is the
+// rod's.
+TEST(Rod, ATransferOfTheRodTakesItsTimeInEveryDialect) {
+  test::Scene s = scene();
+  plan::Trajectory& t = s.trajectory;
+  const auto rod = static_cast<std::size_t>(t.dof) - 1;
+  for (int k = 0; k < 40; ++k) {
+    std::vector<double> q(t.at(t.pointCount() - 1), t.at(t.pointCount() - 1) + t.dof);
+    q[0] += base::degreesToRadians(k % 2 == 0 ? 0.2 : -0.2);
+    q[rod] += base::degreesToRadians(k % 2 == 0 ? 56.25 : -56.25);
+    t.joints.insert(t.joints.end(), q.begin(), q.end());
+    t.timeS.push_back(t.timeS.back() + 2.0);
+    t.move.push_back(plan::MoveKind::Joint);
+    t.waypoint.push_back(plan::kNoWaypoint);
+    t.extrudedMm3.push_back(t.extrudedMm3.back());
+  }
+  int tried = 0;
+  for (const program::Dialect& dialect : program::dialects()) {
+    if (!dialect.turnsRods)
+      continue;
+    const plan::Program program =
+        program::writeProgram(dialect.id, {s.plan, t, s.cell, s.process, "tube"});
+    const plan::ReadProgram read = program::readProgram(dialect.id, program.files, s.process);
+    ASSERT_TRUE(read.defects.empty()) << dialect.id;
+    const ExecutedPath path = executeProgram(read, s.cell, base::RunContext());
+    const std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);
+    const double all = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+    EXPECT_NEAR(all, t.timeS.back(), 0.1 * t.timeS.back()) << dialect.id;
+    ++tried;
+  }
+  EXPECT_GE(tried, 4);
 }
 
 TEST(Rod, RapidWithTheRodOneStepOffOrADotMovedIsFound) {
