@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace voluta::program {
 
@@ -25,6 +26,7 @@ constexpr int kSpeedDecimals = 7;
 constexpr int kBlendDecimals = 6;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
 constexpr double kStartRadPerS2 = 0.5;
+constexpr double kRampsOnly = 4.0; // of way / time^2: half of the time up, half of it down
 constexpr std::string_view kSocket = "extruder";
 
 class UrscriptWriter : private Speller {
@@ -203,10 +205,14 @@ private:
 
   void jointMotion(std::size_t i) override {
     const plan::Trajectory& t = in_.trajectory;
-    const double acceleration = i > 0 ? in_.cell.travelAcceleration() : kStartRadPerS2;
+    double acceleration = i > 0 ? in_.cell.travelAcceleration() : kStartRadPerS2;
     double speed = kStartRadPerS;
     if (const double s = motionSeconds(t, i); s > 0.0) {
       const double largest = leadingJointRad(in_, i);
+      // A piece of a longer motion stands at its end here, where the plan goes on.
+      if (program_.foreign)
+        acceleration =
+            std::max(acceleration, std::min(kRampsOnly * largest / (s * s), armRadPerS2()));
       if (largest > 1e-6)
         speed = rampedSpeed(largest, s, acceleration);
     }
@@ -223,6 +229,15 @@ private:
     number(",a=", acceleration, 3);
     number(",v=", speed, kSpeedDecimals);
     line(")");
+  }
+
+  // What all of the arm's joints are planned with at most.
+  double armRadPerS2() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const robot::JointLimits& limits : in_.cell.robot().limits)
+      if (limits.kind == robot::JointKind::Turning)
+        least = std::min(least, limits.acceleration);
+    return least;
   }
 
   void straightMotion(std::size_t i, bool stops) override {

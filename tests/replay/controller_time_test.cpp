@@ -218,5 +218,30 @@ TEST(ControllerTime, SpeedsThatTheTurnSlowsAreRefused) {
   EXPECT_GT(total(controllerTimes(p, path, TurnLaw::WaySpeed)), 10.0 * text);
 }
 
+// A transfer in two pieces, planned through without a stop: poses of a foreign program stand at the
+// end of each, and take no longer for it.
+TEST(ControllerTime, PiecesOfATransferTakeTheirTimeForAForeignController) {
+  test::Scene s = test::boxScene(1, "tm5-moving");
+  plan::Trajectory& t = s.trajectory;
+  for (int k = 1; k <= 2; ++k) {
+    std::vector<double> q(t.at(t.pointCount() - 1), t.at(t.pointCount() - 1) + t.dof);
+    q[0] += 0.15;
+    t.joints.insert(t.joints.end(), q.begin(), q.end());
+    t.timeS.push_back(t.timeS.back() + 0.25);
+    t.move.push_back(plan::MoveKind::Joint);
+    t.waypoint.push_back(plan::kNoWaypoint);
+    t.extrudedMm3.push_back(t.extrudedMm3.back());
+  }
+  const plan::Program program =
+      program::writeProgram("urscript", {s.plan, t, s.cell, s.process, "box"});
+  EXPECT_TRUE(program.foreign);
+  const plan::ReadProgram read = program::readProgram("urscript", program.files, s.process);
+  ASSERT_EQ(read.motions.size(), t.pointCount());
+  const ExecutedPath path = executeProgram(read, s.cell, base::RunContext());
+  const std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);
+  for (std::size_t m = t.pointCount() - 2; m < t.pointCount(); ++m)
+    EXPECT_NEAR(seconds[m], 0.25, 0.005);
+}
+
 } // namespace
 } // namespace voluta::replay
