@@ -401,6 +401,18 @@ void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> dir
       {}, base::message("take {formats}, or a mode with flat layers"_text, others));
 }
 
+std::optional<base::Error> refusal(const Dialect& dialect, const robot::Cell& cell,
+                                   std::span<const Eigen::Vector3d> directions) {
+  try {
+    requireOwnRobot(dialect, cell);
+    requireRodTurns(dialect, cell);
+    requireUpright(dialect, directions);
+  } catch (const base::Error& error) {
+    return error;
+  }
+  return std::nullopt;
+}
+
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);

@@ -10,6 +10,7 @@
 // 0.05 mm3 or more), its time within kFlowBand.
 #pragma once
 
+#include "base/error.h"
 #include "base/run_context.h"
 #include "base/text.h"
 #include "plan/program.h"
@@ -18,6 +19,7 @@
 #include "program/text.h"
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -108,13 +110,18 @@ inline constexpr double kUprightRad = 1e-3;
 // words for it.
 void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions);
 
+// What one of the above throws for this cell and these directions (none: not known yet); nullopt:
+// the dialect can say them.
+std::optional<base::Error> refusal(const Dialect& dialect, const robot::Cell& cell,
+                                   std::span<const Eigen::Vector3d> directions);
+
 // The trajectory as a program of this dialect says it: what it is written from, and held against.
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx = {});
 
 // findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing throws as
-// requireOwnRobot and requireRodTurns too, and as requireUpright where the nozzle does not go by joints; it heeds the
-// dialect's own options only.
+// requireOwnRobot and requireRodTurns too, and as requireUpright where the nozzle does not go by
+// joints; it heeds the dialect's own options only.
 // Example:
 //   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
 //   const plan::Program program = program::writeProgram("urscript", input, ctx);

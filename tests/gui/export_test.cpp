@@ -6,6 +6,7 @@
 #include "panels/export_panel.h"
 #include "panels/format_list.h"
 #include "panels/text_preview.h"
+#include "program/dialect.h"
 #include "timeline/timeline_bar.h"
 
 #include <QAction>
@@ -105,6 +106,34 @@ TEST_F(ExportTest, AFormatBringsItsOptionsAndTheyAreEdits) {
 }
 
 // What a table does beyond its range, and a module that reads G-code on the controller.
+// A stream of joints for another maker's arm: greyed, told why, and no click orders it.
+TEST_F(ExportTest, AFormatThatCannotSayTheJobIsNotOffered) {
+  planPlinth();
+  const auto* dialect = &program::dialects().front();
+  for (const program::Dialect& one : program::dialects())
+    if (one.needsJoints && one.controller == "melfa")
+      dialect = &one;
+  ASSERT_TRUE(dialect->needsJoints);
+  const QString id = QString::fromUtf8(dialect->id.data(), static_cast<int>(dialect->id.size()));
+  const QStringList before = panel()->checkedFormats();
+  ASSERT_FALSE(before.contains(id));
+  chooseFormat(id.toUtf8().constData());
+  auto* why = panel()->findChild<QLabel*>("whyNot");
+  ASSERT_NE(why, nullptr);
+  EXPECT_TRUE(why->isVisible());
+  EXPECT_TRUE(why->text().contains("another maker's arm")) << why->text().toStdString();
+  QTest::keyClick(formats(), Qt::Key_Space);
+  EXPECT_EQ(panel()->checkedFormats(), before);
+  for (int i = 0; i < formats()->topLevelItemCount(); ++i)
+    if (auto* item = formats()->topLevelItem(i); item->data(0, Qt::UserRole).toString() == id) {
+      const QRect row = formats()->visualItemRect(item);
+      QTest::mouseClick(formats()->viewport(), Qt::LeftButton, {}, row.topLeft() + QPoint(12, 8));
+    }
+  EXPECT_EQ(panel()->checkedFormats(), before);
+  chooseFormat("urscript");
+  EXPECT_FALSE(why->isVisible());
+}
+
 TEST_F(ExportTest, WindingAndReadersAreOptionsOfTheirFormats) {
   planPlinth();
   chooseFormat("gcode-bc");

@@ -70,6 +70,9 @@ void ExportPanel::build() {
   optionsForm_->setObjectName(QStringLiteral("options"));
   connect(optionsForm_, &OptionsForm::changed, this, &ExportPanel::optionChanged);
   connect(optionsForm_, &OptionsForm::resetRequested, this, &ExportPanel::optionResetRequested);
+  whyNot_ = new QLabel(this);
+  whyNot_->setObjectName(QStringLiteral("whyNot"));
+  whyNot_->setWordWrap(true);
   verdictTitle_ = title();
   verdictTitle_->setWordWrap(true);
   verdict_ = new VerdictTable(this);
@@ -123,6 +126,7 @@ void ExportPanel::build() {
   column->setSpacing(4);
   column->addWidget(formatsTitle_);
   column->addWidget(list_);
+  column->addWidget(whyNot_);
   column->addWidget(optionsTitle_);
   column->addWidget(optionsForm_);
   column->addSpacing(4);
@@ -220,6 +224,9 @@ QStringList ExportPanel::checkedFormats() const {
 void ExportPanel::showFormat(const QString& id) {
   const ExportFormat* format = find(id);
   verdictTitle_->setText(format ? tr("Replay of %1").arg(format->label) : tr("Replay"));
+  const QString whyNot = format ? format->whyNot : QString();
+  whyNot_->setText(whyNot);
+  whyNot_->setVisible(!whyNot.isEmpty());
   verdict_->setReport(format ? format->verdict : std::nullopt,
                       format && format->state == VerdictState::OutOfDate);
   optionsTitle_->setText(format ? tr("Options of %1").arg(format->label) : QString());

@@ -82,6 +82,7 @@ private:
   QString blockedReason_;
   QLabel* formatsTitle_ = nullptr;
   FormatList* list_ = nullptr;
+  QLabel* whyNot_ = nullptr;
   QScrollArea* upper_ = nullptr;
   QLabel* optionsTitle_ = nullptr;
   OptionsForm* optionsForm_ = nullptr;

@@ -28,8 +28,8 @@ forms::Icon iconOf(VerdictState state) {
   return forms::Icon::Pending;
 }
 
-// Fusion draws the edge of a check box in a darker shade of the window, which can't be seen on a
-// dark list.
+// A row that cannot be chosen is grey, and yet tells why when it is clicked. Fusion draws the edge
+// of a check box in a darker shade of the window, which can't be seen on a dark list.
 class FormatDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -37,6 +37,8 @@ public:
 protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
     QStyledItemDelegate::initStyleOption(option, index);
+    if (!index.flags().testFlag(Qt::ItemIsUserCheckable))
+      option->state.setFlag(QStyle::State_Enabled, index.column() != kLabel);
     if (forms::isDark(option->palette))
       option->palette.setColor(QPalette::Window, forms::mutedColour(option->palette));
   }
@@ -58,8 +60,10 @@ FormatList::FormatList(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(kForeign, QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(kVerdict, QHeaderView::ResizeToContents);
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem*, int column) {
-    if (column == kLabel)
-      emit checkedChanged(checkedIds());
+    if (column != kLabel)
+      return;
+    offerCheckBoxes();
+    emit checkedChanged(checkedIds());
   });
   connect(this, &QTreeWidget::currentItemChanged, this, [this] {
     chosen_ = true;
@@ -76,7 +80,6 @@ void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
   for (const ExportFormat& format : formats_) {
     auto* item = new QTreeWidgetItem(this);
     item->setData(kLabel, kIdRole, format.id);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(kLabel, checked.contains(format.id) ? Qt::Checked : Qt::Unchecked);
     if (format.id == current)
       setCurrentItem(item);
@@ -91,8 +94,21 @@ void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
   if (!stays && row >= 0 && !written(formats_[static_cast<std::size_t>(row)]) &&
       first != formats_.end())
     setCurrentItem(topLevelItem(static_cast<int>(first - formats_.begin())));
+  offerCheckBoxes();
   retranslate();
   updateGeometry();
+}
+
+// One that cannot be written can only be taken off.
+void FormatList::offerCheckBoxes() {
+  const QSignalBlocker quiet(this);
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = topLevelItem(i);
+    const bool offered = formats_[static_cast<std::size_t>(i)].whyNot.isEmpty();
+    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    flags.setFlag(Qt::ItemIsUserCheckable, offered || item->checkState(kLabel) == Qt::Checked);
+    item->setFlags(flags);
+  }
 }
 
 void FormatList::setChecked(const QStringList& ids) {
@@ -102,6 +118,7 @@ void FormatList::setChecked(const QStringList& ids) {
     item->setCheckState(
         kLabel, ids.contains(item->data(kLabel, kIdRole).toString()) ? Qt::Checked : Qt::Unchecked);
   }
+  offerCheckBoxes();
 }
 
 QStringList FormatList::checkedIds() const {
@@ -126,6 +143,20 @@ QSize FormatList::minimumSizeHint() const {
   return {fontMetrics().averageCharWidth() * 20, sizeHint().height()};
 }
 
+QString FormatList::verdictOf(const ExportFormat& format) {
+  switch (format.state) {
+  case VerdictState::NotYet:
+    break;
+  case VerdictState::Passed:
+    return tr("Passed: the replay found nothing wrong");
+  case VerdictState::Refused:
+    return tr("Refused by the replay: %1").arg(format.whyRefused);
+  case VerdictState::OutOfDate:
+    return tr("Not replayed since the change");
+  }
+  return tr("Not replayed yet");
+}
+
 void FormatList::retranslate() {
   const QSignalBlocker quiet(this);
   for (int i = 0; i < topLevelItemCount(); ++i) {
@@ -138,22 +169,9 @@ void FormatList::retranslate() {
                              "robot moves");
       item->setToolTip(kForeign, why);
     }
-    item->setIcon(kVerdict, forms::icon(iconOf(format.state)));
-    QString verdict;
-    switch (format.state) {
-    case VerdictState::NotYet:
-      verdict = tr("Not replayed yet");
-      break;
-    case VerdictState::Passed:
-      verdict = tr("Passed: the replay found nothing wrong");
-      break;
-    case VerdictState::Refused:
-      verdict = tr("Refused by the replay: %1").arg(format.whyRefused);
-      break;
-    case VerdictState::OutOfDate:
-      verdict = tr("Not replayed since the change");
-      break;
-    }
+    const bool offered = format.whyNot.isEmpty();
+    item->setIcon(kVerdict, offered ? forms::icon(iconOf(format.state)) : QIcon());
+    const QString verdict = offered ? verdictOf(format) : format.whyNot;
     item->setToolTip(kVerdict, verdict);
     item->setToolTip(kLabel, item->text(kLabel) + QStringLiteral("\n") + verdict);
     item->setData(kVerdict, Qt::AccessibleTextRole, verdict);

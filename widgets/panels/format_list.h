@@ -25,6 +25,7 @@ struct ExportFile {
 struct ExportFormat {
   QString id, label;
   bool foreign = false;
+  QString whyNot; // this job cannot be written in it, a sentence; empty: it can
   VerdictState state = VerdictState::NotYet;
   QString whyRefused;                           // names the measures that failed
   std::optional<project::ReplayReport> verdict; // once replayed
@@ -58,6 +59,8 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  void offerCheckBoxes();
+  static QString verdictOf(const ExportFormat& format);
   void retranslate();
 
   std::vector<ExportFormat> formats_;

@@ -31,6 +31,7 @@ using project::Stage;
 
 namespace {
 constexpr const char* kFolder = "export/folder";
+using Directions = std::vector<Eigen::Vector3d>;
 using Checked = std::shared_ptr<const pipeline::CheckedProgram>;
 
 QString formatOf(const Checked& checked) {
@@ -188,6 +189,11 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
     format.assumptions = language::words(program::assumptionsOf(dialect));
     format.plannedS = result ? result->job.report.motion.durationS : 0.0;
     format.foreign = cell && program::isForeign(dialect, *cell);
+    if (cell && work().document.upToDate(Stage::Motion))
+      if (const auto refusal = program::refusal(
+              dialect, *cell,
+              motion->job.toolPlan ? motion->job.toolPlan->direction : Directions()))
+        format.whyNot = language::words(refusal->whole());
     if (const Checked program = result ? findProgram(*result, format.id) : nullptr) {
       format.state = !current          ? panels::VerdictState::OutOfDate
                      : program->passed ? panels::VerdictState::Passed
