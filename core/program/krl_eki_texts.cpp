@@ -286,7 +286,9 @@ std::vector<std::string> linesFor(std::string_view text, std::string_view channe
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
     std::string& last = all.emplace_back(line);
-    for (std::size_t at = last.find('%'); at != std::string::npos; at = last.find('%'))
+    // What is put in is not looked at again: the name that a file gives may have that sign itself.
+    for (std::size_t at = last.find('%'); at != std::string::npos;
+         at = last.find('%', at + channel.size()))
       last.replace(at, 1, channel);
   }
   return all;

@@ -472,6 +472,17 @@ TEST_F(Eki, TakesTheAddressThatAUserSets) {
   EXPECT_FALSE(read(p).defects.empty());
 }
 
+// Reading one came to no end: what is put in for a '%' was looked at for more of them.
+TEST_F(Eki, ANameThatIsNoneIsADefect) {
+  for (const std::string name : {"%", "%X", "A%B", "\"", ""}) {
+    plan::Program p = program(true);
+    std::string& text = p.files[1].text;
+    const std::size_t at = text.find("DEF ") + 4;
+    text.replace(at, text.find(' ', at) - at, name);
+    EXPECT_FALSE(read(p).defects.empty()) << name;
+  }
+}
+
 TEST_F(Eki, RefusesAnotherSender) {
   plan::Program p = program(true);
   std::string& text = p.files[4].text;
