@@ -15,6 +15,7 @@ GcodeReader::GcodeReader(std::string_view format, const process::Process& proces
 }
 
 plan::ReadProgram GcodeReader::read(const std::vector<plan::ProgramFile>& files) {
+  out_.expectMotionsOf(files);
   for (out_.file = 0; out_.file < files.size(); ++out_.file) {
     LineReader lines(files[out_.file].text);
     std::string_view line;

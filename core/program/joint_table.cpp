@@ -60,6 +60,7 @@ public:
       : ctx_(ctx), out_("csv", process) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    out_.expectMotionsOf(files);
     for (out_.file = 0; out_.file < files.size(); ++out_.file)
       readFile(files[out_.file].text);
     return out_.take(complete_);

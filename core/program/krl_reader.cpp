@@ -45,6 +45,7 @@ public:
       : out_("krl", process), procedures_(kStructure, out_, ctx) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    out_.expectMotionsOf(files);
     out_.beginOutputs();
     const auto wholly = [&](auto parse) {
       return [this, parse](std::string_view code) { whole(code, parse); };

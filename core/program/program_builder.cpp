@@ -14,6 +14,15 @@ ProgramBuilder::ProgramBuilder(std::string_view format, const process::Process& 
   program_.format = format;
 }
 
+void ProgramBuilder::expectMotionsOf(const std::vector<plan::ProgramFile>& files) {
+  constexpr std::size_t kLeastBytes = 16; // of a line with a motion: empty ones are none
+  std::size_t most = 0;
+  for (const plan::ProgramFile& one : files)
+    most += std::min(static_cast<std::size_t>(std::ranges::count(one.text, '\n')) + 1,
+                     one.text.size() / kLeastBytes + 1);
+  program_.motions.reserve(most);
+}
+
 void ProgramBuilder::beginOutputs() {
   outputs_.begin();
   places_.begin();

@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace voluta::program {
 
@@ -21,6 +22,10 @@ class ProgramBuilder {
 public:
   ProgramBuilder(std::string_view format, const process::Process& process);
   ProgramBuilder(const ProgramBuilder&) = delete;
+
+  // Room for a motion a line. What stays empty of it takes no memory, what has to grow twice its
+  // own.
+  void expectMotionsOf(const std::vector<plan::ProgramFile>& files);
 
   std::size_t file = 0, line = 0; // what is being read
   void defect(base::Message reason) { defects_.add(file, line, std::move(reason)); }

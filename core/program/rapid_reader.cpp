@@ -30,6 +30,7 @@ public:
       : ctx_(ctx), out_("rapid", process), fullFlowMm3PerS_(process.maxFlowMm3PerS) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    out_.expectMotionsOf(files);
     bool complete = true;
     for (out_.file = 0; out_.file < files.size(); ++out_.file) {
       ctx_.checkpoint();

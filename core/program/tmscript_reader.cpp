@@ -37,6 +37,7 @@ public:
       : ctx_(ctx), out_("tmscript", process) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    out_.expectMotionsOf(files);
     bool complete = !files.empty();
     for (out_.file = 0; out_.file < files.size(); ++out_.file)
       complete = readFile(files[out_.file].text) && complete;

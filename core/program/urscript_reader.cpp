@@ -25,6 +25,7 @@ public:
       : ctx_(ctx), out_("urscript", process) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    out_.expectMotionsOf(files);
     files_.resize(files.size());
     for (out_.file = 0; out_.file < files.size(); ++out_.file) {
       collect(files[out_.file].text);

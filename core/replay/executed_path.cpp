@@ -350,6 +350,12 @@ private:
         solveJoints(parts[i]);
     });
     ctx_.checkpoint();
+    std::size_t states = 0;
+    for (const ArmWalk& walk : parts)
+      states += walk.motion.size();
+    path_.armJoints.reserve(states * static_cast<std::size_t>(path_.dof));
+    path_.armMotion.reserve(states);
+    path_.armFraction.reserve(states);
     const auto append = [](auto& to, auto& from) {
       to.insert(to.end(), from.begin(), from.end());
       from = {};
