@@ -88,6 +88,7 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
                    std::size_t& failedAt) const {
   const plan::ToolPlan& plan = scene_.plan;
   points.clear();
+  points.reserve(course.turn.size()); // most steps are not divided
   std::vector<JointVector> scratch;
   const auto toolAt = [&](std::size_t i) {
     return turned(ladder_.toolAt(i), course.turn[i - first_]);
