@@ -224,5 +224,67 @@ TEST(VtpWriter, DeclaresWhatItHolds) {
   EXPECT_EQ(test::vtkArray<float>(xml, "thickness"), std::vector<float>(9, 0.8f));
 }
 
+// One piece after the other: points go on counting, and each triangle is told whose it is.
+TEST(VtpWriter, HoldsEveryPatchWithItsOwnPointsAndMarks) {
+  LayerStack stack;
+  for (int k = 0; k < 3; ++k) {
+    Patch p;
+    const double z = 0.4 + 0.75 * k;
+    p.surface.vertices = {{0, 0, z}, {2, 0, z}, {2, 1, z + 0.25}, {0, 1, z + 0.5}};
+    p.surface.triangles = {{0, 1, 2}, {0, 2, 3}};
+    if (k == 1) { // of another size
+      p.surface.vertices.push_back({1, 2, z});
+      p.surface.triangles.push_back({3, 2, 4});
+    }
+    for (std::size_t v = 0; v < p.surface.vertices.size(); ++v) {
+      p.thicknessMm.push_back(0.5 + 0.125 * static_cast<double>(v) + k);
+      p.direction.push_back(Vector3d(0, v % 2 ? 0.6 : -0.6, 0.8));
+    }
+    p.layer = 2 * k;
+    p.group = k == 2 ? kSupportGroup : 5 + k;
+    stack.patches.push_back(p);
+  }
+  const std::string xml = writeLayersVtp(stack);
+  EXPECT_NE(xml.find("NumberOfPoints=\"13\" NumberOfPolys=\"7\""), std::string::npos);
+
+  const auto points = test::vtkArray<float>(xml, "Points");
+  const auto direction = test::vtkArray<float>(xml, "direction");
+  const auto thickness = test::vtkArray<float>(xml, "thickness");
+  const auto corners = test::vtkArray<std::int32_t>(xml, "connectivity");
+  const auto offsets = test::vtkArray<std::int32_t>(xml, "offsets");
+  const auto layer = test::vtkArray<std::int32_t>(xml, "layer");
+  const auto group = test::vtkArray<std::int32_t>(xml, "group");
+  const auto patch = test::vtkArray<std::int32_t>(xml, "patch");
+  ASSERT_EQ(points.size(), 39u);
+  ASSERT_EQ(direction.size(), 39u);
+  ASSERT_EQ(thickness.size(), 13u);
+  ASSERT_EQ(corners.size(), 21u);
+  ASSERT_EQ(offsets.size(), 7u);
+  ASSERT_EQ(layer.size(), 7u);
+  ASSERT_EQ(group.size(), 7u);
+  ASSERT_EQ(patch.size(), 7u);
+  std::size_t triangle = 0;
+  for (std::size_t k = 0; k < stack.patches.size(); ++k) {
+    const Patch& p = stack.patches[k];
+    for (const auto& t : p.surface.triangles) {
+      EXPECT_EQ(offsets[triangle], static_cast<int>(3 * triangle + 3));
+      EXPECT_EQ(layer[triangle], p.layer);
+      EXPECT_EQ(group[triangle], p.group);
+      EXPECT_EQ(patch[triangle], static_cast<int>(k));
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto v = static_cast<std::size_t>(t[c]);
+        const auto at = static_cast<std::size_t>(corners[3 * triangle + c]);
+        EXPECT_EQ(thickness[at], static_cast<float>(p.thicknessMm[v]));
+        for (int axis = 0; axis < 3; ++axis) {
+          const std::size_t i = 3 * at + static_cast<std::size_t>(axis);
+          EXPECT_EQ(points[i], static_cast<float>(p.surface.vertices[v][axis]));
+          EXPECT_EQ(direction[i], static_cast<float>(p.direction[v][axis]));
+        }
+      }
+      ++triangle;
+    }
+  }
+}
+
 } // namespace
 } // namespace voluta::layers
