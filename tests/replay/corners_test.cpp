@@ -230,6 +230,23 @@ TEST_F(JointMotions, TurnAllJointsInProportionInTheTimeOfTheOneThatTurnsFurthest
   EXPECT_EQ(steps, 17u); // 0.5 rad in steps of 0.03 at most
 }
 
+TEST_F(JointMotions, OneTargetIsAnArmThatStands) {
+  ReadProgram read;
+  EXPECT_FALSE(executeProgram(read, cell_, {}).arm);
+  read.motions = {to(cell_.home(), 0.0)};
+  const ExecutedPath path = executeProgram(read, cell_, {});
+  EXPECT_TRUE(path.arm);
+  EXPECT_EQ(path.dof, 6);
+  EXPECT_EQ(path.totalS(), 0.0);
+  ASSERT_EQ(path.joints.size(), 6u);
+  for (int j = 0; j < 6; ++j)
+    EXPECT_EQ(path.jointsAt(0)[j], cell_.home()[j]);
+  const Isometry3d pose = cell_.work_T_tool(cell_.home());
+  ASSERT_EQ(path.tip.size(), 1u);
+  EXPECT_LT((path.tip[0] - pose.translation()).norm(), 1e-9);
+  EXPECT_LT((path.direction[0] + pose.linear().col(2)).norm(), 1e-9);
+}
+
 TEST_F(JointMotions, TellWhichJointIsTooFastAndByHowMuch) {
   robot::JointVector a = cell_.home(), b = a;
   b[1] += 0.3;

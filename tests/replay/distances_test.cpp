@@ -163,8 +163,8 @@ Vector3d anyDirection(std::mt19937& random) {
   return Vector3d(n(random), n(random), n(random)).normalized();
 }
 
-// The distance of two boxes is that of an edge of one to the other. Large ones, thin ones, flat ones
-// without any height, and ones of a few hundredths.
+// The distance of two boxes is that of an edge of one to the other. Large ones, thin ones, flat
+// ones without any height, and ones of a few hundredths.
 TEST(Distances, BoxesAgainstTheirEdges) {
   std::mt19937 random(22);
   std::uniform_real_distribution<double> u(0.2, 1.0);
@@ -211,8 +211,7 @@ TEST(Distances, ABallIsItsCentreLessItsRadius) {
     const Vector3d centre(u(random), u(random), u(random));
     const double radius = r(random);
     const robot::Capsule ball{centre, centre, radius};
-    const double wanted =
-        std::max(0.0, distanceToPoint(shape, frame.inverse() * centre) - radius);
+    const double wanted = std::max(0.0, distanceToPoint(shape, frame.inverse() * centre) - radius);
     EXPECT_NEAR(distanceBetween(ball, at(0, 0, 0), shape, frame), wanted, 2e-4) << round;
     EXPECT_NEAR(distanceBetween(shape, frame, ball, at(0, 0, 0)), wanted, 2e-4) << round;
     // A capsule's, anywhere along it.
