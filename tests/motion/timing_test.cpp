@@ -72,6 +72,34 @@ TEST(Timing, JointMovesStandWhereTheyBend) {
               1e-9);
 }
 
+// The same wherever the arm begins: on, but not back, not aside, and not on the spot.
+TEST(Timing, JointMovesGoOnFromAnyPose) {
+  const motion::TimingLimits limits = limitsOf(2);
+  const auto stands = [&](const Eigen::Vector2d& begin, const Eigen::Vector2d& first,
+                          const Eigen::Vector2d& second) {
+    TimedPoint a, b, c;
+    a.q = begin;
+    b.q = begin + first;
+    c.q = begin + first + second;
+    b.jointMove = c.jointMove = true;
+    const double apart =
+        motion::timesOf({a, b}, limits).back() + motion::timesOf({b, c}, limits).back();
+    const double both = motion::timesOf({a, b, c}, limits).back();
+    EXPECT_LE(both, apart + 1e-9);
+    return both > apart - 1e-9;
+  };
+  for (const Eigen::Vector2d& begin :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(1.5, -2.0), Eigen::Vector2d(-3.0, 0.4)}) {
+    const Eigen::Vector2d way(0.6, -0.8), across(0.8, 0.6);
+    EXPECT_FALSE(stands(begin, way, way));
+    EXPECT_FALSE(stands(begin, way, 0.25 * way));
+    EXPECT_TRUE(stands(begin, way, -0.25 * way)) << "turns back";
+    EXPECT_TRUE(stands(begin, way, across));
+    EXPECT_TRUE(stands(begin, way, way + 0.1 * across));
+    EXPECT_TRUE(stands(begin, way, -way)) << "to where it began";
+  }
+}
+
 // A straight move on the way of which a joint goes far faster than from end to end, as near a
 // singular pose: it takes as long as if it went that fast all the way.
 TEST(Timing, AMoveIsTimedByWhereAJointGoesFastest) {
