@@ -11,6 +11,8 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
+#include <utility>
 
 using namespace voluta;
 using Eigen::Vector3d;
@@ -217,6 +219,70 @@ TEST(PathLadder, AnArmUnwindsOnlyWhereThatIsCheaper) {
     ASSERT_LT(wound, limit.max);
     EXPECT_LT(std::abs(firstFrom(wound) - wound), 0.5 * base::kPi) << wound;
   }
+}
+
+// The first waypoint a little over the plate: of some nodes the arm meets something there, or as
+// soon as it lifts the nozzle.
+TEST(PathLadder, NodesThatMeetSomethingOrCannotLiftAreBlocked) {
+  plan::ToolPlan plan = quarterRing(30.0);
+  for (Vector3d& p : plan.position)
+    p.z() = 0.8;
+  for (Vector3d& d : plan.direction)
+    d = Vector3d(0.5, 0.0, 0.9).normalized();
+  Scene s(plan);
+  const JointVector from = s.cell.home();
+  // As many nodes as there are solutions for all turns.
+  std::vector<JointVector> solutions;
+  const auto countOf = [&](const PathLadder& ladder) {
+    int count = 0;
+    for (int k = 0; k < s.options.samples; ++k) {
+      s.cell.inverse(
+          motion::toolPose(s.plan.position[0],
+                           motion::turned(ladder.toolAt(0), base::kTurn * k / s.options.samples)),
+          from, solutions);
+      count += static_cast<int>(solutions.size());
+    }
+    return count;
+  };
+  PathLadder judged = s.ladder(from), lifted = s.ladder(from);
+  judged.setRungs(2, {});
+  lifted.setRungs(2, {});
+  const int count = countOf(judged);
+  ASSERT_GT(count, 24);
+  judged.judge({0}, {});
+  EXPECT_FALSE(lifted.wasLifted(0));
+  lifted.blockUnliftable(0, 0, {});
+  EXPECT_TRUE(lifted.wasLifted(0));
+  std::map<std::pair<int, int>, int> contacts;
+  int met = 0, held = 0;
+  for (int n = 0; n < count; ++n) {
+    const LadderNode& node = judged.node(0, n);
+    const auto contact = judged.contactAt(node.q, 0);
+    EXPECT_EQ(node.blocked, contact.has_value());
+    if (contact)
+      ++contacts[{contact->first, contact->second}];
+    met += contact ? 1 : 0;
+    // As the joints have the tool.
+    const bool free = !contact && judged.liftable(s.state(node.q), 0);
+    EXPECT_EQ(lifted.node(0, n).blocked, !free);
+    held += free || contact ? 0 : 1;
+  }
+  EXPECT_GT(met, 0);
+  EXPECT_LT(met, count);
+  // The reason told is the one that most nodes have.
+  const motion::Refused refused = judged.refusalOf(0);
+  EXPECT_EQ(refused.waypoint, 0u);
+  EXPECT_EQ(refused.why, motion::Refusal::Collision);
+  int most = 0;
+  for (const auto& [pair, times] : contacts)
+    most = std::max(most, times);
+  EXPECT_EQ((contacts[{refused.contact.first, refused.contact.second}]), most);
+  EXPECT_GT(contacts.size(), 1u);
+  // All that was blocked for that may be allowed again, once.
+  EXPECT_TRUE(lifted.allowUnliftable());
+  EXPECT_FALSE(lifted.allowUnliftable());
+  for (int n = 0; n < count; ++n)
+    EXPECT_FALSE(lifted.node(0, n).blocked);
 }
 
 TEST(PathLadder, WideningStandsTheLastAxisAsideAtACost) {

@@ -65,17 +65,20 @@ struct Job {
     std::vector<std::string> told;
     for (const TextFinding& f :
          compareWithPlan(program, path, planned, trajectory, aligned(path), ComparisonOptions{}))
-      told.push_back(std::string(plan::kindWord(f.finding)) + ' ' + std::to_string(f.place.line) +
-                     ' ' + std::to_string(f.finding.count));
+      told.push_back(tellOf(f.finding.kind, f.place.line, f.finding.count));
     return told;
   }
   PathDeviation deviation() const {
     const ExecutedPath path = executeToolPoints(program, {});
     return pathDeviation(path, planned, trajectory, program, aligned(path), {});
   }
-  std::string told(FindingKind kind, std::size_t motion, std::size_t count = 1) const {
-    return std::string(plan::rowOf(kind).word) + ' ' + std::to_string(10 + motion) + ' ' +
-           std::to_string(count);
+  static std::string told(FindingKind kind, std::size_t motion, std::size_t count = 1) {
+    return tellOf(kind, 10 + motion, count);
+  }
+  // Several kinds may share a word.
+  static std::string tellOf(FindingKind kind, std::size_t line, std::size_t count) {
+    return std::string(plan::rowOf(kind).word) + '/' + std::to_string(static_cast<int>(kind)) +
+           " line " + std::to_string(line) + " x" + std::to_string(count);
   }
 };
 
@@ -161,6 +164,17 @@ TEST(Comparison, WhatFollowsInARowIsOneFinding) {
                   job.told(FindingKind::FlowChanged, 14)}));
 }
 
+// Two kinds side by side, each in a row.
+TEST(Comparison, WhatDiffersInTwoWaysIsTwoFindings) {
+  Job job;
+  for (const std::size_t m : {3u, 4u, 5u}) {
+    job.program.motions[m].volumeMm3 *= 2.0;
+    job.program.motions[m].speedMmPerS *= 2.0;
+  }
+  EXPECT_EQ(job.findings(), (Told{job.told(FindingKind::SpeedChanged, 3, 3),
+                                  job.told(FindingKind::FlowChanged, 3, 3)}));
+}
+
 TEST(Comparison, TheExtruderIsOnWhereItPrintsAndNowhereElse) {
   Job job;
   job.program.motions[8].extruding = true;
@@ -190,8 +204,7 @@ TEST(Comparison, DeviationsDefectsAndTheEndAreTold) {
   EXPECT_EQ(job.findings().front(), job.told(FindingKind::WaypointsSwapped, 4, 2));
   job = Job();
   job.program.motions.erase(job.program.motions.begin() + 4, job.program.motions.begin() + 6);
-  EXPECT_EQ(job.findings().front(),
-            std::string(plan::rowOf(FindingKind::WaypointsMissingBetween).word) + " 16 2");
+  EXPECT_EQ(job.findings().front(), Job::tellOf(FindingKind::WaypointsMissingBetween, 16, 2));
   job = Job();
   job.program.motions.resize(13);
   EXPECT_EQ(job.findings(), Told{job.told(FindingKind::ProgramCutShort, 12, 3)});
