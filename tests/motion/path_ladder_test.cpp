@@ -9,6 +9,7 @@
 #include "motion/sample_plans.h"
 #include "motion/sequence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
@@ -283,6 +284,49 @@ TEST(PathLadder, NodesThatMeetSomethingOrCannotLiftAreBlocked) {
   EXPECT_FALSE(lifted.allowUnliftable());
   for (int n = 0; n < count; ++n)
     EXPECT_FALSE(lifted.node(0, n).blocked);
+}
+
+// Where the way comes near to something, what is nearer costs more: at most nearCost, and nothing
+// from enoughMm on.
+TEST(PathLadder, NearnessCostsTheMoreTheNearer) {
+  Scene s(quarterRing(30.0));
+  s.options.enoughMm = 60.0;
+  s.options.nearCost = 0.7;
+  PathLadder ladder = s.ladder(s.cell.home());
+  ladder.setRungs(2, {});
+  const LadderWay way = ladder.bestWay({});
+  ASSERT_EQ(way.reached, 2u);
+  ladder.judge({0, 1}, {});
+  ASSERT_TRUE(ladder.seekClearance(way, {}));
+  EXPECT_FALSE(ladder.seekClearance(way, {})) << "known by now";
+  std::vector<std::pair<double, double>> nearness; // clearance, cost
+  collision::CellCollision::Frames frames;
+  for (int n = 0; n < 24; ++n) {
+    const LadderNode& node = ladder.node(0, n);
+    if (node.blocked)
+      continue;
+    s.cell.framePoses(node.q, frames);
+    const double clearance = s.collision.clearanceToPart(
+        frames, s.part, 0, s.collision.clearance(frames, s.options.enoughMm));
+    nearness.emplace_back(clearance, node.cost - motion::limitCost(node.q, s.cell.robot().limits));
+  }
+  std::sort(nearness.begin(), nearness.end());
+  ASSERT_GT(nearness.size(), 3u);
+  EXPECT_LT(nearness.front().first, 0.5 * s.options.enoughMm);
+  for (std::size_t n = 0; n < nearness.size(); ++n) {
+    const auto [clearance, cost] = nearness[n];
+    EXPECT_GE(cost, -1e-12);
+    EXPECT_LE(cost, s.options.nearCost + 1e-12);
+    EXPECT_EQ(cost > 1e-12, clearance < s.options.enoughMm);
+    if (n > 0 && clearance > nearness[n - 1].first + 1e-9) {
+      EXPECT_LT(cost, nearness[n - 1].second);
+    }
+  }
+  // None of it where it is not asked for.
+  s.options.nearCost = 0.0;
+  PathLadder other = s.ladder(s.cell.home());
+  other.setRungs(2, {});
+  EXPECT_FALSE(other.seekClearance(other.bestWay({}), {}));
 }
 
 TEST(PathLadder, WideningStandsTheLastAxisAsideAtACost) {

@@ -298,12 +298,19 @@ TEST(Alignment, PairsWhatItCanAndCountsTheRest) {
         for (int k = 0; k < (more ? 5 : 2); ++k)
           program.add({5.0 * k, 0.0, 9.0});
     }
+    for (const std::size_t k : {0u, 1u}) {
+      const double lean = 0.1 * static_cast<double>(k + 1);
+      program.direction[60 + k] = {std::sin(lean), 0.0, std::cos(lean)};
+    }
     const Alignment a = align(program, plan);
     ASSERT_EQ(a.deviations.size(), 3u);
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_EQ(a.deviations[k].kind, DeviationKind::Moved);
       EXPECT_EQ(a.deviations[k].motion, 60 + k);
       EXPECT_EQ(a.deviations[k].point, 60 + k);
+      EXPECT_NEAR(a.deviations[k].distanceMm, (program.tip[60 + k] - plan.tip[60 + k]).norm(),
+                  1e-12);
+      EXPECT_NEAR(a.deviations[k].angleRad, 0.1 * static_cast<double>(k + 1), 1e-9);
     }
     EXPECT_EQ(a.deviations[2].kind, more ? DeviationKind::Extra : DeviationKind::Missing);
     EXPECT_EQ(a.deviations[2].motion, 62u);
