@@ -15,7 +15,9 @@
 #include "layers/vtp_writer.h"
 
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
+#include <utility>
 
 namespace voluta::layers {
 namespace {
@@ -164,6 +166,71 @@ TEST(MakePatches, SetsApartWhatIsTooSmall) {
   EXPECT_NEAR(geometry::area(patches.patches[0].surface), 100.0, 1e-9);
   ASSERT_EQ(patches.slivers.size(), 1u);
   EXPECT_NEAR(geometry::area(patches.slivers[0].surface), 0.64, 1e-9);
+}
+
+// A strip is as wide as it is, wherever it lies and however long: from half a bead on it is laid.
+TEST(MakePatches, StripsNarrowerThanHalfABeadAreSlivers) {
+  for (const double width : {0.4, 0.55, 0.65, 1.0})
+    for (const double atX : {-15.0, 40.0}) {
+      LevelSurface s;
+      for (int i = 0; i <= 120; ++i)
+        for (const double y : {0.0, 0.5 * width, width}) {
+          s.surface.vertices.emplace_back(atX + 0.25 * i, 3.0 + y, 1.0);
+          s.thicknessMm.push_back(0.8);
+          s.direction.push_back(Vector3d::UnitZ());
+          s.clearDirection.push_back(Vector3d::UnitZ());
+        }
+      for (int i = 0; i < 120; ++i)
+        for (int k = 0; k < 2; ++k) {
+          const int a = 3 * i + k;
+          s.surface.triangles.push_back({a, a + 3, a + 4});
+          s.surface.triangles.push_back({a, a + 4, a + 1});
+        }
+      const PatchesOfLevel patches = makePatches(s, {1.2});
+      EXPECT_EQ(patches.slivers.size(), width < 0.6 ? 1u : 0u) << width;
+      EXPECT_EQ(patches.patches.size(), width < 0.6 ? 0u : 1u) << width;
+    }
+}
+
+// Two holes that meet in a corner, and two squares that do: each boundary goes on in one way.
+TEST(MakePatches, BoundariesThatTouchInAVertexComeApart) {
+  for (const bool holes : {true, false}) {
+    LevelSurface s = flatSquare(4, 2.0, 1.0);
+    std::erase_if(s.surface.triangles, [&](const std::array<int, 3>& t) {
+      Vector3d middle = Vector3d::Zero();
+      for (const int v : t)
+        middle += s.surface.vertices[static_cast<std::size_t>(v)] / 3.0;
+      const bool inHole = std::max(std::abs(middle.x()), std::abs(middle.y())) < 2.0 &&
+                          middle.x() * middle.y() > 0.0;
+      return holes ? inHole : middle.x() * middle.y() < 0.0;
+    });
+    const PatchesOfLevel patches = makePatches(s, {1.2});
+    ASSERT_EQ(patches.patches.size(), holes ? 1u : 2u);
+    EXPECT_TRUE(patches.slivers.empty());
+    double area = 0.0;
+    std::size_t doubled = 0;
+    for (const Patch& p : patches.patches) {
+      area += geometry::area(p.surface);
+      ASSERT_EQ(p.thicknessMm.size(), p.surface.vertices.size());
+      ASSERT_EQ(p.direction.size(), p.surface.vertices.size());
+      std::map<std::pair<int, int>, int> edges; // from, to
+      for (const auto& t : p.surface.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+          ++edges[{t[k], t[(k + 1) % 3]}];
+      std::map<int, int> out;
+      for (const auto& [edge, count] : edges) {
+        EXPECT_EQ(count, 1);
+        if (!edges.contains({edge.second, edge.first}))
+          ++out[edge.first];
+      }
+      for (const auto& [vertex, count] : out)
+        EXPECT_EQ(count, 1) << vertex;
+      for (const Vector3d& v : p.surface.vertices)
+        doubled += v.head<2>().norm() < 1e-9 ? 1 : 0;
+    }
+    EXPECT_NEAR(area, holes ? 64.0 - 8.0 : 32.0, 1e-9);
+    EXPECT_EQ(doubled, 2u) << "the vertex in the middle";
+  }
 }
 
 TEST(OrderForPrinting, LayersFirstThenShortWays) {
