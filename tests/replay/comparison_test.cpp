@@ -234,6 +234,27 @@ TEST(Comparison, ThePathDeviatesByItsDistanceFromThePlansLine) {
   }
 }
 
+// A motion that goes over points of a straight line is on it all the way, whatever came before.
+TEST(Comparison, OverPointsInLineThePathDoesNotDeviate) {
+  for (const bool extra : {false, true}) {
+    Job job;
+    job.program.motions.erase(job.program.motions.begin() + 5, job.program.motions.begin() + 7);
+    if (extra) // something else, between the motions to points 3 and 4
+      job.program.motions.insert(job.program.motions.begin() + 4, job.program.motions[4]);
+    const ExecutedPath path = executeToolPoints(job.program, {});
+    Alignment alignment;
+    alignment.pointOf = {0, 1, 2, 3};
+    if (extra)
+      alignment.pointOf.push_back(kUnmatched);
+    for (const std::size_t j : {4u, 7u, 8u, 9u, 10u, 11u, 12u, 13u, 14u, 15u})
+      alignment.pointOf.push_back(j);
+    alignment.leadsTo.assign(alignment.pointOf.size(), kUnmatched);
+    ASSERT_EQ(alignment.pointOf.size(), job.program.motions.size());
+    EXPECT_NEAR(pathDeviation(path, job.planned, job.trajectory, job.program, alignment, {}).mm,
+                0.0, 1e-9);
+  }
+}
+
 // A blend of radius r cuts a right corner by r/4 off both lines.
 TEST(Comparison, ABlendDeviatesByTheCornerThatItCuts) {
   Job job;
