@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <optional>
 
 using namespace voluta;
 using Eigen::Quaterniond;
@@ -152,6 +153,45 @@ TEST_F(Transfers, AHopLiftsLittleAndATravelMore) {
       EXPECT_LT(motion::angleBetween(way->points[k].at.tool, from.tool.slerp(t, to.tool)), 1e-9);
     }
     expectSound(from, way->points, before);
+  }
+}
+
+// Over a ring that stands between, from beside it: by 2, 4, 10 or 20 mm, the first that is enough.
+TEST(TransferLifts, AreNoHigherThanTheyHaveToBe) {
+  struct Case {
+    int layers; // of 0.8 mm
+    double atMm, liftMm;
+  };
+  for (const Case& c : {Case{10, 7.2, 2.0}, {10, 5.2, 4.0}, {10, 1.0, 10.0}, {25, 4.0, 20.0}}) {
+    SCOPED_TRACE(c.liftMm);
+    const plan::ToolPlan plan = test::cylinder(10.0, c.layers);
+    const process::Process process = process::loadProcess("fdm-1.0");
+    const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20.0));
+    const collision::CellCollision collision(cell, process);
+    const collision::GrowingPart part(plan, 0.45, {});
+    const motion::MotionOptions options;
+    const motion::MotionScene scene{plan, cell, collision, part, options};
+    const std::size_t before = plan.waypointCount();
+    // The first turn about the nozzle with which both are free.
+    RobotState from, to;
+    std::optional<Transfer> way;
+    std::vector<JointVector> scratch;
+    for (int k = 0; k < 24 && !way; ++k) {
+      from.tip = {30.0, 0.0, c.atMm};
+      to.tip = {-30.0, 3.0, c.atMm};
+      from.tool = to.tool = motion::turned(motion::uprightTool(), base::kTurn * k / 24);
+      if (!motion::solveNear(cell, from.tip, from.tool, cell.home(), 4.0, scratch, from.q) ||
+          !motion::solveNear(cell, to.tip, to.tool, from.q, 1.0, scratch, to.q))
+        continue;
+      way = motion::TransferPlanner(scene).plan(from, to, false, before, {{0, 0, 4}, 30.0}, 1, {});
+      if (way && way->kind != TransferKind::Straight)
+        way.reset();
+    }
+    ASSERT_TRUE(way);
+    EXPECT_LT((way->points.front().at.tip - from.tip - Vector3d(0, 0, c.liftMm)).norm(), 1e-9);
+    EXPECT_LT(
+        (way->points[way->points.size() - 2].at.tip - to.tip - Vector3d(0, 0, c.liftMm)).norm(),
+        1e-9);
   }
 }
 
