@@ -2,7 +2,6 @@
 #include "layers/level_surface.h"
 
 #include "layers/layer_findings.h"
-#include "plan/finding_kinds.h"
 
 #include <Eigen/Geometry>
 #include <array>

@@ -3,7 +3,6 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "motion/check.h"
-#include "motion/divided_step.h"
 #include "motion/external_axes.h"
 #include "motion/head_refusals.h"
 #include "motion/joint_costs.h"
@@ -179,43 +178,6 @@ TEST(MotionScene, StatesAreAsFarApartAsTheirLargestStep) {
   b[6] += 30.0;
   EXPECT_NEAR(s.scene.span(a, b), 0.5, 1e-12);
   EXPECT_NEAR(s.scene.span(b, a), 0.5, 1e-12);
-}
-
-TEST(DividedStep, PiecesAreEvenAndShareTheirMaterial) {
-  Scene s(test::cylinder(10.0, 1));
-  std::vector<JointVector> scratch;
-  motion::RunPoint from;
-  from.at.tip = {5, 0, 10};
-  from.at.tool = motion::uprightTool();
-  ASSERT_TRUE(
-      motion::solveNear(s.cell, from.at.tip, from.at.tool, s.cell.home(), 4.0, scratch, from.at.q));
-  motion::RunPoint to;
-  to.at.tip = {8, 3, 10};
-  to.at.tool = motion::turned(motion::uprightTool(), 0.2);
-  to.waypoint = to.next = 7;
-  to.volumeMm3 = 3.0;
-  to.speedMmPerS = 12.0;
-  for (const int n : {1, 2, 5}) {
-    std::vector<motion::RunPoint> points{from};
-    ASSERT_TRUE(motion::appendDivided(s.scene, to, n, points));
-    ASSERT_EQ(points.size(), static_cast<std::size_t>(n + 1));
-    for (int k = 1; k <= n; ++k) {
-      const motion::RunPoint& p = points[static_cast<std::size_t>(k)];
-      const double t = k / static_cast<double>(n);
-      EXPECT_LT((p.at.tip - (1 - t) * from.at.tip - t * to.at.tip).norm(), 1e-9);
-      EXPECT_NEAR(motion::angleBetween(p.at.tool, from.at.tool), 0.2 * t, 1e-9);
-      EXPECT_EQ(p.waypoint, k == n ? 7u : plan::kNoWaypoint);
-      EXPECT_EQ(p.next, 7u);
-      EXPECT_NEAR(p.volumeMm3, 3.0 / n, 1e-12);
-      EXPECT_EQ(p.speedMmPerS, 12.0);
-      const Isometry3d pose = s.cell.work_T_tool(p.at.q);
-      EXPECT_LT((pose.translation() - p.at.tip).norm(), 1e-6);
-    }
-  }
-  s.options.maxStepRad = 1e-4;
-  std::vector<motion::RunPoint> points{from};
-  EXPECT_FALSE(motion::appendDivided(s.scene, to, 2, points));
-  EXPECT_EQ(points.size(), 1u);
 }
 
 // Two widths of way back, of the same path: as near to that as waypoints allow.
