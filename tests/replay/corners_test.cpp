@@ -1,6 +1,7 @@
 // Blended corners, speeds and limits of an executed program, in closed form.
 #include "base/run_context.h"
 #include "base/units.h"
+#include "replay/controller_time.h"
 #include "replay/executed_path.h"
 #include "replay/scene.h"
 
@@ -245,6 +246,48 @@ TEST_F(JointMotions, OneTargetIsAnArmThatStands) {
   ASSERT_EQ(path.tip.size(), 1u);
   EXPECT_LT((path.tip[0] - pose.translation()).norm(), 1e-9);
   EXPECT_LT((path.direction[0] + pose.linear().col(2)).norm(), 1e-9);
+}
+
+// From rest to rest by the joint that turns furthest: a trapezoid, or a triangle where it is short.
+TEST_F(JointMotions, TakeLongerWithRamps) {
+  for (const double turn : {0.5, 0.02}) {
+    robot::JointVector a = cell_.home(), b = a;
+    b[1] -= turn;
+    b[3] += 0.4 * turn;
+    ReadProgram read;
+    read.motions = {to(a, 0.0), to(b, 0.4), to(a, 0.0, 0.7)};
+    const ExecutedPath path = executeProgram(read, cell_, {});
+    const double acceleration = 2.0, up = 0.4 * 0.4 / acceleration; // rad of both ramps
+    const double ramped =
+        turn > up ? turn / 0.4 + 0.4 / acceleration : 2.0 * std::sqrt(turn / acceleration);
+    EXPECT_NEAR(jointMotionS(path, 1, 0.0), turn / 0.4, 1e-9);
+    EXPECT_NEAR(jointMotionS(path, 1, acceleration), ramped, 1e-9);
+    // By the motion's own acceleration, else by its controller's; told in time it takes that.
+    read.time.jointAccelerationRadPerS2 = acceleration;
+    std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);
+    ASSERT_EQ(seconds.size(), 3u);
+    EXPECT_EQ(seconds[0], 0.0);
+    EXPECT_NEAR(seconds[1], ramped, 1e-9);
+    EXPECT_NEAR(seconds[2], 0.7, 1e-9);
+    read.motions[1].jointAccelerationRadPerS2 = 1e9;
+    EXPECT_NEAR(controllerTimes(read, path, TurnLaw::Text)[1], turn / 0.4, 1e-6);
+  }
+}
+
+// Straight to a target that only another branch reaches: the joints jump, and that is told.
+TEST_F(JointMotions, AJumpToAnotherBranchIsTold) {
+  robot::JointVector a = cell_.home(), b = a;
+  b[0] += base::kPi;
+  ReadProgram read;
+  read.motions = {to(a, 0.0), to(b, 0.0, 5.0)};
+  read.motions[1].jointInterpolated = false;
+  const ExecutedPath path = executeProgram(read, cell_, {});
+  ASSERT_FALSE(path.violations.empty());
+  bool told = false;
+  for (const LimitViolation& v : path.violations)
+    told = told || (v.kind == LimitKind::BranchJump && v.motion == 1 && v.joint == 0 &&
+                    v.value > 1.0 && v.limit == 1.0);
+  EXPECT_TRUE(told);
 }
 
 TEST_F(JointMotions, TellWhichJointIsTooFastAndByHowMuch) {
