@@ -114,6 +114,9 @@ TEST(ExternalAxes, StandAtTheirStepsAndRestAtWholeTurns) {
   }
   const robot::Cell irbp = cellOf("irb1200-irbp");
   std::mt19937 random(52);
+  const JointVector q = anyAxes(irbp, random), axes = motion::axesOf(irbp, q);
+  ASSERT_EQ(axes.size(), 2);
+  EXPECT_EQ(motion::withAxes(irbp, irbp.home(), axes), q) << "anywhere, and the arm as it was";
   EXPECT_EQ(motion::homeAfter(irbp, anyAxes(irbp, random)), irbp.home()) << "these unwind";
 }
 
@@ -202,6 +205,72 @@ TEST(HeadBefore, IsTheFirstWaypointOfWhatIsSoft) {
         ++wanted;
       EXPECT_EQ(before[i], wanted) << i;
     }
+}
+
+// A ring whose third layer is below the plate, and whose fourth leans into what is printed.
+TEST(HeadRefusals, TellWhatTheHeadItselfWouldMeet) {
+  plan::ToolPlan plan = test::cylinder(10.0, 6);
+  const std::size_t below = plan.paths[2].first + 10, into = plan.paths[5].first + 30;
+  plan.position[below].z() = -5.0;
+  plan.direction[into] =
+      Vector3d(-plan.position[into].y(), plan.position[into].x(), -4.0).normalized();
+  Scene s(plan);
+  const std::vector<std::size_t> before = motion::headBefore(s.plan);
+  const auto refusals = motion::headRefusals(s.scene, before, {});
+  ASSERT_EQ(refusals.size(), s.plan.waypointCount());
+  for (std::size_t w = 0; w < refusals.size(); ++w)
+    if (w != below && w != into) {
+      EXPECT_EQ(refusals[w], motion::Refusal::None) << w;
+    }
+  EXPECT_NE(refusals[below], motion::Refusal::None);
+  EXPECT_NE(refusals[into], motion::Refusal::None);
+}
+
+// A rod is printed on within its length and room, and no further.
+TEST(HeadRefusals, NothingIsPrintedBeyondTheRod) {
+  const robot::Cell cell = cellOf("lathe");
+  const double radius = cell.rod()->printableRadiusMm, half = 0.5 * cell.rod()->lengthMm;
+  plan::ToolPlan plan;
+  const std::vector<Vector3d> tips{{0, 0, radius - 0.01},
+                                   {0, 0, radius + 0.01},
+                                   {half - 0.01, 0, 5},
+                                   {half + 0.01, 0, 5},
+                                   {-half - 0.01, 0, 5},
+                                   {0, 0.8 * radius, 0.6 * radius},
+                                   {0, 0.9 * radius, 0.6 * radius}};
+  test::appendPath(plan, tips, std::vector<Vector3d>(7, Vector3d::UnitZ()), 0);
+  Scene s(plan, "lathe");
+  const auto refusals = motion::headRefusals(s.scene, motion::headBefore(s.plan), {});
+  const bool beyond[] = {false, true, false, true, true, false, true};
+  for (std::size_t w = 0; w < 7; ++w)
+    EXPECT_EQ(refusals[w] == motion::Refusal::BeyondRod, beyond[w]) << w;
+}
+
+TEST(Levers, OfARodAreThePlansRadius) {
+  plan::ToolPlan plan;
+  test::appendPath(plan, {{90, 3, 4}, {0, 0, 2}}, {Vector3d::UnitZ(), Vector3d::UnitZ()}, 0);
+  const std::vector<double> levers = motion::leversOf(plan, cellOf("lathe"));
+  ASSERT_EQ(levers.size(), 1u);
+  EXPECT_NEAR(levers[0], 5.0, 1e-12);
+  EXPECT_TRUE(motion::leversOf(plan, cellOf("ur5-fixed")).empty());
+}
+
+// No point of what they carry goes further by a radian than its lever.
+TEST(Levers, OfTurnsHoldAllThatTheyCarry) {
+  const robot::Cell cell = cellOf("irb1200-irbp");
+  plan::ToolPlan plan;
+  test::appendPath(plan, {{300, 0, 200}, {0, -350, 10}}, {Vector3d::UnitZ(), Vector3d::UnitZ()}, 0);
+  const std::vector<double> levers = motion::leversOf(plan, cell);
+  ASSERT_EQ(levers.size(), 2u);
+  std::mt19937 random(55);
+  for (int round = 0; round < 60; ++round) {
+    const JointVector q = anyAxes(cell, random), axes = motion::axesOf(cell, q);
+    for (const Vector3d& p : plan.position) {
+      const motion::AxisTwists twists = motion::axisTwists(cell, axes, cell.base_T_work(q) * p);
+      for (Eigen::Index k = 0; k < 2; ++k)
+        EXPECT_LE(twists.col(k).head<3>().norm(), levers[static_cast<std::size_t>(k)] + 1e-9);
+    }
+  }
 }
 
 TEST(Surrounds, HoldAllThatIsPrintedBefore) {
