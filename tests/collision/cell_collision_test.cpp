@@ -59,6 +59,59 @@ TEST(Polyhedron, AgainstSampling) {
   }
 }
 
+// A frustum leaning over a plate: its lowest rim, at most 0.22 % of its radius further out.
+TEST(Polyhedron, AFrustumOverAPlateIsAsHighAsItsLowestRim) {
+  const robot::Prism slab{{{-90, -90}, {90, -90}, {90, 90}, {-90, 90}}, -5, 0};
+  const collision::Polyhedron plate(slab);
+  test::RandomShapes random(22);
+  for (int n = 0; n < 100; ++n) {
+    const double r0 = n % 5 == 0 ? 0.0 : random.number(0.5, 8.0), r1 = random.number(0.5, 8.0);
+    const Vector3d p1 = random.number(2.0, 9.0) * random.point(1.0).normalized();
+    const collision::Polyhedron frustum(robot::Frustum{{0, 0, 0}, p1, r0, r1});
+    const Vector3d u = p1.normalized();
+    const double across = std::sqrt(1.0 - u.z() * u.z());
+    const double lowest = std::min(-r0 * across, p1.z() - r1 * across);
+    for (const double gap : {0.3, 4.0}) {
+      const Isometry3d place(Eigen::Translation3d(1.0, -2.0, gap - lowest));
+      const double found =
+          collision::Polyhedron::distance(frustum, place, plate, Isometry3d::Identity());
+      EXPECT_LE(found, gap + 1e-6);
+      EXPECT_GE(found, gap - 0.0022 * std::max(r0, r1) - 2e-3);
+      EXPECT_NEAR(found,
+                  collision::Polyhedron::distance(plate, Isometry3d::Identity(), frustum, place),
+                  1e-5);
+    }
+  }
+}
+
+// Boxes turned together are as far apart as they are upright; prisms about one axis as their
+// sections, or their heights.
+TEST(Polyhedron, BoxesAndPrismsAreAsFarApartAsTheirSides) {
+  test::RandomShapes random(23);
+  for (int n = 0; n < 60; ++n) {
+    const Vector3d half(1, 2, 3), other(2, 1, 0.5);
+    const Vector3d gap = n % 4 == 0   ? Vector3d(0.7, 0, 0)
+                         : n % 4 == 1 ? Vector3d(0.3, 0.4, 0)
+                         : n % 4 == 2 ? Vector3d(0.2, 0.3, 0.6)
+                                      : Vector3d(0, 0, 1.1);
+    Vector3d away;
+    for (int k = 0; k < 3; ++k)
+      away[k] = gap[k] > 0.0 ? half[k] + other[k] + gap[k] : random.number(-0.4, 0.4);
+    const Isometry3d turn = random.pose(20.0), slid = turn * Eigen::Translation3d(away);
+    const collision::Polyhedron a(robot::Box{Isometry3d::Identity(), half});
+    const collision::Polyhedron b(robot::Box{Isometry3d::Identity(), other});
+    EXPECT_NEAR(collision::Polyhedron::distance(a, turn, b, slid), gap.norm(), 1e-5) << n;
+    const robot::Prism hexagon{
+        {{2, 0}, {1, 1.8}, {-1, 1.8}, {-2, 0}, {-1, -1.8}, {1, -1.8}}, -1, 1};
+    const collision::Polyhedron prism(hexagon);
+    const Isometry3d above = turn * Eigen::Translation3d(0.3, 0.2, 2.0 + gap.norm()),
+                     beside = turn * Eigen::Translation3d(0.1, 3.6 + gap.norm(), 0.4);
+    for (const Isometry3d& place : {above, beside})
+      EXPECT_NEAR(collision::Polyhedron::distance(prism, turn, prism, place), gap.norm(), 1e-5)
+          << n;
+  }
+}
+
 // The holder, 20 mm round and from 110 mm behind the tip on, lies down beside a plate.
 TEST(Holder, MeetsAPlateThatReachesUnderIt) {
   const process::Process process = process::loadProcess("fdm-1.0");

@@ -143,3 +143,90 @@ TEST(ShapeDistance, CapsulesAgainstSolids) {
     }
   }
 }
+
+// No point of a solid lies further along a direction, and one lies as far: by many points of it,
+// and of what is bounded by corners or rims by those.
+TEST(ShapeDistance, SupportIsTheFurthestPoint) {
+  test::RandomShapes random(4);
+  for (int n = 0; n < 200; ++n) {
+    const robot::Shape shape = random.shape(n, 5.0);
+    const Vector3d d = random.point(1.0).normalized();
+    double most = -std::numeric_limits<double>::infinity();
+    const auto take = [&](const Vector3d& p) { most = std::max(most, p.dot(d)); };
+    if (const auto* c = std::get_if<robot::Capsule>(&shape)) {
+      for (const Vector3d& end : {c->p0, c->p1})
+        take(end + c->radius * d);
+    } else if (const auto* b = std::get_if<robot::Box>(&shape)) {
+      for (int k = 0; k < 8; ++k)
+        take(b->frame_T_box * Vector3d(k & 1 ? b->half.x() : -b->half.x(),
+                                       k & 2 ? b->half.y() : -b->half.y(),
+                                       k & 4 ? b->half.z() : -b->half.z()));
+    } else if (const auto* f = std::get_if<robot::Frustum>(&shape)) {
+      const Vector3d u = (f->p1 - f->p0).normalized(), x = u.unitOrthogonal(), y = u.cross(x);
+      for (int k = 0; k < 7200; ++k) {
+        const double a = k * base::kTurn / 7200;
+        const Vector3d rim = std::cos(a) * x + std::sin(a) * y;
+        take(f->p0 + f->r0 * rim);
+        take(f->p1 + f->r1 * rim);
+      }
+    } else {
+      const auto& prism = std::get<robot::Prism>(shape);
+      for (const Eigen::Vector2d& corner : prism.polygon)
+        for (const double z : {prism.zMin, prism.zMax})
+          take({corner.x(), corner.y(), z});
+    }
+    EXPECT_NEAR(collision::support(shape, d), most, 1e-5) << n;
+    // And its ball is as large as it has to be about its middle.
+    const collision::Ball ball =
+        collision::boundingBall(collision::place(shape, Isometry3d::Identity()));
+    EXPECT_GE(ball.centre.dot(d) + ball.radius, most - 1e-9);
+  }
+}
+
+TEST(ShapeDistance, ABallIsNoLargerThanItsShape) {
+  Isometry3d pose = Isometry3d::Identity();
+  pose.linear() = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  pose.translation() = Vector3d(7, -8, 9);
+  const auto ballOf = [&](const robot::Shape& shape) {
+    return collision::boundingBall(collision::place(shape, pose));
+  };
+  const auto expectBall = [&](const collision::Ball& ball, const Vector3d& centre, double radius) {
+    EXPECT_LT((ball.centre - pose * centre).norm(), 1e-9);
+    EXPECT_NEAR(ball.radius, radius, 1e-9);
+  };
+  expectBall(ballOf(robot::Capsule{{1, 2, 3}, {1, 2, 9}, 2.0}), {1, 2, 6}, 5.0);
+  const Isometry3d there(Eigen::Translation3d(4, 5, 6));
+  expectBall(ballOf(robot::Box{there, {2, 3, 6}}), {4, 5, 6}, 7.0);
+  expectBall(ballOf(robot::Frustum{{0, 0, 1}, {0, 0, 7}, 2.0, 4.0}), {0, 0, 4}, 5.0);
+  expectBall(ballOf(robot::Prism{{{0, 0}, {6, 0}, {6, 8}, {0, 8}}, -10, 14}), {3, 4, 2}, 13.0);
+}
+
+// All places on both, where they are parallel, in one line, or without length too.
+TEST(ShapeDistance, SegmentsThatLieInAnyWay) {
+  test::RandomShapes random(5);
+  const auto grid = [&] {
+    return Vector3d(std::round(random.number(-2, 2)), std::round(random.number(-2, 2)),
+                    std::round(random.number(-2, 2)));
+  };
+  // Of a convex function over [0, 1], by thirds.
+  const auto least = [](const auto& f) {
+    double a = 0.0, b = 1.0;
+    for (int k = 0; k < 50; ++k) {
+      const double u = a + (b - a) / 3.0, v = b - (b - a) / 3.0;
+      if (f(u) < f(v))
+        b = v;
+      else
+        a = u;
+    }
+    return f(0.5 * (a + b));
+  };
+  for (int n = 0; n < 200; ++n) {
+    const Vector3d a = grid(), b = grid(), c = grid(), d = grid();
+    const double wanted = least([&](double s) {
+      const Vector3d p = a + s * (b - a);
+      return least([&](double t) { return (p - c - t * (d - c)).norm(); });
+    });
+    EXPECT_NEAR(collision::segmentDistance(a, b, c, d), wanted, 1e-6) << n;
+    EXPECT_NEAR(collision::segmentDistance(d, c, a, b), wanted, 1e-6) << n;
+  }
+}

@@ -7,6 +7,7 @@
 #include "layers/stack_query.h"
 
 #include <gtest/gtest.h>
+#include <random>
 
 namespace voluta::layers {
 namespace {
@@ -80,6 +81,80 @@ TEST(BoundaryChecks, TellTheShareOfTheOutlineOnTheSurface) {
     EXPECT_NEAR(check.onSurface, shiftMm == 0.0 ? 6.0 / 15.0 : 0.0, 1e-12);
     EXPECT_NEAR(check.farthestMm, 1.5 + shiftMm, 1e-9);
   }
+}
+
+// What crosses a facet is never said to pass by, however it lies.
+TEST(PartBoundary, WhatCrossesIsNeverMissed) {
+  const geometry::TriangleMesh part = twoBlocks();
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> u(-3, 14);
+  int crossing = 0, passing = 0;
+  for (const double cellMm : {0.7, 2.5}) {
+    const PartBoundary boundary(part, cellMm, base::RunContext());
+    std::vector<PartBoundary::Crossing> found;
+    for (int round = 0; round < 2000; ++round) {
+      const Vector3d a(u(random), u(random), u(random));
+      Vector3d b(u(random), u(random), u(random));
+      b = a + (round % 2 ? 0.2 : 1.0) * (b - a);
+      boundary.crossings(a, b, 0.0, found);
+      // By how often it is in either block along the way.
+      const auto inside = [](const Vector3d& p) {
+        return ((p.x() > 0 && p.x() < 4) || (p.x() > 6 && p.x() < 12)) && p.y() > 0 && p.y() < 10 &&
+               p.z() > 0 && p.z() < 10;
+      };
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        const double before = k == 0 ? 0.0 : found[k - 1].t;
+        EXPECT_EQ(inside(a + 0.5 * (before + found[k].t) * (b - a)), !found[k].entering);
+      }
+      const double last = found.empty() ? 0.0 : found.back().t;
+      EXPECT_EQ(inside(a + 0.5 * (last + 1.0) * (b - a)),
+                found.empty() ? inside(a) : found.back().entering);
+      if (!found.empty()) {
+        EXPECT_TRUE(boundary.mayCross(a, b));
+      }
+      crossing += found.empty() ? 0 : 1;
+      passing += boundary.mayCross(a, b) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(crossing, 500);
+  EXPECT_GT(passing, 200);
+}
+
+// Flat triangles far enough apart that planes and edges tell the nearest point by hand.
+TEST(StackQuery, TheClosestIsThatOfAllPatchesAskedFor) {
+  std::vector<Patch> patches;
+  for (int k = 0; k < 4; ++k) {
+    Patch patch;
+    const double x = 3.0 * k, z = 0.5 * k;
+    patch.surface.vertices = {{x, 0, z}, {x + 2, 0, z}, {x, 2, z}};
+    patch.surface.triangles = {{0, 1, 2}};
+    patches.push_back(std::move(patch));
+  }
+  const StackQuery query(patches, {Eigen::AlignedBox3d(Vector3d(0, 0, 0), Vector3d(9, 3, 3))}, 1.0,
+                         base::RunContext());
+  const StackQuery::Place over = query.closest({0, 1, 2, 3}, {3.5, 0.5, 1.4}, 2.0);
+  EXPECT_EQ(over.patch, 1);
+  EXPECT_EQ(over.triangle, 0);
+  EXPECT_NEAR(over.distance, 0.9, 1e-12);
+  EXPECT_LT((over.point - Vector3d(3.5, 0.5, 0.5)).norm(), 1e-12);
+  EXPECT_EQ(query.closest({0, 1, 2, 3}, {3.5, 0.5, 1.4}, 0.8).patch, -1) << "out of reach";
+  EXPECT_EQ(query.closest({0, 2, 3}, {3.5, 0.5, 1.4}, 0.8).patch, -1) << "not asked for";
+  // Between two: nearer to the corner of the second, whichever comes first.
+  for (const std::vector<int>& asked : {std::vector<int>{0, 1}, {1, 0}}) {
+    const StackQuery::Place beside = query.closest(asked, {2.7, 0.0, 0.5}, 2.0);
+    EXPECT_EQ(beside.patch, 1);
+    EXPECT_NEAR(beside.distance, 0.3, 1e-12);
+  }
+  const auto box = [](double from, double to) {
+    return Eigen::AlignedBox3d(Vector3d(from, 0, 0), Vector3d(to, 1, 9));
+  };
+  EXPECT_EQ(query.near(box(2.5, 7.0), 0, 4), (std::vector<int>{1, 2}));
+  EXPECT_EQ(query.near(box(2.5, 7.0), 2, 4), (std::vector<int>{2}));
+  EXPECT_EQ(query.near(box(-5.0, 20.0), 0, 3), (std::vector<int>{0, 1, 2}));
+  EXPECT_TRUE(query.near(box(2.2, 2.8), 0, 4).empty());
+  // Only what comes near what it is made around is known.
+  const StackQuery some(patches, {box(0.0, 2.5)}, 1.0, base::RunContext());
+  EXPECT_EQ(some.near(box(-5.0, 20.0), 0, 4), (std::vector<int>{0, 1}));
 }
 
 TEST(StackQuery, HitsComeInOrderFromTheStart) {

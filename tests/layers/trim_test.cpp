@@ -15,7 +15,9 @@
 #include "layers/vtp_writer.h"
 
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
+#include <utility>
 
 namespace voluta::layers {
 namespace {
@@ -166,6 +168,71 @@ TEST(MakePatches, SetsApartWhatIsTooSmall) {
   EXPECT_NEAR(geometry::area(patches.slivers[0].surface), 0.64, 1e-9);
 }
 
+// A strip is as wide as it is, wherever it lies and however long: from half a bead on it is laid.
+TEST(MakePatches, StripsNarrowerThanHalfABeadAreSlivers) {
+  for (const double width : {0.4, 0.55, 0.65, 1.0})
+    for (const double atX : {-15.0, 40.0}) {
+      LevelSurface s;
+      for (int i = 0; i <= 120; ++i)
+        for (const double y : {0.0, 0.5 * width, width}) {
+          s.surface.vertices.emplace_back(atX + 0.25 * i, 3.0 + y, 1.0);
+          s.thicknessMm.push_back(0.8);
+          s.direction.push_back(Vector3d::UnitZ());
+          s.clearDirection.push_back(Vector3d::UnitZ());
+        }
+      for (int i = 0; i < 120; ++i)
+        for (int k = 0; k < 2; ++k) {
+          const int a = 3 * i + k;
+          s.surface.triangles.push_back({a, a + 3, a + 4});
+          s.surface.triangles.push_back({a, a + 4, a + 1});
+        }
+      const PatchesOfLevel patches = makePatches(s, {1.2});
+      EXPECT_EQ(patches.slivers.size(), width < 0.6 ? 1u : 0u) << width;
+      EXPECT_EQ(patches.patches.size(), width < 0.6 ? 0u : 1u) << width;
+    }
+}
+
+// Two holes that meet in a corner, and two squares that do: each boundary goes on in one way.
+TEST(MakePatches, BoundariesThatTouchInAVertexComeApart) {
+  for (const bool holes : {true, false}) {
+    LevelSurface s = flatSquare(4, 2.0, 1.0);
+    std::erase_if(s.surface.triangles, [&](const std::array<int, 3>& t) {
+      Vector3d middle = Vector3d::Zero();
+      for (const int v : t)
+        middle += s.surface.vertices[static_cast<std::size_t>(v)] / 3.0;
+      const bool inHole = std::max(std::abs(middle.x()), std::abs(middle.y())) < 2.0 &&
+                          middle.x() * middle.y() > 0.0;
+      return holes ? inHole : middle.x() * middle.y() < 0.0;
+    });
+    const PatchesOfLevel patches = makePatches(s, {1.2});
+    ASSERT_EQ(patches.patches.size(), holes ? 1u : 2u);
+    EXPECT_TRUE(patches.slivers.empty());
+    double area = 0.0;
+    std::size_t doubled = 0;
+    for (const Patch& p : patches.patches) {
+      area += geometry::area(p.surface);
+      ASSERT_EQ(p.thicknessMm.size(), p.surface.vertices.size());
+      ASSERT_EQ(p.direction.size(), p.surface.vertices.size());
+      std::map<std::pair<int, int>, int> edges; // from, to
+      for (const auto& t : p.surface.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+          ++edges[{t[k], t[(k + 1) % 3]}];
+      std::map<int, int> out;
+      for (const auto& [edge, count] : edges) {
+        EXPECT_EQ(count, 1);
+        if (!edges.contains({edge.second, edge.first}))
+          ++out[edge.first];
+      }
+      for (const auto& [vertex, count] : out)
+        EXPECT_EQ(count, 1) << vertex;
+      for (const Vector3d& v : p.surface.vertices)
+        doubled += v.head<2>().norm() < 1e-9 ? 1 : 0;
+    }
+    EXPECT_NEAR(area, holes ? 64.0 - 8.0 : 32.0, 1e-9);
+    EXPECT_EQ(doubled, 2u) << "the vertex in the middle";
+  }
+}
+
 TEST(OrderForPrinting, LayersFirstThenShortWays) {
   LayerStack stack;
   std::mt19937 random(5);
@@ -222,6 +289,68 @@ TEST(VtpWriter, DeclaresWhatItHolds) {
   for (const char* name : {"thickness", "direction", "layer", "group", "connectivity", "offsets"})
     EXPECT_NE(xml.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
   EXPECT_EQ(test::vtkArray<float>(xml, "thickness"), std::vector<float>(9, 0.8f));
+}
+
+// One piece after the other: points go on counting, and each triangle is told whose it is.
+TEST(VtpWriter, HoldsEveryPatchWithItsOwnPointsAndMarks) {
+  LayerStack stack;
+  for (int k = 0; k < 3; ++k) {
+    Patch p;
+    const double z = 0.4 + 0.75 * k;
+    p.surface.vertices = {{0, 0, z}, {2, 0, z}, {2, 1, z + 0.25}, {0, 1, z + 0.5}};
+    p.surface.triangles = {{0, 1, 2}, {0, 2, 3}};
+    if (k == 1) { // of another size
+      p.surface.vertices.push_back({1, 2, z});
+      p.surface.triangles.push_back({3, 2, 4});
+    }
+    for (std::size_t v = 0; v < p.surface.vertices.size(); ++v) {
+      p.thicknessMm.push_back(0.5 + 0.125 * static_cast<double>(v) + k);
+      p.direction.push_back(Vector3d(0, v % 2 ? 0.6 : -0.6, 0.8));
+    }
+    p.layer = 2 * k;
+    p.group = k == 2 ? kSupportGroup : 5 + k;
+    stack.patches.push_back(p);
+  }
+  const std::string xml = writeLayersVtp(stack);
+  EXPECT_NE(xml.find("NumberOfPoints=\"13\" NumberOfPolys=\"7\""), std::string::npos);
+
+  const auto points = test::vtkArray<float>(xml, "Points");
+  const auto direction = test::vtkArray<float>(xml, "direction");
+  const auto thickness = test::vtkArray<float>(xml, "thickness");
+  const auto corners = test::vtkArray<std::int32_t>(xml, "connectivity");
+  const auto offsets = test::vtkArray<std::int32_t>(xml, "offsets");
+  const auto layer = test::vtkArray<std::int32_t>(xml, "layer");
+  const auto group = test::vtkArray<std::int32_t>(xml, "group");
+  const auto patch = test::vtkArray<std::int32_t>(xml, "patch");
+  ASSERT_EQ(points.size(), 39u);
+  ASSERT_EQ(direction.size(), 39u);
+  ASSERT_EQ(thickness.size(), 13u);
+  ASSERT_EQ(corners.size(), 21u);
+  ASSERT_EQ(offsets.size(), 7u);
+  ASSERT_EQ(layer.size(), 7u);
+  ASSERT_EQ(group.size(), 7u);
+  ASSERT_EQ(patch.size(), 7u);
+  std::size_t triangle = 0;
+  for (std::size_t k = 0; k < stack.patches.size(); ++k) {
+    const Patch& p = stack.patches[k];
+    for (const auto& t : p.surface.triangles) {
+      EXPECT_EQ(offsets[triangle], static_cast<int>(3 * triangle + 3));
+      EXPECT_EQ(layer[triangle], p.layer);
+      EXPECT_EQ(group[triangle], p.group);
+      EXPECT_EQ(patch[triangle], static_cast<int>(k));
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto v = static_cast<std::size_t>(t[c]);
+        const auto at = static_cast<std::size_t>(corners[3 * triangle + c]);
+        EXPECT_EQ(thickness[at], static_cast<float>(p.thicknessMm[v]));
+        for (int axis = 0; axis < 3; ++axis) {
+          const std::size_t i = 3 * at + static_cast<std::size_t>(axis);
+          EXPECT_EQ(points[i], static_cast<float>(p.surface.vertices[v][axis]));
+          EXPECT_EQ(direction[i], static_cast<float>(p.direction[v][axis]));
+        }
+      }
+      ++triangle;
+    }
+  }
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "motion/timing.h"
 
+#include "base/units.h"
 #include "motion/even_turns.h"
 #include "motion/jerk.h"
 
@@ -70,6 +71,61 @@ TEST(Timing, JointMovesStandWhereTheyBend) {
               motion::timesOf({from, middle}, limits).back() +
                   motion::timesOf({middle, aside}, limits).back(),
               1e-9);
+}
+
+// Through a corner as fast as the circle that cuts it by cornerMm allows; straight on at speed, and
+// back or where it is to stop from rest.
+TEST(Timing, CornersArePassedAtWhatTheirCutAllows) {
+  const motion::TimingLimits limits = limitsOf(2);
+  const double a = limits.accelerationMmPerS2, v = 40.0, leg = 15.0;
+  for (const double turn : {0.0, 0.3, 0.5 * base::kPi, 2.5, base::kPi})
+    for (const bool stop : {false, true}) {
+      SCOPED_TRACE(turn);
+      std::vector<TimedPoint> points(3);
+      for (TimedPoint& p : points) {
+        p.q = robot::JointVector::Zero(2);
+        p.speedMmPerS = v;
+      }
+      points[1].tip = {leg, 0, 0};
+      points[2].tip = {leg + leg * std::cos(turn), leg * std::sin(turn), 0};
+      points[1].stop = stop;
+      // The circle's distance from the corner is its radius by 1 / cos(turn / 2) less one.
+      const double c = std::cos(0.5 * turn);
+      const double radius = c < 1.0 - 1e-9 ? limits.cornerMm / (1.0 / c - 1.0) : 1e9;
+      const double corner = stop ? 0.0 : std::min(v, std::sqrt(a * std::max(radius, 0.0)));
+      const double ramps = (v * v + v * v - corner * corner) / (2.0 * a);
+      const double one = v / a + (v - corner) / a + (leg - ramps) / v;
+      EXPECT_NEAR(motion::timesOf(points, limits).back(), 2.0 * one, 1e-6);
+      EXPECT_NEAR(motion::timesOf(points, limits)[1], one, 1e-6);
+    }
+}
+
+// The same wherever the arm begins: on, but not back, not aside, and not on the spot.
+TEST(Timing, JointMovesGoOnFromAnyPose) {
+  const motion::TimingLimits limits = limitsOf(2);
+  const auto stands = [&](const Eigen::Vector2d& begin, const Eigen::Vector2d& first,
+                          const Eigen::Vector2d& second) {
+    TimedPoint a, b, c;
+    a.q = begin;
+    b.q = begin + first;
+    c.q = begin + first + second;
+    b.jointMove = c.jointMove = true;
+    const double apart =
+        motion::timesOf({a, b}, limits).back() + motion::timesOf({b, c}, limits).back();
+    const double both = motion::timesOf({a, b, c}, limits).back();
+    EXPECT_LE(both, apart + 1e-9);
+    return both > apart - 1e-9;
+  };
+  for (const Eigen::Vector2d& begin :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(1.5, -2.0), Eigen::Vector2d(-3.0, 0.4)}) {
+    const Eigen::Vector2d way(0.6, -0.8), across(0.8, 0.6);
+    EXPECT_FALSE(stands(begin, way, way));
+    EXPECT_FALSE(stands(begin, way, 0.25 * way));
+    EXPECT_TRUE(stands(begin, way, -0.25 * way)) << "turns back";
+    EXPECT_TRUE(stands(begin, way, across));
+    EXPECT_TRUE(stands(begin, way, way + 0.1 * across));
+    EXPECT_TRUE(stands(begin, way, -way)) << "to where it began";
+  }
 }
 
 // A straight move on the way of which a joint goes far faster than from end to end, as near a

@@ -195,5 +195,146 @@ TEST(Alignment, OneRandomEditIsOneDeviation) {
   }
 }
 
+// Pieces on the way to point 57 come nearer and nearer, closer together than the tolerance.
+TEST(Alignment, PiecesCloserThanItsToleranceLeadToTheirPoint) {
+  const Sequence plan = zigzag(4, 40);
+  const std::size_t at = 57;
+  for (const std::vector<double>& pieces :
+       {std::vector<double>{0.3, 0.2, 0.1}, {0.045, 0.03, 0.015}, {0.009, 0.006, 0.004}, {0.04}}) {
+    SCOPED_TRACE(pieces.front());
+    Sequence program = plan;
+    for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
+      program.tip.insert(program.tip.begin() + at, plan.tip[at] + Vector3d(0, 0, *piece));
+      program.direction.insert(program.direction.begin() + at, Vector3d::UnitZ());
+    }
+    const auto isVia = [&](std::size_t, std::size_t point) { return point == at; };
+    const Alignment a = alignToPlan(program, plan, AlignmentOptions{}, base::RunContext(), isVia);
+    EXPECT_TRUE(a.deviations.empty());
+    for (std::size_t i = 0; i < program.tip.size(); ++i)
+      if (i < at || i >= at + pieces.size()) {
+        EXPECT_EQ(a.pointOf[i], i < at ? i : i - pieces.size());
+        EXPECT_EQ(a.leadsTo[i], kUnmatched);
+      } else {
+        EXPECT_EQ(a.pointOf[i], kUnmatched);
+        EXPECT_EQ(a.leadsTo[i], at);
+      }
+  }
+}
+
+// What is there but for the text's digits is the target, whatever comes after; so is the last one.
+TEST(Alignment, ATargetAtItsPointIsNoPieceOfTheWay) {
+  const Sequence plan = zigzag(2, 20);
+  const auto onTheWay = [](std::size_t, std::size_t) { return true; };
+  const auto aligned = [&](const Sequence& program) {
+    return alignToPlan(program, plan, AlignmentOptions{}, base::RunContext(), onTheWay);
+  };
+  Sequence program = plan;
+  for (Vector3d& p : program.tip)
+    p.z() += 0.0015;
+  Alignment a = aligned(program);
+  EXPECT_TRUE(a.deviations.empty());
+  for (std::size_t i = 0; i < a.pointOf.size(); ++i)
+    EXPECT_EQ(a.pointOf[i], i);
+  program = plan;
+  program.tip.back().z() += 0.03;
+  a = aligned(program);
+  EXPECT_TRUE(a.deviations.empty());
+  EXPECT_EQ(a.pointOf.back(), plan.tip.size() - 1);
+}
+
+TEST(Alignment, TellsHowFarAMotionIsFromItsPointAndHowItLeans) {
+  const Sequence plan = zigzag(4, 40);
+  for (const auto& [mm, rad] : {std::pair(0.04, 0.009), {0.06, 0.0}, {0.0, 0.011}, {0.7, 0.2}}) {
+    Sequence program = plan;
+    program.tip[70].z() -= mm;
+    program.direction[70] = {std::sin(rad), 0.0, std::cos(rad)};
+    const Alignment a = align(program, plan);
+    const bool same = mm < 0.05 && rad < 0.01;
+    ASSERT_EQ(a.deviations.size(), same ? 0u : 1u) << mm;
+    EXPECT_EQ(a.pointOf[70], 70u);
+    if (same)
+      continue;
+    EXPECT_EQ(a.deviations[0].kind, DeviationKind::Moved);
+    EXPECT_EQ(a.deviations[0].point, 70u);
+    EXPECT_EQ(a.deviations[0].count, 1u);
+    EXPECT_NEAR(a.deviations[0].distanceMm, mm, 1e-12);
+    EXPECT_NEAR(a.deviations[0].angleRad, rad, 1e-9);
+  }
+}
+
+// Motions before the first point and after the last one.
+TEST(Alignment, FindsWhatComesBeforeAndAfterThePlan) {
+  const Sequence plan = zigzag(4, 40);
+  Sequence program;
+  for (int i = 0; i < 3; ++i)
+    program.add({-50.0 - i, 0, 20});
+  for (const Vector3d& p : plan.tip)
+    program.add(p);
+  for (int i = 0; i < 5; ++i)
+    program.add({90.0 + i, 0, 20});
+  const Alignment a = align(program, plan);
+  ASSERT_EQ(a.deviations.size(), 2u);
+  EXPECT_EQ(a.deviations[0].kind, DeviationKind::Extra);
+  EXPECT_EQ(a.deviations[0].motion, 0u);
+  EXPECT_EQ(a.deviations[0].count, 3u);
+  EXPECT_EQ(a.deviations[1].kind, DeviationKind::Extra);
+  EXPECT_EQ(a.deviations[1].motion, 163u);
+  EXPECT_EQ(a.deviations[1].count, 5u);
+  for (std::size_t i = 0; i < program.tip.size(); ++i)
+    EXPECT_EQ(a.pointOf[i], i < 3 || i >= 163 ? kUnmatched : i - 3);
+}
+
+// More motions than points between two places that agree, and the other way round.
+TEST(Alignment, PairsWhatItCanAndCountsTheRest) {
+  const Sequence plan = zigzag(4, 40);
+  for (const bool more : {true, false}) {
+    SCOPED_TRACE(more);
+    Sequence program;
+    for (std::size_t i = 0; i < plan.tip.size(); ++i) {
+      const bool replaced = i >= 60 && i < (more ? 62u : 65u);
+      if (!replaced)
+        program.add(plan.tip[i]);
+      if (i == 60)
+        for (int k = 0; k < (more ? 5 : 2); ++k)
+          program.add({5.0 * k, 0.0, 9.0});
+    }
+    for (const std::size_t k : {0u, 1u}) {
+      const double lean = 0.1 * static_cast<double>(k + 1);
+      program.direction[60 + k] = {std::sin(lean), 0.0, std::cos(lean)};
+    }
+    const Alignment a = align(program, plan);
+    ASSERT_EQ(a.deviations.size(), 3u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_EQ(a.deviations[k].kind, DeviationKind::Moved);
+      EXPECT_EQ(a.deviations[k].motion, 60 + k);
+      EXPECT_EQ(a.deviations[k].point, 60 + k);
+      EXPECT_NEAR(a.deviations[k].distanceMm, (program.tip[60 + k] - plan.tip[60 + k]).norm(),
+                  1e-12);
+      EXPECT_NEAR(a.deviations[k].angleRad, 0.1 * static_cast<double>(k + 1), 1e-9);
+    }
+    EXPECT_EQ(a.deviations[2].kind, more ? DeviationKind::Extra : DeviationKind::Missing);
+    EXPECT_EQ(a.deviations[2].motion, 62u);
+    EXPECT_EQ(a.deviations[2].point, 62u);
+    EXPECT_EQ(a.deviations[2].count, 3u);
+    EXPECT_FALSE(a.gaveUp);
+    EXPECT_EQ(a.pointOf.back(), plan.tip.size() - 1);
+  }
+}
+
+TEST(Alignment, StopsAfterSoManyDeviations) {
+  const Sequence plan = zigzag(10, 40);
+  Sequence program = plan;
+  for (std::size_t i = 5; i < 400; i += 10)
+    program.tip[i].z() += 1.0;
+  AlignmentOptions options;
+  EXPECT_EQ(alignToPlan(program, plan, options, {}).deviations.size(), 40u);
+  options.maxDeviations = 12;
+  const Alignment a = alignToPlan(program, plan, options, {});
+  EXPECT_TRUE(a.gaveUp);
+  EXPECT_EQ(a.deviations.size(), 12u);
+  EXPECT_EQ(a.pointOf[116], 116u);
+  EXPECT_EQ(a.pointOf[126], kUnmatched);
+}
+
 } // namespace
 } // namespace voluta::replay

@@ -1,0 +1,65 @@
+#include "motion/motion_options.h"
+
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using motion::MotionOptions;
+using motion::NozzleTurn;
+using motion::TurnMethod;
+
+namespace {
+
+MotionOptions optionsWith(std::initializer_list<const char*> assignments) {
+  base::ParameterValues values(motion::motionParameters());
+  for (const char* assignment : assignments)
+    values.setAssignment(assignment);
+  return motion::motionOptions(values);
+}
+
+} // namespace
+
+TEST(MotionOptions, AreTheDefaultsWhereNothingIsSet) {
+  const MotionOptions d, o = optionsWith({});
+  EXPECT_EQ(o.printing.bodiesMm, d.printing.bodiesMm);
+  EXPECT_EQ(o.printing.partMm, d.printing.partMm);
+  EXPECT_EQ(o.printing.headMm, d.printing.headMm);
+  EXPECT_EQ(o.travelling.bodiesMm, d.travelling.bodiesMm);
+  EXPECT_EQ(o.travelling.partMm, d.travelling.partMm);
+  EXPECT_EQ(o.travelling.headMm, d.travelling.headMm);
+  EXPECT_EQ(o.liftMm, d.liftMm);
+  EXPECT_EQ(o.hopLiftMm, d.hopLiftMm);
+  EXPECT_EQ(o.wipeMm, d.wipeMm);
+  EXPECT_EQ(o.samples, d.samples);
+  EXPECT_EQ(o.turn, d.turn);
+  EXPECT_EQ(o.smoothing, d.smoothing);
+  EXPECT_NEAR(o.leanRad, d.leanRad, 1e-12);
+  EXPECT_EQ(o.leans(), 0.0) << "of whole paths only";
+}
+
+TEST(MotionOptions, AreWhatIsSet) {
+  const MotionOptions o = optionsWith({"bodyClearanceMm=7", "partClearanceMm=3", "liftMm=0.6",
+                                       "wipeMm=4", "redundancySamples=36", "directionConeDeg=6"});
+  EXPECT_EQ(o.printing.bodiesMm, 7.0);
+  EXPECT_EQ(o.travelling.bodiesMm, 7.0);
+  EXPECT_EQ(o.printing.partMm, 3.0);
+  EXPECT_EQ(o.travelling.partMm, 3.0);
+  EXPECT_EQ(o.liftMm, 0.6);
+  EXPECT_EQ(o.hopLiftMm, 0.6) << "no higher than other lifts";
+  EXPECT_EQ(optionsWith({"liftMm=9"}).hopLiftMm, MotionOptions().hopLiftMm);
+  EXPECT_EQ(o.wipeMm, 4.0);
+  EXPECT_EQ(o.samples, 36);
+  EXPECT_NEAR(o.leanRad, base::degreesToRadians(6.0), 1e-12);
+  const auto choices = motion::motionParameters().find("nozzleTurn")->choices;
+  ASSERT_EQ(choices.size(), 4u);
+  const NozzleTurn turns[] = {NozzleTurn::Free, NozzleTurn::Tangent, NozzleTurn::WorkAxis,
+                              NozzleTurn::Rodrigues};
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_EQ(optionsWith({("nozzleTurn=" + choices[k].id).c_str()}).turn, turns[k]);
+  const auto ways = motion::motionParameters().find("turnSmoothing")->choices;
+  ASSERT_EQ(ways.size(), 2u);
+  EXPECT_EQ(optionsWith({("turnSmoothing=" + ways[0].id).c_str()}).smoothing, TurnMethod::Evened);
+  const MotionOptions whole =
+      optionsWith({("turnSmoothing=" + ways[1].id).c_str(), "directionConeDeg=2"});
+  EXPECT_EQ(whole.smoothing, TurnMethod::WholePath);
+  EXPECT_NEAR(whole.leans(), base::degreesToRadians(2.0), 1e-12);
+}
