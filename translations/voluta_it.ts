@@ -6244,6 +6244,26 @@ mm³</translation>
             <numerusform>{waypoints} punti del percorso, {share:.2g} del materiale, vengono tralasciati qua e là, come detto sopra</numerusform>
         </translation>
     </message>
+    <message>
+        <source>As large as the robot gets to all of it</source>
+        <translation>Grande quanto basta perché il robot arrivi ovunque</translation>
+    </message>
+    <message>
+        <source>print it at scale {scale:.3g}, turn it, or use a larger robot</source>
+        <translation>stampalo in scala {scale:.3g}, giralo o usa un robot più grande</translation>
+    </message>
+    <message>
+        <source>use flat layers, where the nozzle need not lean, turn the part, or use a larger robot</source>
+        <translation>usa strati piani, in cui l&apos;ugello non deve inclinarsi, gira il pezzo o usa un robot più grande</translation>
+    </message>
+    <message>
+        <source>{share:.2g} of the tool-paths&apos; points are out of the robot&apos;s reach</source>
+        <translation>{share:.2g} dei punti dei percorsi è fuori dalla portata del robot</translation>
+    </message>
+    <message>
+        <source>{share:.2g} of the tool-paths&apos; points are out of the robot&apos;s reach; at {size:.2g} of this size it would get to them</source>
+        <translation>{share:.2g} dei punti dei percorsi è fuori dalla portata del robot; al {size:.2g} di questa dimensione ci arriverebbe</translation>
+    </message>
 </context>
 <context>
     <name>Duration</name>

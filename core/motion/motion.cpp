@@ -13,6 +13,7 @@
 #include "motion/path_planner.h"
 #include "motion/refusal_findings.h"
 #include "motion/sequence.h"
+#include "motion/size_in_reach.h"
 #include "motion/timed_points.h"
 #include "motion/timing.h"
 #include "plan/blocking_share.h"
@@ -170,7 +171,7 @@ private:
     result_.times.graph += paths.graph;
     result_.times.jerk += paths.jerk;
     result_.times.collision += paths.collision;
-    report();
+    report(ctx);
     return std::exchange(result_, {});
   }
 
@@ -267,7 +268,7 @@ private:
     t.extrudedMm3.push_back(volume);
   }
 
-  void report() {
+  void report(const base::RunContext& ctx) {
     MotionStatistics& s = result_.statistics;
     const plan::Trajectory& t = result_.trajectory;
     std::vector<double> timeOf(plan_.waypointCount(), -1.0);
@@ -311,6 +312,7 @@ private:
       result_.findings.push_back(std::move(f));
     };
     result_.findings = findingsOf(refused, scene_, [&](std::size_t w) { return timeOf[w]; });
+    result_.tooLarge = tooLarge(refused, ctx);
     if (homeMeets_)
       result_.findings.insert(
           result_.findings.begin(),
@@ -340,6 +342,16 @@ private:
           {{"first", collision_.nameOf(c.contact.first)},
            {"second", collision_.nameOf(c.contact.second)}});
     }
+  }
+
+  std::optional<TooLarge> tooLarge(const std::vector<Refused>& refused,
+                                   const base::RunContext& ctx) const {
+    const auto unreached = std::ranges::count(refused, Refusal::Unreachable, &Refused::why);
+    const double share = static_cast<double>(unreached) /
+                         static_cast<double>(std::max<std::size_t>(plan_.waypointCount(), 1));
+    if (share <= kTooLargeShare)
+      return std::nullopt;
+    return TooLarge{share, sizeInReach(scene_, refused, ctx)};
   }
 
   template <typename Add> void addLost(bool caught, const Add& add) const {

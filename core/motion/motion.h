@@ -3,6 +3,7 @@
 
 #include "collision/growing_part.h"
 #include "motion/motion_options.h"
+#include "motion/too_large.h"
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
@@ -11,6 +12,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace voluta::base {
@@ -47,6 +49,7 @@ struct MotionResult {
   plan::Trajectory trajectory;
   std::vector<std::size_t> skipped; // waypoints that are not printed, ascending
   plan::Findings findings;
+  std::optional<TooLarge> tooLarge; // to be told before the findings
   MotionStatistics statistics;
   MotionTimes times;
 };

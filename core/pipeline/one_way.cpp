@@ -10,6 +10,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/part_motion.h"
+#include "pipeline/part_size.h"
 #include "pipeline/part_ways.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/stage_keys.h"
@@ -241,7 +242,14 @@ private:
   bool motionDone() {
     job().trajectory = motion_->trajectory;
     report().motion = motion_->report;
-    return done(project::Stage::Motion, motion_->findings, motion_->timings) && job().trajectory;
+    plan::Findings findings = motion_->findings;
+    if (motion_->tooLarge) {
+      const bool anyScale = !given_ && takesAnyScale(*loaded_, choices_);
+      findings.insert(findings.begin(),
+                      tooLargeFinding(*motion_->tooLarge,
+                                      anyScale ? std::optional(job().scale) : std::nullopt));
+    }
+    return done(project::Stage::Motion, findings, motion_->timings) && job().trajectory;
   }
 
   // The motion without these waypoints too, at which a replay found that something meets.

@@ -68,6 +68,7 @@ std::shared_ptr<const MotionStage> PartMotion::stageOf(motion::MotionResult move
   stage->timings.collision = std::exchange(depositS_, 0.0) + moved.times.collision;
   stage->timings.jerk = moved.times.jerk;
   stage->timings.transfer = moved.times.transfer;
+  stage->tooLarge = moved.tooLarge;
   stage->findings = std::move(moved.findings);
   stage->trajectory = std::make_shared<plan::Trajectory>(std::move(moved.trajectory));
   return stage;

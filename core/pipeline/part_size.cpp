@@ -71,4 +71,15 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
   return {thin};
 }
 
+plan::Finding tooLargeFinding(const motion::TooLarge& told, std::optional<double> scale) {
+  std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * told.share)}};
+  if (!told.size || !scale)
+    return plan::makeFinding(plan::FindingKind::MuchOutOfReach, std::move(values));
+  values.push_back({"size", base::percent(100.0 * *told.size)});
+  // To three digits, downwards: rounding up would leave it too large.
+  const double digits = std::pow(10.0, 2.0 - std::floor(std::log10(*scale * *told.size)));
+  values.push_back({"scale", base::number(std::floor(*scale * *told.size * digits) / digits)});
+  return plan::makeFinding(plan::FindingKind::TooLarge, std::move(values));
+}
+
 } // namespace voluta::pipeline

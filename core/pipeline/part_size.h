@@ -3,10 +3,12 @@
 
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
+#include "motion/too_large.h"
 #include "plan/finding.h"
 #include "process/process.h"
 
 #include <functional>
+#include <optional>
 
 namespace voluta::pipeline {
 
@@ -19,5 +21,9 @@ namespace voluta::pipeline {
 plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
                             const std::function<double()>& reach, const process::Process& process,
                             const base::RunContext& ctx);
+
+// That the robot gets to too little of a part that stands at `scale`, and the scale at which it
+// would get to it; nullopt: the part has no other.
+plan::Finding tooLargeFinding(const motion::TooLarge& told, std::optional<double> scale);
 
 } // namespace voluta::pipeline

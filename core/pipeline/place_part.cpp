@@ -165,16 +165,17 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   return stage;
 }
 
+bool takesAnyScale(const project::LoadedPart& loaded, const project::Choices& choices) {
+  return !loaded.cells && !choices.platform.isBody() && !modes::findMode(choices.mode).aroundRod;
+}
+
 std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
                                            const modes::LoadStage& placed,
                                            const project::Choices& choices,
                                            const process::Process& process,
                                            const base::RunContext& ctx) {
-  // Of cells and of bodies to print on there is no other size.
-  const bool anyScale =
-      !loaded.cells && !choices.platform.isBody() && !modes::findMode(choices.mode).aroundRod;
   const auto reach = [&] {
-    return anyScale ? reachingScale(*loaded.mesh, unitMm(loaded, choices), placed.placement,
+    return takesAnyScale(loaded, choices) ? reachingScale(*loaded.mesh, unitMm(loaded, choices), placed.placement,
                                     fittingCell(choices, process))
                     : 0.0;
   };

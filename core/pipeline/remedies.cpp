@@ -119,8 +119,8 @@ std::optional<project::Choices> standBest(const plan::Finding& finding,
   return changed;
 }
 
-std::optional<project::Choices> scaleUp(const plan::Finding& finding,
-                                        const project::Choices& choices) {
+std::optional<project::Choices> scaleAsTold(const plan::Finding& finding,
+                                            const project::Choices& choices) {
   const std::optional<double> scale = numberOf(finding, "scale");
   if (!scale)
     return std::nullopt;
@@ -215,11 +215,13 @@ std::span<const Remedy> remedies() {
        {NarrowVoxels, "narrowVoxels", "Use voxel width {fits}"_text,
         "Narrow enough for this wall; narrower voxels take longer"_text, narrowVoxels},
        {ScaleUp, "scaleUp", "Print at scale {scale}"_text,
-        "As large as the least bead needs it"_text, scaleUp},
+        "As large as the least bead needs it"_text, scaleAsTold},
        {FinerProcess, "finerProcess", "Use a finer process"_text,
         "With the widest bead that these walls have room for"_text, finerProcess},
        {ScaleToFit, "scaleToFit", "Scale to fit"_text, "As large as the robot reaches"_text,
         scaleToFit},
+       {ScaleToReach, "scaleToReach", "Print at scale {scale}"_text,
+        "As large as the robot gets to all of it"_text, scaleAsTold},
        {UnitsMetres, "unitsMetres", "It is in metres"_text, "A thousand times as large"_text,
         unitsMetres},
        {UnitsInches, "unitsInches", "It is in inches"_text, "25.4 times as large"_text,

@@ -8,6 +8,7 @@
 #include "layers/layer_stack.h"
 #include "modes/mode.h"
 #include "modes/stages.h"
+#include "motion/too_large.h"
 #include "pipeline/slow_spans.h"
 #include "plan/finding.h"
 #include "plan/program.h"
@@ -43,6 +44,7 @@ struct MotionStage {
   static constexpr project::Stage kStage = project::Stage::Motion;
   std::shared_ptr<const plan::Trajectory> trajectory; // null when nothing is left to print
   project::MotionReport report;
+  std::optional<motion::TooLarge> tooLarge; // told before the findings, by who knows the scale
   plan::Findings findings;
   project::Timings timings;
 };
@@ -81,6 +83,9 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
                                                   const project::Choices& choices,
                                                   const process::Process& process,
                                                   const base::RunContext& ctx = {});
+// Can the part be printed at another size? Of cells and of bodies to print on there is no other.
+bool takesAnyScale(const project::LoadedPart& loaded, const project::Choices& choices);
+
 // Whether the part is of a size to print, and its walls wide enough (part_size.h).
 struct SizeStage {
   static constexpr project::Stage kStage = project::Stage::Load;

@@ -30,6 +30,7 @@ constexpr std::array kForHuge{ScaleToFit, UnitsMicrometres};
 constexpr std::array kCentre{CentrePart};
 constexpr std::array kForLying{StandBest};
 constexpr std::array kForUpright{PrintFlat};
+constexpr std::array kForTooLarge{ScaleToReach, PrintFlat};
 
 constexpr base::Text kTurnOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
@@ -301,6 +302,14 @@ constexpr auto kRows = std::to_array<FindingRow>({
 
     {NothingToPrint, "nothingToPrint", "nothingToPrint", Motion, Blocks,
      "no tool-path is left to move along"_text, "choose a smaller voxelMm or beadWidthMm"_text},
+    {TooLarge, "tooLarge", "unreachable", Motion, Blocks,
+     "{share:.2g} of the tool-paths' points are out of the robot's reach; at {size:.2g} of this "
+     "size it would get to them"_text,
+     "print it at scale {scale:.3g}, turn it, or use a larger robot"_text, kForTooLarge},
+    {MuchOutOfReach, "muchOutOfReach", "unreachable", Motion, Blocks,
+     "{share:.2g} of the tool-paths' points are out of the robot's reach"_text,
+     "use flat layers, where the nozzle need not lean, turn the part, or use a larger robot"_text,
+     kForUpright},
     {Unreachable, "unreachable", "unreachable", Motion, Blocks,
      "{place}: the robot cannot bring this place under the nozzle: out of reach, or beyond a "
      "joint's limits, however the part is turned about the nozzle"_text,

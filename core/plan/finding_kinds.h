@@ -76,6 +76,8 @@ enum class FindingKind : std::uint8_t {
   Gouge,
   // motion
   NothingToPrint,
+  TooLarge,
+  MuchOutOfReach,
   Unreachable,
   MoreUnreachable,
   Unconnected,
@@ -169,6 +171,7 @@ enum class RemedyId : std::uint8_t {
   UnitsInches,
   UnitsMicrometres,
   ScaleToFit,
+  ScaleToReach,
   CentrePart,
   PrintFlat
 };
