@@ -77,8 +77,10 @@ plan::Finding tooLargeFinding(const motion::TooLarge& told, std::optional<double
     return plan::makeFinding(plan::FindingKind::MuchOutOfReach, std::move(values));
   values.push_back({"size", base::percent(100.0 * *told.size)});
   // To three digits, downwards: rounding up would leave it too large.
-  const double digits = std::pow(10.0, 2.0 - std::floor(std::log10(*scale * *told.size)));
-  values.push_back({"scale", base::number(std::floor(*scale * *told.size * digits) / digits)});
+  constexpr double kSame = 1e-9;
+  const double wanted = *scale * *told.size;
+  const double digits = std::pow(10.0, 2.0 - std::floor(std::log10(wanted)));
+  values.push_back({"scale", base::number(std::floor(wanted * digits + kSame) / digits)});
   return plan::makeFinding(plan::FindingKind::TooLarge, std::move(values));
 }
 

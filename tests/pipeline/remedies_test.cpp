@@ -2,6 +2,7 @@
 #include "helpers/shapes.h"
 #include "modes/part_voxels.h"
 #include "pipeline/choices.h"
+#include "pipeline/part_size.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
@@ -127,6 +128,23 @@ TEST(Remedies, TheContactAreaIsAsSmallAsAPlatformGets) {
                 .at(0)
                 .choices.platform.text(),
             "fit:0");
+}
+
+TEST(Remedies, APartOutOfReachIsScaledToWhereTheRobotGets) {
+  const auto scaleOf = [](double size, double scale) {
+    const plan::Finding finding = tooLargeFinding({0.4, size}, scale);
+    EXPECT_EQ(finding.kind, FindingKind::TooLarge);
+    EXPECT_TRUE(finding.blocking);
+    const std::vector<Offer> offers = remediesFor(finding, Choices());
+    EXPECT_GE(offers.size(), 1u);
+    return offers.empty() ? std::string() : offers.front().choices.scale;
+  };
+  EXPECT_EQ(scaleOf(0.65, 1.0), "0.65");
+  EXPECT_EQ(scaleOf(0.5, 25.4), "12.7");
+  EXPECT_EQ(scaleOf(0.35, 0.7777), "0.272"); // never larger than what is in reach
+  // No size helps, or there is no other: one sentence all the same.
+  EXPECT_EQ(tooLargeFinding({0.4, std::nullopt}, 1.0).kind, FindingKind::MuchOutOfReach);
+  EXPECT_EQ(tooLargeFinding({0.4, 0.5}, std::nullopt).kind, FindingKind::MuchOutOfReach);
 }
 
 TEST(Remedies, AThinWallNamesTheWidthThatHoldsIt) {
