@@ -288,6 +288,37 @@ TEST(Support, CarriedOnLessThanHalfIsMeasuredApart) {
   EXPECT_NEAR(stepping(2.0).longestUnsupportedMm, 30.0, 0.1);
 }
 
+// Of one bead, without a break: two that follow each other in the air count each by itself.
+TEST(Support, TheLongestStretchIsOfOneBead) {
+  const auto found = [](const std::vector<double>& lengths) {
+    std::vector<BeadPiece> pieces;
+    for (std::size_t k = 0; k < lengths.size(); ++k)
+      addBead(pieces, {{0, 5.0 + 4.0 * k, 6.0}, {lengths[k], 5.0 + 4.0 * k, 6.0}}, 1.2, 0.8);
+    const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20});
+    const PrintedPart printed(beads, pieces);
+    const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
+    return findSupport(pieces, printed, GroundProbe(plate), kOne);
+  };
+  for (const double first : {0.5, 1.0, 1.5, 10.0}) {
+    EXPECT_NEAR(found({first}).longestUnsupportedMm, first, 1e-9);
+    EXPECT_EQ(found({first}).longestFrom, 0u);
+    EXPECT_NEAR(found({first, 4.0, 2.0}).longestUnsupportedMm, std::max(first, 4.0), 1e-9);
+  }
+  EXPECT_EQ(found({10.0, 4.0}).longestFrom, 0u);
+  EXPECT_EQ(found({1.0, 4.0}).longestFrom, 2u); // pieces are half a millimetre long
+  // Two piers: what is between them, but for what the piers' own ends carry.
+  std::vector<BeadPiece> bridge;
+  for (const double x : {0.0, 20.0})
+    addBead(bridge, {{x, 5, 0.8}, {x + 10, 5, 0.8}}, 1.2, 0.8);
+  addBead(bridge, {{0, 5, 1.6}, {30, 5, 1.6}}, 1.2, 0.8);
+  const BeadGrid beads = lay(bridge, {-3, -3, -1}, {33, 33, 20});
+  const PrintedPart printed(beads, bridge);
+  const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
+  const SupportedBeads s = findSupport(bridge, printed, GroundProbe(plate), kOne);
+  EXPECT_NEAR(s.longestUnsupportedMm, 9.5, 1.0);
+  EXPECT_NEAR(bridge[s.longestFrom].from.x(), 10.0, 1.0);
+}
+
 TEST(Support, ANeighbourInTheSameLayerIsNone) {
   std::vector<BeadPiece> pieces;
   addBead(pieces, {{0, 5, 6.0}, {30, 5, 6.0}}, 1.2, 0.8);
