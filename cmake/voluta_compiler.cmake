@@ -39,6 +39,9 @@ if(VOLUTA_SANITIZE)
   # GCC takes what the sanitizers add for uses of what is not set.
   add_compile_options(-fsanitize=${VOLUTA_SANITIZE} -fno-omit-frame-pointer -Wno-maybe-uninitialized)
   add_link_options(-fsanitize=${VOLUTA_SANITIZE})
+  # Eigen keeps memory aligned in a way of its own where it sees the address sanitizer; OMPL was
+  # built without, and frees what ours has taken.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
 
 # voluta_heavy_templates(FILE ...): files that are little else than calls of large template libraries.
