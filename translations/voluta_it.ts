@@ -3253,10 +3253,6 @@ mm³</translation>
         <translation>gira il pezzo, o ammetti meno distanza</translation>
     </message>
     <message>
-        <source>turn the part, or allow supports</source>
-        <translation>gira il pezzo, o ammetti supporti</translation>
-    </message>
-    <message>
         <source>turn the part, use a smaller platform, or allow less clearance</source>
         <translation>gira il pezzo, usa una piattaforma più piccola, o ammetti meno distanza</translation>
     </message>
@@ -6263,6 +6259,18 @@ mm³</translation>
     <message>
         <source>{share:.2g} of the tool-paths&apos; points are out of the robot&apos;s reach; at {size:.2g} of this size it would get to them</source>
         <translation>{share:.2g} dei punti dei percorsi è fuori dalla portata del robot; al {size:.2g} di questa dimensione ci arriverebbe</translation>
+    </message>
+    <message>
+        <source>Let Voluta choose</source>
+        <translation>Lascia scegliere Voluta</translation>
+    </message>
+    <message>
+        <source>Tries the ways of building one after the other, until nothing hangs or is missed</source>
+        <translation>Prova i modi di costruire uno dopo l’altro, finché nulla pende o manca</translation>
+    </message>
+    <message>
+        <source>turn the part, or let Voluta choose the way of building</source>
+        <translation>gira il pezzo, o lascia che Voluta scelga il modo di costruire</translation>
     </message>
 </context>
 <context>

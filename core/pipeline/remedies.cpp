@@ -191,6 +191,14 @@ std::optional<project::Choices> printFlat(const plan::Finding&, const project::C
   return changed;
 }
 
+std::optional<project::Choices> chooseWay(const plan::Finding&, const project::Choices& choices) {
+  if (choices.automatic)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.automatic = true;
+  return changed;
+}
+
 } // namespace
 
 std::span<const Remedy> remedies() {
@@ -231,7 +239,10 @@ std::span<const Remedy> remedies() {
        {CentrePart, "centrePart", "Centre the part"_text,
         "Over the middle of the platform's place"_text, centrePart},
        {PrintFlat, "printFlat", "Print in flat layers"_text,
-        "As an ordinary printer does, the nozzle upright throughout"_text, printFlat}});
+        "As an ordinary printer does, the nozzle upright throughout"_text, printFlat},
+       {ChooseWay, "chooseWay", "Let Voluta choose"_text,
+        "Tries the ways of building one after the other, until nothing hangs or is missed"_text,
+        chooseWay}});
   return kRemedies;
 }
 

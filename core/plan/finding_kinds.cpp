@@ -22,7 +22,8 @@ constexpr std::array kTurn{TurnLeastRisky};
 constexpr std::array kPedestal{ShrinkPlatform};
 constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
 constexpr std::array kNarrow{NarrowVoxels};
-constexpr std::array kAdapt{AdaptLayers};
+constexpr std::array kForUncovered{AdaptLayers, ChooseWay};
+constexpr std::array kForHanging{ChooseWay};
 constexpr std::array kForThin{ScaleUp, FinerProcess};
 constexpr std::array kForThinInReach{FinerProcess};
 constexpr std::array kForTiny{UnitsMetres, UnitsInches};
@@ -461,7 +462,7 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "write the program again: with times instead of speeds where the format knows them"_text},
     {Uncovered, "uncovered", "uncovered", Replay, Blocks,
      "{share:.2f} of the part is in no bead; most of it round the place given"_text,
-     "use lower layers or a finer nozzle, or print the part larger"_text, kAdapt},
+     "use lower layers or a finer nozzle, or print the part larger"_text, kForUncovered},
     {Overfill, "overfill", "overfill", Replay, Blocks,
      "{outside:.2f} of the part's volume is laid outside it, {noRoom:.2f} finds no room"_text,
      "less flow, or beads further apart"_text},
@@ -469,10 +470,12 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "check the flow and the infill's density"_text},
     {Unsupported, "unsupported", "unsupported", Replay, Blocks,
      "{length:.1f} of bead have nothing beneath them, the first of them here"_text,
-     "turn the part, or allow supports"_text},
+     "turn the part, or let Voluta choose the way of building"_text,
+     kForHanging},
     {LongBridge, "longBridge", "longBridge", Replay, Tells,
      "{length:.1f} of a bead have nothing right beneath them; this material bridges {bridge:.1f}"_text,
-     "turn the part, or allow supports"_text},
+     "turn the part, or let Voluta choose the way of building"_text,
+     kForHanging},
     {ReplayedCollision, "replayedCollision", "collision", Replay, Blocks,
      "{first} and {second} collide"_text,
      "plan anew with more clearance, or another place for the part"_text},

@@ -173,7 +173,8 @@ enum class RemedyId : std::uint8_t {
   ScaleToFit,
   ScaleToReach,
   CentrePart,
-  PrintFlat
+  PrintFlat,
+  ChooseWay
 };
 
 struct FindingRow {

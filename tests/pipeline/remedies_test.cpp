@@ -77,7 +77,8 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       ASSERT_TRUE(cured) << remedy.name << " for " << row.id;
       EXPECT_NO_THROW(checkChoices(*cured)) << remedy.name;
       const StageKeys before = keysOf(choices), after = keysOf(*cured);
-      EXPECT_NE(before[indexOf(Stage::Layers)], after[indexOf(Stage::Layers)])
+      EXPECT_TRUE(before[indexOf(Stage::Layers)] != after[indexOf(Stage::Layers)] ||
+                  choices.automatic != cured->automatic)
           << remedy.name << " changes nothing of what is decomposed and sliced";
       EXPECT_FALSE(remedy.cure(finding, *cured)) << remedy.name << " is offered again";
       Choices unchanged = *cured;
@@ -88,6 +89,7 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       unchanged.units = choices.units;
       unchanged.process = choices.process;
       unchanged.mode = choices.mode;
+      unchanged.automatic = choices.automatic;
       EXPECT_EQ(keysOf(unchanged), before) << remedy.name << " changes something else too";
       for (const std::string_view name : base::placeNames(remedy.label.english()))
         EXPECT_NE(finding.value(name), nullptr) << remedy.name << " for " << row.id;
@@ -110,9 +112,15 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
   EXPECT_FALSE(idsFor(FindingKind::ShadowedUnderFacet).contains(RemedyId::DropToPlate));
   EXPECT_FALSE(idsFor(FindingKind::Unreached).contains(RemedyId::ShrinkPlatform));
   EXPECT_TRUE(idsFor(FindingKind::Unreached).contains(RemedyId::DropToPlate));
-  EXPECT_TRUE(idsFor(FindingKind::Uncovered).empty()) << "curved layers follow the field";
+  EXPECT_EQ(idsFor(FindingKind::Uncovered), (std::set<RemedyId>{RemedyId::ChooseWay}))
+      << "curved layers follow the field";
   choices.mode = "planar";
-  EXPECT_EQ(idsFor(FindingKind::Uncovered), (std::set<RemedyId>{RemedyId::AdaptLayers}));
+  EXPECT_EQ(idsFor(FindingKind::Uncovered),
+            (std::set<RemedyId>{RemedyId::AdaptLayers, RemedyId::ChooseWay}));
+  for (const FindingKind hangs : {FindingKind::Unsupported, FindingKind::LongBridge})
+    EXPECT_EQ(idsFor(hangs), (std::set<RemedyId>{RemedyId::ChooseWay}));
+  choices.automatic = true;
+  EXPECT_TRUE(idsFor(FindingKind::LongBridge).empty()) << "it has chosen";
   EXPECT_EQ(idsFor(FindingKind::Stopped), (std::set<RemedyId>{RemedyId::DropToPlate}));
 }
 

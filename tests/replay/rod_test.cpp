@@ -283,6 +283,23 @@ TEST(Rod, TargetsOfAnotherCellAreOutOfReach) {
   EXPECT_EQ(out, (std::vector<std::size_t>{0, 7, 9}));
 }
 
+// Controllers tell of all the axes that they could have.
+TEST(Rod, FurtherAxesOfATargetRestOrItIsOutOfReach) {
+  const test::Scene& s = scene();
+  plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
+  std::vector<double>& joints = program.motions[0].joints;
+  program.motions[0].externals.assign(joints.begin() + s.cell.armDof(), joints.end());
+  const auto outOfReach = [&] {
+    const auto violations = executeProgram(program, s.cell, base::RunContext()).violations;
+    return std::ranges::count(violations, LimitKind::OutOfReach, &LimitViolation::kind);
+  };
+  EXPECT_EQ(outOfReach(), 0);
+  joints.push_back(0.0);
+  EXPECT_EQ(outOfReach(), 0);
+  joints.back() = 1.0;
+  EXPECT_EQ(outOfReach(), 1);
+}
+
 TEST(Rod, ABeadOverTheRodIsUnsupportedAndABearingIsInTheWay) {
   test::Scene s = scene();
   for (std::size_t w = 0; w < s.plan.waypointCount(); ++w)
