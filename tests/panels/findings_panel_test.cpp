@@ -211,6 +211,35 @@ TEST(FindingsPanel, LeavesRowsToReadAboveLongWords) {
   EXPECT_GE(list->viewport()->height(), 4 * list->visualRect(list->model()->index(0, 0)).height());
 }
 
+TEST(FindingsPanel, WordsAndButtonsAreInSightWhereThereIsRoom) {
+  panels::FindingsPanel panel;
+  panel.setRemedies([](const plan::Finding&) {
+    return std::vector<panels::RemedyButton>{{"turn", "Turn it", ""}, {"prop", "Prop it", ""}};
+  });
+  std::string words;
+  for (int i = 0; i < 60; ++i)
+    words += "some words ";
+  panel.setFindings({finding("replay", words.c_str(), true), finding("load", "hole", false)});
+  panel.resize(260, 700);
+  panel.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+  auto* list = panel.findChild<QListView*>();
+  const auto inSight = [&](const char* name) {
+    const auto* button = panel.findChild<QPushButton*>(name);
+    return QTest::qWaitFor([&] { return button->visibleRegion().contains(button->rect()); }, 1000);
+  };
+  const auto chosen = [&](int row) { list->setCurrentIndex(list->model()->index(row, 0)); };
+  for (const int row : {0, 1, 0}) {
+    chosen(row);
+    for (const char* name : {"remedy_turn", "remedy_prop", "show"})
+      EXPECT_TRUE(inSight(name)) << name << ", row " << row;
+  }
+  chosen(1);
+  const auto* details = panel.findChild<QWidget*>("details");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return details->height() < panel.height() / 4; }, 1000))
+      << "a short one leaves the list its room";
+}
+
 TEST(FindingsPanel, TenThousandFindingsMakeNoWidgets) {
   panels::FindingsPanel panel;
   panel.resize(300, 500);

@@ -15,6 +15,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
@@ -100,6 +101,33 @@ QLabel* wrappedLabel(QWidget* parent) {
   label->setTextFormat(Qt::PlainText);
   return label;
 }
+
+// As high as its content at its width, where there is room: a scroll area by itself takes words for
+// one line each, and buttons stayed out of sight under them.
+class FittedArea : public QScrollArea {
+public:
+  using QScrollArea::QScrollArea;
+
+  QSize sizeHint() const override {
+    const QSize narrow = QScrollArea::sizeHint();
+    if (!widget() || !widget()->hasHeightForWidth())
+      return narrow;
+    const int inside = width() - 2 * frameWidth();
+    return {narrow.width(), widget()->heightForWidth(inside) + 2 * frameWidth()};
+  }
+
+protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QScrollArea::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+      updateGeometry();
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest)
+      updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 } // namespace
 
 FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
@@ -162,7 +190,7 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   detailColumn->addLayout(buttons_);
   detailColumn->addWidget(show_, 0, Qt::AlignRight);
   // Under a short list the words scroll, so that the list stays one to read.
-  detailsArea_ = new QScrollArea(this);
+  detailsArea_ = new FittedArea(this);
   detailsArea_->setWidgetResizable(true);
   detailsArea_->setFrameShape(QFrame::NoFrame);
   detailsArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
