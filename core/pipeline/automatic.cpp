@@ -27,17 +27,25 @@ namespace {
 
 constexpr const char* kLayerHeight = "layerHeightMm";
 
+bool fits(const AutomaticWay& way, const project::Choices& choices) {
+  return way.mode == choices.mode &&
+         (choices.platformStays || project::Platform(way.platform) == choices.platform);
+}
+
+// nullptr: none that choices with their mode and platform come from.
+const AutomaticWay* namedWay(const project::Choices& choices) {
+  const auto& ways = automaticWays();
+  const auto named = std::ranges::find(ways, choices.automaticWay, &AutomaticWay::id);
+  return named != ways.end() && fits(*named, choices) ? &*named : nullptr;
+}
+
 // The way that choices were taken from; nullptr: none of the table.
 const AutomaticWay* wayOf(const project::Choices& choices) {
+  if (const AutomaticWay* named = namedWay(choices))
+    return named;
   const auto& ways = automaticWays();
-  const auto fits = [&](const AutomaticWay& way) {
-    return way.mode == choices.mode &&
-           (choices.platformStays || project::Platform(way.platform) == choices.platform);
-  };
-  const auto named = std::ranges::find(ways, choices.automaticWay, &AutomaticWay::id);
-  if (named != ways.end() && fits(*named))
-    return &*named;
-  const auto first = std::ranges::find_if(ways, fits); // of a project that names none of these
+  const auto first = std::ranges::find_if(
+      ways, [&](const AutomaticWay& way) { return fits(way, choices); }); // named by none of these
   return first == ways.end() ? nullptr : &*first;
 }
 
@@ -90,6 +98,12 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
                       choices.platform.text(), choices.cell),
         {}, "choose another platform, or another cell"_text);
   return all;
+}
+
+project::Choices wayOrFirst(const project::Choices& choices) {
+  if (!choices.automatic || namedWay(choices))
+    return choices;
+  return automaticChoices(choices).front();
 }
 
 project::Choices byHand(project::Choices choices) {

@@ -29,6 +29,10 @@ const std::vector<AutomaticWay>& automaticWays();
 // choices with each way's mode and platform. Throws Error{Usage}: there is none.
 std::vector<project::Choices> automaticChoices(const project::Choices& choices);
 
+// What automatic choices stand for: the way that they name, where they have its mode and platform,
+// else the first that would be tried. Others as they are. Throws as automaticChoices().
+project::Choices wayOrFirst(const project::Choices& choices);
+
 // As somebody would choose by hand what automatic choices, with the mode of one of the ways, come
 // to: with the way's parameters. Others as they are.
 project::Choices byHand(project::Choices choices);

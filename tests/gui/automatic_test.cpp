@@ -37,6 +37,23 @@ TEST_F(AutomaticTest, WhatIsTakenIsTold) {
   EXPECT_TRUE(notice().contains("Taken: Curved layers, plate of the cell")) << qPrintable(notice());
 }
 
+TEST_F(AutomaticTest, WhatWasPlannedByHandIsOutOfDateAndPlanTriesTheWays) {
+  openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
+  chooseMode("curved");
+  auto choices = document().choices();
+  choices.platform = project::Platform("fit:10");
+  window().document().setChoices(choices, "platform");
+  clickMenu("runMenu", "planLayers");
+  ASSERT_TRUE(planned(Stage::Layers));
+  EXPECT_EQ(document().state(Stage::Layers), document::StageState::Done);
+  chooseMode("auto");
+  EXPECT_NE(document().state(Stage::Layers), document::StageState::Done);
+  clickMenu("runMenu", "planLayers");
+  ASSERT_TRUE(planned(Stage::Layers));
+  EXPECT_TRUE(notice().contains("Taken: Curved layers, plate of the cell")) << qPrintable(notice());
+  EXPECT_EQ(document().state(Stage::Layers), document::StageState::Done);
+}
+
 TEST_F(AutomaticTest, AWayByHandIsWhatItWas) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("auto");

@@ -71,6 +71,27 @@ TEST(Automatic, ProjectsNameAWayWhateverIsPutBeforeIt) {
   EXPECT_EQ(byHand(choices).parameters.at("supports"), "auto");
 }
 
+TEST(Automatic, WhatWasPlannedByHandIsNotWhatItWouldBegin) {
+  pipeline::PlanRequest request = automaticRequest();
+  request.choices.automatic = false;
+  for (const char* platform : {"fit", "fit:10"}) {
+    request.choices.platform = project::Platform(platform);
+    const project::StageKeys hand = pipeline::stageKeys(request);
+    pipeline::PlanRequest left = request;
+    left.choices.automatic = true;
+    const project::Choices first = automaticChoices(left.choices).front();
+    EXPECT_EQ(pipeline::wayOrFirst(left.choices).automaticWay, first.automaticWay);
+    EXPECT_NE(pipeline::stageKeys(left), hand) << platform;
+    const project::StageKeys begun = pipeline::stageKeys(left);
+    left.choices = first;
+    EXPECT_EQ(pipeline::stageKeys(left), begun);
+  }
+  // The way that was taken stays what it stands for.
+  for (const project::Choices& way : automaticChoices(automaticRequest().choices))
+    EXPECT_EQ(pipeline::wayOrFirst(way).automaticWay, way.automaticWay);
+  EXPECT_FALSE(pipeline::wayOrFirst(request.choices).automatic);
+}
+
 TEST(Automatic, WaysGoWithTheCell) {
   for (const project::Choices& way : automaticChoices(automatic()))
     EXPECT_FALSE(modes::findMode(way.mode).aroundRod) << way.mode;
