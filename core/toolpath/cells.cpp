@@ -14,7 +14,7 @@ namespace voluta::toolpath {
 
 namespace {
 
-// Of the reach: what is nearer to a plane's curves is painted by them, the rest looks for its own.
+// Of the reach: what is nearer to the curves is painted by them, the rest looks for its own.
 constexpr double kPainted = 0.4;
 
 // Gives samples of a surface to the nearest segment of the curves.
@@ -48,20 +48,13 @@ public:
     }
   }
 
-  void add(const SurfaceSample& sample, const Eigen::Vector3d& normal) {
-    give(sample, normal, nearest(sample.position));
-  }
-
-  void add(const PlaneSamples& samples) {
-    const std::vector<int> nearest = painted(samples);
+  template <typename Samples> void add(const Samples& samples) {
+    const std::vector<int> near = painted(samples);
     for (std::size_t cell = 0; cell < samples.count(); ++cell) {
       if (!samples.isInside(cell))
         continue;
       const SurfaceSample sample = samples.sample(cell);
-      if (nearest[cell] >= 0)
-        give(sample, samples.normal(), nearest[cell]);
-      else
-        add(sample, samples.normal());
+      give(sample, samples.normal(cell), near[cell] >= 0 ? near[cell] : nearest(sample.position));
     }
   }
 
@@ -104,7 +97,7 @@ private:
 
   // Per cell, what nearest() finds, where that is so near that no other segment can be nearer than
   // those that paint it; else -1.
-  std::vector<int> painted(const PlaneSamples& samples) const {
+  template <typename Samples> std::vector<int> painted(const Samples& samples) const {
     const double near = kPainted * reach_;
     std::vector<int> nearest(samples.count(), -1);
     std::vector<float> least(samples.count(),
@@ -118,17 +111,34 @@ private:
         }
       };
       if (extra_.empty()) {
-        samples.forEachNear(a, b, near,
+        samples.forEachNear(a, b, near, beyond(i, near),
                             [&](std::size_t cell, float squared, float) { offer(cell, squared); });
         continue;
       }
       const auto from = static_cast<float>(extra_[i][0]), to = static_cast<float>(extra_[i][1]);
-      samples.forEachNear(a, b, std::min(reach_, near + std::max(extra_[i][0], extra_[i][1])),
+      const double radius = std::min(reach_, near + std::max(extra_[i][0], extra_[i][1]));
+      samples.forEachNear(a, b, radius, {radius, radius},
                           [&](std::size_t cell, float squared, float t) {
                             offer(cell, std::sqrt(squared) - (from + t * (to - from)));
                           });
     }
     return nearest;
+  }
+
+  // What lies further beyond an end at which another segment goes on is nearer to that one.
+  BeyondEnds beyond(std::size_t segment, double nearMm) const {
+    constexpr double kSlackMm = 1e-3;
+    const Place& place = places_[segment];
+    const std::size_t first = segment - place.segment,
+                      count = cells_.share[place.curve].areaMm2.size();
+    const auto past = [&](bool isEnd, std::size_t other) {
+      const Eigen::Vector3d& next = places_[first + other % count].along;
+      if (isEnd || place.along.dot(next) <= 0.0)
+        return nearMm;
+      // On the outside of the bend, what is nearest to the corner itself.
+      return kSlackMm + nearMm * place.along.cross(next).norm();
+    };
+    return {past(place.isFirst, place.segment + count - 1), past(place.isLast, place.segment + 1)};
   }
 
   double extraAt(int segment, double t) const {
@@ -168,22 +178,25 @@ private:
 
 } // namespace
 
-Cells shareOut(const PatchSurface& s, const std::vector<SurfaceCurve>& curves, double reachMm,
-               double sampleMm2, const std::vector<std::vector<double>>& extraMm) {
-  base::require(extraMm.empty() || extraMm.size() == curves.size(), "shareOut: extras per curve");
-  Sharer sharer(curves, reachMm, extraMm);
-  forEachSample(s, sampleMm2, [&](const SurfaceSample& sample) {
-    sharer.add(sample, s.triangleNormal[sample.triangle]);
-  });
-  return sharer.finish();
-}
-
-Cells shareOut(const PlaneSamples& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
-               const std::vector<std::vector<double>>& extraMm) {
+namespace {
+template <typename Samples>
+Cells shared(const Samples& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
+             const std::vector<std::vector<double>>& extraMm) {
   base::require(extraMm.empty() || extraMm.size() == curves.size(), "shareOut: extras per curve");
   Sharer sharer(curves, reachMm, extraMm);
   sharer.add(samples);
   return sharer.finish();
+}
+} // namespace
+
+Cells shareOut(const SampleGrid& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
+               const std::vector<std::vector<double>>& extraMm) {
+  return shared(samples, curves, reachMm, extraMm);
+}
+
+Cells shareOut(const PlaneSamples& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
+               const std::vector<std::vector<double>>& extraMm) {
+  return shared(samples, curves, reachMm, extraMm);
 }
 
 } // namespace voluta::toolpath

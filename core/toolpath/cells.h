@@ -4,6 +4,7 @@
 
 #include "toolpath/patch_surface.h"
 #include "toolpath/plane_samples.h"
+#include "toolpath/sample_grid.h"
 
 #include <vector>
 
@@ -21,11 +22,10 @@ struct Cells {
   double orphanMm2 = 0.0;       // further than the reach from any curve
 };
 
-// Samples stand for at most `sampleMm2` each (surface_samples.h). `extraMm`: per curve, per point,
-// >= 0: by how much nearer than it is a sample counts, half of what the curve's bead is wider than
-// others; empty for a curve, or for all: 0.
-Cells shareOut(const PatchSurface& surface, const std::vector<SurfaceCurve>& curves, double reachMm,
-               double sampleMm2, const std::vector<std::vector<double>>& extraMm = {});
+// `extraMm`: per curve, per point, >= 0: by how much nearer than it is a sample counts, half of
+// what the curve's bead is wider than others; empty for a curve, or for all: 0.
+Cells shareOut(const SampleGrid& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
+               const std::vector<std::vector<double>>& extraMm = {});
 // The same of a plane surface.
 Cells shareOut(const PlaneSamples& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
                const std::vector<std::vector<double>>& extraMm = {});

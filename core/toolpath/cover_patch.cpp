@@ -376,14 +376,20 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
                         : PlaneSamples::of(s, std::clamp(s.areaMm2 / kPlaneEnough, fine,
                                                          mostMm2 * beadScale * beadScale));
   };
-  const auto shared = [&](const std::optional<PlaneSamples>& plane, double sampleMm2,
-                          const std::vector<std::vector<double>>& extras) {
-    return plane ? shareOut(*plane, lines.curves, kReach * beadScale, extras)
-                 : shareOut(s, lines.curves, kReach * beadScale, sampleMm2 * beadScale * beadScale,
-                            extras);
+  // Whatever there is of one density; the other kind is made when it is first asked for.
+  struct Samples {
+    std::optional<PlaneSamples> plane;
+    double mostMm2;
+    std::optional<SampleGrid> grid = {};
   };
-  const std::optional<PlaneSamples> coarsePlane = planeSamples(kPlaneMoveMm2),
-                                    finePlane = planeSamples(kPlaneSectionMm2);
+  const auto shared = [&](Samples& of, const std::vector<std::vector<double>>& extras) {
+    if (of.plane)
+      return shareOut(*of.plane, lines.curves, kReach * beadScale, extras);
+    if (!of.grid)
+      of.grid.emplace(s, of.mostMm2 * beadScale * beadScale);
+    return shareOut(*of.grid, lines.curves, kReach * beadScale, extras);
+  };
+  Samples coarse{planeSamples(kPlaneMoveMm2), kMoveMm2};
   ResampleOptions dense;
   dense.stepMm = kPlanStep;
   dense.chordMm = INFINITY;
@@ -394,7 +400,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells = shared(coarsePlane, kMoveMm2, lines.extras(s));
+    const Cells cells = shared(coarse, lines.extras(s));
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
@@ -409,12 +415,12 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  const double sectionMm2 = kind.isWound ? kWoundMm2 : kSectionMm2;
+  Samples fineSamples{planeSamples(kPlaneSectionMm2), kind.isWound ? kWoundMm2 : kSectionMm2};
   std::vector<std::vector<double>> extras = lines.extras(s);
-  Cells cells = shared(finePlane, sectionMm2, extras);
+  Cells cells = shared(fineSamples, extras);
   if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
                    extras))
-    cells = shared(finePlane, sectionMm2, extras);
+    cells = shared(fineSamples, extras);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)
@@ -437,7 +443,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     correction = std::clamp(correction * target / cover.beadVolumeMm3, 0.97, 1.03);
   }
   const Coverage c =
-      coarsePlane ? measureCoverage(*coarsePlane, cover.beads) : measureCoverage(s, cover.beads);
+      coarse.plane ? measureCoverage(*coarse.plane, cover.beads) : measureCoverage(s, cover.beads);
   cover.coveredMm2 = c.coveredMm2;
   cover.overlapMm2 = c.overlapMm2;
   return cover;

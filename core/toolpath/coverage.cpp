@@ -1,8 +1,8 @@
 #include "toolpath/coverage.h"
 
 #include "process/bead_model.h"
+#include "toolpath/sample_grid.h"
 #include "toolpath/segment_grid.h"
-#include "toolpath/surface_samples.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -79,45 +79,39 @@ private:
   double widest_ = 0.0;
 };
 
-void count(const Footprint& under, double areaMm2, Coverage& coverage) {
-  coverage.areaMm2 += areaMm2;
-  coverage.coveredMm2 += under.covered ? areaMm2 : 0.0;
-  coverage.overlapMm2 += under.twice ? areaMm2 : 0.0;
+template <typename Samples> Coverage painted(const Samples& samples, const Painter& painter) {
+  std::vector<Footprint> under(samples.count());
+  for (std::size_t i = 0; i < painter.segments().size(); ++i) {
+    const auto& [a, b] = painter.segments()[i];
+    const double radius = 0.5 * painter.widthMm(i);
+    samples.forEachNear(
+        a, b, radius, {radius, radius}, [&](std::size_t cell, float squared, float t) {
+          painter.paint(i, static_cast<double>(t), static_cast<double>(squared), under[cell]);
+        });
+  }
+  Coverage result;
+  for (std::size_t cell = 0; cell < samples.count(); ++cell) {
+    if (!samples.isInside(cell))
+      continue;
+    const double areaMm2 = samples.sample(cell).areaMm2;
+    result.areaMm2 += areaMm2;
+    result.coveredMm2 += under[cell].covered ? areaMm2 : 0.0;
+    result.overlapMm2 += under[cell].twice ? areaMm2 : 0.0;
+  }
+  return result;
 }
 } // namespace
 
 Coverage measureCoverage(const PatchSurface& s, const std::vector<Bead>& beads) {
   const Painter painter(beads);
   const double reach = 0.5 * painter.widestMm();
-  const SegmentGrid grid(painter.segments(), std::max(reach, 0.1));
   const double sampleMm2 = std::clamp(s.areaMm2 / kEnough, kSampleOfReach * reach * reach,
                                       kCoarseOfReach * reach * reach);
-  Coverage result;
-  forEachSample(s, std::max(sampleMm2, 1e-6), [&](const SurfaceSample& sample) {
-    Footprint under;
-    grid.forEachWithin(sample.position, reach, [&](int segment, double t, double distance) {
-      painter.paint(static_cast<std::size_t>(segment), t, distance * distance, under);
-    });
-    count(under, sample.areaMm2, result);
-  });
-  return result;
+  return painted(SampleGrid(s, std::max(sampleMm2, 1e-6)), painter);
 }
 
 Coverage measureCoverage(const PlaneSamples& samples, const std::vector<Bead>& beads) {
-  const Painter painter(beads);
-  std::vector<Footprint> under(samples.count());
-  for (std::size_t i = 0; i < painter.segments().size(); ++i) {
-    const auto& [a, b] = painter.segments()[i];
-    samples.forEachNear(
-        a, b, 0.5 * painter.widthMm(i), [&](std::size_t cell, float squared, float t) {
-          painter.paint(i, static_cast<double>(t), static_cast<double>(squared), under[cell]);
-        });
-  }
-  Coverage result;
-  for (std::size_t cell = 0; cell < samples.count(); ++cell)
-    if (samples.isInside(cell))
-      count(under[cell], samples.areaMm2(), result);
-  return result;
+  return painted(samples, Painter(beads));
 }
 
 } // namespace voluta::toolpath

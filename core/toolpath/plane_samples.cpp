@@ -101,9 +101,11 @@ void PlaneSamples::paint(const PatchSurface& s) {
     for (int y = least(1); y <= most(1); ++y)
       for (int x = least(0); x <= most(0); ++x) {
         const std::size_t cell = at(y) * at(size_.x()) + at(x);
+        if (triangle_[cell] >= 0)
+          continue;
         const Vector2d q = point_[cell].cast<double>();
         const double u = side(b, c, q), v = side(c, a, q), w = twice - u - v;
-        if (triangle_[cell] >= 0 || u < 0.0 || v < 0.0 || w < 0.0)
+        if (std::min({u, v, w}) < 0.0)
           continue;
         triangle_[cell] = static_cast<int>(t);
         thicknessMm_[cell] = static_cast<float>((u * s.thicknessMm[at(corners[0])] +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "toolpath/patch_surface.h"
+#include "toolpath/segment_bounds.h"
 #include "toolpath/surface_samples.h"
 
 #include <Eigen/Core>
@@ -23,28 +24,28 @@ public:
   // point or more than memory does.
   static std::optional<PlaneSamples> of(const PatchSurface& surface, double sampleMm2);
 
-  const Eigen::Vector3d& normal() const { return normal_; }
   // Cells of the raster, some of them outside.
   std::size_t count() const { return triangle_.size(); }
   bool isInside(std::size_t cell) const { return triangle_[cell] >= 0; }
   double areaMm2() const { return areaMm2_; } // that a point stands for
+  const Eigen::Vector3d& normal(std::size_t) const { return normal_; }
   // Precondition: isInside(cell).
   SurfaceSample sample(std::size_t cell) const;
 
   // Calls f(cell, squared distance, where on it) for points up to `radiusMm` from the segment a b
-  // of the plane, those outside too, to the precision of a float.
+  // of the plane, those outside too, to the precision of a float. Of those that lie further beyond
+  // its ends than `beyond` says it may leave out any.
   template <typename F>
   void forEachNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
-                   F&& f) const {
+                   const BeyondEnds& beyond, F&& f) const {
     const Eigen::Vector2d low = flat(a), high = flat(b);
+    const auto bounds = boundsAround(low, high, radiusMm, beyond);
     const Eigen::Vector2f from = low.cast<float>(), along = (high - low).cast<float>();
     const float squared = along.squaredNorm(), inverse = squared > 0.0F ? 1.0F / squared : 0.0F;
     const auto most = static_cast<float>(radiusMm * radiusMm);
     const auto cells = [&](int k, int& first, int& last) {
-      const double least = std::min(low[k], high[k]) - radiusMm;
-      const double furthest = std::max(low[k], high[k]) + radiusMm;
-      first = std::max(0, static_cast<int>(std::floor(least / pitch_)));
-      last = std::min(size_[k] - 1, static_cast<int>(std::floor(furthest / pitch_)));
+      first = std::max(0, static_cast<int>(std::floor(bounds.low[k] / pitch_)));
+      last = std::min(size_[k] - 1, static_cast<int>(std::floor(bounds.high[k] / pitch_)));
     };
     int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
     cells(0, x0, x1);

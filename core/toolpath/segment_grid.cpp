@@ -32,12 +32,13 @@ SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, double reachMm)
       break;
     }
   }
+  inverse_ = 1.0 / cell_;
   const auto cellRange = [&](const Segment& s, auto&& f) {
     Eigen::Vector3i lo, hi;
     for (int k = 0; k < 3; ++k) {
-      lo[k] = std::clamp(static_cast<int>((std::min(s.a[k], s.b[k]) - low_[k]) / cell_), 0,
+      lo[k] = std::clamp(static_cast<int>((std::min(s.a[k], s.b[k]) - low_[k]) * inverse_), 0,
                          size_[k] - 1);
-      hi[k] = std::clamp(static_cast<int>((std::max(s.a[k], s.b[k]) - low_[k]) / cell_), 0,
+      hi[k] = std::clamp(static_cast<int>((std::max(s.a[k], s.b[k]) - low_[k]) * inverse_), 0,
                          size_[k] - 1);
     }
     for (int z = lo.z(); z <= hi.z(); ++z)

@@ -40,9 +40,12 @@ private:
   template <typename F> void visit(const Eigen::Vector3d& p, double radius, F&& f) const {
     Eigen::Vector3i lo, hi;
     for (int k = 0; k < 3; ++k) {
-      lo[k] = std::max(0, static_cast<int>(std::floor((p[k] - radius - low_[k]) / cell_)));
-      hi[k] =
-          std::min(size_[k] - 1, static_cast<int>(std::floor((p[k] + radius - low_[k]) / cell_)));
+      const double first = (p[k] - radius - low_[k]) * inverse_;
+      const double last = (p[k] + radius - low_[k]) * inverse_;
+      if (last < 0.0)
+        return;
+      lo[k] = static_cast<int>(std::max(0.0, first));
+      hi[k] = std::min(size_[k] - 1, static_cast<int>(last));
     }
     for (int z = lo.z(); z <= hi.z(); ++z)
       for (int y = lo.y(); y <= hi.y(); ++y)
@@ -68,7 +71,7 @@ private:
     double inverse; // of its squared length
   };
   std::vector<Ray> rays_;
-  double reach_, cell_;
+  double reach_, cell_, inverse_ = 0.0; // mm, mm, 1/mm
   Eigen::Vector3d low_ = Eigen::Vector3d::Zero();
   Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
   std::vector<int> start_, entry_;

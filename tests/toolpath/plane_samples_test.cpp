@@ -88,12 +88,13 @@ TEST(PlaneSamples, GiveStripsOfAnyDirectionTheSame) {
   const auto samples = PlaneSamples::of(surfaceOver({test::rectangle(40, 40)}), 0.02);
   ASSERT_TRUE(samples);
   constexpr double kHatch = 1.03;
-  const Vector3d across = samples->normal().unitOrthogonal(), up = samples->normal().cross(across);
+  const Vector3d across = samples->normal(0).unitOrthogonal(),
+                 up = samples->normal(0).cross(across);
   const Vector3d middle = leaning({0, 0});
   for (int angle = 0; angle < 180; angle += 3) {
     const double turn = base::degreesToRadians(angle);
     const Vector3d along = std::cos(turn) * across + std::sin(turn) * up;
-    const Vector3d aside = samples->normal().cross(along);
+    const Vector3d aside = samples->normal(0).cross(along);
     std::map<int, double> area;
     for (std::size_t c = 0; c < samples->count(); ++c) {
       if (!samples->isInside(c))
@@ -119,14 +120,15 @@ TEST(PlaneSamples, FindWhatIsNearAsBruteForceDoes) {
                    b = n % 6 == 0 ? a : leaning({number(random), number(random)});
     const double radius = 0.2 + 0.15 * (9.0 + number(random));
     std::vector<char> near(samples->count(), 0);
-    samples->forEachNear(a, b, radius, [&](std::size_t cell, float squared, float t) {
+    const auto take = [&](std::size_t cell, float squared, float t) {
       EXPECT_EQ(near[cell], 0);
       near[cell] = 1;
       if (!samples->isInside(cell))
         return;
       const Vector3d foot = a + static_cast<double>(t) * (b - a);
       EXPECT_NEAR((samples->sample(cell).position - foot).squaredNorm(), squared, 1e-3);
-    });
+    };
+    samples->forEachNear(a, b, radius, {radius, radius}, take);
     for (std::size_t c = 0; c < samples->count(); ++c) {
       if (!samples->isInside(c))
         continue;
@@ -206,7 +208,7 @@ TEST(PlaneSamples, AreSharedOutAsASurfaceIs) {
   ASSERT_TRUE(samples);
   const std::vector<SurfaceCurve> curves = lines(4);
   const toolpath::Cells plane = shareOut(*samples, curves, 1.8),
-                        surface = shareOut(s, curves, 1.8, 0.004);
+                        surface = shareOut(toolpath::SampleGrid(s, 0.004), curves, 1.8);
   EXPECT_NEAR(plane.orphanMm2, surface.orphanMm2, 0.01 * s.areaMm2);
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const auto &a = plane.share[k], &b = surface.share[k];

@@ -1,0 +1,82 @@
+// The samples of a surface by where they are, so that what lies near a segment is found at once.
+#pragma once
+
+#include "toolpath/patch_surface.h"
+#include "toolpath/segment_bounds.h"
+#include "toolpath/surface_samples.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// Rows of square bins across the axis that the surface faces most; samples of a bin lie side by
+// side, those of a row of bins too.
+class SampleGrid {
+public:
+  // The samples of forEachSample() (surface_samples.h). `surface` outlives it.
+  SampleGrid(const PatchSurface& surface, double mostMm2);
+
+  std::size_t count() const { return samples_.size(); }
+  bool isInside(std::size_t) const { return true; }
+  const SurfaceSample& sample(std::size_t i) const { return samples_[i]; }
+  const Eigen::Vector3d& normal(std::size_t i) const {
+    return surface_.triangleNormal[samples_[i].triangle];
+  }
+
+  // Calls f(sample, squared distance, where on it) for samples up to `radiusMm` from the segment
+  // a b, to the precision of a float. Of those that lie further beyond its ends than `beyond` says
+  // it may leave out any.
+  template <typename F>
+  void forEachNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
+                   const BeyondEnds& beyond, F&& f) const {
+    const SegmentBounds bounds = boundsAround(a, b, radiusMm, beyond);
+    const Eigen::Vector3f start = (a - origin_).cast<float>(), along = (b - a).cast<float>();
+    const float squared = along.squaredNorm(), inverse = squared > 0.0F ? 1.0F / squared : 0.0F;
+    const auto most = static_cast<float>(radiusMm * radiusMm);
+    std::array<int, 2> from{}, to{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Eigen::Index axis = axes_[k];
+      const double low = (bounds.low[axis] - origin_[axis]) / bin_;
+      const double high = (bounds.high[axis] - origin_[axis]) / bin_;
+      if (high < 0.0)
+        return;
+      from[k] = static_cast<int>(std::max(0.0, low));
+      to[k] = static_cast<int>(std::min(high, size_[k] - 1.0));
+      if (to[k] < from[k])
+        return;
+    }
+    for (int row = from[1]; row <= to[1]; ++row) {
+      const std::size_t end = begin_[binAt(to[0], row) + 1];
+      for (std::size_t i = begin_[binAt(from[0], row)]; i < end; ++i) {
+        const Eigen::Vector3f off = point_[i] - start;
+        const float t = std::clamp(along.dot(off) * inverse, 0.0F, 1.0F);
+        const float distance = (off - t * along).squaredNorm();
+        if (distance <= most)
+          f(i, distance, t);
+      }
+    }
+  }
+
+private:
+  std::size_t binAt(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(size_[0]) +
+           static_cast<std::size_t>(column);
+  }
+
+  const PatchSurface& surface_;
+  std::array<Eigen::Index, 2> axes_{0, 1}; // along rows, and across them
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  double bin_ = 1.0; // mm
+  std::array<int, 2> size_{1, 1};
+  std::vector<std::uint32_t> begin_;   // of a bin's samples; one more
+  std::vector<SurfaceSample> samples_; // by bins
+  std::vector<Eigen::Vector3f> point_; // of these, from origin_
+};
+
+} // namespace voluta::toolpath
