@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
@@ -31,6 +32,14 @@ public:
   T* end() { return data_.get() + size_; }
   const T* begin() const { return data_.get(); }
   const T* end() const { return data_.get() + size_; }
+
+  // Before element i is read and then written, from any thread: where an untouched page is read
+  // first, the kernel gives it twice, and stops the other threads to take the first one back.
+  void prepare(std::size_t i) {
+    T zero{0};
+    std::atomic_ref<T>(data_.get()[i])
+        .compare_exchange_strong(zero, T{0}, std::memory_order_relaxed);
+  }
 
   friend bool operator==(const ZeroedArray& a, const ZeroedArray& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());

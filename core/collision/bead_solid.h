@@ -25,6 +25,9 @@ public:
     along_ = plan.position[i + 1] - 0.5 * height1_ * plan.direction[i + 1] - centre0_;
     const double squared = along_.squaredNorm();
     inverseSquared_ = squared > 0.0 ? 1.0 / squared : 0.0;
+    turns_ = !turn_.isZero(0.0);
+    if (!turns_)
+      direction0_.normalize();
   }
 
   bool contains(const Eigen::Vector3d& point) const {
@@ -33,13 +36,22 @@ public:
     const Eigen::Vector3d r = r0 - t * along_;
     if (r.squaredNorm() > reach() * reach())
       return false;
-    const Eigen::Vector3d d = direction0_ + t * turn_;
     const double height = height0_ + t * (height1_ - height0_);
     const double width = width0_ + t * (width1_ - width0_);
-    const double up = r.dot(d) / d.norm();
-    const double side = std::sqrt(std::max(0.0, r.squaredNorm() - up * up));
-    const double beyond = std::max(0.0, side - 0.5 * std::max(0.0, width - height));
-    return beyond * beyond + up * up <= 0.25 * height * height;
+    double up = r.dot(direction0_);
+    if (turns_) {
+      const Eigen::Vector3d d = direction0_ + t * turn_;
+      up = r.dot(d) / d.norm();
+    }
+    const double quarter = 0.25 * height * height;
+    if (up * up > quarter)
+      return false;
+    const double flat = 0.5 * std::max(0.0, width - height);
+    const double sideways = r.squaredNorm() - up * up; // squared
+    if (sideways <= flat * flat)
+      return true;
+    const double beyond = std::sqrt(sideways) - flat;
+    return beyond * beyond + up * up <= quarter;
   }
 
   // Corners of a box that holds the bead.
@@ -50,9 +62,9 @@ private:
   double reach() const { return 0.5 * std::max({width0_, width1_, height0_, height1_}); }
   // How far it goes from its middle line along each axis.
   Eigen::Vector3d extent() const {
-    if (!turn_.isZero(0.0))
+    if (turns_)
       return Eigen::Vector3d::Constant(reach());
-    const Eigen::Array3d up = direction0_.normalized().array().abs();
+    const Eigen::Array3d up = direction0_.array().abs();
     const Eigen::Array3d aside = (1.0 - up.square()).max(0.0).sqrt();
     const double height = std::max(height0_, height1_);
     return 0.5 * (height * up + std::max({width0_, width1_, height}) * aside).matrix();
@@ -60,6 +72,7 @@ private:
 
   Eigen::Vector3d centre0_, along_, direction0_, turn_;
   double inverseSquared_, width0_, width1_, height0_, height1_;
+  bool turns_;
 };
 
 } // namespace voluta::collision

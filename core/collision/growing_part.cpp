@@ -66,6 +66,11 @@ voxel::VoxelGrid gridAround(const plan::ToolPlan& plan, const std::vector<std::u
   return grid;
 }
 
+// Is what fills the cell so far, if anything, later?
+bool isLater(std::uint32_t& cell, std::uint32_t lead) {
+  return std::atomic_ref<std::uint32_t>(cell).load(std::memory_order_relaxed) < lead;
+}
+
 void raise(std::uint32_t& cell, std::uint32_t value) {
   std::atomic_ref<std::uint32_t> shared(cell);
   std::uint32_t old = shared.load(std::memory_order_relaxed);
@@ -141,11 +146,15 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
       const BeadSolid bead(plan, segments[s]);
       const Vector3i low = grid.cellOf(bead.low()).cwiseMax(0);
       const Vector3i high = grid.cellOf(bead.high()).cwiseMin(grid.size - Vector3i::Ones());
+      const std::uint32_t lead = FillTimes::leadOf(segments[s] + 1);
       for (int k = low.z(); k <= high.z(); ++k)
-        for (int j = low.y(); j <= high.y(); ++j)
-          for (int i = low.x(); i <= high.x(); ++i)
-            if (bead.contains(grid.centre(i, j, k)))
-              raise(leads[grid.index(i, j, k)], FillTimes::leadOf(segments[s] + 1));
+        for (int j = low.y(); j <= high.y(); ++j) {
+          std::size_t cell = grid.index(low.x(), j, k);
+          leads.prepare(cell);
+          for (int i = low.x(); i <= high.x(); ++i, ++cell)
+            if (isLater(leads[cell], lead) && bead.contains(grid.centre(i, j, k)))
+              raise(leads[cell], lead);
+        }
     }
   });
   beads_ = FillTimes(grid, std::move(leads), ctx);

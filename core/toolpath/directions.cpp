@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -58,10 +59,12 @@ public:
   }
 
   // `drawsIn`: what would hang is laid aside first (drawn_in.h).
-  OrientResult run(bool drawsIn) {
+  // `part`: the plan's beads; null: they are deposited here.
+  OrientResult run(bool drawsIn, std::shared_ptr<const collision::GrowingPart> part) {
     const double pitch = collision::growingPitch(plan_, process_);
     ground_ = collision::groundCells(o_.platform, pitch, ctx_);
-    std::optional<collision::GrowingPart> part(std::in_place, plan_, pitch, ctx_, ground_);
+    if (!part)
+      part = std::make_shared<const collision::GrowingPart>(plan_, pitch, ctx_, ground_);
     bool drawn = false;
     if (drawsIn) {
       const std::vector<Vector3d> moves = drawnIn(plan_, *part, o_.platform, process_, ctx_);
@@ -82,13 +85,17 @@ public:
       r.plan = plan_; // which grows as it was
     } else {
       part.reset(); // two at a time would be much memory
-      part.emplace(r.plan, collision::growingPitch(r.plan, process_), ctx_, ground_);
+      part = std::make_shared<const collision::GrowingPart>(
+          r.plan, collision::growingPitch(r.plan, process_), ctx_, ground_);
     }
     judge(r, *part);
+    grown_ = std::move(part);
     return r;
   }
   // Per waypoint of the result of run().
   const std::vector<Vector3d>& subdividedClear() const { return subdividedClear_; }
+  // The beads of that result.
+  std::shared_ptr<const collision::GrowingPart> grown() const { return grown_; }
 
 private:
   Vector3d tipAt(std::size_t i, const Vector3d& d) const {
@@ -298,6 +305,7 @@ private:
   const MayMiss& mayMiss_;
   const base::RunContext ctx_;
   std::shared_ptr<const collision::FillTimes> ground_;
+  std::shared_ptr<const collision::GrowingPart> grown_;
   const HeadClearance& head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
 };
@@ -306,7 +314,8 @@ private:
 OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>& clearDirection,
                               const robot::Cell& cell, const process::Process& process,
                               const ToolpathOptions& options, const base::RunContext& ctx,
-                              const MayMiss& mayMiss) {
+                              const MayMiss& mayMiss,
+                              std::shared_ptr<const collision::GrowingPart> grown) {
   base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
   if (plan.waypointCount() == 0)
     return {};
@@ -320,7 +329,7 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   for (int round = 0; round < kRounds; ++round) {
     Orienter orienter(current, clear, head, process, options, mayMiss,
                       round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
-    OrientResult result = orienter.run(round == 0);
+    OrientResult result = orienter.run(round == 0, std::exchange(grown, {}));
     if (round > 0 && result.gouges >= best.gouges)
       break;
     best = std::move(result);
@@ -334,6 +343,8 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
           std::copy_n(best.gouging.begin() + static_cast<std::ptrdiff_t>(path.first), path.count,
                       missed.begin() + static_cast<std::ptrdiff_t>(path.first));
     plan::RestOfPlan rest = plan::without(best.plan, missed);
+    if (rest.waypoint.size() == best.plan.waypointCount())
+      grown = orienter.grown();
     clear.clear();
     for (const std::size_t i : rest.waypoint)
       clear.push_back(ways[i]);

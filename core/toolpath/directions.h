@@ -1,6 +1,7 @@
 // Where the nozzle comes from at each waypoint.
 #pragma once
 
+#include "collision/growing_part.h"
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
 #include "process/process.h"
@@ -9,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace voluta::base {
@@ -38,11 +40,14 @@ struct OrientResult {
 // (drawn_in.h); else the middle of each bead stays where it is: tip = middle + 1/2 height x
 // direction. Gone over up to four times while less and less gouges.
 // Before it is gone over again, paths that mayMiss lose the waypoints that gouge.
-// clearDirection: per waypoint, unit. Preconditions: sizes match. Throws Cancelled.
+// clearDirection: per waypoint, unit. `grown`: the plan's beads at collision::growingPitch(), where
+// platform is no body and no rod; null: they are deposited here. Preconditions: sizes match.
+// Throws Cancelled.
 OrientResult orientDirections(const plan::ToolPlan& plan,
                               const std::vector<Eigen::Vector3d>& clearDirection,
                               const robot::Cell& cell, const process::Process& process,
                               const ToolpathOptions& options, const base::RunContext& ctx,
-                              const MayMiss& mayMiss = {});
+                              const MayMiss& mayMiss = {},
+                              std::shared_ptr<const collision::GrowingPart> grown = {});
 
 } // namespace voluta::toolpath

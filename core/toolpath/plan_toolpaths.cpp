@@ -142,23 +142,25 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                "tool-paths"_text);
   }
   Assembled assembled = assemble(stack, covers, process);
+  // The head's ways know of the prime, as they do of every bead.
+  addPrimePath(assembled.plan, cell, process, options);
+  if (assembled.plan.primes())
+    assembled.clearDirection.insert(assembled.clearDirection.begin(),
+                                    assembled.plan.paths.front().count, Vector3d::UnitZ());
   std::optional<plan::Finding> told;
+  std::shared_ptr<const collision::GrowingPart> grown;
   if (options.underlay) {
     UnderlaidPlan under = underlay(std::move(assembled.plan), std::move(assembled.clearDirection),
                                    options.platform, cell, process, silent);
     assembled.plan = std::move(under.plan);
     assembled.clearDirection = std::move(under.clearDirection);
+    grown = std::move(under.grown);
     r.statistics.underlayMm3 = under.volumeMm3;
     if (under.underlaid > 0)
       told = plan::makeFinding(plan::FindingKind::RimSupports,
                                {{"volume", base::mm3(under.volumeMm3)}, {"paths", under.underlaid}},
                                under.where, under.underlaid);
   }
-  // The head's ways know of the prime, as they do of every bead.
-  addPrimePath(assembled.plan, cell, process, options);
-  if (assembled.plan.primes())
-    assembled.clearDirection.insert(assembled.clearDirection.begin(),
-                                    assembled.plan.paths.front().count, Vector3d::UnitZ());
   r.seconds.toolpath = watch.seconds();
 
   watch = base::Stopwatch();
@@ -167,8 +169,9 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
     return path.kind == PathKind::Support &&
            stack.patches[static_cast<std::size_t>(path.patch)].group != layers::kSupportGroup;
   };
-  OrientResult oriented = orientDirections(assembled.plan, assembled.clearDirection, cell, process,
-                                           options, ctx.sub(0.6, 1.0), liesUnderRim);
+  OrientResult oriented =
+      orientDirections(assembled.plan, assembled.clearDirection, cell, process, options,
+                       ctx.sub(0.6, 1.0), liesUnderRim, std::move(grown));
   r.seconds.orient = watch.seconds();
   r.plan = std::move(oriented.plan);
   slowBridges(r.plan, oriented.hanging, process);

@@ -44,9 +44,10 @@ std::vector<double> steadied(const std::vector<double>& by) {
 
 } // namespace
 
-void thickenHanging(plan::ToolPlan& plan, std::vector<char>& hanging,
+bool thickenHanging(plan::ToolPlan& plan, std::vector<char>& hanging,
                     const collision::GrowingPart& part, const process::Process& process) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
+  bool any = false;
   for (const plan::ToolPath& path : plan.paths)
     for (const HangingStretch& s : hangingStretches(plan, path, hanging, 0.5 * process.bridgeMm)) {
       const std::vector<double> by = steadied(reachDown(plan, s, part, process.layerHeightMaxMm));
@@ -60,8 +61,10 @@ void thickenHanging(plan::ToolPlan& plan, std::vector<char>& hanging,
         plan.speedMmPerS[i] =
             std::min(plan.speedMmPerS[i], static_cast<float>(process.maxFlowMm3PerS / section));
         hanging[i] = 0;
+        any = true;
       }
     }
+  return any;
 }
 
 } // namespace voluta::toolpath

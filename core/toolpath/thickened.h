@@ -12,8 +12,9 @@ namespace voluta::toolpath {
 // Where a stretch that nothing carries (bridges.h) is longer than half of what the process bridges,
 // and what is printed before lies beneath it by less than a bead may still be thicker, the beads
 // are laid down to it: their tips stay, no faster than the extruder gives what they hold. Their
-// marks go. Preconditions: `part` holds the plan's beads, `hanging` is hangingWaypoints() of both.
-void thickenHanging(plan::ToolPlan& plan, std::vector<char>& hanging,
+// marks go. True: some are. Preconditions: `part` holds the plan's beads, `hanging` is
+// hangingWaypoints() of both.
+bool thickenHanging(plan::ToolPlan& plan, std::vector<char>& hanging,
                     const collision::GrowingPart& part, const process::Process& process);
 
 } // namespace voluta::toolpath

@@ -40,6 +40,12 @@ void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction
   plan.speedMmPerS.push_back(speedMmPerS);
 }
 
+// Is a path the first of its patch? The prime is of none.
+bool beginsPatch(const plan::ToolPlan& plan, std::size_t path) {
+  return path == 0 || plan.paths[path - 1].patch != plan.paths[path].patch ||
+         plan.paths[path - 1].kind == plan::PathKind::Skirt;
+}
+
 // One bead beneath another: a waypoint each.
 struct Course {
   std::vector<Vector3d> tip, direction;
@@ -75,9 +81,7 @@ public:
     std::vector<std::vector<Course>> of(plan_.paths.size());
     std::vector<std::size_t> patchFirst(plan_.paths.size()); // its first waypoint
     for (std::size_t p = 0; p < plan_.paths.size(); ++p)
-      patchFirst[p] = p > 0 && plan_.paths[p - 1].patch == plan_.paths[p].patch
-                          ? patchFirst[p - 1]
-                          : plan_.paths[p].first;
+      patchFirst[p] = beginsPatch(plan_, p) ? plan_.paths[p].first : patchFirst[p - 1];
     base::parallelChunks(ctx_, of.size(), 1, [&](std::size_t b, std::size_t e) {
       for (std::size_t p = b; p < e && !ctx_.cancelled(); ++p)
         for (const HangingStretch& s :
@@ -260,12 +264,17 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
   UnderlaidPlan out{std::move(plan), std::move(clearDirection)};
   if (platform.polygon.size() < 3 || platform.mesh || platform.rod || out.plan.paths.empty())
     return out;
-  const collision::GrowingPart part(out.plan, collision::growingPitch(out.plan, process), ctx);
-  std::vector<char> hanging = hangingWaypoints(out.plan, part, platform, ctx);
-  thickenHanging(out.plan, hanging, part, process);
-  const auto courses = Underlayer(out.plan, part, hanging, platform, cell, process, ctx).courses();
-  if (courses.empty())
+  auto part = std::make_shared<const collision::GrowingPart>(
+      out.plan, collision::growingPitch(out.plan, process), ctx);
+  std::vector<char> hanging = hangingWaypoints(out.plan, *part, platform, ctx);
+  const bool thickened = thickenHanging(out.plan, hanging, *part, process);
+  const auto courses = Underlayer(out.plan, *part, hanging, platform, cell, process, ctx).courses();
+  if (courses.empty()) {
+    if (!thickened)
+      out.grown = std::move(part);
     return out;
+  }
+  part.reset();
 
   const UnderlaidPlan was = std::exchange(out, {});
   const auto addCourse = [&](const Course& course, plan::ToolPath under) {
@@ -294,7 +303,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     const plan::ToolPath& path = was.plan.paths[p];
     // Before the first path of the patch come the beads under all its paths, low ones first: the
     // head cuts into none that is higher.
-    if (p == 0 || was.plan.paths[p - 1].patch != path.patch) {
+    if (beginsPatch(was.plan, p) && path.kind != plan::PathKind::Skirt) {
       std::vector<std::pair<const Course*, const plan::ToolPath*>> beneath;
       for (std::size_t q = p; q < was.plan.paths.size() && was.plan.paths[q].patch == path.patch;
            ++q) {

@@ -1,12 +1,14 @@
 // Beads of support under beads that would hang just over the plate or over what is printed.
 #pragma once
 
+#include "collision/growing_part.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
 #include "process/process.h"
 #include "robot/cell.h"
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 namespace voluta::base {
@@ -22,6 +24,8 @@ struct UnderlaidPlan {
   std::size_t underlaid = 0;                       // paths that got beads beneath
   double volumeMm3 = 0.0;                          // of these beads
   Eigen::Vector3d where = Eigen::Vector3d::Zero(); // of the first; meaningless where there is none
+  // The plan's beads at collision::growingPitch(); null: not at hand.
+  std::shared_ptr<const collision::GrowingPart> grown = {};
 };
 
 // The rims of round feet widen by more than a bead within a layer, bellies close just over the

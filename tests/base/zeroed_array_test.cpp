@@ -32,6 +32,15 @@ TEST(ZeroedArray, IsZeroAndKeepsWhatIsWritten) {
   EXPECT_TRUE(none.begin() == none.end());
 }
 
+TEST(ZeroedArray, PreparedElementsAreWhatTheyWere) {
+  ZeroedArray<float> a(100'000);
+  a[7] = 2.5f;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{7}, std::size_t{99'999}})
+    a.prepare(i);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_EQ(a[i], i == 7 ? 2.5f : 0.0f);
+}
+
 TEST(ZeroedArray, WhatIsNotWrittenToTakesNoMemory) {
   const long before = residentBytes();
   ZeroedArray<float> large(100'000'000);

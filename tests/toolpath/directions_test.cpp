@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <memory>
 
 namespace {
 using namespace voluta;
@@ -215,6 +216,13 @@ TEST(Directions, FindTheWayIntoAWellThatLeans) {
     const auto oriented =
         toolpath::orientDirections(p, clear, testCell(), process, {}, base::RunContext{});
     EXPECT_EQ(oriented.gouges, 0u) << azimuth;
+    // Beads that are at hand are the same as those that are deposited anew.
+    const auto same =
+        toolpath::orientDirections(p, clear, testCell(), process, {}, base::RunContext{}, {},
+                                   std::make_shared<const collision::GrowingPart>(
+                                       p, collision::growingPitch(p, process), base::RunContext{}));
+    EXPECT_EQ(same.plan.position, oriented.plan.position);
+    EXPECT_EQ(same.plan.direction, oriented.plan.direction);
     for (std::size_t i = oriented.plan.paths.back().first; i < oriented.plan.waypointCount(); ++i)
       EXPECT_GT(oriented.plan.direction[i].dot(axis), std::cos(base::degreesToRadians(5.0)))
           << azimuth;

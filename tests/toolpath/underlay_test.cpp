@@ -74,6 +74,30 @@ TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
   EXPECT_EQ(std::ranges::count(hangingOf(out.plan), 1), 0);
 }
 
+// The prime begins everything, though it is told to be of the first patch.
+TEST(Underlay, LiesBehindThePrimeAndWhatIsGrownIsThePlan) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, -12, 0.8, 0);
+  plan.paths.front().kind = plan::PathKind::Skirt;
+  addPath(plan, -15, 15, 2.4, 1.6, 0);
+  for (plan::ToolPath& path : plan.paths)
+    path.patch = 0;
+  const toolpath::UnderlaidPlan out = underlaid(plan);
+  ASSERT_EQ(out.plan.paths.size(), 3u);
+  EXPECT_EQ(out.plan.paths[0].kind, plan::PathKind::Skirt);
+  EXPECT_EQ(out.plan.paths[1].kind, plan::PathKind::Support);
+  EXPECT_EQ(out.grown, nullptr) << "the plan has changed";
+
+  plan::ToolPlan flat;
+  addPath(flat, -15, 15, 0, 0.8, 0);
+  const toolpath::UnderlaidPlan same = underlaid(flat);
+  ASSERT_NE(same.grown, nullptr);
+  const collision::GrowingPart fresh(flat, collision::growingPitch(flat, kProcess), {});
+  ASSERT_EQ(same.grown->grid().size, fresh.grid().size);
+  for (std::size_t c = 0; c < fresh.grid().cellCount(); ++c)
+    ASSERT_EQ(same.grown->filledAt(c), fresh.filledAt(c));
+}
+
 TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
   plan::ToolPlan shortRim;
   addPath(shortRim, -1.2, 1.2, 0, 1.6, 0); // less than half of what it bridges
