@@ -39,17 +39,17 @@ struct Split {
   double at = 0.0;
 };
 
-// The cut of least surface area cost between kBins slabs of the centroids' box.
+// The cut of least surface area cost between kBins slabs of the centroids' box, along its longest
+// side: the two others hardly ever cost less, and take twice as long to tell.
 Split bestSplit(const std::vector<AlignedBox3d>& boxes, const int* begin, const int* end) {
   AlignedBox3d centres;
   for (const int* i = begin; i != end; ++i)
     centres.extend(boxes[static_cast<std::size_t>(*i)].center());
   Split best;
   double bestCost = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = centres.min()[axis], width = centres.sizes()[axis];
-    if (!(width > 0.0))
-      continue;
+  Eigen::Index axis = 0;
+  const double width = centres.sizes().maxCoeff(&axis), low = centres.min()[axis];
+  if (width > 0.0) {
     std::array<AlignedBox3d, kBins> bins;
     std::array<int, kBins> counts{};
     for (const int* i = begin; i != end; ++i) {
@@ -77,7 +77,7 @@ Split bestSplit(const std::vector<AlignedBox3d>& boxes, const int* begin, const 
       const double cost = leftCount * halfArea(left) + rightCost[bin + 1];
       if (cost < bestCost) {
         bestCost = cost;
-        best = {axis, low + width * static_cast<double>(bin + 1) / kBins};
+        best = {static_cast<int>(axis), low + width * static_cast<double>(bin + 1) / kBins};
       }
     }
   }
@@ -86,7 +86,7 @@ Split bestSplit(const std::vector<AlignedBox3d>& boxes, const int* begin, const 
 
 } // namespace
 
-MeshQuery::MeshQuery(const TriangleMesh& mesh) {
+MeshQuery::MeshQuery(const TriangleMesh& mesh, Of what) {
   for (const Vector3d& v : mesh.vertices)
     base::require(v.allFinite(), "MeshQuery: coordinates are finite");
   for (const auto& t : mesh.triangles)
@@ -96,7 +96,8 @@ MeshQuery::MeshQuery(const TriangleMesh& mesh) {
   if (mesh.empty())
     return;
   build(mesh);
-  expandClusters();
+  if (what == Of::Solid)
+    expandClusters();
 }
 
 void MeshQuery::build(const TriangleMesh& mesh) {
@@ -226,6 +227,7 @@ MeshQuery::Closest MeshQuery::closest(const Vector3d& p, double maxDistance) con
 double MeshQuery::windingNumber(const Vector3d& p) const {
   if (nodes_.empty())
     return 0.0;
+  base::require(!clusters_.empty(), "MeshQuery: winding numbers are of solids");
   double angle = 0.0;
   std::array<int, kStack> stack;
   std::size_t top = 0;

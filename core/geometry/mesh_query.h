@@ -17,8 +17,11 @@ namespace voluta::geometry {
 class MeshQuery {
 public:
   // Builds a bounding volume hierarchy (binned surface area heuristic), O(n log n).
+  // What will be asked: of a surface that bounds nothing no winding number, and so neither inside()
+  // nor signedDistance() (Error{Internal}).
+  enum class Of { Solid, Surface };
   // Precondition (Error{Internal}): indices in range, coordinates finite.
-  explicit MeshQuery(const TriangleMesh& mesh);
+  explicit MeshQuery(const TriangleMesh& mesh, Of what = Of::Solid);
 
   struct Closest {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();           // on the mesh, mm

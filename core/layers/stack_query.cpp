@@ -26,7 +26,8 @@ StackQuery::StackQuery(const std::vector<Patch>& patches,
       wide.max().array() += reachMm;
       if (std::any_of(around.begin(), around.end(),
                       [&](const Eigen::AlignedBox3d& box) { return wide.intersects(box); }))
-        queries_[p] = std::make_unique<const geometry::MeshQuery>(patches[p].surface);
+        queries_[p] = std::make_unique<const geometry::MeshQuery>(patches[p].surface,
+                                                                  geometry::MeshQuery::Of::Surface);
     }
   });
 }

@@ -139,8 +139,8 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderSt
         // The nearest turns first: what they cost bounds the search through the others.
         for (int turn = 0; turn <= 2 * reach; ++turn) {
           const int k = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
-          const int sample =
-              ((rung[n].sample + k) % options.samples + options.samples) % options.samples;
+          int sample = rung[n].sample + k;
+          sample += sample < 0 ? options.samples : sample >= options.samples ? -options.samples : 0;
           for (std::size_t m = reached.begin(sample); m < reached.end(sample); ++m) {
             const Reached::Node& from = reached.node(m);
             const double soFar = from.cost + rung[n].cost;

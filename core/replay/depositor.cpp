@@ -6,13 +6,15 @@
 #include "process/bead_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace voluta::replay {
 
 namespace {
 
-constexpr std::size_t kBatch = 4096; // pieces whose footprints are held at once
+constexpr std::size_t kBatch = 2048; // pieces whose footprints are held at once, twice
 constexpr std::size_t kGrain = 64;
 // Beyond the w x h rectangle, of the width, to either side.
 constexpr double kMargin = 0.25;
@@ -40,40 +42,39 @@ struct Line {
 };
 
 // Calls f(cell of the box, share of the line that lies in it), from cell to cell (Amanatides & Woo
-// 1987). Ends beyond the box but for rounding are taken into it.
+// 1987). Ends beyond the box but for rounding are taken into it, so far that no rounding leads out.
 template <typename F> void alongLine(const Line& line, const Eigen::Vector3i& size, F&& f) {
-  int cell[3], step[3];
+  constexpr float kInside = 1e-3f;
+  const int strides[3] = {1, size.x(), size.x() * size.y()};
+  int index = 0, stride[3];
   float next[3], across[3]; // in shares of the line: where the next cell begins, and how long it is
   for (int k = 0; k < 3; ++k) {
-    const float last = static_cast<float>(size[k]) - 1e-3f;
-    const float from = std::clamp(line.from[k], 0.0f, last),
-                to = std::clamp(line.to[k], 0.0f, last);
+    const float last = static_cast<float>(size[k]) - kInside;
+    const float from = std::clamp(line.from[k], kInside, last),
+                to = std::clamp(line.to[k], kInside, last);
     const float way = to - from;
-    cell[k] = static_cast<int>(from);
-    step[k] = way < 0.0f ? -1 : 1;
-    if (way == 0.0f) {
-      next[k] = across[k] = 2.0f;
-      continue;
-    }
-    across[k] = 1.0f / std::abs(way);
-    const float in = from - static_cast<float>(cell[k]);
-    next[k] = (way < 0.0f ? in : 1.0f - in) * across[k];
+    const int cell = static_cast<int>(from);
+    index += strides[k] * cell;
+    stride[k] = way < 0.0f ? -strides[k] : strides[k];
+    across[k] = way == 0.0f ? 2.0f : 1.0f / std::abs(way);
+    const float in = from - static_cast<float>(cell);
+    next[k] = way == 0.0f ? 2.0f : (way < 0.0f ? in : 1.0f - in) * across[k];
   }
-  const int stride[3] = {step[0], step[1] * size.x(), step[2] * size.x() * size.y()};
-  int index = cell[0] + size.x() * (cell[1] + size.y() * cell[2]);
-  for (float done = 0.0f;;) {
-    int k = next[0] <= next[1] ? 0 : 1;
-    k = next[k] <= next[2] ? k : 2;
-    cell[k] += step[k];
-    if (next[k] >= 1.0f || cell[k] < 0 || cell[k] >= size[k]) {
-      f(index, 1.0f - done);
-      return;
-    }
-    f(index, next[k] - done);
-    done = next[k];
-    index += stride[k];
-    next[k] += across[k];
+  float done = 0.0f, next0 = next[0], next1 = next[1], next2 = next[2];
+  for (;;) {
+    const float least = std::min(std::min(next0, next1), next2);
+    if (least >= 1.0f)
+      break;
+    f(index, least - done);
+    done = least;
+    // Which comes first changes from line to line: no branches.
+    const bool is0 = next0 == least, is1 = !is0 & (next1 == least), is2 = !(is0 | is1);
+    next0 += is0 ? across[0] : 0.0f;
+    next1 += is1 ? across[1] : 0.0f;
+    next2 += is2 ? across[2] : 0.0f;
+    index += is0 ? stride[0] : is1 ? stride[1] : stride[2];
   }
+  f(index, 1.0f - done);
 }
 
 // Scratch of one thread for the cells round a piece.
@@ -114,25 +115,25 @@ public:
       for (int j = 0; j < size_.y(); ++j)
         for (int i = 0; i < size_.x(); ++i, ++at) {
           const Tally& t = tallies_[at];
-          if (t.margin == 0.0f)
+          if (t[kMarginToo] == 0.0f)
             continue;
           const Eigen::Vector3i c = low_ + Eigen::Vector3i(i, j, k);
           if (!grid_.contains(c.x(), c.y(), c.z())) {
-            outside += static_cast<double>(t.bead) * perSample;
+            outside += static_cast<double>(t[kBead]) * perSample;
             continue;
           }
           out.push_back({static_cast<std::uint32_t>(grid_.index(c.x(), c.y(), c.z())),
-                         static_cast<float>(static_cast<double>(t.bead) * perSample),
-                         static_cast<float>(static_cast<double>(t.rectangle) * geometric),
-                         static_cast<float>(static_cast<double>(t.margin) * geometric)});
+                         static_cast<float>(static_cast<double>(t[kBead]) * perSample),
+                         static_cast<float>(static_cast<double>(t[kRectangle]) * geometric),
+                         static_cast<float>(static_cast<double>(t[kMarginToo]) * geometric)});
         }
     return outside;
   }
 
 private:
-  struct Tally {
-    float bead, rectangle, margin; // lines, by what of their length they stand for
-  };
+  // Of bead, rectangle and margin: lines, by what of their length they stand for.
+  using Tally = Eigen::Array4f;
+  enum : Eigen::Index { kBead, kRectangle, kMarginToo };
   // What is laid out in lines along the piece: `counts` of them across and down.
   struct Slab {
     const BeadPiece& piece;
@@ -177,7 +178,7 @@ private:
     corner_ = grid_.origin + grid_.pitch * low_.cast<double>();
     tallies_.assign(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *
                         static_cast<std::size_t>(size_.z()),
-                    Tally{0.0f, 0.0f, 0.0f});
+                    Tally(Tally::Zero()));
   }
 
   // Lines are shifted against each other by fractions of a golden-ratio kind, so that no row of
@@ -216,18 +217,16 @@ private:
         const float off = depth * height - half, end = std::max(0.0f, std::abs(x) - flat);
         const float rectangle = std::abs(x) <= halfWidth ? share : 0.0f;
         const float bead = end * end + off * off <= half * half ? share : 0.0f;
+        const Tally shares(bead, rectangle, share, 0.0f);
         alongLine({from + x * side0 - below * slab.piece.fromHeightMm * down0,
                    to + x * side1 - below * slab.piece.toHeightMm * down1},
                   size_, [&](int cell, float part) {
-                    Tally& t = tallies_[static_cast<std::size_t>(cell)];
-                    t.margin += part * share;
-                    t.rectangle += part * rectangle;
-                    t.bead += part * bead;
+                    tallies_[static_cast<std::size_t>(cell)] += part * shares;
                   });
       }
     double inBead = 0.0;
     for (const Tally& t : tallies_)
-      inBead += static_cast<double>(t.bead);
+      inBead += static_cast<double>(t[kBead]);
     return inBead;
   }
 
@@ -324,36 +323,32 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
     result.otherFill = base::ZeroedArray<float>(grid.cellCount());
   const double cellVolume = std::pow(grid.pitch, 3);
 
-  // Footprints don't depend on what lies there already: made side by side, laid one by one.
+  // Footprints don't depend on what lies there already: those of a batch are made side by side
+  // while the batch before it is laid, one by one.
   struct Chunk {
     std::vector<Share> shares;
     std::vector<std::size_t> end;
     std::vector<double> outside;
   };
-  std::vector<Chunk> chunks((kBatch + kGrain - 1) / kGrain);
+  using Batch = std::array<Chunk, kBatch / kGrain>;
+  const auto make = [&](Chunk& chunk, std::size_t begin) {
+    chunk.shares.clear();
+    chunk.end.clear();
+    chunk.outside.clear();
+    FootprintMaker maker(grid, options);
+    for (std::size_t i = begin; i < std::min(pieces.size(), begin + kGrain); ++i) {
+      const BeadPiece* before =
+          i > 0 && goesOn(pieces[i - 1], pieces[i]) ? &pieces[i - 1] : nullptr;
+      const BeadPiece* after =
+          i + 1 < pieces.size() && goesOn(pieces[i], pieces[i + 1]) ? &pieces[i + 1] : nullptr;
+      chunk.outside.push_back(maker.make(pieces[i], before, after, chunk.shares));
+      chunk.end.push_back(chunk.shares.size());
+    }
+  };
   Layer layer(result);
-  for (std::size_t first = 0; first < pieces.size(); first += kBatch) {
-    ctx.report(static_cast<double>(first) / static_cast<double>(pieces.size()),
-               "laying beads"_text);
-    const std::size_t count = std::min(kBatch, pieces.size() - first);
-    base::parallelChunks(ctx, count, kGrain, [&](std::size_t begin, std::size_t end) {
-      Chunk& chunk = chunks[begin / kGrain];
-      chunk.shares.clear();
-      chunk.end.clear();
-      chunk.outside.clear();
-      FootprintMaker maker(grid, options);
-      for (std::size_t p = begin; p < end; ++p) {
-        const std::size_t i = first + p;
-        const BeadPiece* before =
-            i > 0 && goesOn(pieces[i - 1], pieces[i]) ? &pieces[i - 1] : nullptr;
-        const BeadPiece* after =
-            i + 1 < pieces.size() && goesOn(pieces[i], pieces[i + 1]) ? &pieces[i + 1] : nullptr;
-        chunk.outside.push_back(maker.make(pieces[i], before, after, chunk.shares));
-        chunk.end.push_back(chunk.shares.size());
-      }
-    });
-    for (std::size_t p = 0; p < count; ++p) {
-      const Chunk& chunk = chunks[p / kGrain];
+  const auto lay = [&](const Batch& batch, std::size_t first) {
+    for (std::size_t p = 0; first + p < std::min(pieces.size(), first + kBatch); ++p) {
+      const Chunk& chunk = batch[p / kGrain];
       const std::size_t in = p % kGrain, begin = in == 0 ? 0 : chunk.end[in - 1];
       const BeadPiece& piece = pieces[first + p];
       const double left =
@@ -363,6 +358,21 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
       result.excessMm3 += left * cellVolume;
       result.laidMm3 += piece.volumeMm3;
     }
+  };
+  Batch making, laying;
+  for (std::size_t first = 0; first < pieces.size() + kBatch; first += kBatch) {
+    ctx.report(std::min(1.0, static_cast<double>(first) / static_cast<double>(pieces.size())),
+               "laying beads"_text);
+    const std::size_t left = pieces.size() - std::min(first, pieces.size());
+    const std::size_t chunks = (std::min(kBatch, left) + kGrain - 1) / kGrain;
+    base::parallelChunks(ctx, chunks + 1, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+        if (c > 0)
+          make(making[c - 1], first + (c - 1) * kGrain);
+        else if (first > 0)
+          lay(laying, first - kBatch);
+    });
+    std::swap(making, laying);
   }
   return result;
 }

@@ -111,6 +111,23 @@ TEST(MeshQuery, ClosestOnSoupMatchesSampling) {
   }
 }
 
+TEST(MeshQuery, SurfacesAnswerAsSolidsDoButForWhatIsInside) {
+  std::mt19937 random(9);
+  const TriangleMesh m = soup(random, 200);
+  const MeshQuery solid(m), surface(m, MeshQuery::Of::Surface);
+  std::uniform_real_distribution<double> at(-15.0, 15.0);
+  std::vector<MeshQuery::Hit> hits, same;
+  for (int i = 0; i < 200; ++i) {
+    const Vector3d p(at(random), at(random), at(random)), q(at(random), at(random), at(random));
+    EXPECT_EQ(surface.closest(p).triangle, solid.closest(p).triangle);
+    solid.hits(p, q, hits);
+    surface.hits(p, q, same);
+    ASSERT_EQ(same.size(), hits.size());
+    EXPECT_THROW(surface.inside(p), base::Error);
+  }
+  EXPECT_FALSE(MeshQuery(TriangleMesh(), MeshQuery::Of::Surface).inside({0, 0, 0}));
+}
+
 TEST(MeshQuery, ClosestKeepsToItsRange) {
   const MeshQuery query(test::box({0, 0, 0}, {1, 1, 1}));
   EXPECT_EQ(query.closest({0.5, 0.5, 3.0}, 1.9).triangle, -1);
