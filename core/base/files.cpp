@@ -49,6 +49,10 @@ std::string readFile(const fs::path& path) {
 }
 
 void writeFile(const fs::path& path, std::string_view bytes) {
+  writeFile(path, std::span(&bytes, 1));
+}
+
+void writeFile(const fs::path& path, std::span<const std::string_view> parts) {
   const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
   std::string temporary = (folder / fmt::format(".{}.XXXXXX", path.filename().string())).string();
   const int descriptor = ::mkstemp(temporary.data());
@@ -59,14 +63,15 @@ void writeFile(const fs::path& path, std::string_view bytes) {
     ::unlink(temporary.c_str());
     throw cannotWrite(path, systemReason(code));
   };
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n < 0)
-      giveUp(errno);
-    done += static_cast<std::size_t>(n);
-  }
+  for (std::string_view rest : parts)
+    while (!rest.empty()) {
+      const ssize_t n = ::write(descriptor, rest.data(), rest.size());
+      if (n < 0 && errno == EINTR)
+        continue;
+      if (n < 0)
+        giveUp(errno);
+      rest.remove_prefix(static_cast<std::size_t>(n));
+    }
   if (::fsync(descriptor) != 0)
     giveUp(errno);
   const mode_t mask = ::umask(0);

@@ -97,14 +97,16 @@ void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx) {
   base::Stopwatch writing;
   ctx.report(0.0, "write files"_text);
-  project::writeJob(folder / "job.voluta", result.job);
   for (const auto& checked : result.checked)
     if (checked->passed || result.keepRefused)
       writeProgram(*checked, folder, ctx);
   for (const plan::ProgramFile& file : pedestalFiles(result))
     base::writeFile(folder / file.name, file.text);
+  const auto writeJob = [&] { project::writeJob(folder / "job.voluta", result.job); };
   if (result.proofs)
-    writeProofs(result, result.checked, folder, ctx);
+    writeProofs(result, result.checked, folder, ctx, writeJob);
+  else
+    writeJob();
   if (writesBuildFile(result))
     writeBuildFile(result, folder, ctx);
   if (result.debug)

@@ -213,9 +213,10 @@ std::vector<std::string> proofNames(const PlanResult& result, const Programs& pr
 }
 
 void writeProofs(const PlanResult& result, const Programs& programs,
-                 const std::filesystem::path& folder, const base::RunContext& ctx) {
+                 const std::filesystem::path& folder, const base::RunContext& ctx,
+                 const std::function<void()>& meanwhile) {
   if (proofNames(result, programs).empty() || !result.job.trajectory || !result.cell)
-    return;
+    return meanwhile();
   const plan::ToolPlan& plan = *result.job.toolPlan;
   const plan::Trajectory& whole = *result.job.trajectory;
   const collision::GrowingPart growing(plan, collision::growingPitch(plan, *result.process), ctx);
@@ -228,7 +229,8 @@ void writeProofs(const PlanResult& result, const Programs& programs,
               [&] {
                 base::writeFile(folder / measured.printed,
                                 geometry::writeStl(outerBeads(plan, growing)));
-              }});
+              },
+              meanwhile});
   std::vector<std::function<void()>> proofs;
   for (const auto& checked : programs)
     if (isProved(*checked))

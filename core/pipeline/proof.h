@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,9 +70,11 @@ std::string proofJson(const Proof& proof);
 std::string proofPage(const Proof& proof);
 
 // NAME.proof.html and NAME.proof.json for each of the programs that passed, and PART.printed.stl.
-// Throws Error{CannotWrite}; Cancelled.
-void writeProofs(const PlanResult& result, const Programs& programs,
-                 const std::filesystem::path& folder, const base::RunContext& ctx);
+// `meanwhile` is called as well, side by side with what takes longest. Throws Error{CannotWrite};
+// Cancelled.
+void writeProofs(
+    const PlanResult& result, const Programs& programs, const std::filesystem::path& folder,
+    const base::RunContext& ctx, const std::function<void()>& meanwhile = [] {});
 std::vector<std::string> proofNames(const PlanResult& result, const Programs& programs);
 
 } // namespace voluta::pipeline

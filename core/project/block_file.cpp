@@ -1,13 +1,19 @@
 #include "project/block_file.h"
 
-#include <boost/crc.hpp>
+#include <zlib.h>
 
 namespace voluta::project {
 
+namespace {
+uLong crcAfter(uLong crc, std::string_view bytes) {
+  if (bytes.empty()) // which may be nowhere, and that begins anew
+    return crc;
+  return crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+}
+} // namespace
+
 std::uint32_t crcOf(std::string_view bytes) {
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
+  return static_cast<std::uint32_t>(crcAfter(0, bytes));
 }
 
 void BlockWriter::begin(const std::string& name, std::size_t item) {
@@ -23,19 +29,20 @@ void BlockWriter::appendBytes(std::string_view bytes) {
 std::vector<BlockRow> BlockWriter::table() const {
   std::vector<BlockRow> rows;
   for (const Block& block : blocks_) {
-    boost::crc_32_type crc;
+    uLong crc = 0;
     for (const std::string_view part : block.parts)
-      crc.process_bytes(part.data(), part.size());
+      crc = crcAfter(crc, part);
     rows.push_back(block.row);
-    rows.back().crc32 = crc.checksum();
+    rows.back().crc32 = static_cast<std::uint32_t>(crc);
   }
   return rows;
 }
 
-void BlockWriter::appendTo(std::string& file) const {
+std::vector<std::string_view> BlockWriter::parts() const {
+  std::vector<std::string_view> all;
   for (const Block& block : blocks_)
-    for (const std::string_view part : block.parts)
-      file.append(part);
+    all.insert(all.end(), block.parts.begin(), block.parts.end());
+  return all;
 }
 
 std::string_view BlockReader::checked(const std::string& name, std::size_t item) const {

@@ -58,8 +58,8 @@ public:
 
   // With checksums.
   std::vector<BlockRow> table() const;
-  std::size_t size() const { return size_; }
-  void appendTo(std::string& file) const;
+  // What is added, in its order, for as long as the writer and the arrays live.
+  std::vector<std::string_view> parts() const;
 
 private:
   template <typename T> static std::string_view bytesOf(const std::vector<T>& values) {

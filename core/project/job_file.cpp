@@ -370,11 +370,29 @@ Job readFrame(const Frame& frame, const std::string& where) {
     job.loaded = loadedFromPlaced(job);
   return job;
 }
-} // namespace
 
-std::string jobBytes(const Job& job) {
-  base::require(job.loaded != nullptr, "jobBytes: a job has a part");
-  BlockWriter blocks;
+// A project file: what of it is the job's own stays where it is.
+class JobFile {
+public:
+  explicit JobFile(const Job& job) { add(job); }
+  JobFile(const JobFile&) = delete; // its parts are views
+  JobFile& operator=(const JobFile&) = delete;
+  std::vector<std::string_view> parts() const {
+    std::vector<std::string_view> all = blocks_.parts();
+    all.insert(all.begin(), head_);
+    return all;
+  }
+
+private:
+  void add(const Job& job);
+
+  BlockWriter blocks_;
+  std::string head_;
+};
+
+void JobFile::add(const Job& job) {
+  base::require(job.loaded != nullptr, "a job has a part");
+  BlockWriter& blocks = blocks_;
   addLoaded(blocks, *job.loaded);
   if (job.part)
     addMesh(blocks, "part", *job.part);
@@ -410,16 +428,22 @@ std::string jobBytes(const Job& job) {
   if (job.placement)
     header["placement"] = placementJson(*job.placement);
   const std::string text = header.dump(1, ' ', false, Json::error_handler_t::replace);
-  std::string bytes = std::string(kMagic) + std::to_string(kFormat) + "\n" +
-                      std::to_string(text.size()) + " " + std::to_string(crcOf(text)) + "\n";
-  bytes.reserve(bytes.size() + text.size() + blocks.size());
-  bytes += text;
-  blocks.appendTo(bytes);
+  head_ = std::string(kMagic) + std::to_string(kFormat) + "\n" + std::to_string(text.size()) + " " +
+          std::to_string(crcOf(text)) + "\n" + text;
+}
+} // namespace
+
+std::string jobBytes(const Job& job) {
+  const JobFile file(job);
+  std::string bytes;
+  for (const std::string_view part : file.parts())
+    bytes += part;
   return bytes;
 }
 
-void writeJob(const std::filesystem::path& file, const Job& job) {
-  base::writeFile(file, jobBytes(job));
+void writeJob(const std::filesystem::path& path, const Job& job) {
+  const JobFile file(job);
+  base::writeFile(path, file.parts());
 }
 
 Job readJob(const std::filesystem::path& file) {

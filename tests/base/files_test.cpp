@@ -35,6 +35,13 @@ TEST_F(Files, WritesWholeAndReadsBack) {
   EXPECT_EQ(entries(folder_.path()), 1u) << "a temporary was left";
 }
 
+TEST_F(Files, PartsAreOneFile) {
+  const std::string_view parts[]{"head\n", {}, "body", std::string_view("\0end", 4)};
+  writeFile(folder_ / "a", parts);
+  EXPECT_EQ(readFile(folder_ / "a"), std::string("head\nbody\0end", 13));
+  EXPECT_EQ(codeOf([&] { writeFile(folder_ / "no" / "such", parts); }), ErrorCode::CannotWrite);
+}
+
 TEST_F(Files, ReadErrorsNameTheCase) {
   EXPECT_EQ(codeOf([&] { readFile(folder_ / "none"); }), ErrorCode::UnreadableFile);
   EXPECT_EQ(codeOf([&] { readFile(folder_.path()); }), ErrorCode::UnreadableFile);

@@ -1,8 +1,10 @@
 #include "project/job.h"
 
 #include "base/error.h"
+#include "base/files.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/sample_job.h"
+#include "project/block_file.h"
 
 #include <cmath>
 #include <filesystem>
@@ -36,6 +38,24 @@ protected:
   }
   const test::TemporaryFolder folder_;
 };
+
+// CRC-32 as zip, PNG and the files of before have it.
+TEST_F(JobFile, ChecksumsAreThoseOfTheStandard) {
+  EXPECT_EQ(project::crcOf("123456789"), 0xCBF43926U);
+  EXPECT_EQ(project::crcOf({}), 0U);
+  project::BlockWriter blocks;
+  const std::vector<char> first{'1', '2', '3', '4'}, none, last{'5', '6', '7', '8', '9'};
+  blocks.begin("digits", 1);
+  for (const std::vector<char>* part : {&first, &none, &last})
+    blocks.append(*part);
+  EXPECT_EQ(blocks.table().front().crc32, 0xCBF43926U);
+}
+
+TEST_F(JobFile, IsWrittenAsItsBytesAre) {
+  const Job job = sampleJob();
+  project::writeJob(folder_ / "written.voluta", job);
+  EXPECT_EQ(base::readFile(folder_ / "written.voluta"), project::jobBytes(job));
+}
 
 TEST_F(JobFile, ComesBackAsItWas) {
   const Job job = sampleJob();
