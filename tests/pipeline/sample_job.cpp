@@ -196,7 +196,8 @@ std::string formatOneBytes(const Job& job) {
                                       {"blocks", table}};
   const std::string text = header.dump(1);
   std::string bytes = "VOLUTA 1\n" + std::to_string(text.size()) + "\n" + text;
-  blocks.appendTo(bytes);
+  for (const std::string_view part : blocks.parts())
+    bytes += part;
   return bytes;
 }
 
