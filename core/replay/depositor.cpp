@@ -63,7 +63,7 @@ template <typename F> void alongLine(const Line& line, const Eigen::Vector3i& si
   float done = 0.0f, next0 = next[0], next1 = next[1], next2 = next[2];
   for (;;) {
     const float least = std::min(std::min(next0, next1), next2);
-    if (least >= 1.0f)
+    if (!(least < 1.0f))
       break;
     f(index, least - done);
     done = least;
@@ -115,17 +115,17 @@ public:
       for (int j = 0; j < size_.y(); ++j)
         for (int i = 0; i < size_.x(); ++i, ++at) {
           const Tally& t = tallies_[at];
-          if (t[kMarginToo] == 0.0f)
+          if (t[kOfMargin] == 0.0f)
             continue;
           const Eigen::Vector3i c = low_ + Eigen::Vector3i(i, j, k);
           if (!grid_.contains(c.x(), c.y(), c.z())) {
-            outside += static_cast<double>(t[kBead]) * perSample;
+            outside += static_cast<double>(t[kOfBead]) * perSample;
             continue;
           }
           out.push_back({static_cast<std::uint32_t>(grid_.index(c.x(), c.y(), c.z())),
-                         static_cast<float>(static_cast<double>(t[kBead]) * perSample),
-                         static_cast<float>(static_cast<double>(t[kRectangle]) * geometric),
-                         static_cast<float>(static_cast<double>(t[kMarginToo]) * geometric)});
+                         static_cast<float>(static_cast<double>(t[kOfBead]) * perSample),
+                         static_cast<float>(static_cast<double>(t[kOfRectangle]) * geometric),
+                         static_cast<float>(static_cast<double>(t[kOfMargin]) * geometric)});
         }
     return outside;
   }
@@ -133,7 +133,7 @@ public:
 private:
   // Of bead, rectangle and margin: lines, by what of their length they stand for.
   using Tally = Eigen::Array4f;
-  enum : Eigen::Index { kBead, kRectangle, kMarginToo };
+  enum : Eigen::Index { kOfBead, kOfRectangle, kOfMargin };
   // What is laid out in lines along the piece: `counts` of them across and down.
   struct Slab {
     const BeadPiece& piece;
@@ -226,7 +226,7 @@ private:
       }
     double inBead = 0.0;
     for (const Tally& t : tallies_)
-      inBead += static_cast<double>(t[kBead]);
+      inBead += static_cast<double>(t[kOfBead]);
     return inBead;
   }
 
