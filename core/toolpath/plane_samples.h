@@ -1,8 +1,8 @@
 // A plane surface as points that each stand for the same bit of its area.
 #pragma once
 
+#include "toolpath/near_segment.h"
 #include "toolpath/patch_surface.h"
-#include "toolpath/segment_bounds.h"
 #include "toolpath/surface_samples.h"
 
 #include <Eigen/Core>
@@ -40,8 +40,7 @@ public:
                    const BeyondEnds& beyond, F&& f) const {
     const Eigen::Vector2d low = flat(a), high = flat(b);
     const auto bounds = boundsAround(low, high, radiusMm, beyond);
-    const Eigen::Vector2f from = low.cast<float>(), along = (high - low).cast<float>();
-    const float squared = along.squaredNorm(), inverse = squared > 0.0F ? 1.0F / squared : 0.0F;
+    const FloatSegment<2> segment(low, high);
     const auto most = static_cast<float>(radiusMm * radiusMm);
     const auto cells = [&](int k, int& first, int& last) {
       first = std::max(0, static_cast<int>(std::floor(bounds.low[k] / pitch_)));
@@ -54,11 +53,9 @@ public:
       const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x());
       for (std::size_t c = row + static_cast<std::size_t>(x0);
            c <= row + static_cast<std::size_t>(std::max(x0 - 1, x1)) && x0 <= x1; ++c) {
-        const Eigen::Vector2f off = point_[c] - from;
-        const float t = std::clamp(along.dot(off) * inverse, 0.0F, 1.0F);
-        const float distance = (off - t * along).squaredNorm();
-        if (distance <= most)
-          f(c, distance, t);
+        const auto [t, squared] = segment.nearest(point_[c]);
+        if (squared <= most)
+          f(c, squared, t);
       }
     }
   }

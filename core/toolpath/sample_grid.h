@@ -1,8 +1,8 @@
 // The samples of a surface by where they are, so that what lies near a segment is found at once.
 #pragma once
 
+#include "toolpath/near_segment.h"
 #include "toolpath/patch_surface.h"
-#include "toolpath/segment_bounds.h"
 #include "toolpath/surface_samples.h"
 
 #include <Eigen/Core>
@@ -36,8 +36,7 @@ public:
   void forEachNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
                    const BeyondEnds& beyond, F&& f) const {
     const SegmentBounds bounds = boundsAround(a, b, radiusMm, beyond);
-    const Eigen::Vector3f start = (a - origin_).cast<float>(), along = (b - a).cast<float>();
-    const float squared = along.squaredNorm(), inverse = squared > 0.0F ? 1.0F / squared : 0.0F;
+    const FloatSegment<3> segment(a - origin_, b - origin_);
     const auto most = static_cast<float>(radiusMm * radiusMm);
     std::array<int, 2> from{}, to{};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -54,11 +53,9 @@ public:
     for (int row = from[1]; row <= to[1]; ++row) {
       const std::size_t end = begin_[binAt(to[0], row) + 1];
       for (std::size_t i = begin_[binAt(from[0], row)]; i < end; ++i) {
-        const Eigen::Vector3f off = point_[i] - start;
-        const float t = std::clamp(along.dot(off) * inverse, 0.0F, 1.0F);
-        const float distance = (off - t * along).squaredNorm();
-        if (distance <= most)
-          f(i, distance, t);
+        const auto [t, squared] = segment.nearest(point_[i]);
+        if (squared <= most)
+          f(i, squared, t);
       }
     }
   }

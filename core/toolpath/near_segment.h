@@ -1,9 +1,33 @@
-// The box about what is near a segment.
+// What is near a segment: how near, and the box about it.
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace voluta::toolpath {
+
+// A segment to the precision of a float, for many points.
+template <int N> class FloatSegment {
+public:
+  using Vector = Eigen::Matrix<float, N, 1>;
+  FloatSegment(const Eigen::Matrix<double, N, 1>& a, const Eigen::Matrix<double, N, 1>& b)
+      : from_(a.template cast<float>()), along_((b - a).template cast<float>()) {
+    const float squared = along_.squaredNorm();
+    inverse_ = squared > 0.0F ? 1.0F / squared : 0.0F;
+  }
+  struct Nearest {
+    float t, squared; // 0 at a, 1 at b; of the distance
+  };
+  Nearest nearest(const Vector& p) const {
+    const Vector off = p - from_;
+    const float t = std::clamp(along_.dot(off) * inverse_, 0.0F, 1.0F);
+    return {t, (off - t * along_).squaredNorm()};
+  }
+
+private:
+  Vector from_, along_;
+  float inverse_; // of the squared length
+};
 
 // How far points may lie beyond a segment's ends, mm: before a, and after b.
 struct BeyondEnds {
