@@ -155,10 +155,20 @@ Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
       }
     const auto worst = std::max_element(gap.begin(), gap.end());
     sum.gap = *worst;
-    const int b = static_cast<int>(worst - gap.begin());
-    sum.gapAt = grid.origin + grid.pitch * block *
-                                  Eigen::Vector3d(b % blocksX + 0.5, b / blocksX + 0.5,
-                                                  static_cast<double>(begin) + 0.5);
+    const auto b = static_cast<int>(worst - gap.begin());
+    const Eigen::Vector3i low(b % blocksX * block, b / blocksX * block, first);
+    const Eigen::Vector3i end = (low.array() + block).min(grid.size.array());
+    double missing = 0.0;
+    for (int k = low.z(); k < end.z(); ++k)
+      for (int j = low.y(); j < end.y(); ++j)
+        for (int i = low.x(); i < end.x(); ++i) {
+          const std::size_t c = grid.index(i, j, k);
+          const double less = std::max(0.0, cells.share[c] / 255.0 - fillOf(c));
+          missing += less;
+          sum.gapAt += less * grid.centre(i, j, k);
+        }
+    if (missing > 0.0)
+      sum.gapAt /= missing;
   });
   ctx.checkpoint();
   Coverage result;

@@ -32,7 +32,7 @@ PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuer
 struct Coverage {
   double coveredFraction = 0.0; // sum of min(fill, share) / sum of share
   double outsideMm3 = 0.0;      // fill of cells further than `toleranceMm` outside the part
-  Eigen::Vector3d worstGap = Eigen::Vector3d::Zero(); // centre of the emptiest 3 mm of the part
+  Eigen::Vector3d worstGap = Eigen::Vector3d::Zero(); // middle of what the emptiest 3 mm lack
   double worstGapMm3 = 0.0;                           // and how much is missing there
 };
 
