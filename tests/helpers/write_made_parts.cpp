@@ -4,6 +4,7 @@
 #include "helpers/made_parts.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
 
 int main(int count, char** arguments) {
@@ -11,6 +12,7 @@ int main(int count, char** arguments) {
     fmt::print(stderr, "write_made_parts FOLDER FIRST COUNT\n");
     return 2;
   }
+  std::filesystem::create_directories(arguments[1]);
   const auto first = static_cast<unsigned>(std::atoi(arguments[2])),
              parts = static_cast<unsigned>(std::atoi(arguments[3]));
   for (unsigned seed = first; seed < first + parts; ++seed) {
