@@ -82,6 +82,8 @@ void keepWithinLimits(const RobotModel& robot, const JointVector& near,
         q[i] = std::clamp(q[i], limit.min, limit.max);
         continue;
       }
+      if (std::abs(near[i] - q[i]) < 0.99 * base::kPi && q[i] >= limit.min && q[i] <= limit.max)
+        continue; // as it mostly is
       const double least = std::ceil((limit.min - kSlack - q[i]) / base::kTurn);
       const double most = std::floor((limit.max + kSlack - q[i]) / base::kTurn);
       if (least > most)

@@ -18,6 +18,11 @@ constexpr double kWristSingular = 1e-10;
 constexpr double kShoulderSlackMm = 1e-9;
 constexpr double kElbowSlack = 2e-11;
 
+// As std::hypot, for lengths that neither overflow nor vanish, without its care for those.
+double lengthOf(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
+
 double wrapped(double angle) {
   if (angle > kPi)
     angle -= 2.0 * kPi;
@@ -95,7 +100,7 @@ void UrKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
   const Eigen::Vector3d p5 = base_T_flange.translation() - g_.d6 * z6;
 
   // Joint 1: the wrist centre lies d4 across the arm's plane.
-  const double reach = std::hypot(p5.x(), p5.y());
+  const double reach = lengthOf(p5.x(), p5.y());
   if (reach < std::abs(g_.d4) - kShoulderSlackMm || reach == 0.0)
     return;
   const double planar = std::sqrt(std::max(0.0, (reach - g_.d4) * (reach + g_.d4)));
@@ -106,26 +111,27 @@ void UrKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
     const double c1 = (a * p5.x() - g_.d4 * p5.y()) / (reach * reach);
     const double s1 = (a * p5.y() + g_.d4 * p5.x()) / (reach * reach);
     const double theta1 = std::atan2(s1, c1);
-    const double size1 = std::hypot(c1, s1);
+    const double size1 = lengthOf(c1, s1);
     const double ux = c1 / size1, uy = s1 / size1; // along; across = (uy, -ux)
 
     // Joint 5 and 6: `across` seen from the flange is (s5 c6, -s5 s6, c5).
     const double nx = uy * x6.x() - ux * x6.y(), ny = uy * y6.x() - ux * y6.y(),
                  nz = uy * z6.x() - ux * z6.y();
-    const double sine = std::hypot(nx, ny);
+    const double sine = lengthOf(nx, ny);
     const bool singular = sine < kWristSingular;
-    const double size5 = std::hypot(sine, nz);
+    const double size5 = lengthOf(sine, nz);
+    const double c5 = singular ? std::copysign(1.0, nz) : nz / size5;
+    const double bend5 = std::atan2(singular ? 0.0 : sine / size5, c5);
     for (int wrist = 0; wrist < (singular ? 1 : 2); ++wrist) {
       const double sign = wrist == 0 ? 1.0 : -1.0;
       const double s5 = singular ? 0.0 : sign * sine / size5;
-      const double c5 = singular ? std::copysign(1.0, nz) : nz / size5;
       const double c6 = singular ? 1.0 : sign * nx / sine, s6 = singular ? 0.0 : -sign * ny / sine;
-      const double theta5 = std::atan2(s5, c5), theta6 = singular ? 0.0 : std::atan2(s6, c6);
+      const double theta5 = sign * bend5, theta6 = singular ? 0.0 : std::atan2(s6, c6);
 
       // Sum of joints 2-4: x of DH frame 4 in the arm's plane.
       const Eigen::Vector3d forward = c5 * (c6 * x6 - s6 * y6) - s5 * z6;
       double c234 = ux * forward.x() + uy * forward.y(), s234 = forward.z();
-      const double size234 = std::hypot(c234, s234);
+      const double size234 = lengthOf(c234, s234);
       c234 /= size234;
       s234 /= size234;
       const double theta234 = std::atan2(s234, c234);
@@ -136,10 +142,11 @@ void UrKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
       if (std::abs(c3) > 1.0 + kElbowSlack)
         continue;
       const double cosine = std::clamp(c3, -1.0, 1.0);
-      const double bend = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+      const double bend = std::sqrt((1.0 - cosine) * (1.0 + cosine)),
+                   bend3 = std::atan2(bend, cosine);
       for (int elbow = 0; elbow < (bend > 0.0 ? 2 : 1); ++elbow) {
         const double s3 = elbow == 0 ? bend : -bend;
-        const double theta3 = std::atan2(s3, cosine);
+        const double theta3 = elbow == 0 ? bend3 : -bend3;
         const double k = g_.a2 + g_.a3 * cosine, m = g_.a3 * s3;
         // (x, y) = turn by theta2 of (k, m); k = m = 0 leaves joint 2 free.
         const double theta2 = std::atan2(y * k - x * m, x * k + y * m);
