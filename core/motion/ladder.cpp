@@ -278,8 +278,11 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderSt
   // no look.
   constexpr std::size_t kBeam = 16, kAll = std::numeric_limits<std::size_t>::max();
   const LadderWay quick = sweep(rungs, starts, limits, options, kInfinity, kBeam);
-  const double most = quick.reached == rungs.size() ? quick.cost : kInfinity;
-  return sweep(rungs, starts, limits, options, most, kAll);
+  if (quick.reached < rungs.size())
+    return sweep(rungs, starts, limits, options, kInfinity, kAll);
+  LadderWay way = sweep(rungs, starts, limits, options, quick.cost, kAll);
+  // The cheapest way to a node may have wound a joint up to its limit, where another goes on.
+  return way.reached < rungs.size() ? quick : way;
 }
 
 } // namespace voluta::motion
