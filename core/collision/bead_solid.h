@@ -62,12 +62,19 @@ private:
   double reach() const { return 0.5 * std::max({width0_, width1_, height0_, height1_}); }
   // How far it goes from its middle line along each axis.
   Eigen::Vector3d extent() const {
-    if (turns_)
+    // On the arc between two unit directions a component is no further from 0 than the further
+    // end's over the cosine of half the arc, and no nearer than the nearer end's, if on one side.
+    const Eigen::Array3d up0 = direction0_.normalized(), up1 = (direction0_ + turn_).normalized();
+    const double cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + (up0 * up1).sum())));
+    if (cosine < 0.5)
       return Eigen::Vector3d::Constant(reach());
-    const Eigen::Array3d up = direction0_.array().abs();
-    const Eigen::Array3d aside = (1.0 - up.square()).max(0.0).sqrt();
+    const Eigen::Array3d most = (up0.abs().max(up1.abs()) / cosine).min(1.0);
+    const Eigen::Array3d least = (up0 * up1 > 0.0).select(up0.abs().min(up1.abs()), 0.0);
+    const Eigen::Array3d aside = (1.0 - least.square()).max(0.0).sqrt();
     const double height = std::max(height0_, height1_);
-    return 0.5 * (height * up + std::max({width0_, width1_, height}) * aside).matrix();
+    return (0.5 * (height * most + std::max({width0_, width1_, height}) * aside))
+        .min(reach())
+        .matrix();
   }
 
   Eigen::Vector3d centre0_, along_, direction0_, turn_;
