@@ -157,33 +157,33 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
         }
     }
   });
-  beads_ = FillTimes(grid, std::move(leads), ctx);
+  beads_ = std::make_shared<FillTimes>(grid, std::move(leads), ctx);
 }
 
 bool GrowingPart::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                           double marginMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
-  return beads_.touches(shape, work_T_shape, marginMm, moment) ||
+  return beads_->touches(shape, work_T_shape, marginMm, moment) ||
          ground_->touches(shape, work_T_shape, marginMm, moment);
 }
 
 bool GrowingPart::headTouches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                               double marginMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
-  return beads_.touches(shape, work_T_shape, marginMm - 0.5 * beads_.grid().pitch, moment) ||
+  return beads_->touches(shape, work_T_shape, marginMm - 0.5 * beads_->grid().pitch, moment) ||
          ground_->touches(shape, work_T_shape, marginMm - 0.5 * ground_->grid().pitch, moment);
 }
 
 bool GrowingPart::holds(const Eigen::Vector3d& point, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
-  return beads_.holds(point, moment) || ground_->holds(point, moment);
+  return beads_->holds(point, moment) || ground_->holds(point, moment);
 }
 
 double GrowingPart::distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
                              double capMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
-  return ground_->distance(shape, work_T_shape, beads_.distance(shape, work_T_shape, capMm, moment),
-                           moment);
+  return ground_->distance(shape, work_T_shape,
+                           beads_->distance(shape, work_T_shape, capMm, moment), moment);
 }
 
 } // namespace voluta::collision

@@ -33,6 +33,7 @@ double growingPitch(const plan::ToolPlan& plan, const process::Process& process)
 std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& platform,
                                              double pitchMm, const base::RunContext& ctx);
 
+// Copies are cheap: they share what never changes.
 class GrowingPart {
 public:
   // Deposits every segment of every path: section of process/bead_model.h below the tip, along the
@@ -42,10 +43,10 @@ public:
               std::shared_ptr<const FillTimes> ground = nullptr);
 
   // Of the beads.
-  const voxel::VoxelGrid& grid() const { return beads_.grid(); }
+  const voxel::VoxelGrid& grid() const { return beads_->grid(); }
   // Index of the waypoint at whose arrival the cell is filled; kNeverFilled otherwise.
   static constexpr std::uint32_t kNeverFilled = FillTimes::kNever;
-  std::uint32_t filledAt(std::size_t cell) const { return beads_.filledAt(cell); }
+  std::uint32_t filledAt(std::size_t cell) const { return beads_->filledAt(cell); }
 
   // Does the shape, placed by work_T_shape and grown by `marginMm` (negative shrinks), hold the
   // centre of a cell of the ground or of one filled at a waypoint index < `before`?
@@ -65,8 +66,7 @@ public:
                   std::size_t before) const;
 
 private:
-  std::shared_ptr<const FillTimes> ground_; // never null
-  FillTimes beads_;
+  std::shared_ptr<const FillTimes> ground_, beads_; // never null
 };
 
 } // namespace voluta::collision

@@ -24,6 +24,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <set>
+#include <utility>
 
 namespace voluta::pipeline {
 
@@ -217,8 +218,11 @@ private:
     const auto stage = taken<ToolpathStage>([&] {
       if (given_)
         return givenToolpathStage(*loaded_, *placed_, *process_, span(project::Stage::Toolpath));
-      return toolpathStage(*job().layers, *result_.cell, job().platform, *process_,
-                           toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
+      MadeToolpaths made =
+          toolpathStage(*job().layers, *result_.cell, job().platform, *process_,
+                        toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
+      grown_ = std::move(made.grown);
+      return made.stage;
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
@@ -235,7 +239,7 @@ private:
   std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
     moving_ = std::make_unique<PartMotion>(
         *result_.job.toolPlan, result_.job.platform, *result_.cell, *process_,
-        motionOptionsOf(values_, choices_.seed), ctx.sub(0, 0.05));
+        motionOptionsOf(values_, choices_.seed), std::exchange(grown_, {}), ctx.sub(0, 0.05));
     return moving_->plan(ctx.sub(0.05, 1.0));
   }
 
@@ -366,9 +370,10 @@ private:
   std::shared_ptr<const modes::LoadStage> placed_;
   std::shared_ptr<const modes::DecomposeStage> decomposed_;
   std::shared_ptr<const MotionStage> motion_;
-  std::unique_ptr<PartMotion> moving_; // null: the motion came from the cache
-  bool given_ = false;                 // is it printed along the tool-paths that it brings
-  bool fresh_ = false;                 // the motion is another one than its key's
+  std::shared_ptr<const collision::GrowingPart> grown_; // by tool-paths made here, for their motion
+  std::unique_ptr<PartMotion> moving_;                  // null: the motion came from the cache
+  bool given_ = false; // is it printed along the tool-paths that it brings
+  bool fresh_ = false; // the motion is another one than its key's
   project::StageKeys keys_;
   PlanResult result_;
 };

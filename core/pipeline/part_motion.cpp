@@ -10,13 +10,19 @@ namespace voluta::pipeline {
 
 PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
                        const robot::Cell& cell, const process::Process& process,
-                       const motion::MotionOptions& options, const base::RunContext& ctx)
+                       const motion::MotionOptions& options,
+                       std::shared_ptr<const collision::GrowingPart> grown,
+                       const base::RunContext& ctx)
     : toolPlan_(toolPlan), cell_(cell), ground_(platform),
       pitchMm_(collision::growingPitch(toolPlan, process)) {
   ground_.rod.reset(); // it is a body of the cell
   if (toolPlan.paths.empty())
     return;
-  layPart(ctx);
+  // A rod is a body of the cell here, and ground there.
+  if (grown && !platform.rod)
+    growing_ = *grown;
+  else
+    layPart(ctx);
   planner_ = std::make_unique<motion::MotionPlanner>(toolPlan, cell, process, *growing_, options);
 }
 

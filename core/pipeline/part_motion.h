@@ -25,10 +25,12 @@ namespace voluta::pipeline {
 
 class PartMotion {
 public:
-  // Lays the part that grows. toolPlan, cell and process must outlive the object. Throws Cancelled.
+  // Lays the part that grows, or takes what toolpathStage() has `grown` on the platform.
+  // toolPlan, cell and process must outlive the object. Throws Cancelled.
   PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
              const robot::Cell& cell, const process::Process& process,
-             const motion::MotionOptions& options, const base::RunContext& ctx);
+             const motion::MotionOptions& options,
+             std::shared_ptr<const collision::GrowingPart> grown, const base::RunContext& ctx);
   ~PartMotion();
 
   // Once. Throws Cancelled.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "collision/growing_part.h"
 #include "curved/decomposition.h"
 #include "geometry/triangle_mesh.h"
 #include "layers/layer_stack.h"
@@ -109,11 +110,16 @@ std::string plannedPlatformKey(const project::Choices& choices);
 // Defects that could not be mended, as findings.
 plan::Findings remainingDefects(const project::LoadedPart& loaded);
 
+struct MadeToolpaths {
+  std::shared_ptr<const ToolpathStage> stage;
+  // Of its tool-paths (toolpath::ToolpathResult's), for the stage that follows; too large to keep.
+  std::shared_ptr<const collision::GrowingPart> grown;
+};
 // `options`: but for the platform.
-std::shared_ptr<const ToolpathStage>
-toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
-              const platform::PlatformSolid& platform, const process::Process& process,
-              toolpath::ToolpathOptions options, const base::RunContext& ctx);
+MadeToolpaths toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
+                            const platform::PlatformSolid& platform,
+                            const process::Process& process, toolpath::ToolpathOptions options,
+                            const base::RunContext& ctx);
 
 // Writes the program, reads it back and replays it. `name`: of the part, without extension.
 struct ProgramStageInput {

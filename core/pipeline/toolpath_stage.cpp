@@ -4,10 +4,10 @@
 
 namespace voluta::pipeline {
 
-std::shared_ptr<const ToolpathStage>
-toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
-              const platform::PlatformSolid& platform, const process::Process& process,
-              toolpath::ToolpathOptions options, const base::RunContext& ctx) {
+MadeToolpaths toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
+                            const platform::PlatformSolid& platform,
+                            const process::Process& process, toolpath::ToolpathOptions options,
+                            const base::RunContext& ctx) {
   auto stage = std::make_shared<ToolpathStage>();
   options.platform = platform;
   toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, cell, process, options, ctx);
@@ -28,7 +28,7 @@ toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
   stage->timings.orient = planned.seconds.orient;
   stage->findings = std::move(planned.findings);
   stage->toolPlan = std::make_shared<plan::ToolPlan>(std::move(planned.plan));
-  return stage;
+  return {std::move(stage), std::move(planned.grown)};
 }
 
 } // namespace voluta::pipeline

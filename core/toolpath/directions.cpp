@@ -89,13 +89,11 @@ public:
           r.plan, collision::growingPitch(r.plan, process_), ctx_, ground_);
     }
     judge(r, *part);
-    grown_ = std::move(part);
+    r.grown = std::move(part);
     return r;
   }
   // Per waypoint of the result of run().
   const std::vector<Vector3d>& subdividedClear() const { return subdividedClear_; }
-  // The beads of that result.
-  std::shared_ptr<const collision::GrowingPart> grown() const { return grown_; }
 
 private:
   Vector3d tipAt(std::size_t i, const Vector3d& d) const {
@@ -305,7 +303,6 @@ private:
   const MayMiss& mayMiss_;
   const base::RunContext ctx_;
   std::shared_ptr<const collision::FillTimes> ground_;
-  std::shared_ptr<const collision::GrowingPart> grown_;
   const HeadClearance& head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
 };
@@ -343,8 +340,10 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
           std::copy_n(best.gouging.begin() + static_cast<std::ptrdiff_t>(path.first), path.count,
                       missed.begin() + static_cast<std::ptrdiff_t>(path.first));
     plan::RestOfPlan rest = plan::without(best.plan, missed);
-    if (rest.waypoint.size() == best.plan.waypointCount())
-      grown = orienter.grown();
+    // Two at a time would be much memory.
+    if (auto beads = std::exchange(best.grown, {});
+        rest.waypoint.size() == best.plan.waypointCount())
+      grown = std::move(beads);
     clear.clear();
     for (const std::size_t i : rest.waypoint)
       clear.push_back(ways[i]);

@@ -29,6 +29,8 @@ struct OrientResult {
   std::vector<char> gouging; // per waypoint: the head isn't clear
   std::vector<char> hanging; // per waypoint: nothing carries its bead (bridges.h)
   plan::Findings findings;   // stage "toolpath", kind "gouge"
+  // Of the plan, at collision::growingPitch(), with the platform as its ground.
+  std::shared_ptr<const collision::GrowingPart> grown = {};
 };
 
 // Keeps each waypoint's direction (that of its layer: Dai eq. 3.3 with the closest point of the

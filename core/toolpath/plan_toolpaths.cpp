@@ -174,6 +174,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                        ctx.sub(0.6, 1.0), liesUnderRim, std::move(grown));
   r.seconds.orient = watch.seconds();
   r.plan = std::move(oriented.plan);
+  r.grown = std::move(oriented.grown);
   slowBridges(r.plan, oriented.hanging, process);
   r.findings = std::move(oriented.findings);
   if (told)

@@ -1,6 +1,7 @@
 // The stage: layers in, tool-paths out.
 #pragma once
 
+#include "collision/growing_part.h"
 #include "layers/layer_stack.h"
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
@@ -10,6 +11,7 @@
 #include "toolpath/options.h"
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 namespace voluta::base {
@@ -34,6 +36,8 @@ struct ToolpathResult {
   plan::ToolPlan plan;
   ToolpathStatistics statistics;
   plan::Findings findings;
+  // OrientResult's; null: it is not at hand.
+  std::shared_ptr<const collision::GrowingPart> grown;
   struct {
     double toolpath = 0.0, orient = 0.0;
   } seconds;

@@ -24,7 +24,7 @@ protected:
 };
 
 TEST_F(Rings, AreMovedAlongAndAgainWithoutWhatIsMet) {
-  PartMotion moving(plan_, plate_, cell_, process_, {}, {});
+  PartMotion moving(plan_, plate_, cell_, process_, {}, {}, {});
   const auto all = moving.plan({});
   EXPECT_EQ(all->report.waypoints, plan_.waypointCount());
   EXPECT_TRUE(all->findings.empty());
@@ -43,9 +43,19 @@ TEST_F(Rings, AreMovedAlongAndAgainWithoutWhatIsMet) {
   EXPECT_EQ(planner.planWithout({41}, {}).trajectory.joints, least->trajectory->joints);
 }
 
+TEST_F(Rings, TakeThePartThatIsLaidAlready) {
+  const auto grown = std::make_shared<const collision::GrowingPart>(
+      plan_, collision::growingPitch(plan_, process_), base::RunContext{});
+  PartMotion taking(plan_, plate_, cell_, process_, {}, grown, {}),
+      laying(plan_, plate_, cell_, process_, {}, {}, {});
+  EXPECT_EQ(taking.plan({})->trajectory->joints, laying.plan({})->trajectory->joints);
+  EXPECT_EQ(taking.planWithout({40}, {})->trajectory->joints,
+            laying.planWithout({40}, {})->trajectory->joints);
+}
+
 TEST_F(Rings, NothingToPrintIsTold) {
   const plan::ToolPlan none;
-  PartMotion moving(none, plate_, cell_, process_, {}, {});
+  PartMotion moving(none, plate_, cell_, process_, {}, {}, {});
   for (const auto& stage : {moving.plan({}), moving.planWithout({}, {})}) {
     EXPECT_EQ(stage->trajectory, nullptr);
     ASSERT_EQ(stage->findings.size(), 1u);

@@ -102,6 +102,22 @@ TEST(PlanToolpaths, SameForAnyNumberOfThreads) {
   EXPECT_EQ(toolpath::writeToolpathVtp(one.plan), toolpath::writeToolpathVtp(two.plan));
 }
 
+// What is handed on for the motion is the part as that would lay it.
+TEST(PlanToolpaths, TheGrowingPartIsThePlans) {
+  for (const double tilt : {0.0, 0.6}) {
+    const auto r =
+        toolpath::planToolpaths(dome(3, tilt), testCell(60), testProcess(), {}, base::RunContext{});
+    ASSERT_NE(r.grown, nullptr);
+    const collision::GrowingPart anew(r.plan, collision::growingPitch(r.plan, testProcess()), {});
+    ASSERT_EQ(r.grown->grid().size, anew.grid().size);
+    EXPECT_EQ(r.grown->grid().origin, anew.grid().origin);
+    std::size_t others = 0;
+    for (std::size_t c = 0; c < anew.grid().cellCount(); ++c)
+      others += r.grown->filledAt(c) != anew.filledAt(c);
+    EXPECT_EQ(others, 0u);
+  }
+}
+
 TEST(PlanToolpaths, NeverAskForMoreThanTheExtruderGives) {
   layers::LayerStack stack;
   layers::Patch p = test::patchOver({test::circle(12)}, 0.8);
