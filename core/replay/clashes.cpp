@@ -1,6 +1,7 @@
 #include "replay/clashes.h"
 
 #include "base/parallel.h"
+#include "replay/head_follower.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kGrain = 2048;
-constexpr double kRoundingMm = 1e-9;
 // No contact, but one may come without any motion: what is printed grows.
 constexpr double kAskAgainMm = 1e-6;
 
@@ -31,26 +31,6 @@ Isometry3d headFrame(const Vector3d& tip, const Vector3d& direction) {
   work_T_head.linear() << x, direction.cross(x), direction;
   work_T_head.translation() = tip;
   return work_T_head;
-}
-
-// The centre of a cell of the part that the head holds.
-std::optional<Vector3d> touched(const HeadSolid& head, const PrintedPart& part,
-                                const Isometry3d& work_T_head, const Moment& moment) {
-  const Isometry3d head_T_work = work_T_head.inverse(Eigen::Isometry);
-  const Vector3d axis = work_T_head.linear().col(2);
-  const double bottom = axis.dot(work_T_head.translation()) + head.lowest(0.0, 1.0);
-  // Nearly all that is asked for lies below the tip. A block's reach is that of its corners; along
-  // the axis it is less.
-  const double share = axis.lpNorm<1>() / std::sqrt(3.0);
-  const auto cell = part.firstWithin(work_T_head * head.ball().centre, head.ball().radius, moment,
-                                     [&](const Vector3d& q, double reach) {
-                                       return axis.dot(q) >= bottom - share * reach - kRoundingMm &&
-                                              head.within(head_T_work * q, reach);
-                                     });
-  if (!cell)
-    return std::nullopt;
-  const Eigen::Vector3i c = part.grid().cell(*cell);
-  return part.grid().centre(c.x(), c.y(), c.z());
 }
 
 // Touches of the chunks, in order of samples within each pair, become clashes.
@@ -118,12 +98,15 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
   };
   base::parallelChunks(ctx, path.motionCount(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<Touch>& touches = chunks[begin / kGrain];
+    HeadFollower overPart(againstPart, printed);
+    std::optional<HeadFollower> overBody;
+    if (againstBody)
+      overBody.emplace(*againstBody, ground.cells()->part());
     for (std::size_t m = begin; m < end && !ctx.cancelled(); ++m) {
       if (!known.empty() && known[m])
         continue;
       std::size_t p = firstPiece[m];
       for (std::size_t s = path.firstSample[m]; s < path.firstSample[m + 1]; ++s) {
-        const Isometry3d work_T_head = headFrame(path.tip[s], path.direction[s]);
         // The pieces of a motion are its samples' intervals.
         p = std::min<std::size_t>(firstPiece[m] + (s - path.firstSample[m]) + 1, firstPiece[m + 1]);
         Moment moment;
@@ -132,12 +115,12 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
           const double width = sectionOf(last, 2.0 * process.beadWidthMaxMm).widthMm;
           moment = {static_cast<std::uint32_t>(p), last.run, last.runMm,
                     static_cast<float>(2.0 * width)};
-          if (const auto where = touched(againstPart, printed, work_T_head, moment))
+          if (const auto where = overPart.touched(path.tip[s], path.direction[s], moment))
             touches.push_back({s, kPart, *where});
         }
-        if (againstBody) {
-          if (const auto where = touched(*againstBody, ground.cells()->part(), work_T_head,
-                                         GroundCells::always())) {
+        if (overBody) {
+          if (const auto where =
+                  overBody->touched(path.tip[s], path.direction[s], GroundCells::always())) {
             touches.push_back({s, kPlatform, *where});
             continue;
           }
@@ -146,6 +129,7 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
         if (againstPlatform.lowest(path.tip[s].dot(outward), path.direction[s].dot(outward)) >
             ground.reachMm())
           continue;
+        const Isometry3d work_T_head = headFrame(path.tip[s], path.direction[s]);
         const Ball headBall = againstPlatform.ball();
         for (std::size_t b = 0; b < groundBalls.size(); ++b) {
           if ((work_T_head * headBall.centre - groundBalls[b].centre).norm() >

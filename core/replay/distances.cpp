@@ -286,11 +286,14 @@ HeadSolid::HeadSolid(const process::HeadShape& shape) : sections_(shape.sections
   double radius = 0.0;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     radius = std::max(radius, sections_[i].radiusMm);
-    if (i > 0 && sections_[i].zMm > sections_[i - 1].zMm)
-      frusta_.push_back(robot::Frustum{{0, 0, sections_[i - 1].zMm},
-                                       {0, 0, sections_[i].zMm},
-                                       sections_[i - 1].radiusMm,
-                                       sections_[i].radiusMm});
+    if (i == 0 || sections_[i].zMm <= sections_[i - 1].zMm)
+      continue;
+    const process::HeadSection &low = sections_[i - 1], &high = sections_[i];
+    frusta_.push_back(
+        robot::Frustum{{0, 0, low.zMm}, {0, 0, high.zMm}, low.radiusMm, high.radiusMm});
+    const Vector2d outward =
+        Vector2d(high.zMm - low.zMm, low.radiusMm - high.radiusMm).normalized();
+    slants_.push_back({low, high, outward, outward.dot(Vector2d(low.radiusMm, low.zMm))});
   }
   const double low = sections_.front().zMm, high = sections_.back().zMm;
   ball_ = {{0, 0, 0.5 * (low + high)}, std::hypot(0.5 * (high - low), radius)};
@@ -299,25 +302,25 @@ HeadSolid::HeadSolid(const process::HeadShape& shape) : sections_(shape.sections
 double HeadSolid::distance(const Eigen::Vector3d& point) const {
   const Vector2d p(point.head<2>().norm(), point.z());
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < sections_.size() && nearest > 0.0; ++i)
-    if (sections_[i].zMm > sections_[i - 1].zMm)
-      nearest =
-          std::min(nearest, trapezoidSquared(p, sections_[i - 1].radiusMm, sections_[i - 1].zMm,
-                                             sections_[i].radiusMm, sections_[i].zMm));
+  for (const Slant& side : slants_)
+    nearest = std::min(nearest, trapezoidSquared(p, side.low.radiusMm, side.low.zMm,
+                                                 side.high.radiusMm, side.high.zMm));
   return std::sqrt(nearest);
 }
 
-bool HeadSolid::within(const Eigen::Vector3d& point, double reach) const {
+bool HeadSolid::within(double asideSquared, double z, double reach) const {
   // Nearly all that is asked for lies below the tip.
-  if (point.z() < sections_.front().zMm - reach || point.z() > sections_.back().zMm + reach)
+  if (z < sections_.front().zMm - reach || z > sections_.back().zMm + reach)
     return false;
-  const Vector2d p(point.head<2>().norm(), point.z());
-  for (std::size_t i = 1; i < sections_.size(); ++i) {
-    const process::HeadSection &a = sections_[i - 1], &b = sections_[i];
-    if (b.zMm <= a.zMm || p.y() < a.zMm - reach || p.y() > b.zMm + reach ||
-        p.x() > std::max(a.radiusMm, b.radiusMm) + reach)
+  const Vector2d p(std::sqrt(asideSquared), z);
+  for (const Slant& side : slants_) {
+    const double over = side.outward.dot(p) - side.at;
+    if (over > reach || z < side.low.zMm - reach || z > side.high.zMm + reach)
       continue;
-    if (trapezoidSquared(p, a.radiusMm, a.zMm, b.radiusMm, b.zMm) <= reach * reach)
+    if (over <= 0.0 && z >= side.low.zMm && z <= side.high.zMm)
+      return true;
+    if (trapezoidSquared(p, side.low.radiusMm, side.low.zMm, side.high.radiusMm, side.high.zMm) <=
+        reach * reach)
       return true;
   }
   return false;
@@ -329,6 +332,24 @@ double HeadSolid::lowest(double tipZ, double axisZ) const {
   for (const process::HeadSection& s : sections_)
     low = std::min(low, tipZ + s.zMm * axisZ - s.radiusMm * across);
   return low;
+}
+
+Eigen::AlignedBox3d HeadSolid::boxRound(const Vector3d& tip, const Vector3d& axis) const {
+  const Vector3d across = (1.0 - axis.array().square()).max(0.0).sqrt().matrix();
+  Eigen::AlignedBox3d box;
+  for (const process::HeadSection& s : sections_) {
+    const Vector3d centre = tip + s.zMm * axis;
+    box.extend(Vector3d(centre - s.radiusMm * across));
+    box.extend(Vector3d(centre + s.radiusMm * across));
+  }
+  return box;
+}
+
+double HeadSolid::reach() const {
+  double reach = 0.0;
+  for (const process::HeadSection& s : sections_)
+    reach = std::max(reach, std::hypot(s.zMm, s.radiusMm));
+  return reach;
 }
 
 } // namespace voluta::replay

@@ -36,17 +36,28 @@ public:
 
   // From a point (head's frame) to the solid; 0 inside. Exact: in the (radius, z) half plane.
   double distance(const Eigen::Vector3d& point) const;
-  // distance(point) <= reach, quicker.
-  bool within(const Eigen::Vector3d& point, double reach) const;
+  // distance(point) <= reach, quicker, for a point so far along the axis and aside of it.
+  bool within(double asideSquared, double z, double reach) const;
   // Its lowest point over the plane z = 0 of a frame in which the tip is at tipZ and the axis makes
   // the angle with cosine `axisZ` to z.
   double lowest(double tipZ, double axisZ) const;
   const std::vector<robot::Shape>& frusta() const { return frusta_; }
   Ball ball() const { return ball_; }
+  // A box that holds it, in a frame in which tip and axis (unit) are these.
+  Eigen::AlignedBox3d boxRound(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis) const;
+  // Of its points from its tip, at most.
+  double reach() const;
 
 private:
+  // Of a frustum, in the (radius, z) half plane: it lies on one side of a line, outward.p <= at.
+  struct Slant {
+    process::HeadSection low, high;
+    Eigen::Vector2d outward;
+    double at;
+  };
   std::vector<process::HeadSection> sections_;
   std::vector<robot::Shape> frusta_;
+  std::vector<Slant> slants_;
   Ball ball_;
 };
 

@@ -42,30 +42,59 @@ public:
   }
 
   // A printed cell whose centre is in a solid. `within(point, reach)` tells whether a cube of cells
-  // about a point of the work frame, its corners at reach from it, may meet the solid; with reach 0
-  // whether the point is in it. The solid lies in the ball of `radius` round `centre`.
+  // about a point of the work frame, their centres within reach of it, may meet the solid; with
+  // reach 0 whether the point is in it. The solid lies in the ball of `radius` round `centre`.
   template <typename Within>
   std::optional<std::size_t> firstWithin(const Eigen::Vector3d& centre, double radius,
                                          const Moment& moment, const Within& within) const {
-    if (levels_.empty())
+    const Eigen::Vector3d r = Eigen::Vector3d::Constant(radius);
+    std::optional<std::size_t> found;
+    visitBlocks(
+        {centre - r, centre + r}, moment.before,
+        [&](const Eigen::Vector3d& q, double reach) {
+          return (q - centre).squaredNorm() <= std::pow(radius + reach, 2) && within(q, reach);
+        },
+        [&](const Block& block) {
+          found = firstIn(block, moment, within);
+          return found.has_value();
+        });
+    return found;
+  }
+
+  // A cube of cells, some of them filled.
+  struct Block {
+    Eigen::Vector3i at;
+    std::size_t index;
+    Eigen::Vector3d middle;
+  };
+  // Those filled in part before a piece that may meet what lies in a box, in the order in which
+  // firstWithin() goes through them.
+  template <typename Within>
+  void blocksWithin(const Eigen::AlignedBox3d& box, std::uint32_t before, const Within& within,
+                    std::vector<Block>& out) const {
+    visitBlocks(box, before, within, [&](const Block& block) {
+      out.push_back(block);
+      return false;
+    });
+  }
+  // From a block's middle to the centres of its cells, at most.
+  double blockReach() const { return reachOf(0); }
+  // As firstWithin(), among the cells of one block.
+  template <typename Within>
+  std::optional<std::size_t> firstIn(const Block& block, const Moment& moment,
+                                     const Within& within) const {
+    if (levels_.front().least[block.index] >= moment.before)
       return std::nullopt;
-    const Level& top = levels_.back();
-    const double width = grid().pitch * top.cells;
-    const Eigen::Array3d r = Eigen::Array3d::Constant(radius);
-    const Eigen::Array3d origin = grid().origin.array();
-    const Eigen::Array3i low =
-        ((centre.array() - r - origin) / width).floor().max(-1.0).cast<int>().max(0);
-    const Eigen::Array3i high = ((centre.array() + r - origin) / width)
-                                    .floor()
-                                    .max(-1.0)
-                                    .min(top.size.array().cast<double>() - 1.0)
-                                    .cast<int>();
-    for (int k = low.z(); k <= high.z(); ++k)
-      for (int j = low.y(); j <= high.y(); ++j)
-        for (int i = low.x(); i <= high.x(); ++i)
-          if (const auto found =
-                  search(levels_.size() - 1, {i, j, k}, centre, radius, moment, within))
-            return found;
+    const Eigen::Vector3i first = kBranch * block.at, end = endOf(first, grid().size);
+    for (int k = first.z(); k < end.z(); ++k)
+      for (int j = first.y(); j < end.y(); ++j)
+        for (int i = first.x(); i < end.x(); ++i) {
+          const std::size_t cell = grid().index(i, j, k);
+          // The piece that filled it lies far away in memory.
+          if (beads_.filledBy(cell) < moment.before && within(grid().centre(i, j, k), 0.0) &&
+              printed(cell, moment))
+            return cell;
+        }
     return std::nullopt;
   }
 
@@ -84,39 +113,49 @@ private:
   };
   static constexpr int kBranch = 4;
 
-  template <typename Within>
-  std::optional<std::size_t> search(std::size_t level, const Eigen::Vector3i& block,
-                                    const Eigen::Vector3d& centre, double radius,
-                                    const Moment& moment, const Within& within) const {
+  static Eigen::Vector3i endOf(const Eigen::Vector3i& first, const Eigen::Vector3i& size) {
+    return (first + Eigen::Vector3i::Constant(kBranch)).cwiseMin(size);
+  }
+  double reachOf(std::size_t level) const {
+    return 0.8660254037844387 * grid().pitch * (levels_[level].cells - 1);
+  }
+
+  // Calls visit(block) for the finest blocks within, until one answers that it was the last.
+  template <typename Within, typename Visit>
+  void visitBlocks(const Eigen::AlignedBox3d& box, std::uint32_t before, const Within& within,
+                   const Visit& visit) const {
+    const Level& top = levels_.back();
+    const double width = grid().pitch * top.cells;
+    const Eigen::Array3d low = (box.min() - grid().origin).array() / width,
+                         high = (box.max() - grid().origin).array() / width;
+    const Eigen::Vector3i first = low.floor().max(-1.0).cast<int>().max(0).matrix();
+    const Eigen::Vector3i end =
+        high.floor().max(-1.0).min(top.size.array().cast<double>() - 1.0).cast<int>() + 1;
+    visitBlocks(levels_.size() - 1, first, end, before, within, visit);
+  }
+  template <typename Within, typename Visit>
+  bool visitBlocks(std::size_t level, const Eigen::Vector3i& first, const Eigen::Vector3i& end,
+                   std::uint32_t before, const Within& within, const Visit& visit) const {
     const Level& here = levels_[level];
-    if (here.least[here.index(block)] >= moment.before)
-      return std::nullopt;
-    const double width = grid().pitch * here.cells, reach = 0.8660254037844387 * width;
-    const Eigen::Vector3d middle =
-        grid().origin + width * (block.cast<double>() + Eigen::Vector3d::Constant(0.5));
-    if ((middle - centre).norm() > radius + reach || !within(middle, reach))
-      return std::nullopt;
-    const Eigen::Vector3i first = kBranch * block;
-    const Eigen::Vector3i end = (first + Eigen::Vector3i::Constant(kBranch))
-                                    .cwiseMin(level == 0 ? grid().size : levels_[level - 1].size);
+    const double width = grid().pitch * here.cells, reach = reachOf(level);
     for (int k = first.z(); k < end.z(); ++k)
       for (int j = first.y(); j < end.y(); ++j)
         for (int i = first.x(); i < end.x(); ++i) {
-          if (level > 0) {
-            const Level& finer = levels_[level - 1];
-            if (finer.least[finer.index({i, j, k})] >= moment.before)
-              continue;
-            if (const auto found = search(level - 1, {i, j, k}, centre, radius, moment, within))
-              return found;
+          const Eigen::Vector3i block(i, j, k);
+          const std::size_t index = here.index(block);
+          if (here.least[index] >= before)
             continue;
-          }
-          const std::size_t cell = grid().index(i, j, k);
-          // The piece that filled it lies far away in memory.
-          if (beads_.filledBy(cell) < moment.before && within(grid().centre(i, j, k), 0.0) &&
-              printed(cell, moment))
-            return cell;
+          const Eigen::Vector3d middle =
+              grid().origin + width * (block.cast<double>() + Eigen::Vector3d::Constant(0.5));
+          if (!within(middle, reach))
+            continue;
+          const Eigen::Vector3i inner = kBranch * block;
+          if (level == 0 ? visit(Block{block, index, middle})
+                         : visitBlocks(level - 1, inner, endOf(inner, levels_[level - 1].size),
+                                       before, within, visit))
+            return true;
         }
-    return std::nullopt;
+    return false;
   }
 
   const BeadGrid& beads_;

@@ -309,7 +309,7 @@ TEST(Distances, WithinReachIsWhatTheDistanceSays) {
     const Vector3d p(across(random), across(random), up(random));
     const double distance = head.distance(p);
     for (const double reach : {0.0, 0.5, 4.0, 10.0})
-      EXPECT_EQ(head.within(p, reach), distance <= reach) << k;
+      EXPECT_EQ(head.within(p.head<2>().squaredNorm(), p.z(), reach), distance <= reach) << k;
   }
 }
 
@@ -330,7 +330,7 @@ TEST(Distances, AHeadIsItsFrusta) {
     for (const robot::Shape& f : head.frusta())
       least = std::min(least, distanceToPoint(f, p));
     EXPECT_NEAR(head.distance(p), least, 1e-9);
-    EXPECT_EQ(head.within(p, 3.0), least <= 3.0);
+    EXPECT_EQ(head.within(p.head<2>().squaredNorm(), p.z(), 3.0), least <= 3.0);
   }
   EXPECT_NEAR(head.lowest(1.0, 1.0), 1.0, 1e-12);
   EXPECT_NEAR(head.lowest(30.0, 0.0), 8.0, 1e-12);
