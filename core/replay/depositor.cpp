@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/units.h"
 #include "process/bead_model.h"
+#include "replay/line_walk.h"
 
 #include <algorithm>
 #include <array>
@@ -34,47 +35,6 @@ bool goesOn(const BeadPiece& from, const BeadPiece& to) {
   const double lengths = a.norm() * b.norm();
   return from.run == to.run && lengths > 1e-12 && (from.to - to.from).norm() < kSameMm &&
          a.dot(b) > kSharp * lengths;
-}
-
-// A line of a slab, from one end of the piece to the other, in cells from a box's corner.
-struct Line {
-  Eigen::Vector3f from, to;
-};
-
-// Calls f(cell of the box, share of the line that lies in it), from cell to cell (Amanatides & Woo
-// 1987). Ends beyond the box but for rounding are taken into it, so far that no rounding leads out.
-template <typename F> void alongLine(const Line& line, const Eigen::Vector3i& size, F&& f) {
-  constexpr float kInside = 1e-3f;
-  const int strides[3] = {1, size.x(), size.x() * size.y()};
-  int index = 0, stride[3];
-  float next[3], across[3]; // in shares of the line: where the next cell begins, and how long it is
-  for (int k = 0; k < 3; ++k) {
-    const float last = static_cast<float>(size[k]) - kInside;
-    const float from = std::clamp(line.from[k], kInside, last),
-                to = std::clamp(line.to[k], kInside, last);
-    const float way = to - from;
-    const int cell = static_cast<int>(from);
-    index += strides[k] * cell;
-    stride[k] = way < 0.0f ? -strides[k] : strides[k];
-    across[k] = way == 0.0f ? 2.0f : 1.0f / std::abs(way);
-    const float in = from - static_cast<float>(cell);
-    next[k] = way == 0.0f ? 2.0f : (way < 0.0f ? in : 1.0f - in) * across[k];
-  }
-  float done = 0.0f, next0 = next[0], next1 = next[1], next2 = next[2];
-  for (;;) {
-    const float least = std::min(std::min(next0, next1), next2);
-    if (!(least < 1.0f))
-      break;
-    f(index, least - done);
-    done = least;
-    // Which comes first changes from line to line: no branches.
-    const bool is0 = next0 == least, is1 = !is0 & (next1 == least), is2 = !(is0 | is1);
-    next0 += is0 ? across[0] : 0.0f;
-    next1 += is1 ? across[1] : 0.0f;
-    next2 += is2 ? across[2] : 0.0f;
-    index += is0 ? stride[0] : is1 ? stride[1] : stride[2];
-  }
-  f(index, 1.0f - done);
 }
 
 // Scratch of one thread for the cells round a piece.
@@ -181,14 +141,6 @@ private:
                     Tally(Tally::Zero()));
   }
 
-  // Lines are shifted against each other by fractions of a golden-ratio kind, so that no row of
-  // them runs in step with the cells.
-  static float shift(int i, int j) {
-    constexpr double kR1 = 0.7548776662466927, kR2 = 0.5698402909980532;
-    const double x = kR1 * i + kR2 * j;
-    return static_cast<float>(x - static_cast<double>(static_cast<int>(x)));
-  }
-
   // Counts lines into tallies_; returns how many of them are of the bead.
   double tally(const Slab& slab) {
     const int nw = slab.counts.x(), nh = slab.counts.y();
@@ -197,8 +149,9 @@ private:
     };
     const Eigen::Vector3f from = inCells(slab.piece.from - corner_),
                           to = inCells(slab.piece.to - corner_), side0 = inCells(slab.side0),
-                          side1 = inCells(slab.side1), down0 = inCells(slab.piece.fromDirection),
-                          down1 = inCells(slab.piece.toDirection);
+                          side1 = inCells(slab.side1),
+                          down0 = inCells(slab.piece.fromHeightMm * slab.piece.fromDirection),
+                          down1 = inCells(slab.piece.toHeightMm * slab.piece.toDirection);
     const auto across = static_cast<float>((1 + 2 * kMargin) * slab.width),
                filled = static_cast<float>(slab.filled),
                halfWidth = static_cast<float>(0.5 * slab.width),
@@ -207,22 +160,41 @@ private:
     // On a bend the outside is longer than the inside.
     const Eigen::Vector3d way = slab.piece.to - slab.piece.from;
     const auto widens = static_cast<float>(way.dot(slab.side1 - slab.side0) / way.squaredNorm());
+    // Lines are shifted against each other by fractions of a golden-ratio kind, so that no row of
+    // them runs in step with the cells.
+    constexpr float kR1 = 0.7548776662466927f, kR2 = 0.5698402909980532f;
+    const Floats none = {};
+    // A quarter of the width apart the four lie in cells of their own: none waits for another's
+    // sum.
+    const int quarter = (nw + kLanes - 1) / kLanes;
+    const Floats first = static_cast<float>(quarter) * Floats{0.0f, 1.0f, 2.0f, 3.0f};
     for (int c = 0; c < nh; ++c)
-      for (int b = 0; b < nw; ++b) {
-        const float x =
-            ((static_cast<float>(b) + shift(c, 1)) / static_cast<float>(nw) - 0.5f) * across;
-        const float share = std::max(0.0f, 1.0f + x * widens);
-        const float depth = (static_cast<float>(c) + shift(b, c)) / static_cast<float>(nh);
-        const float below = 1.0f - filled + depth * filled; // the tip, in heights
-        const float off = depth * height - half, end = std::max(0.0f, std::abs(x) - flat);
-        const float rectangle = std::abs(x) <= halfWidth ? share : 0.0f;
-        const float bead = end * end + off * off <= half * half ? share : 0.0f;
-        const Tally shares(bead, rectangle, share, 0.0f);
-        alongLine({from + x * side0 - below * slab.piece.fromHeightMm * down0,
-                   to + x * side1 - below * slab.piece.toHeightMm * down1},
-                  size_, [&](int cell, float part) {
-                    tallies_[static_cast<std::size_t>(cell)] += part * shares;
-                  });
+      for (int b = 0; b < quarter; ++b) {
+        const Floats row = none + static_cast<float>(c), column = static_cast<float>(b) + first;
+        const Floats x =
+            ((column + fractionOf(kR1 * row + kR2)) / static_cast<float>(nw) - 0.5f) * across;
+        // Beyond the last line is none.
+        const Floats share =
+            column < static_cast<float>(nw) ? greatestOf(none, 1.0f + x * widens) : none;
+        const Floats depth = (row + fractionOf(kR1 * column + kR2 * row)) / static_cast<float>(nh);
+        const Floats below = 1.0f - filled + depth * filled; // the tip, in heights
+        const Floats off = depth * height - half, end = greatestOf(none, absOf(x) - flat);
+        const Floats rectangle = absOf(x) <= halfWidth ? share : none;
+        const Floats bead = end * end + off * off <= half * half ? share : none;
+        Lines lines;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto axis = static_cast<Eigen::Index>(k);
+          lines.from[k] = from[axis] + x * side0[axis] - below * down0[axis];
+          lines.to[k] = to[axis] + x * side1[axis] - below * down1[axis];
+        }
+        std::array<Tally, kLanes> shares;
+        for (int l = 0; l < kLanes; ++l)
+          shares[static_cast<std::size_t>(l)] = Tally(bead[l], rectangle[l], share[l], 0.0f);
+        alongLines(lines, size_, [&](Ints cell, Floats part) {
+          for (int l = 0; l < kLanes; ++l)
+            tallies_[static_cast<std::size_t>(cell[l])] +=
+                part[l] * shares[static_cast<std::size_t>(l)];
+        });
       }
     double inBead = 0.0;
     for (const Tally& t : tallies_)
@@ -251,10 +223,12 @@ public:
     left = displace(shares, count, left, &Share::rectangle);
     left = displace(shares, count, left, &Share::margin);
     for (std::size_t s = 0; s < count; ++s) {
+      if (placed_[s] <= 0.0f)
+        continue;
       const std::uint32_t cell = shares[s].cell;
-      if (!ofPart && placed_[s] > 0.0f)
+      if (!ofPart)
         result_.otherFill[cell] += placed_[s];
-      if (result_.filler[cell] == 0 && result_.fill[cell] > 0.5f)
+      if (result_.fill[cell] > 0.5f && result_.filler[cell] == 0)
         result_.filler[cell] = piece + 1;
     }
     return left;

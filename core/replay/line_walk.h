@@ -1,0 +1,82 @@
+// Straight lines through a box of cells, four side by side.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace voluta::replay {
+
+// Values of four lines (GCC's and Clang's vectors: operators, comparisons and ?: work by lane).
+inline constexpr int kLanes = 4;
+using Floats = float __attribute__((vector_size(4 * kLanes)));
+using Ints = int __attribute__((vector_size(4 * kLanes)));
+
+inline Floats floatsOf(Ints v) {
+  return __builtin_convertvector(v, Floats);
+}
+// Towards zero.
+inline Ints intsOf(Floats v) {
+  return __builtin_convertvector(v, Ints);
+}
+inline Floats leastOf(Floats a, Floats b) {
+  return a < b ? a : b;
+}
+inline Floats greatestOf(Floats a, Floats b) {
+  return a < b ? b : a;
+}
+inline Floats absOf(Floats v) {
+  return v < 0.0f ? -v : v;
+}
+inline Floats fractionOf(Floats v) {
+  return v - floatsOf(intsOf(v));
+} // of v >= 0
+
+// Four lines, in cells from the box's corner; by axis.
+struct Lines {
+  std::array<Floats, 3> from, to;
+};
+
+// Calls f(cells of the box, shares of the lines that lie in them), from cell to cell (Amanatides &
+// Woo 1987); a line that ends earlier than another stays in its last cell with shares of nothing.
+// Ends beyond the box but for rounding are taken into it, so far that no rounding leads out.
+template <typename F> void alongLines(const Lines& lines, const Eigen::Vector3i& size, F&& f) {
+  constexpr float kInside = 1e-3f;
+  const std::array<int, 3> strides = {1, size.x(), size.x() * size.y()};
+  const Floats none = {};
+  Ints cell = {};
+  std::array<Ints, 3> stride;
+  // In shares of the line: where the next cell begins, and how long it is.
+  std::array<Floats, 3> next, across;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Floats first = none + kInside,
+                 last = none + (static_cast<float>(size[static_cast<int>(k)]) - kInside);
+    const Floats from = leastOf(greatestOf(lines.from[k], first), last),
+                 to = leastOf(greatestOf(lines.to[k], first), last), way = to - from;
+    const Ints at = intsOf(from), back = way < 0.0f;
+    cell += strides[k] * at;
+    stride[k] = back ? Ints{} - strides[k] : Ints{} + strides[k];
+    across[k] = way == 0.0f ? none + 2.0f : 1.0f / absOf(way);
+    const Floats in = from - floatsOf(at);
+    next[k] = way == 0.0f ? none + 2.0f : (back ? in : 1.0f - in) * across[k];
+  }
+  Floats done = none;
+  for (;;) {
+    const Floats least = leastOf(leastOf(next[0], next[1]), next[2]);
+    const Ints goesOn = least < 1.0f;
+    const Floats end = goesOn ? least : none + 1.0f;
+    f(cell, end - done);
+    bool any = false;
+    for (int l = 0; l < kLanes; ++l)
+      any |= goesOn[l] != 0;
+    if (!any)
+      return;
+    done = end;
+    const Ints is0 = next[0] == least, is1 = ~is0 & (next[1] == least), is2 = ~(is0 | is1);
+    next[0] += is0 ? across[0] : none;
+    next[1] += is1 ? across[1] : none;
+    next[2] += is2 ? across[2] : none;
+    cell += goesOn & ((is0 & stride[0]) | (is1 & stride[1]) | (is2 & stride[2]));
+  }
+}
+
+} // namespace voluta::replay
