@@ -39,8 +39,8 @@ std::vector<Cell2> planarHull(const std::vector<Cell2>& sorted) {
 
 } // namespace
 
-ConvexFront::ConvexFront(const VoxelGraph& graph)
-    : graph_(graph), present_(graph.size(), 0),
+ConvexFront::ConvexFront(const VoxelGraph& graph, Columns columns)
+    : graph_(graph), columns_(columns), present_(graph.size(), 0),
       rows_(static_cast<std::size_t>(graph.grid.size.y()) *
             static_cast<std::size_t>(graph.grid.size.z())),
       slice_(static_cast<std::size_t>(graph.grid.size.z())), sliceDirty_(slice_.size(), 0),
@@ -187,7 +187,7 @@ void ConvexFront::replaceFacets(const std::vector<HullFacet>& hull) {
   }
   removed.insert(removed.end(), old, had.end());
   const bool anew = removed.size() > kept.size();
-  if (anew)
+  if (anew && columns_ == Columns::Drawn)
     for (Surface& surface : surface_)
       std::fill(surface.ends.begin(), surface.ends.end(), Ends{});
   for (const std::int32_t slot : removed) {
@@ -255,13 +255,11 @@ double ConvexFront::below(std::size_t f, const LatticePoint& p) const {
   return offset_[f] - (nx_[f] * p.x() + ny_[f] * p.y() + nz_[f] * p.z());
 }
 
-bool ConvexFront::deeperThan(std::size_t v, double depth, std::size_t& hint) const {
-  if (byCorners_.empty())
-    return false;
-  const LatticePoint p = graph_.lattice(v);
-  // A point of a convex body lies on a facet exactly when it is an end of the line through it along
-  // an axis that the facet faces: strictly between the ends of all three lines is strictly inside.
-  // The ends span an octahedron, which lies inside and answers for most of what is deeper.
+// A point of a convex body lies on a facet exactly when it is an end of the line through it along
+// an axis that the facet faces: strictly between the ends of all three lines is strictly inside.
+// The ends span an octahedron, which lies inside and answers for most of what is deeper.
+std::optional<bool> ConvexFront::deeperByColumns(std::size_t v, const LatticePoint& p,
+                                                 double depth) const {
   double spanned = 0.0;
   for (const int axis : {2, 1, 0}) {
     const Ends& ends = surface_[static_cast<std::size_t>(axis)].at(graph_.cell[v]);
@@ -278,9 +276,16 @@ bool ConvexFront::deeperThan(std::size_t v, double depth, std::size_t& hint) con
     spanned += kLatticePerCell * kLatticePerCell / (nearest * nearest);
   }
   constexpr double kSure = 1.0 - 1e-9;
-  if (spanned * depth * depth < kSure)
-    return true;
+  return spanned * depth * depth < kSure ? std::optional(true) : std::nullopt;
+}
 
+bool ConvexFront::deeperThan(std::size_t v, double depth, std::size_t& hint) const {
+  if (byCorners_.empty())
+    return false;
+  const LatticePoint p = graph_.lattice(v);
+  if (columns_ == Columns::Drawn)
+    if (const std::optional<bool> known = deeperByColumns(v, p, depth))
+      return *known;
   const std::size_t blocks = nx_.size() / kBlock;
   const auto allDeeper = [&](std::size_t block) {
     int shallow = 0;
@@ -312,20 +317,25 @@ double ConvexFront::facing(std::size_t slot, int axis) const {
   return kLatticePerCell * inverseLength_[slot] * std::abs(facets_[slot].normal[axis]);
 }
 
+inline std::array<int, 2> ConvexFront::cellsBelow(const Facet& facet, int axis, double facing,
+                                                  double depth, int cu, int cw) const {
+  const Surface& surface = surface_[static_cast<std::size_t>(axis)];
+  const Eigen::Vector3d& n = facet.normal;
+  const double reach = (depth + 1e-9) / facing;
+  const double at = (facet.planeInCells - n[surface.u] * cu - n[surface.w] * cw) / n[axis];
+  const bool upper = n[axis] > 0.0;
+  return {std::max(0, static_cast<int>(std::ceil(upper ? at - reach : at - 1e-9))),
+          std::min(graph_.grid.size[axis] - 1,
+                   static_cast<int>(std::floor(upper ? at + 1e-9 : at + reach)))};
+}
+
 // What lies within `depth` below the facet's plane there. Near the rim columns may pass it by; the
 // facet's neighbour sees to those.
 inline void ConvexFront::gatherColumn(std::size_t slot, int axis, double facing, double depth,
                                       int cu, int cw, std::vector<std::int32_t>& out) {
-  const Facet& facet = facets_[slot];
   const Surface& surface = surface_[static_cast<std::size_t>(axis)];
-  const Eigen::Vector3d& n = facet.normal;
   const Eigen::Vector3i& size = graph_.grid.size;
-  const double reach = (depth + 1e-9) / facing;
-  const double at = (facet.planeInCells - n[surface.u] * cu - n[surface.w] * cw) / n[axis];
-  const bool upper = n[axis] > 0.0;
-  const int from = std::max(0, static_cast<int>(std::ceil(upper ? at - reach : at - 1e-9)));
-  const int to =
-      std::min(size[axis] - 1, static_cast<int>(std::floor(upper ? at + 1e-9 : at + reach)));
+  const auto [from, to] = cellsBelow(facets_[slot], axis, facing, depth, cu, cw);
   if (from > to)
     return;
   std::array<int, 3> cell{};
@@ -380,6 +390,29 @@ void ConvexFront::nearSurface(double depth, std::vector<std::int32_t>& out) {
   }
 }
 
+bool ConvexFront::isNearSurface(std::size_t v, double depth) const {
+  const std::array<std::int16_t, 3>& cell = graph_.cell[v];
+  for (int axis = 0; axis < 3; ++axis) {
+    const Surface& surface = surface_[static_cast<std::size_t>(axis)];
+    const Ends& ends = surface.at(cell);
+    for (const std::int32_t end : {ends.low, ends.high}) {
+      if (end < 0)
+        continue;
+      const auto slot = static_cast<std::size_t>(end);
+      const double towards = facing(slot, axis);
+      if (towards < kFacing)
+        continue;
+      const int at = cell[static_cast<std::size_t>(axis)];
+      const auto [from, to] =
+          cellsBelow(facets_[slot], axis, towards, depth, cell[static_cast<std::size_t>(surface.u)],
+                     cell[static_cast<std::size_t>(surface.w)]);
+      if (from <= at && at <= to)
+        return true;
+    }
+  }
+  return false;
+}
+
 void ConvexFront::onNewFacets(std::vector<std::int32_t>& out) {
   out.clear();
   ++round_;
@@ -430,6 +463,8 @@ void ConvexFront::eachRow(const Facet& facet, int axis, Visit&& visit) const {
 }
 
 void ConvexFront::mark(std::size_t slot, Stroke stroke) {
+  if (columns_ == Columns::None)
+    return;
   const Facet& facet = facets_[slot];
   const auto id = static_cast<std::int32_t>(slot);
   for (int axis = 0; axis < 3; ++axis) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace voluta::curved {
@@ -17,8 +18,12 @@ namespace voluta::curved {
 // centres and platform.
 class ConvexFront {
 public:
+  // Whether the facets that each column of voxels meets are kept: it takes drawing every facet, and
+  // answers for voxels without asking all facets. nearSurface() and isNearSurface() need them.
+  enum class Columns { Drawn, None };
+
   // The set is empty at first. Keeps a reference to the graph.
-  explicit ConvexFront(const VoxelGraph& graph);
+  explicit ConvexFront(const VoxelGraph& graph, Columns columns = Columns::Drawn);
 
   bool present(std::size_t v) const { return present_[v] != 0; }
   std::size_t count() const { return count_; }
@@ -41,6 +46,8 @@ public:
   // Present voxels no deeper than `depth`, each once, in a fixed order. Found from the facets: all
   // on the hull; of those below it some near the rim of a facet may be left out.
   void nearSurface(double depth, std::vector<std::int32_t>& out);
+  // Whether v, present, is one of those.
+  bool isNearSurface(std::size_t v, double depth) const;
   // Of them those below facets of which a corner goes(voxel). What lies below the others, and not
   // on them, is inside the next hull too as long as nothing but voxels goes. A facet of which that
   // is said again and again, and it stays, is left out more and more often.
@@ -107,6 +114,8 @@ private:
                                            sizeU * cell[static_cast<std::size_t>(w)])];
     }
   };
+  // What the columns tell of deeperThan(); none: nothing for sure.
+  std::optional<bool> deeperByColumns(std::size_t v, const LatticePoint& p, double depth) const;
   enum class Stroke { Draw, Erase, Fill };
   void refreshRow(std::size_t row);
   void refreshSlice(std::size_t k);
@@ -118,7 +127,10 @@ private:
   // included.
   template <typename Visit> void eachRow(const Facet& facet, int axis, Visit&& visit) const;
   void mark(std::size_t slot, Stroke stroke);
-  // Of the column (cu, cw) along `axis`, which the facet faces by `facing` > 0.
+  // First and last cell of the column (cu, cw) along `axis` that lie within `depth` below the plane
+  // of a facet, which faces the axis by `facing` > 0.
+  std::array<int, 2> cellsBelow(const Facet& facet, int axis, double facing, double depth, int cu,
+                                int cw) const;
   void gatherColumn(std::size_t slot, int axis, double facing, double depth, int cu, int cw,
                     std::vector<std::int32_t>& out);
   double facing(std::size_t slot, int axis) const;
@@ -150,6 +162,7 @@ private:
   double below(std::size_t facet, const LatticePoint& p) const;
 
   const VoxelGraph& graph_;
+  Columns columns_;
   std::vector<std::uint8_t> present_;
   std::size_t count_ = 0;
   std::vector<Row> rows_;

@@ -13,12 +13,14 @@
 #include "curved/reverse_growth.h"
 #include "curved/smooth_field.h"
 #include "curved/voxel_graph.h"
+#include "curved/voxels_by_level.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <span>
 
 namespace voluta::curved {
 
@@ -31,28 +33,19 @@ std::vector<Eigen::Vector3f>
 frontNormals(const VoxelGraph& graph, const std::vector<std::int32_t>& key,
              const std::vector<Eigen::Vector3f>& wish, const process::HeadShape* head,
              std::vector<std::uint8_t>& byHead, const base::RunContext& ctx) {
-  std::vector<std::int32_t> order;
-  for (std::size_t v = 0; v < graph.size(); ++v)
-    if (key[v] >= 0)
-      order.push_back(static_cast<std::int32_t>(v));
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)];
-  });
+  const VoxelsByLevel byKey(key);
   std::vector<Eigen::Vector3f> normals(graph.size(), Eigen::Vector3f::Zero());
   byHead.assign(graph.size(), 0);
-  ConvexFront front(graph);
+  ConvexFront front(graph, ConvexFront::Columns::None);
   std::optional<NozzleReach> reach;
   if (head != nullptr)
     reach.emplace(graph, *head);
-  for (std::size_t begin = 0; begin < order.size();) {
-    std::size_t end = begin;
-    const auto keyAt = [&](std::size_t i) { return key[static_cast<std::size_t>(order[i])]; };
-    while (end < order.size() && keyAt(end) == keyAt(begin))
-      ++end;
-    base::parallelChunks(ctx, end - begin, 256, [&](std::size_t from, std::size_t to) {
+  for (std::size_t group = 0; group < byKey.levels(); ++group) {
+    const std::span<const std::int32_t> voxels = byKey.of(group);
+    base::parallelChunks(ctx, voxels.size(), 256, [&](std::size_t begin, std::size_t end) {
       std::size_t hint = 0;
-      for (std::size_t i = begin + from; i < begin + to; ++i) {
-        const auto v = static_cast<std::size_t>(order[i]);
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto v = static_cast<std::size_t>(voxels[i]);
         const Eigen::Vector3d wished = wish[v].cast<double>();
         std::optional<Eigen::Vector3d> direction;
         if (reach && front.deeperThan(v, 0.5, hint))
@@ -61,13 +54,12 @@ frontNormals(const VoxelGraph& graph, const std::vector<std::int32_t>& key,
         normals[v] = (direction ? *direction : front.clearNormal(v, wished)).cast<float>();
       }
     });
-    for (std::size_t i = begin; i < end; ++i) {
-      front.insert(static_cast<std::size_t>(order[i]));
+    for (const std::int32_t v : voxels) {
+      front.insert(static_cast<std::size_t>(v));
       if (reach)
-        reach->insert(static_cast<std::size_t>(order[i]));
+        reach->insert(static_cast<std::size_t>(v));
     }
     front.rebuild();
-    begin = end;
   }
   return normals;
 }

@@ -4,27 +4,37 @@
 #include "curved/convex_front.h"
 #include "curved/field_fit.h"
 #include "curved/nozzle_reach.h"
+#include "curved/voxels_by_level.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
 namespace voluta::curved {
 
+namespace {
+
+// How many of the values lie below each of the limits, which are sorted.
+std::vector<std::size_t> numberBelow(const std::vector<float>& values,
+                                     const std::vector<float>& limits) {
+  std::vector<std::size_t> number(limits.size() + 1, 0);
+  for (const float v : values)
+    ++number[static_cast<std::size_t>(std::upper_bound(limits.begin(), limits.end(), v) -
+                                      limits.begin())];
+  std::partial_sum(number.begin(), number.end(), number.begin());
+  return number;
+}
+
+} // namespace
+
 double bestScale(const std::vector<float>& slope, const LayerLimits& limits, double* within) {
   base::require(!slope.empty(), "bestScale: a voxel or more");
-  std::vector<float> sorted = slope;
-  std::sort(sorted.begin(), sorted.end());
-  const auto share = [&](double scale) {
-    // Thickness h / (scale slope) within [min, max].
-    const auto low = static_cast<float>(limits.heightMm / (limits.maxMm * scale));
-    const auto high = static_cast<float>(limits.heightMm / (limits.minMm * scale));
-    const auto first = std::lower_bound(sorted.begin(), sorted.end(), low);
-    const auto last = std::upper_bound(first, sorted.end(), high);
-    return static_cast<double>(last - first) / static_cast<double>(sorted.size());
-  };
-  const double median = std::max(1e-3f, sorted[sorted.size() / 2]);
+  std::vector<float> halves = slope;
+  const auto middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);
+  std::nth_element(halves.begin(), middle, halves.end());
+  const double median = std::max(1e-3f, *middle);
   // From the nominal height at the median to the least height there.
   const double nominal = 1.0 / median;
   constexpr int kSteps = 60;
@@ -33,16 +43,36 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
   const auto scaleAt = [&](int i) {
     return nominal * std::pow(limits.heightMm / limits.minMm, i / double{kSteps});
   };
+  // Thickness h / (scale slope) within [min, max].
+  const auto low = [&](int i) {
+    return static_cast<float>(limits.heightMm / (limits.maxMm * scaleAt(i)));
+  };
+  const auto beyond = [&](int i) {
+    return std::nextafter(static_cast<float>(limits.heightMm / (limits.minMm * scaleAt(i))),
+                          std::numeric_limits<float>::infinity());
+  };
+  std::vector<float> edges;
+  for (int i = 0; i <= kSteps; ++i)
+    edges.insert(edges.end(), {low(i), beyond(i)});
+  std::sort(edges.begin(), edges.end());
+  const std::vector<std::size_t> below = numberBelow(slope, edges);
+  const auto share = [&](int i) {
+    const auto belowEdge = [&](float edge) {
+      return below[static_cast<std::size_t>(std::lower_bound(edges.begin(), edges.end(), edge) -
+                                            edges.begin())];
+    };
+    return static_cast<double>(belowEdge(beyond(i)) - belowEdge(low(i))) /
+           static_cast<double>(slope.size());
+  };
   double most = 0.0;
   for (int i = 0; i <= kSteps; ++i)
-    most = std::max(most, share(scaleAt(i)));
+    most = std::max(most, share(i));
   int chosen = 0;
-  while (share(scaleAt(chosen)) < most - kLeastGain)
+  while (share(chosen) < most - kLeastGain)
     ++chosen;
-  const double best = scaleAt(chosen), bestShare = share(best);
   if (within)
-    *within = bestShare;
-  return best;
+    *within = share(chosen);
+  return scaleAt(chosen);
 }
 
 namespace {
@@ -54,26 +84,20 @@ void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field,
                  const std::vector<Eigen::Vector3f>& gradient, double spacing,
                  const process::HeadShape* head, FieldScore& score, std::vector<std::int32_t>& deep,
                  const base::RunContext& ctx) {
-  std::vector<std::int32_t> order(graph.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto level = [&](std::int32_t v) {
-    return static_cast<int>(std::floor(field[static_cast<std::size_t>(v)] / spacing));
-  };
-  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    const int la = level(a), lb = level(b);
-    return la != lb ? la < lb : a < b;
-  });
-  ConvexFront front(graph);
+  std::vector<std::int32_t> level(graph.size());
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    level[v] = static_cast<std::int32_t>(std::floor(field[v] / spacing));
+  const VoxelsByLevel byLevel(level);
+  ConvexFront front(graph, ConvexFront::Columns::None);
   std::optional<NozzleReach> reach;
   if (head != nullptr)
     reach.emplace(graph, *head);
   deep.clear();
   std::size_t inaccessible = 0, hint = 0;
-  for (std::size_t begin = 0; begin < order.size();) {
+  for (std::size_t l = 0; l < byLevel.levels(); ++l) {
     ctx.checkpoint();
-    std::size_t end = begin;
-    for (; end < order.size() && level(order[end]) == level(order[begin]); ++end) {
-      const auto v = static_cast<std::size_t>(order[end]);
+    for (const std::int32_t at : byLevel.of(l)) {
+      const auto v = static_cast<std::size_t>(at);
       if (!front.deeperThan(v, 0.5, hint))
         continue;
       if (reach && reach->direction(v, gradient[v].cast<double>()))
@@ -82,15 +106,14 @@ void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field,
       const double depth = front.depth(v);
       score.deepest = std::max(score.deepest, depth);
       if (depth > 1.0)
-        deep.push_back(order[end]);
+        deep.push_back(at);
     }
-    for (std::size_t i = begin; i < end; ++i) {
-      front.insert(static_cast<std::size_t>(order[i]));
+    for (const std::int32_t v : byLevel.of(l)) {
+      front.insert(static_cast<std::size_t>(v));
       if (reach)
-        reach->insert(static_cast<std::size_t>(order[i]));
+        reach->insert(static_cast<std::size_t>(v));
     }
     front.rebuild();
-    begin = end;
   }
   score.inaccessible = static_cast<double>(inaccessible) / static_cast<double>(graph.size());
 }

@@ -79,9 +79,20 @@ private:
       if (present_[v])
         highest = std::max(highest, guide_[v]);
     const auto step = static_cast<float>(options_.levelStep);
+    std::vector<std::vector<std::int32_t>> passed; // per round, or the one before: rounding
+    for (std::size_t v = 0; v < graph_.size(); ++v)
+      if (present_[v]) {
+        const auto at = static_cast<std::size_t>(
+            std::max(0.0f, std::floor((highest - guide_[v]) / step) - 1.0f));
+        passed.resize(std::max(passed.size(), at + 1));
+        passed[at].push_back(static_cast<std::int32_t>(v));
+      }
+    std::size_t next = 0;
     for (level_ = highest - step; level_ > -step && front_.count() > 0 && isWanted();
-         level_ -= step) {
+         level_ -= step, ++next) {
       reportProgress();
+      if (next < passed.size())
+        waiting_.insert(waiting_.end(), passed[next].begin(), passed[next].end());
       round(options_.sheet, options_.tolerance);
     }
     level_ = 0.0f;
@@ -195,18 +206,24 @@ private:
 
   // All that is near the front, whether or not anything on the front may go.
   void proposeNear(double sheet) {
-    front_.nearSurface(guide_.empty() ? sheet : deepest_, candidates_);
-    if (!guide_.empty() && deepest_ > sheet)
-      candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
-                                       [&](std::int32_t v) {
-                                         const auto x = static_cast<std::size_t>(v);
-                                         const float late = guide_[x] - level_;
-                                         std::size_t hint = 0;
-                                         return late <= 0.0f || (late <= kLate && !allowed(x) &&
-                                                                 front_.deeperThan(x, sheet, hint));
-                                       }),
-                        candidates_.end());
+    if (guide_.empty())
+      front_.nearSurface(sheet, candidates_);
+    else
+      gatherWaiting(sheet);
     propose(candidates_);
+  }
+
+  // Of what the level has passed: mostly little, so each is asked whether it is near the front.
+  void gatherWaiting(double sheet) {
+    std::erase_if(waiting_, [&](std::int32_t v) { return !present_[static_cast<std::size_t>(v)]; });
+    candidates_.clear();
+    std::size_t hint = 0;
+    for (const std::int32_t v : waiting_) {
+      const auto x = static_cast<std::size_t>(v);
+      if (late(x) && support_.allows(x) && front_.isNearSurface(x, deepest_) &&
+          (guide_[x] - level_ > kLate || allowed(x) || !front_.deeperThan(x, sheet, hint)))
+        candidates_.push_back(v);
+    }
   }
 
   // Brings onFront_ up to date.
@@ -443,7 +460,8 @@ private:
   std::optional<NozzleReach> reach_;
   std::vector<std::uint8_t> present_;
   SupportOrder support_;
-  double deepest_; // guided: below the front, where voxels are looked for
+  double deepest_;                    // guided: below the front, where voxels are looked for
+  std::vector<std::int32_t> waiting_; // guided: present ones that the level has passed, or nearly
   CutVoxels cuts_;
   std::vector<std::int32_t> removedIn_; // round
   std::vector<std::int32_t> onFront_;   // on the front when last looked at, and not gone then
