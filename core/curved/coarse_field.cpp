@@ -130,7 +130,7 @@ std::vector<float> coarseField(const VoxelGraph& graph,
   });
   continueField(graph, fine);
   const auto pitSlope = kPitSlope * static_cast<float>(graph.grid.pitch);
-  return flood(graph, {}, fine, pitSlope, ctx, Steps::FacesFirst).value;
+  return withoutPits(graph, fine, pitSlope, ctx);
 }
 
 } // namespace voluta::curved

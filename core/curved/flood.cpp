@@ -81,55 +81,139 @@ float eikonal(std::array<float, 3> axisMin) {
 } // namespace
 
 Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-            const std::vector<float>& field, float slope, const base::RunContext& ctx,
-            Steps steps) {
-  const std::size_t n = graph.size();
+            const base::RunContext& ctx) {
   const auto usable = [&](std::size_t v) { return use.empty() || use[v]; };
-  const auto own = [&](std::size_t v) { return field.empty() ? 0.0f : field[v]; };
   Flood out;
-  out.value.assign(n, kFar);
-  out.order.assign(n, -1);
+  out.value.assign(graph.size(), kFar);
+  out.order.assign(graph.size(), -1);
   FrontQueue queue;
-  const auto reach = [&](std::size_t v, std::size_t step) {
-    const std::int32_t w = graph.neighbour[v][step];
-    if (w < 0)
-      return;
-    const auto x = static_cast<std::size_t>(w);
-    if (out.order[x] >= 0 || !usable(x))
-      return;
-    const float value = std::max(own(x), out.value[v] + slope * kNeighbourDistance[step]);
-    if (value < out.value[x]) {
-      out.value[x] = value;
-      queue.push({value, w});
-    }
-  };
-  for (std::size_t v = 0; v < n; ++v)
+  for (std::size_t v = 0; v < graph.size(); ++v)
     if (graph.onPlatform[v] && usable(v)) {
-      out.value[v] = std::max(own(v), 0.5f * slope);
-      queue.push({out.value[v], static_cast<std::int32_t>(v)});
+      out.value[v] = 0.5f;
+      queue.push({0.5f, static_cast<std::int32_t>(v)});
     }
-  const std::size_t carrying = steps == Steps::All ? kNeighbours : 6;
-  std::vector<std::int32_t> reached;
   while (!queue.empty()) {
     const Front top = queue.pop();
     const auto v = static_cast<std::size_t>(top.voxel);
-    if (out.order[v] < 0) {
-      out.order[v] = static_cast<std::int32_t>(out.reached++);
-      if (steps == Steps::FacesFirst)
-        reached.push_back(top.voxel);
-      if (out.reached % 4096 == 0)
-        ctx.checkpoint();
-      for (std::size_t s = 0; s < carrying; ++s)
-        reach(v, s);
-    }
-    if (queue.empty()) {
-      for (const std::int32_t u : reached)
-        for (std::size_t s = carrying; s < kNeighbours; ++s)
-          reach(static_cast<std::size_t>(u), s);
-      reached.clear();
+    if (out.order[v] >= 0)
+      continue;
+    out.order[v] = static_cast<std::int32_t>(out.reached++);
+    if (out.reached % 4096 == 0)
+      ctx.checkpoint();
+    for (std::size_t s = 0; s < kNeighbours; ++s) {
+      const std::int32_t w = graph.neighbour[v][s];
+      if (w < 0 || !usable(static_cast<std::size_t>(w)))
+        continue;
+      const float by = top.value + kNeighbourDistance[s];
+      if (by < out.value[static_cast<std::size_t>(w)]) {
+        out.value[static_cast<std::size_t>(w)] = by;
+        queue.push({by, w});
+      }
     }
   }
   return out;
+}
+
+namespace {
+
+class PitFilling {
+public:
+  PitFilling(const VoxelGraph& graph, const std::vector<float>& field, float slope)
+      : graph_(graph), field_(field), slope_(slope), value_(graph.size(), kFar),
+        known_(graph.size(), 0) {}
+
+  std::vector<float> run(const base::RunContext& ctx) {
+    ctx.checkpoint();
+    keepWhatRises();
+    std::vector<std::int32_t> rest;
+    for (std::size_t v = 0; v < graph_.size(); ++v)
+      if (!known_[v])
+        rest.push_back(static_cast<std::int32_t>(v));
+    raise(rest, 0, 6, ctx);
+    for (std::size_t before = 0;;) {
+      std::erase_if(rest, [&](std::int32_t v) { return known_[static_cast<std::size_t>(v)] != 0; });
+      if (rest.size() == before)
+        break;
+      before = rest.size();
+      raise(rest, 6, kNeighbours, ctx);
+    }
+    return std::move(value_);
+  }
+
+private:
+  // Most of a field has no pits: what it rises to from the platform, step by step over faces and
+  // steeply enough, stays as it is, whatever the order of the steps.
+  void keepWhatRises() {
+    std::vector<std::int32_t> open;
+    const auto keep = [&](std::size_t v, float value) {
+      value_[v] = value;
+      known_[v] = 1;
+      open.push_back(static_cast<std::int32_t>(v));
+    };
+    for (std::size_t v = 0; v < graph_.size(); ++v)
+      if (graph_.onPlatform[v])
+        keep(v, std::max(field_[v], 0.5f * slope_));
+    while (!open.empty()) {
+      const auto v = static_cast<std::size_t>(open.back());
+      open.pop_back();
+      for (std::size_t s = 0; s < 6; ++s)
+        if (const std::int32_t w = graph_.neighbour[v][s]; w >= 0)
+          if (const auto x = static_cast<std::size_t>(w);
+              !known_[x] && field_[x] >= value_[v] + slope_)
+            keep(x, field_[x]);
+    }
+  }
+
+  // Of `rest`, none of it known, what steps [first, end) reach from what is known, and what faces
+  // reach from there.
+  void raise(const std::vector<std::int32_t>& rest, std::size_t first, std::size_t end,
+             const base::RunContext& ctx) {
+    for (const std::int32_t v : rest) {
+      const auto x = static_cast<std::size_t>(v);
+      for (std::size_t s = first; s < end; ++s)
+        if (const std::int32_t u = graph_.neighbour[x][s];
+            u >= 0 && known_[static_cast<std::size_t>(u)])
+          reach(x, static_cast<std::size_t>(u), s);
+      if (value_[x] < kFar)
+        queue_.push({value_[x], v});
+    }
+    for (std::size_t reached = 0; !queue_.empty();) {
+      const auto v = static_cast<std::size_t>(queue_.pop().voxel);
+      if (known_[v])
+        continue;
+      known_[v] = 1;
+      if (++reached % 4096 == 0)
+        ctx.checkpoint();
+      for (std::size_t s = 0; s < 6; ++s)
+        if (const std::int32_t w = graph_.neighbour[v][s]; w >= 0 &&
+                                                           !known_[static_cast<std::size_t>(w)] &&
+                                                           reach(static_cast<std::size_t>(w), v, s))
+          queue_.push({value_[static_cast<std::size_t>(w)], w});
+    }
+  }
+
+  // Whether v comes lower by a step from u.
+  bool reach(std::size_t v, std::size_t u, std::size_t step) {
+    const float by = std::max(field_[v], value_[u] + slope_ * kNeighbourDistance[step]);
+    if (by >= value_[v])
+      return false;
+    value_[v] = by;
+    return true;
+  }
+
+  const VoxelGraph& graph_;
+  const std::vector<float>& field_;
+  float slope_;
+  std::vector<float> value_;
+  std::vector<std::uint8_t> known_;
+  FrontQueue queue_;
+};
+
+} // namespace
+
+std::vector<float> withoutPits(const VoxelGraph& graph, const std::vector<float>& field,
+                               float slope, const base::RunContext& ctx) {
+  return PitFilling(graph, field, slope).run(ctx);
 }
 
 void chamferDistance(const VoxelGraph& graph, const std::vector<std::int32_t>& among,

@@ -10,28 +10,26 @@
 namespace voluta::curved {
 
 struct Flood {
-  std::vector<float> value;        // per voxel; infinite where not reached
+  std::vector<float> value;        // per voxel: chamfer distance, in cells; infinite: not reached
   std::vector<std::int32_t> order; // per voxel: 0 for the first reached, -1 not reached
   std::size_t reached = 0;
 };
 
-// Priority flood (Barnes et al. 2014) from the platform over AM-stable neighbours:
-//   value(v) = max(field(v), value(u) + slope * |uv|), u the neighbour it was reached from,
-//   value(v) = max(field(v), slope / 2) on the platform.
-// So every reached voxel is on the platform or has a neighbour that comes earlier and lies lower
-// by at least slope * |uv|: no pits, no islands. With an empty field and slope 1 it is the
-// chamfer distance from the platform in cells.
-// `use` (empty: all) tells which voxels exist. slope >= 0. With Steps::FacesFirst only faces carry,
-// edges only what no face reaches; then values may fall from one such stage to the next, the rule
-// above holds all the same. Throws Cancelled.
-enum class Steps { All, FacesFirst };
+// From the platform, where the distance is 1/2, over AM-stable neighbours, nearest first. `use`
+// (empty: all) tells which voxels exist. Throws Cancelled.
 Flood flood(const VoxelGraph& graph, const std::vector<std::uint8_t>& use,
-            const std::vector<float>& field, float slope, const base::RunContext& ctx,
-            Steps steps = Steps::All);
+            const base::RunContext& ctx);
 
-// The chamfer distance, flood() with an empty field and slope 1, over the voxels of `among` alone:
-// writes value[v] for those and leaves the rest. present[v] tells which voxels these are.
-// Throws Cancelled.
+// Raises a field, >= 0, one a voxel, as little as takes out its pits: every voxel is on the
+// platform and not lower than slope / 2, or rises by slope * |uv| or more from a neighbour u. Faces
+// carry first, edges only what no face reaches (values may fall from one such stage to the next).
+// What a priority flood (Barnes et al. 2014) finds; slope > 0. Infinite where not reached. Throws
+// Cancelled.
+std::vector<float> withoutPits(const VoxelGraph& graph, const std::vector<float>& field,
+                               float slope, const base::RunContext& ctx);
+
+// The chamfer distance of flood() over the voxels of `among` alone: writes value[v] for those and
+// leaves the rest. present[v] tells which voxels these are. Throws Cancelled.
 void chamferDistance(const VoxelGraph& graph, const std::vector<std::int32_t>& among,
                      const std::vector<std::uint8_t>& present, std::vector<float>& value,
                      const base::RunContext& ctx);

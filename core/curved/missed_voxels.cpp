@@ -59,7 +59,7 @@ private:
   }
 
   void markLoss() {
-    const std::vector<std::int32_t> reached = flood(graph_, {}, {}, 1.0f, ctx_).order;
+    const std::vector<std::int32_t> reached = flood(graph_, {}, ctx_).order;
     for (std::size_t v = 0; v < graph_.size(); ++v)
       if (rank(v) < 0)
         d_.loss[graph_.cellOf(v)] = reached[v] < 0         ? Loss::Unreached

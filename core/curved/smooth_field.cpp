@@ -108,7 +108,7 @@ public:
     double before = 0.0;
     for (int round = 0; round < rounds_; ++round) {
       ctx.report((round + 0.5) / (rounds_ + 0.5), "field"_text);
-      field = flood(graph_, {}, field, kPitSlope, ctx, Steps::FacesFirst).value;
+      field = withoutPits(graph_, field, kPitSlope, ctx);
       // Growth along the field goes on beside its judgement, which may make it needless.
       FieldScore score;
       Peeling grown;

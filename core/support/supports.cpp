@@ -44,7 +44,7 @@ public:
     out_.missedBefore = out_.missedAfter = missedOf(plain, first.rank);
     if (out_.missedBefore == 0)
       return std::move(out_);
-    const std::vector<std::int32_t> reached = curved::flood(plain, {}, {}, 1.0f, ctx_).order;
+    const std::vector<std::int32_t> reached = curved::flood(plain, {}, ctx_).order;
     out_.unreachedBefore =
         belowPlate_ + static_cast<std::size_t>(std::count_if(reached.begin(), reached.end(),
                                                              [](auto o) { return o < 0; }));
@@ -157,7 +157,7 @@ private:
     curved::VoxelGraph graph = plain;
     const int rounds = peels_ ? options_.rounds : std::min(options_.rounds, kSlowRounds);
     for (int round = 0; round < rounds; ++round) {
-      const std::vector<std::int32_t> order = curved::flood(graph, {}, {}, 1.0f, ctx_).order;
+      const std::vector<std::int32_t> order = curved::flood(graph, {}, ctx_).order;
       stranded_.clear();
       const std::size_t before = out_.columns.size();
       for (const Group& group : missedGroups(graph, rank, order))

@@ -8,6 +8,7 @@
 #include "curved/reverse_growth.h"
 #include "curved/support_order.h"
 #include "curved/voxel_shapes.h"
+#include "curved/voxels_by_level.h"
 
 #include "base/error.h"
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -76,12 +78,15 @@ TEST(ConvexHull, FlatOrTooFewPointsHaveNone) {
 TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
   const voxel::SolidVoxels part = test::blobPart(5);
   const VoxelGraph graph = graphOf(part);
-  ConvexFront front(graph);
-  for (std::size_t v = 0; v < graph.size(); ++v)
+  ConvexFront front(graph), bare(graph, ConvexFront::Columns::None);
+  for (std::size_t v = 0; v < graph.size(); ++v) {
     front.insert(v);
+    bare.insert(v);
+  }
   std::mt19937 random(11);
   for (int round = 0; round < 4; ++round) {
     front.rebuild();
+    bare.rebuild();
     std::vector<LatticePoint> all = graph.platform;
     for (std::size_t v = 0; v < graph.size(); ++v)
       if (front.present(v))
@@ -96,9 +101,11 @@ TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
             std::min(depth, (f.offset - f.normal.dot(graph.lattice(v))) / f.normal.norm() / 16.0);
       EXPECT_NEAR(front.depth(v), depth, 1e-9);
       EXPECT_EQ(front.deeperThan(v, 0.0, hint), depth > 1e-10);
+      EXPECT_EQ(bare.deeperThan(v, 0.0, hint), depth > 1e-10);
       for (const double limit : {0.1, 0.5, 0.75, 3.0})
         if (std::abs(depth - limit) > 1e-9) {
           EXPECT_EQ(front.deeperThan(v, limit, hint), depth > limit);
+          EXPECT_EQ(bare.deeperThan(v, limit, hint), depth > limit);
         }
       if (front.present(v) && depth <= 0.75)
         shallow.insert(static_cast<std::int32_t>(v));
@@ -109,12 +116,18 @@ TEST(ConvexFront, AgreesWithBruteForceWhileVoxelsGo) {
     front.nearSurface(0.75, near);
     const std::set<std::int32_t> found(near.begin(), near.end());
     EXPECT_EQ(near.size(), found.size());
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      if (front.present(v)) {
+        EXPECT_EQ(front.isNearSurface(v, 0.75), found.count(static_cast<std::int32_t>(v)) > 0) << v;
+      }
     EXPECT_TRUE(std::includes(shallow.begin(), shallow.end(), found.begin(), found.end()));
     EXPECT_TRUE(std::includes(found.begin(), found.end(), outermost.begin(), outermost.end()));
     EXPECT_GE(found.size(), shallow.size() - shallow.size() / 5);
     for (const std::int32_t v : near)
-      if (random() % 2)
+      if (random() % 2) {
         front.remove(static_cast<std::size_t>(v));
+        bare.remove(static_cast<std::size_t>(v));
+      }
   }
 }
 
@@ -235,18 +248,39 @@ TEST(Flood, LeavesNoPits) {
   std::vector<float> field(graph.size());
   for (float& f : field)
     f = static_cast<float>(random() % 1000) / 50.0f;
-  for (const Steps steps : {Steps::All, Steps::FacesFirst}) {
-    const Flood flooded = flood(graph, {}, field, 0.15f, kQuiet, steps);
-    EXPECT_EQ(flooded.reached, graph.size());
-    for (std::size_t v = 0; v < graph.size(); ++v) {
-      EXPECT_GE(flooded.value[v], field[v]);
-      bool carried = graph.onPlatform[v] != 0;
-      for (const std::int32_t w : graph.neighbour[v])
-        carried |= w >= 0 && flooded.order[static_cast<std::size_t>(w)] < flooded.order[v] &&
-                   flooded.value[static_cast<std::size_t>(w)] <= flooded.value[v] - 0.1499f;
-      EXPECT_TRUE(carried) << v;
-    }
+  const std::vector<float> raised = withoutPits(graph, field, 0.15f, kQuiet);
+  // Every voxel from a neighbour to another, by faces where they reach it: a plain search for what
+  // no other way undercuts.
+  std::vector<float> least(graph.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t v = 0; v < graph.size(); ++v)
+    if (graph.onPlatform[v])
+      least[v] = std::max(field[v], 0.075f);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t v = 0; v < graph.size(); ++v)
+      for (std::size_t s = 0; s < 6; ++s)
+        if (const std::int32_t w = graph.neighbour[v][s]; w >= 0) {
+          const float by = std::max(field[v], least[static_cast<std::size_t>(w)] + 0.15f);
+          changed |= by < least[v];
+          least[v] = std::min(least[v], by);
+        }
   }
+  std::size_t byEdge = 0, kept = 0;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    bool carried = graph.onPlatform[v] != 0;
+    for (const std::int32_t w : graph.neighbour[v])
+      carried |= w >= 0 && raised[static_cast<std::size_t>(w)] <= raised[v] - 0.1499f;
+    EXPECT_TRUE(carried) << v;
+    EXPECT_GE(raised[v], field[v]);
+    kept += raised[v] == field[v];
+    if (std::isfinite(least[v]))
+      EXPECT_EQ(raised[v], least[v]) << v;
+    else
+      ++byEdge;
+  }
+  EXPECT_GT(kept, 0u);
+  EXPECT_LT(kept, graph.size());
+  EXPECT_LT(byEdge, graph.size());
 }
 
 TEST(Flood, GeodesicDistanceOfABoxIsItsHeight) {
@@ -289,7 +323,7 @@ TEST(ChamferDistance, IsThatOfFloodOverWhatIsLeft) {
       among.push_back(static_cast<std::int32_t>(v));
     }
   chamferDistance(graph, among, present, value, kQuiet);
-  const Flood whole = flood(graph, present, {}, 1.0f, kQuiet);
+  const Flood whole = flood(graph, present, kQuiet);
   for (std::size_t v = 0; v < graph.size(); ++v)
     EXPECT_EQ(value[v], present[v] ? whole.value[v] : -7.0f) << v;
 }
@@ -312,7 +346,7 @@ TEST(SupportOrder, WhatIsReroutedStandsAndNothingElseIs) {
       allowed[u] = present[u] && support.allows(u);
     present[v] = 0;
     const bool stands =
-        static_cast<std::ptrdiff_t>(flood(graph, present, {}, 1.0f, kQuiet).reached) == count();
+        static_cast<std::ptrdiff_t>(flood(graph, present, kQuiet).reached) == count();
     ASSERT_EQ(support.reroute(v, graph.size()), stands) << trial;
     if (!stands) {
       ++refused;
@@ -337,6 +371,19 @@ TEST(SupportOrder, WhatIsReroutedStandsAndNothingElseIs) {
   EXPECT_GT(refused, 5u);
 }
 
+TEST(VoxelsByLevel, AreInOrderAndWithoutThoseOfNone) {
+  const VoxelsByLevel levels({3, -1, 0, 3, 7, 0, -2});
+  ASSERT_EQ(levels.levels(), 3u);
+  const auto of = [&](std::size_t n) {
+    return std::vector<std::int32_t>(levels.of(n).begin(), levels.of(n).end());
+  };
+  EXPECT_EQ(of(0), (std::vector<std::int32_t>{2, 5}));
+  EXPECT_EQ(of(1), (std::vector<std::int32_t>{0, 3}));
+  EXPECT_EQ(of(2), (std::vector<std::int32_t>{4}));
+  EXPECT_EQ(VoxelsByLevel({}).levels(), 0u);
+  EXPECT_EQ(VoxelsByLevel({-1}).levels(), 0u);
+}
+
 TEST(CutVoxels, LossIsWhatHangsOnAVoxel) {
   const VoxelGraph graph = graphOf(test::voxelPart(9, 3, 9, [](int i, int j, int k) {
     // A post, a bridge one voxel thick to a ball.
@@ -351,7 +398,7 @@ TEST(CutVoxels, LossIsWhatHangsOnAVoxel) {
   for (std::size_t v = 0; v < graph.size(); ++v) {
     std::vector<std::uint8_t> rest = all;
     rest[v] = 0;
-    const Flood reached = flood(graph, rest, {}, 1.0f, kQuiet);
+    const Flood reached = flood(graph, rest, kQuiet);
     EXPECT_EQ(static_cast<std::size_t>(cuts.lossWithout(v)), graph.size() - 1 - reached.reached)
         << v;
   }
