@@ -31,21 +31,39 @@ public:
             const base::RunContext& ctx);
 
 private:
+  // Cells in a row of the grid, every other one, of which the neighbours follow one another too: in
+  // each direction those from `neighbour` on, or none where that is negative. Sums over the faces
+  // then read whole rows, without an index a face.
+  struct Run {
+    std::int32_t begin = 0, count = 0;
+    std::array<std::int32_t, 6> neighbour{};
+  };
   struct Level {
-    std::vector<std::array<std::int32_t, 6>> neighbour; // -1: none
-    std::vector<std::array<float, 6>> weight;
-    std::vector<float> tie; // to the platform
-    std::vector<float> screen, inverseDiagonal;
-    std::vector<std::int32_t> coarse; // cell of the coarser level
-    std::size_t reds = 0;             // cells [0, reds) have an even i + j + k
+    std::vector<Run> runs;
+    std::size_t reds = 0, redRuns = 0; // cells, and runs, [0, so many) have an even i + j + k
+    std::array<std::vector<float>, 6> weight; // 0 where there is no neighbour; empty: 1 each
+    std::vector<float> tie;                   // to the platform
+    std::vector<float> screen, held;          // held: tie and screen
+    std::vector<float> diagonal, inverseDiagonal;
+    // Of each cell of the coarser level those of this one in it: [firstOf[c], firstOf[c + 1]) of
+    // `finer`, ascending; and which cell of the coarser one each is in.
+    std::vector<std::int32_t> firstOf, finer, coarse;
     std::vector<float> x, b, r;
     std::size_t size() const { return tie.size(); }
   };
 
   using Cell = std::array<std::int32_t, 3>;
-  Level finestLevel(const VoxelGraph& graph, std::vector<Cell>& placed);
-  static Level coarserLevel(Level& fine, std::vector<Cell>& placed, Eigen::Vector3i& size);
-  static void sumUp(const Level& fine, std::size_t cells, Level& coarse);
+  using Neighbours = std::vector<std::array<std::int32_t, 6>>;
+  struct Cells {
+    std::vector<Cell> at;
+    Neighbours neighbour; // -1: none
+    std::size_t reds = 0;
+  };
+  Level finestLevel(const VoxelGraph& graph, Cells& cells);
+  static Level coarserLevel(Level& fine, Cells& cells, Eigen::Vector3i& size);
+  static void sumUp(const Level& fine, const Neighbours& fineNeighbour, Level& coarse,
+                    Neighbours& neighbour);
+  static void findRuns(const Cells& cells, Level& level);
   void smooth(Level& level, bool redFirst, const base::RunContext& ctx) const;
   void sweep(Level& level, std::size_t begin, std::size_t end, const base::RunContext& ctx) const;
   void residual(Level& level, const base::RunContext& ctx) const;
@@ -55,7 +73,7 @@ private:
 
   std::vector<Level> levels_;
   std::vector<std::int32_t> place_; // of a voxel in level 0
-  std::vector<float> rhs_, value_, residual_, direction_, product_;
+  std::vector<float> rhs_, value_, direction_, product_;
 };
 
 } // namespace voluta::curved
