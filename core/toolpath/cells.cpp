@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -24,32 +26,36 @@ public:
          const std::vector<std::vector<double>>& extraMm)
       : reach_(reachMm) {
     cells_.share.resize(curves.size());
+    double steepest = 0.0; // change of an extra along its segment
     for (std::size_t c = 0; c < curves.size(); ++c) {
       const auto& points = curves[c].points;
       const std::size_t n = points.size() - (curves[c].closed ? 0 : 1);
-      cells_.share[c].areaMm2.assign(n, 0.0);
-      cells_.share[c].volumeMm3.assign(n, 0.0);
-      cells_.share[c].lateralMm.assign(n, 0.0);
+      begin_.push_back(segments_.size());
       for (std::size_t i = 0; i < n; ++i) {
         const Eigen::Vector3d& a = points[i].position;
         const Eigen::Vector3d& b = points[(i + 1) % points.size()].position;
         segments_.push_back({a, b});
         const double length = (b - a).norm();
-        places_.push_back({c, i, !curves[c].closed && i == 0,
+        places_.push_back({c, !curves[c].closed && i == 0,
                            !curves[c].closed && i + 2 == points.size(),
                            length > 1e-9 ? ((b - a) / length).eval() : Eigen::Vector3d::Zero()});
         if (!extraMm.empty()) {
           const std::vector<double>& extra = extraMm[c];
           extra_.push_back(extra.empty() ? std::array{0.0, 0.0}
                                          : std::array{extra[i], extra[(i + 1) % points.size()]});
-          mostExtra_ = std::max({mostExtra_, extra_.back()[0], extra_.back()[1]});
+          const auto& [from, to] = extra_.back();
+          mostExtra_ = std::max({mostExtra_, from, to});
+          steepest = std::max(steepest, length > 1e-9 ? std::abs(to - from) / length : 0.0);
         }
       }
     }
+    begin_.push_back(segments_.size());
+    tallies_.resize(segments_.size());
+    taper_ = steepest < 0.5 ? 2.0 * steepest / (1.0 - steepest * steepest) : reachMm;
   }
 
   template <typename Samples> void add(const Samples& samples) {
-    const std::vector<int> near = painted(samples);
+    const std::vector<std::int32_t> near = painted(samples);
     for (std::size_t cell = 0; cell < samples.count(); ++cell) {
       if (!samples.isInside(cell))
         continue;
@@ -59,10 +65,15 @@ public:
   }
 
   Cells finish() {
-    for (CellShare& share : cells_.share)
-      for (std::size_t i = 0; i < share.areaMm2.size(); ++i)
-        if (share.areaMm2[i] > 0)
-          share.lateralMm[i] /= share.areaMm2[i];
+    for (std::size_t c = 0; c < cells_.share.size(); ++c) {
+      CellShare& share = cells_.share[c];
+      for (std::size_t i = begin_[c]; i < begin_[c + 1]; ++i) {
+        const Tally& tally = tallies_[i];
+        share.areaMm2.push_back(tally.areaMm2);
+        share.volumeMm3.push_back(tally.volumeMm3);
+        share.lateralMm.push_back(tally.areaMm2 > 0 ? tally.lateral / tally.areaMm2 : 0.0);
+      }
+    }
     return std::move(cells_);
   }
 
@@ -76,14 +87,14 @@ private:
     const Place& place = places_[static_cast<std::size_t>(segment)];
     const auto& [a, b] = segments_[static_cast<std::size_t>(segment)];
     const Eigen::Vector3d off = sample.position - a;
-    CellShare& share = cells_.share[place.curve];
-    share.areaMm2[place.segment] += area;
-    share.volumeMm3[place.segment] += area * sample.thicknessMm;
-    share.lateralMm[place.segment] += area * normal.cross(place.along).dot(off);
+    Tally& tally = tallies_[static_cast<std::size_t>(segment)];
+    tally.areaMm2 += area;
+    tally.volumeMm3 += area * sample.thicknessMm;
+    tally.lateral += area * normal.cross(place.along).dot(off);
     if (place.isFirst && place.along.dot(off) <= 0.0)
-      share.beyondMm2[0] += area;
+      cells_.share[place.curve].beyondMm2[0] += area;
     else if (place.isLast && place.along.dot(sample.position - b) >= 0.0)
-      share.beyondMm2[1] += area;
+      cells_.share[place.curve].beyondMm2[1] += area;
   }
 
   // -1: none in reach.
@@ -97,30 +108,37 @@ private:
 
   // Per cell, what nearest() finds, where that is so near that no other segment can be nearer than
   // those that paint it; else -1.
-  template <typename Samples> std::vector<int> painted(const Samples& samples) const {
+  template <typename Samples> std::vector<std::int32_t> painted(const Samples& samples) const {
     const double near = kPainted * reach_;
-    std::vector<int> nearest(samples.count(), -1);
-    std::vector<float> least(samples.count(),
-                             static_cast<float>(extra_.empty() ? near * near : near));
+    const std::size_t count = samples.count() + kLanes - 1; // fours may begin at the last
+    std::vector<std::int32_t> nearest(count, -1);
+    std::vector<float> least(count, static_cast<float>(extra_.empty() ? near * near : near));
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const auto& [a, b] = segments_[i];
-      const auto offer = [&](std::size_t cell, float distance) {
-        if (distance < least[cell]) {
-          least[cell] = distance;
-          nearest[cell] = static_cast<int>(i);
-        }
+      const auto offer = [&](std::size_t first, const Floats& distance) {
+        const auto before = fourAt<Floats>(&least[first]);
+        const Ints isNearer = distance < before;
+        storeFour<Floats>(isNearer ? distance : before, &least[first]);
+        storeFour<Ints>(isNearer ? Ints{} + static_cast<std::int32_t>(i)
+                                 : fourAt<Ints>(&nearest[first]),
+                        &nearest[first]);
       };
       if (extra_.empty()) {
-        samples.forEachNear(a, b, near, beyond(i, near),
-                            [&](std::size_t cell, float squared, float) { offer(cell, squared); });
+        samples.forFoursNear(a, b, near, beyond(i, near),
+                             [&](std::size_t first, const Floats& squared, const Floats&) {
+                               offer(first, squared);
+                             });
         continue;
       }
       const auto from = static_cast<float>(extra_[i][0]), to = static_cast<float>(extra_[i][1]);
       const double radius = std::min(reach_, near + std::max(extra_[i][0], extra_[i][1]));
-      samples.forEachNear(a, b, radius, {radius, radius},
-                          [&](std::size_t cell, float squared, float t) {
-                            offer(cell, std::sqrt(squared) - (from + t * (to - from)));
-                          });
+      samples.forFoursNear(a, b, radius, beyond(i, radius),
+                           [&](std::size_t first, const Floats& squared, const Floats& t) {
+                             Floats distance{};
+                             for (std::size_t lane = 0; lane < kLanes; ++lane)
+                               distance[lane] = std::sqrt(squared[lane]);
+                             offer(first, distance - (from + t * (to - from)));
+                           });
     }
     return nearest;
   }
@@ -129,16 +147,15 @@ private:
   BeyondEnds beyond(std::size_t segment, double nearMm) const {
     constexpr double kSlackMm = 1e-3;
     const Place& place = places_[segment];
-    const std::size_t first = segment - place.segment,
-                      count = cells_.share[place.curve].areaMm2.size();
+    const std::size_t first = begin_[place.curve], count = begin_[place.curve + 1] - first;
     const auto past = [&](bool isEnd, std::size_t other) {
-      const Eigen::Vector3d& next = places_[first + other % count].along;
+      const Eigen::Vector3d& next = places_[first + (segment + other - first) % count].along;
       if (isEnd || place.along.dot(next) <= 0.0)
         return nearMm;
       // On the outside of the bend, what is nearest to the corner itself.
-      return kSlackMm + nearMm * place.along.cross(next).norm();
+      return kSlackMm + nearMm * (place.along.cross(next).norm() + taper_);
     };
-    return {past(place.isFirst, place.segment + count - 1), past(place.isLast, place.segment + 1)};
+    return {past(place.isFirst, count - 1), past(place.isLast, 1)};
   }
 
   double extraAt(int segment, double t) const {
@@ -162,16 +179,23 @@ private:
   }
 
   struct Place { // of a segment
-    std::size_t curve, segment;
+    std::size_t curve;
     bool isFirst, isLast;  // of an open curve
     Eigen::Vector3d along; // unit; zero: of no length
+  };
+  struct Tally {                                          // of the samples of a segment
+    double areaMm2 = 0.0, volumeMm3 = 0.0, lateral = 0.0; // lateral: mm by mm2
   };
   double reach_;
   std::vector<std::array<double, 2>> extra_; // of a segment's ends; empty: none anywhere
   double mostExtra_ = 0.0;
+  // Of a distance: so far beyond its end a wide bead may be nearer than what it narrows to.
+  double taper_ = 0.0;
   Cells cells_;
+  std::vector<std::size_t> begin_; // of a curve's segments; one more
   std::vector<SegmentGrid::Segment> segments_;
   std::vector<Place> places_;
+  std::vector<Tally> tallies_;
   std::optional<SegmentGrid> grid_; // once it is asked
   int last_ = -1;
 };

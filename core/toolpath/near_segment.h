@@ -3,31 +3,86 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 
 namespace voluta::toolpath {
+
+// Four points at a time, a number of each.
+constexpr std::size_t kLanes = 4;
+using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
+using Ints = std::int32_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
+
+template <typename Four, typename T> Four fourAt(const T* first) {
+  Four four;
+  std::memcpy(&four, first, sizeof(four));
+  return four;
+}
+template <typename Four, typename T> void storeFour(const Four& four, T* first) {
+  std::memcpy(first, &four, sizeof(four));
+}
 
 // A segment to the precision of a float, for many points.
 template <int N> class FloatSegment {
 public:
-  using Vector = Eigen::Matrix<float, N, 1>;
   FloatSegment(const Eigen::Matrix<double, N, 1>& a, const Eigen::Matrix<double, N, 1>& b)
       : from_(a.template cast<float>()), along_((b - a).template cast<float>()) {
     const float squared = along_.squaredNorm();
     inverse_ = squared > 0.0F ? 1.0F / squared : 0.0F;
   }
   struct Nearest {
-    float t, squared; // 0 at a, 1 at b; of the distance
+    Floats t, squared; // 0 at a, 1 at b; of the distance
   };
-  Nearest nearest(const Vector& p) const {
-    const Vector off = p - from_;
-    const float t = std::clamp(along_.dot(off) * inverse_, 0.0F, 1.0F);
-    return {t, (off - t * along_).squaredNorm()};
+  // Points' coordinates, an array of four each.
+  Nearest nearest(const std::array<const float*, N>& points) const {
+    std::array<Floats, N> off;
+    Floats along{}, squared{};
+    for (int k = N; k-- > 0;) {
+      const auto axis = static_cast<std::size_t>(k);
+      off[axis] = fourAt<Floats>(points[axis]) - from_[k];
+      along += along_[k] * off[axis];
+    }
+    const Floats raw = along * inverse_, positive = raw < 0.0F ? Floats{} : raw,
+                 t = positive > 1.0F ? Floats{} + 1.0F : positive;
+    for (int k = N; k-- > 0;) {
+      const Floats aside = off[static_cast<std::size_t>(k)] - t * along_[k];
+      squared += aside * aside;
+    }
+    return {t, squared};
   }
 
 private:
-  Vector from_, along_;
+  Eigen::Matrix<float, N, 1> from_, along_;
   float inverse_; // of the squared length
 };
+
+// Calls f(first, squared distances, where on the segment) for fours of the points first to end - 1,
+// those past the end infinitely far. Arrays of the points' coordinates go on kLanes - 1 further.
+template <int N, typename F>
+void forFours(const FloatSegment<N>& segment, const std::array<const float*, N>& points,
+              std::size_t first, std::size_t end, F&& f) {
+  for (std::size_t i = first; i < end; i += kLanes) {
+    std::array<const float*, N> four = points;
+    for (const float*& p : four)
+      p += i;
+    auto [t, squared] = segment.nearest(four);
+    for (std::size_t lane = std::min(end - i, kLanes); lane < kLanes; ++lane)
+      squared[lane] = std::numeric_limits<float>::infinity();
+    f(i, squared, t);
+  }
+}
+
+// Of fours, calls f(point, squared distance, where on it) for those no further than `most`.
+template <typename F> auto eachOfFour(float most, F&& f) {
+  return [most, &f](std::size_t first, const Floats& squared, const Floats& t) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      if (squared[lane] <= most)
+        f(first + lane, squared[lane], t[lane]);
+  };
+}
 
 // How far points may lie beyond a segment's ends, mm: before a, and after b.
 struct BeyondEnds {

@@ -73,17 +73,20 @@ std::optional<PlaneSamples> PlaneSamples::of(const PatchSurface& s, double sampl
 
 void PlaneSamples::paint(const PatchSurface& s) {
   const std::size_t n = at(size_.x()) * at(size_.y());
-  point_.resize(n);
+  x_.resize(n + kLanes - 1);
+  y_.resize(n + kLanes - 1);
   triangle_.assign(n, -1);
   thicknessMm_.assign(n, 0.0F);
   const auto pitch = static_cast<float>(pitch_);
   const std::vector<Eigen::Vector2f> tile = placesInTile(pitch);
   for (int y = 0; y < size_.y(); ++y) {
     const Eigen::Vector2f* places = &tile[at(y) % kTile * kTile];
-    Eigen::Vector2f* row = &point_[at(y) * at(size_.x())];
-    for (int x = 0; x < size_.x(); ++x)
-      row[x] = pitch * Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y)) +
-               places[at(x) % kTile];
+    const std::size_t row = at(y) * at(size_.x());
+    for (int x = 0; x < size_.x(); ++x) {
+      const Eigen::Vector2f& place = places[at(x) % kTile];
+      x_[row + at(x)] = pitch * static_cast<float>(x) + place.x();
+      y_[row + at(x)] = pitch * static_cast<float>(y) + place.y();
+    }
   }
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const auto& corners = s.triangles[t];
@@ -92,18 +95,18 @@ void PlaneSamples::paint(const PatchSurface& s) {
     const double twice = side(a, b, c);
     if (!(twice > 0.0))
       continue;
-    const auto least = [&](int k) {
-      return std::max(0, static_cast<int>(std::min({a[k], b[k], c[k]}) / pitch_));
-    };
-    const auto most = [&](int k) {
-      return std::min(size_[k] - 1, static_cast<int>(std::max({a[k], b[k], c[k]}) / pitch_));
-    };
-    for (int y = least(1); y <= most(1); ++y)
-      for (int x = least(0); x <= most(0); ++x) {
+    const Vector2d least = a.cwiseMin(b).cwiseMin(c) / pitch_,
+                   most = a.cwiseMax(b).cwiseMax(c) / pitch_;
+    const int x0 = std::max(0, static_cast<int>(least.x())),
+              x1 = std::min(size_.x() - 1, static_cast<int>(most.x())),
+              y0 = std::max(0, static_cast<int>(least.y())),
+              y1 = std::min(size_.y() - 1, static_cast<int>(most.y()));
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x) {
         const std::size_t cell = at(y) * at(size_.x()) + at(x);
         if (triangle_[cell] >= 0)
           continue;
-        const Vector2d q = point_[cell].cast<double>();
+        const Vector2d q(x_[cell], y_[cell]);
         const double u = side(b, c, q), v = side(c, a, q), w = twice - u - v;
         if (std::min({u, v, w}) < 0.0)
           continue;
@@ -117,7 +120,7 @@ void PlaneSamples::paint(const PatchSurface& s) {
 }
 
 SurfaceSample PlaneSamples::sample(std::size_t cell) const {
-  const Vector2d q = point_[cell].cast<double>() + low_;
+  const Vector2d q = Vector2d(x_[cell], y_[cell]) + low_;
   return {q.x() * across_ + q.y() * up_ + offsetMm_ * normal_,
           static_cast<double>(thicknessMm_[cell]), areaMm2_,
           static_cast<std::size_t>(triangle_[cell])};

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -38,10 +39,17 @@ public:
   template <typename F>
   void forEachNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
                    const BeyondEnds& beyond, F&& f) const {
-    const Eigen::Vector2d low = flat(a), high = flat(b);
-    const auto bounds = boundsAround(low, high, radiusMm, beyond);
-    const FloatSegment<2> segment(low, high);
-    const auto most = static_cast<float>(radiusMm * radiusMm);
+    forFoursNear(a, b, radiusMm, beyond,
+                 eachOfFour(static_cast<float>(radiusMm * radiusMm), std::forward<F>(f)));
+  }
+
+  // The same for these and others, by fours: f(first cell, squared distances, where on it).
+  template <typename F>
+  void forFoursNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
+                    const BeyondEnds& beyond, F&& f) const {
+    const Eigen::Vector2d from = flat(a), to = flat(b);
+    const auto bounds = boundsAround(from, to, radiusMm, beyond);
+    const FloatSegment<2> segment(from, to);
     const auto cells = [&](int k, int& first, int& last) {
       first = std::max(0, static_cast<int>(std::floor(bounds.low[k] / pitch_)));
       last = std::min(size_[k] - 1, static_cast<int>(std::floor(bounds.high[k] / pitch_)));
@@ -49,14 +57,10 @@ public:
     int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
     cells(0, x0, x1);
     cells(1, y0, y1);
-    for (int y = y0; y <= y1; ++y) {
+    for (int y = y0; y <= y1 && x0 <= x1; ++y) {
       const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x());
-      for (std::size_t c = row + static_cast<std::size_t>(x0);
-           c <= row + static_cast<std::size_t>(std::max(x0 - 1, x1)) && x0 <= x1; ++c) {
-        const auto [t, squared] = segment.nearest(point_[c]);
-        if (squared <= most)
-          f(c, squared, t);
-      }
+      forFours<2>(segment, {x_.data(), y_.data()}, row + static_cast<std::size_t>(x0),
+                  row + static_cast<std::size_t>(x1) + 1, f);
     }
   }
 
@@ -70,8 +74,8 @@ private:
   double offsetMm_ = 0.0, pitch_ = 0.0, areaMm2_ = 0.0; // areaMm2_: of a point
   Eigen::Vector2d low_;
   Eigen::Vector2i size_;
-  std::vector<Eigen::Vector2f> point_; // in the plane, from low_
-  std::vector<int> triangle_;          // -1: outside
+  std::vector<float> x_, y_;  // of points in the plane, from low_; kLanes - 1 more
+  std::vector<int> triangle_; // -1: outside
   std::vector<float> thicknessMm_;
 };
 

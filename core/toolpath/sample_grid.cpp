@@ -51,12 +51,14 @@ SampleGrid::SampleGrid(const PatchSurface& surface, double mostMm2) : surface_(s
   for (std::size_t b = 1; b < begin_.size(); ++b)
     begin_[b] += begin_[b - 1];
   samples_.resize(found.size());
-  point_.resize(found.size());
+  for (std::vector<float>& coordinate : point_)
+    coordinate.resize(found.size() + kLanes - 1);
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::size_t place = next[bin[i]]++;
     samples_[place] = found[i];
-    point_[place] = (found[i].position - origin_).cast<float>();
+    for (std::size_t k = 0; k < 3; ++k)
+      point_[k][place] = static_cast<float>((found[i].position - origin_)[static_cast<int>(k)]);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -35,9 +36,16 @@ public:
   template <typename F>
   void forEachNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
                    const BeyondEnds& beyond, F&& f) const {
+    forFoursNear(a, b, radiusMm, beyond,
+                 eachOfFour(static_cast<float>(radiusMm * radiusMm), std::forward<F>(f)));
+  }
+
+  // The same for these and others, by fours: f(first sample, squared distances, where on it).
+  template <typename F>
+  void forFoursNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
+                    const BeyondEnds& beyond, F&& f) const {
     const SegmentBounds bounds = boundsAround(a, b, radiusMm, beyond);
     const FloatSegment<3> segment(a - origin_, b - origin_);
-    const auto most = static_cast<float>(radiusMm * radiusMm);
     std::array<int, 2> from{}, to{};
     for (std::size_t k = 0; k < 2; ++k) {
       const Eigen::Index axis = axes_[k];
@@ -50,14 +58,9 @@ public:
       if (to[k] < from[k])
         return;
     }
-    for (int row = from[1]; row <= to[1]; ++row) {
-      const std::size_t end = begin_[binAt(to[0], row) + 1];
-      for (std::size_t i = begin_[binAt(from[0], row)]; i < end; ++i) {
-        const auto [t, squared] = segment.nearest(point_[i]);
-        if (squared <= most)
-          f(i, squared, t);
-      }
-    }
+    for (int row = from[1]; row <= to[1]; ++row)
+      forFours<3>(segment, {point_[0].data(), point_[1].data(), point_[2].data()},
+                  begin_[binAt(from[0], row)], begin_[binAt(to[0], row) + 1], f);
   }
 
 private:
@@ -71,9 +74,9 @@ private:
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   double bin_ = 1.0; // mm
   std::array<int, 2> size_{1, 1};
-  std::vector<std::uint32_t> begin_;   // of a bin's samples; one more
-  std::vector<SurfaceSample> samples_; // by bins
-  std::vector<Eigen::Vector3f> point_; // of these, from origin_
+  std::vector<std::uint32_t> begin_;        // of a bin's samples; one more
+  std::vector<SurfaceSample> samples_;      // by bins
+  std::array<std::vector<float>, 3> point_; // of these, from origin_; kLanes - 1 more
 };
 
 } // namespace voluta::toolpath
