@@ -54,12 +54,14 @@ double PlacedFrustum::signedDistance(const Vector3d& point) const {
   const double toCaps = std::max(-z, z - length_);
   if (length_ > 0.0 && toSide <= 0.0 && toCaps <= 0.0)
     return std::max(toSide, toCaps); // inside: the nearest of the planes
-  const auto squaredTo = [&](double x, double y) { return x * x + y * y; };
-  const double bottom = squaredTo(std::max(0.0, rho - r0_), z);
-  const double top = squaredTo(std::max(0.0, rho - r1_), z - length_);
+  // Straight above or below a cap; else the slant is nearest, with its ends.
+  if (z <= 0.0 && rho <= r0_)
+    return -z;
+  if (z >= length_ && rho <= r1_)
+    return z - length_;
   const double t = std::clamp(((rho - r0_) * sideX_ + z * sideZ_) * inverseSideSquared_, 0.0, 1.0);
-  const double side = squaredTo(rho - r0_ - t * sideX_, z - t * sideZ_);
-  return std::sqrt(std::min({bottom, top, side}));
+  const double x = rho - r0_ - t * sideX_, y = z - t * sideZ_;
+  return std::sqrt(x * x + y * y);
 }
 
 PlacedPrism::PlacedPrism(const robot::Prism& shape, const Eigen::Isometry3d& frame_T_shape)
