@@ -45,14 +45,16 @@ std::string fixedText(double value, int decimals) {
 }
 
 std::size_t findUnquoted(std::string_view text, std::string_view mark) {
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '"')
-      quoted = !quoted;
-    else if (!quoted && text.substr(i).starts_with(mark))
-      return i;
+  constexpr std::size_t kNone = std::string_view::npos;
+  for (std::size_t from = 0;;) {
+    const std::size_t at = text.find(mark, from), quote = text.substr(0, at).find('"', from);
+    if (quote == kNone)
+      return at;
+    const std::size_t closing = text.find('"', quote + 1);
+    if (closing == kNone)
+      return kNone;
+    from = closing + 1;
   }
-  return std::string_view::npos;
 }
 
 double roundedTo(double value, int decimals) {

@@ -57,6 +57,16 @@ TEST(Text, namesAreNamesForEveryController) {
   EXPECT_EQ(identifierOf(std::string(50, 'x')).size(), 31u);
 }
 
+TEST(Text, marksInQuotesAreText) {
+  EXPECT_EQ(findUnquoted("a = 1 # one", "#"), 6u);
+  EXPECT_EQ(findUnquoted("#", "#"), 0u);
+  EXPECT_EQ(findUnquoted("say(\"#1\", \"#2\") # said", "#"), 16u);
+  EXPECT_EQ(findUnquoted("say(\"a // b\") / 2 // c", "//"), 18u);
+  EXPECT_EQ(findUnquoted("a # \"b\" # c", "#"), 2u);
+  for (const char* without : {"", "plain", "say(\"#\")", "left open \"# 1", "\"\"\"#"})
+    EXPECT_EQ(findUnquoted(without, "#"), std::string_view::npos) << without;
+}
+
 TEST(Text, linesEndInAnyWay) {
   LineReader lines("a\r\n\nb\nc");
   std::string_view line;
