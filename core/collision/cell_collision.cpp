@@ -77,13 +77,14 @@ CellCollision::CellCollision(const robot::Cell& cell, const process::Process& pr
       holders_.push_back(static_cast<int>(i));
   }
   const process::HeadShape eroded = process::erodedHead(process.head, process.contactToleranceMm);
+  std::vector<robot::Frustum> frusta;
   for (std::size_t i = 1; i < eroded.sections.size(); ++i) {
     const auto &a = eroded.sections[i - 1], &b = eroded.sections[i];
     if (b.zMm > a.zMm)
-      erodedHeadShapes_.push_back(
-          robot::Frustum{Vector3d(0, 0, -a.zMm), Vector3d(0, 0, -b.zMm), a.radiusMm, b.radiusMm});
+      frusta.push_back({Vector3d(0, 0, -a.zMm), Vector3d(0, 0, -b.zMm), a.radiusMm, b.radiusMm});
   }
-  erodedHead_ = std::make_unique<Assembly>(erodedHeadShapes_);
+  erodedHead_ = std::make_unique<Assembly>(std::vector<robot::Shape>(frusta.begin(), frusta.end()));
+  revolvedHead_ = std::make_unique<Revolved>(frusta);
 }
 
 CellCollision::~CellCollision() = default;
@@ -196,9 +197,7 @@ std::optional<Contact> CellCollision::bodiesAndPart(const Frames& base_T_frame,
 
 bool CellCollision::headTouchesPart(const Isometry3d& work_T_tool, const GrowingPart& part,
                                     std::size_t before, double marginMm) const {
-  return std::any_of(erodedHeadShapes_.begin(), erodedHeadShapes_.end(), [&](const auto& shape) {
-    return part.headTouches(shape, work_T_tool, marginMm, before);
-  });
+  return part.headTouches(*revolvedHead_, work_T_tool, marginMm, before);
 }
 
 bool CellCollision::touchesPlatform(const Assembly& assembly, const Isometry3d& work_T_assembly,

@@ -95,9 +95,9 @@ private:
   const robot::Cell& cell_;
   std::vector<Assembly> assemblies_; // as cell.bodies()
   std::unique_ptr<Assembly> erodedHead_;
-  std::vector<robot::Shape> erodedHeadShapes_;
-  std::vector<int> platforms_, holders_; // of cell.bodies()
-  double platformTopMm_;                 // in the work frame
+  std::unique_ptr<Revolved> revolvedHead_; // the same
+  std::vector<int> platforms_, holders_;   // of cell.bodies()
+  double platformTopMm_;                   // in the work frame
 };
 
 } // namespace voluta::collision

@@ -3,10 +3,10 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
-#include "collision/shape_distance.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace voluta::collision {
@@ -169,28 +169,48 @@ double FillTimes::topBefore(std::uint32_t before) const {
   return grid_.centre(0, 0, static_cast<int>(end - fromUp_.begin()) - 1).z();
 }
 
-bool FillTimes::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
-                        double marginMm, std::uint32_t before) const {
-  if (leads_.empty())
-    return false;
+template <typename Distance>
+bool FillTimes::touches(const Distance& signedDistance, double lowestMm, double marginMm,
+                        std::uint32_t before) const {
   const auto leastFilled = [this](int level, const Vector3i& b) { return leastAt(level, b); };
   const int top = static_cast<int>(pyramid_.size());
   if (leastAt(top, Vector3i::Zero()) >= before)
     return false;
-  // What is not at least as high as the shape's lowest point, grown, is not in it.
+  // What is not at least as high as the solid's lowest point, grown, is not in it.
   constexpr double kRounding = 1e-6;
+  if (topBefore(before) < lowestMm - marginMm - kRounding)
+    return false;
+  return Descent(grid_, leastFilled, signedDistance, before)
+      .touches(top, Vector3i::Zero(), marginMm);
+}
+
+bool FillTimes::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
+                        double marginMm, std::uint32_t before) const {
+  if (leads_.empty())
+    return false;
   const double lowest = work_T_shape.translation().z() -
                         support(shape, work_T_shape.linear().transpose() * -Vector3d::UnitZ());
-  if (topBefore(before) < lowest - marginMm - kRounding)
-    return false;
   const PlacedShape placed = place(shape, work_T_shape);
   return std::visit(
       [&](const auto& s) {
-        const auto distance = [&s](const Vector3d& p) { return s.signedDistance(p); };
-        return Descent(grid_, leastFilled, distance, before)
-            .touches(top, Vector3i::Zero(), marginMm);
+        return touches([&s](const Vector3d& p) { return s.signedDistance(p); }, lowest, marginMm,
+                       before);
       },
       placed);
+}
+
+bool FillTimes::touches(const Revolved& solid, const Eigen::Isometry3d& work_T_solid,
+                        double marginMm, std::uint32_t before) const {
+  if (leads_.empty())
+    return false;
+  const Vector3d origin = work_T_solid.translation(), axis = work_T_solid.linear().col(2);
+  return touches(
+      [&](const Vector3d& p) {
+        const Vector3d r = p - origin;
+        const double z = r.dot(axis);
+        return solid.signedDistance(std::sqrt(std::max(0.0, r.squaredNorm() - z * z)), z);
+      },
+      origin.z() + solid.lowest(axis), marginMm, before);
 }
 
 double FillTimes::distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/zeroed_array.h"
+#include "collision/shape_distance.h"
 #include "robot/body.h"
 #include "voxel/voxel_grid.h"
 
@@ -41,6 +42,10 @@ public:
   bool touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape, double marginMm,
                std::uint32_t before) const;
 
+  // The same of a solid of revolution.
+  bool touches(const Revolved& solid, const Eigen::Isometry3d& work_T_solid, double marginMm,
+               std::uint32_t before) const;
+
   // Distance from the shape to the nearest centre of a cell filled before `before`, capped at
   // `capMm`; 0 when inside. mm.
   double distance(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape, double capMm,
@@ -49,6 +54,10 @@ public:
 private:
   // Least moment in a block of the pyramid (level 0: a cell); kNever outside the grid.
   std::uint32_t leastAt(int level, const Eigen::Vector3i& block) const;
+  // touches() of a solid with that signed distance, whose lowest point is at lowestMm.
+  template <typename Distance>
+  bool touches(const Distance& signedDistance, double lowestMm, double marginMm,
+               std::uint32_t before) const;
   // Height of the highest centre of a cell filled before `before`; below the grid: there is none.
   double topBefore(std::uint32_t before) const;
 

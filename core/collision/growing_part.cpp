@@ -167,11 +167,11 @@ bool GrowingPart::touches(const robot::Shape& shape, const Eigen::Isometry3d& wo
          ground_->touches(shape, work_T_shape, marginMm, moment);
 }
 
-bool GrowingPart::headTouches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
+bool GrowingPart::headTouches(const Revolved& head, const Eigen::Isometry3d& work_T_head,
                               double marginMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
-  return beads_->touches(shape, work_T_shape, marginMm - 0.5 * beads_->grid().pitch, moment) ||
-         ground_->touches(shape, work_T_shape, marginMm - 0.5 * ground_->grid().pitch, moment);
+  return beads_->touches(head, work_T_head, marginMm - 0.5 * beads_->grid().pitch, moment) ||
+         ground_->touches(head, work_T_head, marginMm - 0.5 * ground_->grid().pitch, moment);
 }
 
 bool GrowingPart::holds(const Eigen::Vector3d& point, std::size_t before) const {

@@ -52,10 +52,10 @@ public:
   // centre of a cell of the ground or of one filled at a waypoint index < `before`?
   bool touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape, double marginMm,
                std::size_t before) const;
-  // The same, but what lies in the shape by less than half a cell does not count: nearer the grids
+  // The same, but what lies in the solid by less than half a cell does not count: nearer the grids
   // cannot tell. For the head, which is meant to be there.
-  bool headTouches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,
-                   double marginMm, std::size_t before) const;
+  bool headTouches(const Revolved& head, const Eigen::Isometry3d& work_T_head, double marginMm,
+                   std::size_t before) const;
 
   // Is the cell that the point is in, of the ground or of beads, filled at a waypoint index <
   // `before`?

@@ -28,28 +28,17 @@ PlacedBox::PlacedBox(const robot::Box& shape, const Eigen::Isometry3d& frame_T_s
   centre_ = frame_T_box.translation();
 }
 
-PlacedFrustum::PlacedFrustum(const robot::Frustum& shape, const Eigen::Isometry3d& frame_T_shape)
-    : p0_(frame_T_shape * shape.p0), r0_(shape.r0), r1_(shape.r1) {
-  require(shape.r0 >= 0.0 && shape.r1 >= 0.0, "frustum radii >= 0");
-  const Vector3d along = frame_T_shape.linear() * (shape.p1 - shape.p0);
-  length_ = along.norm();
-  axis_ = length_ > 0.0 ? Vector3d(along / length_) : Vector3d(Vector3d::UnitZ());
-  centre_ = p0_ + 0.5 * along;
-  outerRadius_ = std::hypot(0.5 * length_, std::max(r0_, r1_));
-  sideX_ = r1_ - r0_;
-  sideZ_ = length_;
-  const double squared = sideX_ * sideX_ + sideZ_ * sideZ_;
+FrustumProfile::FrustumProfile(double length, double r0, double r1)
+    : length_(length), r0_(r0), r1_(r1), sideX_(r1 - r0) {
+  require(length >= 0.0 && r0 >= 0.0 && r1 >= 0.0, "frustum length and radii >= 0");
+  const double squared = sideX_ * sideX_ + length_ * length_;
   inverseSideSquared_ = squared > 0.0 ? 1.0 / squared : 0.0;
   const double side = std::sqrt(squared);
-  normalX_ = side > 0.0 ? sideZ_ / side : 0.0;
+  normalX_ = side > 0.0 ? length_ / side : 0.0;
   normalZ_ = side > 0.0 ? -sideX_ / side : 0.0;
 }
 
-double PlacedFrustum::signedDistance(const Vector3d& point) const {
-  // In the half plane (rho, z) the solid is a quadrilateral with its left side on the axis.
-  const Vector3d r = point - p0_;
-  const double z = r.dot(axis_);
-  const double rho = std::sqrt(std::max(0.0, r.squaredNorm() - z * z));
+double FrustumProfile::signedDistance(double rho, double z) const {
   const double toSide = (rho - r0_) * normalX_ + z * normalZ_; // > 0 outside the slant
   const double toCaps = std::max(-z, z - length_);
   if (length_ > 0.0 && toSide <= 0.0 && toCaps <= 0.0)
@@ -59,9 +48,50 @@ double PlacedFrustum::signedDistance(const Vector3d& point) const {
     return -z;
   if (z >= length_ && rho <= r1_)
     return z - length_;
-  const double t = std::clamp(((rho - r0_) * sideX_ + z * sideZ_) * inverseSideSquared_, 0.0, 1.0);
-  const double x = rho - r0_ - t * sideX_, y = z - t * sideZ_;
+  const double t = std::clamp(((rho - r0_) * sideX_ + z * length_) * inverseSideSquared_, 0.0, 1.0);
+  const double x = rho - r0_ - t * sideX_, y = z - t * length_;
   return std::sqrt(x * x + y * y);
+}
+
+PlacedFrustum::PlacedFrustum(const robot::Frustum& shape, const Eigen::Isometry3d& frame_T_shape)
+    : profile_((shape.p1 - shape.p0).norm(), shape.r0, shape.r1), p0_(frame_T_shape * shape.p0) {
+  const Vector3d along = frame_T_shape.linear() * (shape.p1 - shape.p0);
+  axis_ =
+      profile_.length() > 0.0 ? Vector3d(along / profile_.length()) : Vector3d(Vector3d::UnitZ());
+  centre_ = p0_ + 0.5 * along;
+  outerRadius_ = std::hypot(0.5 * profile_.length(), std::max(shape.r0, shape.r1));
+}
+
+double PlacedFrustum::signedDistance(const Vector3d& point) const {
+  const Vector3d r = point - p0_;
+  const double z = r.dot(axis_);
+  return profile_.signedDistance(std::sqrt(std::max(0.0, r.squaredNorm() - z * z)), z);
+}
+
+Revolved::Revolved(const std::vector<robot::Frustum>& frusta) {
+  for (const robot::Frustum& f : frusta) {
+    require(f.p0.head<2>().isZero(0.0) && f.p1.head<2>().isZero(0.0), "frusta about the z axis");
+    const double way = f.p1.z() - f.p0.z();
+    pieces_.push_back({f.p0.z(), way < 0.0 ? -1.0 : 1.0, {std::abs(way), f.r0, f.r1}});
+  }
+}
+
+double Revolved::signedDistance(double rho, double z) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Piece& p : pieces_)
+    least = std::min(least, p.profile.signedDistance(rho, p.up * (z - p.from)));
+  return least;
+}
+
+double Revolved::lowest(const Vector3d& axis) const {
+  const double across = std::sqrt(std::max(0.0, 1.0 - axis.z() * axis.z()));
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Piece& p : pieces_) {
+    const double to = p.from + p.up * p.profile.length();
+    lowest = std::min({lowest, axis.z() * p.from - across * p.profile.r0(),
+                       axis.z() * to - across * p.profile.r1()});
+  }
+  return lowest;
 }
 
 PlacedPrism::PlacedPrism(const robot::Prism& shape, const Eigen::Isometry3d& frame_T_shape)

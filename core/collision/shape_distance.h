@@ -47,6 +47,21 @@ private:
   Eigen::Vector3d centre_, half_;
 };
 
+// A frustum in the half plane (rho, z) about its axis, z from its first end: a quadrilateral with
+// its left side on the axis.
+class FrustumProfile {
+public:
+  FrustumProfile(double length, double r0, double r1);
+  double signedDistance(double rho, double z) const;
+  double length() const { return length_; }
+  double r0() const { return r0_; }
+  double r1() const { return r1_; }
+
+private:
+  double length_, r0_, r1_;
+  double sideX_, inverseSideSquared_, normalX_, normalZ_; // of the slanted side
+};
+
 class PlacedFrustum {
 public:
   PlacedFrustum(const robot::Frustum& shape, const Eigen::Isometry3d& frame_T_shape);
@@ -55,9 +70,27 @@ public:
   double outerRadius() const { return outerRadius_; }
 
 private:
+  FrustumProfile profile_;
   Eigen::Vector3d p0_, axis_, centre_; // axis_: unit
-  double length_, r0_, r1_, outerRadius_;
-  double sideX_, sideZ_, inverseSideSquared_, normalX_, normalZ_; // of the slanted side, (rho, z)
+  double outerRadius_;
+};
+
+// Frusta about the z axis of their frame, such as a head's, as one solid.
+class Revolved {
+public:
+  // Precondition: both ends of each on the axis.
+  explicit Revolved(const std::vector<robot::Frustum>& frusta);
+  // Less than 0 in any of them; the least of theirs. Of a point so far from the axis.
+  double signedDistance(double rho, double z) const;
+  // Height of its lowest point over the origin of a frame in which its axis is this (unit).
+  double lowest(const Eigen::Vector3d& axis) const;
+
+private:
+  struct Piece {
+    double from, up; // along the axis: its first end, and 1 or -1
+    FrustumProfile profile;
+  };
+  std::vector<Piece> pieces_;
 };
 
 class PlacedPrism {

@@ -289,7 +289,7 @@ TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
   EXPECT_FALSE(part.touches(pin, at(0, 3.1), 0.0, 1));
   EXPECT_TRUE(part.touches(pin, at(0, 3.1), 0.0, 2));
   // A head whose foot is flush with the ground is no gouge; deeper than half a cell is.
-  const robot::Shape foot = robot::Frustum{Vector3d(0, 0, 0), Vector3d(0, 0, 5), 0.4, 0.4};
+  const collision::Revolved foot({{Vector3d(0, 0, 0), Vector3d(0, 0, 5), 0.4, 0.4}});
   EXPECT_FALSE(part.headTouches(foot, at(15, 2.46), 0.0, 0));
   EXPECT_TRUE(part.headTouches(foot, at(15, 2.25), 0.0, 0));
 }

@@ -43,6 +43,39 @@ bool inside(const robot::Shape& shape, const Vector3d& p) {
 
 } // namespace
 
+// A head of frusta about its axis is as near as the nearest of them, and as low as the lowest.
+TEST(Revolved, IsAsItsFrusta) {
+  test::RandomShapes random(41);
+  for (int n = 0; n < 60; ++n) {
+    std::vector<robot::Frustum> frusta;
+    double z = random.number(-5, 5);
+    const double up = n % 2 == 0 ? 1.0 : -1.0;
+    for (int k = 0; k < 3; ++k) {
+      const double from = z;
+      z += up * random.number(0.5, 6.0);
+      frusta.push_back({{0, 0, from}, {0, 0, z}, random.number(0, 4), random.number(0, 4)});
+    }
+    const collision::Revolved head(frusta);
+    const Eigen::Isometry3d pose = random.pose(3.0);
+    const Vector3d axis = pose.linear().col(2);
+    double lowest = 1e9;
+    for (const robot::Frustum& f : frusta)
+      lowest =
+          std::min(lowest, -collision::support(f, pose.linear().transpose() * -Vector3d::UnitZ()));
+    EXPECT_NEAR(head.lowest(axis), lowest, 1e-9);
+    for (int k = 0; k < 40; ++k) {
+      const Vector3d p = random.point(12.0), r = p - pose.translation();
+      double nearest = 1e9;
+      for (const robot::Frustum& f : frusta)
+        nearest = std::min(nearest, collision::signedDistance(collision::place(f, pose), p));
+      const double along = r.dot(axis);
+      EXPECT_NEAR(
+          head.signedDistance(std::sqrt(std::max(0.0, r.squaredNorm() - along * along)), along),
+          nearest, 1e-7);
+    }
+  }
+}
+
 TEST(ShapeDistance, KnownValues) {
   const robot::Capsule capsule{{0, 0, 0}, {0, 0, 10}, 2};
   EXPECT_DOUBLE_EQ(collision::signedDistance(capsule, {5, 0, 5}), 3.0);
