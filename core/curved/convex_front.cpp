@@ -15,6 +15,16 @@ constexpr std::size_t kBlock = 8;
 constexpr double kFacing = 0.5;
 using Cell2 = std::array<std::int32_t, 2>;
 
+// As std::floor and std::ceil, which are calls where the processor need not have them.
+int floored(double x) {
+  const int whole = static_cast<int>(x);
+  return whole - (x < whole);
+}
+int ceiled(double x) {
+  const int whole = static_cast<int>(x);
+  return whole + (x > whole);
+}
+
 // Corners of the hull of points sorted by (x, y), without those on its sides (Andrew's chain).
 std::vector<Cell2> planarHull(const std::vector<Cell2>& sorted) {
   if (sorted.size() < 3)
@@ -324,9 +334,8 @@ inline std::array<int, 2> ConvexFront::cellsBelow(const Facet& facet, int axis, 
   const double reach = (depth + 1e-9) / facing;
   const double at = (facet.planeInCells - n[surface.u] * cu - n[surface.w] * cw) / n[axis];
   const bool upper = n[axis] > 0.0;
-  return {std::max(0, static_cast<int>(std::ceil(upper ? at - reach : at - 1e-9))),
-          std::min(graph_.grid.size[axis] - 1,
-                   static_cast<int>(std::floor(upper ? at + 1e-9 : at + reach)))};
+  return {std::max(0, ceiled(upper ? at - reach : at - 1e-9)),
+          std::min(graph_.grid.size[axis] - 1, floored(upper ? at + 1e-9 : at + reach))};
 }
 
 // What lies within `depth` below the facet's plane there. Near the rim columns may pass it by; the
@@ -431,34 +440,35 @@ void ConvexFront::onNewFacets(std::vector<std::int32_t>& out) {
 template <typename Visit>
 void ConvexFront::eachRow(const Facet& facet, int axis, Visit&& visit) const {
   const Surface& surface = surface_[static_cast<std::size_t>(axis)];
-  // Corners in cells: a voxel's centre is at its whole index.
-  std::array<std::array<double, 2>, 3> corner;
-  for (std::size_t c = 0; c < 3; ++c) {
+  // Corners in cells, by their row: a voxel's centre is at its whole index. They lie on the
+  // lattice, so that rows compare exactly.
+  struct Corner {
+    double u, w;
+  };
+  std::array<Corner, 3> corner;
+  for (std::size_t c = 0; c < 3; ++c)
     corner[c] = {facet.corners[c][surface.u], facet.corners[c][surface.w]};
-  }
-  const auto [lowW, highW] = std::minmax({corner[0][1], corner[1][1], corner[2][1]});
+  if (corner[1].w < corner[0].w)
+    std::swap(corner[0], corner[1]);
+  if (corner[2].w < corner[1].w)
+    std::swap(corner[1], corner[2]);
+  if (corner[1].w < corner[0].w)
+    std::swap(corner[0], corner[1]);
+  const auto& [first, middle, last] = corner;
+  const auto slope = [](const Corner& from, const Corner& to) {
+    return to.w > from.w ? (to.u - from.u) / (to.w - from.w) : 0.0;
+  };
+  const double across = slope(first, last), before = slope(first, middle),
+               after = slope(middle, last);
   constexpr double kSlack = 1e-9;
-  const int firstW = std::max(0, static_cast<int>(std::ceil(lowW - kSlack)));
-  const int lastW = std::min(surface.sizeW - 1, static_cast<int>(std::floor(highW + kSlack)));
+  const int firstW = std::max(0, ceiled(first.w)),
+            lastW = std::min(surface.sizeW - 1, floored(last.w));
   for (int cw = firstW; cw <= lastW; ++cw) {
-    double lowU = std::numeric_limits<double>::max(), highU = -lowU;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto &p = corner[c], &q = corner[(c + 1) % 3];
-      if (std::min(p[1], q[1]) > cw + kSlack || std::max(p[1], q[1]) < cw - kSlack)
-        continue;
-      const double rise = q[1] - p[1];
-      if (std::abs(rise) <= kSlack) {
-        lowU = std::min({lowU, p[0], q[0]});
-        highU = std::max({highU, p[0], q[0]});
-      } else {
-        const double t = std::clamp((cw - p[1]) / rise, 0.0, 1.0);
-        const double at = p[0] + t * (q[0] - p[0]);
-        lowU = std::min(lowU, at);
-        highU = std::max(highU, at);
-      }
-    }
-    visit(cw, std::max(0, static_cast<int>(std::ceil(lowU - kSlack))),
-          std::min(surface.sizeU - 1, static_cast<int>(std::floor(highU + kSlack))));
+    const double one = first.u + across * (cw - first.w);
+    const double other =
+        cw < middle.w ? first.u + before * (cw - first.w) : middle.u + after * (cw - middle.w);
+    visit(cw, std::max(0, ceiled(std::min(one, other) - kSlack)),
+          std::min(surface.sizeU - 1, floored(std::max(one, other) + kSlack)));
   }
 }
 

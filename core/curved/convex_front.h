@@ -123,8 +123,8 @@ private:
   void replaceFacets(const std::vector<HullFacet>& hull);
   void dropFacet(std::int32_t slot);
   std::int32_t addFacet(const Corners& corners, const HullFacet& hullFacet);
-  // Visits rows (cw, first cu, last cu) of the columns along `axis` that meet the facet, its rim
-  // included.
+  // Visits rows (cw, first cu, last cu) of the columns along `axis`, which the facet faces, that
+  // meet it, its rim included.
   template <typename Visit> void eachRow(const Facet& facet, int axis, Visit&& visit) const;
   void mark(std::size_t slot, Stroke stroke);
   // First and last cell of the column (cu, cw) along `axis` that lie within `depth` below the plane
