@@ -220,7 +220,7 @@ private:
     std::size_t hint = 0;
     for (const std::int32_t v : waiting_) {
       const auto x = static_cast<std::size_t>(v);
-      if (late(x) && support_.allows(x) && front_.isNearSurface(x, deepest_) &&
+      if (late(x) && front_.isNearSurface(x, deepest_) && support_.allows(x) &&
           (guide_[x] - level_ > kLate || allowed(x) || !front_.deeperThan(x, sheet, hint)))
         candidates_.push_back(v);
     }
