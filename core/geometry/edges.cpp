@@ -1,38 +1,57 @@
 #include "geometry/edges.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <numeric>
-#include <tuple>
 
 namespace voluta::geometry {
 
-std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh) {
-  const auto sideOf = [&](std::size_t t, int side) {
-    const int from = mesh.triangles[t][static_cast<std::size_t>(side)];
-    const int to = mesh.triangles[t][static_cast<std::size_t>((side + 1) % 3)];
-    return HalfEdge{std::min(from, to), std::max(from, to), static_cast<int>(t), side, from < to};
-  };
-  // By the low vertex first, counted; few share one.
-  std::vector<std::size_t> begin(mesh.vertices.size() + 1, 0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int side = 0; side < 3; ++side)
-      ++begin[static_cast<std::size_t>(sideOf(t, side).low) + 1];
-  for (std::size_t v = 1; v < begin.size(); ++v)
-    begin[v] += begin[v - 1];
-  std::vector<HalfEdge> edges(3 * mesh.triangles.size());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int side = 0; side < 3; ++side) {
-      const HalfEdge edge = sideOf(t, side);
-      edges[next[static_cast<std::size_t>(edge.low)]++] = edge;
+namespace {
+
+// By the high vertex, those of one as they come.
+void sortFew(std::vector<HalfEdge>::iterator begin, std::vector<HalfEdge>::iterator end) {
+  constexpr std::ptrdiff_t kFew = 24;
+  if (end - begin > kFew) {
+    std::stable_sort(begin, end,
+                     [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; });
+    return;
+  }
+  for (auto at = begin; at != end; ++at)
+    for (auto to = at; to != begin && to->high < (to - 1)->high; --to)
+      std::swap(*to, *(to - 1));
+}
+
+} // namespace
+
+std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh, const std::vector<int>& triangles) {
+  // By the low vertex first, counted; few share one, in the order of triangles and sides.
+  std::vector<std::uint32_t> next(mesh.vertices.size() + 1, 0);
+  const auto eachSide = [&](auto&& visit) {
+    for (const int t : triangles) {
+      const std::array<int, 3>& corner = mesh.triangles[static_cast<std::size_t>(t)];
+      for (int side = 0; side < 3; ++side) {
+        const int from = corner[static_cast<std::size_t>(side)],
+                  to = corner[static_cast<std::size_t>((side + 1) % 3)];
+        visit(HalfEdge{std::min(from, to), std::max(from, to), t, side, from < to});
+      }
     }
-  for (std::size_t v = 0; v + 1 < begin.size(); ++v)
-    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin[v]),
-              edges.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
-              [](const HalfEdge& a, const HalfEdge& b) {
-                return std::tie(a.high, a.triangle, a.side) < std::tie(b.high, b.triangle, b.side);
-              });
+  };
+  eachSide([&](const HalfEdge& edge) { ++next[static_cast<std::size_t>(edge.low) + 1]; });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<HalfEdge> edges(3 * triangles.size());
+  eachSide([&](const HalfEdge& edge) { edges[next[static_cast<std::size_t>(edge.low)]++] = edge; });
+  // Each has gone on to where the next one's begin.
+  std::uint32_t begin = 0;
+  for (std::size_t v = 0; v + 1 < next.size(); begin = next[v++])
+    sortFew(edges.begin() + begin, edges.begin() + next[v]);
   return edges;
+}
+
+std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh) {
+  std::vector<int> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return sortedHalfEdges(mesh, all);
 }
 
 UnionFind::UnionFind(std::size_t size) : parent_(size) {

@@ -18,6 +18,8 @@ struct HalfEdge {
 
 // All 3 n sides, those of one edge together; sorted by (low, high, triangle, side).
 std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh);
+// The same of some of its triangles, which ascend.
+std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh, const std::vector<int>& triangles);
 
 // Calls body(begin, end) for the half-edges of each edge.
 template <typename Body> void forEachEdge(const std::vector<HalfEdge>& sorted, Body&& body) {

@@ -57,7 +57,7 @@ struct Ring {
     for (const int t : active)
       for (int v : mesh.triangles[at(t)])
         triangles[at(next[at(v)]++)] = t;
-    findEdges(mesh);
+    halfEdges = geometry::sortedHalfEdges(mesh, active);
     geometry::forEachEdge(halfEdges, [&](std::size_t b, std::size_t e) {
       for (int v : {halfEdges[b].low, halfEdges[b].high}) {
         if (e - b > 2)
@@ -76,27 +76,6 @@ struct Ring {
   template <typename F> void around(int v, F&& f) const {
     for (int k = first[at(v)]; k < first[at(v) + 1]; ++k)
       f(triangles[at(k)]);
-  }
-
-private:
-  // A sort of all of them at once would take most of the time of cleaning.
-  void findEdges(const geometry::TriangleMesh& mesh) {
-    halfEdges.reserve(triangles.size());
-    for (int v = 0; v + 1 < static_cast<int>(first.size()); ++v) {
-      const std::size_t from = halfEdges.size();
-      around(v, [&](int t) {
-        const Triangle& corners = mesh.triangles[at(t)];
-        for (std::size_t side = 0; side < 3; ++side) {
-          const int a = corners[side], b = corners[(side + 1) % 3];
-          if (std::min(a, b) == v)
-            halfEdges.push_back({v, std::max(a, b), t, static_cast<int>(side), a < b});
-        }
-      });
-      // A handful, those of one triangle after the other.
-      for (std::size_t k = from + 1; k < halfEdges.size(); ++k)
-        for (std::size_t j = k; j > from && halfEdges[j].high < halfEdges[j - 1].high; --j)
-          std::swap(halfEdges[j], halfEdges[j - 1]);
-    }
   }
 };
 

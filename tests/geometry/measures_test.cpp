@@ -1,9 +1,15 @@
 #include "geometry/measures.h"
 
 #include "base/units.h"
+#include "geometry/edges.h"
 #include "helpers/shapes.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <vector>
 
 using namespace voluta;
 using Eigen::Vector3d;
@@ -53,4 +59,35 @@ TEST(Measures, ComponentsAndSubMesh) {
   const auto second = geometry::subMesh(m, keep);
   EXPECT_EQ(second.vertices.size(), 8u);
   EXPECT_NEAR(geometry::volume(second), 2.0, 1e-12);
+}
+
+TEST(SortedHalfEdges, AreThoseOfSomeTrianglesInOrder) {
+  // Two fans, so that some vertices have many sides and others few.
+  geometry::TriangleMesh mesh;
+  mesh.vertices.resize(60);
+  for (int v = 59; v > 2; --v)
+    mesh.triangles.push_back({0, v, v - 1});
+  for (int v = 2; v < 59; ++v)
+    mesh.triangles.push_back({v + 1, 1, v});
+  std::vector<int> some;
+  std::set<std::array<int, 4>> expected;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    if (t % 3 == 1)
+      continue;
+    some.push_back(t);
+    const auto& corner = mesh.triangles[static_cast<std::size_t>(t)];
+    for (std::size_t side = 0; side < 3; ++side) {
+      const auto [low, high] = std::minmax(corner[side], corner[(side + 1) % 3]);
+      expected.insert({low, high, t, static_cast<int>(side)});
+    }
+  }
+  const auto edges = geometry::sortedHalfEdges(mesh, some);
+  ASSERT_EQ(edges.size(), expected.size());
+  auto next = expected.begin();
+  for (const geometry::HalfEdge& e : edges) {
+    EXPECT_EQ((std::array<int, 4>{e.low, e.high, e.triangle, e.side}), *next++);
+    const auto& corner = mesh.triangles[static_cast<std::size_t>(e.triangle)];
+    EXPECT_EQ(e.forward, corner[static_cast<std::size_t>(e.side)] == e.low);
+  }
+  EXPECT_EQ(geometry::sortedHalfEdges(mesh).size(), 3 * mesh.triangles.size());
 }
