@@ -66,6 +66,18 @@ voxel::VoxelGrid gridAround(const plan::ToolPlan& plan, const std::vector<std::u
   return grid;
 }
 
+// The cells of a grid whose centres are in a box, or no further outside than rounding.
+struct CellBox {
+  Vector3i low, high;
+};
+CellBox centresIn(const voxel::VoxelGrid& grid, const Vector3d& low, const Vector3d& high) {
+  constexpr double kRounding = 1e-6; // cells
+  const Eigen::Array3d first = (low - grid.origin).array() / grid.pitch - 0.5,
+                       last = (high - grid.origin).array() / grid.pitch - 0.5;
+  return {(first - kRounding).ceil().matrix().cast<int>().cwiseMax(0),
+          (last + kRounding).floor().matrix().cast<int>().cwiseMin(grid.size - Vector3i::Ones())};
+}
+
 // Is what fills the cell so far, if anything, later?
 bool isLater(std::uint32_t& cell, std::uint32_t lead) {
   return std::atomic_ref<std::uint32_t>(cell).load(std::memory_order_relaxed) < lead;
@@ -144,13 +156,13 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
   base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t s = b; s < e; ++s) {
       const BeadSolid bead(plan, segments[s]);
-      const Vector3i low = grid.cellOf(bead.low()).cwiseMax(0);
-      const Vector3i high = grid.cellOf(bead.high()).cwiseMin(grid.size - Vector3i::Ones());
+      const auto [low, high] = centresIn(grid, bead.low(), bead.high());
       const std::uint32_t lead = FillTimes::leadOf(segments[s] + 1);
       for (int k = low.z(); k <= high.z(); ++k)
         for (int j = low.y(); j <= high.y(); ++j) {
           std::size_t cell = grid.index(low.x(), j, k);
-          leads.prepare(cell);
+          if (low.x() <= high.x())
+            leads.prepare(cell);
           for (int i = low.x(); i <= high.x(); ++i, ++cell)
             if (isLater(leads[cell], lead) && bead.contains(grid.centre(i, j, k)))
               raise(leads[cell], lead);
