@@ -1,6 +1,7 @@
 #include "toolpath/curve_tools.h"
 
 #include "base/error.h"
+#include "base/units.h"
 #include "geometry/directions.h"
 
 #include <Eigen/Geometry>
@@ -26,15 +27,15 @@ public:
   const Vector3d& point(std::size_t i) const {
     return curve_.points[i % curve_.points.size()].position;
   }
-  SurfacePoint at(double s) const {
-    if (curve_.closed) {
+  // `near`: the stretch between knots that it is looked for from, for which the found one is put:
+  // of lengths that grow it is not far.
+  SurfacePoint at(double s, std::size_t& near) const {
+    if (curve_.closed && (s < 0.0 || s >= length())) {
       s = std::fmod(s, length());
       s = s < 0 ? s + length() : s;
     }
     s = std::clamp(s, 0.0, length());
-    const auto it = std::upper_bound(s_.begin(), s_.end(), s);
-    const auto i = std::min(
-        static_cast<std::size_t>(std::max<std::ptrdiff_t>(it - s_.begin() - 1, 0)), s_.size() - 2);
+    const std::size_t i = near = stretchOf(s, near);
     const double span = s_[i + 1] - s_[i];
     const double t = span > 0 ? (s - s_[i]) / span : 0.0;
     return {(1 - t) * point(i) + t * point(i + 1),
@@ -42,13 +43,30 @@ public:
   }
 
 private:
+  std::size_t stretchOf(double s, std::size_t near) const {
+    constexpr std::size_t kSteps = 8;
+    const std::size_t last = s_.size() - 2;
+    if (s_[near] <= s)
+      for (std::size_t i = near; i < near + kSteps; ++i)
+        if (i == last || s < s_[i + 1])
+          return i;
+    const auto it = std::upper_bound(s_.begin(), s_.end(), s);
+    return std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(it - s_.begin() - 1, 0)),
+                    last);
+  }
+
   const SurfaceCurve& curve_;
   std::vector<double> s_;
 };
 
 // Arc lengths of corners: local maxima of the turn between the chords before and after.
 std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOptions& o) {
+  if (o.cornerRad >= base::kPi)
+    return {};
   const double window = std::min(o.cornerWindowMm, c.length() / 8);
+  // Of what turns less, how much does not matter.
+  const double straight = (1.0 + 1e-9) * std::max(0.0, std::cos(o.cornerRad));
+  std::size_t back = 0, ahead = 0;
   std::vector<double> s, turn;
   for (std::size_t i = 0; i < c.knots().size(); ++i) {
     const double at = c.knots()[i];
@@ -57,10 +75,15 @@ std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOp
       continue;
     if (!s.empty() && at - s.back() < 0.02)
       continue;
-    const Vector3d p = c.at(at).position;
-    const Vector3d before = p - c.at(at - window).position, after = c.at(at + window).position - p;
+    const Vector3d& p = c.point(i);
+    const Vector3d before = p - c.at(at - window, back).position,
+                   after = c.at(at + window, ahead).position - p;
+    const double along = before.dot(after);
+    const bool isStraight =
+        along > 0.0 &&
+        along * along > straight * straight * before.squaredNorm() * after.squaredNorm();
     s.push_back(at);
-    turn.push_back(geometry::angleBetween(before, after));
+    turn.push_back(isStraight ? 0.0 : geometry::angleBetween(before, after));
   }
   std::vector<double> corners;
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -82,9 +105,10 @@ bool chordsHold(const ByLength& c, double s0, double s1, int n, double tolerance
     return true;
   const auto& knots = c.knots();
   auto it = std::upper_bound(knots.begin(), knots.end(), s0);
+  std::size_t near = 0;
   for (int i = 0; i < n; ++i) {
     const double from = s0 + (s1 - s0) * i / n, to = s0 + (s1 - s0) * (i + 1) / n;
-    const Vector3d a = c.at(from).position, b = c.at(to).position;
+    const Vector3d a = c.at(from, near).position, b = c.at(to, near).position;
     const Vector3d ab = b - a;
     const double l2 = ab.squaredNorm();
     for (; it != knots.end() && *it < to; ++it) {
@@ -160,8 +184,9 @@ Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,
     arcLengths = {0.0, c.length() / 3.0, 2.0 * c.length() / 3.0};
   Resampled r;
   r.curve.closed = curve.closed;
+  std::size_t near = 0;
   for (const double s : arcLengths) {
-    const SurfacePoint raw = c.at(s);
+    const SurfacePoint raw = c.at(s, near);
     r.curve.points.push_back(surface.project(raw.position, raw.triangle));
     r.corner.push_back(
         std::ranges::any_of(corners, [&](double k) { return std::abs(k - s) < 1e-9; }));
