@@ -201,6 +201,52 @@ TEST(PlaneSamples, AreSharedOutToTheNearestCurve) {
   }
 }
 
+// Where wide beads narrow along their way, what lies beside it goes to the nearest rim too.
+TEST(PlaneSamples, AreSharedOutBetweenBeadsThatNarrow) {
+  const PatchSurface s = surfaceOver({test::circle(9)});
+  const auto samples = PlaneSamples::of(s, 0.04);
+  ASSERT_TRUE(samples);
+  std::vector<SurfaceCurve> curves(9); // straight: at corners two segments are equally near
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    for (double x = -9.0; x < 9.0; x += 0.7)
+      curves[k].points.push_back({leaning({x, 2.0 * static_cast<double>(k) - 8.0 + 0.1 * x}), 0});
+  std::vector<std::vector<double>> extras(curves.size());
+  for (std::size_t k = 0; k < curves.size(); k += 2)
+    for (std::size_t i = 0; i < curves[k].points.size(); ++i)
+      extras[k].push_back(0.2 + 0.2 * std::sin(0.9 * static_cast<double>(i)));
+  constexpr double kReach = 1.8;
+  const toolpath::Cells cells = shareOut(*samples, curves, kReach, extras);
+  std::vector<std::vector<double>> expected;
+  for (const SurfaceCurve& c : curves)
+    expected.emplace_back(c.points.size() - 1, 0.0);
+  for (std::size_t cell = 0; cell < samples->count(); ++cell) {
+    if (!samples->isInside(cell))
+      continue;
+    const Vector3d p = samples->sample(cell).position;
+    double least = INFINITY;
+    std::pair<std::size_t, std::size_t> best{0, 0};
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      for (std::size_t i = 0; i + 1 < curves[k].points.size(); ++i) {
+        const Vector3d &a = curves[k].points[i].position, &b = curves[k].points[i + 1].position;
+        const double t = std::clamp((b - a).dot(p - a) / (b - a).squaredNorm(), 0.0, 1.0);
+        const double extra =
+            extras[k].empty() ? 0.0 : (1.0 - t) * extras[k][i] + t * extras[k][i + 1];
+        const double distance = (a + t * (b - a) - p).norm();
+        if (distance < kReach && distance - extra < least) {
+          least = distance - extra;
+          best = {k, i};
+        }
+      }
+    if (least < INFINITY)
+      expected[best.first][best.second] += samples->areaMm2();
+  }
+  double off = 0.0;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    for (std::size_t i = 0; i < expected[k].size(); ++i)
+      off += std::abs(cells.share[k].areaMm2[i] - expected[k][i]);
+  EXPECT_LT(off, 0.001 * s.areaMm2);
+}
+
 // The same as from samples of triangles, which the surface's own way takes.
 TEST(PlaneSamples, AreSharedOutAsASurfaceIs) {
   const PatchSurface s = surfaceOver({test::circle(9)});
