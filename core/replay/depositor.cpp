@@ -172,14 +172,16 @@ private:
       for (int b = 0; b < quarter; ++b) {
         const Floats row = none + static_cast<float>(c), column = static_cast<float>(b) + first;
         const Floats x =
-            ((column + fractionOf(kR1 * row + kR2)) / static_cast<float>(nw) - 0.5f) * across;
+            ((column + base::fractionOf(kR1 * row + kR2)) / static_cast<float>(nw) - 0.5f) * across;
         // Beyond the last line is none.
         const Floats share =
-            column < static_cast<float>(nw) ? greatestOf(none, 1.0f + x * widens) : none;
-        const Floats depth = (row + fractionOf(kR1 * column + kR2 * row)) / static_cast<float>(nh);
+            column < static_cast<float>(nw) ? base::greatestOf(none, 1.0f + x * widens) : none;
+        const Floats depth =
+            (row + base::fractionOf(kR1 * column + kR2 * row)) / static_cast<float>(nh);
         const Floats below = 1.0f - filled + depth * filled; // the tip, in heights
-        const Floats off = depth * height - half, end = greatestOf(none, absOf(x) - flat);
-        const Floats rectangle = absOf(x) <= halfWidth ? share : none;
+        const Floats off = depth * height - half,
+                     end = base::greatestOf(none, base::absOf(x) - flat);
+        const Floats rectangle = base::absOf(x) <= halfWidth ? share : none;
         const Floats bead = end * end + off * off <= half * half ? share : none;
         Lines lines;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -1,35 +1,16 @@
 // Straight lines through a box of cells, four side by side.
 #pragma once
 
+#include "base/lanes.h"
+
 #include <Eigen/Core>
 #include <array>
 
 namespace voluta::replay {
 
-// Values of four lines (GCC's and Clang's vectors: operators, comparisons and ?: work by lane).
-inline constexpr int kLanes = 4;
-using Floats = float __attribute__((vector_size(4 * kLanes)));
-using Ints = int __attribute__((vector_size(4 * kLanes)));
-
-inline Floats floatsOf(Ints v) {
-  return __builtin_convertvector(v, Floats);
-}
-// Towards zero.
-inline Ints intsOf(Floats v) {
-  return __builtin_convertvector(v, Ints);
-}
-inline Floats leastOf(Floats a, Floats b) {
-  return a < b ? a : b;
-}
-inline Floats greatestOf(Floats a, Floats b) {
-  return a < b ? b : a;
-}
-inline Floats absOf(Floats v) {
-  return v < 0.0f ? -v : v;
-}
-inline Floats fractionOf(Floats v) {
-  return v - floatsOf(intsOf(v));
-} // of v >= 0
+using base::Floats;
+using base::Ints;
+using base::kLanes;
 
 // Four lines, in cells from the box's corner; by axis.
 struct Lines {
@@ -50,18 +31,18 @@ template <typename F> void alongLines(const Lines& lines, const Eigen::Vector3i&
   for (std::size_t k = 0; k < 3; ++k) {
     const Floats first = none + kInside,
                  last = none + (static_cast<float>(size[static_cast<int>(k)]) - kInside);
-    const Floats from = leastOf(greatestOf(lines.from[k], first), last),
-                 to = leastOf(greatestOf(lines.to[k], first), last), way = to - from;
-    const Ints at = intsOf(from), back = way < 0.0f;
+    const Floats from = base::leastOf(base::greatestOf(lines.from[k], first), last),
+                 to = base::leastOf(base::greatestOf(lines.to[k], first), last), way = to - from;
+    const Ints at = base::intsOf(from), back = way < 0.0f;
     cell += strides[k] * at;
     stride[k] = back ? Ints{} - strides[k] : Ints{} + strides[k];
-    across[k] = way == 0.0f ? none + 2.0f : 1.0f / absOf(way);
-    const Floats in = from - floatsOf(at);
+    across[k] = way == 0.0f ? none + 2.0f : 1.0f / base::absOf(way);
+    const Floats in = from - base::floatsOf(at);
     next[k] = way == 0.0f ? none + 2.0f : (back ? in : 1.0f - in) * across[k];
   }
   Floats done = none;
   for (;;) {
-    const Floats least = leastOf(leastOf(next[0], next[1]), next[2]);
+    const Floats least = base::leastOf(base::leastOf(next[0], next[1]), next[2]);
     const Ints goesOn = least < 1.0f;
     const Floats end = goesOn ? least : none + 1.0f;
     f(cell, end - done);

@@ -116,12 +116,12 @@ private:
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const auto& [a, b] = segments_[i];
       const auto offer = [&](std::size_t first, const Floats& distance) {
-        const auto before = fourAt<Floats>(&least[first]);
+        const auto before = base::fourAt<Floats>(&least[first]);
         const Ints isNearer = distance < before;
-        storeFour<Floats>(isNearer ? distance : before, &least[first]);
-        storeFour<Ints>(isNearer ? Ints{} + static_cast<std::int32_t>(i)
-                                 : fourAt<Ints>(&nearest[first]),
-                        &nearest[first]);
+        base::storeFour<Floats>(isNearer ? distance : before, &least[first]);
+        base::storeFour<Ints>(isNearer ? Ints{} + static_cast<std::int32_t>(i)
+                                       : base::fourAt<Ints>(&nearest[first]),
+                              &nearest[first]);
       };
       if (extra_.empty()) {
         samples.forFoursNear(a, b, near, beyond(i, near),

@@ -1,29 +1,20 @@
 // What is near a segment: how near, and the box about it.
 #pragma once
 
+#include "base/lanes.h"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace voluta::toolpath {
 
-// Four points at a time, a number of each.
-constexpr std::size_t kLanes = 4;
-using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
-using Ints = std::int32_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
-
-template <typename Four, typename T> Four fourAt(const T* first) {
-  Four four;
-  std::memcpy(&four, first, sizeof(four));
-  return four;
-}
-template <typename Four, typename T> void storeFour(const Four& four, T* first) {
-  std::memcpy(first, &four, sizeof(four));
-}
+using base::Floats;
+using base::Ints;
+// Points at a time.
+inline constexpr std::size_t kLanes = base::kLanes;
 
 // A segment to the precision of a float, for many points.
 template <int N> class FloatSegment {
@@ -42,7 +33,7 @@ public:
     Floats along{}, squared{};
     for (int k = N; k-- > 0;) {
       const auto axis = static_cast<std::size_t>(k);
-      off[axis] = fourAt<Floats>(points[axis]) - from_[k];
+      off[axis] = base::fourAt<Floats>(points[axis]) - from_[k];
       along += along_[k] * off[axis];
     }
     const Floats raw = along * inverse_, positive = raw < 0.0F ? Floats{} : raw,
