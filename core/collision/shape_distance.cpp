@@ -227,22 +227,35 @@ double capsuleDistance(const PlacedCapsule& capsule, const PlacedShape& convex, 
         if (length < 1e-6 || 0.5 * (atLow + atHigh - length) - radius > enough)
           return best - radius;
         constexpr double golden = 0.6180339887498949;
+        constexpr double kPlaceMm = 1e-4, kExactMm = 1e-6;
         double t1 = high - golden * (high - low), t2 = low + golden * (high - low);
         double f1 = at(t1), f2 = at(t2);
         // Two probes that differ by less than rounding still bracket the least of a convex
         // function; the value, not the place, is what has to be exact.
-        while ((high - low) * length > 1e-4) {
+        while ((high - low) * length > kPlaceMm) {
           best = std::min({best, f1, f2});
-          if (best - (high - low) * length - radius > enough)
-            return best - radius;
+          // It lies above the chords beside, drawn on: the one between the probes where it goes on
+          // down beyond the lower, those outside between them.
+          const double left = (t1 - low), between = t2 - t1, right = high - t2;
+          const double beyond =
+              f1 < f2 ? f1 - (f2 - f1) * left / between : f2 - (f1 - f2) * right / between;
+          const double within =
+              std::max(f1 + (f1 - atLow) * between / left, f2 + (f2 - atHigh) * between / right);
+          const double least = std::min({best, beyond, within});
+          if (least - radius > enough)
+            return least - radius;
+          if (best - least <= kExactMm)
+            break;
           if (f1 < f2) {
             high = t2;
+            atHigh = f2;
             t2 = t1;
             f2 = f1;
             t1 = high - golden * (high - low);
             f1 = at(t1);
           } else {
             low = t1;
+            atLow = f1;
             t1 = t2;
             f1 = f2;
             t2 = low + golden * (high - low);
