@@ -51,7 +51,7 @@ public:
     }
     begin_.push_back(segments_.size());
     tallies_.resize(segments_.size());
-    taper_ = steepest < 0.5 ? 2.0 * steepest / (1.0 - steepest * steepest) : reachMm;
+    taper_ = steepest < 0.4 ? 2.0 * steepest / (1.0 - steepest * steepest) : 1.0;
   }
 
   template <typename Samples> void add(const Samples& samples) {
