@@ -2,6 +2,7 @@
 
 #include "base/units.h"
 
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
@@ -117,6 +118,74 @@ TEST(Ladder, AgainstExhaustiveSearch) {
   }
   EXPECT_GT(whole, 20);
   EXPECT_GT(cut, 5);
+}
+
+// Many more nodes a rung than a first look takes, over whole turns of a joint: as Bellman's sweep
+// over all of them has it.
+TEST(Ladder, ManyNodesAreSweptAsOneByOne) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::mt19937 engine(23);
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
+  int whole = 0, cut = 0;
+  for (int n = 0; n < 60; ++n) {
+    motion::LadderOptions options;
+    options.samples = 8;
+    const double spread = n % 3 == 0 ? 3.0 : 1.0; // far apart some rungs cannot be joined
+    const std::vector<robot::JointLimits> limits(3, {-40, 40, 1, 1});
+    std::vector<Rung> rungs(12);
+    for (Rung& rung : rungs)
+      for (int k = 0; k < (n % 3 == 0 ? 20 : 120); ++k) {
+        LadderNode node;
+        node.q.resize(3);
+        for (double& q : node.q)
+          q = std::remainder(base::kPi + number(-spread, spread), base::kTurn);
+        node.sample = k % options.samples;
+        node.cost = number(0, 1) < 0.2 ? number(0, 3) : 0.0;
+        node.blocked = number(0, 1) < 0.2;
+        rung.push_back(node);
+      }
+    options.maxStepRad.assign(rungs.size(), 0.7);
+    std::vector<double> startCost;
+    for (std::size_t k = 0; k < rungs.front().size(); ++k)
+      startCost.push_back(number(0, 4));
+
+    std::size_t reached = 0;
+    double least = kNone;
+    std::vector<double> before;
+    for (std::size_t r = 0; r < rungs.size(); ++r) {
+      std::vector<double> cost(rungs[r].size(), kNone);
+      for (std::size_t k = 0; k < cost.size(); ++k) {
+        const LadderNode& node = rungs[r][k];
+        if (node.blocked)
+          continue;
+        if (r == 0)
+          cost[k] = startCost[k] + node.cost;
+        for (std::size_t m = 0; m < before.size(); ++m) {
+          const LadderNode& last = rungs[r - 1][m];
+          const int apart = std::abs(last.sample - node.sample);
+          Eigen::VectorXd d = node.q - last.q;
+          for (double& turn : d)
+            turn = std::abs(std::remainder(turn, base::kTurn));
+          if (std::min(apart, options.samples - apart) <= options.window && d.maxCoeff() <= 0.7)
+            cost[k] = std::min(cost[k], before[m] + d.sum() + node.cost);
+        }
+      }
+      const double cheapest = *std::ranges::min_element(cost);
+      if (cheapest == kNone)
+        break;
+      reached = r + 1;
+      least = cheapest;
+      before = cost;
+    }
+    const auto way = shortestWay(rungs, startsOf(rungs, startCost), limits, options);
+    ASSERT_EQ(way.reached, reached);
+    EXPECT_NEAR(way.cost, least, 1e-9);
+    (reached == rungs.size() ? whole : cut)++;
+  }
+  EXPECT_GT(whole, 20);
+  EXPECT_GT(cut, 3);
 }
 
 // What stands where it has to be costs nothing, however far it goes.
