@@ -48,8 +48,12 @@ public:
           f.motion = mineOf_[*f.motion];
     } else {
       same_.assign(out_.run.path.motionCount(), 0);
-      layBeads();
-      judgeBeads();
+      const std::shared_ptr<LaidBeads> laid = layBeads();
+      judgeBeads(*laid);
+      // What is met is asked for fillers alone.
+      laid->beads.fill = {};
+      laid->beads.otherFill = {};
+      out_.laid = laid;
     }
     findClashes(known);
     gatherMet();
@@ -90,7 +94,7 @@ private:
     return beads == static_cast<std::size_t>(laid) && moved <= kSameInTheMean * cell * volume;
   }
 
-  void layBeads() {
+  std::shared_ptr<LaidBeads> layBeads() {
     auto laid = std::make_shared<LaidBeads>();
     std::vector<BeadPiece>& pieces = laid->pieces;
     pieces = beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge);
@@ -122,7 +126,7 @@ private:
     options.widthMaxMm = 3.0 * in_.process.beadWidthMaxMm;
     laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
     laid->printed.emplace(laid->beads, laid->pieces);
-    out_.laid = std::move(laid);
+    return laid;
   }
 
   // What nine tenths of the waypoints are as thick as, or the process's height where that is less.
@@ -150,10 +154,10 @@ private:
     out_.beads.push_back({kind, std::move(values), where, motion, count});
   }
 
-  void judgeBeads() {
+  void judgeBeads(const LaidBeads& laid) {
     ctx_.report(0.65, "measuring the beads"_text);
-    const std::vector<BeadPiece>& pieces = out_.laid->pieces;
-    const BeadGrid& beads = out_.laid->beads;
+    const std::vector<BeadPiece>& pieces = laid.pieces;
+    const BeadGrid& beads = laid.beads;
     RunFigures& figures = out_.figures;
     const geometry::MeshQuery query(in_.part);
     const PartCells cells = partCells(in_.part, query, beads.grid, ctx_);
@@ -187,7 +191,7 @@ private:
     }
     ctx_.report(0.7, "looking beneath the beads"_text);
     const SupportedBeads support =
-        findSupport(pieces, *out_.laid->printed, GroundProbe(in_.platform), ctx_);
+        findSupport(pieces, *laid.printed, GroundProbe(in_.platform), ctx_);
     figures.beadLengthMm = support.lengthMm;
     const double length = std::max(support.lengthMm, 1e-9);
     figures.unsupportedFraction = support.unsupportedMm / length;

@@ -42,7 +42,7 @@ struct BeadFinding {
 // The material of a run, as laid.
 struct LaidBeads {
   std::vector<BeadPiece> pieces;
-  BeadGrid beads;
+  BeadGrid beads;                     // once judged without fill
   std::optional<PrintedPart> printed; // of the two above
 };
 
