@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <span>
 
 namespace voluta::collision {
 
@@ -63,11 +65,65 @@ double gap(const robot::Shape& a, const Isometry3d& base_T_a, const robot::Shape
 
 } // namespace
 
+// A solid where it stands, with what every other is held against.
+struct CellCollision::PosedSolid {
+  PosedSolid(const Solid& s, const Isometry3d& pose)
+      : solid(&s), base_T_solid(&pose), centre(pose * s.ball.centre) {
+    if (const auto* capsule = std::get_if<robot::Capsule>(&s.shape)) {
+      p0 = pose * capsule->p0;
+      p1 = pose * capsule->p1;
+    }
+  }
+  const Solid* solid;
+  const Isometry3d* base_T_solid;
+  Vector3d centre, p0, p1; // of its ball; of a capsule's segment
+};
+
+// The cell's bodies at a pose.
+class CellCollision::PosedBodies {
+public:
+  PosedBodies(const CellCollision& cell, const Frames& base_T_frame) {
+    bodies_.reserve(cell.assemblies_.size());
+    solids_.reserve(cell.solidCount_);
+    for (std::size_t i = 0; i < cell.assemblies_.size(); ++i) {
+      const Assembly& assembly = cell.assemblies_[i];
+      const Isometry3d& pose = base_T_frame[static_cast<std::size_t>(cell.cell_.bodies()[i].frame)];
+      const std::size_t first = solids_.size();
+      for (const Solid& solid : assembly.solids)
+        solids_.emplace_back(solid, pose);
+      bodies_.push_back(
+          {pose * assembly.ball.centre, assembly.ball.radius, first, assembly.solids.size()});
+    }
+  }
+
+  // The distance of two of them, or a lower bound of it that is above `enough`.
+  double distance(int a, int b, double enough) const {
+    const Body &one = bodies_[static_cast<std::size_t>(a)],
+               &other = bodies_[static_cast<std::size_t>(b)];
+    const double balls = (one.centre - other.centre).norm() - one.radius - other.radius;
+    return balls > enough ? balls : CellCollision::distance(solidsOf(one), solidsOf(other), enough);
+  }
+
+private:
+  struct Body {
+    Vector3d centre;
+    double radius;
+    std::size_t first, count; // of solids_
+  };
+  std::span<const PosedSolid> solidsOf(const Body& body) const {
+    return std::span(solids_).subspan(body.first, body.count);
+  }
+
+  std::vector<Body> bodies_; // as the cell's
+  std::vector<PosedSolid> solids_;
+};
+
 CellCollision::CellCollision(const robot::Cell& cell, const process::Process& process)
     : cell_(cell), platformTopMm_(-std::numeric_limits<double>::infinity()) {
   const auto& bodies = cell.bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     assemblies_.emplace_back(bodies[i].shapes);
+    solidCount_ += bodies[i].shapes.size();
     if (bodies[i].role == robot::BodyRole::Platform) {
       platforms_.push_back(static_cast<int>(i));
       for (const robot::Shape& shape : bodies[i].shapes)
@@ -76,6 +132,9 @@ CellCollision::CellCollision(const robot::Cell& cell, const process::Process& pr
     if (bodies[i].role == robot::BodyRole::Holder && bodies[i].frame == cell.toolFrame())
       holders_.push_back(static_cast<int>(i));
   }
+  std::ranges::copy_if(
+      cell.checkedPairs(), std::back_inserter(freePairs_),
+      [this](const auto& pair) { return !isHeadAndPlatform(pair.first, pair.second); });
   const process::HeadShape eroded = process::erodedHead(process.head, process.contactToleranceMm);
   std::vector<robot::Frustum> frusta;
   for (std::size_t i = 1; i < eroded.sections.size(); ++i) {
@@ -89,51 +148,59 @@ CellCollision::CellCollision(const robot::Cell& cell, const process::Process& pr
 
 CellCollision::~CellCollision() = default;
 
-// The distance, or a lower bound of it that is above `enough`.
-double CellCollision::distance(const Solid& a, const Isometry3d& base_T_a, const Solid& b,
-                               const Isometry3d& base_T_b, double enough) const {
-  const Vector3d centreA = base_T_a * a.ball.centre, centreB = base_T_b * b.ball.centre;
-  const double balls = (centreA - centreB).norm() - a.ball.radius - b.ball.radius;
+double CellCollision::distance(const PosedSolid& a, const PosedSolid& b, double enough) {
+  const double balls = (a.centre - b.centre).norm() - a.solid->ball.radius - b.solid->ball.radius;
   if (balls > enough)
     return balls;
   // A capsule is taken into the other's frame, where that one lies ready.
-  if (const auto* capsule = std::get_if<robot::Capsule>(&a.shape))
-    return capsuleDistance(PlacedCapsule(*capsule, base_T_b.inverse(Eigen::Isometry) * base_T_a),
-                           b.placed, enough);
-  if (const auto* capsule = std::get_if<robot::Capsule>(&b.shape))
-    return capsuleDistance(PlacedCapsule(*capsule, base_T_a.inverse(Eigen::Isometry) * base_T_b),
-                           a.placed, enough);
+  const auto* capsuleA = std::get_if<robot::Capsule>(&a.solid->shape);
+  const auto* capsuleB = std::get_if<robot::Capsule>(&b.solid->shape);
+  if (capsuleA && capsuleB)
+    return segmentDistance(a.p0, a.p1, b.p0, b.p1) - capsuleA->radius - capsuleB->radius;
+  const auto within = [](const PosedSolid& solid, const Vector3d& point) -> Vector3d {
+    return solid.base_T_solid->linear().transpose() * (point - solid.base_T_solid->translation());
+  };
+  if (capsuleA)
+    return capsuleDistance({within(b, a.p0), within(b, a.p1), capsuleA->radius}, b.solid->placed,
+                           enough);
+  if (capsuleB)
+    return capsuleDistance({within(a, b.p0), within(a, b.p1), capsuleB->radius}, a.solid->placed,
+                           enough);
 
-  const double aside =
-      signedDistance(b.placed, base_T_b.inverse(Eigen::Isometry) * centreA) - a.ball.radius;
+  const double aside = signedDistance(b.solid->placed, within(b, a.centre)) - a.solid->ball.radius;
   if (aside > enough)
     return aside;
-  const Vector3d between = centreB - centreA;
-  const Vector3d axisA = base_T_a.linear() * axisOf(a.shape);
-  const Vector3d axisB = base_T_b.linear() * axisOf(b.shape);
+  const Isometry3d &base_T_a = *a.base_T_solid, &base_T_b = *b.base_T_solid;
+  const Vector3d between = b.centre - a.centre;
+  const Vector3d axisA = base_T_a.linear() * axisOf(a.solid->shape);
+  const Vector3d axisB = base_T_b.linear() * axisOf(b.solid->shape);
   for (const Vector3d& direction : {between, axisA, axisB}) {
     const double length = direction.norm();
     if (length <= 0.0)
       continue;
     const Vector3d u = (direction.dot(between) < 0.0 ? -1.0 : 1.0) / length * direction;
-    const double apart = gap(a.shape, base_T_a, b.shape, base_T_b, u);
+    const double apart = gap(a.solid->shape, base_T_a, b.solid->shape, base_T_b, u);
     if (apart > enough)
       return apart;
   }
-  return Polyhedron::distance(*a.polyhedron, base_T_a, *b.polyhedron, base_T_b);
+  return Polyhedron::distance(*a.solid->polyhedron, base_T_a, *b.solid->polyhedron, base_T_b);
 }
 
-double CellCollision::distance(const Assembly& a, const Isometry3d& base_T_a, const Assembly& b,
-                               const Isometry3d& base_T_b, double enough) const {
-  const double balls =
-      (base_T_a * a.ball.centre - base_T_b * b.ball.centre).norm() - a.ball.radius - b.ball.radius;
-  if (balls > enough)
-    return balls;
+double CellCollision::distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
+                               double enough) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Solid& s : a.solids)
-    for (const Solid& t : b.solids)
-      least = std::min(least, distance(s, base_T_a, t, base_T_b, std::min(enough, least)));
+  for (const PosedSolid& s : a)
+    for (const PosedSolid& t : b)
+      least = std::min(least, distance(s, t, std::min(enough, least)));
   return least;
+}
+
+std::vector<CellCollision::PosedSolid> CellCollision::posed(const Assembly& assembly,
+                                                            const Isometry3d& pose) {
+  std::vector<PosedSolid> solids;
+  for (const Solid& solid : assembly.solids)
+    solids.emplace_back(solid, pose);
+  return solids;
 }
 
 bool CellCollision::isHeadAndPlatform(int a, int b) const {
@@ -146,16 +213,10 @@ bool CellCollision::isHeadAndPlatform(int a, int b) const {
 
 std::optional<Contact> CellCollision::bodies(const Frames& base_T_frame,
                                              const Margins& margins) const {
-  for (const auto& [a, b] : cell_.checkedPairs()) {
-    if (isHeadAndPlatform(a, b))
-      continue;
-    const auto ia = static_cast<std::size_t>(a), ib = static_cast<std::size_t>(b);
-    const Isometry3d& base_T_a = base_T_frame[static_cast<std::size_t>(cell_.bodies()[ia].frame)];
-    const Isometry3d& base_T_b = base_T_frame[static_cast<std::size_t>(cell_.bodies()[ib].frame)];
-    if (distance(assemblies_[ia], base_T_a, assemblies_[ib], base_T_b, margins.bodiesMm) <=
-        margins.bodiesMm)
+  const PosedBodies posed(*this, base_T_frame);
+  for (const auto& [a, b] : freePairs_)
+    if (posed.distance(a, b, margins.bodiesMm) <= margins.bodiesMm)
       return Contact{a, b};
-  }
   const auto work = static_cast<std::size_t>(cell_.workFrame());
   const auto tool = static_cast<std::size_t>(cell_.toolFrame());
   if (headTouchesPlatform(base_T_frame[work].inverse(Eigen::Isometry) * base_T_frame[tool],
@@ -209,9 +270,11 @@ bool CellCollision::touchesPlatform(const Assembly& assembly, const Isometry3d& 
     deepest = std::max(deepest, support(solid.shape, down));
   if (work_T_assembly.translation().z() - deepest > platformTopMm_ + marginMm)
     return false;
+  const Isometry3d work_T_platform = Isometry3d::Identity();
+  const std::vector<PosedSolid> solids = posed(assembly, work_T_assembly);
   return std::ranges::any_of(platforms_, [&](int i) {
-    return distance(assembly, work_T_assembly, assemblies_[static_cast<std::size_t>(i)],
-                    Isometry3d::Identity(), marginMm) <= marginMm;
+    const Assembly& platform = assemblies_[static_cast<std::size_t>(i)];
+    return distance(solids, posed(platform, work_T_platform), marginMm) <= marginMm;
   });
 }
 
@@ -246,18 +309,22 @@ std::optional<Contact> CellCollision::any(const Frames& base_T_frame, const Grow
   return bodiesAndPart(base_T_frame, part, before, margins);
 }
 
-double CellCollision::clearance(const Frames& base_T_frame, double capMm) const {
+double CellCollision::clearance(const Frames& base_T_frame, double capMm,
+                                std::size_t* nearest) const {
+  const PosedBodies posed(*this, base_T_frame);
   double least = capMm;
-  for (const auto& [a, b] : cell_.checkedPairs()) {
-    if (isHeadAndPlatform(a, b))
-      continue;
-    const auto ia = static_cast<std::size_t>(a), ib = static_cast<std::size_t>(b);
-    least = std::min(
-        least,
-        distance(assemblies_[ia], base_T_frame[static_cast<std::size_t>(cell_.bodies()[ia].frame)],
-                 assemblies_[ib], base_T_frame[static_cast<std::size_t>(cell_.bodies()[ib].frame)],
-                 least));
-  }
+  const auto look = [&](std::size_t pair) {
+    const double distance = posed.distance(freePairs_[pair].first, freePairs_[pair].second, least);
+    if (distance < least && nearest)
+      *nearest = pair;
+    least = std::min(least, distance);
+  };
+  // What is near already tells of most others that they are further.
+  const std::size_t first = nearest && *nearest < freePairs_.size() ? *nearest : 0;
+  for (std::size_t pair = first; pair < freePairs_.size(); ++pair)
+    look(pair);
+  for (std::size_t pair = 0; pair < first; ++pair)
+    look(pair);
   return least;
 }
 

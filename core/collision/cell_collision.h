@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace voluta::collision {
@@ -71,7 +73,9 @@ public:
 
   // Least distance between bodies of a checked pair, and of bodies to the part, the head's to
   // plate and part left out (it is meant to be there); never more than capMm. mm.
-  double clearance(const Frames& base_T_frame, double capMm) const;
+  // `nearest`: which pair is looked at first and, where one is below the cap, which is the nearest;
+  // poses alike are told sooner so.
+  double clearance(const Frames& base_T_frame, double capMm, std::size_t* nearest = nullptr) const;
   double clearanceToPart(const Frames& base_T_frame, const GrowingPart& part, std::size_t before,
                          double capMm) const;
 
@@ -81,10 +85,13 @@ public:
 private:
   struct Solid;
   struct Assembly; // a body's solids in its own frame
-  double distance(const Solid& a, const Eigen::Isometry3d& base_T_a, const Solid& b,
-                  const Eigen::Isometry3d& base_T_b, double enough) const;
-  double distance(const Assembly& a, const Eigen::Isometry3d& base_T_a, const Assembly& b,
-                  const Eigen::Isometry3d& base_T_b, double enough) const;
+  struct PosedSolid;
+  class PosedBodies;
+  static std::vector<PosedSolid> posed(const Assembly& assembly, const Eigen::Isometry3d& pose);
+  // The distance, or a lower bound of it that is above `enough`.
+  static double distance(const PosedSolid& a, const PosedSolid& b, double enough);
+  static double distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
+                         double enough);
   // Does it come nearer than marginMm to the plate or what carries it?
   bool touchesPlatform(const Assembly& assembly, const Eigen::Isometry3d& work_T_assembly,
                        double marginMm) const;
@@ -95,9 +102,11 @@ private:
   const robot::Cell& cell_;
   std::vector<Assembly> assemblies_; // as cell.bodies()
   std::unique_ptr<Assembly> erodedHead_;
-  std::unique_ptr<Revolved> revolvedHead_; // the same
-  std::vector<int> platforms_, holders_;   // of cell.bodies()
-  double platformTopMm_;                   // in the work frame
+  std::unique_ptr<Revolved> revolvedHead_;     // the same
+  std::vector<int> platforms_, holders_;       // of cell.bodies()
+  std::size_t solidCount_ = 0;                 // of all bodies
+  std::vector<std::pair<int, int>> freePairs_; // that are checked, but for head and plate
+  double platformTopMm_;                       // in the work frame
 };
 
 } // namespace voluta::collision

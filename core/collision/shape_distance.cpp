@@ -212,15 +212,15 @@ double segmentDistance(const Vector3d& p0, const Vector3d& p1, const Vector3d& q
   return (r + s * u - t * v).norm();
 }
 
-double capsuleDistance(const PlacedCapsule& capsule, const PlacedShape& convex, double enough) {
+double capsuleDistance(const robot::Capsule& capsule, const PlacedShape& convex, double enough) {
   if (const auto* other = std::get_if<PlacedCapsule>(&convex))
-    return segmentDistance(capsule.p0(), capsule.p1(), other->p0(), other->p1()) -
-           capsule.radius() - other->radius();
+    return segmentDistance(capsule.p0, capsule.p1, other->p0(), other->p1()) - capsule.radius -
+           other->radius();
   return std::visit(
       [&](const auto& s) {
-        const Vector3d p0 = capsule.p0(), axis = capsule.p1() - p0;
-        const double length = axis.norm(), radius = capsule.radius();
-        const auto at = [&](double t) { return s.signedDistance(p0 + t * axis); };
+        const Vector3d axis = capsule.p1 - capsule.p0;
+        const double length = axis.norm(), radius = capsule.radius;
+        const auto at = [&](double t) { return s.signedDistance(capsule.p0 + t * axis); };
         double low = 0.0, high = 1.0, atLow = at(0.0), atHigh = at(1.0);
         double best = std::min(atLow, atHigh);
         // A signed distance changes by at most the way gone, so the ends bound the inside.

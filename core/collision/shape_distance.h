@@ -133,10 +133,10 @@ double support(const robot::Shape& shape, const Eigen::Vector3d& direction);
 double segmentDistance(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
                        const Eigen::Vector3d& q0, const Eigen::Vector3d& q1);
 
-// Distance of a capsule to a convex solid: the least signed distance along its axis (a convex
-// function of the place on it) less its radius. Negative: they overlap, by at least as much as
-// the value says. mm, to 1e-4 mm. Searching ends early, with a value on the right side of it, once
-// the answer is known to be above `enough` (pass infinity for the distance itself).
-double capsuleDistance(const PlacedCapsule& capsule, const PlacedShape& convex, double enough);
+// Distance of a capsule to a convex solid, in one frame: the least signed distance along its axis
+// (a convex function of the place on it) less its radius. Negative: they overlap, by at least as
+// much as the value says. mm, to 1e-4 mm. Searching ends early, with a value on the right side of
+// it, once the answer is known to be above `enough` (pass infinity for the distance itself).
+double capsuleDistance(const robot::Capsule& capsule, const PlacedShape& convex, double enough);
 
 } // namespace voluta::collision

@@ -106,6 +106,7 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
   base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
     collision::CellCollision::Frames frames;
     double& clearance = least[b / kChunk];
+    std::size_t nearest = 0;
     for (std::size_t i = b; i < e; ++i) {
       if (ctx.cancelled())
         return;
@@ -118,7 +119,7 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
       const bool divides = trajectory.waypoint[i] == plan::kNoWaypoint;
       if (divides || scene.options.leans() > 0.0)
         contact = headInPart(frames, i, printing || !divides);
-      const double bodies = scene.collision.clearance(frames, clearance);
+      const double bodies = scene.collision.clearance(frames, clearance, &nearest);
       const double all = scene.collision.clearanceToPart(frames, scene.part, next[i], bodies);
       const bool roomy = bodies > margins.bodiesMm && all > margins.partMm &&
                          !scene.collision.headTouchesPlatform(toolOf(frames), margins.headMm);

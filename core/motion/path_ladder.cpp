@@ -222,11 +222,13 @@ std::optional<collision::Contact> PathLadder::contactAt(const JointVector& q,
   return scene_.collision.bodiesAndPart(frames, scene_.part, waypoint, scene_.options.printing);
 }
 
-double PathLadder::clearanceAt(const JointVector& q, std::size_t waypoint) const {
+double PathLadder::clearanceAt(const JointVector& q, std::size_t waypoint,
+                               std::size_t& nearest) const {
   collision::CellCollision::Frames frames;
   scene_.cell.framePoses(q, frames);
   return scene_.collision.clearanceToPart(
-      frames, scene_.part, waypoint, scene_.collision.clearance(frames, scene_.options.enoughMm));
+      frames, scene_.part, waypoint,
+      scene_.collision.clearance(frames, scene_.options.enoughMm, &nearest));
 }
 
 bool PathLadder::seekClearance(const LadderWay& way, const base::RunContext& ctx) {
@@ -240,7 +242,8 @@ bool PathLadder::seekClearance(const LadderWay& way, const base::RunContext& ctx
       if (place.cleared || place.clearNode == way.node[r])
         continue;
       const LadderNode& here = rungs_[r][static_cast<std::size_t>(way.node[r])];
-      if (clearanceAt(here.q, place.waypoint) >= scene_.options.enoughMm) {
+      std::size_t nearest = 0;
+      if (clearanceAt(here.q, place.waypoint, nearest) >= scene_.options.enoughMm) {
         place.clearNode = way.node[r];
         continue;
       }
@@ -249,7 +252,8 @@ bool PathLadder::seekClearance(const LadderWay& way, const base::RunContext& ctx
       for (LadderNode& node : rungs_[r]) {
         if (node.blocked)
           continue;
-        const double lacks = 1.0 - clearanceAt(node.q, place.waypoint) / scene_.options.enoughMm;
+        const double lacks =
+            1.0 - clearanceAt(node.q, place.waypoint, nearest) / scene_.options.enoughMm;
         node.cost += scene_.options.nearCost * lacks * lacks;
       }
     }

@@ -119,8 +119,9 @@ private:
   std::vector<LadderStart> startsNear(const robot::JointVector& near,
                                       std::vector<LadderStart> starts) const;
   void setPlaces(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx);
-  // How far everything is then, mm, at most options.enoughMm.
-  double clearanceAt(const robot::JointVector& q, std::size_t waypoint) const;
+  // How far everything is then, mm, at most options.enoughMm. `nearest`: as of
+  // CellCollision::clearance.
+  double clearanceAt(const robot::JointVector& q, std::size_t waypoint, std::size_t& nearest) const;
   void look(LadderNode& node, Place& place) const;
   void tellSides(std::size_t rung);
   void addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const;

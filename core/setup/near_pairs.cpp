@@ -48,8 +48,9 @@ double distanceOf(const robot::Shape& a, const Isometry3d& poseA, const robot::S
   const bool takeA = aIsCapsule != bIsCapsule ? aIsCapsule : ca.radius <= cb.radius;
   const auto& [capsule, capsulePose] = takeA ? std::tie(ca, poseA) : std::tie(cb, poseB);
   const auto& [other, otherPose] = takeA ? std::tie(b, poseB) : std::tie(a, poseA);
-  return collision::capsuleDistance({capsule, capsulePose}, collision::place(other, otherPose),
-                                    capMm);
+  return collision::capsuleDistance(
+      {capsulePose * capsule.p0, capsulePose * capsule.p1, capsule.radius},
+      collision::place(other, otherPose), capMm);
 }
 
 } // namespace

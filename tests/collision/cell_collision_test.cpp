@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <iostream>
 #include <map>
+#include <set>
 
 using namespace voluta;
 using Eigen::Isometry3d;
@@ -253,6 +254,33 @@ TEST_F(CellCollisionTest, ClearanceAgainstSampledBodies) {
   }
   EXPECT_GT(free, 3);
   EXPECT_GT(hit, 3);
+}
+
+// Whichever pair is looked at first, the least is the same; what comes back is looked at first next
+// time, and is a pair of those alike.
+TEST_F(CellCollisionTest, ClearanceIsTheSameWhateverIsLookedAtFirst) {
+  test::RandomShapes random(21);
+  int near = 0;
+  for (int n = 0; n < 60; ++n) {
+    collision::CellCollision::Frames frames;
+    cell.framePoses(randomJoints(random), frames);
+    const double capMm = n % 2 == 0 ? 500.0 : 20.0;
+    const double least = collision.clearance(frames, capMm);
+    std::set<std::size_t> nearest;
+    for (std::size_t first = 0; first <= cell.checkedPairs().size(); ++first) {
+      std::size_t pair = first;
+      EXPECT_NEAR(collision.clearance(frames, capMm, &pair), least, 1e-9) << first;
+      if (least < capMm)
+        nearest.insert(pair);
+      else
+        EXPECT_EQ(pair, first);
+    }
+    if (least < capMm && least > 0.0) {
+      EXPECT_LE(nearest.size(), 2u);
+      ++near;
+    }
+  }
+  EXPECT_GT(near, 5);
 }
 
 TEST_F(CellCollisionTest, HeadAndPlatform) {

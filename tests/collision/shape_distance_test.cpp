@@ -156,22 +156,20 @@ TEST(ShapeDistance, CapsulesAgainstSolids) {
   for (int n = 0; n < 400; ++n) {
     const robot::Capsule capsule{random.point(8), random.point(8), random.number(0.1, 1.0)};
     const robot::Shape other = random.shape(n, 4.0);
-    const auto placedCapsule =
-        std::get<collision::PlacedCapsule>(collision::place(capsule, Isometry3d::Identity()));
     const auto placed = collision::place(other, Isometry3d::Identity());
     double least = infinity;
     for (int i = 0; i <= 2000; ++i)
       least = std::min(least, collision::signedDistance(
                                   other, capsule.p0 + i / 2000.0 * (capsule.p1 - capsule.p0)));
     least -= capsule.radius;
-    const double found = collision::capsuleDistance(placedCapsule, placed, infinity);
+    const double found = collision::capsuleDistance(capsule, placed, infinity);
     // Two capsules that cross: both say so; how deep is only bounded.
     if (least > 0.0)
       EXPECT_NEAR(found, least, 0.01) << n;
     else
       EXPECT_LT(found, 1e-3) << n;
     for (const double enough : {-1.0, 0.0, 2.0}) {
-      const double quick = collision::capsuleDistance(placedCapsule, placed, enough);
+      const double quick = collision::capsuleDistance(capsule, placed, enough);
       EXPECT_EQ(quick > enough, found > enough) << n;
     }
   }
