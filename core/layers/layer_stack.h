@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace voluta::layers {
@@ -37,5 +38,8 @@ struct LayerStack {
   std::vector<Patch> patches;
   int layerCount = 0;
 };
+
+// A stack that is done: without the room in which its patches grew.
+std::shared_ptr<LayerStack> kept(LayerStack stack);
 
 } // namespace voluta::layers

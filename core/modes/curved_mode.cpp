@@ -133,7 +133,7 @@ std::shared_ptr<const LayersStage> curvedLayersOf(const curved::LayerOptions& cu
   stage->findings = std::move(layers.findings);
   stage->timings.extract = layers.seconds.extract;
   stage->timings.trim = layers.seconds.trim;
-  stage->layers = std::make_shared<layers::LayerStack>(std::move(layers.stack));
+  stage->layers = layers::kept(std::move(layers.stack));
   return stage;
 }
 

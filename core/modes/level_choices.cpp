@@ -42,7 +42,7 @@ std::shared_ptr<const LayersStage> layersStage(substrate::StackedLevels stacked,
   stage->report = reportOf(stacked.statistics);
   stage->findings = std::move(stacked.findings);
   stage->timings.extract = seconds;
-  stage->layers = std::make_shared<layers::LayerStack>(std::move(stacked.stack));
+  stage->layers = layers::kept(std::move(stacked.stack));
   return stage;
 }
 

@@ -230,7 +230,7 @@ std::shared_ptr<const LayersStage> layersFrom(planar::SliceResult sliced) {
   stage->findings = std::move(sliced.findings);
   stage->supportVolumeMm3 = sliced.supportVolumeMm3;
   stage->timings.extract = sliced.seconds.extract;
-  stage->layers = std::make_shared<layers::LayerStack>(std::move(sliced.stack));
+  stage->layers = layers::kept(std::move(sliced.stack));
   return stage;
 }
 

@@ -236,11 +236,14 @@ private:
     return motionDone();
   }
 
+  std::unique_ptr<PartMotion> partMotion(const base::RunContext& ctx) {
+    return std::make_unique<PartMotion>(*result_.job.toolPlan, result_.job.platform, *result_.cell,
+                                        *process_, motionOptionsOf(values_, choices_.seed),
+                                        std::exchange(grown_, {}), ctx);
+  }
+  // What the planner keeps to plan some paths again is as large as the motion, and seldom asked.
   std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
-    moving_ = std::make_unique<PartMotion>(
-        *result_.job.toolPlan, result_.job.platform, *result_.cell, *process_,
-        motionOptionsOf(values_, choices_.seed), std::exchange(grown_, {}), ctx.sub(0, 0.05));
-    return moving_->plan(ctx.sub(0.05, 1.0));
+    return partMotion(ctx.sub(0, 0.05))->plan(ctx.sub(0.05, 1.0));
   }
 
   bool motionDone() {
@@ -261,8 +264,10 @@ private:
     const std::size_t told = job().stages[project::indexOf(project::Stage::Motion)].findings;
     report().findings.resize(report().findings.size() - told);
     const base::RunContext ctx = span(project::Stage::Replay).quiet();
-    if (!moving_)
-      moved(ctx); // the motion came from the cache
+    if (!moving_) {
+      moving_ = partMotion(ctx);
+      moving_->plan(ctx); // the same once more
+    }
     motion_ = moving_->planWithout(met, ctx);
     fresh_ = true;
     return motionDone();
@@ -371,7 +376,7 @@ private:
   std::shared_ptr<const modes::DecomposeStage> decomposed_;
   std::shared_ptr<const MotionStage> motion_;
   std::shared_ptr<const collision::GrowingPart> grown_; // by tool-paths made here, for their motion
-  std::unique_ptr<PartMotion> moving_;                  // null: the motion came from the cache
+  std::unique_ptr<PartMotion> moving_;                  // of motions without places that met
   bool given_ = false; // is it printed along the tool-paths that it brings
   bool fresh_ = false; // the motion is another one than its key's
   project::StageKeys keys_;

@@ -44,13 +44,13 @@ template <typename F> auto withInput(const ProgramStageInput& in, const F& use) 
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points) {
   const std::size_t first = in.firstPoint > 0 ? points.pointOf[in.firstPoint] : 0;
   // A point stands for those before it that were left out, and ends where the last of them does.
-  std::vector<std::size_t> commonPoint(points.trajectory.pointCount(), 0);
+  std::vector<std::size_t> commonPoint(points.trajectory->pointCount(), 0);
   for (std::size_t point = 0; point < points.pointOf.size(); ++point)
     commonPoint[points.pointOf[point]] = point;
   return {in.part,
           in.platform,
           in.toolPlan,
-          points.trajectory,
+          *points.trajectory,
           in.cell,
           in.process,
           in.name,
@@ -72,23 +72,24 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
                     const ProgramStageInput& in, const base::RunContext& ctx,
                     replay::JudgedRuns* judged) {
   ctx.report(0.0, base::message("replay {format}"_text, format));
-  ReadBack back;
-  back.read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
+  plan::ReadProgram read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
   if (in.firstPoint > 0) {
     std::vector<plan::ProgramMotion> motions = motionsBefore(format, in, ctx);
-    back.read.firstMotion = motions.size();
-    for (plan::ProgramPause& pause : back.read.pauses)
-      pause.before += back.read.firstMotion;
-    motions.insert(motions.end(), back.read.motions.begin(), back.read.motions.end());
-    back.read.motions = std::move(motions);
+    read.firstMotion = motions.size();
+    for (plan::ProgramPause& pause : read.pauses)
+      pause.before += read.firstMotion;
+    motions.insert(motions.end(), read.motions.begin(), read.motions.end());
+    read.motions = std::move(motions);
   }
-  back.verdict = replay::replayProgram({back.read, in.toolPlan, in.trajectory, in.cell, in.process,
-                                        in.part, in.platform, in.firstPoint, in.commonPoint},
-                                       {}, ctx.sub(0.1, 1.0), judged);
+  ReadBack back{read.firstMotion, read.defects, {}};
+  back.verdict =
+      replay::replayProgram({std::move(read), in.toolPlan, in.trajectory, in.cell, in.process,
+                             in.part, in.platform, in.firstPoint, in.commonPoint},
+                            {}, ctx.sub(0.1, 1.0), judged);
   // The program's own time, not that of what was printed before it.
   const auto& seconds = back.verdict.motionS;
   back.verdict.durationS -= std::accumulate(
-      seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(back.read.firstMotion), 0.0);
+      seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(back.firstMotion), 0.0);
   return back;
 }
 
@@ -152,9 +153,9 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   replay::Verification& verdict = back.verdict;
   checked->pointLines.resize(in.trajectory.pointCount());
   std::vector<TextLine> lines(said.trajectory.pointCount());
-  for (std::size_t m = 0; m < back.read.motions.size(); ++m)
+  for (std::size_t m = 0; m < verdict.motionPlaces.size(); ++m)
     if (const std::size_t point = verdict.pointOf[m]; point < lines.size())
-      lines[point] = textLine(back.read.motions[m].file, back.read.motions[m].line);
+      lines[point] = textLine(verdict.motionPlaces[m].file - 1, verdict.motionPlaces[m].line);
   for (std::size_t i = 0; i < checked->pointLines.size(); ++i)
     checked->pointLines[i] = lines[points.pointOf[i]];
   checked->verdict = replayReport(verdict);

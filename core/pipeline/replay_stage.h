@@ -15,8 +15,10 @@
 
 namespace voluta::pipeline {
 
+// Of motions behind those of what was printed before, of no line.
 struct ReadBack {
-  plan::ReadProgram read; // behind the motions of what was printed before, of no line
+  std::size_t firstMotion = 0; // of the text
+  std::vector<plan::ProgramDefect> defects;
   replay::Verification verdict;
 };
 

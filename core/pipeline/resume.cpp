@@ -77,8 +77,8 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
       found.dialect->id, {*job.toolPlan, rest, cell, process, job.partName}, ctx);
   const replay::ExecutedPath path = replay::executeProgram(read, cell, ctx);
   const replay::Alignment alignment =
-      replay::alignProgram(read, path, replay::plannedNozzle(points.trajectory, cell, ctx),
-                           points.trajectory, cell, ctx);
+      replay::alignProgram(read, path, replay::plannedNozzle(*points.trajectory, cell, ctx),
+                           *points.trajectory, cell, ctx);
   if (!alignment.deviations.empty() || alignment.gaveUp)
     throw Error(ErrorCode::UnusableInput, "not a program of this job"_text, place.file);
   // A piece of a joint motion has no point of its own: the one that it leads to.

@@ -35,8 +35,8 @@ std::optional<plan::Finding> otherOrigin(const std::vector<plan::ProgramFile>& f
 // A binary, or a text in a language that is not known: there is nothing to judge.
 void requireMotions(const ReadBack& back, const std::string& format,
                     const std::filesystem::path& program) {
-  const auto& defects = back.read.defects;
-  if (back.read.motions.size() > back.read.firstMotion || defects.empty())
+  const auto& defects = back.defects;
+  if (back.verdict.motionPlaces.size() > back.firstMotion || defects.empty())
     return;
   throw base::Error(base::ErrorCode::UnusableInput,
                     base::message("no motion of format {format} is in it: line {line}: {what}"_text,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ struct Program {
 };
 
 // What a motion's target is given in.
-enum class TargetKind {
+enum class TargetKind : std::uint8_t {
   Joints,     // joint values, radians, external axes behind the arm's
   FlangePose, // base_T_tcp with the TCP that the program sets (flange_T_tcp); where external axes
               // carry the robot they are told with it, and the base is where it stands with them
@@ -41,27 +42,29 @@ struct NozzlePoint {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-// One motion of a program that was read back.
+// One motion of a program that was read back. There are hundreds of thousands of them: small
+// members stand together.
 struct ProgramMotion {
-  std::size_t file = 0; // index in Program::files
-  std::size_t line = 0; // 1-based
+  std::uint32_t file = 0; // index in Program::files
+  std::uint32_t line = 0; // 1-based
   TargetKind target = TargetKind::Joints;
+  // FlangePose, WorkPose: which way a SCARA's second joint is to stand, by its sign; 0: not given.
+  std::int8_t elbow = 0;
   bool jointInterpolated = false; // between targets: joints linear, else straight
-  std::vector<double> joints;     // Joints
-  Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose: of Base; WorkPose
+  // Part of an excursion that leads back to where it began, for the machine's own sake (a table
+  // that is wound back): no point of a plan is meant by it.
+  bool aside = false;
+  bool extruding = false;     // is the extruder on during this motion
+  std::vector<double> joints; // Joints
   // WorkPose, UnitPose, FlangePose: radians; a slide's mm are taken for degrees
   std::vector<double> externals;
-  // FlangePose, WorkPose: which way a SCARA's second joint is to stand, by its sign; 0: not given.
-  int elbow = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();   // ToolPoint, mm
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // ToolPoint, unit
   // ToolPoint: where the nozzle passes between the last target and this one, at equal steps of the
   // motion's time, where it goes straight in the axes of a machine that turns the part, and not on
   // the part. Empty: straight on the part.
   std::vector<NozzlePoint> way;
-  // Part of an excursion that leads back to where it began, for the machine's own sake (a table
-  // that is wound back): no point of a plan is meant by it.
-  bool aside = false;
+  Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose: of Base; WorkPose
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();            // ToolPoint, mm
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();          // ToolPoint, unit
   // Speed of what the target describes: the TCP in Base (FlangePose: with a plate on the flange
   // that is the work frame's origin, not the nozzle on the part), the nozzle's tip in the work
   // frame (WorkPose, ToolPoint). 0: not given.
@@ -72,7 +75,6 @@ struct ProgramMotion {
   double accelerationMmPerS2 = 0.0;       // with speedMmPerS; 0: not given
   double jointAccelerationRadPerS2 = 0.0; // with jointSpeedRadPerS; 0: not given
   double blendMm = 0.0;                   // radius of the blend at its end
-  bool extruding = false;                 // is the extruder on during this motion
   double flowMm3PerS = 0.0;               // flow while extruding, where the dialect gives a rate
   double volumeMm3 = -1.0; // material of this motion, where the dialect gives amounts; else -1
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace voluta::program {
 
@@ -13,12 +14,17 @@ namespace {
 
 constexpr double kSlack = 1e-9; // rounding
 
+struct Merged {
+  plan::Trajectory trajectory;
+  std::vector<std::size_t> pointOf;
+};
+
 class Merger {
 public:
   Merger(const ProgramInput& input, const MergeLimits& limits, const base::RunContext& ctx)
       : in_(input.trajectory), limits_(limits), targets_(motionTargets(input, ctx)) {}
 
-  MergedPoints run() {
+  Merged run() {
     out_.trajectory.dof = in_.dof;
     out_.pointOf.resize(in_.pointCount());
     keep(0, 0);
@@ -108,7 +114,7 @@ private:
   const plan::Trajectory& in_;
   const MergeLimits& limits_;
   std::vector<MotionTarget> targets_;
-  MergedPoints out_;
+  Merged out_;
 };
 
 // What comes after is later by as much.
@@ -127,16 +133,22 @@ void slowShortMotions(plan::Trajectory& trajectory, double leastS) {
 
 MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
                           const base::RunContext& ctx) {
-  MergedPoints merged;
-  if (limits.leastS > 0.0 || limits.leastMm > 0.0 || limits.jointRad > 0.0) {
+  const plan::Trajectory& planned = input.trajectory;
+  const bool joins = limits.leastS > 0.0 || limits.leastMm > 0.0 || limits.jointRad > 0.0;
+  Merged merged;
+  if (joins) {
     merged = Merger(input, limits, ctx).run();
   } else {
-    merged.trajectory = input.trajectory;
-    merged.pointOf.resize(input.trajectory.pointCount());
+    merged.pointOf.resize(planned.pointCount());
     std::iota(merged.pointOf.begin(), merged.pointOf.end(), std::size_t{0});
+    if (limits.motionS <= 0.0)
+      return {std::shared_ptr<const plan::Trajectory>(std::shared_ptr<void>(), &planned),
+              std::move(merged.pointOf)};
+    merged.trajectory = planned;
   }
   slowShortMotions(merged.trajectory, limits.motionS);
-  return merged;
+  return {std::make_shared<const plan::Trajectory>(std::move(merged.trajectory)),
+          std::move(merged.pointOf)};
 }
 
 } // namespace voluta::program

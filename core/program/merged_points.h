@@ -8,6 +8,7 @@
 #include "program/program_input.h"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace voluta::program {
@@ -22,7 +23,8 @@ struct MergeLimits {
 };
 
 struct MergedPoints {
-  plan::Trajectory trajectory;
+  // The input's own, which has to outlive it, where there is nothing to join and none to slow.
+  std::shared_ptr<const plan::Trajectory> trajectory;
   std::vector<std::size_t> pointOf; // per point of the input: the one there that ends its motion
 };
 

@@ -94,8 +94,8 @@ void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
 }
 
 void ProgramBuilder::motion(plan::ProgramMotion m) {
-  m.file = file;
-  m.line = line;
+  m.file = static_cast<std::uint32_t>(file);
+  m.line = static_cast<std::uint32_t>(line);
   places_.motion();
   if (m.extruding)
     places_.material();

@@ -165,7 +165,16 @@ void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground) {
     pieces.erase(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pieces,
+std::vector<LaidPiece> laidPieces(const std::vector<BeadPiece>& pieces, double widthMaxMm) {
+  std::vector<LaidPiece> laid;
+  laid.reserve(pieces.size());
+  for (const BeadPiece& piece : pieces)
+    laid.push_back({piece.motion, piece.run, piece.runMm,
+                    static_cast<float>(2.0 * sectionOf(piece, widthMaxMm).widthMm)});
+  return laid;
+}
+
+std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pieces,
                                                std::size_t motions) {
   std::vector<std::uint32_t> first(motions + 1);
   std::size_t p = 0;

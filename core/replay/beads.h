@@ -48,8 +48,17 @@ std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const Ex
 // Waste that is laid over nothing before anything else is, falls: takes it out of the pieces.
 void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground);
 
+// What is asked of a piece once it is laid and judged.
+struct LaidPiece {
+  std::uint32_t motion = 0, run = 0;
+  float runMm = 0.0f;    // as of the piece
+  float recentMm = 0.0f; // of its bead, still soft under the nozzle at its end: two widths
+};
+// Widths as sectionOf() has them.
+std::vector<LaidPiece> laidPieces(const std::vector<BeadPiece>& pieces, double widthMaxMm);
+
 // The index of the first piece of motion m or of a later one; motions + 1 entries.
-std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<BeadPiece>& pieces,
+std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pieces,
                                                std::size_t motions);
 
 struct SupportedBeads {

@@ -69,7 +69,7 @@ std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const M
 
 } // namespace
 
-std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
+std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidPiece>& pieces,
                                const std::vector<std::uint32_t>& firstPiece,
                                const PrintedPart& printed, const process::Process& process,
                                const GroundSolids& ground, const std::vector<char>& known,
@@ -111,10 +111,8 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadP
         p = std::min<std::size_t>(firstPiece[m] + (s - path.firstSample[m]) + 1, firstPiece[m + 1]);
         Moment moment;
         if (p > 0) {
-          const BeadPiece& last = pieces[p - 1];
-          const double width = sectionOf(last, 2.0 * process.beadWidthMaxMm).widthMm;
-          moment = {static_cast<std::uint32_t>(p), last.run, last.runMm,
-                    static_cast<float>(2.0 * width)};
+          const LaidPiece& last = pieces[p - 1];
+          moment = {static_cast<std::uint32_t>(p), last.run, last.runMm, last.recentMm};
           if (const auto where = overPart.touched(path.tip[s], path.direction[s], moment))
             touches.push_back({s, kPart, *where});
         }

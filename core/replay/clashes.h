@@ -37,7 +37,7 @@ struct Clash {
 // path doesn't count. `firstPiece`: per motion the index of the first piece that is its own or a
 // later motion's, one entry more (beads.h: firstPieceOfMotions). Not looked at are motions of which
 // `known` holds; empty: of none. Throws Cancelled.
-std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<BeadPiece>& pieces,
+std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidPiece>& pieces,
                                const std::vector<std::uint32_t>& firstPiece,
                                const PrintedPart& printed, const process::Process& process,
                                const GroundSolids& ground, const std::vector<char>& known,

@@ -235,10 +235,13 @@ TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion) {
   return {m.file + 1, m.line};
 }
 
+plan::ProgramLine programLine(TextPlace place, TextPlace lastMotion) {
+  return {{}, std::max(place.file, lastMotion.file) > 1 ? place.file : 0, place.line};
+}
+
 plan::ProgramLine programLine(const plan::ReadProgram& program, TextPlace place) {
-  const bool several =
-      (!program.motions.empty() && program.motions.back().file > 0) || place.file > 1;
-  return {{}, several ? place.file : 0, place.line};
+  return programLine(place, program.motions.empty() ? TextPlace{}
+                                                    : placeOf(program, program.motions.size() - 1));
 }
 
 std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,

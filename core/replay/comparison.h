@@ -41,7 +41,9 @@ struct TextFinding {
   TextPlace place;
 };
 
-// How a finding names it: with the file where the program has several.
+// How a finding names it: with the file where the program has several, its last motion's among
+// them.
+plan::ProgramLine programLine(TextPlace place, TextPlace lastMotion);
 plan::ProgramLine programLine(const plan::ReadProgram& program, TextPlace place);
 TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion);
 

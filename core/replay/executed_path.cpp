@@ -1,6 +1,7 @@
 #include "replay/executed_path.h"
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "base/units.h"
 #include "replay/arm_speeds.h"
@@ -358,7 +359,7 @@ private:
     path_.armFraction.reserve(states);
     const auto append = [](auto& to, auto& from) {
       to.insert(to.end(), from.begin(), from.end());
-      from = {};
+      base::letGo(from);
     };
     for (ArmWalk& walk : parts) {
       append(path_.armJoints, walk.joints);

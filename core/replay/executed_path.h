@@ -72,7 +72,7 @@ struct ExecutedPath {
 
   std::vector<LimitViolation> violations; // in motion order
 
-  std::size_t motionCount() const { return targetTip.size(); }
+  std::size_t motionCount() const { return startS.size(); }
   // A step of axis k as a turn, rad.
   double turnOf(int k, double step) const {
     return robot::asTurn(kinds[static_cast<std::size_t>(k)], step);

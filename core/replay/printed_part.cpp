@@ -3,7 +3,10 @@
 namespace voluta::replay {
 
 PrintedPart::PrintedPart(const BeadGrid& beads, const std::vector<BeadPiece>& pieces)
-    : beads_(beads), pieces_(pieces) {
+    : beads_(beads) {
+  pieces_.reserve(pieces.size());
+  for (const BeadPiece& piece : pieces)
+    pieces_.push_back({piece.run, piece.runMm});
   Eigen::Vector3i size = beads_.grid.size;
   for (int cells = kBranch; cells <= kBranch * kBranch * kBranch; cells *= kBranch) {
     Level level;

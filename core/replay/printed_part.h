@@ -23,7 +23,7 @@ struct Moment {
 
 class PrintedPart {
 public:
-  // Keeps references to both.
+  // Keeps a reference to the beads, and of the pieces what it asks.
   PrintedPart(const BeadGrid& beads, const std::vector<BeadPiece>& pieces);
 
   const voxel::VoxelGrid& grid() const { return beads_.grid; }
@@ -32,7 +32,7 @@ public:
     const std::uint32_t by = beads_.filledBy(cell);
     if (by >= moment.before)
       return false;
-    const BeadPiece& piece = pieces_[by];
+    const Piece& piece = pieces_[by];
     return piece.run != moment.run || moment.runMm - piece.runMm > moment.recentMm;
   }
   bool printedAt(const Eigen::Vector3d& point, const Moment& moment) const {
@@ -99,6 +99,10 @@ public:
   }
 
 private:
+  struct Piece {
+    std::uint32_t run;
+    float runMm;
+  };
   // Blocks of `cells` cubed; the least filledBy in each.
   struct Level {
     int cells = 1;
@@ -159,7 +163,7 @@ private:
   }
 
   const BeadGrid& beads_;
-  const std::vector<BeadPiece>& pieces_;
+  std::vector<Piece> pieces_;
   std::vector<Level> levels_; // finest first
 };
 

@@ -28,8 +28,8 @@ constexpr std::size_t kMaxListed = 100; // of one kind; the rest is counted
 
 class Judge {
 public:
-  Judge(const ReplayInput& in, const ReplayThresholds& limits, const base::RunContext& ctx)
-      : in_(in), limits_(limits), ctx_(ctx) {}
+  Judge(ReplayInput in, const ReplayThresholds& limits, const base::RunContext& ctx)
+      : in_(std::move(in)), limits_(limits), ctx_(ctx) {}
 
   Verification judge(JudgedRuns& judged) {
     check();
@@ -42,19 +42,25 @@ public:
     out_.durationS = std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
     for (const plan::ProgramPause& p : in_.program.pauses)
       out_.durationS += p.durationS;
+    run.volumeMm3.reserve(path_->motionCount());
     for (std::size_t m = 0; m < path_->motionCount(); ++m)
       run.volumeMm3.push_back(motionVolume(in_.program, *path_, m));
+    base::returnFreedMemory();
     compare(run);
+    weigh(run);
+    const Told times = toldBy([&] { tellTimes(run); });
+    const Told limits = toldBy([&] { tellLimits(run); });
+    base::letGo(in_.program.motions);
     base::returnFreedMemory();
-    judged.push_back(std::make_shared<const JudgedRun>(
-        judgeRun(std::move(run), in_, limits_, judged, ctx_.sub(0.1, 1.0))));
-    base::returnFreedMemory();
-    path_ = &judged.back()->run.path;
-    tellBeads(*judged.back());
-    tellTimes(*judged.back());
-    tellClashes(*judged.back());
-    tellLimits(*judged.back());
+    JudgedRun mine = judgeRun(std::move(run), in_, limits_, judged, ctx_.sub(0.1, 1.0));
+    path_ = &mine.run.path;
+    tellBeads(mine);
+    tell(times);
+    tellClashes(mine);
+    tell(limits);
     conclude();
+    judged.push_back(std::make_shared<const JudgedRun>(toLend(std::move(mine))));
+    base::returnFreedMemory();
     out_.motionS = std::move(seconds_);
     ctx_.report(1.0, "replayed"_text);
     return std::move(out_);
@@ -74,6 +80,22 @@ private:
     base::require(in_.platform.known(), "replay: the platform is known");
   }
 
+  struct Told {
+    plan::Findings findings;
+    std::vector<TextPlace> places; // of each
+  };
+  // What `find` adds, kept apart: to be told in its turn.
+  template <typename Find> Told toldBy(const Find& find) {
+    Told before{std::exchange(out_.findings, {}), std::exchange(out_.places, {})};
+    find();
+    return {std::exchange(out_.findings, std::move(before.findings)),
+            std::exchange(out_.places, std::move(before.places))};
+  }
+  void tell(const Told& told) {
+    out_.findings.insert(out_.findings.end(), told.findings.begin(), told.findings.end());
+    out_.places.insert(out_.places.end(), told.places.begin(), told.places.end());
+  }
+
   void add(plan::FindingKind kind, std::vector<plan::NamedValue> values,
            std::optional<Vector3d> where = std::nullopt, TextPlace place = {},
            std::size_t count = 1) {
@@ -85,9 +107,9 @@ private:
                 const Vector3d& where, double whenS, std::size_t count = 1) {
     add(kind, std::move(values), where, place(motion), count);
     out_.findings.back().whenS = whenS;
-    out_.findings.back().program = programLine(in_.program, place(motion));
+    out_.findings.back().program = programLine(place(motion), out_.motionPlaces.back());
   }
-  TextPlace place(std::size_t motion) const { return placeOf(in_.program, motion); }
+  TextPlace place(std::size_t motion) const { return out_.motionPlaces[motion]; }
 
   void deviates(std::vector<TextFinding> found) {
     for (TextFinding& f : found) {
@@ -99,6 +121,9 @@ private:
 
   void compare(Run& run) {
     ctx_.report(0.06, "comparing with the plan"_text);
+    out_.motionPlaces.reserve(in_.program.motions.size());
+    for (std::size_t m = 0; m < in_.program.motions.size(); ++m)
+      out_.motionPlaces.push_back(placeOf(in_.program, m));
     const PlannedNozzle planned = plannedNozzle(in_.trajectory, in_.cell, ctx_);
     Alignment alignment =
         alignProgram(in_.program, *path_, planned, in_.trajectory, in_.cell, ctx_);
@@ -121,15 +146,20 @@ private:
         point = point == kUnmatched ? kUnmatched : in_.commonPoint[point];
   }
 
-  void tellBeads(const JudgedRun& run) {
-    static_cast<RunFigures&>(out_) = run.figures;
+  // The material that the text lays.
+  void weigh(const Run& run) {
     const std::vector<double> volume = flowingMm3(in_.program, seconds_);
     for (std::size_t m = 0; m < volume.size(); ++m)
-      (run.run.knowledge[m].ofPart ? out_.depositedMm3 : out_.supportMm3) += volume[m];
-    const double standing = standingMm3(in_.program), part = std::max(out_.partVolumeMm3, 1e-9);
-    out_.depositedMm3 += standing;
-    out_.excessFraction += standing / part;
-    out_.overfillFraction += standing / part;
+      (run.knowledge[m].ofPart ? out_.depositedMm3 : out_.supportMm3) += volume[m];
+    standing_ = standingMm3(in_.program);
+    out_.depositedMm3 += standing_;
+  }
+
+  void tellBeads(const JudgedRun& run) {
+    static_cast<RunFigures&>(out_) = run.figures;
+    const double part = std::max(out_.partVolumeMm3, 1e-9);
+    out_.excessFraction += standing_ / part;
+    out_.overfillFraction += standing_ / part;
     out_.massRatio = out_.depositedMm3 / std::max(out_.partVolumeMm3, 1e-9);
     for (const BeadFinding& f : run.beads)
       if (f.motion)
@@ -140,13 +170,13 @@ private:
       add(Mass, {{"share", base::percent(100.0 * out_.massRatio)}});
   }
 
-  void tellTimes(const JudgedRun& run) {
+  void tellTimes(const Run& run) {
     SectionErrors worst;
     for (const TurnLaw law : {TurnLaw::Text, TurnLaw::WaySpeed}) {
       if (law == TurnLaw::WaySpeed && in_.program.time.turnMmPerRad <= 0.0)
         continue;
       const SectionErrors errors = sectionErrors(
-          in_.program, *path_, in_.trajectory, run.run.pointOf,
+          in_.program, *path_, in_.trajectory, run.pointOf,
           law == TurnLaw::Text ? seconds_ : controllerTimes(in_.program, *path_, law));
       if (errors.fraction > worst.fraction)
         worst = errors;
@@ -156,7 +186,7 @@ private:
       atMotion(FlowErrors, *worst.first, {{"share", base::percent(100.0 * worst.fraction)}},
                path_->targetTip[*worst.first], path_->startS[*worst.first]);
     for (std::size_t m = 1; m < seconds_.size(); ++m)
-      tellSlow(m, run.run.pointOf);
+      tellSlow(m, run.pointOf);
   }
 
   // A travel lays nothing, but one that crawls is none that was planned.
@@ -190,11 +220,11 @@ private:
           clashes.size() - kMaxListed);
   }
 
-  void tellLimits(const JudgedRun& run) {
+  void tellLimits(const Run& run) {
     std::vector<LimitViolation> all = path_->violations;
     for (std::size_t m = 0; m < path_->motionCount(); ++m) {
       const plan::ProgramMotion& motion = in_.program.motions[m];
-      const double volume = run.run.volumeMm3[m];
+      const double volume = run.volumeMm3[m];
       const double flow = motion.volumeMm3 >= 0.0 && path_->durationS[m] > 0.0
                               ? volume / path_->durationS[m]
                               : (motion.extruding ? motion.flowMm3PerS : 0.0);
@@ -290,21 +320,22 @@ private:
                                             [](const ThresholdResult& r) { return r.passed; });
   }
 
-  const ReplayInput& in_;
+  ReplayInput in_;
   const ReplayThresholds& limits_;
   const base::RunContext& ctx_;
   Verification out_;
   const ExecutedPath* path_ = nullptr;
   std::vector<double> seconds_; // of each motion, on its controller
+  double standing_ = 0.0;       // laid while the arm stands, mm3
   std::size_t deviationMotion_ = 0;
 };
 
 } // namespace
 
-Verification replayProgram(const ReplayInput& input, const ReplayThresholds& thresholds,
+Verification replayProgram(ReplayInput input, const ReplayThresholds& thresholds,
                            const base::RunContext& ctx, JudgedRuns* judged) {
   JudgedRuns own;
-  return Judge(input, thresholds, ctx).judge(judged ? *judged : own);
+  return Judge(std::move(input), thresholds, ctx).judge(judged ? *judged : own);
 }
 
 } // namespace voluta::replay

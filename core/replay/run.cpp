@@ -1,5 +1,6 @@
 #include "replay/run.h"
 
+#include "base/memory.h"
 #include "base/run_context.h"
 #include "geometry/mesh_query.h"
 #include "plan/finding_kinds.h"
@@ -48,18 +49,11 @@ public:
           f.motion = mineOf_[*f.motion];
     } else {
       same_.assign(out_.run.path.motionCount(), 0);
-      const std::shared_ptr<LaidBeads> laid = layBeads();
-      judgeBeads(*laid);
-      // What is met is asked for fillers alone.
-      laid->beads.fill = {};
-      laid->beads.otherFill = {};
-      out_.laid = laid;
+      out_.laid = layBeads();
     }
     findClashes(known);
     gatherMet();
-    out_.run.path.armJoints = {};
-    out_.run.path.armMotion = {};
-    out_.run.path.armFraction = {};
+    base::letGo(out_.run.path.armJoints, out_.run.path.armMotion, out_.run.path.armFraction);
     return std::move(out_);
   }
 
@@ -94,10 +88,8 @@ private:
     return beads == static_cast<std::size_t>(laid) && moved <= kSameInTheMean * cell * volume;
   }
 
-  std::shared_ptr<LaidBeads> layBeads() {
-    auto laid = std::make_shared<LaidBeads>();
-    std::vector<BeadPiece>& pieces = laid->pieces;
-    pieces = beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge);
+  std::shared_ptr<const LaidBeads> layBeads() {
+    std::vector<BeadPiece> pieces = beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge);
     dropFallen(pieces, GroundProbe(in_.platform));
     // The grid spans the part and what lies near it; a waypoint far astray must not blow it up.
     Vector3d low = in_.part.vertices.front(), high = low;
@@ -124,8 +116,15 @@ private:
     out_.figures.pitchMm = grid.pitch;
     DepositOptions options;
     options.widthMaxMm = 3.0 * in_.process.beadWidthMaxMm;
+    const auto laid = std::make_shared<LaidBeads>();
     laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
-    laid->printed.emplace(laid->beads, laid->pieces);
+    laid->printed.emplace(laid->beads, pieces);
+    judgeBeads(*laid, pieces);
+    laid->pieces = laidPieces(pieces, 2.0 * in_.process.beadWidthMaxMm);
+    // What is met is asked for fillers alone.
+    laid->beads.fill = {};
+    laid->beads.otherFill = {};
+    base::letGo(laid->beads.pieceExcessMm3);
     return laid;
   }
 
@@ -154,9 +153,8 @@ private:
     out_.beads.push_back({kind, std::move(values), where, motion, count});
   }
 
-  void judgeBeads(const LaidBeads& laid) {
+  void judgeBeads(const LaidBeads& laid, const std::vector<BeadPiece>& pieces) {
     ctx_.report(0.65, "measuring the beads"_text);
-    const std::vector<BeadPiece>& pieces = laid.pieces;
     const BeadGrid& beads = laid.beads;
     RunFigures& figures = out_.figures;
     const geometry::MeshQuery query(in_.part);
@@ -318,6 +316,13 @@ private:
 JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& thresholds,
                    const JudgedRuns& judged, const base::RunContext& ctx) {
   return RunJudge(std::move(run), input, thresholds, ctx).judge(judged);
+}
+
+JudgedRun toLend(JudgedRun run) {
+  ExecutedPath& path = run.run.path;
+  base::letGo(path.targetTip, path.targetDirection, path.commandedMm, path.turnRad, path.cornerRad,
+              path.durationS, path.violations, run.run.pointOf, run.run.knowledge);
+  return run;
 }
 
 } // namespace voluta::replay

@@ -41,12 +41,13 @@ struct BeadFinding {
 
 // The material of a run, as laid.
 struct LaidBeads {
-  std::vector<BeadPiece> pieces;
-  BeadGrid beads;                     // once judged without fill
-  std::optional<PrintedPart> printed; // of the two above
+  std::vector<LaidPiece> pieces;
+  BeadGrid beads; // without fill
+  std::optional<PrintedPart> printed;
 };
 
-// A run with what was found in it.
+// A run with what was found in it. Kept for others to be lent, it is without what no other asks:
+// its targets, lengths and durations, the arm between them, its points and what is known of them.
 struct JudgedRun {
   Run run;
   std::shared_ptr<const LaidBeads> laid;
@@ -64,6 +65,9 @@ struct JudgedRun {
 // mean. Throws Cancelled.
 JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& thresholds,
                    const JudgedRuns& judged, const base::RunContext& ctx);
+
+// What a run that is told of is kept as.
+JudgedRun toLend(JudgedRun run);
 
 // How far a motion of one run is from the motion of another to the same point of the plan.
 struct Apart {

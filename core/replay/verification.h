@@ -24,7 +24,7 @@ namespace voluta::replay {
 
 // The program as its reader found it, what it was written from, and what it is to make.
 struct ReplayInput {
-  const plan::ReadProgram& program;
+  plan::ReadProgram program; // let go of once it is compared: there are hundreds of bytes a motion
   const plan::ToolPlan& plan;
   const plan::Trajectory& trajectory;
   const robot::Cell& cell;
@@ -55,7 +55,8 @@ struct ThresholdResult {
   bool passed = false;
 };
 
-// Where in the program's text a finding lies; line 0: nowhere in particular. 1-based.
+// Where in the program's text a finding lies, or a motion is said; line 0: nowhere in particular.
+// 1-based.
 struct TextPlace {
   std::size_t file = 0, line = 0;
 };
@@ -97,6 +98,7 @@ struct Verification : RunFigures {
 
   std::vector<std::size_t>
       pointOf; // per motion: the trajectory's point, or kUnmatched (alignment.h)
+  std::vector<TextPlace> motionPlaces; // per motion: where the text says it
 
   std::vector<ThresholdResult> results; // in the order of ReplayThresholds
   plan::Findings findings;              // stage "replay"
@@ -119,7 +121,7 @@ struct Verification : RunFigures {
 // Example:
 //   const replay::Verification verdict =
 //       replay::replayProgram({read, toolPlan, trajectory, cell, process, part, plate}, {}, ctx);
-Verification replayProgram(const ReplayInput& input, const ReplayThresholds& thresholds,
+Verification replayProgram(ReplayInput input, const ReplayThresholds& thresholds,
                            const base::RunContext& ctx, JudgedRuns* judged = nullptr);
 
 } // namespace voluta::replay

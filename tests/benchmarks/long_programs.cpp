@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     watch = base::Stopwatch();
     const program::MergedPoints points = program::pointsFor(format, input, ctx);
     const double merging = watch.seconds();
-    const program::ProgramInput said{plan, points.trajectory, cell, process, "spiral"};
+    const program::ProgramInput said{plan, *points.trajectory, cell, process, "spiral"};
     watch = base::Stopwatch();
     const plan::Program program = program::writeProgram(format, said, ctx);
     const double writing = watch.seconds();
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     if (replays) {
       watch = base::Stopwatch();
       const replay::Verification verdict = replay::replayProgram(
-          {read, plan, points.trajectory, cell, process, standing, plate}, {}, ctx);
+          {read, plan, *points.trajectory, cell, process, standing, plate}, {}, ctx);
       replaying = watch.seconds();
       covered = verdict.coveredFraction;
       passed = verdict.passed;

@@ -82,7 +82,7 @@ TEST(Examples, FromAFileToAVerdict) {
   const plan::ToolPlan toolPlan = coverExample(layers.stack, cell, process, plate);
   const plan::Trajectory moved = moveExample(toolPlan, cell, process);
   const plan::Trajectory trajectory =
-      program::pointsFor("urscript", {toolPlan, moved, cell, process, "part"}, ctx).trajectory;
+      *program::pointsFor("urscript", {toolPlan, moved, cell, process, "part"}, ctx).trajectory;
 
   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
   const plan::Program program = program::writeProgram("urscript", input, ctx);

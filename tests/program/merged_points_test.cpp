@@ -22,9 +22,9 @@ TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
            i <= 1000 ? 0.08 : 0.1);
   append(plan::MoveKind::Linear, {0.5, 10 * d, 20 * d, 0, 60 * d, 0, 0}, 1.0, 0.0);
   const MergedPoints merged = mergedPoints(input(), findDialect("rapid").merge, {});
-  EXPECT_EQ(pointsFor("rapid", input()).trajectory.joints, trajectory_.joints); // on a rod
-  EXPECT_GT(pointsFor("rapid", input()).trajectory.timeS.back(), 2000 * 0.02);
-  const plan::Trajectory& t = merged.trajectory;
+  EXPECT_EQ(pointsFor("rapid", input()).trajectory->joints, trajectory_.joints); // on a rod
+  EXPECT_GT(pointsFor("rapid", input()).trajectory->timeS.back(), 2000 * 0.02);
+  const plan::Trajectory& t = *merged.trajectory;
   EXPECT_LT(t.pointCount(), 550u);
   EXPECT_NEAR(t.timeS.back(), trajectory_.timeS.back(), 0.05); // two short ones are slowed
   EXPECT_DOUBLE_EQ(t.extrudedMm3.back(), trajectory_.extrudedMm3.back());
@@ -49,7 +49,7 @@ TEST_F(MergedPointsOf, shortMotionsAreJoinedWithinTheirTolerance) {
       ASSERT_NEAR(section, own, 0.021 * own);
     }
   }
-  EXPECT_EQ(pointsFor("urscript", input()).trajectory.joints, trajectory_.joints);
+  EXPECT_EQ(pointsFor("urscript", input()).trajectory->joints, trajectory_.joints);
 }
 
 // What is still too short takes as long as the controller needs: the same way, the same material,
@@ -61,14 +61,15 @@ TEST_F(MergedPointsOf, motionsThatStayTooShortAreSlowed) {
     append(plan::MoveKind::Print, {i * 0.002, -90 * d, (i % 2 == 0 ? 90 : 91) * d, 0, 90 * d, 0},
            i % 4 == 0 ? 0.005 : 0.05, 0.1);
   MergeLimits limits = findDialect("rapid").merge;
-  const plan::Trajectory& t = mergedPoints(input(), limits, {}).trajectory;
+  const MergedPoints slowed = mergedPoints(input(), limits, {});
+  const plan::Trajectory& t = *slowed.trajectory;
   ASSERT_EQ(t.pointCount(), trajectory_.pointCount());
   EXPECT_EQ(t.joints, trajectory_.joints);
   EXPECT_EQ(t.extrudedMm3, trajectory_.extrudedMm3);
   for (std::size_t i = 1; i < t.pointCount(); ++i)
     EXPECT_NEAR(t.timeS[i] - t.timeS[i - 1], i % 4 == 0 ? 0.02 : 0.05, 1e-12) << i;
   limits.motionS = 0.0;
-  EXPECT_EQ(mergedPoints(input(), limits, {}).trajectory.timeS, trajectory_.timeS);
+  EXPECT_EQ(mergedPoints(input(), limits, {}).trajectory->timeS, trajectory_.timeS);
 }
 
 // Pieces of one joint motion are one, at which the arm does not stop; a bend in joint space,
@@ -84,18 +85,18 @@ TEST_F(MergedPointsOf, piecesOfAJointMotionAreOne) {
   append(plan::MoveKind::Joint, joints(0.2, -1.19), 0.5, 0.0);
   const MergedPoints merged = mergedPoints(input(), {.jointRad = 1e-5}, {});
   EXPECT_EQ(merged.pointOf, (std::vector<std::size_t>{0, 1, 1, 1, 2, 2, 3, 4}));
-  EXPECT_EQ(merged.trajectory.timeS, (std::vector<double>{0.0, 1.5, 2.5, 3.0, 3.5}));
+  EXPECT_EQ(merged.trajectory->timeS, (std::vector<double>{0.0, 1.5, 2.5, 3.0, 3.5}));
   for (std::size_t i = 0; i < merged.pointOf.size(); ++i)
     if (i + 1 == merged.pointOf.size() || merged.pointOf[i + 1] != merged.pointOf[i]) {
-      EXPECT_EQ(merged.trajectory.at(merged.pointOf[i])[0], trajectory_.at(i)[0]) << i;
+      EXPECT_EQ(merged.trajectory->at(merged.pointOf[i])[0], trajectory_.at(i)[0]) << i;
     }
-  EXPECT_EQ(mergedPoints(input(), {}, {}).trajectory.joints, trajectory_.joints);
+  EXPECT_EQ(mergedPoints(input(), {}, {}).trajectory->joints, trajectory_.joints);
   append(plan::MoveKind::Joint, joints(0.2, -1.19), 0.0,
          0.0); // a print ends, and is taken up again
-  EXPECT_EQ(mergedPoints(input(), {.jointRad = 1e-5}, {}).trajectory.pointCount(), 6u);
-  EXPECT_EQ(pointsFor("rapid", input()).trajectory.joints,
+  EXPECT_EQ(mergedPoints(input(), {.jointRad = 1e-5}, {}).trajectory->pointCount(), 6u);
+  EXPECT_EQ(pointsFor("rapid", input()).trajectory->joints,
             trajectory_.joints); // poses, to this arm
-  EXPECT_EQ(pointsFor("urscript", input()).trajectory.pointCount(), 6u);
+  EXPECT_EQ(pointsFor("urscript", input()).trajectory->pointCount(), 6u);
 }
 
 // Ramps up and down at 2 rad/s2 with a stretch at 0.5 rad/s take a quarter of a second more than

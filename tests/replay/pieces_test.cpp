@@ -94,7 +94,7 @@ TEST(BeadPieces, ShareTheirMotionsMaterialByLength) {
     EXPECT_NEAR(laid[m], volume[m], 1e-5);
     EXPECT_NEAR(length[m], volume[m] > 0.0 ? whole[m] : 0.0, 0.01);
   }
-  const std::vector<std::uint32_t> first = firstPieceOfMotions(pieces, 7);
+  const std::vector<std::uint32_t> first = firstPieceOfMotions(laidPieces(pieces, 6.0), 7);
   ASSERT_EQ(first.size(), 8u);
   for (std::size_t m = 0; m <= 7; ++m) {
     std::size_t wanted = 0;
