@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "collision/bead_solid.h"
+#include "collision/same_segments.h"
 #include "geometry/measures.h"
 #include "process/process.h"
 #include "voxel/column_parity.h"
@@ -43,16 +44,27 @@ std::vector<std::uint32_t> segmentsOf(const plan::ToolPlan& plan) {
 }
 
 voxel::VoxelGrid gridAround(const plan::ToolPlan& plan, const std::vector<std::uint32_t>& segments,
-                            double pitch) {
+                            double pitch, const base::RunContext& ctx) {
   voxel::VoxelGrid grid;
   grid.pitch = pitch;
   if (segments.empty())
     return grid;
-  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const std::uint32_t s : segments) {
-    const BeadSolid bead(plan, s);
-    low = low.cwiseMin(bead.low());
-    high = high.cwiseMax(bead.high());
+  struct Around {
+    Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  };
+  std::vector<Around> parts((segments.size() + kSegmentsAChunk - 1) / kSegmentsAChunk);
+  base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
+    Around& part = parts[b / kSegmentsAChunk];
+    for (std::size_t s = b; s < e; ++s) {
+      const BeadSolid bead(plan, segments[s]);
+      part.low = part.low.cwiseMin(bead.low());
+      part.high = part.high.cwiseMax(bead.high());
+    }
+  });
+  Vector3d low = parts.front().low, high = parts.front().high;
+  for (const Around& part : parts) {
+    low = low.cwiseMin(part.low);
+    high = high.cwiseMax(part.high);
   }
   base::require(low.allFinite() && high.allFinite(), "waypoints are finite");
   // Whole multiples of the pitch, so that a part that grows elsewhere has the same cells.
@@ -89,6 +101,69 @@ void raise(std::uint32_t& cell, std::uint32_t value) {
   while (value > old && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {
   }
 }
+
+// Fills the cells of a segment, but those that are filled before it.
+void deposit(const plan::ToolPlan& plan, std::uint32_t segment, const voxel::VoxelGrid& grid,
+             FillTimes::Leads& leads) {
+  const BeadSolid bead(plan, segment);
+  const auto [low, high] = centresIn(grid, bead.low(), bead.high());
+  const std::uint32_t lead = FillTimes::leadOf(segment + 1);
+  for (int k = low.z(); k <= high.z(); ++k)
+    for (int j = low.y(); j <= high.y(); ++j) {
+      std::size_t cell = grid.index(low.x(), j, k);
+      if (low.x() <= high.x())
+        leads.prepare(cell);
+      for (int i = low.x(); i <= high.x(); ++i, ++cell)
+        if (isLater(leads[cell], lead) && bead.contains(grid.centre(i, j, k)))
+          raise(leads[cell], lead);
+    }
+}
+
+void requireArrays(const plan::ToolPlan& plan) {
+  base::require(plan.direction.size() == plan.waypointCount() &&
+                    plan.widthMm.size() == plan.waypointCount() &&
+                    plan.heightMm.size() == plan.waypointCount(),
+                "plan arrays of one length");
+  base::require(plan.waypointCount() < GrowingPart::kNeverFilled, "fewer than 2^32 - 1 waypoints");
+}
+
+// Blocks of a grid in which a cell is to be filled anew.
+class Emptied {
+public:
+  explicit Emptied(const voxel::VoxelGrid& grid) : grid_(grid) {
+    blocks_.size = (grid.size.array() + (kSide - 1)) / kSide;
+    marks_.resize(blocks_.cellCount());
+  }
+  void mark(int i, int j, int k) {
+    std::atomic_ref<std::uint8_t>(marks_[blocks_.index(i / kSide, j / kSide, k / kSide)])
+        .store(1, std::memory_order_relaxed);
+  }
+  bool anyNear(const plan::ToolPlan& plan, std::uint32_t segment) const {
+    const std::size_t i = segment, j = i + 1;
+    const auto middle = [&](std::size_t w) -> Vector3d {
+      return plan.position[w] - 0.5 * plan.heightMm[w] * plan.direction[w];
+    };
+    const Vector3d a = middle(i), b = middle(j),
+                   reach = Vector3d::Constant(
+                       0.5 * static_cast<double>(std::max({plan.widthMm[i], plan.widthMm[j],
+                                                           plan.heightMm[i], plan.heightMm[j]})));
+    const auto [low, high] = centresIn(grid_, a.cwiseMin(b) - reach, a.cwiseMax(b) + reach);
+    if ((low.array() > high.array()).any())
+      return false;
+    for (int z = low.z() / kSide; z <= high.z() / kSide; ++z)
+      for (int y = low.y() / kSide; y <= high.y() / kSide; ++y)
+        for (int x = low.x() / kSide; x <= high.x() / kSide; ++x)
+          if (marks_[blocks_.index(x, y, z)] != 0)
+            return true;
+    return false;
+  }
+
+private:
+  static constexpr int kSide = 4; // cells
+  const voxel::VoxelGrid& grid_;
+  voxel::VoxelGrid blocks_;
+  std::vector<std::uint8_t> marks_;
+};
 
 // Of what is filled before waypoint `before`: the ground is there before the first.
 std::uint32_t momentOf(std::size_t before) {
@@ -145,31 +220,74 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
                          std::shared_ptr<const FillTimes> ground)
     : ground_(ground ? std::move(ground) : std::make_shared<FillTimes>()) {
   base::require(pitchMm > 0.0, "pitch > 0");
-  base::require(plan.direction.size() == plan.waypointCount() &&
-                    plan.widthMm.size() == plan.waypointCount() &&
-                    plan.heightMm.size() == plan.waypointCount(),
-                "plan arrays of one length");
-  base::require(plan.waypointCount() < kNeverFilled, "fewer than 2^32 - 1 waypoints");
+  requireArrays(plan);
   const std::vector<std::uint32_t> segments = segmentsOf(plan);
-  const voxel::VoxelGrid grid = gridAround(plan, segments, pitchMm);
+  const voxel::VoxelGrid grid = gridAround(plan, segments, pitchMm, ctx);
   FillTimes::Leads leads(grid.cellCount());
   base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
-    for (std::size_t s = b; s < e; ++s) {
-      const BeadSolid bead(plan, segments[s]);
-      const auto [low, high] = centresIn(grid, bead.low(), bead.high());
-      const std::uint32_t lead = FillTimes::leadOf(segments[s] + 1);
-      for (int k = low.z(); k <= high.z(); ++k)
-        for (int j = low.y(); j <= high.y(); ++j) {
-          std::size_t cell = grid.index(low.x(), j, k);
-          if (low.x() <= high.x())
-            leads.prepare(cell);
-          for (int i = low.x(); i <= high.x(); ++i, ++cell)
-            if (isLater(leads[cell], lead) && bead.contains(grid.centre(i, j, k)))
-              raise(leads[cell], lead);
-        }
-    }
+    for (std::size_t s = b; s < e; ++s)
+      deposit(plan, segments[s], grid, leads);
   });
   beads_ = std::make_shared<FillTimes>(grid, std::move(leads), ctx);
+}
+
+GrowingPart::GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other,
+                         const plan::ToolPlan& itsPlan, const base::RunContext& ctx)
+    : ground_(other.ground_) {
+  requireArrays(plan);
+  requireArrays(itsPlan);
+  const std::vector<std::uint32_t> segments = segmentsOf(plan), its = segmentsOf(itsPlan);
+  const std::vector<std::uint32_t> same = sameSegments(plan, segments, itsPlan, its, ctx);
+  // By the first waypoint of a segment of the other plan: the lead that it has here, or 0.
+  std::vector<std::uint32_t> leadHere(itsPlan.waypointCount(), 0);
+  std::vector<char> known(segments.size(), 0);
+  for (std::size_t s = 0; s < its.size(); ++s)
+    if (same[s] != kNoSegment) {
+      leadHere[its[s]] = FillTimes::leadOf(segments[same[s]] + 1);
+      known[same[s]] = 1;
+    }
+
+  const voxel::VoxelGrid& there = other.grid();
+  const voxel::VoxelGrid grid = gridAround(plan, segments, there.pitch, ctx);
+  FillTimes::Leads leads(grid.cellCount());
+  Emptied emptied(grid);
+  // Both origins are whole multiples of the pitch.
+  const Vector3i shift =
+      ((there.origin - grid.origin) / grid.pitch).array().round().matrix().cast<int>();
+  const Vector3i low = shift.cwiseMax(0), high = (shift + there.size).cwiseMin(grid.size);
+  base::parallelChunks(
+      ctx, static_cast<std::size_t>(std::max(0, high.z() - low.z())), 1,
+      [&](std::size_t b, std::size_t e) {
+        for (int k = low.z() + static_cast<int>(b); k < low.z() + static_cast<int>(e); ++k)
+          for (int j = low.y(); j < high.y(); ++j) {
+            std::size_t from = there.index(low.x() - shift.x(), j - shift.y(), k - shift.z());
+            std::size_t to = grid.index(low.x(), j, k);
+            for (int i = low.x(); i < high.x(); ++i, ++from, ++to) {
+              const std::uint32_t filled = other.filledAt(from);
+              if (filled == kNeverFilled)
+                continue;
+              leads[to] = leadHere[filled - 1];
+              if (leads[to] == 0)
+                emptied.mark(i, j, k);
+            }
+          }
+      });
+  base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t s = b; s < e; ++s)
+      if (!known[s] || emptied.anyNear(plan, segments[s]))
+        deposit(plan, segments[s], grid, leads);
+  });
+  beads_ = std::make_shared<FillTimes>(grid, std::move(leads), ctx);
+}
+
+std::shared_ptr<const GrowingPart> regrown(const plan::ToolPlan& plan, const GrowingPart& other,
+                                           const plan::ToolPlan& itsPlan,
+                                           const process::Process& process,
+                                           const base::RunContext& ctx) {
+  const double pitch = growingPitch(plan, process);
+  return pitch == other.grid().pitch
+             ? std::make_shared<const GrowingPart>(plan, other, itsPlan, ctx)
+             : std::make_shared<const GrowingPart>(plan, pitch, ctx, other.ground_);
 }
 
 bool GrowingPart::touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape,

@@ -42,6 +42,11 @@ public:
   GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base::RunContext& ctx,
               std::shared_ptr<const FillTimes> ground = nullptr);
 
+  // The same, of another plan's part in cells as wide, on the same ground: beads that this plan has
+  // too, in the same order, are taken over with the cells that they fill. Throws Cancelled.
+  GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other, const plan::ToolPlan& itsPlan,
+              const base::RunContext& ctx);
+
   // Of the beads.
   const voxel::VoxelGrid& grid() const { return beads_->grid(); }
   // Index of the waypoint at whose arrival the cell is filled; kNeverFilled otherwise.
@@ -66,7 +71,17 @@ public:
                   std::size_t before) const;
 
 private:
+  friend std::shared_ptr<const GrowingPart> regrown(const plan::ToolPlan&, const GrowingPart&,
+                                                    const plan::ToolPlan&, const process::Process&,
+                                                    const base::RunContext&);
   std::shared_ptr<const FillTimes> ground_, beads_; // never null
 };
+
+// A plan's part at growingPitch() on the ground of another's, from that one where cells are as
+// wide. Throws Cancelled.
+std::shared_ptr<const GrowingPart> regrown(const plan::ToolPlan& plan, const GrowingPart& other,
+                                           const plan::ToolPlan& itsPlan,
+                                           const process::Process& process,
+                                           const base::RunContext& ctx);
 
 } // namespace voluta::collision

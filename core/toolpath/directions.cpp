@@ -65,12 +65,12 @@ public:
     ground_ = collision::groundCells(o_.platform, pitch, ctx_);
     if (!part)
       part = std::make_shared<const collision::GrowingPart>(plan_, pitch, ctx_, ground_);
-    bool drawn = false;
+    moved_.assign(middle_.size(), 0);
     if (drawsIn) {
       const std::vector<Vector3d> moves = drawnIn(plan_, *part, o_.platform, process_, ctx_);
       for (std::size_t i = 0; i < moves.size(); ++i) {
         middle_[i] += moves[i];
-        drawn = drawn || !moves[i].isZero();
+        moved_[i] = !moves[i].isZero();
       }
     }
     ctx_.report(0.2, "directions"_text);
@@ -80,14 +80,8 @@ public:
     ctx_.report(0.6, "directions"_text);
     OrientResult r;
     r.plan = subdivided();
-    if (!drawn && direction_ == plan_.direction &&
-        r.plan.waypointCount() == plan_.waypointCount()) {
-      r.plan = plan_; // which grows as it was
-    } else {
-      part.reset(); // two at a time would be much memory
-      part = std::make_shared<const collision::GrowingPart>(
-          r.plan, collision::growingPitch(r.plan, process_), ctx_, ground_);
-    }
+    if (r.plan.position != plan_.position || r.plan.direction != plan_.direction)
+      part = collision::regrown(r.plan, *part, plan_, process_, ctx_);
     judge(r, *part);
     r.grown = std::move(part);
     return r;
@@ -245,6 +239,8 @@ private:
           }
         }
         add(middle_[i], direction_[i], plan_.widthMm[i], plan_.heightMm[i], plan_.speedMmPerS[i]);
+        if (!moved_[i] && direction_[i] == plan_.direction[i])
+          out.position.back() = plan_.position[i]; // to the last bit
         subdividedClear_.push_back(clear_[i]);
       }
       path.first = first;
@@ -305,6 +301,7 @@ private:
   std::shared_ptr<const collision::FillTimes> ground_;
   const HeadClearance& head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
+  std::vector<char> moved_; // middles that were drawn in
 };
 } // namespace
 
@@ -340,10 +337,9 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
           std::copy_n(best.gouging.begin() + static_cast<std::ptrdiff_t>(path.first), path.count,
                       missed.begin() + static_cast<std::ptrdiff_t>(path.first));
     plan::RestOfPlan rest = plan::without(best.plan, missed);
-    // Two at a time would be much memory.
-    if (auto beads = std::exchange(best.grown, {});
-        rest.waypoint.size() == best.plan.waypointCount())
-      grown = std::move(beads);
+    grown = best.grown;
+    if (rest.waypoint.size() < best.plan.waypointCount())
+      grown = collision::regrown(rest.plan, *grown, best.plan, process, ctx);
     clear.clear();
     for (const std::size_t i : rest.waypoint)
       clear.push_back(ways[i]);

@@ -266,15 +266,15 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     return out;
   auto part = std::make_shared<const collision::GrowingPart>(
       out.plan, collision::growingPitch(out.plan, process), ctx);
+  const plan::ToolPlan laid = out.plan;
   std::vector<char> hanging = hangingWaypoints(out.plan, *part, platform, ctx);
   const bool thickened = thickenHanging(out.plan, hanging, *part, process);
   const auto courses = Underlayer(out.plan, *part, hanging, platform, cell, process, ctx).courses();
   if (courses.empty()) {
-    if (!thickened)
-      out.grown = std::move(part);
+    out.grown =
+        thickened ? collision::regrown(out.plan, *part, laid, process, ctx) : std::move(part);
     return out;
   }
-  part.reset();
 
   const UnderlaidPlan was = std::exchange(out, {});
   const auto addCourse = [&](const Course& course, plan::ToolPath under) {
@@ -331,6 +331,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     }
     out.plan.paths.push_back(same);
   }
+  out.grown = collision::regrown(out.plan, *part, laid, process, ctx);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "collision/random_shapes.h"
+#include "collision/same_segments.h"
 #include "collision/shape_distance.h"
 #include "platform/rod_shape.h"
 #include "process/process.h"
@@ -52,6 +53,46 @@ plan::ToolPlan randomBeads(unsigned seed, int paths) {
             static_cast<float>(random.number(0.4, 1.0)));
   }
   return plan;
+}
+
+// Some of its paths are left out, others added between them; some beads are moved, thickened or
+// divided.
+plan::ToolPlan edited(const plan::ToolPlan& plan, unsigned seed) {
+  test::RandomShapes random(seed);
+  const plan::ToolPlan more = randomBeads(seed + 1000, 4);
+  plan::ToolPlan out;
+  const auto add = [&](const plan::ToolPlan& of, std::size_t i) {
+    out.position.push_back(of.position[i]);
+    out.direction.push_back(of.direction[i]);
+    out.widthMm.push_back(of.widthMm[i]);
+    out.heightMm.push_back(of.heightMm[i]);
+    out.speedMmPerS.push_back(of.speedMmPerS[i]);
+  };
+  const auto addWhole = [&](const plan::ToolPlan& of, plan::ToolPath path, bool edits) {
+    const std::size_t from = path.first, count = path.count;
+    path.first = out.waypointCount();
+    for (std::size_t i = from; i < from + count; ++i) {
+      if (edits && i > from && random.number(0.0, 1.0) < 0.15) {
+        add(of, i);
+        out.position.back() = 0.5 * (of.position[i - 1] + of.position[i]);
+      }
+      add(of, i);
+      if (edits && random.number(0.0, 1.0) < 0.1)
+        out.position.back() += random.point(0.3);
+      if (edits && random.number(0.0, 1.0) < 0.1)
+        out.heightMm.back() *= 1.3f;
+    }
+    path.count = out.waypointCount() - path.first;
+    out.paths.push_back(path);
+  };
+  std::size_t next = 0;
+  for (const plan::ToolPath& path : plan.paths) {
+    if (next < more.paths.size() && random.number(0.0, 1.0) < 0.15)
+      addWhole(more, more.paths[next++], false);
+    if (random.number(0.0, 1.0) < 0.9)
+      addWhole(plan, path, random.number(0.0, 1.0) < 0.5);
+  }
+  return out;
 }
 
 // Is the point in the swept section? By walking along the bead in small steps, a check that
@@ -292,4 +333,56 @@ TEST(GrowingPart, RodAndBodyAreThereFromTheStart) {
   const collision::Revolved foot({{Vector3d(0, 0, 0), Vector3d(0, 0, 5), 0.4, 0.4}});
   EXPECT_FALSE(part.headTouches(foot, at(15, 2.46), 0.0, 0));
   EXPECT_TRUE(part.headTouches(foot, at(15, 2.25), 0.0, 0));
+}
+
+// What is taken over of another plan's part and what is laid anew together are the part, cell by
+// cell, and most segments are found again.
+TEST(GrowingPart, GrowsOnFromAnotherPlansPart) {
+  std::size_t filled = 0, kept = 0, all = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const plan::ToolPlan was = randomBeads(seed, 25), plan = edited(was, seed);
+    const GrowingPart before(was, 0.25, {});
+    const GrowingPart grown(plan, before, was, {}), fresh(plan, 0.25, {});
+    ASSERT_EQ(grown.grid().size, fresh.grid().size);
+    EXPECT_EQ(grown.grid().origin, fresh.grid().origin);
+    for (std::size_t cell = 0; cell < fresh.grid().cellCount(); ++cell) {
+      ASSERT_EQ(grown.filledAt(cell), fresh.filledAt(cell)) << seed;
+      filled += fresh.filledAt(cell) != GrowingPart::kNeverFilled ? 1 : 0;
+    }
+    std::vector<std::uint32_t> segments, its;
+    for (std::uint32_t i = 0; i + 1 < plan.waypointCount(); ++i)
+      segments.push_back(i);
+    for (std::uint32_t i = 0; i + 1 < was.waypointCount(); ++i)
+      its.push_back(i);
+    const auto same = collision::sameSegments(plan, segments, was, its, {});
+    std::uint32_t last = 0;
+    for (std::size_t s = 0; s < its.size(); ++s) {
+      if (same[s] == collision::kNoSegment)
+        continue;
+      EXPECT_GE(same[s], last);
+      last = same[s] + 1;
+      EXPECT_EQ(plan.position[same[s]], was.position[s]);
+      EXPECT_EQ(plan.position[same[s] + 1], was.position[s + 1]);
+      EXPECT_EQ(plan.heightMm[same[s] + 1], was.heightMm[s + 1]);
+      ++kept;
+    }
+    all += its.size();
+  }
+  EXPECT_GT(filled, 100'000u);
+  EXPECT_GT(kept, all / 2);
+}
+
+// Of the same plan, all is there; of one that has nothing of it, nothing is.
+TEST(GrowingPart, GrowsOnFromAllOrNothing) {
+  const plan::ToolPlan was = randomBeads(3, 25), other = randomBeads(77, 25), none;
+  const GrowingPart before(was, 0.25, {});
+  for (const plan::ToolPlan* plan : {&was, &other, &none}) {
+    const GrowingPart grown(*plan, before, was, {}), fresh(*plan, 0.25, {});
+    ASSERT_EQ(grown.grid().cellCount(), fresh.grid().cellCount());
+    for (std::size_t cell = 0; cell < fresh.grid().cellCount(); ++cell)
+      ASSERT_EQ(grown.filledAt(cell), fresh.filledAt(cell));
+  }
+  const GrowingPart nothing(none, 0.25, {}), grown(was, nothing, none, {});
+  for (std::size_t cell = 0; cell < before.grid().cellCount(); ++cell)
+    ASSERT_EQ(grown.filledAt(cell), before.filledAt(cell));
 }
