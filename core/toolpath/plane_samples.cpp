@@ -4,6 +4,8 @@
 #include "base/index.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace voluta::toolpath {
@@ -34,6 +36,30 @@ std::vector<Eigen::Vector2f> placesInTile(float pitch) {
     places[i] = pitch * placeInCell(i);
   return places;
 }
+
+// On which side of an edge points lie, four at a time: not less than 0 to the left of it. Told from
+// the edge's ends in one order, so that two triangles that share it tell the same of each point.
+class EdgeSide {
+public:
+  EdgeSide(const std::array<int, 3>& corners, const std::array<Vector2d, 3>& places,
+           std::size_t k) {
+    const std::size_t next = (k + 1) % 3;
+    const bool forwards = corners[k] < corners[next];
+    const Eigen::Vector2f from = places[forwards ? k : next].cast<float>(),
+                          to = places[forwards ? next : k].cast<float>();
+    sign_ = forwards ? 1.0F : -1.0F;
+    x_ = from.x();
+    y_ = from.y();
+    alongX_ = to.x() - from.x();
+    alongY_ = to.y() - from.y();
+  }
+  Floats of(const Floats& x, const Floats& y) const {
+    return sign_ * (alongX_ * (y - y_) - alongY_ * (x - x_));
+  }
+
+private:
+  float sign_, x_, y_, alongX_, alongY_;
+};
 
 // Twice the area to the left of a b, as far as p.
 double side(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
@@ -101,21 +127,28 @@ void PlaneSamples::paint(const PatchSurface& s) {
               x1 = std::min(size_.x() - 1, static_cast<int>(most.x())),
               y0 = std::max(0, static_cast<int>(least.y())),
               y1 = std::min(size_.y() - 1, static_cast<int>(most.y()));
-    for (int y = y0; y <= y1; ++y)
-      for (int x = x0; x <= x1; ++x) {
-        const std::size_t cell = at(y) * at(size_.x()) + at(x);
-        if (triangle_[cell] >= 0)
-          continue;
-        const Vector2d q(x_[cell], y_[cell]);
-        const double u = side(b, c, q), v = side(c, a, q), w = twice - u - v;
-        if (std::min({u, v, w}) < 0.0)
-          continue;
-        triangle_[cell] = static_cast<int>(t);
-        thicknessMm_[cell] = static_cast<float>((u * s.thicknessMm[at(corners[0])] +
-                                                 v * s.thicknessMm[at(corners[1])] +
-                                                 w * s.thicknessMm[at(corners[2])]) /
-                                                twice);
+    const std::array<Vector2d, 3> places{a, b, c};
+    const EdgeSide ab(corners, places, 0), bc(corners, places, 1), ca(corners, places, 2);
+    for (int y = y0; y <= y1; ++y) {
+      const std::size_t end = at(y) * at(size_.x()) + at(x1) + 1;
+      for (std::size_t four = at(y) * at(size_.x()) + at(x0); four < end; four += kLanes) {
+        const auto qx = base::fourAt<Floats>(&x_[four]), qy = base::fourAt<Floats>(&y_[four]);
+        const Floats inside =
+            base::leastOf(base::leastOf(ab.of(qx, qy), bc.of(qx, qy)), ca.of(qx, qy));
+        for (std::size_t lane = 0; lane < std::min(end - four, kLanes); ++lane) {
+          const std::size_t cell = four + lane;
+          if (inside[lane] < 0.0F || triangle_[cell] >= 0)
+            continue;
+          const Vector2d q(x_[cell], y_[cell]);
+          const double u = side(b, c, q), v = side(c, a, q), w = twice - u - v;
+          triangle_[cell] = static_cast<int>(t);
+          thicknessMm_[cell] = static_cast<float>((u * s.thicknessMm[at(corners[0])] +
+                                                   v * s.thicknessMm[at(corners[1])] +
+                                                   w * s.thicknessMm[at(corners[2])]) /
+                                                  twice);
+        }
       }
+    }
   }
 }
 

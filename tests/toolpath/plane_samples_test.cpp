@@ -82,6 +82,28 @@ TEST(PlaneSamples, StandForASquareWithAHole) {
   EXPECT_NEAR(left, 90.0, 1.0);
 }
 
+// Whichever triangles a point lies in or between, it is inside: as many points of a raster are over
+// many small triangles as over few large ones.
+TEST(PlaneSamples, LoseNoneBetweenTriangles) {
+  const auto thickness = [](const Vector3d&) { return 0.8; };
+  const std::vector<std::vector<test::Loop>> outlines{
+      {test::rectangle(30, 30), test::circle(8, true)}, {test::star(5, 9, 4)}};
+  for (const std::vector<test::Loop>& loops : outlines) {
+    const layers::Patch patch = test::patchOver(loops, 4.0, leaning, thickness);
+    const auto few = PlaneSamples::of(PatchSurface::refine(patch, 50.0), 0.004),
+               many = PlaneSamples::of(PatchSurface::refine(patch, 0.3), 0.004);
+    ASSERT_TRUE(few && many);
+    ASSERT_EQ(few->count(), many->count());
+    std::size_t inside = 0, differ = 0;
+    for (std::size_t c = 0; c < few->count(); ++c) {
+      inside += few->isInside(c) ? 1 : 0;
+      differ += few->isInside(c) != many->isInside(c) ? 1 : 0;
+    }
+    EXPECT_GT(inside, 20'000u);
+    EXPECT_LE(differ, 2u); // on the boundary itself, by rounding
+  }
+}
+
 // Beads beside each other get the same, whichever way they run, along the raster too: points in
 // rows would give one of them a row more than the next.
 TEST(PlaneSamples, GiveStripsOfAnyDirectionTheSame) {
