@@ -241,9 +241,14 @@ private:
                                         *process_, motionOptionsOf(values_, choices_.seed),
                                         std::exchange(grown_, {}), ctx);
   }
-  // What the planner keeps to plan some paths again is as large as the motion, and seldom asked.
+  // What the planner keeps to plan some paths again is as large as the motion. It is asked where
+  // there was hardly room, and there motion mostly left something out itself: else it is let go.
   std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
-    return partMotion(ctx.sub(0, 0.05))->plan(ctx.sub(0.05, 1.0));
+    std::unique_ptr<PartMotion> moving = partMotion(ctx.sub(0, 0.05));
+    std::shared_ptr<const MotionStage> stage = moving->plan(ctx.sub(0.05, 1.0));
+    if (stage->report.unreachable + stage->report.collisions > 0)
+      moving_ = std::move(moving);
+    return stage;
   }
 
   bool motionDone() {
@@ -266,7 +271,7 @@ private:
     const base::RunContext ctx = span(project::Stage::Replay).quiet();
     if (!moving_) {
       moving_ = partMotion(ctx);
-      moving_->plan(ctx); // the same once more
+      moving_->plan(ctx); // once more, or for the first time where the motion came from the cache
     }
     motion_ = moving_->planWithout(met, ctx);
     fresh_ = true;
@@ -376,7 +381,7 @@ private:
   std::shared_ptr<const modes::DecomposeStage> decomposed_;
   std::shared_ptr<const MotionStage> motion_;
   std::shared_ptr<const collision::GrowingPart> grown_; // by tool-paths made here, for their motion
-  std::unique_ptr<PartMotion> moving_;                  // of motions without places that met
+  std::unique_ptr<PartMotion> moving_;                  // null: let go
   bool given_ = false; // is it printed along the tool-paths that it brings
   bool fresh_ = false; // the motion is another one than its key's
   project::StageKeys keys_;
