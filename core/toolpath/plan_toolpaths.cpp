@@ -16,9 +16,11 @@
 #include "toolpath/underlay.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <thread>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -129,18 +131,15 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   const std::vector<std::vector<double>> wallWidths =
       carriedWallWidths(stack, process, ctx.quiet());
   std::vector<PatchCover> covers(stack.patches.size());
-  // In spans, so that progress is told from this thread.
-  constexpr std::size_t kSpan = 64;
   const base::RunContext silent = ctx.quiet();
-  for (std::size_t from = 0; from < covers.size(); from += kSpan) {
-    const std::size_t count = std::min(kSpan, covers.size() - from);
-    base::parallelChunks(ctx, count, 1, [&](std::size_t b, std::size_t e) {
-      for (std::size_t i = from + b; i < from + e; ++i)
-        covers[i] = coverPatch(stack.patches[i], process, options, silent, wallWidths[i]);
-    });
-    ctx.report(0.6 * static_cast<double>(from + count) / static_cast<double>(covers.size()),
-               "tool-paths"_text);
-  }
+  const std::thread::id teller = std::this_thread::get_id(); // of progress, which covers too
+  std::atomic<std::size_t> finished = 0;
+  base::parallelChunks(ctx, covers.size(), 1, [&](std::size_t i, std::size_t) {
+    covers[i] = coverPatch(stack.patches[i], process, options, silent, wallWidths[i]);
+    const auto done = static_cast<double>(++finished);
+    if (std::this_thread::get_id() == teller)
+      ctx.report(0.6 * done / static_cast<double>(covers.size()), "tool-paths"_text);
+  });
   Assembled assembled = assemble(stack, covers, process);
   // The head's ways know of the prime, as they do of every bead.
   addPrimePath(assembled.plan, cell, process, options);
