@@ -89,8 +89,7 @@ public:
       const Assembly& assembly = cell.assemblies_[i];
       const Isometry3d& pose = base_T_frame[static_cast<std::size_t>(cell.cell_.bodies()[i].frame)];
       const std::size_t first = solids_.size();
-      for (const Solid& solid : assembly.solids)
-        solids_.emplace_back(solid, pose);
+      placeSolids(assembly, pose, solids_);
       bodies_.push_back(
           {pose * assembly.ball.centre, assembly.ball.radius, first, assembly.solids.size()});
     }
@@ -121,17 +120,20 @@ private:
 CellCollision::CellCollision(const robot::Cell& cell, const process::Process& process)
     : cell_(cell), platformTopMm_(-std::numeric_limits<double>::infinity()) {
   const auto& bodies = cell.bodies();
+  std::vector<int> platforms;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     assemblies_.emplace_back(bodies[i].shapes);
     solidCount_ += bodies[i].shapes.size();
     if (bodies[i].role == robot::BodyRole::Platform) {
-      platforms_.push_back(static_cast<int>(i));
+      platforms.push_back(static_cast<int>(i));
       for (const robot::Shape& shape : bodies[i].shapes)
         platformTopMm_ = std::max(platformTopMm_, support(shape, Vector3d::UnitZ()));
     }
     if (bodies[i].role == robot::BodyRole::Holder && bodies[i].frame == cell.toolFrame())
       holders_.push_back(static_cast<int>(i));
   }
+  for (const int i : platforms)
+    placeSolids(assemblies_[static_cast<std::size_t>(i)], work_T_platform_, platformSolids_);
   std::ranges::copy_if(
       cell.checkedPairs(), std::back_inserter(freePairs_),
       [this](const auto& pair) { return !isHeadAndPlatform(pair.first, pair.second); });
@@ -195,12 +197,10 @@ double CellCollision::distance(std::span<const PosedSolid> a, std::span<const Po
   return least;
 }
 
-std::vector<CellCollision::PosedSolid> CellCollision::posed(const Assembly& assembly,
-                                                            const Isometry3d& pose) {
-  std::vector<PosedSolid> solids;
+void CellCollision::placeSolids(const Assembly& assembly, const Isometry3d& pose,
+                                std::vector<PosedSolid>& to) {
   for (const Solid& solid : assembly.solids)
-    solids.emplace_back(solid, pose);
-  return solids;
+    to.emplace_back(solid, pose);
 }
 
 bool CellCollision::isHeadAndPlatform(int a, int b) const {
@@ -270,12 +270,9 @@ bool CellCollision::touchesPlatform(const Assembly& assembly, const Isometry3d& 
     deepest = std::max(deepest, support(solid.shape, down));
   if (work_T_assembly.translation().z() - deepest > platformTopMm_ + marginMm)
     return false;
-  const Isometry3d work_T_platform = Isometry3d::Identity();
-  const std::vector<PosedSolid> solids = posed(assembly, work_T_assembly);
-  return std::ranges::any_of(platforms_, [&](int i) {
-    const Assembly& platform = assemblies_[static_cast<std::size_t>(i)];
-    return distance(solids, posed(platform, work_T_platform), marginMm) <= marginMm;
-  });
+  std::vector<PosedSolid> solids;
+  placeSolids(assembly, work_T_assembly, solids);
+  return distance(solids, platformSolids_, marginMm) <= marginMm;
 }
 
 bool CellCollision::holderTouches(const Isometry3d& work_T_tool, const GrowingPart& part,

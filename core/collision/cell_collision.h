@@ -87,7 +87,9 @@ private:
   struct Assembly; // a body's solids in its own frame
   struct PosedSolid;
   class PosedBodies;
-  static std::vector<PosedSolid> posed(const Assembly& assembly, const Eigen::Isometry3d& pose);
+  // The pose has to outlive them.
+  static void placeSolids(const Assembly& assembly, const Eigen::Isometry3d& pose,
+                          std::vector<PosedSolid>& to);
   // The distance, or a lower bound of it that is above `enough`.
   static double distance(const PosedSolid& a, const PosedSolid& b, double enough);
   static double distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
@@ -102,8 +104,10 @@ private:
   const robot::Cell& cell_;
   std::vector<Assembly> assemblies_; // as cell.bodies()
   std::unique_ptr<Assembly> erodedHead_;
-  std::unique_ptr<Revolved> revolvedHead_;     // the same
-  std::vector<int> platforms_, holders_;       // of cell.bodies()
+  std::unique_ptr<Revolved> revolvedHead_; // the same
+  const Eigen::Isometry3d work_T_platform_ = Eigen::Isometry3d::Identity();
+  std::vector<PosedSolid> platformSolids_;     // of plate and what carries it
+  std::vector<int> holders_;                   // of cell.bodies()
   std::size_t solidCount_ = 0;                 // of all bodies
   std::vector<std::pair<int, int>> freePairs_; // that are checked, but for head and plate
   double platformTopMm_;                       // in the work frame

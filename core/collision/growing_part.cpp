@@ -51,21 +51,21 @@ voxel::VoxelGrid gridAround(const plan::ToolPlan& plan, const std::vector<std::u
     return grid;
   struct Around {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  };
-  std::vector<Around> parts((segments.size() + kSegmentsAChunk - 1) / kSegmentsAChunk);
-  base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
-    Around& part = parts[b / kSegmentsAChunk];
-    for (std::size_t s = b; s < e; ++s) {
-      const BeadSolid bead(plan, segments[s]);
-      part.low = part.low.cwiseMin(bead.low());
-      part.high = part.high.cwiseMax(bead.high());
+    Around& operator+=(const Around& o) {
+      low = low.cwiseMin(o.low);
+      high = high.cwiseMax(o.high);
+      return *this;
     }
-  });
-  Vector3d low = parts.front().low, high = parts.front().high;
-  for (const Around& part : parts) {
-    low = low.cwiseMin(part.low);
-    high = high.cwiseMax(part.high);
-  }
+  };
+  const auto [low, high] = base::parallelSum<Around>(ctx, segments.size(), kSegmentsAChunk, {},
+                                                     [&](std::size_t b, std::size_t e) {
+                                                       Around part;
+                                                       for (std::size_t s = b; s < e; ++s) {
+                                                         const BeadSolid bead(plan, segments[s]);
+                                                         part += {bead.low(), bead.high()};
+                                                       }
+                                                       return part;
+                                                     });
   base::require(low.allFinite() && high.allFinite(), "waypoints are finite");
   // Whole multiples of the pitch, so that a part that grows elsewhere has the same cells.
   grid.origin = (low / pitch).array().floor().matrix() * pitch;
@@ -102,11 +102,10 @@ void raise(std::uint32_t& cell, std::uint32_t value) {
   }
 }
 
-// Fills the cells of a segment, but those that are filled before it.
-void deposit(const plan::ToolPlan& plan, std::uint32_t segment, const voxel::VoxelGrid& grid,
-             FillTimes::Leads& leads) {
-  const BeadSolid bead(plan, segment);
-  const auto [low, high] = centresIn(grid, bead.low(), bead.high());
+// Fills the cells of a segment, which lie in the box, but those that are filled before it.
+void deposit(const BeadSolid& bead, const CellBox& box, std::uint32_t segment,
+             const voxel::VoxelGrid& grid, FillTimes::Leads& leads) {
+  const auto& [low, high] = box;
   const std::uint32_t lead = FillTimes::leadOf(segment + 1);
   for (int k = low.z(); k <= high.z(); ++k)
     for (int j = low.y(); j <= high.y(); ++j) {
@@ -130,7 +129,7 @@ void requireArrays(const plan::ToolPlan& plan) {
 // Blocks of a grid in which a cell is to be filled anew.
 class Emptied {
 public:
-  explicit Emptied(const voxel::VoxelGrid& grid) : grid_(grid) {
+  explicit Emptied(const voxel::VoxelGrid& grid) {
     blocks_.size = (grid.size.array() + (kSide - 1)) / kSide;
     marks_.resize(blocks_.cellCount());
   }
@@ -138,16 +137,8 @@ public:
     std::atomic_ref<std::uint8_t>(marks_[blocks_.index(i / kSide, j / kSide, k / kSide)])
         .store(1, std::memory_order_relaxed);
   }
-  bool anyNear(const plan::ToolPlan& plan, std::uint32_t segment) const {
-    const std::size_t i = segment, j = i + 1;
-    const auto middle = [&](std::size_t w) -> Vector3d {
-      return plan.position[w] - 0.5 * plan.heightMm[w] * plan.direction[w];
-    };
-    const Vector3d a = middle(i), b = middle(j),
-                   reach = Vector3d::Constant(
-                       0.5 * static_cast<double>(std::max({plan.widthMm[i], plan.widthMm[j],
-                                                           plan.heightMm[i], plan.heightMm[j]})));
-    const auto [low, high] = centresIn(grid_, a.cwiseMin(b) - reach, a.cwiseMax(b) + reach);
+  bool anyIn(const CellBox& box) const {
+    const auto& [low, high] = box;
     if ((low.array() > high.array()).any())
       return false;
     for (int z = low.z() / kSide; z <= high.z() / kSide; ++z)
@@ -160,7 +151,6 @@ public:
 
 private:
   static constexpr int kSide = 4; // cells
-  const voxel::VoxelGrid& grid_;
   voxel::VoxelGrid blocks_;
   std::vector<std::uint8_t> marks_;
 };
@@ -225,8 +215,10 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
   const voxel::VoxelGrid grid = gridAround(plan, segments, pitchMm, ctx);
   FillTimes::Leads leads(grid.cellCount());
   base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
-    for (std::size_t s = b; s < e; ++s)
-      deposit(plan, segments[s], grid, leads);
+    for (std::size_t s = b; s < e; ++s) {
+      const BeadSolid bead(plan, segments[s]);
+      deposit(bead, centresIn(grid, bead.low(), bead.high()), segments[s], grid, leads);
+    }
   });
   beads_ = std::make_shared<FillTimes>(grid, std::move(leads), ctx);
 }
@@ -273,9 +265,12 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other,
           }
       });
   base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
-    for (std::size_t s = b; s < e; ++s)
-      if (!known[s] || emptied.anyNear(plan, segments[s]))
-        deposit(plan, segments[s], grid, leads);
+    for (std::size_t s = b; s < e; ++s) {
+      const BeadSolid bead(plan, segments[s]);
+      const CellBox box = centresIn(grid, bead.low(), bead.high());
+      if (!known[s] || emptied.anyIn(box))
+        deposit(bead, box, segments[s], grid, leads);
+    }
   });
   beads_ = std::make_shared<FillTimes>(grid, std::move(leads), ctx);
 }

@@ -14,19 +14,16 @@ namespace {
 
 constexpr double kSlack = 1e-9; // rounding
 
-struct Merged {
-  plan::Trajectory trajectory;
-  std::vector<std::size_t> pointOf;
-};
-
 class Merger {
 public:
-  Merger(const ProgramInput& input, const MergeLimits& limits, const base::RunContext& ctx)
-      : in_(input.trajectory), limits_(limits), targets_(motionTargets(input, ctx)) {}
+  // Fills in `pointOf`, one a point.
+  Merger(const ProgramInput& input, const MergeLimits& limits, std::vector<std::size_t>& pointOf,
+         const base::RunContext& ctx)
+      : in_(input.trajectory), limits_(limits), targets_(motionTargets(input, ctx)),
+        pointOf_(pointOf) {}
 
-  Merged run() {
-    out_.trajectory.dof = in_.dof;
-    out_.pointOf.resize(in_.pointCount());
+  plan::Trajectory run() {
+    out_.dof = in_.dof;
     keep(0, 0);
     for (std::size_t from = 0; from + 1 < in_.pointCount();) {
       std::size_t to = from + 1;
@@ -42,9 +39,9 @@ public:
 private:
   // The motion to `to` takes the place of those to `first` ... `to`.
   void keep(std::size_t first, std::size_t to) {
-    plan::Trajectory& t = out_.trajectory;
+    plan::Trajectory& t = out_;
     for (std::size_t i = first; i <= to; ++i)
-      out_.pointOf[i] = t.pointCount();
+      pointOf_[i] = t.pointCount();
     t.joints.insert(t.joints.end(), in_.at(to), in_.at(to) + in_.dof);
     t.timeS.push_back(in_.timeS[to]);
     t.move.push_back(in_.move[to]);
@@ -114,7 +111,8 @@ private:
   const plan::Trajectory& in_;
   const MergeLimits& limits_;
   std::vector<MotionTarget> targets_;
-  Merged out_;
+  std::vector<std::size_t>& pointOf_;
+  plan::Trajectory out_;
 };
 
 // What comes after is later by as much.
@@ -135,20 +133,15 @@ MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
                           const base::RunContext& ctx) {
   const plan::Trajectory& planned = input.trajectory;
   const bool joins = limits.leastS > 0.0 || limits.leastMm > 0.0 || limits.jointRad > 0.0;
-  Merged merged;
-  if (joins) {
-    merged = Merger(input, limits, ctx).run();
-  } else {
-    merged.pointOf.resize(planned.pointCount());
-    std::iota(merged.pointOf.begin(), merged.pointOf.end(), std::size_t{0});
-    if (limits.motionS <= 0.0)
-      return {std::shared_ptr<const plan::Trajectory>(std::shared_ptr<void>(), &planned),
-              std::move(merged.pointOf)};
-    merged.trajectory = planned;
-  }
-  slowShortMotions(merged.trajectory, limits.motionS);
-  return {std::make_shared<const plan::Trajectory>(std::move(merged.trajectory)),
-          std::move(merged.pointOf)};
+  std::vector<std::size_t> pointOf(planned.pointCount());
+  std::iota(pointOf.begin(), pointOf.end(), std::size_t{0});
+  if (!joins && limits.motionS <= 0.0)
+    return {std::shared_ptr<const plan::Trajectory>(std::shared_ptr<void>(), &planned),
+            std::move(pointOf)};
+  auto merged = std::make_shared<plan::Trajectory>(joins ? Merger(input, limits, pointOf, ctx).run()
+                                                         : planned);
+  slowShortMotions(*merged, limits.motionS);
+  return {std::move(merged), std::move(pointOf)};
 }
 
 } // namespace voluta::program

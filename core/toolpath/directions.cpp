@@ -61,10 +61,11 @@ public:
   // `drawsIn`: what would hang is laid aside first (drawn_in.h).
   // `part`: the plan's beads; null: they are deposited here.
   OrientResult run(bool drawsIn, std::shared_ptr<const collision::GrowingPart> part) {
-    const double pitch = collision::growingPitch(plan_, process_);
-    ground_ = collision::groundCells(o_.platform, pitch, ctx_);
-    if (!part)
-      part = std::make_shared<const collision::GrowingPart>(plan_, pitch, ctx_, ground_);
+    if (!part) {
+      const double pitch = collision::growingPitch(plan_, process_);
+      part = std::make_shared<const collision::GrowingPart>(
+          plan_, pitch, ctx_, collision::groundCells(o_.platform, pitch, ctx_));
+    }
     moved_.assign(middle_.size(), 0);
     if (drawsIn) {
       const std::vector<Vector3d> moves = drawnIn(plan_, *part, o_.platform, process_, ctx_);
@@ -298,7 +299,6 @@ private:
   const ToolpathOptions& o_;
   const MayMiss& mayMiss_;
   const base::RunContext ctx_;
-  std::shared_ptr<const collision::FillTimes> ground_;
   const HeadClearance& head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
   std::vector<char> moved_; // middles that were drawn in

@@ -7,6 +7,7 @@
 #include "collision/random_shapes.h"
 #include "collision/same_segments.h"
 #include "collision/shape_distance.h"
+#include "plan/waypoints.h"
 #include "platform/rod_shape.h"
 #include "process/process.h"
 
@@ -61,22 +62,15 @@ plan::ToolPlan edited(const plan::ToolPlan& plan, unsigned seed) {
   test::RandomShapes random(seed);
   const plan::ToolPlan more = randomBeads(seed + 1000, 4);
   plan::ToolPlan out;
-  const auto add = [&](const plan::ToolPlan& of, std::size_t i) {
-    out.position.push_back(of.position[i]);
-    out.direction.push_back(of.direction[i]);
-    out.widthMm.push_back(of.widthMm[i]);
-    out.heightMm.push_back(of.heightMm[i]);
-    out.speedMmPerS.push_back(of.speedMmPerS[i]);
-  };
   const auto addWhole = [&](const plan::ToolPlan& of, plan::ToolPath path, bool edits) {
     const std::size_t from = path.first, count = path.count;
     path.first = out.waypointCount();
     for (std::size_t i = from; i < from + count; ++i) {
       if (edits && i > from && random.number(0.0, 1.0) < 0.15) {
-        add(of, i);
+        plan::appendWaypoint(out, of, i);
         out.position.back() = 0.5 * (of.position[i - 1] + of.position[i]);
       }
-      add(of, i);
+      plan::appendWaypoint(out, of, i);
       if (edits && random.number(0.0, 1.0) < 0.1)
         out.position.back() += random.point(0.3);
       if (edits && random.number(0.0, 1.0) < 0.1)
