@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <random>
+#include <vector>
 
 namespace voluta::planar {
 namespace {
@@ -141,6 +144,86 @@ TEST(Supports, AColumnStandsOnASteepSlope) {
     EXPECT_LE(box.max().x(), beneath + 0.6 + 0.02) << z;
   }
   EXPECT_NEAR(geometry::bounds(supports.back()->surface).max().x(), 30.0, 0.02);
+}
+
+// Slopes of 20 to 80 degrees under an arm: whatever a column comes down on, it stands there, goes
+// on round it, or both.
+TEST(Supports, ColumnsStandOnRandomSlopes) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](double from, double to) {
+      return std::uniform_real_distribution<>(from, to)(random);
+    };
+    const double rise = number(6.0, 25.0),
+                 run = rise / std::tan(base::degreesToRadians(number(20, 80)));
+    const double arm = 10.0 + number(3.0, 25.0), under = rise + number(2.0, 8.0);
+    const TriangleMesh crane = prism({{0, 0},
+                                      {10 + run, 0},
+                                      {10, rise},
+                                      {10, under},
+                                      {arm, under},
+                                      {arm, under + 4},
+                                      {0, under + 4}},
+                                     10.0);
+    const SliceResult sliced = slicePieces({pieceOf(crane)}, supported(110), {});
+    for (const plan::Finding& f : sliced.findings)
+      EXPECT_NE(plan::kindWord(f), "unheldOverhang")
+          << seed << ": " << voluta::plan::englishReason(f);
+    double top = 0.0, reach = 0.0;
+    for (const layers::Patch* patch : supportsOf(sliced)) {
+      const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
+      reach = box.min().z() > top + 0.01 ? box.max().x() : std::max(reach, box.max().x());
+      top = std::max(top, box.min().z());
+    }
+    EXPECT_NEAR(reach, arm, 0.02) << seed;
+  }
+}
+
+TriangleMesh together(const std::vector<TriangleMesh>& parts) {
+  TriangleMesh sum;
+  for (const TriangleMesh& part : parts)
+    test::append(sum, part);
+  return sum;
+}
+
+// Under a wide roof with a narrow tongue the column gets narrower downwards, but under the tongue
+// it stays as wide as that.
+TEST(Supports, WhatIsNarrowStaysWhatIsWideGetsNarrower) {
+  const TriangleMesh roof =
+      together({test::box({0, 0, 0}, {10, 10, 20}), test::box({9, 0, 16}, {21, 10, 20}),
+                test::box({20, 4, 16}, {35, 5.5, 20})});
+  const SliceResult sliced = slicePieces({pieceOf(roof)}, supported(40), {});
+  EXPECT_TRUE(sliced.findings.empty());
+  std::map<int, Eigen::AlignedBox3d> trunk, all; // by level
+  for (const layers::Patch* patch : supportsOf(sliced)) {
+    const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
+    const int level = static_cast<int>(std::floor(box.min().z() / 0.8));
+    all[level].extend(box);
+    if (box.min().x() < 15.0)
+      trunk[level].extend(box);
+  }
+  ASSERT_EQ(all.size(), 20u);
+  for (const auto& [level, box] : all)
+    EXPECT_NEAR(box.max().x(), 35.0, 0.02) << level;
+  EXPECT_NEAR(trunk.at(19).sizes().y(), 10.0, 0.02);
+  EXPECT_LT(trunk.at(0).sizes().y(), 6.0);
+  EXPECT_GE(trunk.at(0).sizes().y(), 4.7);
+}
+
+// A fin that hangs on to the post, too narrow for a bead: what is over it needs a column as what is
+// beside it does.
+TEST(Supports, AFinThatIsNotLaidCarriesNothing) {
+  const TriangleMesh roof =
+      together({test::box({0, 0, 0}, {10, 10, 20}), test::box({9, 0, 0}, {30, 0.4, 17}),
+                test::box({9, 0, 16}, {30, 10, 20})});
+  const SliceResult sliced = slicePieces({pieceOf(roof)}, supported(40), {});
+  Eigen::AlignedBox3d above;
+  for (const layers::Patch* patch : supportsOf(sliced))
+    if (const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
+        above.isEmpty() || box.min().z() > above.min().z())
+      above = box;
+  ASSERT_FALSE(above.isEmpty());
+  EXPECT_NEAR(above.min().y(), 0.0, 0.02);
 }
 
 TEST(Supports, TheyKeepOutOfWhatIsPrintedLater) {

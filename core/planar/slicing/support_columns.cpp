@@ -17,8 +17,9 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kArcMm = 0.05;         // of round corners
+constexpr double kSliverMm = 0.1;       // half the width of what is none
 constexpr double kNarrowest = 0.25;     // of a bead: what reaches out by less hangs on by itself
-constexpr double kFooting = 0.5;        // share of a column's section that stands on something
+constexpr double kNarrowestLaid = 0.5;  // of a bead: what is narrower stays empty
 constexpr double kNarrowColumn = 0.9;   // of a bead
 constexpr double kNarrowFooting = 0.45; // of a bead: its middle is carried
 constexpr double kTaper = 0.5;      // of what a layer may reach out: a bead's middle stays carried
@@ -49,11 +50,11 @@ Paths shared(const Paths& a, const Paths& b) {
   return a.empty() || b.empty() ? Paths() : combined(a, b, ClipperLib::ctIntersection);
 }
 
-Paths grown(const Paths& a, double byMm) {
+Paths grown(const Paths& a, double byMm, ClipperLib::JoinType corners = ClipperLib::jtRound) {
   if (a.empty())
     return a;
   ClipperLib::ClipperOffset offset(2.0, kArcMm * kPathUnits);
-  offset.AddPaths(a, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+  offset.AddPaths(a, corners, ClipperLib::etClosedPolygon);
   Paths out;
   offset.Execute(out, byMm * kPathUnits);
   return cleaned(std::move(out));
@@ -88,15 +89,15 @@ std::vector<Paths> components(const Paths& paths) {
   return out;
 }
 
-// Narrower by `byMm` all round where a trunk at least `trunkMm` wide is left of a component.
-Paths tapered(const Paths& a, double byMm, double trunkMm) {
-  Paths out;
-  for (const Paths& one : components(a)) {
-    const Paths less =
-        byMm > 0.0 && !grown(one, -byMm - 0.5 * trunkMm).empty() ? grown(one, -byMm) : one;
-    out.insert(out.end(), less.begin(), less.end());
-  }
-  return out;
+// Narrower by `byMm` all round where at least a trunk is left; what is thinner, but is laid, stays,
+// whatever it hangs on to.
+Paths tapered(const Paths& a, double byMm, double beadWidthMm) {
+  if (a.empty() || byMm <= 0.0)
+    return a;
+  const double half = byMm + 0.5 * kTrunk * beadWidthMm;
+  const Paths wide = shared(a, grown(grown(a, -half), half, ClipperLib::jtMiter));
+  const Paths thin = opened(without(a, wide), 0.5 * kNarrowestLaid * beadWidthMm);
+  return united(grown(wide, -byMm), shared(a, grown(thin, byMm + kSliverMm))); // that they meet
 }
 
 // Without components that are narrower than twice `byMm` all over. Others keep their shape:
@@ -109,12 +110,13 @@ Paths wideEnough(const Paths& a, double byMm) {
   return out;
 }
 
-// Without what is no layer: it is too small for a bead (layers::makePatches) and carries nothing.
+// Without what is no layer: it is too small for a bead (layers::makePatches), or too narrow for one
+// there, and carries nothing.
 Paths laid(const Paths& a, double beadWidthMm) {
+  const double quarter = 0.5 * kNarrowestLaid * beadWidthMm;
   Paths out;
-  for (const Paths& one : components(a))
-    if (areaMm2(one) >= 0.25 * base::kPi * beadWidthMm * beadWidthMm &&
-        !grown(one, -0.25 * beadWidthMm).empty())
+  for (const Paths& one : components(grown(grown(a, -quarter), quarter, ClipperLib::jtMiter)))
+    if (areaMm2(one) >= 0.25 * base::kPi * beadWidthMm * beadWidthMm)
       out.insert(out.end(), one.begin(), one.end());
   return out;
 }
@@ -124,6 +126,18 @@ Paths widened(const Paths& a, double byMm) {
   Paths out;
   for (const Paths& one : components(a))
     out = united(out, grown(one, -byMm).empty() ? grown(one, byMm) : one);
+  return out;
+}
+
+// What walls leave of a column where they come in under it goes round them, as wide as a bead.
+Paths besideWalls(const Paths& a, const Paths& walls, double halfBeadMm) {
+  Paths out;
+  for (const Paths& one : components(a)) {
+    const bool narrow = grown(one, -kNarrowColumn * halfBeadMm).empty();
+    if (narrow && grown(one, -kSliverMm).empty())
+      continue;
+    out = united(out, narrow ? without(grown(one, halfBeadMm), walls) : one);
+  }
   return out;
 }
 
@@ -194,11 +208,11 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
     hanging[k] = opened(without(hanging[k], grown(standing[k - 1], reach)), kNarrowest * half);
     // A tip is narrower than the column that carries it.
     const Paths heads = widened(shared(grown(hanging[k], half), levels.own(k)), half);
-    const Paths carried =
-        united(heads, tapered(columns[k], kTaper * reach, kTrunk * options.beadWidthMm));
+    const Paths carried = united(heads, tapered(columns[k], kTaper * reach, options.beadWidthMm));
     const Paths occupied =
         grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
-    columns[k - 1] = wideEnough(without(carried, occupied), kNarrowColumn * half);
+    columns[k - 1] =
+        wideEnough(besideWalls(without(carried, occupied), occupied, half), kNarrowColumn * half);
     any = true;
   }
   if (!any)
