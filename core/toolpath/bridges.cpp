@@ -25,6 +25,12 @@ Vector3d along(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size
   return plan.position[after] - plan.position[before];
 }
 
+Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
+                const Vector3d& direction) {
+  const Vector3d side = direction.cross(along(plan, path, waypoint));
+  return side.squaredNorm() > 1e-12 ? side.normalized() : direction.unitOrthogonal();
+}
+
 // The first waypoint of what the path has laid just before another.
 std::size_t softSince(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i) {
   double length = std::max(kSoftMm, 2.0 * static_cast<double>(plan.widthMm[i]));
@@ -64,24 +70,22 @@ void dropShort(const plan::ToolPlan& plan, const plan::ToolPath& path, char valu
 } // namespace
 
 Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint) {
-  const Vector3d& d = plan.direction[waypoint];
-  const Vector3d side = d.cross(along(plan, path, waypoint));
-  return side.squaredNorm() > 1e-12 ? side.normalized() : d.unitOrthogonal();
+  return sideOf(plan, path, waypoint, plan.direction[waypoint]);
 }
 
 int carriedPlaces(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
-                  double asideMm, const collision::GrowingPart& part,
-                  const platform::PlatformSolid& platform, int enough) {
+                  const Vector3d& tip, const Vector3d& direction,
+                  const collision::GrowingPart& part, const platform::PlatformSolid& platform,
+                  int enough) {
   const auto height = static_cast<double>(plan.heightMm[waypoint]);
-  const Vector3d side = sideOf(plan, path, waypoint);
+  const Vector3d side = sideOf(plan, path, waypoint, direction);
   const std::size_t before = softSince(plan, path, waypoint);
-  const Vector3d tip = plan.position[waypoint] + asideMm * side;
   int places = 0;
   for (int k = 0; k < kPlacesAcross && places < enough; ++k) {
     const double aside =
         ((k + 0.5) / kPlacesAcross - 0.5) * static_cast<double>(plan.widthMm[waypoint]);
     places += std::ranges::any_of(kBelow, [&](double share) {
-      const Vector3d point = tip + aside * side - share * height * plan.direction[waypoint];
+      const Vector3d point = tip + aside * side - share * height * direction;
       return onPlate(platform, point) || part.holds(point, before);
     });
   }
@@ -99,7 +103,8 @@ std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::
         continue;
       double width = 0.0;
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-        hanging[i] = carriedPlaces(plan, path, i, 0.0, part, platform, leastPlaces) < leastPlaces;
+        hanging[i] = carriedPlaces(plan, path, i, plan.position[i], plan.direction[i], part,
+                                   platform, leastPlaces) < leastPlaces;
         width = std::max(width, static_cast<double>(plan.widthMm[i]));
       }
       dropShort(plan, path, 0, width, hanging);

@@ -33,13 +33,15 @@ struct HangingStretch {
 std::vector<HangingStretch> hangingStretches(const plan::ToolPlan& plan, const plan::ToolPath& path,
                                              const std::vector<char>& hanging, double longerThanMm);
 
-// How many of kPlacesAcross places across a bead are carried, as above, if it is laid `asideMm` to
-// the side of where it is planned: along direction x way. Counts no further than `enough`.
+// How many of kPlacesAcross places across a bead are carried, as above, if the nozzle lays it with
+// its tip there, along that direction. Counts no further than `enough`.
 inline constexpr int kPlacesAcross = 8; // as programs are judged
+inline constexpr int kWellCarried = 2;  // of them: a quarter of the width
 int carriedPlaces(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
-                  double asideMm, const collision::GrowingPart& part,
-                  const platform::PlatformSolid& platform, int enough = kPlacesAcross);
-// That side, unit.
+                  const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
+                  const collision::GrowingPart& part, const platform::PlatformSolid& platform,
+                  int enough = kPlacesAcross);
+// To the side of the way at a waypoint: direction x way, unit.
 Eigen::Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
                        std::size_t waypoint);
 

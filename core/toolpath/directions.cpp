@@ -9,6 +9,7 @@
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
+#include "toolpath/braced.h"
 #include "toolpath/bridges.h"
 #include "toolpath/drawn_in.h"
 #include "toolpath/head_clearance.h"
@@ -46,6 +47,11 @@ Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
   return ((std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle)).normalized();
 }
 
+// A plan that is so throughout stays so: its cell or its program's reader may know nothing else.
+bool isUpright(const Vector3d& direction) {
+  return direction == Vector3d::UnitZ();
+}
+
 class Orienter {
 public:
   Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear, const HeadClearance& head,
@@ -67,13 +73,9 @@ public:
           plan_, pitch, ctx_, collision::groundCells(o_.platform, pitch, ctx_));
     }
     moved_.assign(middle_.size(), 0);
-    if (drawsIn) {
-      const std::vector<Vector3d> moves = drawnIn(plan_, *part, o_.platform, process_, ctx_);
-      for (std::size_t i = 0; i < moves.size(); ++i) {
-        middle_[i] += moves[i];
-        moved_[i] = !moves[i].isZero();
-      }
-    }
+    leant_ = plan_.direction;
+    if (drawsIn)
+      hold(*part);
     ctx_.report(0.2, "directions"_text);
     choose(*part);
     ctx_.report(0.5, "directions"_text);
@@ -99,9 +101,35 @@ private:
     return head_.clears(part, tipAt(i, d), d, i, marginMm);
   }
 
+  // What would hang, drawn in, or else braced against what then lies beside it.
+  void hold(const collision::GrowingPart& part) {
+    std::vector<char> hanging = hangingWaypoints(plan_, part, o_.platform, ctx_, kWellCarried);
+    const std::vector<Vector3d> moves = drawnIn(plan_, hanging, part, o_.platform, process_, ctx_);
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      middle_[i] += moves[i];
+      moved_[i] = !moves[i].isZero();
+      hanging[i] = hanging[i] && !moved_[i];
+    }
+    if (std::ranges::all_of(plan_.direction, isUpright) || !canBrace(plan_, hanging, process_))
+      return;
+    if (std::ranges::find(moved_, 1) == moved_.end()) {
+      leant_ = braced(plan_, hanging, part, o_.platform, process_, ctx_);
+      return;
+    }
+    ToolPlan drawn = plan_;
+    for (std::size_t i = 0; i < moves.size(); ++i)
+      drawn.position[i] += moves[i];
+    leant_ = braced(drawn, hanging, *collision::regrown(drawn, part, plan_, process_, ctx_),
+                    o_.platform, process_, ctx_);
+  }
+
   std::optional<Vector3d> firstClear(const collision::GrowingPart& part, std::size_t i,
                                      double marginMm) const {
     const Vector3d &t = plan_.direction[i], &c = clear_[i];
+    if (leant_[i] != t)
+      for (const double share : {1.0, 0.75, 0.5})
+        if (const Vector3d d = between(t, leant_[i], share); clears(part, i, d, marginMm))
+          return d;
     if (clears(part, i, t, marginMm))
       return t;
     const double angle = angleBetween(t, c);
@@ -301,7 +329,8 @@ private:
   const base::RunContext ctx_;
   const HeadClearance& head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
-  std::vector<char> moved_; // middles that were drawn in
+  std::vector<Vector3d> leant_; // the plan's own, or braced
+  std::vector<char> moved_;     // middles that were drawn in
 };
 } // namespace
 

@@ -1,11 +1,11 @@
 #include "toolpath/drawn_in.h"
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
-#include "toolpath/bridges.h"
+#include "toolpath/fading.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace voluta::toolpath {
 
@@ -13,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kCarried = 2;      // of the places across a bead: a quarter
 constexpr double kStep = 0.0625; // beads
 constexpr double kMost = 0.5;    // beads
 constexpr double kSlope = 0.25;  // of the way along the path
@@ -38,7 +37,9 @@ private:
     const int steps = static_cast<int>(kMost / kStep);
     for (int k = 1; k <= steps; ++k) {
       const double aside = k * kStep * process_.beadWidthMm;
-      if (carriedPlaces(plan_, path, i, side * aside, part_, platform_, kCarried) >= kCarried)
+      const Vector3d tip = plan_.position[i] + side * aside * sideOf(plan_, path, i);
+      if (carriedPlaces(plan_, path, i, tip, plan_.direction[i], part_, platform_, kWellCarried) >=
+          kWellCarried)
         return aside;
     }
     return 0.0;
@@ -63,36 +64,15 @@ private:
     }
     if (most == 0)
       return;
-    for (const bool forwards : {true, false}) {
-      double mm = 0.0;
-      std::size_t i = forwards ? s.begin : s.end - 1;
-      for (std::size_t done = 0; done < path.count; ++done) {
-        const bool inside = i >= s.begin && i < s.end;
-        mm = std::max(inside ? best[i - s.begin] : 0.0, mm);
-        if (mm <= 0.0 && !inside)
-          break;
-        const Vector3d move = side * mm * sideOf(plan_, path, i);
-        if (move.squaredNorm() > moves[i].squaredNorm())
-          moves[i] = move;
-        const std::size_t next = neighbour(path, i, forwards);
-        if (next == i)
-          break;
-        mm -= kSlope * (plan_.position[next] - plan_.position[i]).norm();
-        i = next;
-      }
-    }
+    fadeAlong(plan_, path, s, best, kSlope, [&](std::size_t i, double mm) {
+      const Vector3d move = side * mm * sideOf(plan_, path, i);
+      if (move.squaredNorm() > moves[i].squaredNorm())
+        moves[i] = move;
+    });
     if (path.closed) { // the same place twice
       Vector3d &first = moves[path.first], &last = moves[path.first + path.count - 1];
       first = last = first.squaredNorm() > last.squaredNorm() ? first : last;
     }
-  }
-
-  // Round a closed path; the same at the end of another.
-  static std::size_t neighbour(const plan::ToolPath& path, std::size_t i, bool forwards) {
-    const std::size_t last = path.first + path.count - 1;
-    if (forwards)
-      return i < last ? i + 1 : path.closed ? path.first + 1 : i;
-    return i > path.first ? i - 1 : path.closed ? last - 1 : i;
   }
 
   const plan::ToolPlan& plan_;
@@ -103,10 +83,11 @@ private:
 
 } // namespace
 
-std::vector<Vector3d> drawnIn(const plan::ToolPlan& plan, const collision::GrowingPart& part,
+std::vector<Vector3d> drawnIn(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+                              const collision::GrowingPart& part,
                               const platform::PlatformSolid& platform,
                               const process::Process& process, const base::RunContext& ctx) {
-  const std::vector<char> hanging = hangingWaypoints(plan, part, platform, ctx, kCarried);
+  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
   std::vector<Vector3d> moves(plan.waypointCount(), Vector3d::Zero());
   const Drawer drawer(plan, part, platform, process);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {

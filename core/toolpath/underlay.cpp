@@ -9,6 +9,7 @@
 #include "layers/layer_stack.h"
 #include "plan/waypoints.h"
 #include "process/bead_model.h"
+#include "toolpath/braced.h"
 #include "toolpath/bridges.h"
 #include "toolpath/head_clearance.h"
 #include "toolpath/thickened.h"
@@ -270,7 +271,12 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
   std::vector<char> hanging = hangingWaypoints(out.plan, *part, platform, ctx);
   const bool thickened = thickenHanging(out.plan, hanging, *part, process);
   const auto courses = Underlayer(out.plan, *part, hanging, platform, cell, process, ctx).courses();
-  if (courses.empty()) {
+  for (const auto& [path, of] : courses)
+    for (const Course& course : of)
+      for (const std::size_t above : course.above)
+        hanging[above] = 0;
+  const std::vector<std::size_t> order = inwardsFirst(out.plan, hanging, process);
+  if (courses.empty() && std::ranges::is_sorted(order)) {
     out.grown =
         thickened ? collision::regrown(out.plan, *part, laid, process, ctx) : std::move(part);
     return out;
@@ -300,7 +306,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     out.plan.paths.push_back(under);
   };
   for (std::size_t p = 0; p < was.plan.paths.size(); ++p) {
-    const plan::ToolPath& path = was.plan.paths[p];
+    const plan::ToolPath& path = was.plan.paths[order[p]];
     // Before the first path of the patch come the beads under all its paths, low ones first: the
     // head cuts into none that is higher.
     if (beginsPatch(was.plan, p) && path.kind != plan::PathKind::Skirt) {

@@ -1,14 +1,17 @@
-// hang_report [--keep DIR] [--mode M] [--platform P] [--set KEY=VALUE]... [--list N] [--threads N]
-// PART...
+// hang_report [--keep DIR] [--mode M] [--platform P] [--set KEY=VALUE]... [--over MM] [--list N]
+// [--threads N] PART...
 // Which beads of real parts lie on nothing: planned up to the tool-paths, laid as a replay lays
 // them, and told by what they are (path, height, how far aside the next material below is).
-// --keep: plans up to the decomposition are kept in DIR and read from there.
+// --keep: plans up to the decomposition are kept in DIR and read from there. PART may be a project
+// (.voluta): of that, what its motion lays, in its order, is looked at.
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision/growing_part.h"
 #include "geometry/mesh_query.h"
 #include "helpers/laid_beads.h"
+#include "pipeline/choices.h"
 #include "pipeline/road.h"
+#include "plan/waypoints.h"
 #include "replay/beads.h"
 #include "replay/coverage.h"
 #include "replay/ground.h"
@@ -27,6 +30,7 @@ using Eigen::Vector3d;
 
 namespace {
 
+constexpr double kDownMm = 60.0; // how far down is looked
 constexpr std::array<const char*, 5> kKinds = {"wall", "infill", "gap", "skirt", "support"};
 
 // As replay::findSupport looks right beneath a piece; and how far aside from its middle, to the
@@ -65,7 +69,7 @@ Beneath beneath(const replay::BeadPiece& piece, std::uint32_t index,
   if (out.carried < 0.5) {
     out.leftMm = reach(1.0);
     out.rightMm = reach(-1.0);
-    for (; out.downMm < 12.0; out.downMm += 0.1) {
+    for (; out.downMm < kDownMm; out.downMm += 0.1) {
       const Vector3d at = tip - (height + out.downMm) * up;
       if (printed.printedAt(at, moment) || ground.holds(at, 0.25 * width))
         break;
@@ -74,22 +78,24 @@ Beneath beneath(const replay::BeadPiece& piece, std::uint32_t index,
   return out;
 }
 
-const plan::ToolPath& pathOf(const plan::ToolPlan& plan, std::size_t waypoint) {
-  return *std::prev(
-      std::upper_bound(plan.paths.begin(), plan.paths.end(), waypoint,
-                       [](std::size_t w, const plan::ToolPath& path) { return w < path.first; }));
-}
-
 struct Run {
   std::size_t first = 0, end = 0;
   double lengthMm = 0.0;
 };
 
-void report(const pipeline::PlanResult& planned, int listed, const base::RunContext& ctx) {
-  const plan::ToolPlan& plan = *planned.job.toolPlan;
-  const process::Process& process = *planned.process;
+// The waypoints of a plan that a motion lays.
+plan::ToolPlan laidOf(const plan::ToolPlan& plan, const plan::Trajectory& trajectory) {
+  std::vector<char> leftOut(plan.waypointCount(), 1);
+  for (const std::size_t i : trajectory.waypoint)
+    if (i != plan::kNoWaypoint)
+      leftOut[i] = 0;
+  return plan::without(plan, leftOut).plan;
+}
+
+void report(const project::Job& job, const plan::ToolPlan& plan, const process::Process& process,
+            double overMm, int listed, const base::RunContext& ctx) {
   const std::vector<replay::BeadPiece> pieces = test::laidBeads(plan);
-  const geometry::TriangleMesh& part = planned.job.printed();
+  const geometry::TriangleMesh& part = job.printed();
   Vector3d low = part.vertices.front(), high = low;
   for (const auto* points : {&part.vertices, &plan.position})
     for (const Vector3d& p : *points) {
@@ -102,7 +108,7 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
   const replay::BeadGrid beads =
       replay::depositBeads(grid, pieces, {.widthMaxMm = 3.0 * process.beadWidthMaxMm}, ctx);
   const replay::PrintedPart printed(beads, pieces);
-  const replay::GroundProbe ground(planned.job.platform);
+  const replay::GroundProbe ground(job.platform);
   const replay::SupportedBeads support = replay::findSupport(pieces, printed, ground, ctx);
   const geometry::MeshQuery query(part);
   const replay::PartCells cells = replay::partCells(part, query, grid, ctx);
@@ -116,14 +122,13 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
               support.unsupportedMm / support.lengthMm, support.halfCarriedMm / support.lengthMm,
               support.longestUnsupportedMm, coverage.coveredFraction,
               (coverage.outsideMm3 + excess) / std::max(1e-9, cells.volumeMm3),
-              planned.job.report.layers.count, planned.job.report.layers.thicknessMeanMm,
-              planned.job.report.layers.thicknessStdMm, planned.job.report.layers.thicknessP01Mm,
-              planned.job.report.layers.thicknessP99Mm);
+              job.report.layers.count, job.report.layers.thicknessMeanMm,
+              job.report.layers.thicknessStdMm, job.report.layers.thicknessP01Mm,
+              job.report.layers.thicknessP99Mm);
 
   // What the tool-paths' own stage takes for hanging.
   const collision::GrowingPart growing(plan, collision::growingPitch(plan, process), ctx);
-  const std::vector<char> hanging =
-      toolpath::hangingWaypoints(plan, growing, planned.job.platform, ctx);
+  const std::vector<char> hanging = toolpath::hangingWaypoints(plan, growing, job.platform, ctx);
   std::vector<Beneath> under(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e; ++p)
@@ -134,7 +139,7 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
   std::vector<Run> runs;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const double length = (pieces[p].to - pieces[p].from).norm();
-    const plan::ToolPath& path = pathOf(plan, pieces[p].motion);
+    const plan::ToolPath& path = *plan::pathOf(plan, pieces[p].motion);
     if (under[p].carried < 0.5) {
       const double h = static_cast<double>(pieces[p].toHeightMm);
       const double near = std::min(under[p].leftMm, under[p].rightMm),
@@ -161,9 +166,9 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
   for (std::size_t k = 0; k < std::min<std::size_t>(sorted.size(), 14); ++k)
     std::printf("    %s: less than half %.5f, on nothing %.5f of all\n", sorted[k].first.c_str(),
                 sorted[k].second[0] / support.lengthMm, sorted[k].second[1] / support.lengthMm);
-  std::erase_if(runs, [&](const Run& r) { return r.lengthMm <= process.bridgeMm; });
+  std::erase_if(runs, [&](const Run& r) { return r.lengthMm <= overMm; });
   std::ranges::sort(runs, std::greater{}, &Run::lengthMm);
-  std::printf("  %zu runs over %.1f mm\n", runs.size(), process.bridgeMm);
+  std::printf("  %zu runs over %.1f mm\n", runs.size(), overMm);
   for (std::size_t r = 0; r < std::min(runs.size(), static_cast<std::size_t>(listed)); ++r) {
     const Run& run = runs[r];
     double h = 0, w = 0, near = 0, far = 0, lean = 0, down = 0, within = 0, later = 0, told = 0;
@@ -189,7 +194,7 @@ void report(const pipeline::PlanResult& planned, int listed, const base::RunCont
                                   .normalized();
       lean += std::asin(std::clamp(-normal.dot(pieces[p].toDirection), -1.0, 1.0)) * 57.29578 / n;
     }
-    const plan::ToolPath& path = pathOf(plan, pieces[run.first].motion);
+    const plan::ToolPath& path = *plan::pathOf(plan, pieces[run.first].motion);
     const std::size_t of = static_cast<std::size_t>(&path - plan.paths.data());
     const Vector3d at = pieces[(run.first + run.end) / 2].to;
     std::printf(
@@ -218,17 +223,26 @@ int main(int argc, char** argv) {
   std::vector<std::string> parts, sets;
   std::string keep, mode = "curved", platform = "fit:0", scale = "fit";
   int listed = 12, threads = 1;
+  double overMm = 6.0;
   app.add_option("parts", parts)->required();
   app.add_option("--keep", keep);
   app.add_option("--mode", mode);
   app.add_option("--platform", platform);
   app.add_option("--scale", scale);
   app.add_option("--set", sets);
+  app.add_option("--over", overMm);
   app.add_option("--list", listed);
   app.add_option("--threads", threads);
   CLI11_PARSE(app, argc, argv);
   const base::RunContext ctx(base::CancelToken(), threads);
   for (const std::string& file : parts) {
+    if (file.ends_with(".voluta")) {
+      const project::Job job = project::readJob(file);
+      report(job, laidOf(*job.toolPlan, *job.trajectory),
+             pipeline::chosenProcess(job.choices, pipeline::parameterValues(job.choices)), overMm,
+             listed, ctx);
+      continue;
+    }
     pipeline::PlanRequest request;
     request.part = file;
     request.choices.mode = mode;
@@ -253,7 +267,7 @@ int main(int argc, char** argv) {
     if (!keep.empty() && !std::filesystem::exists(kept))
       project::writeJob(kept, project::upTo(planned.job, project::Stage::Decompose));
     if (planned.job.toolPlan)
-      report(planned, listed, ctx);
+      report(planned.job, *planned.job.toolPlan, *planned.process, overMm, listed, ctx);
     std::fflush(stdout);
   }
 }

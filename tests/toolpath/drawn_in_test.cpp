@@ -30,7 +30,9 @@ Drawn drawn(plan::ToolPlan plan) {
   Drawn result;
   const collision::GrowingPart part(plan, pitch, ctx, ground);
   result.before = hanging(part);
-  result.moves = toolpath::drawnIn(plan, part, kPlate, kProcess, ctx);
+  result.moves = toolpath::drawnIn(
+      plan, toolpath::hangingWaypoints(plan, part, kPlate, ctx, toolpath::kWellCarried), part,
+      kPlate, kProcess, ctx);
   for (std::size_t i = 0; i < result.moves.size(); ++i)
     plan.position[i] += result.moves[i];
   result.after = hanging(collision::GrowingPart(plan, pitch, ctx, ground));

@@ -1,0 +1,45 @@
+// Beads that nothing beneath carries, pressed against those beside them.
+#pragma once
+
+#include "collision/growing_part.h"
+#include "plan/tool_plan.h"
+#include "platform/platform_solid.h"
+#include "process/process.h"
+#include "toolpath/bridges.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::toolpath {
+
+// Where a layer begins at a chin or on a rim, it reaches out over what is printed by several beads,
+// and none but the innermost has anything beneath it. An arm that leans outwards there presses each
+// bead against the one that lies inwards of it, which therefore comes first.
+
+// The order of the plan's paths in which this can be: of a patch, what has stretches that hang for
+// longer than half of what the process bridges comes last, and of that first what lies nearest to
+// what does not hang. Else, in patches of which all hangs, and of supports: as it is. `hanging`:
+// hangingWaypoints().
+std::vector<std::size_t> inwardsFirst(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+                                      const process::Process& process);
+
+// Is there any such stretch that braced() would look at?
+bool canBrace(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+              const process::Process& process);
+
+// Per waypoint, the direction to lay it along: its own, but leaning to the side by as little as
+// brings a quarter of a bead's width over something (kWellCarried), by 50 degrees at most, where a
+// stretch longer than half of what the process bridges hangs; gently along the path. The middle of
+// the bead stays where it is. Where leaning does not help, nothing does; no support leans.
+// `hanging`: hangingWaypoints() with kWellCarried. Throws Cancelled.
+std::vector<Eigen::Vector3d> braced(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+                                    const collision::GrowingPart& part,
+                                    const platform::PlatformSolid& platform,
+                                    const process::Process& process, const base::RunContext& ctx);
+
+} // namespace voluta::toolpath

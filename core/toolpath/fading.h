@@ -1,0 +1,45 @@
+// What is done to a stretch of a path fades out on either side of it.
+#pragma once
+
+#include "plan/tool_plan.h"
+#include "toolpath/bridges.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// The next waypoint of a path, round a closed one; the same at the end of another.
+inline std::size_t nextOf(const plan::ToolPath& path, std::size_t i, bool forwards) {
+  const std::size_t last = path.first + path.count - 1;
+  if (forwards)
+    return i < last ? i + 1 : path.closed ? path.first + 1 : i;
+  return i > path.first ? i - 1 : path.closed ? last - 1 : i;
+}
+
+// Calls take(waypoint, amount) where, both ways along the path, `amounts` of the stretch's
+// waypoints
+// (>= 0) are not yet gone: they fade by `perMm` of the way. A waypoint may be told twice.
+template <typename Take>
+void fadeAlong(const plan::ToolPlan& plan, const plan::ToolPath& path, const HangingStretch& s,
+               const std::vector<double>& amounts, double perMm, const Take& take) {
+  for (const bool forwards : {true, false}) {
+    double amount = 0.0;
+    std::size_t i = forwards ? s.begin : s.end - 1;
+    for (std::size_t done = 0; done < path.count; ++done) {
+      const bool inside = i >= s.begin && i < s.end;
+      amount = std::max(inside ? amounts[i - s.begin] : 0.0, amount);
+      if (amount <= 0.0 && !inside)
+        break;
+      take(i, std::max(0.0, amount));
+      const std::size_t next = nextOf(path, i, forwards);
+      if (next == i)
+        break;
+      amount -= perMm * (plan.position[next] - plan.position[i]).norm();
+      i = next;
+    }
+  }
+}
+
+} // namespace voluta::toolpath
