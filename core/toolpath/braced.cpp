@@ -21,6 +21,12 @@ using Eigen::Vector3d;
 constexpr double kStepDeg = 10.0, kMostDeg = 50.0;
 constexpr double kFadeDegPerMm = 5.0; // cells tell one waypoint from the next by chance
 
+// A plan that is so throughout stays so: its cell or its program's reader may know nothing else.
+bool isUpright(const plan::ToolPlan& plan) {
+  return std::ranges::all_of(plan.direction,
+                             [](const Vector3d& d) { return d == Vector3d::UnitZ(); });
+}
+
 // Those of a path that come last and lean.
 std::vector<HangingStretch> stretchesOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
                                         const std::vector<char>& hanging,
@@ -121,6 +127,8 @@ std::vector<std::size_t> inwardsFirst(const plan::ToolPlan& plan, const std::vec
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
   std::vector<std::size_t> order(plan.paths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  if (isUpright(plan))
+    return order;
   for (std::size_t b = 0; b < order.size();) {
     std::size_t e = b + 1;
     while (e < order.size() && plan.paths[e].patch == plan.paths[b].patch &&
@@ -159,7 +167,7 @@ std::vector<std::size_t> inwardsFirst(const plan::ToolPlan& plan, const std::vec
 bool canBrace(const plan::ToolPlan& plan, const std::vector<char>& hanging,
               const process::Process& process) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
-  return std::ranges::any_of(plan.paths, [&](const plan::ToolPath& path) {
+  return !isUpright(plan) && std::ranges::any_of(plan.paths, [&](const plan::ToolPath& path) {
     return !stretchesOf(plan, path, hanging, process).empty();
   });
 }
@@ -170,6 +178,8 @@ std::vector<Vector3d> braced(const plan::ToolPlan& plan, const std::vector<char>
                              const process::Process& process, const base::RunContext& ctx) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
   std::vector<Vector3d> directions = plan.direction;
+  if (isUpright(plan))
+    return directions;
   const Bracer bracer(plan, part, platform);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p)

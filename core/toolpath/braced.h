@@ -23,8 +23,8 @@ namespace voluta::toolpath {
 
 // The order of the plan's paths in which this can be: of a patch, what has stretches that hang for
 // longer than half of what the process bridges comes last, and of that first what lies nearest to
-// what does not hang. Else, in patches of which all hangs, and of supports: as it is. `hanging`:
-// hangingWaypoints().
+// what does not hang. Else, and in patches of which all hangs or that are supports: as it is.
+// `hanging`: hangingWaypoints().
 std::vector<std::size_t> inwardsFirst(const plan::ToolPlan& plan, const std::vector<char>& hanging,
                                       const process::Process& process);
 

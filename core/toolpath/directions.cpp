@@ -47,11 +47,6 @@ Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
   return ((std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle)).normalized();
 }
 
-// A plan that is so throughout stays so: its cell or its program's reader may know nothing else.
-bool isUpright(const Vector3d& direction) {
-  return direction == Vector3d::UnitZ();
-}
-
 class Orienter {
 public:
   Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear, const HeadClearance& head,
@@ -110,7 +105,7 @@ private:
       moved_[i] = !moves[i].isZero();
       hanging[i] = hanging[i] && !moved_[i];
     }
-    if (std::ranges::all_of(plan_.direction, isUpright) || !canBrace(plan_, hanging, process_))
+    if (!canBrace(plan_, hanging, process_))
       return;
     if (std::ranges::find(moved_, 1) == moved_.end()) {
       leant_ = braced(plan_, hanging, part, o_.platform, process_, ctx_);
