@@ -4,7 +4,9 @@
 #include "base/workers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
+#include <thread>
 
 namespace voluta::base {
 
@@ -35,6 +37,19 @@ void parallelChunks(const RunContext& ctx, std::size_t count, std::size_t grain,
   for (const std::exception_ptr& e : failed)
     if (e)
       std::rethrow_exception(e);
+}
+
+void parallelTold(const RunContext& ctx, std::size_t count, double share, const Text& phase,
+                  const std::function<void(std::size_t)>& body) {
+  const std::thread::id teller = std::this_thread::get_id();
+  std::atomic<std::size_t> finished = 0;
+  ctx.report(0.0, phase);
+  parallelChunks(ctx, count, 1, [&](std::size_t index, std::size_t) {
+    body(index);
+    const auto done = static_cast<double>(++finished);
+    if (std::this_thread::get_id() == teller)
+      ctx.report(share * done / static_cast<double>(count), phase);
+  });
 }
 
 } // namespace voluta::base

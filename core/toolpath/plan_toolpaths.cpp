@@ -16,11 +16,9 @@
 #include "toolpath/underlay.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -132,13 +130,8 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
       carriedWallWidths(stack, process, ctx.quiet());
   std::vector<PatchCover> covers(stack.patches.size());
   const base::RunContext silent = ctx.quiet();
-  const std::thread::id teller = std::this_thread::get_id(); // of progress, which covers too
-  std::atomic<std::size_t> finished = 0;
-  base::parallelChunks(ctx, covers.size(), 1, [&](std::size_t i, std::size_t) {
+  base::parallelTold(ctx, covers.size(), 0.6, "tool-paths"_text, [&](std::size_t i) {
     covers[i] = coverPatch(stack.patches[i], process, options, silent, wallWidths[i]);
-    const auto done = static_cast<double>(++finished);
-    if (std::this_thread::get_id() == teller)
-      ctx.report(0.6 * done / static_cast<double>(covers.size()), "tool-paths"_text);
   });
   Assembled assembled = assemble(stack, covers, process);
   // The head's ways know of the prime, as they do of every bead.

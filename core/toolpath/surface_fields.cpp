@@ -1,5 +1,6 @@
 #include "toolpath/surface_fields.h"
 
+#include "base/error.h"
 #include "base/index.h"
 
 #include <Eigen/Geometry>
@@ -89,7 +90,9 @@ std::vector<SourceSegment> segmentsOf(const PatchSurface&,
 }
 
 std::vector<double> distanceToSegments(const PatchSurface& s,
-                                       const std::vector<SourceSegment>& sources, double farMm) {
+                                       const std::vector<SourceSegment>& sources, double farMm,
+                                       const std::vector<char>& onwards) {
+  base::require(onwards.empty() || onwards.size() == s.position.size(), "a mark per vertex");
   std::vector<double> distance(s.position.size(), farMm);
   std::vector<int> nearest(s.position.size(), -1);
   std::vector<double> inverse(sources.size()); // of squared lengths
@@ -117,9 +120,10 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
   for (std::size_t i = 0; i < sources.size(); ++i)
     for (const int v : s.triangles[at(sources[i].triangle)])
       offer(v, static_cast<int>(i));
+  const auto goesOn = [&](int v) { return onwards.empty() || onwards[at(v)] != 0; };
   std::vector<Front> fronts;
   for (std::size_t v = 0; v < distance.size(); ++v)
-    if (nearest[v] >= 0)
+    if (nearest[v] >= 0 && goesOn(static_cast<int>(v)))
       fronts.push_back({distance[v], static_cast<int>(v)});
   FrontQueue queue(std::greater<>(), std::move(fronts));
   while (!queue.empty()) {
@@ -134,9 +138,9 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
       const std::size_t k = corners[0] == f.vertex ? 0 : corners[1] == f.vertex ? 1 : 2;
       // Round a vertex inside, each neighbour is the next one of one triangle.
       const int next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
-      if (nearest[at(next)] != source && offer(next, source))
+      if (nearest[at(next)] != source && offer(next, source) && goesOn(next))
         queue.push({distance[at(next)], next});
-      if (open && nearest[at(last)] != source && offer(last, source))
+      if (open && nearest[at(last)] != source && offer(last, source) && goesOn(last))
         queue.push({distance[at(last)], last});
     }
   }

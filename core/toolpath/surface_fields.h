@@ -28,8 +28,11 @@ std::vector<SourceSegment> segmentsOf(const PatchSurface& surface,
 // only come near through space don't meet), and the chord to it is bent into the circular arc that
 // leaves both tangent planes at its ends: exact on planes, cylinders across and spheres, third
 // order in the length over the radius elsewhere.
+// `onwards`: per vertex, does the nearest segment travel on from it; empty: everywhere. Where it
+// does not, distances are known next to sources and to where it does.
 std::vector<double> distanceToSegments(const PatchSurface& surface,
-                                       const std::vector<SourceSegment>& sources, double farMm);
+                                       const std::vector<SourceSegment>& sources, double farMm,
+                                       const std::vector<char>& onwards = {});
 
 // Per vertex, the signed distance along the surface to its section with the plane
 // normal . x = offset, by fast marching (Kimmel & Sethian 1998): a function of unit gradient.

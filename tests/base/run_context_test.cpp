@@ -3,11 +3,13 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <mutex>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -65,6 +67,33 @@ TEST(Parallel, ChunksCoverTheRangeOnceForAnyThreads) {
     });
     EXPECT_EQ(std::accumulate(hits.begin(), hits.end(), 0), 1001);
     EXPECT_EQ(*std::max_element(hits.begin(), hits.end()), 1);
+  }
+}
+
+TEST(Parallel, WhatIsDoneIsToldByTheThreadThatWaits) {
+  for (const int threads : {1, 2, 3}) {
+    const std::thread::id caller = std::this_thread::get_id();
+    std::vector<double> told;
+    const RunContext ctx(CancelToken{}, threads, [&](double f, const voluta::base::Message&) {
+      EXPECT_EQ(std::this_thread::get_id(), caller);
+      told.push_back(f);
+    });
+    std::vector<int> times(200, 0);
+    parallelTold(ctx, times.size(), 0.6, "a"_text, [&](std::size_t i) { ++times[i]; });
+    EXPECT_EQ(times, std::vector<int>(200, 1));
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told.front(), 0.0);
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_LE(told.back(), 0.6);
+    if (threads == 1) {
+      EXPECT_EQ(told.size(), 201u);
+    }
+    EXPECT_THROW(parallelTold(ctx, 9, 1.0, "b"_text,
+                              [](std::size_t i) {
+                                if (i == 4)
+                                  throw std::runtime_error("five");
+                              }),
+                 std::runtime_error);
   }
 }
 

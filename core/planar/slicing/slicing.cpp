@@ -186,32 +186,20 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   result.volumeOfPiece.assign(pieces.size(), 0.0);
 
   std::vector<layers::PatchesOfLevel> made(levels.size());
-  // In spans, so that progress is told from this thread.
-  constexpr std::size_t kSpan = 16;
   const base::RunContext silent = ctx.quiet();
-  for (std::size_t from = 0; from < levels.size(); from += kSpan) {
-    ctx.report(0.7 * static_cast<double>(from) / static_cast<double>(levels.size()),
-               "slicing"_text);
-    base::parallelChunks(
-        ctx, std::min(kSpan, levels.size() - from), 1, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = from + begin; i < from + end; ++i) {
-            const Level& level = levels[i];
-            const double middle =
-                pieces[level.piece].base.offsetMm + 0.5 * (level.low + level.high);
-            LevelSurface surface = atOrNear(
-                middle,
-                [&](double offsetMm) {
-                  return surfaceOf(sections[level.piece].at(offsetMm), options.edgeMm, silent);
-                },
-                [&] {
-                  return sectionSurface(sections[level.piece].at(middle), options.edgeMm, silent);
-                });
-            surface.level = level.number;
-            surface.thicknessMm.assign(surface.surface.vertices.size(), level.high - level.low);
-            made[i] = layers::makePatches(surface, {options.beadWidthMm});
-          }
-        });
-  }
+  base::parallelTold(ctx, levels.size(), 0.7, "slicing"_text, [&](std::size_t i) {
+    const Level& level = levels[i];
+    const double middle = pieces[level.piece].base.offsetMm + 0.5 * (level.low + level.high);
+    LevelSurface surface = atOrNear(
+        middle,
+        [&](double offsetMm) {
+          return surfaceOf(sections[level.piece].at(offsetMm), options.edgeMm, silent);
+        },
+        [&] { return sectionSurface(sections[level.piece].at(middle), options.edgeMm, silent); });
+    surface.level = level.number;
+    surface.thicknessMm.assign(surface.surface.vertices.size(), level.high - level.low);
+    made[i] = layers::makePatches(surface, {options.beadWidthMm});
+  });
   std::vector<Patch> slivers;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     for (Patch& patch : made[i].patches) {
