@@ -7,6 +7,7 @@
 #include "geometry/measures.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
+#include "pipeline/avoided.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/part_motion.h"
@@ -23,7 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <set>
+#include <iterator>
 #include <utility>
 
 namespace voluta::pipeline {
@@ -279,14 +280,13 @@ private:
   }
 
   void programs() {
-    std::set<std::size_t> avoided;
+    Avoided avoided;
     for (int round = 0;; ++round) {
       write(round < kRounds);
-      std::vector<std::size_t> met;
+      std::vector<std::size_t> found;
       for (const auto& checked : result_.checked)
-        for (const std::size_t waypoint : metIn(*checked))
-          if (avoided.insert(waypoint).second)
-            met.push_back(waypoint);
+        std::ranges::copy(metIn(*checked), std::back_inserter(found));
+      const std::vector<std::size_t> met = avoided.next(*result_.job.toolPlan, found);
       // Where only a plan that nothing blocks counts, what fails by other figures too is let go.
       const bool hopeless =
           untilBlocked_ && std::ranges::any_of(result_.checked, [this](const auto& checked) {
