@@ -6209,6 +6209,17 @@ mm³</translation>
             <numerusform>cordoni di supporto ({volume:.3g}) sono deposti sotto {paths} cordoni che penderebbero appena sopra il piatto o sopra quanto è stampato</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>{paths} beads would hang beside what is printed: each is laid after the one inwards of it and pressed against that, the nozzle leaning by up to {lean:.0f} more</source>
+        <translation>
+            <numerusform>{paths} cordone penderebbe accanto a quanto è stampato: è deposto dopo quello più interno e premuto contro di esso, con l&apos;ugello inclinato fino a {lean:.0f} in più</numerusform>
+            <numerusform>{paths} cordoni penderebbero accanto a quanto è stampato: ciascuno è deposto dopo quello più interno e premuto contro di esso, con l&apos;ugello inclinato fino a {lean:.0f} in più</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>where that is not wanted, turn the part or print it in flat layers with supports</source>
+        <translation>se non lo si vuole, girare il pezzo o stamparlo a strati piani con supporti</translation>
+    </message>
     <message>
         <source>format {format} knows no external axis: it cannot move the {axis} of cell {cell}</source>
         <translation>il formato {format} non conosce assi esterni: non può muovere {axis} della cella {cell}</translation>

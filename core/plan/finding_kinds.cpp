@@ -297,6 +297,13 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "plate "
      "or over what is printed"_plural,
      kBreakOff},
+    {Braced, "braced", "braced", Toolpath, Tells,
+     "{paths} bead would hang beside what is printed: it is laid after the one inwards of it and "
+     "pressed against that, the nozzle leaning by up to {lean:.0f} more|"
+     "{paths} beads would hang beside what is printed: each is laid after the one inwards of it "
+     "and "
+     "pressed against that, the nozzle leaning by up to {lean:.0f} more"_plural,
+     "where that is not wanted, turn the part or print it in flat layers with supports"_text},
     {Gouge, "gouge", "gouge", Toolpath, Depends,
      "the print head would cut into material printed before, whatever way it leans"_text,
      "use a slimmer head, turn the part, or print it larger"_text},
@@ -470,12 +477,10 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "check the flow and the infill's density"_text},
     {Unsupported, "unsupported", "unsupported", Replay, Blocks,
      "{length:.1f} of bead have nothing beneath them, the first of them here"_text,
-     "turn the part, or let Voluta choose the way of building"_text,
-     kForHanging},
+     "turn the part, or let Voluta choose the way of building"_text, kForHanging},
     {LongBridge, "longBridge", "longBridge", Replay, Tells,
      "{length:.1f} of a bead have nothing right beneath them; this material bridges {bridge:.1f}"_text,
-     "turn the part, or let Voluta choose the way of building"_text,
-     kForHanging},
+     "turn the part, or let Voluta choose the way of building"_text, kForHanging},
     {ReplayedCollision, "replayedCollision", "collision", Replay, Blocks,
      "{first} and {second} collide"_text,
      "plan anew with more clearance, or another place for the part"_text},

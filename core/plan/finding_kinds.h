@@ -73,6 +73,7 @@ enum class FindingKind : std::uint8_t {
   GivenTooFast,
   PatchWithoutBead,
   RimSupports,
+  Braced,
   Gouge,
   // motion
   NothingToPrint,

@@ -21,10 +21,14 @@ using Eigen::Vector3d;
 constexpr double kStepDeg = 10.0, kMostDeg = 50.0;
 constexpr double kFadeDegPerMm = 5.0; // cells tell one waypoint from the next by chance
 
-// A plan that is so throughout stays so: its cell or its program's reader may know nothing else.
+// But for supports, which lean where the head would cut in, and may be left out.
 bool isUpright(const plan::ToolPlan& plan) {
-  return std::ranges::all_of(plan.direction,
-                             [](const Vector3d& d) { return d == Vector3d::UnitZ(); });
+  return std::ranges::all_of(plan.paths, [&](const plan::ToolPath& path) {
+    const auto first = plan.direction.begin() + static_cast<std::ptrdiff_t>(path.first);
+    return path.kind == plan::PathKind::Support ||
+           std::all_of(first, first + static_cast<std::ptrdiff_t>(path.count),
+                       [](const Vector3d& d) { return d == Vector3d::UnitZ(); });
+  });
 }
 
 // Those of a path that come last and lean.

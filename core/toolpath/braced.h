@@ -19,7 +19,9 @@ namespace voluta::toolpath {
 
 // Where a layer begins at a chin or on a rim, it reaches out over what is printed by several beads,
 // and none but the innermost has anything beneath it. An arm that leans outwards there presses each
-// bead against the one that lies inwards of it, which therefore comes first.
+// bead against the one that lies inwards of it, which therefore comes first. A plan whose beads are
+// upright throughout (flat layers), but for supports, stays as it is: its cell, or who reads its
+// program, may know nothing else.
 
 // The order of the plan's paths in which this can be: of a patch, what has stretches that hang for
 // longer than half of what the process bridges comes last, and of that first what lies nearest to

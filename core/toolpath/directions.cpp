@@ -84,6 +84,31 @@ public:
     r.grown = std::move(part);
     return r;
   }
+  // What is braced, once run() has chosen; nothing where nothing is.
+  std::optional<plan::Finding> braces() const {
+    std::size_t paths = 0;
+    double most = 1.0; // cosine
+    Vector3d where = Vector3d::Zero();
+    for (const plan::ToolPath& path : plan_.paths) {
+      bool any = false;
+      for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+        const Vector3d& own = plan_.direction[i];
+        if (leant_[i] == own || direction_[i] == own)
+          continue;
+        if (paths == 0 && !any)
+          where = plan_.position[i];
+        any = true;
+        most = std::min(most, own.dot(direction_[i]));
+      }
+      paths += any ? 1 : 0;
+    }
+    if (paths == 0)
+      return std::nullopt;
+    return plan::makeFinding(
+        plan::FindingKind::Braced,
+        {{"paths", paths}, {"lean", base::degrees(base::radiansToDegrees(std::acos(most)))}}, where,
+        paths);
+  }
   // Per waypoint of the result of run().
   const std::vector<Vector3d>& subdividedClear() const { return subdividedClear_; }
 
@@ -344,10 +369,13 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   ToolPlan current = plan;
   std::vector<Vector3d> clear = clearDirection;
   OrientResult best;
+  std::optional<plan::Finding> braces;
   for (int round = 0; round < kRounds; ++round) {
     Orienter orienter(current, clear, head, process, options, mayMiss,
                       round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
     OrientResult result = orienter.run(round == 0, std::exchange(grown, {}));
+    if (round == 0)
+      braces = orienter.braces();
     if (round > 0 && result.gouges >= best.gouges)
       break;
     best = std::move(result);
@@ -369,6 +397,8 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
       clear.push_back(ways[i]);
     current = std::move(rest.plan);
   }
+  if (braces)
+    best.findings.push_back(std::move(*braces));
   return best;
 }
 

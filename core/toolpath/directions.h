@@ -28,7 +28,7 @@ struct OrientResult {
   double maxTurnDeg = 0.0;   // between neighbouring waypoints of a path
   std::vector<char> gouging; // per waypoint: the head isn't clear
   std::vector<char> hanging; // per waypoint: nothing carries its bead (bridges.h)
-  plan::Findings findings;   // stage "toolpath", kind "gouge"
+  plan::Findings findings;   // stage "toolpath", kinds "gouge" and "braced"
   // Of the plan, at collision::growingPitch(), with the platform as its ground.
   std::shared_ptr<const collision::GrowingPart> grown = {};
 };

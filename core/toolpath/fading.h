@@ -18,9 +18,8 @@ inline std::size_t nextOf(const plan::ToolPath& path, std::size_t i, bool forwar
   return i > path.first ? i - 1 : path.closed ? last - 1 : i;
 }
 
-// Calls take(waypoint, amount) where, both ways along the path, `amounts` of the stretch's
-// waypoints
-// (>= 0) are not yet gone: they fade by `perMm` of the way. A waypoint may be told twice.
+// Calls take(waypoint, amount) where, both ways along the path, `amounts` (>= 0, of the stretch's
+// waypoints) are not yet gone: they fade by `perMm` of the way. A waypoint may be told twice.
 template <typename Take>
 void fadeAlong(const plan::ToolPlan& plan, const plan::ToolPath& path, const HangingStretch& s,
                const std::vector<double>& amounts, double perMm, const Take& take) {

@@ -3,7 +3,7 @@
 // Which beads of real parts lie on nothing: planned up to the tool-paths, laid as a replay lays
 // them, and told by what they are (path, height, how far aside the next material below is).
 // --keep: plans up to the decomposition are kept in DIR and read from there. PART may be a project
-// (.voluta): of that, what its motion lays, in its order, is looked at.
+// (.voluta): of that, what its motion lays is looked at.
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision/growing_part.h"

@@ -3,6 +3,7 @@
 
 #include "base/run_context.h"
 #include "base/units.h"
+#include "plan/finding_kinds.h"
 #include "robot/cell.h"
 #include "straight_beads.h"
 #include "toolpath/bridges.h"
@@ -159,6 +160,15 @@ TEST(Braced, TheWayThereIsGentle) {
     EXPECT_LE(std::abs(leanDeg(plan, after, i) - leanDeg(plan, after, i - 1)), 15.0 + 1e-6);
 }
 
+// Flat layers stay so, though a bead of support among them leans.
+TEST(Braced, UprightBeadsStayUpright) {
+  plan::ToolPlan plan = ledge({0.0, 1.15, 2.3});
+  EXPECT_NE(bracedPlan(plan).direction, plan.direction);
+  plan.paths.front().kind = plan::PathKind::Support; // the one that leans
+  EXPECT_EQ(bracedPlan(plan).direction, plan.direction);
+  EXPECT_FALSE(toolpath::canBrace(plan, hangingOf(plan), kProcess));
+}
+
 TEST(Braced, WhatHasNothingBesideItStays) {
   for (const double aside : {2.6, 4.0}) {
     const plan::ToolPlan plan = ledge({0.0, aside});
@@ -196,8 +206,13 @@ TEST(Braced, ALedgeOnItsWayToDirections) {
     if (upright) {
       EXPECT_EQ(oriented.plan.direction, under.plan.direction); // nothing else may be possible
       EXPECT_GT(hanging, 20);
+      EXPECT_TRUE(oriented.findings.empty());
     } else {
       EXPECT_EQ(hanging, 0);
+      ASSERT_EQ(oriented.findings.size(), 1u); // the three that reach out
+      EXPECT_EQ(plan::kindWord(oriented.findings.front()), "braced");
+      EXPECT_EQ(oriented.findings.front().count, 3u);
+      EXPECT_FALSE(oriented.findings.front().blocking);
     }
   }
 }
