@@ -70,25 +70,12 @@ public:
   // Of a stretch's waypoints and what leads to and from it.
   void brace(const plan::ToolPath& path, const HangingStretch& s,
              std::vector<Vector3d>& directions) const {
-    std::vector<double> best;
-    std::size_t most = 0;
-    int side = 0;
-    for (const int to : {-1, 1}) {
-      std::vector<double> deg(s.end - s.begin);
-      for (std::size_t i = s.begin; i < s.end; ++i)
-        deg[i - s.begin] = leastDeg(path, i, to);
-      const auto held = static_cast<std::size_t>(
-          std::count_if(deg.begin(), deg.end(), [](double d) { return d > 0.0; }));
-      if (held > most) {
-        most = held;
-        best = std::move(deg);
-        side = to;
-      }
-    }
-    if (most == 0)
+    const Aside lean =
+        betterSide(s, [&](std::size_t i, int side) { return leastDeg(path, i, side); });
+    if (lean.side == 0)
       return;
-    fadeAlong(plan_, path, s, best, kFadeDegPerMm, [&](std::size_t i, double deg) {
-      const Vector3d d = leaning(plan_, path, i, side * deg);
+    fadeAlong(plan_, path, s, lean.amounts, kFadeDegPerMm, [&](std::size_t i, double deg) {
+      const Vector3d d = leaning(plan_, path, i, lean.side * deg);
       if (d.dot(plan_.direction[i]) < directions[i].dot(plan_.direction[i]))
         directions[i] = d;
     });

@@ -47,25 +47,11 @@ private:
 
   void draw(const plan::ToolPath& path, const HangingStretch& s,
             std::vector<Vector3d>& moves) const {
-    std::vector<double> best;
-    std::size_t most = 0;
-    int side = 0;
-    for (const int to : {-1, 1}) {
-      std::vector<double> aside(s.end - s.begin);
-      for (std::size_t i = s.begin; i < s.end; ++i)
-        aside[i - s.begin] = least(path, i, to);
-      const auto carried = static_cast<std::size_t>(
-          std::count_if(aside.begin(), aside.end(), [](double mm) { return mm > 0.0; }));
-      if (carried > most) {
-        most = carried;
-        best = std::move(aside);
-        side = to;
-      }
-    }
-    if (most == 0)
+    const Aside draw = betterSide(s, [&](std::size_t i, int side) { return least(path, i, side); });
+    if (draw.side == 0)
       return;
-    fadeAlong(plan_, path, s, best, kSlope, [&](std::size_t i, double mm) {
-      const Vector3d move = side * mm * sideOf(plan_, path, i);
+    fadeAlong(plan_, path, s, draw.amounts, kSlope, [&](std::size_t i, double mm) {
+      const Vector3d move = draw.side * mm * sideOf(plan_, path, i);
       if (move.squaredNorm() > moves[i].squaredNorm())
         moves[i] = move;
     });

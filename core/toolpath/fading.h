@@ -1,4 +1,4 @@
-// What is done to a stretch of a path fades out on either side of it.
+// What is done to a stretch of a path, to one side of it, fades out before and after it.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -6,9 +6,33 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace voluta::toolpath {
+
+// How much is done at each waypoint of a stretch, > 0 where it helps, to that side (-1, 1); side 0:
+// it helps nowhere.
+struct Aside {
+  int side = 0;
+  std::vector<double> amounts;
+};
+// To the side on which least(waypoint, side) helps at more waypoints, left first.
+template <typename Least> Aside betterSide(const HangingStretch& s, const Least& least) {
+  Aside best;
+  std::ptrdiff_t most = 0;
+  for (const int side : {-1, 1}) {
+    std::vector<double> amounts(s.end - s.begin);
+    for (std::size_t i = s.begin; i < s.end; ++i)
+      amounts[i - s.begin] = least(i, side);
+    const auto helped = std::ranges::count_if(amounts, [](double a) { return a > 0.0; });
+    if (helped > most) {
+      most = helped;
+      best = {side, std::move(amounts)};
+    }
+  }
+  return best;
+}
 
 // The next waypoint of a path, round a closed one; the same at the end of another.
 inline std::size_t nextOf(const plan::ToolPath& path, std::size_t i, bool forwards) {
