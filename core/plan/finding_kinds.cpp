@@ -301,8 +301,7 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{paths} bead would hang beside what is printed: it is laid after the one inwards of it and "
      "pressed against that, the nozzle leaning by up to {lean:.0f} more|"
      "{paths} beads would hang beside what is printed: each is laid after the one inwards of it "
-     "and "
-     "pressed against that, the nozzle leaning by up to {lean:.0f} more"_plural,
+     "and pressed against that, the nozzle leaning by up to {lean:.0f} more"_plural,
      "where that is not wanted, turn the part or print it in flat layers with supports"_text},
     {Gouge, "gouge", "gouge", Toolpath, Depends,
      "the print head would cut into material printed before, whatever way it leans"_text,

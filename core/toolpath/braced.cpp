@@ -47,9 +47,9 @@ Vector3d leaning(const plan::ToolPlan& plan, const plan::ToolPath& path, std::si
   return std::cos(rad) * plan.direction[i] + std::sin(rad) * sideOf(plan, path, i);
 }
 
-// How far the furthest of what hangs is from the nearest waypoint that does not.
-double outwardsMm(const plan::ToolPlan& plan, const std::vector<HangingStretch>& stretches,
-                  const std::vector<Vector3d>& carried) {
+// Squared distance of the furthest of what hangs from the nearest waypoint that does not.
+double outwardsMm2(const plan::ToolPlan& plan, const std::vector<HangingStretch>& stretches,
+                   const std::vector<Vector3d>& carried) {
   double furthest = 0.0;
   for (const HangingStretch& s : stretches)
     for (std::size_t i = s.begin; i < s.end; ++i) {
@@ -144,7 +144,7 @@ std::vector<std::size_t> inwardsFirst(const plan::ToolPlan& plan, const std::vec
     if (!carried.empty()) {
       std::vector<std::pair<double, std::size_t>> outwards;
       for (const auto& [path, stretches] : outer)
-        outwards.emplace_back(outwardsMm(plan, stretches, carried), path);
+        outwards.emplace_back(outwardsMm2(plan, stretches, carried), path);
       std::ranges::sort(outwards);
       const auto rest =
           std::ranges::copy(first, order.begin() + static_cast<std::ptrdiff_t>(b)).out;

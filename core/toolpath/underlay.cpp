@@ -306,6 +306,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     out.plan.paths.push_back(under);
   };
   for (std::size_t p = 0; p < was.plan.paths.size(); ++p) {
+    // Paths change places within their patch only: it begins where it did.
     const plan::ToolPath& path = was.plan.paths[order[p]];
     // Before the first path of the patch come the beads under all its paths, low ones first: the
     // head cuts into none that is higher.

@@ -3,7 +3,8 @@
 // Which beads of real parts lie on nothing: planned up to the tool-paths, laid as a replay lays
 // them, and told by what they are (path, height, how far aside the next material below is).
 // --keep: plans up to the decomposition are kept in DIR and read from there. PART may be a project
-// (.voluta): of that, what its motion lays is looked at.
+// (.voluta): of that, what its motion lays is looked at. --over: stretches longer than that are
+// listed, else those longer than the process bridges.
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision/growing_part.h"
@@ -23,6 +24,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 using namespace voluta;
@@ -93,7 +95,8 @@ plan::ToolPlan laidOf(const plan::ToolPlan& plan, const plan::Trajectory& trajec
 }
 
 void report(const project::Job& job, const plan::ToolPlan& plan, const process::Process& process,
-            double overMm, int listed, const base::RunContext& ctx) {
+            std::optional<double> over, int listed, const base::RunContext& ctx) {
+  const double overMm = over.value_or(process.bridgeMm);
   const std::vector<replay::BeadPiece> pieces = test::laidBeads(plan);
   const geometry::TriangleMesh& part = job.printed();
   Vector3d low = part.vertices.front(), high = low;
@@ -223,7 +226,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> parts, sets;
   std::string keep, mode = "curved", platform = "fit:0", scale = "fit";
   int listed = 12, threads = 1;
-  double overMm = 6.0;
+  std::optional<double> overMm;
   app.add_option("parts", parts)->required();
   app.add_option("--keep", keep);
   app.add_option("--mode", mode);

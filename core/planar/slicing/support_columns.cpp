@@ -131,14 +131,16 @@ Paths widened(const Paths& a, double byMm) {
 
 // What walls leave of a column where they come in under it goes round them, as wide as a bead.
 Paths besideWalls(const Paths& a, const Paths& walls, double halfBeadMm) {
-  Paths out;
+  Paths wide, more;
   for (const Paths& one : components(a)) {
     const bool narrow = grown(one, -kNarrowColumn * halfBeadMm).empty();
     if (narrow && grown(one, -kSliverMm).empty())
       continue;
-    out = united(out, narrow ? without(grown(one, halfBeadMm), walls) : one);
+    const Paths part = narrow ? without(grown(one, halfBeadMm), walls) : one;
+    Paths& to = narrow ? more : wide;
+    to.insert(to.end(), part.begin(), part.end());
   }
-  return out;
+  return united(wide, more);
 }
 
 // The sections of all pieces at the levels of one of them.

@@ -27,11 +27,11 @@ struct SupportColumns {
 // The columns that carry pieces[piece] where a level reaches out over the one under it by more than
 // overhangRad and a quarter of a bead. They go down to the piece itself, to what is printed before
 // it (pieces before it in the list), or to the plate, and keep out of what is printed later. Wide
-// ones taper downwards, by half of what a layer may reach out, to trunks of four beads, but for their
-// narrow arms; what a wall leaves of one goes on along the wall. On slopes and edges they begin with
-// what stands there, and grow out by half a bead a level. What is narrower than half a bead is not
-// laid and carries nothing. `sections`: of each piece across the normal of this one's base.
-// `bounds`: as layerBounds of this piece gives them. mm. Throws Cancelled.
+// ones taper downwards, by half of what a layer may reach out, to trunks of four beads, but for
+// their narrow arms; what a wall leaves of one goes on along the wall. On slopes and edges they
+// begin with what stands there, and grow out by half a bead a level. What is narrower than half a
+// bead is not laid and carries nothing. `sections`: of each piece across the normal of this one's
+// base. `bounds`: as layerBounds of this piece gives them. mm. Throws Cancelled.
 SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piece,
                               const std::vector<Sections>& sections,
                               const std::vector<double>& bounds, const ColumnOptions& options,
