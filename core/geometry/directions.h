@@ -12,6 +12,8 @@ namespace voluta::geometry {
 
 // 0 .. pi, exact for small angles too. Lengths do not matter; neither is zero.
 inline double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  if (a == b)
+    return 0.0;
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 

@@ -120,7 +120,9 @@ LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& lim
       const double area = geometry::triangleArea(p.surface, t);
       const double thickness =
           (p.thicknessMm[at(tri[0])] + p.thicknessMm[at(tri[1])] + p.thicknessMm[at(tri[2])]) / 3.0;
-      samples.emplace_back(thickness, area);
+      if (samples.empty() || samples.back().first != thickness)
+        samples.emplace_back(thickness, 0.0);
+      samples.back().second += area;
       if (thickness >= limits.minMm - kRounding && thickness <= limits.maxMm + kRounding)
         within += area;
       s.areaMm2 += area;
@@ -134,7 +136,10 @@ LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& lim
   s.thicknessMeanMm = sum / s.areaMm2;
   s.thicknessStdMm =
       std::sqrt(std::max(0.0, squares / s.areaMm2 - s.thicknessMeanMm * s.thicknessMeanMm));
-  std::sort(samples.begin(), samples.end());
+  // Layers of one thickness are in order.
+  constexpr auto kThickness = &std::pair<double, double>::first;
+  if (!std::ranges::is_sorted(samples, {}, kThickness))
+    std::ranges::stable_sort(samples, {}, kThickness);
   const auto percentile = [&](double share) {
     double passed = 0.0;
     for (const auto& [thickness, area] : samples) {

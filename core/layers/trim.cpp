@@ -1,6 +1,7 @@
 #include "layers/trim.h"
 
 #include "base/index.h"
+#include "base/mixed_bits.h"
 #include "geometry/edges.h"
 #include "layers/polygon_fill.h"
 
@@ -34,10 +35,8 @@ std::uint64_t edgeKey(int a, int b) {
 Eigen::Vector3d shiftOf(std::size_t index) {
   Eigen::Vector3d s;
   for (int axis = 0; axis < 3; ++axis) {
-    std::uint64_t h = index * 3 + static_cast<std::uint64_t>(axis) + 0x9e3779b97f4a7c15ull;
-    h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9ull;
-    h = (h ^ h >> 27) * 0x94d049bb133111ebull;
-    h ^= h >> 31;
+    const std::uint64_t h =
+        base::mixedBits(index * 3 + static_cast<std::uint64_t>(axis) + 0x9e3779b97f4a7c15u);
     s[axis] = static_cast<double>(h >> 11) * 0x1p-52 - 1.0;
   }
   return s;

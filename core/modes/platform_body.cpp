@@ -18,7 +18,7 @@ std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Platfo
   if (loaded->cells)
     fail("a platform is a mesh, not a voxel object"_text,
          "give an STL, OBJ, PLY, OFF or 3MF file"_text);
-  if (!geometry::diagnose(*loaded->mesh, ctx).watertight)
+  if (!geometry::isWatertight(*loaded->mesh))
     fail("the platform's mesh is not closed"_text, "mend it in a modelling program"_text);
   return loaded->mesh;
 }

@@ -156,12 +156,11 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   if (choices.platform.isOfCell())
     stage->platform =
         cellPlate(fittingCell(choices, process), *stage->part, support::supportsWanted(values));
-  const geometry::Diagnosis diagnosis = geometry::diagnose(*stage->part);
   stage->report.scale = stage->scale;
   stage->report.triangles = stage->part->triangles.size();
-  stage->report.watertight = diagnosis.watertight;
-  stage->report.volumeMm3 = diagnosis.volumeMm3;
-  stage->report.boundsMm = diagnosis.boundsMm;
+  stage->report.watertight = geometry::isWatertight(*stage->part);
+  stage->report.volumeMm3 = geometry::volume(*stage->part);
+  stage->report.boundsMm = geometry::bounds(*stage->part);
   return stage;
 }
 
@@ -175,9 +174,10 @@ std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
                                            const process::Process& process,
                                            const base::RunContext& ctx) {
   const auto reach = [&] {
-    return takesAnyScale(loaded, choices) ? reachingScale(*loaded.mesh, unitMm(loaded, choices), placed.placement,
-                                    fittingCell(choices, process))
-                    : 0.0;
+    return takesAnyScale(loaded, choices)
+               ? reachingScale(*loaded.mesh, unitMm(loaded, choices), placed.placement,
+                               fittingCell(choices, process))
+               : 0.0;
   };
   auto stage = std::make_shared<SizeStage>();
   stage->findings = sizeFindings(*placed.part, placed.scale, reach, process, ctx);

@@ -23,8 +23,8 @@ constexpr double kPainted = 0.4;
 class Sharer {
 public:
   Sharer(const std::vector<SurfaceCurve>& curves, double reachMm,
-         const std::vector<std::vector<double>>& extraMm)
-      : reach_(reachMm) {
+         const std::vector<std::vector<double>>& extraMm, const EvenStretches& even)
+      : reach_(reachMm), even_(even) {
     cells_.share.resize(curves.size());
     double steepest = 0.0; // change of an extra along its segment
     for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -60,6 +60,8 @@ public:
       if (!samples.isInside(cell))
         continue;
       const SurfaceSample sample = samples.sample(cell);
+      if (!even_.triangles.empty() && even_.triangles[sample.triangle])
+        continue;
       give(sample, samples.normal(cell), near[cell] >= 0 ? near[cell] : nearest(sample.position));
     }
   }
@@ -68,7 +70,8 @@ public:
     for (std::size_t c = 0; c < cells_.share.size(); ++c) {
       CellShare& share = cells_.share[c];
       for (std::size_t i = begin_[c]; i < begin_[c + 1]; ++i) {
-        const Tally& tally = tallies_[i];
+        const EvenSegment* even = evenOf(c, i - begin_[c]);
+        const Tally tally = even ? Tally{even->areaMm2, even->volumeMm3, 0.0} : tallies_[i];
         share.areaMm2.push_back(tally.areaMm2);
         share.volumeMm3.push_back(tally.volumeMm3);
         share.lateralMm.push_back(tally.areaMm2 > 0 ? tally.lateral / tally.areaMm2 : 0.0);
@@ -78,6 +81,14 @@ public:
   }
 
 private:
+  // Null: samples tell.
+  const EvenSegment* evenOf(std::size_t curve, std::size_t segment) const {
+    if (even_.segments.empty() || even_.segments[curve].empty())
+      return nullptr;
+    const EvenSegment& even = even_.segments[curve][segment];
+    return even.areaMm2 > 0.0 ? &even : nullptr;
+  }
+
   void give(const SurfaceSample& sample, const Eigen::Vector3d& normal, int segment) {
     const double area = sample.areaMm2;
     if (segment < 0) {
@@ -115,6 +126,9 @@ private:
     std::vector<float> least(count, static_cast<float>(extra_.empty() ? near * near : near));
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const auto& [a, b] = segments_[i];
+      const std::size_t curve = places_[i].curve;
+      if (const EvenSegment* even = evenOf(curve, i - begin_[curve]); even && even->clearMm > near)
+        continue;
       const auto offer = [&](std::size_t first, const Floats& distance) {
         const auto before = base::fourAt<Floats>(&least[first]);
         const Ints isNearer = distance < before;
@@ -187,6 +201,7 @@ private:
     double areaMm2 = 0.0, volumeMm3 = 0.0, lateral = 0.0; // lateral: mm by mm2
   };
   double reach_;
+  const EvenStretches& even_;
   std::vector<std::array<double, 2>> extra_; // of a segment's ends; empty: none anywhere
   double mostExtra_ = 0.0;
   // Of a distance: so far beyond its end a wide bead may be nearer than what it narrows to.
@@ -205,9 +220,11 @@ private:
 namespace {
 template <typename Samples>
 Cells shared(const Samples& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
-             const std::vector<std::vector<double>>& extraMm) {
+             const std::vector<std::vector<double>>& extraMm, const EvenStretches& even) {
   base::require(extraMm.empty() || extraMm.size() == curves.size(), "shareOut: extras per curve");
-  Sharer sharer(curves, reachMm, extraMm);
+  base::require(even.segments.empty() || even.segments.size() == curves.size(),
+                "shareOut: even segments per curve");
+  Sharer sharer(curves, reachMm, extraMm, even);
   sharer.add(samples);
   return sharer.finish();
 }
@@ -215,12 +232,12 @@ Cells shared(const Samples& samples, const std::vector<SurfaceCurve>& curves, do
 
 Cells shareOut(const SampleGrid& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
                const std::vector<std::vector<double>>& extraMm) {
-  return shared(samples, curves, reachMm, extraMm);
+  return shared(samples, curves, reachMm, extraMm, {});
 }
 
 Cells shareOut(const PlaneSamples& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
-               const std::vector<std::vector<double>>& extraMm) {
-  return shared(samples, curves, reachMm, extraMm);
+               const std::vector<std::vector<double>>& extraMm, const EvenStretches& even) {
+  return shared(samples, curves, reachMm, extraMm, even);
 }
 
 } // namespace voluta::toolpath

@@ -2,6 +2,7 @@
 // centreline. A stretch's share says how much material it has to lay and where its middle is.
 #pragma once
 
+#include "toolpath/even_stretches.h"
 #include "toolpath/patch_surface.h"
 #include "toolpath/plane_samples.h"
 #include "toolpath/sample_grid.h"
@@ -26,8 +27,9 @@ struct Cells {
 // what the curve's bead is wider than others; empty for a curve, or for all: 0.
 Cells shareOut(const SampleGrid& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
                const std::vector<std::vector<double>>& extraMm = {});
-// The same of a plane surface.
+// The same of a plane surface. `even`: what its curves have without samples.
 Cells shareOut(const PlaneSamples& samples, const std::vector<SurfaceCurve>& curves, double reachMm,
-               const std::vector<std::vector<double>>& extraMm = {});
+               const std::vector<std::vector<double>>& extraMm = {},
+               const EvenStretches& even = {});
 
 } // namespace voluta::toolpath

@@ -9,6 +9,7 @@
 #include "toolpath/cells.h"
 #include "toolpath/coverage.h"
 #include "toolpath/curve_tools.h"
+#include "toolpath/even_stretches.h"
 #include "toolpath/gap_fill.h"
 #include "toolpath/infill.h"
 #include "toolpath/outer_walls.h"
@@ -45,6 +46,8 @@ constexpr double kPlaneEnough = 16000.0;
 // Hatches: further in nothing hangs on the boundary's distance but straight lines.
 constexpr double kFineDepth = 5.5;
 constexpr double kCoarser = 2.0; // are edges there
+// Hatches from where lines begin to be even: no further in are the nearest of what is not.
+constexpr double kNearEven = 1.2;
 
 struct Centrelines {
   std::vector<SurfaceCurve> curves;
@@ -52,6 +55,8 @@ struct Centrelines {
   std::vector<int> ring;
   // Per vertex, half of what an outermost wall there is wider than other beads; empty: nothing.
   std::vector<double> extraMm;
+  std::vector<double> depth;  // per vertex, hatches from the boundary
+  std::vector<double> evenMm; // InfillLines::evenMm, where beads are to cover all
 
   bool isOuterWall(std::size_t k) const { return kind[k] == PathKind::Wall && ring[k] == 0; }
 
@@ -110,10 +115,24 @@ std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
   std::vector<SurfaceCurve> usual, wide;
   for (std::size_t k = 0; k < lines.curves.size(); ++k)
     (lines.isOuterWall(k) && !lines.extraMm.empty() ? wide : usual).push_back(lines.curves[k]);
-  std::vector<double> outside =
-      distanceToSegments(s, segmentsOf(s, usual), kGapReachMm * beadScale);
+  std::vector<SourceSegment> segments = segmentsOf(s, usual);
+  std::vector<char> onwards;
+  if (!lines.evenMm.empty()) {
+    // There is no gap among even lines, and those far inside are nearest to nothing else.
+    onwards.assign(s.position.size(), 1);
+    double edge = INFINITY;
+    for (std::size_t v = 0; v < onwards.size(); ++v)
+      edge = lines.evenMm[v] > 0.0 ? std::min(edge, lines.depth[v]) : edge;
+    for (std::size_t v = 0; v < onwards.size(); ++v)
+      onwards[v] = lines.evenMm[v] == 0.0 || lines.depth[v] < edge + kNearEven;
+    std::erase_if(segments, [&](const SourceSegment& segment) {
+      return std::ranges::none_of(s.triangles[static_cast<std::size_t>(segment.triangle)],
+                                  [&](int v) { return onwards[static_cast<std::size_t>(v)]; });
+    });
+  }
+  std::vector<double> outside = distanceToSegments(s, segments, kGapReachMm * beadScale, onwards);
   for (std::size_t v = 0; v < outside.size(); ++v)
-    outside[v] -= 0.5 * hatchMm[v];
+    outside[v] = (onwards.empty() || onwards[v] ? outside[v] : 0.0) - 0.5 * hatchMm[v];
   if (wide.empty())
     return outside;
   const std::vector<double> toWide =
@@ -168,6 +187,8 @@ void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share
     const bool first = !c.closed && i == 0, last = !c.closed && i + 1 == n;
     const std::size_t before = first ? 0 : (i + segments - 1) % segments;
     const std::size_t after = last ? segments - 1 : i % segments;
+    if (!first && !last && shift[before] == 0.0 && shift[after] == 0.0)
+      continue;
     const Vector3d tangent = along(before) + along(after);
     const Vector3d normal = s.interpolate(s.normal, old.points[i]);
     Vector3d left = normal.cross(tangent);
@@ -294,15 +315,16 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                         const std::vector<double>& wallWidthMm, const base::RunContext& ctx) {
   const std::size_t n = s.position.size();
   const double beadScale = beadScaleOf(process);
-  const std::vector<double> boundaryMm = distanceToSegments(s, boundarySegments(s), 1e9);
+  const SegmentDistances boundary = nearestSegments(s, boundarySegments(s), 1e9);
+  const std::vector<double>& boundaryMm = boundary.mm;
   std::vector<double> hatchMm(n), depth(n);
   for (std::size_t v = 0; v < n; ++v) {
     hatchMm[v] =
         process::hatchOf(process.beadWidthMm, std::min(s.thicknessMm[v], process.beadWidthMm));
   }
-  const std::vector<double> outerMm =
-      o.walls > 0 && !kind.isWound ? outerHatches(s, wallWidthMm, boundaryMm, hatchMm, process)
-                                   : hatchMm;
+  const std::vector<double> outerMm = o.walls > 0 && !kind.isWound
+                                          ? outerHatches(s, wallWidthMm, boundary, hatchMm, process)
+                                          : hatchMm;
   Centrelines lines;
   if (outerMm != hatchMm)
     for (std::size_t v = 0; v < n; ++v)
@@ -334,11 +356,15 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
       base::degreesToRadians(std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0)),
       base::degreesToRadians(o.windingAngleDeg),
       beadScale};
-  lines.add(kind.fill(region, ctx), PathKind::Infill, 0);
+  InfillLines infill = kind.fill(region, ctx);
+  lines.add(std::move(infill.curves), PathKind::Infill, 0);
   ctx.checkpoint();
-  if (o.infillDensity >= 1.0)
+  if (o.infillDensity >= 1.0) {
+    lines.depth = depth;
+    lines.evenMm = std::move(infill.evenMm);
     lines.add(gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale),
               PathKind::GapFill, 0);
+  }
   ctx.checkpoint();
   return lines;
 }
@@ -370,12 +396,15 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double beadScale = beadScaleOf(process);
   const bool solid = o.infillDensity >= 1.0;
-  const auto planeSamples = [&](double mostMm2) {
+  const auto planeSamples = [&](double mostMm2, const std::vector<char>& leftOut = {}) {
     const double fine = kPlaneFinestMm2 * beadScale * beadScale;
-    return kind.isWound ? std::nullopt
-                        : PlaneSamples::of(s, std::clamp(s.areaMm2 / kPlaneEnough, fine,
-                                                         mostMm2 * beadScale * beadScale));
+    return kind.isWound
+               ? std::nullopt
+               : PlaneSamples::of(
+                     s, std::clamp(s.areaMm2 / kPlaneEnough, fine, mostMm2 * beadScale * beadScale),
+                     leftOut);
   };
+  const EvenInside even(s, lines.evenMm, lines.depth, hatch, std::max(kPlanStep, o.stepMm));
   // Whatever there is of one density; the other kind is made when it is first asked for.
   struct Samples {
     std::optional<PlaneSamples> plane;
@@ -384,7 +413,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   };
   const auto shared = [&](Samples& of, const std::vector<std::vector<double>>& extras) {
     if (of.plane)
-      return shareOut(*of.plane, lines.curves, kReach * beadScale, extras);
+      return shareOut(*of.plane, lines.curves, kReach * beadScale, extras, even.of(lines.curves));
     if (!of.grid)
       of.grid.emplace(s, of.mostMm2 * beadScale * beadScale);
     return shareOut(*of.grid, lines.curves, kReach * beadScale, extras);
@@ -415,7 +444,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     c = resample(s, r.curve, final).curve;
   }
   ctx.checkpoint();
-  Samples fineSamples{planeSamples(kPlaneSectionMm2), kind.isWound ? kWoundMm2 : kSectionMm2};
+  Samples fineSamples{planeSamples(kPlaneSectionMm2, even.triangles()),
+                      kind.isWound ? kWoundMm2 : kSectionMm2};
   std::vector<std::vector<double>> extras = lines.extras(s);
   Cells cells = shared(fineSamples, extras);
   if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,

@@ -45,10 +45,14 @@ public:
 
   // A sample is `squared` off a segment at `t` of it.
   void paint(std::size_t segment, double t, double squared, Footprint& under) const {
+    if (under.covered && under.twice)
+      return;
     const Piece& piece = pieces_[segment];
     const double w = (1 - t) * piece.width[0] + t * piece.width[1];
+    if (squared > 0.25 * w * w)
+      return; // a hatch is no wider than its bead
+    under.covered = true;
     const double h = (1 - t) * piece.height[0] + t * piece.height[1];
-    under.covered = under.covered || squared <= 0.25 * w * w;
     const double hatch = process::hatchOf(w, h);
     if (under.twice || squared > 0.25 * hatch * hatch)
       return;

@@ -185,11 +185,12 @@ Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,
   Resampled r;
   r.curve.closed = curve.closed;
   std::size_t near = 0;
+  constexpr double kSame = 1e-9; // mm
   for (const double s : arcLengths) {
     const SurfacePoint raw = c.at(s, near);
     r.curve.points.push_back(surface.project(raw.position, raw.triangle));
-    r.corner.push_back(
-        std::ranges::any_of(corners, [&](double k) { return std::abs(k - s) < 1e-9; }));
+    const auto corner = std::ranges::upper_bound(corners, s - kSame);
+    r.corner.push_back(corner != corners.end() && *corner < s + kSame);
   }
   return r;
 }

@@ -24,12 +24,20 @@ struct InfillRegion {
   double beadScale = 1.0;    // bead_scale.h
 };
 
+// What an infill lays over its region.
+struct InfillLines {
+  std::vector<SurfaceCurve> curves;
+  // Per vertex of a plane surface, mm: how far apart lines run there, straight and side by side;
+  // 0 where they may not, as near the region's edge. Empty: 0 everywhere.
+  std::vector<double> evenMm = {};
+};
+
 struct InfillKind {
   std::string_view id;
   base::Text label;
   // Centrelines, in an order fit for printing, open or closed, none outside the region. Throws
   // Cancelled, a few lines later at most.
-  std::vector<SurfaceCurve> (*fill)(const InfillRegion&, const base::RunContext&);
+  InfillLines (*fill)(const InfillRegion&, const base::RunContext&);
   // Lines wind around an axis: for surfaces with a chart, on which they are even as they are.
   bool isWound = false;
   // Lines of wide regions go straight through, whatever way the boundary runs.
@@ -42,19 +50,19 @@ const InfillKind& infillKind(std::string_view id);
 
 // Parallel curves at equal distances on the surface, joined end to end, in the region's direction.
 // Narrow parts of the region are filled as by concentricInfill.
-std::vector<SurfaceCurve> zigzagInfill(const InfillRegion& region, const base::RunContext& ctx);
+InfillLines zigzagInfill(const InfillRegion& region, const base::RunContext& ctx);
 // Curves at equal distances from the boundary.
-std::vector<SurfaceCurve> concentricInfill(const InfillRegion& region, const base::RunContext& ctx);
+InfillLines concentricInfill(const InfillRegion& region, const base::RunContext& ctx);
 
 // Lines that are straight in the surface's chart (Castelli 5.3.1, appendix A). Where the region
 // goes all the way around, their number around is whole, so that they run on over the chart's seam;
 // elsewhere they are joined end to end. Precondition: the surface has a chart.
 // One helix a region; between straight ends its first and last turn narrow down to the ends.
-std::vector<SurfaceCurve> aroundInfill(const InfillRegion& region, const base::RunContext& ctx);
-std::vector<SurfaceCurve> alongInfill(const InfillRegion& region, const base::RunContext& ctx);
+InfillLines aroundInfill(const InfillRegion& region, const base::RunContext& ctx);
+InfillLines alongInfill(const InfillRegion& region, const base::RunContext& ctx);
 // At windingRad, to one side and to the other in turns of layers.
-std::vector<SurfaceCurve> helicalInfill(const InfillRegion& region, const base::RunContext& ctx);
+InfillLines helicalInfill(const InfillRegion& region, const base::RunContext& ctx);
 // Around and along in turns of layers.
-std::vector<SurfaceCurve> wovenInfill(const InfillRegion& region, const base::RunContext& ctx);
+InfillLines wovenInfill(const InfillRegion& region, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

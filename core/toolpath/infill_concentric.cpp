@@ -5,7 +5,7 @@
 
 namespace voluta::toolpath {
 
-std::vector<SurfaceCurve> concentricInfill(const InfillRegion& r, const base::RunContext& ctx) {
+InfillLines concentricInfill(const InfillRegion& r, const base::RunContext& ctx) {
   std::vector<SurfaceCurve> curves;
   const double deepest = *std::ranges::max_element(r.depth);
   const double spacing = 1.0 / r.density;
@@ -14,7 +14,7 @@ std::vector<SurfaceCurve> concentricInfill(const InfillRegion& r, const base::Ru
     for (SurfaceCurve& c : wallAt(r.surface, r.depth, r.hatchMm, r.beadScale, level))
       curves.push_back(std::move(c));
   }
-  return curves;
+  return {std::move(curves)};
 }
 
 } // namespace voluta::toolpath

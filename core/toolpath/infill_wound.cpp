@@ -76,7 +76,7 @@ public:
     std::vector<double> across(u_.size());
     for (std::size_t v = 0; v < u_.size(); ++v)
       across[v] = s_.chart.at[v].y() * std::cos(angle) - u_[v] * std::sin(angle);
-    return evenLines(r_, depth_, across, ctx_);
+    return evenLines(r_, depth_, across, ctx_).curves;
   }
 
   // A helix over a part that winds; nothing where it is too short for two turns.
@@ -241,7 +241,7 @@ private:
   bool winds_ = false;
 };
 
-std::vector<SurfaceCurve> wound(const InfillRegion& r, double angle, const base::RunContext& ctx) {
+InfillLines wound(const InfillRegion& r, double angle, const base::RunContext& ctx) {
   if (std::ranges::none_of(r.depth, [&](double d) { return d >= r.from; }))
     return {};
   std::vector<SurfaceCurve> curves;
@@ -254,27 +254,27 @@ std::vector<SurfaceCurve> wound(const InfillRegion& r, double angle, const base:
     else if (deepest >= kNarrowPart)
       lines = part.winds() ? part.inclined(angle) : part.straight(angle);
     if (lines.empty())
-      lines = concentricInfill(partOf(r, depth), ctx);
+      lines = concentricInfill(partOf(r, depth), ctx).curves;
     std::ranges::move(lines, std::back_inserter(curves));
   });
-  return curves;
+  return {std::move(curves)};
 }
 
 } // namespace
 
-std::vector<SurfaceCurve> aroundInfill(const InfillRegion& region, const base::RunContext& ctx) {
+InfillLines aroundInfill(const InfillRegion& region, const base::RunContext& ctx) {
   return wound(region, 0.0, ctx);
 }
 
-std::vector<SurfaceCurve> alongInfill(const InfillRegion& region, const base::RunContext& ctx) {
+InfillLines alongInfill(const InfillRegion& region, const base::RunContext& ctx) {
   return wound(region, kQuarter, ctx);
 }
 
-std::vector<SurfaceCurve> helicalInfill(const InfillRegion& region, const base::RunContext& ctx) {
+InfillLines helicalInfill(const InfillRegion& region, const base::RunContext& ctx) {
   return wound(region, region.layer % 2 == 0 ? region.windingRad : -region.windingRad, ctx);
 }
 
-std::vector<SurfaceCurve> wovenInfill(const InfillRegion& region, const base::RunContext& ctx) {
+InfillLines wovenInfill(const InfillRegion& region, const base::RunContext& ctx) {
   return region.layer % 2 == 0 ? aroundInfill(region, ctx) : alongInfill(region, ctx);
 }
 

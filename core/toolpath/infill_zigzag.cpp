@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace voluta::toolpath {
 
@@ -15,6 +16,10 @@ namespace {
 using Eigen::Vector3d;
 
 using base::at;
+
+// Hatches from the region's edge: deeper than this a line has its neighbours on both sides, and
+// what joins their ends is further away.
+constexpr double kEvenDepth = 1.5;
 
 // A function of (nearly) unit gradient whose isolines are the lines.
 std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
@@ -57,17 +62,23 @@ std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
 
 } // namespace
 
-std::vector<SurfaceCurve> zigzagInfill(const InfillRegion& region, const base::RunContext& ctx) {
+InfillLines zigzagInfill(const InfillRegion& region, const base::RunContext& ctx) {
   if (std::ranges::none_of(region.depth, [&](double d) { return d >= region.from; }))
     return {};
   const std::vector<double> across = acrossLines(region.surface, region.directionRad);
-  std::vector<SurfaceCurve> curves;
+  InfillLines lines;
+  if (region.surface.planeNormal)
+    lines.evenMm.assign(region.depth.size(), 0.0);
   forEachPart(region, ctx, [&](const std::vector<double>& depth, double deepest) {
-    for (SurfaceCurve& c : deepest < kNarrowPart ? concentricInfill(partOf(region, depth), ctx)
-                                                 : evenLines(region, depth, across, ctx))
-      curves.push_back(std::move(c));
+    EvenLines more = deepest < kNarrowPart
+                         ? EvenLines{concentricInfill(partOf(region, depth), ctx).curves}
+                         : evenLines(region, depth, across, ctx);
+    std::ranges::move(more.curves, std::back_inserter(lines.curves));
+    for (std::size_t v = 0; v < lines.evenMm.size(); ++v)
+      if (depth[v] >= region.from + kEvenDepth)
+        lines.evenMm[v] = more.spacingMm;
   });
-  return curves;
+  return lines;
 }
 
 } // namespace voluta::toolpath

@@ -5,6 +5,7 @@
 #include "toolpath/surface_fields.h"
 
 #include <cmath>
+#include <limits>
 
 namespace voluta::toolpath {
 
@@ -158,9 +159,8 @@ std::vector<SurfaceCurve> LineCover::joined(double spacing, const base::RunConte
   return curves;
 }
 
-std::vector<SurfaceCurve> evenLines(const InfillRegion& r, const std::vector<double>& depth,
-                                    const std::vector<double>& across,
-                                    const base::RunContext& ctx) {
+EvenLines evenLines(const InfillRegion& r, const std::vector<double>& depth,
+                    const std::vector<double>& across, const base::RunContext& ctx) {
   double low = INFINITY, high = -INFINITY, hatch = 0.0;
   std::size_t count = 0;
   for (std::size_t v = 0; v < depth.size(); ++v)
@@ -173,14 +173,20 @@ std::vector<SurfaceCurve> evenLines(const InfillRegion& r, const std::vector<dou
   hatch /= static_cast<double>(count);
   const int n = std::max(1, static_cast<int>(std::lround((high - low) * r.density / hatch)));
   const double spacing = (high - low) / n;
+  // Of lines outside the region nothing is kept.
+  std::vector<double> there(across.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const auto& t : r.surface.triangles)
+    if (std::ranges::any_of(t, [&](int v) { return depth[at(v)] >= r.from + kOpenEnd; }))
+      for (const int v : t)
+        there[at(v)] = across[at(v)];
   LineCover lines(r, depth);
-  const EvenIsolines levels(r.surface, across, low, spacing, n);
+  const EvenIsolines levels(r.surface, there, low, spacing, n);
   for (int k = 0; k < n; ++k) {
     ctx.checkpoint();
     for (const SurfaceCurve& c : levels.curvesAt(k))
       lines.add(c, k);
   }
-  return lines.joined(spacing, ctx);
+  return {lines.joined(spacing, ctx), spacing};
 }
 
 } // namespace voluta::toolpath

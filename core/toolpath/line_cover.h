@@ -68,9 +68,13 @@ private:
   std::vector<Line> lines_;
 };
 
+struct EvenLines {
+  std::vector<SurfaceCurve> curves;
+  double spacingMm = 0.0; // by `across`, between neighbours; 0: not lines of it
+};
 // Isolines of `across` (per vertex, mm; finite in the part) over one part of a region, evenly from
 // its least value to its largest.
-std::vector<SurfaceCurve> evenLines(const InfillRegion& region, const std::vector<double>& depth,
-                                    const std::vector<double>& across, const base::RunContext& ctx);
+EvenLines evenLines(const InfillRegion& region, const std::vector<double>& depth,
+                    const std::vector<double>& across, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/index.h"
 #include "process/bead_model.h"
-#include "toolpath/segment_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,34 +96,29 @@ double fitting(double wantedMm, double roomMm, double hatchMm, const process::Pr
 } // namespace
 
 std::vector<double> outerHatches(const PatchSurface& s, const std::vector<double>& wantedMm,
-                                 const std::vector<double>& boundaryMm,
+                                 const SegmentDistances& boundary,
                                  const std::vector<double>& hatchMm,
                                  const process::Process& process) {
-  base::require(boundaryMm.size() == s.position.size() && hatchMm.size() == s.position.size() &&
-                    wantedMm.size() <= s.position.size(),
+  base::require(boundary.mm.size() == s.position.size() &&
+                    boundary.nearest.size() == s.position.size() &&
+                    hatchMm.size() == s.position.size() && wantedMm.size() <= s.position.size(),
                 "outerHatches: a value per vertex");
   const auto wide = [&](double mm) { return mm > process.beadWidthMm; };
   if (std::ranges::none_of(wantedMm, wide))
     return hatchMm;
   // How deep the patch is inside each edge of its boundary: that of the deepest vertex that is
   // nearest to it.
-  std::vector<SegmentGrid::Segment> segments;
-  for (const auto& e : s.boundary)
-    segments.push_back({s.position[at(e[0])], s.position[at(e[1])]});
   const double reach = process.beadWidthMaxMm + 2.0 * process.beadWidthMm;
-  const SegmentGrid grid(segments, reach);
-  std::vector<SegmentGrid::Hit> nearest(s.position.size());
+  // The edge that is nearest to a vertex; null: none in reach.
+  const auto edgeOf = [&](std::size_t v) {
+    const int edge = boundary.mm[v] <= reach ? boundary.nearest[v] : -1;
+    return edge >= 0 ? &s.boundary[at(edge)] : nullptr;
+  };
   std::vector<double> roomMm(s.position.size(), 0.0); // at vertices of the boundary
-  for (std::size_t v = 0; v < s.position.size(); ++v) {
-    if (boundaryMm[v] > reach)
-      continue;
-    nearest[v] = grid.nearest(s.position[v], v > 0 ? nearest[v - 1].segment : -1);
-    if (nearest[v].segment < 0)
-      continue;
-    const auto& edge = s.boundary[at(nearest[v].segment)];
-    for (const int end : {edge[0], edge[1]})
-      roomMm[at(end)] = std::max(roomMm[at(end)], boundaryMm[v]);
-  }
+  for (std::size_t v = 0; v < s.position.size(); ++v)
+    if (const auto* edge = edgeOf(v))
+      for (const int end : {(*edge)[0], (*edge)[1]})
+        roomMm[at(end)] = std::max(roomMm[at(end)], boundary.mm[v]);
 
   std::vector<double> widthMm(s.position.size(), process.beadWidthMm);
   for (const Loop& loop : loopsOf(s)) {
@@ -157,11 +151,14 @@ std::vector<double> outerHatches(const PatchSurface& s, const std::vector<double
 
   std::vector<double> hatches = hatchMm;
   for (std::size_t v = 0; v < hatches.size(); ++v) {
-    if (nearest[v].segment < 0)
+    const auto* edge = edgeOf(v);
+    if (!edge)
       continue;
-    const auto& edge = s.boundary[at(nearest[v].segment)];
-    const double t = nearest[v].t;
-    const double width = (1.0 - t) * widthMm[at(edge[0])] + t * widthMm[at(edge[1])];
+    const Eigen::Vector3d &a = s.position[at((*edge)[0])], &b = s.position[at((*edge)[1])];
+    const double squared = (b - a).squaredNorm();
+    const double t =
+        squared > 0.0 ? std::clamp((b - a).dot(s.position[v] - a) / squared, 0.0, 1.0) : 0.0;
+    const double width = (1.0 - t) * widthMm[at((*edge)[0])] + t * widthMm[at((*edge)[1])];
     hatches[v] += width - process.beadWidthMm;
   }
   return hatches;

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/index.h"
+#include "base/mixed_bits.h"
 #include "geometry/triangle_queries.h"
 
 #include <Eigen/Geometry>
@@ -201,10 +202,16 @@ void PatchSurface::link() {
   }
   for (std::size_t v = 0; v < n; ++v)
     normal[v] = normal[v].norm() > 1e-14 ? normal[v].normalized() : direction[v];
+  // Edges out of a vertex that triangles close around are all shared: round it, those into it go
+  // out again.
+  std::vector<std::uint64_t> open(n, 0);
+  for (const auto& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      open[at(t[k])] += base::mixedBits(at(t[(k + 1) % 3])) - base::mixedBits(at(t[(k + 2) % 3]));
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = triangles[i][k], b = triangles[i][(k + 1) % 3];
-      bool shared = false;
+      bool shared = open[at(a)] == 0 || open[at(b)] == 0;
       for (const int* j = ringBegin(a); j != ringEnd(a) && !shared; ++j)
         if (*j != static_cast<int>(i))
           shared = std::ranges::find(triangles[at(*j)], b) != triangles[at(*j)].end();

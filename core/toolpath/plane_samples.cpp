@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/index.h"
+#include "base/mixed_bits.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -17,13 +18,9 @@ using Eigen::Vector3d;
 
 constexpr double kMostCells = 1 << 24;
 
-// Two numbers in [0, 1) that a number always gives: Steele, Lea & Flood 2014, the mixing function
-// of SplitMix64.
+// Two numbers in [0, 1) that a number always gives.
 Eigen::Vector2f placeInCell(std::uint64_t number) {
-  std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15U;
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-  z ^= z >> 31U;
+  const std::uint64_t z = base::mixedBits((number + 1) * 0x9e3779b97f4a7c15U);
   constexpr float kUnit = 1.0F / (1 << 24);
   return {kUnit * static_cast<float>(z >> 40U), kUnit * static_cast<float>(z & 0xffffffU)};
 }
@@ -67,8 +64,11 @@ double side(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
 }
 } // namespace
 
-std::optional<PlaneSamples> PlaneSamples::of(const PatchSurface& s, double sampleMm2) {
+std::optional<PlaneSamples> PlaneSamples::of(const PatchSurface& s, double sampleMm2,
+                                             const std::vector<char>& leftOut) {
   base::require(sampleMm2 > 0, "samples stand for an area");
+  base::require(leftOut.empty() || leftOut.size() == s.triangles.size(),
+                "samples are left out by triangles");
   if (!s.planeNormal)
     return std::nullopt;
   PlaneSamples p;
@@ -88,16 +88,19 @@ std::optional<PlaneSamples> PlaneSamples::of(const PatchSurface& s, double sampl
   if (!(cells.prod() <= kMostCells))
     return std::nullopt;
   p.size_ = cells.cast<int>();
-  p.paint(s);
+  p.paint(s, leftOut);
   const auto inside =
       std::ranges::count_if(p.triangle_, [](int triangle) { return triangle >= 0; });
   if (inside == 0)
     return std::nullopt;
-  p.areaMm2_ = s.areaMm2 / static_cast<double>(inside);
+  double areaMm2 = s.areaMm2;
+  for (std::size_t t = 0; t < leftOut.size(); ++t)
+    areaMm2 -= leftOut[t] ? s.triangleArea[t] : 0.0;
+  p.areaMm2_ = areaMm2 / static_cast<double>(inside);
   return p;
 }
 
-void PlaneSamples::paint(const PatchSurface& s) {
+void PlaneSamples::paint(const PatchSurface& s, const std::vector<char>& leftOut) {
   const std::size_t n = at(size_.x()) * at(size_.y());
   x_.resize(n + kLanes - 1);
   y_.resize(n + kLanes - 1);
@@ -115,6 +118,8 @@ void PlaneSamples::paint(const PatchSurface& s) {
     }
   }
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    if (!leftOut.empty() && leftOut[t])
+      continue;
     const auto& corners = s.triangles[t];
     const Vector2d a = flat(s.position[at(corners[0])]), b = flat(s.position[at(corners[1])]),
                    c = flat(s.position[at(corners[2])]);
@@ -128,6 +133,10 @@ void PlaneSamples::paint(const PatchSurface& s) {
               y0 = std::max(0, static_cast<int>(least.y())),
               y1 = std::min(size_.y() - 1, static_cast<int>(most.y()));
     const std::array<Vector2d, 3> places{a, b, c};
+    // Often the same all over: what is not worked out costs nothing.
+    const double thickness = s.thicknessMm[at(corners[0])];
+    const bool isEven =
+        thickness == s.thicknessMm[at(corners[1])] && thickness == s.thicknessMm[at(corners[2])];
     const EdgeSide ab(corners, places, 0), bc(corners, places, 1), ca(corners, places, 2);
     for (int y = y0; y <= y1; ++y) {
       const std::size_t end = at(y) * at(size_.x()) + at(x1) + 1;
@@ -139,9 +148,12 @@ void PlaneSamples::paint(const PatchSurface& s) {
           const std::size_t cell = four + lane;
           if (inside[lane] < 0.0F || triangle_[cell] >= 0)
             continue;
+          triangle_[cell] = static_cast<int>(t);
+          thicknessMm_[cell] = static_cast<float>(thickness);
+          if (isEven)
+            continue;
           const Vector2d q(x_[cell], y_[cell]);
           const double u = side(b, c, q), v = side(c, a, q), w = twice - u - v;
-          triangle_[cell] = static_cast<int>(t);
           thicknessMm_[cell] = static_cast<float>((u * s.thicknessMm[at(corners[0])] +
                                                    v * s.thicknessMm[at(corners[1])] +
                                                    w * s.thicknessMm[at(corners[2])]) /

@@ -22,8 +22,10 @@ namespace voluta::toolpath {
 class PlaneSamples {
 public:
   // Points stand for `sampleMm2` > 0 each. Nothing where the surface is not plane, or holds no
-  // point or more than memory does.
-  static std::optional<PlaneSamples> of(const PatchSurface& surface, double sampleMm2);
+  // point or more than memory does. `leftOut`: per triangle, count its points as outside; empty:
+  // none.
+  static std::optional<PlaneSamples> of(const PatchSurface& surface, double sampleMm2,
+                                        const std::vector<char>& leftOut = {});
 
   // Cells of the raster, some of them outside.
   std::size_t count() const { return triangle_.size(); }
@@ -68,7 +70,7 @@ private:
   Eigen::Vector2d flat(const Eigen::Vector3d& p) const {
     return {across_.dot(p) - low_.x(), up_.dot(p) - low_.y()};
   }
-  void paint(const PatchSurface& surface);
+  void paint(const PatchSurface& surface, const std::vector<char>& leftOut);
 
   Eigen::Vector3d normal_, across_, up_;                // unit, across each other
   double offsetMm_ = 0.0, pitch_ = 0.0, areaMm2_ = 0.0; // areaMm2_: of a point

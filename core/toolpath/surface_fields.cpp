@@ -9,6 +9,7 @@
 #include <functional>
 #include <queue>
 #include <unordered_map>
+#include <utility>
 
 namespace voluta::toolpath {
 
@@ -89,9 +90,8 @@ std::vector<SourceSegment> segmentsOf(const PatchSurface&,
   return out;
 }
 
-std::vector<double> distanceToSegments(const PatchSurface& s,
-                                       const std::vector<SourceSegment>& sources, double farMm,
-                                       const std::vector<char>& onwards) {
+SegmentDistances nearestSegments(const PatchSurface& s, const std::vector<SourceSegment>& sources,
+                                 double farMm, const std::vector<char>& onwards) {
   base::require(onwards.empty() || onwards.size() == s.position.size(), "a mark per vertex");
   std::vector<double> distance(s.position.size(), farMm);
   std::vector<int> nearest(s.position.size(), -1);
@@ -144,7 +144,13 @@ std::vector<double> distanceToSegments(const PatchSurface& s,
         queue.push({distance[at(last)], last});
     }
   }
-  return distance;
+  return {std::move(distance), std::move(nearest)};
+}
+
+std::vector<double> distanceToSegments(const PatchSurface& s,
+                                       const std::vector<SourceSegment>& sources, double farMm,
+                                       const std::vector<char>& onwards) {
+  return nearestSegments(s, sources, farMm, onwards).mm;
 }
 
 std::vector<double> distanceToSection(const PatchSurface& s, const Vector3d& normal,

@@ -30,6 +30,14 @@ std::vector<SourceSegment> segmentsOf(const PatchSurface& surface,
 // order in the length over the radius elsewhere.
 // `onwards`: per vertex, does the nearest segment travel on from it; empty: everywhere. Where it
 // does not, distances are known next to sources and to where it does.
+struct SegmentDistances {
+  std::vector<double> mm;
+  std::vector<int> nearest; // of the sources; -1 where there is none as near
+};
+SegmentDistances nearestSegments(const PatchSurface& surface,
+                                 const std::vector<SourceSegment>& sources, double farMm,
+                                 const std::vector<char>& onwards = {});
+// The distances of these.
 std::vector<double> distanceToSegments(const PatchSurface& surface,
                                        const std::vector<SourceSegment>& sources, double farMm,
                                        const std::vector<char>& onwards = {});

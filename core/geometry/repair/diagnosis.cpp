@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <set>
+#include <utility>
 
 namespace voluta::geometry {
 
@@ -27,7 +27,7 @@ Vector3d centroid(const TriangleMesh& mesh, std::size_t t) {
 }
 
 void inspectFaces(const TriangleMesh& mesh, Diagnosis& d) {
-  std::set<std::array<int, 3>> seen;
+  std::vector<std::pair<std::array<int, 3>, std::size_t>> faces; // sorted corners, triangle
   std::vector<bool> used(mesh.vertices.size(), false);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<int, 3> corners = mesh.triangles[t];
@@ -41,10 +41,25 @@ void inspectFaces(const TriangleMesh& mesh, Diagnosis& d) {
     std::sort(corners.begin(), corners.end());
     if (triangleArea(mesh, t) == 0.0)
       note(d.degenerateFaces, centroid(mesh, t));
-    else if (!seen.insert(corners).second)
-      note(d.duplicateFaces, centroid(mesh, t));
+    else
+      faces.emplace_back(corners, t);
   }
+  std::ranges::sort(faces);
+  std::vector<std::size_t> again;
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    if (faces[i].first == faces[i - 1].first)
+      again.push_back(faces[i].second);
+  if (!again.empty())
+    d.duplicateFaces = {again.size(), centroid(mesh, std::ranges::min(again))};
   d.vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+}
+
+// By how often it is run forward more than backward.
+int balanceOf(const std::vector<HalfEdge>& edges, std::size_t begin, std::size_t end) {
+  int balance = 0;
+  for (std::size_t i = begin; i < end; ++i)
+    balance += edges[i].forward ? 1 : -1;
+  return balance;
 }
 
 void inspectEdges(const TriangleMesh& mesh, Diagnosis& d, std::size_t& edgeCount) {
@@ -54,9 +69,7 @@ void inspectEdges(const TriangleMesh& mesh, Diagnosis& d, std::size_t& edgeCount
     const Vector3d at = 0.5 * (mesh.vertices[static_cast<std::size_t>(edges[begin].low)] +
                                mesh.vertices[static_cast<std::size_t>(edges[begin].high)]);
     ++edgeCount;
-    int balance = 0;
-    for (std::size_t i = begin; i < end; ++i)
-      balance += edges[i].forward ? 1 : -1;
+    const int balance = balanceOf(edges, begin, end);
     if (edges[begin].low != edges[begin].high && balance != 0)
       d.watertight = false;
     if (end - begin == 1)
@@ -108,6 +121,15 @@ std::vector<base::Message> Diagnosis::sentences() const {
                                 "{count} components that are inside out, the first at "
                                 "{first:.2f}"_plural);
   return out;
+}
+
+bool isWatertight(const TriangleMesh& mesh) {
+  const std::vector<HalfEdge> edges = sortedHalfEdges(mesh);
+  bool all = !mesh.empty();
+  forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
+    all = all && (edges[begin].low == edges[begin].high || balanceOf(edges, begin, end) == 0);
+  });
+  return all;
 }
 
 Diagnosis diagnose(const TriangleMesh& mesh, const base::RunContext& ctx) {

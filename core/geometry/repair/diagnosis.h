@@ -44,4 +44,7 @@ struct Diagnosis {
 // watertight.
 Diagnosis diagnose(const TriangleMesh& mesh, const base::RunContext& ctx = {});
 
+// Diagnosis::watertight alone.
+bool isWatertight(const TriangleMesh& mesh);
+
 } // namespace voluta::geometry
