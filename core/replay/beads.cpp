@@ -2,10 +2,9 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/units.h"
+#include "replay/beneath.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace voluta::replay {
@@ -186,71 +185,6 @@ std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pie
   return first;
 }
 
-namespace {
-// Depth and distance aside of the probes, in heights; each ring has kAzimuths of them. All within
-// 1.25 heights of the tip but the last, which is there for cells that straddle the layers.
-struct Ring {
-  double depth, aside;
-};
-constexpr std::array<Ring, 4> kRings = {{{1.25, 0.0}, {1.15, 0.48}, {1.05, 0.67}, {1.2, 0.7}}};
-constexpr int kAzimuths = 12;
-// Right beneath: places across the width, and depths in heights.
-constexpr int kAcross = 8;
-constexpr std::array<double, 3> kDepths = {1.05, 1.15, 1.25};
-
-// What lies beneath one piece, at its middle.
-class Beneath {
-public:
-  Beneath(const BeadPiece& piece, std::uint32_t index, const PrintedPart& printed,
-          const GroundProbe& ground)
-      : printed_(printed), ground_(ground), tip_(0.5 * (piece.from + piece.to)),
-        up_((piece.fromDirection + piece.toDirection).normalized()),
-        side_(up_.cross(piece.to - piece.from)),
-        height_(0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm)),
-        width_(sectionOf(piece, 10.0).widthMm), moment_{index, piece.run, piece.runMm,
-                                                        static_cast<float>(
-                                                            std::max(3.0, 2.0 * width_))} {
-    side_ = side_.norm() > 1e-9 ? side_.normalized() : up_.unitOrthogonal();
-  }
-
-  bool supported() const {
-    const Eigen::Vector3d other = up_.cross(side_);
-    for (const Ring& ring : kRings) {
-      const int count = ring.aside > 0.0 ? kAzimuths : 1;
-      for (int a = 0; a < count; ++a) {
-        const double angle = 2.0 * base::kPi * a / kAzimuths;
-        if (holds(tip_ - ring.depth * height_ * up_ +
-                  ring.aside * height_ * (std::cos(angle) * side_ + std::sin(angle) * other)))
-          return true;
-      }
-    }
-    return false;
-  }
-
-  // Of its width.
-  double carriedShare() const {
-    int carried = 0;
-    for (int k = 0; k < kAcross; ++k) {
-      const Eigen::Vector3d at = tip_ + ((k + 0.5) / kAcross - 0.5) * width_ * side_;
-      carried += std::any_of(kDepths.begin(), kDepths.end(),
-                             [&](double depth) { return holds(at - depth * height_ * up_); });
-    }
-    return static_cast<double>(carried) / kAcross;
-  }
-
-private:
-  bool holds(const Eigen::Vector3d& point) const {
-    return printed_.printedAt(point, moment_) || ground_.holds(point, 0.25 * width_);
-  }
-
-  const PrintedPart& printed_;
-  const GroundProbe& ground_;
-  Eigen::Vector3d tip_, up_, side_;
-  double height_, width_;
-  Moment moment_;
-};
-} // namespace
-
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
                            const GroundProbe& ground, const base::RunContext& ctx) {
   struct Found {
@@ -264,7 +198,7 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
         found[p] = {true, 1.0};
         continue;
       }
-      const Beneath beneath(pieces[p], static_cast<std::uint32_t>(p), printed, ground);
+      const Beneath beneath(pieces, static_cast<std::uint32_t>(p), printed, ground);
       found[p] = {beneath.supported(), beneath.carriedShare()};
     }
   });

@@ -35,10 +35,16 @@ public:
     const Piece& piece = pieces_[by];
     return piece.run != moment.run || moment.runMm - piece.runMm > moment.recentMm;
   }
-  bool printedAt(const Eigen::Vector3d& point, const Moment& moment) const {
+  // The piece that filled the cell a point is in, kNeverFilled where that is not printed.
+  std::uint32_t pieceAt(const Eigen::Vector3d& point, const Moment& moment) const {
     const Eigen::Vector3i c = beads_.grid.cellOf(point);
-    return beads_.grid.contains(c.x(), c.y(), c.z()) &&
-           printed(beads_.grid.index(c.x(), c.y(), c.z()), moment);
+    if (!beads_.grid.contains(c.x(), c.y(), c.z()))
+      return kNeverFilled;
+    const std::size_t cell = beads_.grid.index(c.x(), c.y(), c.z());
+    return printed(cell, moment) ? beads_.filledBy(cell) : kNeverFilled;
+  }
+  bool printedAt(const Eigen::Vector3d& point, const Moment& moment) const {
+    return pieceAt(point, moment) != kNeverFilled;
   }
 
   // A printed cell whose centre is in a solid. `within(point, reach)` tells whether a cube of cells

@@ -14,6 +14,7 @@
 #include "pipeline/road.h"
 #include "plan/waypoints.h"
 #include "replay/beads.h"
+#include "replay/beneath.h"
 #include "replay/coverage.h"
 #include "replay/ground.h"
 #include "replay/printed_part.h"
@@ -21,6 +22,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -35,48 +37,34 @@ namespace {
 constexpr double kDownMm = 60.0; // how far down is looked
 constexpr std::array<const char*, 5> kKinds = {"wall", "infill", "gap", "skirt", "support"};
 
-// As replay::findSupport looks right beneath a piece; and how far aside from its middle, to the
-// left and to the right, the first material lies.
-struct Beneath {
+// What is right beneath a piece; and how far aside from its middle, to the left and to the right,
+// the first material lies.
+struct Found {
   double carried = 0.0, leftMm = 0.0, rightMm = 0.0;
   double downMm = 0.0; // to the first material beneath, along its direction
 };
-Beneath beneath(const replay::BeadPiece& piece, std::uint32_t index,
-                const replay::PrintedPart& printed, const replay::GroundProbe& ground) {
-  const Vector3d tip = 0.5 * (piece.from + piece.to);
-  const Vector3d up = (piece.fromDirection + piece.toDirection).normalized();
-  const Vector3d side = up.cross(piece.to - piece.from).normalized();
-  const double height =
-      0.5 * (static_cast<double>(piece.fromHeightMm) + static_cast<double>(piece.toHeightMm));
-  const double width = replay::sectionOf(piece, 10.0).widthMm;
-  const replay::Moment moment{index, piece.run, piece.runMm,
-                              static_cast<float>(std::max(3.0, 2.0 * width))};
-  const auto holds = [&](double aside) {
-    for (double depth : {1.05, 1.15, 1.25}) {
-      const Vector3d at = tip + aside * side - depth * height * up;
-      if (printed.printedAt(at, moment) || ground.holds(at, 0.25 * width))
-        return true;
-    }
-    return false;
-  };
-  Beneath out;
-  for (int k = 0; k < 8; ++k)
-    out.carried += holds(((k + 0.5) / 8 - 0.5) * width) / 8.0;
+Found found(const replay::Beneath& beneath) {
+  Found out;
+  out.carried = beneath.carriedShare();
+  if (out.carried >= 0.5)
+    return out;
   const auto reach = [&](double sign) {
     double aside = 0.0;
-    while (aside < 6.0 && !holds(sign * aside))
+    const auto holds = [&] {
+      return std::ranges::any_of(std::array{1.05, 1.15, 1.25}, [&](double share) {
+        return beneath.holds(beneath.tip() + sign * aside * beneath.side() -
+                             share * beneath.heightMm() * beneath.up());
+      });
+    };
+    while (aside < 6.0 && !holds())
       aside += 0.05;
     return aside;
   };
-  if (out.carried < 0.5) {
-    out.leftMm = reach(1.0);
-    out.rightMm = reach(-1.0);
-    for (; out.downMm < kDownMm; out.downMm += 0.1) {
-      const Vector3d at = tip - (height + out.downMm) * up;
-      if (printed.printedAt(at, moment) || ground.holds(at, 0.25 * width))
-        break;
-    }
-  }
+  out.leftMm = reach(1.0);
+  out.rightMm = reach(-1.0);
+  while (out.downMm < kDownMm &&
+         !beneath.holds(beneath.tip() - (beneath.heightMm() + out.downMm) * beneath.up()))
+    out.downMm += 0.1;
   return out;
 }
 
@@ -132,10 +120,10 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
   // What the tool-paths' own stage takes for hanging.
   const collision::GrowingPart growing(plan, collision::growingPitch(plan, process), ctx);
   const std::vector<char> hanging = toolpath::hangingWaypoints(plan, growing, job.platform, ctx);
-  std::vector<Beneath> under(pieces.size());
+  std::vector<Found> under(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e; ++p)
-      under[p] = beneath(pieces[p], static_cast<std::uint32_t>(p), printed, ground);
+      under[p] = found(replay::Beneath(pieces, static_cast<std::uint32_t>(p), printed, ground));
   });
   // Length that is carried on less than half, by kind of path, height, and which side holds.
   std::map<std::string, std::array<double, 2>> share;

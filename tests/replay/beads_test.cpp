@@ -320,6 +320,43 @@ TEST(Support, TheLongestStretchIsOfOneBead) {
   EXPECT_NEAR(bridge[s.longestFrom].from.x(), 10.0, 1.0);
 }
 
+// However cells happen to lie, a thin bead is carried by what is a twentieth of its height below
+// it, and not by what is more than half of it below, or beside it.
+TEST(Support, CellsDoNotDecideWhatAThinBeadLiesOn) {
+  constexpr double kWidth = 1.2, kHeight = 0.5, kLower = 0.6;
+  const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
+  const auto found = [&](double gapMm, double asideMm, double shiftMm, double leanRad) {
+    const Eigen::Vector3d up(0.0, std::sin(leanRad), std::cos(leanRad)),
+        side(0.0, -std::cos(leanRad), std::sin(leanRad));
+    std::vector<BeadPiece> pieces;
+    const auto add = [&](double height, const Eigen::Vector3d& off) {
+      const std::size_t first = pieces.size();
+      const Eigen::Vector3d from(0.0, 10.0, 6.0 + shiftMm);
+      addBead(pieces, {from + off, from + Eigen::Vector3d(20.0, 0.0, 0.0) + off}, kWidth, height);
+      for (std::size_t p = first; p < pieces.size(); ++p)
+        pieces[p].fromDirection = pieces[p].toDirection = up;
+    };
+    add(kLower, Eigen::Vector3d::Zero());
+    add(kHeight, (kHeight + gapMm) * up + asideMm * side);
+    const std::size_t half = pieces.size() / 2;
+    const BeadGrid beads = lay(pieces, {-3, 0, 0}, {23, 20, 12});
+    const SupportedBeads s =
+        findSupport(pieces, PrintedPart(beads, pieces), GroundProbe(plate), kOne);
+    // The lower one hangs from end to end; of the upper, what is carried on nothing at all.
+    return s.unsupported.size() > half ? 1.0 : s.halfCarriedMm / 20.0 - 1.0;
+  };
+  for (int k = 0; k < 12; ++k)
+    for (const double lean : {0.0, 0.4}) {
+      SCOPED_TRACE(testing::Message() << k << " " << lean);
+      const double shift = 0.025 * k;
+      EXPECT_EQ(found(0.0, 0.0, shift, lean), 0.0);
+      EXPECT_EQ(found(0.05 * kHeight, 0.0, shift, lean), 0.0);
+      EXPECT_EQ(found(0.15 * kHeight, 0.0, shift, lean), 0.0);
+      EXPECT_EQ(found(0.8 * kHeight, 0.0, shift, lean), 1.0);
+      EXPECT_EQ(found(0.05 * kHeight, 1.3 * kWidth, shift, lean), 1.0);
+    }
+}
+
 TEST(Support, ANeighbourInTheSameLayerIsNone) {
   std::vector<BeadPiece> pieces;
   addBead(pieces, {{0, 5, 6.0}, {30, 5, 6.0}}, 1.2, 0.8);

@@ -1,0 +1,96 @@
+#include "replay/beneath.h"
+
+#include "base/units.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace voluta::replay {
+
+namespace {
+using Eigen::Vector3d;
+
+// Depth and distance aside of the probes, in heights; each ring has kAzimuths of them. All within
+// 1.25 heights of the tip but the last, which is there for cells that straddle the layers.
+struct Ring {
+  double depth, aside;
+};
+constexpr std::array<Ring, 4> kRings = {{{1.25, 0.0}, {1.15, 0.48}, {1.05, 0.67}, {1.2, 0.7}}};
+constexpr int kAzimuths = 12;
+// Right beneath: places across the width, and depths in heights.
+constexpr int kAcross = 8;
+constexpr std::array<double, 3> kDepths = {1.05, 1.15, 1.25};
+constexpr double kWidestMm = 10.0; // no wider bead is believed
+
+// Is a point in the rectangle round the section of a piece, which flow fills beside other beads? As
+// far beyond its ends as its neighbours may have been taken for it.
+bool isIn(const BeadPiece& piece, const Vector3d& point, double beyondMm) {
+  const Vector3d way = piece.to - piece.from;
+  const double length = way.norm();
+  if (!(length > 1e-9))
+    return false;
+  const double along = way.dot(point - piece.from) / length;
+  if (along < -beyondMm || along > length + beyondMm)
+    return false;
+  const double t = std::clamp(along / length, 0.0, 1.0);
+  const Vector3d up = ((1.0 - t) * piece.fromDirection + t * piece.toDirection).normalized();
+  const Vector3d off = point - (piece.from + t * way);
+  const BeadSection section = sectionOf(piece, kWidestMm);
+  const double planned = (1.0 - t) * static_cast<double>(piece.fromHeightMm) +
+                         t * static_cast<double>(piece.toHeightMm);
+  const double depth = -off.dot(up);
+  // A section lower than planned lies where the bead was to lie: its bottom stays.
+  return depth >= planned - section.heightMm && depth <= planned &&
+         std::abs(off.dot(up.cross(way).normalized())) <= 0.5 * section.widthMm;
+}
+
+} // namespace
+
+Beneath::Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index,
+                 const PrintedPart& printed, const GroundProbe& ground)
+    : pieces_(pieces), printed_(printed), ground_(ground) {
+  const BeadPiece& piece = pieces[index];
+  tip_ = 0.5 * (piece.from + piece.to);
+  up_ = (piece.fromDirection + piece.toDirection).normalized();
+  side_ = up_.cross(piece.to - piece.from);
+  side_ = side_.norm() > 1e-9 ? side_.normalized() : up_.unitOrthogonal();
+  height_ = 0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
+  width_ = sectionOf(piece, kWidestMm).widthMm;
+  moment_ = {index, piece.run, piece.runMm, static_cast<float>(std::max(3.0, 2.0 * width_))};
+}
+
+bool Beneath::supported() const {
+  const Vector3d other = up_.cross(side_);
+  for (const Ring& ring : kRings) {
+    const int count = ring.aside > 0.0 ? kAzimuths : 1;
+    for (int a = 0; a < count; ++a) {
+      const double angle = 2.0 * base::kPi * a / kAzimuths;
+      if (holds(tip_ - ring.depth * height_ * up_ +
+                ring.aside * height_ * (std::cos(angle) * side_ + std::sin(angle) * other)))
+        return true;
+    }
+  }
+  return false;
+}
+
+double Beneath::carriedShare() const {
+  int carried = 0;
+  for (int k = 0; k < kAcross; ++k) {
+    const Vector3d at = tip_ + ((k + 0.5) / kAcross - 0.5) * width_ * side_;
+    carried += std::any_of(kDepths.begin(), kDepths.end(),
+                           [&](double depth) { return holds(at - depth * height_ * up_); });
+  }
+  return static_cast<double>(carried) / kAcross;
+}
+
+bool Beneath::holds(const Vector3d& point) const {
+  if (printed_.printedAt(point, moment_) || ground_.holds(point, 0.25 * width_))
+    return true;
+  const double pitch = printed_.grid().pitch;
+  const std::uint32_t below = printed_.pieceAt(point - pitch * up_, moment_);
+  return below != kNeverFilled && isIn(pieces_[below], point, pitch);
+}
+
+} // namespace voluta::replay

@@ -1,0 +1,46 @@
+// What one piece of bead rests on.
+#pragma once
+
+#include "replay/depositor.h"
+#include "replay/ground.h"
+#include "replay/printed_part.h"
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace voluta::replay {
+
+// As findSupport() asks, of a piece's middle (beads.h). Keeps references to all.
+class Beneath {
+public:
+  Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index, const PrintedPart& printed,
+          const GroundProbe& ground);
+
+  bool supported() const;
+  // Of its width, looked at in eight places.
+  double carriedShare() const;
+
+  // Is there the ground, or material that was laid before and is not soft? Cells tell the part's
+  // surface to half their pitch, which is as much as thin layers give way: where a point's own cell
+  // is not filled but the one below it is, the bead that filled that tells whether it reaches up to
+  // the point.
+  bool holds(const Eigen::Vector3d& point) const;
+
+  const Eigen::Vector3d& tip() const { return tip_; }   // of the nozzle
+  const Eigen::Vector3d& up() const { return up_; }     // unit, into the nozzle
+  const Eigen::Vector3d& side() const { return side_; } // unit, up x way
+  double heightMm() const { return height_; }
+  double widthMm() const { return width_; }
+  const Moment& moment() const { return moment_; }
+
+private:
+  const std::vector<BeadPiece>& pieces_;
+  const PrintedPart& printed_;
+  const GroundProbe& ground_;
+  Eigen::Vector3d tip_, up_, side_;
+  double height_, width_;
+  Moment moment_;
+};
+
+} // namespace voluta::replay
