@@ -33,11 +33,15 @@ struct CurvedPlan {
   project::Platform platform;
   curved::CurvedOptions growth;
   bool supports;
+  double bridgeMm; // of supports
 };
 
 CurvedPlan planOf(const ModeChoices& in) {
-  CurvedPlan plan{
-      in.values.number("voxelMm"), in.choices.platform, {}, support::supportsWanted(in.values)};
+  CurvedPlan plan{in.values.number("voxelMm"),
+                  in.choices.platform,
+                  {},
+                  support::supportsWanted(in.values),
+                  in.process.bridgeMm};
   curved::CurvedOptions& growth = plan.growth;
   growth.growth = in.choices.growth;
   if (!growth.growth.row().peels)
@@ -78,8 +82,8 @@ decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base:
   stage->platform = plateOf(plan.platform, solid, input.placed.platform);
 
   const curved::CurvedOptions& growth = plan.growth;
-  const support::Supports supports =
-      supportsOf(solid, stage->platform.polygon, growth, plan.supports, ctx.sub(0.07, 0.2));
+  const support::Supports supports = supportsOf(solid, stage->platform.polygon, growth,
+                                                plan.bridgeMm, plan.supports, ctx.sub(0.07, 0.2));
   curved::DecompositionWatch watch;
   if (input.onPreview)
     watch = [&](const curved::Decomposition& soFar) {

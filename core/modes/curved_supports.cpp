@@ -6,7 +6,7 @@ namespace voluta::modes {
 
 support::Supports supportsOf(const voxel::SolidVoxels& part,
                              const std::vector<Eigen::Vector2d>& platform,
-                             const curved::CurvedOptions& growth, bool wanted,
+                             const curved::CurvedOptions& growth, double bridgeMm, bool wanted,
                              const base::RunContext& ctx) {
   if (!wanted) {
     support::Supports none;
@@ -16,6 +16,7 @@ support::Supports supportsOf(const voxel::SolidVoxels& part,
   support::SupportOptions options;
   options.growth = growth.growth;
   options.forward = growth.forward;
+  options.bridgeMm = bridgeMm;
   if (const process::HeadShape* head = curved::headForLosses(growth))
     options.head = *head;
   return support::supportsFor(part, platform, options, ctx);

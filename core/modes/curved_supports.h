@@ -16,10 +16,11 @@
 namespace voluta::modes {
 
 // The part's voxels with support where it is wanted. Where it is not, or where growth
-// misses nothing, `solid` is the part and there are no columns. Throws as support::supportsFor().
+// misses nothing, `solid` is the part and there are no columns. bridgeMm: as SupportOptions. Throws
+// as support::supportsFor().
 support::Supports supportsOf(const voxel::SolidVoxels& part,
                              const std::vector<Eigen::Vector2d>& platform,
-                             const curved::CurvedOptions& growth, bool wanted,
+                             const curved::CurvedOptions& growth, double bridgeMm, bool wanted,
                              const base::RunContext& ctx);
 
 // Tells the support's voxels in a decomposition of part and support together apart from the part's.

@@ -48,9 +48,9 @@ ProcessKeys keysOf(const process::Process& process) {
                retract, material, density, head] = process;
   static_cast<void>(label); // nothing is made from it
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
-                        bridgeSpeed, maxFlow),
+                        bridge, bridgeSpeed, maxFlow),
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
-          base::keyText(id, nozzle, bridge, prime, retract, material, density)};
+          base::keyText(id, nozzle, prime, retract, material, density)};
 }
 
 std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,

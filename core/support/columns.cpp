@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <queue>
-#include <unordered_map>
+#include <utility>
 
 namespace voluta::support {
 
@@ -29,43 +30,46 @@ bool isFree(Cell c) {
 
 class Search {
 public:
-  Search(const voxel::VoxelGrid& grid, const std::vector<Cell>& cells, const base::RunContext& ctx)
-      : grid_(grid), cells_(cells), ctx_(ctx) {}
+  Search(const voxel::VoxelGrid& grid, const std::vector<Cell>& cells, int mostAside,
+         const base::RunContext& ctx)
+      : grid_(grid), cells_(cells), mostAside_(mostAside), ctx_(ctx) {}
 
   std::optional<Column> run(const std::vector<std::size_t>& carried) {
     for (const std::size_t c : carried) {
       const Eigen::Vector3i below = grid_.cell(c) - Eigen::Vector3i::UnitZ();
       if (isFree(at(below)))
-        offer(index(below), kNone, kCell + touching(below, Eigen::Vector3i::UnitZ()));
+        offer({index(below), 0}, kNone, kCell + touching(below, Eigen::Vector3i::UnitZ()));
     }
     for (std::size_t steps = 0; !open_.empty(); ++steps) {
       if (steps % 4096 == 0)
         ctx_.checkpoint();
-      const auto [cost, cell, ends] = open_.top();
+      const auto [cost, place, ends] = open_.top();
       open_.pop();
       if (ends)
-        return column(cell);
-      if (cost > known_.at(cell).cost)
+        return column(place);
+      if (cost > known_.at(place).cost)
         continue;
-      spread(cell, cost);
+      spread(place, cost);
     }
     return std::nullopt;
   }
 
 private:
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  // A cell, and how many steps aside have led to it without one down.
+  using Place = std::pair<std::size_t, int>;
+  static constexpr Place kNone{static_cast<std::size_t>(-1), 0};
   struct Known {
     int cost;
-    std::size_t before;
+    Place before;
   };
   struct Open {
     int cost;
-    std::size_t cell;
+    Place place;
     bool ends;
-    bool operator<(const Open& other) const { // least cost on top, then least cell
+    bool operator<(const Open& other) const { // least cost on top, then least place
       if (cost != other.cost)
         return cost > other.cost;
-      return cell != other.cell ? cell > other.cell : ends < other.ends;
+      return place != other.place ? place > other.place : ends < other.ends;
     }
   };
 
@@ -89,37 +93,41 @@ private:
     return cost;
   }
 
-  void offer(std::size_t cell, std::size_t before, int cost) {
-    const auto [entry, isNew] = known_.try_emplace(cell, Known{cost, before});
+  void offer(const Place& place, const Place& before, int cost) {
+    const std::size_t cell = place.first;
+    const auto [entry, isNew] = known_.try_emplace(place, Known{cost, before});
     if (!isNew) {
       if (entry->second.cost <= cost)
         return;
       entry->second = {cost, before};
     }
-    open_.push({cost, cell, false});
+    open_.push({cost, place, false});
     if (cells_[cell] == Cell::Plate)
-      open_.push({cost, cell, true});
+      open_.push({cost, place, true});
     const Cell below = at(grid_.cell(cell) - Eigen::Vector3i::UnitZ());
     if (below == Cell::Support)
-      open_.push({cost, cell, true});
+      open_.push({cost, place, true});
     if (below == Cell::Footing) // its face was priced as a side's
-      open_.push({cost - kSideFace + kOnPart, cell, true});
+      open_.push({cost - kSideFace + kOnPart, place, true});
   }
 
-  void spread(std::size_t cell, int cost) {
-    const Eigen::Vector3i c = grid_.cell(cell);
+  void spread(const Place& place, int cost) {
+    const Eigen::Vector3i c = grid_.cell(place.first);
     for (const Eigen::Vector3i& step : kStep) {
       const Eigen::Vector3i to = c + step;
-      if (isFree(at(to)))
-        offer(index(to), cell,
+      // Where any number may be, places differ by their cells alone.
+      const int aside = step.z() != 0 || mostAside_ == 0 ? 0 : place.second + 1;
+      if (aside <= mostAside_ && isFree(at(to)))
+        offer({index(to), aside}, place,
               cost + kCell + (step.z() == 0 ? kAside : 0) + touching(to, Eigen::Vector3i::Zero()));
     }
   }
 
-  Column column(std::size_t foot) const {
+  Column column(const Place& last) const {
     Column out;
-    for (std::size_t c = foot; c != kNone; c = known_.at(c).before)
-      out.cells.push_back(c);
+    const std::size_t foot = last.first;
+    for (Place place = last; place != kNone; place = known_.at(place).before)
+      out.cells.push_back(place.first);
     std::reverse(out.cells.begin(), out.cells.end());
     out.foot = grid_.cell(foot);
     out.top = grid_.cell(out.cells.front());
@@ -139,18 +147,21 @@ private:
 
   const voxel::VoxelGrid& grid_;
   const std::vector<Cell>& cells_;
+  const int mostAside_; // 0: any number
   const base::RunContext& ctx_;
-  std::unordered_map<std::size_t, Known> known_;
+  std::map<Place, Known> known_;
   std::priority_queue<Open> open_;
 };
 
 } // namespace
 
 std::optional<Column> cheapestColumn(const voxel::VoxelGrid& grid, const std::vector<Cell>& cells,
-                                     const std::vector<std::size_t>& carried,
+                                     const std::vector<std::size_t>& carried, int mostAside,
                                      const base::RunContext& ctx) {
-  base::require(cells.size() == grid.cellCount(), "cheapestColumn: one entry a cell");
-  return Search(grid, cells, ctx).run(carried);
+  base::require(cells.size() == grid.cellCount() && mostAside > 0,
+                "cheapestColumn: one entry a cell, steps aside");
+  std::optional<Column> column = Search(grid, cells, mostAside, ctx).run(carried);
+  return column ? column : Search(grid, cells, 0, ctx).run(carried);
 }
 
 } // namespace voluta::support

@@ -33,10 +33,12 @@ struct Column {
 // The cheapest column that ends under one of `carried` (cells of the part) and goes down from
 // there, straight or aslant but never up, to the platform, a footing or another column. A cell
 // costs 1, a step aside as much as two more, a face that touches the part's side 6, an edge or
-// corner near the part half, a foot on the part 8. None where there is no way.
-// Precondition (Error{Internal}): one entry a cell. Throws Cancelled.
+// corner near the part half, a foot on the part 8. It goes no more than `mostAside` cells aside
+// before the next one down, so that none of its arms is laid over nothing for long; where it would
+// not get through like that, any number. None where there is no way.
+// Precondition (Error{Internal}): one entry a cell; mostAside > 0. Throws Cancelled.
 std::optional<Column> cheapestColumn(const voxel::VoxelGrid& grid, const std::vector<Cell>& cells,
-                                     const std::vector<std::size_t>& carried,
+                                     const std::vector<std::size_t>& carried, int mostAside,
                                      const base::RunContext& ctx);
 
 } // namespace voluta::support

@@ -184,7 +184,9 @@ private:
         cells_[c] = order[v] >= 0 && order[v] < group.order ? Cell::Footing : Cell::Part;
     for (const std::size_t c : group.cells)
       cells_[c] = Cell::Part;
-    std::optional<Column> column = cheapestColumn(part_.grid, cells_, group.cells, ctx_);
+    const int mostAside =
+        std::max(1, static_cast<int>(0.5 * options_.bridgeMm / part_.grid.pitch + 1e-9));
+    std::optional<Column> column = cheapestColumn(part_.grid, cells_, group.cells, mostAside, ctx_);
     if (!column)
       return false;
     for (const std::size_t c : column->cells) {

@@ -25,6 +25,7 @@ struct SupportOptions {
   curved::GrowthScheme growth;
   curved::ForwardOptions forward;
   process::HeadShape head; // as CurvedOptions::head; empty: a flat front
+  double bridgeMm = 6.0;   // what a bead spans with nothing beneath: arms are half as long at most
   int rounds = 10;         // of growth and new columns, at most
   int trials = 12;         // columns left out by way of trial, at most
 };

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -19,6 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStepDeg = 10.0, kMostDeg = 50.0;
+constexpr double kBesideWidths = 1.5; // of a bead: from its middle to that of a neighbour, at most
 constexpr double kFadeDegPerMm = 5.0; // cells tell one waypoint from the next by chance
 
 // But for supports, which lean where the head would cut in, and may be left out.
@@ -59,6 +59,35 @@ double outwardsMm2(const plan::ToolPlan& plan, const std::vector<HangingStretch>
       furthest = std::max(furthest, nearest);
     }
   return furthest;
+}
+
+// Of an open path: of what hangs, does more lie beside lines that the path lays later than beside
+// those it has laid?
+bool leansOnLater(const plan::ToolPlan& plan, const plan::ToolPath& path,
+                  const std::vector<HangingStretch>& stretches, const std::vector<char>& hanging) {
+  std::vector<double> along(path.count, 0.0); // mm from its start
+  for (std::size_t k = 1; k < path.count; ++k)
+    along[k] =
+        along[k - 1] + (plan.position[path.first + k] - plan.position[path.first + k - 1]).norm();
+  int later = 0;
+  for (const HangingStretch& s : stretches)
+    for (std::size_t i = s.begin; i < s.end; ++i) {
+      const double reach = kBesideWidths * static_cast<double>(plan.widthMm[i]);
+      double nearest = reach * reach;
+      int side = 0;
+      for (std::size_t k = 0; k < path.count; ++k) {
+        const std::size_t j = path.first + k;
+        // What it leads on to is not beside it.
+        if (hanging[j] || std::abs(along[k] - along[i - path.first]) < 2.0 * reach)
+          continue;
+        if (const double d = (plan.position[j] - plan.position[i]).squaredNorm(); d < nearest) {
+          nearest = d;
+          side = j > i ? 1 : -1;
+        }
+      }
+      later += side;
+    }
+  return later > 0;
 }
 
 class Bracer {
@@ -113,11 +142,12 @@ private:
 
 } // namespace
 
-std::vector<std::size_t> inwardsFirst(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+std::vector<OrderedPath> inwardsFirst(const plan::ToolPlan& plan, const std::vector<char>& hanging,
                                       const process::Process& process) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
-  std::vector<std::size_t> order(plan.paths.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<OrderedPath> order(plan.paths.size());
+  for (std::size_t p = 0; p < order.size(); ++p)
+    order[p].path = p;
   if (isUpright(plan))
     return order;
   for (std::size_t b = 0; b < order.size();) {
@@ -142,13 +172,19 @@ std::vector<std::size_t> inwardsFirst(const plan::ToolPlan& plan, const std::vec
           if (!hanging[i])
             carried.push_back(plan.position[i]);
     if (!carried.empty()) {
-      std::vector<std::pair<double, std::size_t>> outwards;
-      for (const auto& [path, stretches] : outer)
-        outwards.emplace_back(outwardsMm2(plan, stretches, carried), path);
-      std::ranges::sort(outwards);
-      const auto rest =
-          std::ranges::copy(first, order.begin() + static_cast<std::ptrdiff_t>(b)).out;
-      std::ranges::transform(outwards, rest, [](const auto& o) { return o.second; });
+      std::vector<std::pair<double, OrderedPath>> outwards;
+      for (const auto& [p, stretches] : outer) {
+        const plan::ToolPath& path = plan.paths[p];
+        outwards.emplace_back(
+            outwardsMm2(plan, stretches, carried),
+            OrderedPath{p, !path.closed && leansOnLater(plan, path, stretches, hanging)});
+      }
+      std::ranges::stable_sort(outwards, {}, &std::pair<double, OrderedPath>::first);
+      std::size_t at = b;
+      for (const std::size_t p : first)
+        order[at++] = {p};
+      for (const auto& [distance, path] : outwards)
+        order[at++] = path;
     }
     b = e;
   }

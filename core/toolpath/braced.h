@@ -23,11 +23,17 @@ namespace voluta::toolpath {
 // upright throughout (flat layers), but for supports, stays as it is: its cell, or who reads its
 // program, may know nothing else.
 
+struct OrderedPath {
+  std::size_t path = 0;
+  bool turned = false; // laid from its end to its beginning
+  bool operator==(const OrderedPath&) const = default;
+};
 // The order of the plan's paths in which this can be: of a patch, what has stretches that hang for
 // longer than half of what the process bridges comes last, and of that first what lies nearest to
-// what does not hang. Else, and in patches of which all hangs or that are supports: as it is.
-// `hanging`: hangingWaypoints().
-std::vector<std::size_t> inwardsFirst(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+// what does not hang. Such a path is turned where that lays the lines of it that lie beside its
+// stretches before them rather than after. Else, and in patches of which all hangs or that are
+// supports: as it is. `hanging`: hangingWaypoints().
+std::vector<OrderedPath> inwardsFirst(const plan::ToolPlan& plan, const std::vector<char>& hanging,
                                       const process::Process& process);
 
 // Is there any such stretch that braced() would look at?

@@ -275,8 +275,11 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     for (const Course& course : of)
       for (const std::size_t above : course.above)
         hanging[above] = 0;
-  const std::vector<std::size_t> order = inwardsFirst(out.plan, hanging, process);
-  if (courses.empty() && std::ranges::is_sorted(order)) {
+  const std::vector<OrderedPath> order = inwardsFirst(out.plan, hanging, process);
+  std::size_t inPlace = 0;
+  while (inPlace < order.size() && order[inPlace] == OrderedPath{inPlace})
+    ++inPlace;
+  if (courses.empty() && inPlace == order.size()) {
     out.grown =
         thickened ? collision::regrown(out.plan, *part, laid, process, ctx) : std::move(part);
     return out;
@@ -307,7 +310,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
   };
   for (std::size_t p = 0; p < was.plan.paths.size(); ++p) {
     // Paths change places within their patch only: it begins where it did.
-    const plan::ToolPath& path = was.plan.paths[order[p]];
+    const plan::ToolPath& path = was.plan.paths[order[p].path];
     // Before the first path of the patch come the beads under all its paths, low ones first: the
     // head cuts into none that is higher.
     if (beginsPatch(was.plan, p) && path.kind != plan::PathKind::Skirt) {
@@ -332,8 +335,12 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     }
     plan::ToolPath same = path;
     same.first = out.plan.waypointCount();
-    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+    for (std::size_t k = 0; k < path.count; ++k) {
+      const std::size_t i = path.first + (order[p].turned ? path.count - 1 - k : k);
       plan::appendWaypoint(out.plan, was.plan, i);
+      // The speed is that of the way to a waypoint.
+      if (order[p].turned && k > 0)
+        out.plan.speedMmPerS.back() = was.plan.speedMmPerS[i + 1];
       out.clearDirection.push_back(was.clearDirection[i]);
     }
     out.plan.paths.push_back(same);

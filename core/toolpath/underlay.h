@@ -37,9 +37,9 @@ struct UnderlaidPlan {
 // patch: as narrow as walls six times as high may be, since higher ones tip over. They end a
 // fourteenth of its height under it, so that they come off. The nozzle lays them upright; where its
 // head would cut into what stands there, as it lays what they carry, or leaning to either side.
-// Nothing is laid in what is printed before. Paths keep their order, but for what still hangs and
-// comes after what it may lean on (inwardsFirst in braced.h). Precondition: one clear direction a
-// waypoint. Over bodies and rods: as it was. Throws Cancelled.
+// Nothing is laid in what is printed before. Paths keep their order and way, but for what still
+// hangs and comes after what it may lean on (inwardsFirst in braced.h). Precondition: one clear
+// direction a waypoint. Over bodies and rods: as it was. Throws Cancelled.
 UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Eigen::Vector3d> clearDirection,
                        const platform::PlatformSolid& platform, const robot::Cell& cell,
                        const process::Process& process, const base::RunContext& ctx);

@@ -123,6 +123,37 @@ TEST(Supports, AColumnGoesAslantToReachThePlatform) {
   expectWhole(s, curved::platformFit(part, 0.0));
 }
 
+// Steps aside without one down: no more than asked for where there is room, any number where not.
+TEST(Supports, AColumnsArmsAreShortWhereTheyCanBe) {
+  const auto longestArm = [](int height, int away, int mostAside) {
+    voxel::VoxelGrid grid;
+    grid.size = {away + 4, 5, height + 2};
+    std::vector<support::Cell> cells(grid.cellCount(), support::Cell::Empty);
+    const std::size_t carried = grid.index(1, 2, height);
+    cells[carried] = support::Cell::Part;
+    for (int i = 0; i < grid.size.x(); ++i)
+      for (int j = 0; j < grid.size.y(); ++j)
+        cells[grid.index(i, j, 0)] = i >= away + 1 ? support::Cell::Plate : support::Cell::Closed;
+    const auto column = support::cheapestColumn(grid, cells, {carried}, mostAside, kQuiet);
+    if (!column)
+      return -1;
+    int arm = 0, longest = 0;
+    for (std::size_t n = 1; n < column->cells.size(); ++n) {
+      arm = grid.cell(column->cells[n]).z() == grid.cell(column->cells[n - 1]).z() ? arm + 1 : 0;
+      longest = std::max(longest, arm);
+    }
+    return longest;
+  };
+  for (const int most : {1, 2, 3})
+    for (const int away : {2, 5, 9}) {
+      SCOPED_TRACE(testing::Message() << most << " " << away);
+      const int arm = longestArm(14, away, most);
+      EXPECT_GT(arm, 0);
+      EXPECT_LE(arm, most);
+    }
+  EXPECT_EQ(longestArm(2, 9, 2), 9);
+}
+
 TEST(Supports, WhatNoColumnReachesIsTold) {
   const voxel::SolidVoxels part =
       test::voxelPart(20, 6, 8, [](int i, int, int k) { return (i < 8 && k < 6) || i >= 14; });

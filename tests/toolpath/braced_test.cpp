@@ -35,7 +35,10 @@ std::vector<char> hangingOf(const plan::ToolPlan& plan, int leastPlaces = 1) {
   return toolpath::hangingWaypoints(plan, grown(plan), kNarrowPlate, {}, leastPlaces);
 }
 std::vector<std::size_t> orderOf(const plan::ToolPlan& plan) {
-  return toolpath::inwardsFirst(plan, hangingOf(plan), kProcess);
+  std::vector<std::size_t> order;
+  for (const toolpath::OrderedPath& o : toolpath::inwardsFirst(plan, hangingOf(plan), kProcess))
+    order.push_back(o.path);
+  return order;
 }
 
 // A plan of which one direction leans, so that others may.
@@ -92,6 +95,42 @@ TEST(InwardsFirst, OnlyWhatHangsAndCanLeanOnSomething) {
   plan::ToolPlan patches = ledge({2.4, 0.0});
   patches.paths[1].patch = 7;
   EXPECT_EQ(orderOf(patches), (std::vector<std::size_t>{0, 1, 2}));
+}
+
+// One path there and back: the line that hangs is laid after the one it may lean on.
+TEST(InwardsFirst, APathIsTurnedThatBeginsWithWhatHangs) {
+  const auto thereAndBack = [](double there, double back) {
+    plan::ToolPlan plan = ledge({there, back});
+    plan::ToolPath &first = plan.paths[1], &second = plan.paths[2];
+    const auto from = static_cast<std::ptrdiff_t>(second.first);
+    std::reverse(plan.position.begin() + from, plan.position.end());
+    first.count += second.count;
+    plan.paths.pop_back();
+    return plan;
+  };
+  const auto turned = [](const plan::ToolPlan& plan) {
+    return toolpath::inwardsFirst(plan, hangingOf(plan), kProcess).at(1).turned;
+  };
+  EXPECT_TRUE(turned(thereAndBack(1.15, 0.0)));
+  EXPECT_FALSE(turned(thereAndBack(0.0, 1.15)));
+  EXPECT_FALSE(turned(thereAndBack(2.6, 0.0))) << "too far to lean on";
+
+  plan::ToolPlan plan = thereAndBack(1.15, 0.0);
+  for (std::size_t i = 0; i < plan.waypointCount(); ++i)
+    plan.speedMmPerS[i] = 5.0F + 0.01F * static_cast<float>(i);
+  const std::vector<Vector3d> clear(plan.waypointCount(), Vector3d::UnitZ());
+  const toolpath::UnderlaidPlan after = toolpath::underlay(
+      plan, clear, kNarrowPlate, robot::loadCell("ur5-fixed", kProcess, kNarrowPlate.polygon),
+      kProcess, {});
+  ASSERT_EQ(after.plan.waypointCount(), plan.waypointCount());
+  const plan::ToolPath& path = plan.paths[1];
+  for (std::size_t k = 0; k < path.count; ++k) {
+    const std::size_t was = path.first + path.count - 1 - k;
+    EXPECT_EQ(after.plan.position[path.first + k], plan.position[was]);
+    if (k > 0) {
+      EXPECT_EQ(after.plan.speedMmPerS[path.first + k], plan.speedMmPerS[was + 1]);
+    }
+  }
 }
 
 // Ledges of two to four beads, of any height of layers, tilted: each bead is pressed against the
