@@ -33,15 +33,16 @@ struct CurvedPlan {
   project::Platform platform;
   curved::CurvedOptions growth;
   bool supports;
-  double bridgeMm; // of supports
+  double bridgeMm; // of supports; 0: there are none
 };
 
 CurvedPlan planOf(const ModeChoices& in) {
+  const bool supports = support::supportsWanted(in.values);
   CurvedPlan plan{in.values.number("voxelMm"),
                   in.choices.platform,
                   {},
-                  support::supportsWanted(in.values),
-                  in.process.bridgeMm};
+                  supports,
+                  supports ? in.process.bridgeMm : 0.0};
   curved::CurvedOptions& growth = plan.growth;
   growth.growth = in.choices.growth;
   if (!growth.growth.row().peels)

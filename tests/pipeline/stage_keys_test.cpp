@@ -340,7 +340,7 @@ TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {
       {"\"travelSpeedMmPerS\": 100.0", "\"travelSpeedMmPerS\": 90.0", 4},
       {"\"accelerationMmPerS2\": 500.0", "\"accelerationMmPerS2\": 400.0", 4},
       {"\"bridgeSpeedMmPerS\": 10.0", "\"bridgeSpeedMmPerS\": 9.0", 3},
-      {"\"bridgeMm\": 6.0", "\"bridgeMm\": 9.0", 3},
+      {"\"bridgeMm\": 6.0", "\"bridgeMm\": 9.0", 1},
       {"\"primeS\": 0.2", "\"primeS\": 0.3", 5},
       {"\"material\": \"PLA\"", "\"material\": \"PETG\"", 5}};
   for (const auto& [was, is, first] : rows) {
@@ -348,6 +348,14 @@ TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {
     expectChangesFrom(boxRequest(), first, is);
     replace("processes/fdm-1.0.json", is, was);
   }
+}
+
+TEST_F(StageKeysOf, WhatABeadBridgesMattersToSupportsAndToolPaths) {
+  PlanRequest request = boxRequest();
+  request.choices.parameters["supports"] = "none";
+  default_ = stageKeys(request);
+  replace("processes/fdm-1.0.json", "\"bridgeMm\": 6.0", "\"bridgeMm\": 9.0");
+  expectChangesFrom(request, 3, "no columns");
 }
 
 } // namespace
