@@ -136,10 +136,7 @@ LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& lim
   s.thicknessMeanMm = sum / s.areaMm2;
   s.thicknessStdMm =
       std::sqrt(std::max(0.0, squares / s.areaMm2 - s.thicknessMeanMm * s.thicknessMeanMm));
-  // Layers of one thickness are in order.
-  constexpr auto kThickness = &std::pair<double, double>::first;
-  if (!std::ranges::is_sorted(samples, {}, kThickness))
-    std::ranges::stable_sort(samples, {}, kThickness);
+  std::sort(samples.begin(), samples.end());
   const auto percentile = [&](double share) {
     double passed = 0.0;
     for (const auto& [thickness, area] : samples) {

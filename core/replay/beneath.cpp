@@ -77,12 +77,15 @@ bool Beneath::supported() const {
 
 double Beneath::carriedShare() const {
   int carried = 0;
-  for (int k = 0; k < kAcross; ++k) {
-    const Vector3d at = tip_ + ((k + 0.5) / kAcross - 0.5) * width_ * side_;
-    carried += std::any_of(kDepths.begin(), kDepths.end(),
-                           [&](double depth) { return holds(at - depth * height_ * up_); });
-  }
+  for (int k = 0; k < kAcross; ++k)
+    carried += carriedAt(((k + 0.5) / kAcross - 0.5) * width_);
   return static_cast<double>(carried) / kAcross;
+}
+
+bool Beneath::carriedAt(double asideMm) const {
+  const Vector3d at = tip_ + asideMm * side_;
+  return std::ranges::any_of(kDepths,
+                             [&](double depth) { return holds(at - depth * height_ * up_); });
 }
 
 bool Beneath::holds(const Vector3d& point) const {

@@ -20,6 +20,8 @@ public:
   bool supported() const;
   // Of its width, looked at in eight places.
   double carriedShare() const;
+  // Right beneath it, so far to the left (up x way) of its middle?
+  bool carriedAt(double asideMm) const;
 
   // Is there the ground, or material that was laid before and is not soft? Cells tell the part's
   // surface to half their pitch, which is as much as thin layers give way: where a point's own cell
@@ -27,18 +29,15 @@ public:
   // the point.
   bool holds(const Eigen::Vector3d& point) const;
 
-  const Eigen::Vector3d& tip() const { return tip_; }   // of the nozzle
-  const Eigen::Vector3d& up() const { return up_; }     // unit, into the nozzle
-  const Eigen::Vector3d& side() const { return side_; } // unit, up x way
+  const Eigen::Vector3d& tip() const { return tip_; } // of the nozzle
+  const Eigen::Vector3d& up() const { return up_; }   // unit, into the nozzle
   double heightMm() const { return height_; }
-  double widthMm() const { return width_; }
-  const Moment& moment() const { return moment_; }
 
 private:
   const std::vector<BeadPiece>& pieces_;
   const PrintedPart& printed_;
   const GroundProbe& ground_;
-  Eigen::Vector3d tip_, up_, side_;
+  Eigen::Vector3d tip_, up_, side_; // side_: unit, up x way
   double height_, width_;
   Moment moment_;
 };

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <queue>
-#include <utility>
+#include <unordered_map>
 
 namespace voluta::support {
 
@@ -38,7 +37,7 @@ public:
     for (const std::size_t c : carried) {
       const Eigen::Vector3i below = grid_.cell(c) - Eigen::Vector3i::UnitZ();
       if (isFree(at(below)))
-        offer({index(below), 0}, kNone, kCell + touching(below, Eigen::Vector3i::UnitZ()));
+        offer(placeOf(index(below), 0), kNone, kCell + touching(below, Eigen::Vector3i::UnitZ()));
     }
     for (std::size_t steps = 0; !open_.empty(); ++steps) {
       if (steps % 4096 == 0)
@@ -56,8 +55,17 @@ public:
 
 private:
   // A cell, and how many steps aside have led to it without one down.
-  using Place = std::pair<std::size_t, int>;
-  static constexpr Place kNone{static_cast<std::size_t>(-1), 0};
+  using Place = std::size_t;
+  static constexpr Place kNone = static_cast<Place>(-1);
+  Place placeOf(std::size_t cell, int aside) const {
+    return cell * (static_cast<std::size_t>(mostAside_) + 1) + static_cast<std::size_t>(aside);
+  }
+  std::size_t cellOf(Place place) const {
+    return place / (static_cast<std::size_t>(mostAside_) + 1);
+  }
+  int asideOf(Place place) const {
+    return static_cast<int>(place % (static_cast<std::size_t>(mostAside_) + 1));
+  }
   struct Known {
     int cost;
     Place before;
@@ -93,8 +101,8 @@ private:
     return cost;
   }
 
-  void offer(const Place& place, const Place& before, int cost) {
-    const std::size_t cell = place.first;
+  void offer(Place place, Place before, int cost) {
+    const std::size_t cell = cellOf(place);
     const auto [entry, isNew] = known_.try_emplace(place, Known{cost, before});
     if (!isNew) {
       if (entry->second.cost <= cost)
@@ -111,23 +119,23 @@ private:
       open_.push({cost - kSideFace + kOnPart, place, true});
   }
 
-  void spread(const Place& place, int cost) {
-    const Eigen::Vector3i c = grid_.cell(place.first);
+  void spread(Place place, int cost) {
+    const Eigen::Vector3i c = grid_.cell(cellOf(place));
     for (const Eigen::Vector3i& step : kStep) {
       const Eigen::Vector3i to = c + step;
       // Where any number may be, places differ by their cells alone.
-      const int aside = step.z() != 0 || mostAside_ == 0 ? 0 : place.second + 1;
+      const int aside = step.z() != 0 || mostAside_ == 0 ? 0 : asideOf(place) + 1;
       if (aside <= mostAside_ && isFree(at(to)))
-        offer({index(to), aside}, place,
+        offer(placeOf(index(to), aside), place,
               cost + kCell + (step.z() == 0 ? kAside : 0) + touching(to, Eigen::Vector3i::Zero()));
     }
   }
 
-  Column column(const Place& last) const {
+  Column column(Place last) const {
     Column out;
-    const std::size_t foot = last.first;
+    const std::size_t foot = cellOf(last);
     for (Place place = last; place != kNone; place = known_.at(place).before)
-      out.cells.push_back(place.first);
+      out.cells.push_back(cellOf(place));
     std::reverse(out.cells.begin(), out.cells.end());
     out.foot = grid_.cell(foot);
     out.top = grid_.cell(out.cells.front());
@@ -149,7 +157,7 @@ private:
   const std::vector<Cell>& cells_;
   const int mostAside_; // 0: any number
   const base::RunContext& ctx_;
-  std::map<Place, Known> known_;
+  std::unordered_map<Place, Known> known_;
   std::priority_queue<Open> open_;
 };
 

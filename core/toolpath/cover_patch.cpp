@@ -119,12 +119,10 @@ std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
   std::vector<char> onwards;
   if (!lines.evenMm.empty()) {
     // There is no gap among even lines, and those far inside are nearest to nothing else.
-    onwards.assign(s.position.size(), 1);
-    double edge = INFINITY;
+    const double far = evenFrom(lines.evenMm, lines.depth) + kNearEven;
+    onwards.resize(s.position.size());
     for (std::size_t v = 0; v < onwards.size(); ++v)
-      edge = lines.evenMm[v] > 0.0 ? std::min(edge, lines.depth[v]) : edge;
-    for (std::size_t v = 0; v < onwards.size(); ++v)
-      onwards[v] = lines.evenMm[v] == 0.0 || lines.depth[v] < edge + kNearEven;
+      onwards[v] = lines.evenMm[v] == 0.0 || lines.depth[v] < far;
     std::erase_if(segments, [&](const SourceSegment& segment) {
       return std::ranges::none_of(s.triangles[static_cast<std::size_t>(segment.triangle)],
                                   [&](int v) { return onwards[static_cast<std::size_t>(v)]; });
@@ -411,9 +409,10 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     double mostMm2;
     std::optional<SampleGrid> grid = {};
   };
-  const auto shared = [&](Samples& of, const std::vector<std::vector<double>>& extras) {
+  const auto shared = [&](Samples& of, const EvenStretches& stretches,
+                          const std::vector<std::vector<double>>& extras) {
     if (of.plane)
-      return shareOut(*of.plane, lines.curves, kReach * beadScale, extras, even.of(lines.curves));
+      return shareOut(*of.plane, lines.curves, kReach * beadScale, extras, stretches);
     if (!of.grid)
       of.grid.emplace(s, of.mostMm2 * beadScale * beadScale);
     return shareOut(*of.grid, lines.curves, kReach * beadScale, extras);
@@ -429,7 +428,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   for (int i = 0; solid && i < kRelaxations; ++i) {
     ctx.checkpoint();
-    const Cells cells = shared(coarse, lines.extras(s));
+    const Cells cells = shared(coarse, even.of(lines.curves), lines.extras(s));
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.isWound || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
@@ -447,10 +446,11 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   Samples fineSamples{planeSamples(kPlaneSectionMm2, even.triangles()),
                       kind.isWound ? kWoundMm2 : kSectionMm2};
   std::vector<std::vector<double>> extras = lines.extras(s);
-  Cells cells = shared(fineSamples, extras);
+  const EvenStretches stretches = even.of(lines.curves);
+  Cells cells = shared(fineSamples, stretches, extras);
   if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
                    extras))
-    cells = shared(fineSamples, extras);
+    cells = shared(fineSamples, stretches, extras);
   const Sections sections(s, process, solid ? 1e9 : hatch);
   double target = 0.0;
   for (CellShare& share : cells.share)

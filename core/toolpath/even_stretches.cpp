@@ -17,6 +17,13 @@ constexpr double kSteepest = 1.1; // of depth, hatches along a hatch
 constexpr double kOwn = 0.6;
 } // namespace
 
+double evenFrom(const std::vector<double>& evenMm, const std::vector<double>& depth) {
+  double from = INFINITY;
+  for (std::size_t v = 0; v < evenMm.size(); ++v)
+    from = evenMm[v] > 0.0 ? std::min(from, depth[v]) : from;
+  return from;
+}
+
 EvenInside::EvenInside(const PatchSurface& surface, std::vector<double> evenMm,
                        const std::vector<double>& depth, double hatchMm, double longestMm)
     : s_(surface), evenMm_(std::move(evenMm)) {
@@ -27,12 +34,7 @@ EvenInside::EvenInside(const PatchSurface& surface, std::vector<double> evenMm,
     return;
   }
   base::require(depth.size() == evenMm_.size() && hatchMm > 0.0, "even lines: a depth per vertex");
-  double edge = INFINITY, widest = 0.0; // of what is even: where it begins, and lines' spacing
-  for (std::size_t v = 0; v < depth.size(); ++v)
-    if (evenMm_[v] > 0.0) {
-      edge = std::min(edge, depth[v]);
-      widest = std::max(widest, evenMm_[v]);
-    }
+  const double edge = evenFrom(evenMm_, depth), widest = std::ranges::max(evenMm_);
   // A sample's own line lies so near that it is even too.
   const double inside = edge + kSteepest * (kOwn * widest + longestMm) / hatchMm;
   const auto corners = [&](std::size_t t, auto&& f) {

@@ -19,6 +19,9 @@ struct EvenStretches {
   std::vector<std::vector<EvenSegment>> segments; // per curve, empty where none is even
 };
 
+// The least depth of what is even, by EvenInside's numbers; infinite where nothing is.
+double evenFrom(const std::vector<double>& evenMm, const std::vector<double>& depth);
+
 class EvenInside {
 public:
   // evenMm: InfillLines::evenMm, or empty; depth: per vertex, hatches of `hatchMm`, of a slope of

@@ -50,13 +50,7 @@ Found found(const replay::Beneath& beneath) {
     return out;
   const auto reach = [&](double sign) {
     double aside = 0.0;
-    const auto holds = [&] {
-      return std::ranges::any_of(std::array{1.05, 1.15, 1.25}, [&](double share) {
-        return beneath.holds(beneath.tip() + sign * aside * beneath.side() -
-                             share * beneath.heightMm() * beneath.up());
-      });
-    };
-    while (aside < 6.0 && !holds())
+    while (aside < 6.0 && !beneath.carriedAt(sign * aside))
       aside += 0.05;
     return aside;
   };

@@ -62,21 +62,27 @@ int balanceOf(const std::vector<HalfEdge>& edges, std::size_t begin, std::size_t
   return balance;
 }
 
+// Is every edge as often run forward as backward, but from a vertex to itself?
+bool allCancel(const std::vector<HalfEdge>& edges) {
+  bool all = true;
+  forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
+    all = all && (edges[begin].low == edges[begin].high || balanceOf(edges, begin, end) == 0);
+  });
+  return all;
+}
+
 void inspectEdges(const TriangleMesh& mesh, Diagnosis& d, std::size_t& edgeCount) {
   const std::vector<HalfEdge> edges = sortedHalfEdges(mesh);
-  d.watertight = !mesh.empty();
+  d.watertight = !mesh.empty() && allCancel(edges);
   forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
     const Vector3d at = 0.5 * (mesh.vertices[static_cast<std::size_t>(edges[begin].low)] +
                                mesh.vertices[static_cast<std::size_t>(edges[begin].high)]);
     ++edgeCount;
-    const int balance = balanceOf(edges, begin, end);
-    if (edges[begin].low != edges[begin].high && balance != 0)
-      d.watertight = false;
     if (end - begin == 1)
       note(d.boundaryEdges, at);
     else if (end - begin > 2)
       note(d.nonManifoldEdges, at);
-    else if (balance != 0)
+    else if (balanceOf(edges, begin, end) != 0)
       note(d.misorientedEdges, at);
   });
 }
@@ -124,12 +130,7 @@ std::vector<base::Message> Diagnosis::sentences() const {
 }
 
 bool isWatertight(const TriangleMesh& mesh) {
-  const std::vector<HalfEdge> edges = sortedHalfEdges(mesh);
-  bool all = !mesh.empty();
-  forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
-    all = all && (edges[begin].low == edges[begin].high || balanceOf(edges, begin, end) == 0);
-  });
-  return all;
+  return !mesh.empty() && allCancel(sortedHalfEdges(mesh));
 }
 
 Diagnosis diagnose(const TriangleMesh& mesh, const base::RunContext& ctx) {
