@@ -1,5 +1,7 @@
 #include "language/words.h"
 
+#include "language/numbers.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -24,7 +26,8 @@ public:
     return QLocale().toString(static_cast<qlonglong>(number)).toStdString();
   }
   std::string number(double number, char format, int digits) const override {
-    return QLocale().toString(number, format, digits).toStdString();
+    return (format == 'f' ? QLocale().toString(number, 'f', digits) : numberText(number, digits))
+        .toStdString();
   }
   std::string withUnit(const std::string& number, base::Unit unit) const override {
     switch (unit) {

@@ -1,5 +1,7 @@
 #include "scene/colour_values.h"
 
+#include "base/shown_number.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -79,8 +81,10 @@ Span spanOf(const ColourValues& values, ColourBy by) {
 
 // As exact as a scale of that width needs; without idle zeros where it has one value only.
 std::string scaleNumber(double value, double width) {
-  if (width <= 0.0)
-    return fmt::format("{:.3g}", value);
+  if (width <= 0.0) {
+    const base::ShownNumber shown = base::shownNumber(value, 3);
+    return fmt::format("{:.{}f}", shown.value, shown.decimals);
+  }
   return fmt::format("{:.{}f}", value, width > 20 ? 0 : width > 2 ? 1 : 2);
 }
 
