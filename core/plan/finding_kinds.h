@@ -28,6 +28,8 @@ enum class FindingKind : std::uint8_t {
   TurnedLeastRisky,
   TurnedFewestMissed,
   NotTurned,
+  CellCannotPrint,
+  LargerThanPlates,
   // decompose
   PlatformAdrift,
   ShadowedUnderFacet,
@@ -159,9 +161,17 @@ enum class Gravity {
 enum class RemedyId : std::uint8_t {
   DropToPlate,
   ShrinkPlatform,
+  MakePlatform,
+  CellPlate,
   AddSupports,
   WidenPlatform,
   AdaptLayers,
+  LowerLayers,
+  MoreTurns,
+  LessClearance,
+  MoreClearance,
+  ShorterMotions,
+  LongerMotions,
   TurnLeastRisky,
   TurnPart,
   StandBest,
@@ -173,9 +183,16 @@ enum class RemedyId : std::uint8_t {
   UnitsMicrometres,
   ScaleToFit,
   ScaleToReach,
+  ScaleToPlate,
+  Shrink,
+  Enlarge,
   CentrePart,
+  UsualProcess,
+  UsualCell,
+  LargerCell,
   PrintFlat,
-  ChooseWay
+  ChooseWay,
+  PrintOnPlate
 };
 
 struct FindingRow {
@@ -186,6 +203,9 @@ struct FindingRow {
   Gravity gravity;
   base::Text reason, remedy; // with places for the same values
   std::span<const RemedyId> cures = {};
+  // Why there may be no button: nothing that the program can carry out helps. Every kind that can
+  // block has this or cures that are offered in every mode (tests/pipeline/remedies_test.cpp).
+  base::Text whyNoRemedy = {};
 };
 
 std::span<const FindingRow> findingRows();
