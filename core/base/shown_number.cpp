@@ -22,9 +22,11 @@ ShownNumber shownNumber(double value, int digits) {
   const std::size_t e = text.find('e');
   const std::size_t point = std::min(text.find('.'), e);
   const std::size_t last = text.find_last_not_of("0.", e - 1);
-  const int significant = last == std::string::npos || last < point ? 0 : static_cast<int>(last - point);
+  const int significant =
+      last == std::string::npos || last < point ? 0 : static_cast<int>(last - point);
   int exponent = 0;
-  std::from_chars(text.data() + e + (text[e + 1] == '+' ? 2 : 1), text.data() + text.size(), exponent);
+  std::from_chars(text.data() + e + (text[e + 1] == '+' ? 2 : 1), text.data() + text.size(),
+                  exponent);
   double rounded = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), rounded);
   return {rounded, std::max(0, significant - exponent)};

@@ -15,6 +15,7 @@
 #include "pipeline/part_ways.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/stage_keys.h"
+#include "pipeline/start_check.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
@@ -145,16 +146,29 @@ private:
         taken<StandStage>(standKey(*loaded_, *placed_, choices_, *process_), "stand", [&] {
           return standStage(*placed_, choices_, *process_, span(project::Stage::Load).quiet());
         });
-    plan::Findings findings = size->findings;
+    // What was drawn in other units is no part to plan.
+    const bool odd = std::ranges::any_of(size->findings, [](const plan::Finding& f) {
+      return f.kind == plan::FindingKind::TinyPart || f.kind == plan::FindingKind::HugePart;
+    });
+    plan::Findings findings = odd ? plan::Findings() : startFindings();
+    const bool hopeless = odd || !findings.empty();
+    findings.insert(findings.end(), size->findings.begin(), size->findings.end());
     findings.insert(findings.end(), stand->findings.begin(), stand->findings.end());
     const plan::Findings defects = remainingDefects(*loaded_);
     findings.insert(findings.end(), defects.begin(), defects.end());
     findings.insert(findings.end(), stage->findings.begin(), stage->findings.end());
-    // What was drawn in other units is no part to plan.
-    const bool odd = std::ranges::any_of(findings, [](const plan::Finding& f) {
-      return f.kind == plan::FindingKind::TinyPart || f.kind == plan::FindingKind::HugePart;
-    });
-    return done(project::Stage::Load, findings, timings) && !odd;
+    return done(project::Stage::Load, findings, timings) && !hopeless;
+  }
+
+  // With the choices as they were given: in mode auto the platform may be the user's or not.
+  plan::Findings startFindings() {
+    const project::Choices& given = job().choices;
+    return taken<StartStage>(startKey(*placed_, given, *process_), "start",
+                             [&] {
+                               return startStage(*placed_, given, *process_,
+                                                 span(project::Stage::Load).quiet());
+                             })
+        ->findings;
   }
 
   modes::ModeChoices modeChoices() const { return {choices_, values_, *process_}; }

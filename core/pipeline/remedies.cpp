@@ -53,7 +53,8 @@ std::optional<project::Choices> turnLeastRisky(const plan::Finding&,
   return withParameter(choices, "orient", "leastRisky");
 }
 
-// The value times `factor` within the parameter's range and `limit`; none where it is there already.
+// The value times `factor` within the parameter's range and `limit`; none where it is there
+// already.
 Edited withMultiple(const project::Choices& choices, const std::string& key, double factor,
                     double limit) {
   const base::ParameterValues values = parameterValues(choices);
@@ -79,8 +80,7 @@ constexpr double kLeastClearanceMm = 0.5, kMostClearanceMm = 20.0;
 // Of the arm and of the part; none where neither changes.
 Edited withClearances(const project::Choices& choices, double factor, double limit) {
   const Edited arm = withMultiple(choices, "bodyClearanceMm", factor, limit);
-  const Edited part =
-      withMultiple(arm ? *arm : choices, "partClearanceMm", factor, limit);
+  const Edited part = withMultiple(arm ? *arm : choices, "partClearanceMm", factor, limit);
   return part ? part : arm;
 }
 
@@ -104,7 +104,8 @@ Edited lowerLayers(const plan::Finding&, const project::Choices& choices) {
 // Waypoints are as far apart as the process says, unless the user says otherwise.
 Edited withSteps(const project::Choices& choices, double factor, double limit) {
   const double now = chosenProcess(choices, parameterValues(choices)).stepMm;
-  const double wanted = factor > 1.0 ? std::min(now * factor, limit) : std::max(now * factor, limit);
+  const double wanted =
+      factor > 1.0 ? std::min(now * factor, limit) : std::max(now * factor, limit);
   if (factor > 1.0 ? wanted <= now : wanted >= now)
     return std::nullopt;
   return withParameter(choices, "stepMm", base::formatParameter(wanted));
@@ -426,8 +427,8 @@ std::span<const Remedy> remedies() {
         "Nozzle, head and material that this way of building comes with"_text, usualProcess},
        {UsualCell, "usualCell", "Use the usual cell"_text,
         "Robot and plate that this way of building comes with"_text, usualCell},
-       {LargerCell, "largerCell", "Use a larger cell"_text,
-        "The next one with a larger plate"_text, largerCell},
+       {LargerCell, "largerCell", "Use a larger cell"_text, "The next one with a larger plate"_text,
+        largerCell},
        {PrintFlat, "printFlat", "Print in flat layers"_text,
         "As an ordinary printer does, the nozzle upright throughout"_text, printFlat},
        {ChooseWay, "chooseWay", "Let Voluta choose"_text,

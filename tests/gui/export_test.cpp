@@ -159,7 +159,8 @@ TEST_F(ExportTest, SizePartsAndTimesAreTold) {
   chooseFormat("urscript");
   const auto text = [&](const char* name) { return panel()->findChild<QLabel*>(name)->text(); };
   EXPECT_TRUE(text("programSize").contains("in one file")) << text("programSize").toStdString();
-  EXPECT_TRUE(text("programTime").startsWith("Time on the controller: ")) << text("programTime").toStdString();
+  EXPECT_TRUE(text("programTime").startsWith("Time on the controller: "))
+      << text("programTime").toStdString();
   EXPECT_TRUE(text("assumptions").contains("8 ms")) << text("assumptions").toStdString();
   auto* most = qobject_cast<QSpinBox*>(option("motionsPerFile")->editor());
   most->setFocus();

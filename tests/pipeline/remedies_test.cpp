@@ -1,7 +1,7 @@
 // Every row of the table of remedies: a cure changes the choices into others that can be planned.
 #include "helpers/shapes.h"
-#include "modes/part_voxels.h"
 #include "modes/mode_table.h"
+#include "modes/part_voxels.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/larger_cell.h"
@@ -64,8 +64,8 @@ Choices choicesFor(RemedyId id) {
 // Steps that may be taken again, until there is no more to gain.
 bool isStep(RemedyId id) {
   using enum RemedyId;
-  return std::set<RemedyId>{Shrink,        Enlarge,        LargerCell,    LowerLayers,
-                            MoreTurns,     LessClearance,  MoreClearance, ShorterMotions,
+  return std::set<RemedyId>{Shrink,        Enlarge,       LargerCell,    LowerLayers,
+                            MoreTurns,     LessClearance, MoreClearance, ShorterMotions,
                             LongerMotions, FinerProcess}
       .contains(id);
 }
@@ -178,7 +178,7 @@ bool arises(const plan::FindingRow& row, const Choices& choices) {
   const Mode& mode = findMode(choices.mode);
   const std::set<FindingKind> rod{BeyondCell, BeyondRod, MoreBeyondRod, BeginsInAirOverRod};
   const std::set<FindingKind> surface{BeginsInAirOverSurface, NotLaid};
-  const std::set<FindingKind> plate{PlatformAdrift, NoSupport, BelowPlate, BeginsInAir,
+  const std::set<FindingKind> plate{PlatformAdrift,  NoSupport,        BelowPlate,  BeginsInAir,
                                     CellCannotPrint, LargerThanPlates, StaysUpright};
   if (rod.contains(row.kind))
     return mode.aroundRod;

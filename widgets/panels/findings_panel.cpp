@@ -29,7 +29,7 @@ namespace voluta::panels {
 namespace {
 constexpr int kLeastRows = 2, kAmpleRows = 4; // of the list, on a small screen and elsewhere
 constexpr int kLeastWords = 2;                // lines of what the chosen finding says
-constexpr std::size_t kBeyondLoad = 5; // stages that look for problems of printing
+constexpr std::size_t kBeyondLoad = 5;        // stages that look for problems of printing
 
 // Where the text behind them begins.
 int paintTags(QPainter& painter, const QRect& line, const QStringList& tags) {
@@ -321,7 +321,8 @@ void FindingsPanel::arrange() {
     widest = std::max(widest, button->sizeHint().width());
   }
   const QMargins margins = buttons_->contentsMargins();
-  const int room = width() - 2 * layout()->contentsMargins().left() - margins.left() - margins.right();
+  const int room =
+      width() - 2 * layout()->contentsMargins().left() - margins.left() - margins.right();
   const int columns = 2 * widest + buttons_->spacing() <= room ? 2 : 1;
   for (std::size_t i = 0; i < all.size(); ++i)
     buttons_->addWidget(all[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);

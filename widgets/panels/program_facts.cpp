@@ -72,10 +72,11 @@ void ProgramFacts::retranslate() {
     return;
   }
   const QString percent = QLocale().toString(100.0 * std::abs(share), 'f', 1);
-  time_->setText(share > 0.0 ? tr("Time on the controller: %1, %3 % more than the planned time of %2")
-                                   .arg(takes, plan, percent)
-                             : tr("Time on the controller: %1, %3 % less than the planned time of %2")
-                                   .arg(takes, plan, percent));
+  time_->setText(share > 0.0
+                     ? tr("Time on the controller: %1, %3 % more than the planned time of %2")
+                           .arg(takes, plan, percent)
+                     : tr("Time on the controller: %1, %3 % less than the planned time of %2")
+                           .arg(takes, plan, percent));
 }
 
 void ProgramFacts::changeEvent(QEvent* event) {

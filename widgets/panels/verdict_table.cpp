@@ -48,7 +48,10 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
        r.maxDeviationMm <= limits.deviationMm},
       {VerdictTable::tr("Wrong flow"), percent(r.flowErrorFraction),
        atMost(shortPercent(limits.flowError)), r.flowErrorFraction <= limits.flowError},
-      {VerdictTable::tr("Time on the controller"), forms::durationText(r.controllerDurationS), {}, true},
+      {VerdictTable::tr("Time on the controller"),
+       forms::durationText(r.controllerDurationS),
+       {},
+       true},
   };
 }
 

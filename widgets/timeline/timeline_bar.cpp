@@ -109,8 +109,7 @@ void TimelineBar::retranslate() {
   name(nextMove_, steps ? tr("Next growth step") : tr("Next move"), keys(Qt::Key_Right));
   name(nextLayer_, steps ? tr("Ten steps on") : tr("Next layer"), keys(Qt::CTRL | Qt::Key_Right));
   name(speed_, tr("Speed of playing"), {});
-  label_->setToolTip(mode_ == BarMode::Time ? tr("Moment of the print / planned time")
-                                            : QString());
+  label_->setToolTip(mode_ == BarMode::Time ? tr("Moment of the print / planned time") : QString());
   slider_->setAccessibleName(mode_ == BarMode::Time ? tr("Time")
                              : steps                ? tr("Steps of growth")
                                                     : tr("Moves of the layer"));

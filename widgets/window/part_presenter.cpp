@@ -13,7 +13,21 @@ using project::Stage;
 
 namespace {
 constexpr double kGroundRadiusMm = 150.0;
+
+Eigen::Vector3d sizeOf(const platform::PlatformSolid& platform) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector2d& corner : platform.polygon)
+    box.extend(Eigen::Vector3d(corner.x(), corner.y(), 0.0));
+  if (platform.mesh)
+    box.extend(geometry::bounds(*platform.mesh));
+  return box.isEmpty() ? Eigen::Vector3d::Zero() : box.sizes();
 }
+
+std::pair<std::shared_ptr<const scene::PlatformDrawing>, Eigen::Vector3d>
+drawingOf(const platform::PlatformSolid& platform) {
+  return {scene::drawPlatform(platform, kGroundRadiusMm), sizeOf(platform)};
+}
+} // namespace
 
 PartPresenter::PartPresenter(document::Document& document, viewer::Viewport& viewport)
     : document_(document), viewport_(viewport), drawingPart_(std::make_unique<jobs::JobRunner>()),
@@ -99,8 +113,8 @@ void PartPresenter::swapPart(const std::shared_ptr<const scene::PartDrawing>& dr
 
 void PartPresenter::drawPlatform(const platform::PlatformSolid& platform) {
   inBackground(
-      *drawingPlatform_, [platform] { return scene::drawPlatform(platform, kGroundRadiusMm); },
-      [this](auto&& made) { swapPlatform(made); });
+      *drawingPlatform_, [platform] { return drawingOf(platform); },
+      [this](auto&& made) { swapPlatform(made.first, made.second); });
 }
 
 // The platform's outline is on show before anything is planned: its size decides what can grow.
@@ -116,14 +130,21 @@ void PartPresenter::drawPlannedPlatform() {
   inBackground(
       *drawingPlatform_,
       [choices, stage = placed->placed] {
-        return scene::drawPlatform(pipeline::plannedPlatform(*stage, choices), kGroundRadiusMm);
+        return drawingOf(pipeline::plannedPlatform(*stage, choices));
       },
-      [this](auto&& made) { swapPlatform(made); });
+      [this](auto&& made) { swapPlatform(made.first, made.second); });
 }
 
-void PartPresenter::swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing) {
+void PartPresenter::swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing,
+                                 const Eigen::Vector3d& sizeMm) {
   viewport_.scene().setPlatform(drawing);
   viewport_.requestFrame();
+  // Moving the part takes a platform that is made for it along: that is the same one.
+  constexpr double kSameMm = 2.0;
+  const bool other = (sizeMm - platformSizeMm_).cwiseAbs().maxCoeff() > kSameMm;
+  platformSizeMm_ = sizeMm;
+  if (other)
+    emit platformDrawn();
 }
 
 void PartPresenter::setCollisionSolids(bool on) {

@@ -29,6 +29,7 @@ public:
   void setCollisionSolids(bool on);
 
 signals:
+  void platformDrawn();     // one of another size
   void drawn(bool another); // another: not the one that was on show with another placement
 
 private:
@@ -39,7 +40,8 @@ private:
                 const Eigen::AlignedBox3d& box);
   void drawPlatform(const platform::PlatformSolid& platform);
   void drawPlannedPlatform();
-  void swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing);
+  void swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing,
+                    const Eigen::Vector3d& sizeMm);
   void drawCell(const std::shared_ptr<const robot::Cell>& cell);
 
   document::Document& document_;
@@ -53,6 +55,7 @@ private:
   // What the platform was drawn from: what of the choices, the part.
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> drawnPlatform_;
   Eigen::AlignedBox3d box_;
+  Eigen::Vector3d platformSizeMm_ = Eigen::Vector3d::Zero();
 };
 
 } // namespace voluta::window

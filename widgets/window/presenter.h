@@ -50,6 +50,7 @@ public:
   bool busy() const;
 
 signals:
+  void platformDrawn();         // one of another size
   void partDrawn(bool another); // another: not the one that was on show with another placement
   void voxelsDrawn();
   void layersDrawn();

@@ -102,6 +102,10 @@ void PageStack::listenToPresenter() {
     if (another)
       workspace_.viewport.frameAll();
   });
+  connect(presenter, &Presenter::platformDrawn, this, [this] {
+    if (!workspace_.viewport.isCameraTheUsers())
+      workspace_.viewport.frameAll();
+  });
   connect(presenter, &Presenter::motionReady, this, [this] {
     workspace_.timeline.setClock(workspace_.presenter.clock());
     showView();
@@ -198,7 +202,13 @@ void PageStack::goTo(const plan::Finding& finding) {
   workspace_.picture.setMarker(finding.where);
   showView();
   if (finding.where && !there)
-    workspace_.viewport.lookAt(*finding.where, kFindingRadiusMm);
+    lookAtMarker(*finding.where);
+}
+
+void PageStack::lookAtMarker(const Eigen::Vector3d& place) {
+  const scene::Sight sight = workspace_.viewport.lookAtClearly(place, kFindingRadiusMm);
+  workspace_.picture.setHidden(sight.hides, sight.towardsEyeInWork);
+  showView();
 }
 
 void PageStack::chooseWaypoint(std::optional<std::size_t> waypoint) {
@@ -216,6 +226,7 @@ void PageStack::showView() {
   scene::ViewState view = workspace_.picture.base(workspace_.presenter.partBox());
   view.platform = workspace_.tree.isShown(panels::SceneItem::Platform);
   page_->draw(view);
+  workspace_.picture.reveal(view);
   unrolled_.mark(view);
   workspace_.viewport.setView(view);
   unrolled_.showLaid(page_->laid());

@@ -56,6 +56,7 @@ private:
   void listenToPresenter();
   void listenToBars();
   void showBadge();
+  void lookAtMarker(const Eigen::Vector3d& place);
   void forInputs(const std::function<void(ViewportInput&)>& does);
 
   WorkspaceParts workspace_;

@@ -241,8 +241,8 @@ void PreparePage::showPart() {
   }
   const Eigen::AlignedBox3d& box = work().presenter.partBox();
   placement_->setSizeMm(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval());
-  mesh_->setSummary(meshSummary(
-      *source, placed ? placed->job.report.model.volumeMm3 : source->found.volumeMm3));
+  mesh_->setSummary(
+      meshSummary(*source, placed ? placed->job.report.model.volumeMm3 : source->found.volumeMm3));
 }
 
 } // namespace voluta::window
