@@ -254,7 +254,7 @@ struct Scene::Impl {
   }
 
   bool seenFromAbove() const {
-    return (world_T_work.linear().transpose() * towardsEye(renderer)).z() > 0.0;
+    return (world_T_work.linear().transpose() * scene::towardsEye(renderer)).z() > 0.0;
   }
 
   std::vector<Stretch> layerStretches() const {
@@ -385,7 +385,7 @@ struct Scene::Impl {
       const Eigen::Vector3d place = world_T_work * *view.marker;
       const Eigen::Affine3d facing =
           Eigen::Translation3d(place) *
-          geometry::leastTurn(Eigen::Vector3d::UnitZ(), towardsEye(renderer)) *
+          geometry::leastTurn(Eigen::Vector3d::UnitZ(), scene::towardsEye(renderer)) *
           Eigen::Scaling(kMarkerShare * pictureHeightMm(renderer, place));
       for (vtkActor* actor : {marker.actor.Get(), markerRim.actor.Get()})
         setPose(actor, facing);

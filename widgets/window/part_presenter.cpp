@@ -20,7 +20,7 @@ Eigen::Vector3d sizeOf(const platform::PlatformSolid& platform) {
     box.extend(Eigen::Vector3d(corner.x(), corner.y(), 0.0));
   if (platform.mesh)
     box.extend(geometry::bounds(*platform.mesh));
-  return box.isEmpty() ? Eigen::Vector3d::Zero() : box.sizes();
+  return box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval();
 }
 
 std::pair<std::shared_ptr<const scene::PlatformDrawing>, Eigen::Vector3d>
