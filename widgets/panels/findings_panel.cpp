@@ -306,8 +306,22 @@ int FindingsPanel::heightOfRows(int rows) const {
 }
 
 QSize FindingsPanel::minimumSizeHint() const {
-  const QSize now = QWidget::minimumSizeHint();
-  return {now.width(), now.height() - list_->minimumHeight() + heightOfRows(kLeastRows)};
+  return {QWidget::minimumSizeHint().width(), heightBesideList() + heightOfRows(kLeastRows)};
+}
+
+// Asked for while widgets come and go, when the layout's own sum is of before.
+int FindingsPanel::heightBesideList() const {
+  const QMargins margins = layout()->contentsMargins();
+  std::vector<int> heights{layout()->itemAt(0)->minimumSize().height()};
+  if (!notChecked_->isHidden())
+    heights.push_back(notChecked_->heightForWidth(width() - margins.left() - margins.right()));
+  if (!detailsArea_->isHidden())
+    heights.insert(heights.end(), {detailsArea_->minimumSizeHint().height(),
+                                   buttons_->totalMinimumSize().height()});
+  int sum = margins.top() + margins.bottom();
+  for (const int height : heights)
+    sum += height + layout()->spacing();
+  return sum;
 }
 
 // Two buttons a line where both are read whole, and as many rows of the list as leave the words and
@@ -321,15 +335,14 @@ void FindingsPanel::arrange() {
     widest = std::max(widest, button->sizeHint().width());
   }
   const QMargins margins = buttons_->contentsMargins();
-  const int room =
+  const int wide =
       width() - 2 * layout()->contentsMargins().left() - margins.left() - margins.right();
-  const int columns = 2 * widest + buttons_->spacing() <= room ? 2 : 1;
+  const int columns = 2 * widest + buttons_->spacing() <= wide ? 2 : 1;
   for (std::size_t i = 0; i < all.size(); ++i)
     buttons_->addWidget(all[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
-  list_->setMinimumHeight(heightOfRows(kLeastRows));
-  const int others = QWidget::minimumSizeHint().height() - list_->minimumHeight();
   const int row = heightOfRows(1) - heightOfRows(0);
-  const int rows = std::clamp((height() - others) / row, kLeastRows, kAmpleRows);
+  const int room = height() - heightBesideList() - heightOfRows(0);
+  const int rows = std::clamp(room / row, kLeastRows, kAmpleRows);
   list_->setMinimumHeight(heightOfRows(rows));
 }
 

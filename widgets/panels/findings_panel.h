@@ -64,6 +64,7 @@ private:
   void showWhyNone(const plan::Finding& finding);
   void arrange();
   int heightOfRows(int rows) const;
+  int heightBesideList() const; // at least
   void chooseRemedy(const QString& id);
   void showState();
   QString uncheckedText() const; // empty: all is checked

@@ -631,7 +631,7 @@ Eigen::Vector3d Scene::directionInWork(const Eigen::Vector3d& inWorld) const {
 
 Between Scene::between(const Eigen::Vector3d& placeInWork, const Eigen::Vector3d& towardsEye,
                        double radiusMm, bool printed) const {
-  constexpr double kTouchingMm = 1.5; // about a bead
+  constexpr double kTouchingMm = 2.0; // beside a bead that is laid there
   constexpr double kAroundEye = 1.15; // nothing right behind the eye either
   const Eigen::Vector3d direction = directionInWork(towardsEye).normalized();
   const double distance = lookingDistance(impl_->renderer, radiusMm);
