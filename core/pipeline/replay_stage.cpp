@@ -159,6 +159,8 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   for (std::size_t i = 0; i < checked->pointLines.size(); ++i)
     checked->pointLines[i] = lines[points.pointOf[i]];
   checked->verdict = replayReport(verdict);
+  checked->worst = verdict.worst;
+  checked->deviations = verdict.deviations;
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);
   checked->slow = slowSpans(said.trajectory, verdict.pointOf, verdict.motionS);

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace voluta::base {
@@ -68,6 +69,8 @@ struct SupportedBeads {
   // The longest stretch of one bead that is carried on none of its width, and its first piece.
   double longestUnsupportedMm = 0.0;
   std::uint32_t longestFrom = 0;
+  // First piece of the longest run of unsupported pieces, and of half-carried ones.
+  std::optional<std::uint32_t> unsupportedFrom, halfCarriedFrom;
 };
 
 // A piece is supported where, at its middle, the ground or material laid before lies beneath the

@@ -136,6 +136,8 @@ private:
     out_.maxDeviationMm = deviation.mm;
     out_.maxDeviationRad = deviation.rad;
     deviationMotion_ = deviation.motion;
+    if (deviation.mm > 0.0)
+      deviationAt_ = path_->targetTip[deviation.motion];
     run.knowledge =
         beadKnowledge(alignment.pointOf, in_.trajectory, in_.plan, in_.process.layerHeightMm);
     out_.pointOf = alignment.pointOf;
@@ -157,6 +159,8 @@ private:
 
   void tellBeads(const JudgedRun& run) {
     static_cast<RunFigures&>(out_) = run.figures;
+    out_.worst.deviation = deviationAt_;
+    out_.worst.flowError = flowErrorAt_;
     const double part = std::max(out_.partVolumeMm3, 1e-9);
     out_.excessFraction += standing_ / part;
     out_.overfillFraction += standing_ / part;
@@ -182,6 +186,8 @@ private:
         worst = errors;
     }
     out_.flowErrorFraction = worst.fraction;
+    if (worst.worst)
+      flowErrorAt_ = path_->targetTip[*worst.worst];
     if (worst.first && worst.fraction > limits_.flowErrorMax)
       atMotion(FlowErrors, *worst.first, {{"share", base::percent(100.0 * worst.fraction)}},
                path_->targetTip[*worst.first], path_->startS[*worst.first]);
@@ -328,6 +334,7 @@ private:
   std::vector<double> seconds_; // of each motion, on its controller
   double standing_ = 0.0;       // laid while the arm stands, mm3
   std::size_t deviationMotion_ = 0;
+  std::optional<Vector3d> deviationAt_, flowErrorAt_;
 };
 
 } // namespace

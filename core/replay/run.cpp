@@ -164,6 +164,8 @@ private:
     figures.partVolumeMm3 = partVolume(cells.volumeMm3);
     const double volume = std::max(figures.partVolumeMm3, 1e-9);
     figures.coveredFraction = coverage.coveredFraction;
+    if (coverage.worstGapMm3 > 0.0)
+      figures.worst.gap = coverage.worstGap;
     double excess = 0.0;
     std::size_t worst = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -173,6 +175,8 @@ private:
           worst = p;
       }
     figures.excessFraction = std::max(0.0, excess / volume);
+    if (excess > 0.0)
+      figures.worst.overfill = pieces[worst].to;
     figures.overfillFraction = std::max(0.0, (coverage.outsideMm3 + excess) / volume);
     if (figures.coveredFraction < limits_.coveredMin)
       add(Uncovered, {{"share", base::percent(100.0 * (1.0 - figures.coveredFraction))}},
@@ -195,6 +199,12 @@ private:
     figures.unsupportedFraction = support.unsupportedMm / length;
     figures.halfCarriedFraction = support.halfCarriedMm / length;
     figures.longestUnsupportedMm = support.longestUnsupportedMm;
+    if (support.unsupportedFrom)
+      figures.worst.unsupported = pieces[*support.unsupportedFrom].to;
+    if (support.halfCarriedFrom)
+      figures.worst.halfCarried = pieces[*support.halfCarriedFrom].to;
+    if (support.longestUnsupportedMm > 0.0)
+      figures.worst.longestUnsupported = pieces[support.longestFrom].to;
     if (figures.unsupportedFraction > limits_.unsupportedMax && !support.unsupported.empty()) {
       const BeadPiece& first = pieces[support.unsupported.front()];
       add(Unsupported, {{"length", base::mm(support.unsupportedMm)}}, first.to, first.motion,
