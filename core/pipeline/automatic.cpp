@@ -1,5 +1,6 @@
 #include "pipeline/automatic.h"
 
+#include "base/data_files.h"
 #include "base/error.h"
 #include "base/parameters.h"
 #include "modes/cell_choice.h"
@@ -95,7 +96,7 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("no way of building takes platform {platform} in cell {cell}"_text,
-                      choices.platform.text(), choices.cell),
+                      choices.platform.text(), base::dataName(choices.cell)),
         {}, "choose another platform, or another cell"_text);
   return all;
 }

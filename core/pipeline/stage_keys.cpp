@@ -1,7 +1,7 @@
 #include "pipeline/stage_keys.h"
 
 #include "base/data_files.h"
-#include "base/files.h"
+#include "base/json_node.h"
 #include "base/key_text.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
@@ -10,6 +10,7 @@
 #include "program/dialect.h"
 #include "project/content_hash.h"
 #include "robot/cell.h"
+#include "robot/robot_reader.h"
 #include "support/supports.h"
 
 #include <fmt/format.h>
@@ -25,15 +26,16 @@ namespace voluta::pipeline {
 
 namespace {
 
-std::string fileHash(const std::string& folder, const std::string& id, base::Text unknown) {
-  return project::contentHash(base::readFile(base::dataFile(folder, id, unknown)));
-}
-
-std::string cellText(const robot::Cell& cell) {
+std::string cellText(const robot::Cell& cell, const std::string& choice) {
+  const std::string text = base::dataText("cells", choice, "unknown cell '{id}'"_text).text;
+  const std::string hash = project::contentHash(text);
   const std::string& robot = cell.robot().id;
-  return fmt::format("cell {} {}\nrobot {} {}\n", cell.id(),
-                     fileHash("cells", cell.id(), "unknown cell '{id}'"_text), robot,
-                     fileHash("robots", robot, "unknown robot '{id}'"_text));
+  const base::JsonNode described = base::JsonNode::parse(text, cell.id()).at("robot");
+  const std::string robotHash =
+      robot::holdsRobot(described)
+          ? hash
+          : project::contentHash(base::dataText("robots", robot, "unknown robot '{id}'"_text).text);
+  return fmt::format("cell {} {}\nrobot {} {}\n", cell.id(), hash, robot, robotHash);
 }
 
 // The process in the parts that stages take, so that what a stage does not take does not make it
@@ -97,7 +99,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   const robot::Cell cell = fittingCell(choices, process); // the platform has its own text
   const modes::Mode& mode = modes::findMode(choices.mode);
   const modes::ModeChoices in{choices, values, process};
-  const std::string cellKey = cellText(cell);
+  const std::string cellKey = cellText(cell, choices.cell);
 
   project::StageKeys keys;
   const auto put = [&](project::Stage stage, const std::string& own) {

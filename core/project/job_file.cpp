@@ -1,7 +1,9 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/number_list.h"
 #include "project/block_file.h"
 #include "project/content_hash.h"
+#include "project/infill_density.h"
 #include "project/job.h"
 #include "project/job_blocks.h"
 #include "project/message_json.h"
@@ -83,6 +85,22 @@ Choices readChoices(const Json& j, int format) {
     j.at("repair").get_to(c.repair);
   }
   return c;
+}
+
+// Notes with the part that a density which the project was given has gone.
+void dropSparseInfill(Choices& choices, LoadedPart& part) {
+  const auto density = choices.parameters.find(kInfillDensity);
+  if (density == choices.parameters.end())
+    return;
+  double share = 1.0;
+  if (base::readNumbers(density->second, ',', {&share}) && share < 1.0) {
+    const base::Message note = base::message(
+        "infill density {density} of the project is left out: parts are filled solid"_text,
+        density->second);
+    part.readNotes.push_back(note);
+    part.notes.push_back(note);
+  }
+  choices.parameters.erase(density);
 }
 
 // ---- the part as it came
@@ -357,6 +375,7 @@ Job readFrame(const Frame& frame, const std::string& where) {
       job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
     job.report = readReportJson(blocks.text("report"));
     getTold(blocks, job, *loaded);
+    dropSparseInfill(job.choices, *loaded);
     readRecords(header.at("stages"), job);
     if (header.contains("placement"))
       job.placement = readPlacement(header.at("placement"));

@@ -24,6 +24,7 @@
 //   payloadKg             optional: what it may carry at its flange
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
+#include "robot/robot_reader.h"
 #include "base/json_node.h"
 #include "robot/chain_kinematics.h"
 #include "robot/joint_reading.h"
@@ -191,13 +192,22 @@ std::vector<std::string> readTexts(const base::JsonNode& list) {
 
 RobotModel readRobot(const std::filesystem::path& file) {
   const base::JsonNode top = base::JsonNode::readFile(file);
+  const std::string id = top.at("id").text();
+  if (id != file.stem().string())
+    top.at("id").fail(
+        base::message("is '{id}', but the file is named '{file}'"_text, id, file.stem().string()));
+  return readRobot(top);
+}
+
+bool holdsRobot(const base::JsonNode& robot) {
+  return robot.has("id");
+}
+
+RobotModel readRobot(const base::JsonNode& top) {
   top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "reading", "limits",
                  "links", "neverMeet", "payloadKg", "sources", "assumed"});
   RobotModel robot;
   robot.id = top.at("id").text();
-  if (robot.id != file.stem().string())
-    top.at("id").fail(base::message("is '{id}', but the file is named '{file}'"_text, robot.id,
-                                    file.stem().string()));
   robot.label = top.at("label").text();
   robot.maker = top.at("maker").text();
   robot.controller = top.at("controller").text();

@@ -4,7 +4,6 @@
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
-#include "process/process.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -90,20 +89,9 @@ Choices ModeSwitch::automatic(const Choices& now) {
 }
 
 base::ParameterTable parametersFor(const Choices& choices) {
-  std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices.mode).specs();
-  try {
-    const process::Process process = process::loadProcess(choices.process);
-    const auto put = [&](std::string_view key, double value) {
-      for (base::ParameterSpec& spec : specs)
-        if (spec.key == key)
-          spec.defaultValue = value;
-    };
-    put("layerHeightMm", process.layerHeightMm);
-    put("beadWidthMm", process.beadWidthMm);
-    put("stepMm", process.stepMm);
-  } catch (const base::Error&) {
-    // The run that meets the process says what is wrong with it.
-  }
+  std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices).specs();
+  const base::ParameterTable offered = pipeline::offeredParameters();
+  std::erase_if(specs, [&](const base::ParameterSpec& spec) { return !offered.find(spec.key); });
   return base::ParameterTable(std::move(specs));
 }
 

@@ -1,5 +1,6 @@
 #include "window/pages/choices_editor.h"
 
+#include "base/data_files.h"
 #include "curved/decompose.h"
 #include "document/document.h"
 #include "language/words.h"
@@ -40,11 +41,11 @@ QString editNameOf(const QString& field) {
 QString changesOf(const project::Choices& from, const project::Choices& to) {
   QStringList parts;
   if (to.cell != from.cell)
-    parts << ChoicesEditor::tr("cell %1").arg(named(to.cell));
+    parts << ChoicesEditor::tr("cell %1").arg(named(base::dataName(to.cell)));
   if (to.platform != from.platform)
     parts << ChoicesEditor::tr("platform %1").arg(language::words(to.platform.shown()));
   if (to.process != from.process)
-    parts << ChoicesEditor::tr("process %1").arg(named(to.process));
+    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.process)));
   if (to.scale != from.scale)
     parts << ChoicesEditor::tr("scale %1").arg(named(to.scale));
   if (to.parameters != from.parameters)
