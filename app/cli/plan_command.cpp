@@ -1,6 +1,7 @@
 #include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
+#include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
 #include "plan/finding_kinds.h"
 
@@ -70,7 +71,8 @@ ExitCode planCommand(const PlanOptions& options) {
       [request = options.request](const std::filesystem::path& folder,
                                   const base::RunContext& ctx) {
         pipeline::PlanResult result = pipeline::planPart(request, ctx.sub(0.0, 0.97));
-        pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0));
+        pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0),
+                               {.pictures = pictures::proofPictures});
         return result.job.report;
       },
       options.folder, options.threads, options.progress);

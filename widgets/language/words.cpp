@@ -1,6 +1,7 @@
 #include "language/words.h"
 
 #include "language/numbers.h"
+#include "language/window_language.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -65,6 +66,14 @@ QStringList words(const std::vector<base::Message>& messages) {
   for (const base::Message& message : messages)
     all << words(message);
   return all;
+}
+
+std::shared_ptr<const base::Language> windowLanguage() {
+  return std::make_shared<WindowLanguage>();
+}
+
+std::string windowLanguageCode() {
+  return QLocale().bcp47Name().toStdString();
 }
 
 QString heading(base::Text text) {

@@ -99,6 +99,8 @@ public:
     scene_.setPlatform(scene::drawPlatform(job_.platform, 0.0));
   }
 
+  void inMaterialColour() { view_.materialColour = true; }
+
   scene::Image picture(scene::StandardView view) {
     scene_.setView(view_);
     scene::OffscreenTarget target;
@@ -207,6 +209,25 @@ scene::Image jobPicture(const project::Job& job, const PictureOptions& options) 
   Renderer renderer(options, job);
   (renderer.*show)();
   return renderer.picture(view);
+}
+
+std::vector<std::string> proofPictures(const project::Job& job) {
+  if (!job.part || !job.toolPlan)
+    return {};
+  PictureOptions options;
+  options.width = 1000;
+  options.height = 640;
+  options.legend = false;
+  try {
+    Renderer part(options, job), printed(options, job);
+    part.showPart();
+    printed.showPaths();
+    printed.inMaterialColour();
+    return {scene::pngBytes(part.picture(scene::StandardView::Isometric)),
+            scene::pngBytes(printed.picture(scene::StandardView::Isometric))};
+  } catch (const base::Error&) {
+    return {}; // a proof is of use without pictures
+  }
 }
 
 std::string furthestPicture(const project::Job& job) {
