@@ -45,23 +45,25 @@ void checkData(base::Text unknown, const std::string& choice,
     checkName(unknown, choice, known);
 }
 
-// Defaults that go with a process. Those but the bead's own are made for beads of 1.2 x 0.8 mm:
-// they grow with wider and higher ones, and stay as they are for finer ones.
-std::map<std::string_view, double> lengthsOf(const process::Process& p) {
+// Puts in the defaults that go with a process: the bead's own sizes, and lengths that were chosen
+// for beads of 1.2 x 0.8 mm. These grow with larger beads, and stay as they are for finer ones.
+void followProcess(std::vector<base::ParameterSpec>& specs, const process::Process& p) {
   constexpr double kHeightMm = 0.8, kWidthMm = 1.2;
   const double higher = std::max(1.0, p.layerHeightMm / kHeightMm);
   const double wider = std::max(1.0, p.beadWidthMm / kWidthMm);
-  const auto usual = [table = allParameters()](std::string_view key) {
-    return std::get<double>(table.find(key)->defaultValue);
-  };
-  std::map<std::string_view, double> lengths{{"layerHeightMm", p.layerHeightMm},
-                                             {"beadWidthMm", p.beadWidthMm},
-                                             {"stepMm", p.stepMm},
-                                             {"retractMm", p.retractMm}};
-  for (const char* key : {"voxelMm", "cuspMm", "liftMm"})
-    lengths[key] = higher * usual(key);
-  lengths["primeLengthMm"] = wider * usual("primeLengthMm");
-  return lengths;
+  const std::map<std::string_view, double> values{{"layerHeightMm", p.layerHeightMm},
+                                                  {"beadWidthMm", p.beadWidthMm},
+                                                  {"stepMm", p.stepMm},
+                                                  {"retractMm", p.retractMm}};
+  const std::map<std::string_view, double> factors{
+      {"voxelMm", higher}, {"cuspMm", higher}, {"liftMm", higher}, {"primeLengthMm", wider}};
+  for (base::ParameterSpec& spec : specs) {
+    double* length = std::get_if<double>(&spec.defaultValue);
+    if (const auto value = values.find(spec.key); value != values.end())
+      *length = value->second;
+    else if (const auto factor = factors.find(spec.key); factor != factors.end())
+      *length = std::min(*length * factor->second, spec.maximum);
+  }
 }
 } // namespace
 
@@ -148,11 +150,7 @@ base::ParameterTable parametersOf(std::string_view id) {
 base::ParameterTable parametersOf(const project::Choices& choices) {
   std::vector<base::ParameterSpec> specs = parametersOf(choices.mode).specs();
   try {
-    const std::map<std::string_view, double> lengths =
-        lengthsOf(process::loadProcess(choices.process));
-    for (base::ParameterSpec& spec : specs)
-      if (const auto length = lengths.find(spec.key); length != lengths.end())
-        spec.defaultValue = std::clamp(length->second, spec.minimum, spec.maximum);
+    followProcess(specs, process::loadProcess(choices.process));
   } catch (const base::Error&) {
     // The run that meets the process says what is wrong with it.
   }

@@ -29,7 +29,7 @@ bool takes(const project::Choices& choices, const std::string& key) {
 // None where the value is what it is already, or no stage knows the parameter.
 std::optional<project::Choices> withParameter(const project::Choices& choices,
                                               const std::string& key, const std::string& value) {
-  const base::ParameterTable table = parametersOf(choices.mode);
+  const base::ParameterTable table = parametersOf(choices);
   const base::ParameterSpec* spec = table.find(key);
   if (!spec || !takes(choices, key))
     return std::nullopt;
