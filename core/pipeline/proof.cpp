@@ -14,7 +14,6 @@
 #include "project/version.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <fmt/chrono.h>

@@ -42,13 +42,15 @@ void Exporting::write(const QString& folder, std::shared_ptr<const pipeline::Pla
 void Exporting::finish(const QString& folder) {
   if (folder.isEmpty())
     return;
-  finisher_.run([folder = folder.toStdString()](
-                    const base::RunContext&) { return base::finishStaged(folder); },
-                [this](const base::Outcome<bool>& outcome) {
-                  if (const auto* error = std::get_if<base::Error>(&outcome))
-                    emit failed(language::words(error->whole()));
-                },
-                1);
+  finisher_.run(
+      [folder = folder.toStdString()](const base::RunContext&) {
+        return base::finishStaged(folder);
+      },
+      [this](const base::Outcome<bool>& outcome) {
+        if (const auto* error = std::get_if<base::Error>(&outcome))
+          emit failed(language::words(error->whole()));
+      },
+      1);
 }
 
 } // namespace voluta::document
