@@ -182,7 +182,8 @@ base::ParameterTable curvedParameters() {
 
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
-                        const base::RunContext& ctx, const DecompositionWatch& watch) {
+                        const base::RunContext& ctx, const DecompositionWatch& watch,
+                        const DecompositionFilter& isRejected) {
   base::require(options.rounds >= 0 && options.heightMinMm > 0.0 &&
                     options.heightMinMm <= options.layerHeightMm &&
                     options.layerHeightMm <= options.heightMaxMm,
@@ -217,6 +218,8 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
   describeMissed(voxels, out, ctx);
   if (watch)
     watch(out);
+  if (isRejected && isRejected(out.findings))
+    return out;
   if (fits && growth.laid > 0)
     fitField(graph, growth, options, out, watch, ctx.sub(0.15, 1.0));
   else

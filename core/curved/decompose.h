@@ -35,6 +35,8 @@ base::ParameterTable curvedParameters();
 // Hears of what is known so far: the ranks, then the field as rounds improve it. Called from the
 // thread that runs the stage; copies what it wants to keep.
 using DecompositionWatch = std::function<void(const Decomposition&)>;
+// Asked once the ranks are known, with the findings about them. True: no field is fitted.
+using DecompositionFilter = std::function<bool(const plan::Findings&)>;
 
 // Orders the voxels and fits the field.
 //
@@ -55,6 +57,7 @@ using DecompositionWatch = std::function<void(const Decomposition&)>;
 //   const curved::Decomposition order = curved::decompose(voxels, plate, {}, ctx);
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
-                        const base::RunContext& ctx, const DecompositionWatch& watch = {});
+                        const base::RunContext& ctx, const DecompositionWatch& watch = {},
+                        const DecompositionFilter& isRejected = {});
 
 } // namespace voluta::curved

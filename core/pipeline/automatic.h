@@ -15,6 +15,7 @@ namespace voluta::pipeline {
 struct AutomaticWay {
   std::string_view id; // kept in projects: stays when ways are put in between
   std::string_view mode, platform;
+  base::Text name, nameWithSupports; // what a user reads
   std::map<std::string, std::string> parameters = {};
   bool lowLayers = false; // of a quarter of what the process has between its least and usual height
 };
@@ -36,5 +37,11 @@ project::Choices wayOrFirst(const project::Choices& choices);
 // As somebody would choose by hand what automatic choices, with the mode of one of the ways, come
 // to: with the way's parameters. Others as they are.
 project::Choices byHand(project::Choices choices);
+
+// Returns what byHand() would set if the user had changed no parameter. Empty for other choices.
+std::map<std::string, std::string> parametersOfWay(project::Choices choices);
+
+// Returns the name of the way, e.g. "flat layers with supports"; for choices by hand, the mode's.
+base::Message nameOfWay(const project::Choices& choices);
 
 } // namespace voluta::pipeline

@@ -46,12 +46,11 @@ bool coversAxis(const geometry::TriangleMesh& part) {
 // One plan: its stages in order, each taken from the cache or made.
 class OneWay {
 public:
-  // `untilBlocked`: what follows the first stage with a blocking finding is not made.
-  OneWay(const PlanRequest& request, bool untilBlocked, const base::RunContext& ctx,
-         StageCache* cache, const StageObserver& onStage, const PreviewObserver& onPreview)
-      : untilBlocked_(untilBlocked), choices_(byHand(request.choices)), until_(request.until),
-        ctx_(ctx), cache_(cache), onStage_(onStage), onPreview_(onPreview),
-        values_(parameterValues(choices_)), mode_(modes::findMode(choices_.mode)),
+  OneWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+         const PlanObservers& observers, Trial* trial)
+      : trial_(trial), choices_(byHand(request.choices)), until_(request.until), ctx_(ctx),
+        cache_(cache), observers_(observers), values_(parameterValues(choices_)),
+        mode_(modes::findMode(choices_.mode)),
         process_(std::make_shared<process::Process>(chosenProcess(choices_, values_))) {
     result_.process = process_;
     result_.debug = values_.boolean("output.debug");
@@ -61,6 +60,7 @@ public:
     job().choices = request.choices;
     report().threads = ctx.threads();
     report().decomposition.mode = choices_.mode;
+    report().chosen = chosenReport(request.choices);
     ctx.report(0.0, "load"_text);
     loaded_ = request.loaded
                   ? project::withRepair(request.loaded, choices_.repair, span(project::Stage::Load))
@@ -91,7 +91,7 @@ private:
       return stage;
     stage = make();
     ctx_.checkpoint();
-    if (cache_)
+    if (cache_ && !isRejected())
       cache_->keep<T>(key, stage, slot);
     return stage;
   }
@@ -106,19 +106,40 @@ private:
     return ctx_.sub((s > 0 ? kEnds[s - 1] : 0.0) / all, std::min(1.0, kEnds[s] / all));
   }
 
+  bool isRejected() const { return trial_ && trial_->rejection; }
+  // In a trial: the first finding that blocks ends it. Returns whether it has ended.
+  bool reject(project::Stage stage, const plan::Findings& findings) {
+    if (!trial_ || trial_->rejection)
+      return isRejected();
+    if (const auto blocking = std::ranges::find_if(findings, &plan::Finding::blocking);
+        blocking != findings.end())
+      trial_->rejection = {stage, *blocking};
+    return isRejected();
+  }
+
   // Notes that a stage is done; is there more to do?
   bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
     project::StageRecord& record = job().stages[project::indexOf(stage)];
-    record = {keys_[project::indexOf(stage)], findings.size(), timings};
+    const bool whole = !isRejected(); // else it ended early
+    record = {whole ? keys_[project::indexOf(stage)] : std::string(), findings.size(), timings};
     report().findings.insert(report().findings.end(), findings.begin(), findings.end());
     report().timings += timings;
     report().timings.total = whole_.seconds();
     job().reached = stage;
     base::returnFreedMemory();
-    if (onStage_)
-      onStage_(stage, result_);
+    if (whole && observers_.onStage)
+      observers_.onStage(stage, result_);
     ctx_.checkpoint();
-    return stage < until_ && !(untilBlocked_ && !nothingBlocks(report()));
+    return !reject(stage, findings) && stage < until_;
+  }
+
+  project::ChosenReport chosenReport(const project::Choices& given) const {
+    return {.way = given.automatic ? given.automaticWay : std::string(),
+            .name = nameOfWay(given),
+            .mode = choices_.mode,
+            .platform = choices_.platform.text(),
+            .supports = mode_.asksFor("supports") ? values_.text("supports") : std::string(),
+            .layerHeightMm = process_->layerHeightMm};
   }
 
   bool load() {
@@ -185,10 +206,15 @@ private:
       modes::DecomposeInput in{
           *placed_,
           [&](double voxelMm, const base::RunContext& ctx) { return voxels(voxelMm, ctx); },
+          {},
           {}};
-      if (onPreview_)
+      if (observers_.onPreview)
         in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
-          onPreview_(std::move(soFar), result_);
+          observers_.onPreview(std::move(soFar), result_);
+        };
+      if (trial_)
+        in.isRejected = [&](const plan::Findings& soFar) {
+          return reject(project::Stage::Decompose, soFar);
         };
       auto made = mode_.decompose(modeChoices(), in, span(project::Stage::Decompose));
       return given_ ? onlyGround(*made) : made;
@@ -301,12 +327,7 @@ private:
       for (const auto& checked : result_.checked)
         std::ranges::copy(metIn(*checked), std::back_inserter(found));
       const std::vector<std::size_t> met = avoided.next(*result_.job.toolPlan, found);
-      // Where only a plan that nothing blocks counts, what fails by other figures too is let go.
-      const bool hopeless =
-          untilBlocked_ && std::ranges::any_of(result_.checked, [this](const auto& checked) {
-            return decides(*checked) && checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
-          });
-      if (met.empty() || round == kRounds || hopeless || !moveWithout(met))
+      if (met.empty() || round == kRounds || isHopeless() || !moveWithout(met))
         break;
     }
     keepFresh();
@@ -319,9 +340,17 @@ private:
       told = told || first;
       tellProgram(*result_.checked[i], first, counts, report(), findings);
     }
+    if (isHopeless()) // there may be formats that were not written
+      reject(project::Stage::Replay, findings);
     done(project::Stage::Replay, findings, timings);
   }
 
+  // In a trial: a program fails by other figures than by what meets, which no other motion mends.
+  bool isHopeless() const {
+    return trial_ && std::ranges::any_of(result_.checked, [this](const auto& checked) {
+             return decides(*checked) && checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
+           });
+  }
   bool decides(const CheckedProgram& checked) const {
     return program::decidesOnPlan(checked.program.format, chosenFormats(choices_, *result_.cell),
                                   *result_.cell);
@@ -351,7 +380,7 @@ private:
     result_.checked.clear();
     replay::JudgedRuns judged;
     for (std::size_t i = 0; i < formats.size(); ++i) {
-      if (untilMet && i > 0 && !metIn(*result_.checked.back()).empty())
+      if (i > 0 && ((untilMet && !metIn(*result_.checked.back()).empty()) || isHopeless()))
         return;
       const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
       const auto make = [&] {
@@ -371,7 +400,7 @@ private:
 
   // Motion and programs together: what is kept belongs together, whenever a plan is cancelled.
   void keepFresh() {
-    if (!fresh_ || !cache_)
+    if (!fresh_ || !cache_ || isRejected()) // the programs are of the motion before
       return;
     cache_->keep<MotionStage>(keys_[project::indexOf(project::Stage::Motion)], motion_);
     for (const auto& checked : result_.checked)
@@ -380,13 +409,12 @@ private:
   }
 
   base::Stopwatch whole_;
-  bool untilBlocked_;
+  Trial* trial_; // null: a plan that goes on whatever blocks it
   const project::Choices choices_;
   project::Stage until_;
   const base::RunContext& ctx_;
   StageCache* cache_;
-  const StageObserver& onStage_;
-  const PreviewObserver& onPreview_;
+  const PlanObservers& observers_;
   base::ParameterValues values_;
   const modes::Mode& mode_;
   std::shared_ptr<const process::Process> process_;
@@ -404,10 +432,9 @@ private:
 
 } // namespace
 
-PlanResult planOneWay(const PlanRequest& request, bool untilBlocked, const base::RunContext& ctx,
-                      StageCache* cache, const StageObserver& onStage,
-                      const PreviewObserver& onPreview) {
-  return OneWay(request, untilBlocked, ctx, cache, onStage, onPreview).run();
+PlanResult planOneWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+                      const PlanObservers& observers, Trial* trial) {
+  return OneWay(request, ctx, cache, observers, trial).run();
 }
 
 } // namespace voluta::pipeline

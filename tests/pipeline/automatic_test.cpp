@@ -239,10 +239,11 @@ TEST(Automatic, WhereAllHangTheOneThatHangsLeastIsTaken) {
   request.choices.cell = "t3";
   request.choices.formats = {"spel"};
   std::string lastShown;
-  const pipeline::PlanResult result = pipeline::planPart(
-      request, {}, nullptr, [&](project::Stage, const pipeline::PlanResult& soFar) {
-        lastShown = soFar.job.choices.automaticWay;
-      });
+  const auto noteShown = [&](project::Stage, const pipeline::PlanResult& soFar) {
+    lastShown = soFar.job.choices.automaticWay;
+  };
+  const pipeline::PlanResult result =
+      pipeline::planPart(request, {}, nullptr, {.onStage = noteShown});
   const project::Report& report = result.job.report;
   EXPECT_TRUE(pipeline::nothingBlocks(report));
   EXPECT_GT(report.replay.longestUnsupportedMm, result.process->bridgeMm);

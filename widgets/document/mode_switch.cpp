@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
+#include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 
 #include <QCoreApplication>
@@ -92,6 +93,14 @@ base::ParameterTable parametersFor(const Choices& choices) {
   std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices).specs();
   const base::ParameterTable offered = pipeline::offeredParameters();
   std::erase_if(specs, [&](const base::ParameterSpec& spec) { return !offered.find(spec.key); });
+  try {
+    const std::map<std::string, std::string> ofWay = pipeline::parametersOfWay(choices);
+    for (base::ParameterSpec& spec : specs)
+      if (const auto found = ofWay.find(spec.key); found != ofWay.end())
+        spec.defaultValue = base::parseParameter(spec, found->second);
+  } catch (const base::Error&) {
+    // Planning reports an unreadable process.
+  }
   return base::ParameterTable(std::move(specs));
 }
 
