@@ -113,8 +113,12 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   return all;
 }
 
+bool namesWay(const project::Choices& choices) {
+  return choices.automatic && namedWay(choices);
+}
+
 project::Choices wayOrFirst(const project::Choices& choices) {
-  if (!choices.automatic || namedWay(choices))
+  if (!choices.automatic || namesWay(choices))
     return choices;
   return automaticChoices(choices).front();
 }

@@ -30,6 +30,9 @@ const std::vector<AutomaticWay>& automaticWays();
 // choices with each way's mode and platform. Throws Error{Usage}: there is none.
 std::vector<project::Choices> automaticChoices(const project::Choices& choices);
 
+// Whether automatic choices name a way that has their mode and platform: that of an earlier plan.
+bool namesWay(const project::Choices& choices);
+
 // What automatic choices stand for: the way that they name, where they have its mode and platform,
 // else the first that would be tried. Others as they are. Throws as automaticChoices().
 project::Choices wayOrFirst(const project::Choices& choices);

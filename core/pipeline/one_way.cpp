@@ -16,6 +16,7 @@
 #include "pipeline/replay_stage.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/start_check.h"
+#include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
@@ -24,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <iterator>
 #include <utility>
 
@@ -197,8 +197,8 @@ private:
   // Most edits of a decomposition leave the voxels as they are.
   std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx) {
     return taken<modes::PartVoxels>(
-        fmt::format("{}voxels of {} mm\n", keys_[project::indexOf(project::Stage::Load)], voxelMm),
-        "voxels", [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
+        placedPartKey(*loaded_, *placed_, choices_) + base::keyText(voxelMm), "voxels",
+        [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
   }
 
   bool decompose() {
@@ -286,7 +286,10 @@ private:
   // there was hardly room, and there motion mostly left something out itself: else it is let go.
   std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
     std::unique_ptr<PartMotion> moving = partMotion(ctx.sub(0, 0.05));
-    std::shared_ptr<const MotionStage> stage = moving->plan(ctx.sub(0.05, 1.0));
+    std::shared_ptr<const MotionStage> stage =
+        moving->plan(ctx.sub(0.05, 1.0), trial_ ? plan::kBlockingShare : 1.0);
+    if (!stage->trajectory && reject(project::Stage::Motion, stage->findings))
+      return stage;
     if (stage->report.unreachable + stage->report.collisions > 0)
       moving_ = std::move(moving);
     return stage;

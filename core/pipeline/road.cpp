@@ -32,7 +32,9 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, Sta
                     const PlanObservers& observers) {
   checkChoices(request.choices);
   PlanRequest given = request;
-  if (request.choices.automatic && !takesGivenPathsOf(given, ctx))
+  // While somebody edits, the part lies and grows in the way that the last plan chose.
+  const bool searches = request.until > project::Stage::Decompose || !namesWay(request.choices);
+  if (request.choices.automatic && !takesGivenPathsOf(given, ctx) && searches)
     return planAutomatically(given, ctx, cache, observers);
   return planOneWay(given, ctx, cache, observers);
 }

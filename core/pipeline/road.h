@@ -65,6 +65,8 @@ struct PlanObservers {
 
 // Stages whose key is in the cache are taken from there. The report's timings are what each stage
 // took when it was made, `total` what this plan took.
+// Mode auto chooses anew, but for a plan that ends with Load or Decompose and whose choices name
+// the way of an earlier one.
 // Throws Error{Usage}: unknown names, values out of range; Error{UnreadableFile, UnusableInput}:
 // the part. Whatever cannot be printed, reached or verified is in job.report.findings.
 // Example:

@@ -55,11 +55,14 @@ ProcessKeys keysOf(const process::Process& process) {
           base::keyText(id, nozzle, prime, retract, material, density)};
 }
 
+bool isMended(const project::LoadedPart& loaded, const project::Choices& choices) {
+  return choices.repair && !loaded.found.clean(); // a clean mesh stays as it is
+}
+
 std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,
                      const std::string& cell) {
   const project::Choices& c = in.choices;
-  const bool mended = c.repair && !loaded.found.clean(); // a clean mesh stays as it is
-  std::string text = base::keyText(loaded.hash, mended, c.placement.rotation.coeffs(),
+  std::string text = base::keyText(loaded.hash, isMended(loaded, c), c.placement.rotation.coeffs(),
                                    c.placement.centreMm, c.placement.liftMm);
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
@@ -121,6 +124,14 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
     formats += format + " " + optionsText(format, program::programOptions(values));
   put(project::Stage::Replay, programText(loaded.name, process) + "formats\n" + formats);
   return keys;
+}
+
+std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
+                          const project::Choices& choices) {
+  const geometry::Placement& at = placed.placement;
+  return base::keyText(loaded.hash, isMended(loaded, choices),
+                       placed.scale * unitMm(loaded, choices), at.rotation.coeffs(), at.centreMm,
+                       at.liftMm);
 }
 
 std::string programKey(const project::StageKeys& keys, const std::string& partName,

@@ -9,6 +9,7 @@
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -48,7 +49,7 @@ public:
     }
     if (!failed_)
       throw *error_;
-    failed_->result = planWay(failed_->way, ctx_.quiet(), nullptr);
+    failed_->result = planWay(failed_->way, ctx_.quiet(), *failed_->stages, nullptr);
     return choose(*failed_);
   }
 
@@ -56,14 +57,16 @@ private:
   struct Candidate {
     project::Choices way;
     std::size_t tried = 0; // its row of tried_
+    std::unique_ptr<StageCache> stages; // that it came to, to be planned to its end from there
     PlanResult result = {};
     project::Stage rejectedBy = {};
   };
 
-  PlanResult planWay(const project::Choices& way, const base::RunContext& ctx, Trial* trial) {
+  PlanResult planWay(const project::Choices& way, const base::RunContext& ctx, StageCache& stages,
+                     Trial* trial) {
     PlanRequest one = request_;
     one.choices = way;
-    return planOneWay(one, ctx, cache_, observers_, trial);
+    return planOneWay(one, ctx, &stages, observers_, trial);
   }
 
   // Returns true where the search ends with this way.
@@ -78,7 +81,8 @@ private:
       return false;
     }
     Trial trial;
-    auto outcome = base::outcomeOf([&] { return planWay(way, ctx, &trial); });
+    Candidate candidate{way, tried_.size() - 1, std::make_unique<StageCache>(1, cache_)};
+    auto outcome = base::outcomeOf([&] { return planWay(way, ctx, *candidate.stages, &trial); });
     if (std::holds_alternative<base::Cancelled>(outcome))
       throw base::Cancelled{};
     if (const auto* error = std::get_if<base::Error>(&outcome)) {
@@ -87,7 +91,7 @@ private:
         error_ = *error;
       return false;
     }
-    Candidate candidate{way, tried_.size() - 1, std::move(std::get<PlanResult>(outcome))};
+    candidate.result = std::move(std::get<PlanResult>(outcome));
     row.stage = project::stageName(*candidate.result.job.reached);
     noteLosses(candidate);
     if (trial.rejection) {
@@ -97,11 +101,12 @@ private:
       return false;
     }
     row.passed = true;
+    candidate.stages.reset();
     return keepPassed(std::move(candidate));
   }
 
   void keepFailed(Candidate candidate) {
-    candidate.result = {}; // planned again to its end if it is chosen
+    candidate.result = {}; // its stages are kept
     if (!failed_ || candidate.rejectedBy > failed_->rejectedBy)
       failed_ = std::move(candidate);
   }
