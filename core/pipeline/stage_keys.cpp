@@ -10,6 +10,7 @@
 #include "program/dialect.h"
 #include "project/content_hash.h"
 #include "robot/cell.h"
+#include "robot/planning_text.h"
 #include "robot/robot_reader.h"
 #include "support/supports.h"
 
@@ -34,7 +35,8 @@ std::string cellText(const robot::Cell& cell, const std::string& choice) {
   const std::string robotHash =
       robot::holdsRobot(described)
           ? hash
-          : project::contentHash(base::dataText("robots", robot, "unknown robot '{id}'"_text).text);
+          : project::contentHash(robot::planningText(
+                base::dataText("robots", robot, "unknown robot '{id}'"_text).text));
   return fmt::format("cell {} {}\nrobot {} {}\n", cell.id(), hash, robot, robotHash);
 }
 

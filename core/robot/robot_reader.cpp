@@ -24,8 +24,11 @@
 //   payloadKg             optional: what it may carry at its flange
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
+//   shape                 optional: what it looks like, as in robot/arm_shape.h; read where it is drawn
 #include "robot/robot_reader.h"
+
 #include "base/json_node.h"
+#include "robot/arm_shape.h"
 #include "robot/chain_kinematics.h"
 #include "robot/joint_reading.h"
 #include "robot/json_pose.h"
@@ -205,7 +208,7 @@ bool holdsRobot(const base::JsonNode& robot) {
 
 RobotModel readRobot(const base::JsonNode& top) {
   top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "reading", "limits",
-                 "links", "neverMeet", "payloadKg", "sources", "assumed"});
+                 "links", "neverMeet", "payloadKg", "sources", "assumed", "shape"});
   RobotModel robot;
   robot.id = top.at("id").text();
   robot.label = top.at("label").text();
@@ -219,6 +222,8 @@ RobotModel readRobot(const base::JsonNode& top) {
     robot.payloadKg = top.at("payloadKg").positive();
   if (top.has("sources"))
     readTexts(top.at("sources"));
+  if (top.has("shape"))
+    readArmShape(top.at("shape"), robot.dof());
   if (top.has("neverMeet"))
     for (const auto& [a, b] : readBodyPairs(top.at("neverMeet"), robot.links))
       robot.neverMeet.emplace_back(a, b);

@@ -4,7 +4,7 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "project/job.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 #include "scene/offscreen_target.h"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ TEST(Render, ThePlateOfACellIsThereAndFramedWithThePlatform) {
   scene::Scene scene(scene::lightTheme());
   scene.setPlatform(scene::drawPlatform(plate, 0.0));
   EXPECT_EQ(picture(scene, {}).rgb.size(), 3u * 320 * 200);
-  scene.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
   scene::ViewState view;
   view.cell = true;
   view.world = scene::World::Base;
@@ -103,7 +103,7 @@ TEST(Render, ARodIsSeenToTurnInItsCell) {
   const robot::Cell cell = robot::loadCell("lathe", process::loadProcess("fdm-0.35"), platform);
   scene::Scene scene(scene::lightTheme());
   scene.setPlatform(scene::drawPlatform(platform, 0.0));
-  scene.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
   scene::ViewState view;
   view.cell = true;
   view.world = scene::World::Base;

@@ -5,7 +5,7 @@
 #include "curved/peeling_field.h"
 #include "modes/planar_modes.h"
 #include "pipeline/choices.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -88,7 +88,7 @@ public:
     const auto& trajectory = *need(job_.trajectory, "robot motion"_text);
     const auto& plan = *need(job_.toolPlan, "tool-paths"_text);
     const robot::Cell cell = robot::loadCell(job_.choices.cell, process(), job_.platform);
-    scene_.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
+    scene_.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
     const auto drawing = scene::drawPaths(plan, &trajectory);
     setLastLayer(scene::layerCount(*drawing));
     scene_.setPaths(drawing);

@@ -248,30 +248,45 @@ std::optional<RayHit> pickPath(const PathsDrawing& paths, const Ray& ray,
   return best;
 }
 
-std::optional<RayHit> pickBody(const CellDrawing& cell, std::size_t body,
-                               const std::vector<Eigen::Isometry3d>& work_T_frame, const Ray& ray) {
+namespace {
+
+std::optional<RayHit> pickPiece(const CellPiece& piece,
+                                const std::vector<Eigen::Isometry3d>& work_T_frame,
+                                const Ray& ray) {
   std::optional<RayHit> best;
-  const int frame = cell.cell.bodies()[body].frame;
-  const Eigen::Isometry3d frame_T_work = work_T_frame[static_cast<std::size_t>(frame)].inverse();
+  const Eigen::Isometry3d frame_T_work =
+      work_T_frame[static_cast<std::size_t>(piece.frame)].inverse();
   const Ray local{frame_T_work * ray.origin, frame_T_work.linear() * ray.direction};
-  const Triangles triangles(cell.bodies[body]);
+  const Triangles triangles(piece.surface);
   for (std::size_t i = 0; i < triangles.count(); ++i)
     if (const auto t =
             meet(local, triangles.corner(i, 0), triangles.corner(i, 1), triangles.corner(i, 2))) {
       Hit hit;
       hit.what = Hit::What::Cell;
       hit.point = ray.at(*t);
-      hit.body = body;
+      hit.body = piece.body;
       keepNearer(best, *t, hit);
     }
+  return best;
+}
+
+} // namespace
+
+std::optional<RayHit> pickBody(const CellDrawing& cell, std::size_t body,
+                               const std::vector<Eigen::Isometry3d>& work_T_frame, const Ray& ray) {
+  std::optional<RayHit> best;
+  for (const CellPiece& piece : cell.pieces)
+    if (piece.body == body)
+      if (const auto hit = pickPiece(piece, work_T_frame, ray))
+        keepNearer(best, hit->t, hit->hit);
   return best;
 }
 
 std::optional<RayHit> pickCell(const CellDrawing& cell,
                                const std::vector<Eigen::Isometry3d>& work_T_frame, const Ray& ray) {
   std::optional<RayHit> best;
-  for (std::size_t body = 0; body < cell.bodies.size(); ++body)
-    if (const auto hit = pickBody(cell, body, work_T_frame, ray))
+  for (const CellPiece& piece : cell.pieces)
+    if (const auto hit = pickPiece(piece, work_T_frame, ray))
       keepNearer(best, hit->t, hit->hit);
   return best;
 }

@@ -390,8 +390,10 @@ struct Scene::Impl {
       for (vtkActor* actor : {marker.actor.Get(), markerRim.actor.Get()})
         setPose(actor, facing);
     }
-    platformActors->lookFrom(world_T_work.inverse() *
-                             Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition()));
+    const Eigen::Vector3d eye =
+        world_T_work.inverse() * Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition());
+    platformActors->lookFrom(eye);
+    cellActors->setSeenThrough(view.world == World::Work && eye.z() < 0.0);
     renderer->ResetCameraClippingRange();
     pieceLabels->update(view, world_T_work);
     overlay->update();
@@ -494,7 +496,7 @@ struct Scene::Impl {
       extend(platform->box);
     if (platformActors->showsRod() && !view.cell)
       extend(platformActors->rodBeside(box));
-    if (shows(view.cell, cell.get()))
+    if (shows(view.cell && view.cellFramed, cell.get()))
       box.extend(cellActors->box());
     return box;
   }

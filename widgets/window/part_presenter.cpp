@@ -2,9 +2,10 @@
 
 #include "geometry/measures.h"
 #include "geometry/placement.h"
+#include "pipeline/cell_reach.h"
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 #include "window/background.h"
 
 namespace voluta::window {
@@ -32,11 +33,14 @@ drawingOf(const platform::PlatformSolid& platform) {
 PartPresenter::PartPresenter(document::Document& document, viewer::Viewport& viewport)
     : document_(document), viewport_(viewport), drawingPart_(std::make_unique<jobs::JobRunner>()),
       drawingPlatform_(std::make_unique<jobs::JobRunner>()),
-      drawingCell_(std::make_unique<jobs::JobRunner>()) {
+      drawingCell_(std::make_unique<jobs::JobRunner>()),
+      drawingChosenCell_(std::make_unique<jobs::JobRunner>()) {
   using document::Document;
   connect(&document, &Document::sourceChanged, this, &PartPresenter::drawSource);
   connect(&document, &Document::resultChanged, this, &PartPresenter::show);
   connect(&document, &Document::choicesChanged, this, &PartPresenter::drawPlannedPlatform);
+  connect(&document, &Document::choicesChanged, this, &PartPresenter::drawChosenCell);
+  connect(&document, &Document::sourceChanged, this, &PartPresenter::drawChosenCell);
   connect(&document, &Document::previewChanged, this, [this] {
     if (const auto& preview = document_.preview())
       drawPlatform(preview->decomposition->platform);
@@ -46,7 +50,8 @@ PartPresenter::PartPresenter(document::Document& document, viewer::Viewport& vie
 PartPresenter::~PartPresenter() = default;
 
 bool PartPresenter::busy() const {
-  return drawingPart_->running() || drawingPlatform_->running() || drawingCell_->running();
+  return drawingPart_->running() || drawingPlatform_->running() || drawingCell_->running() ||
+         drawingChosenCell_->running();
 }
 
 void PartPresenter::show(Stage stage) {
@@ -54,9 +59,11 @@ void PartPresenter::show(Stage stage) {
   if (!result) {
     drawnPart_.reset();
     drawnCell_.reset();
+    swapCell(CellOf::Plan, nullptr);
   } else if (stage == Stage::Load) {
     drawPart(result->job.part);
     drawPlannedPlatform();
+    drawChosenCell();
   } else if (stage == Stage::Decompose) {
     drawnPlatform_ = {pipeline::plannedPlatformKey(result->job.choices), result->job.part};
     drawPlatform(result->job.platform);
@@ -147,25 +154,63 @@ void PartPresenter::swapPlatform(const std::shared_ptr<const scene::PlatformDraw
     emit platformDrawn();
 }
 
-void PartPresenter::setCollisionSolids(bool on) {
-  if (std::exchange(collisionSolids_, on) != on)
-    drawCell(std::exchange(drawnCell_, nullptr));
-}
-
 void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
   if (!cell || drawnCell_ == cell)
     return;
   drawnCell_ = cell;
   inBackground(
       *drawingCell_,
-      [cell, solids = collisionSolids_] {
-        return scene::drawCell(*cell, solids ? std::vector<robot::LinkMesh>()
-                                             : robot::linkMeshesOf(cell->robot().id));
+      [cell] { return scene::drawCell(*cell, robot::lookOf(cell->robot())); },
+      [this](auto&& made) { swapCell(CellOf::Plan, made); });
+}
+
+// The machine is on show before anything is planned. A cell that cannot be read is not drawn: the
+// plan says what is wrong with it.
+void PartPresenter::drawChosenCell() {
+  const project::Choices& choices = document_.choices();
+  const auto placed = document_.upToDate(Stage::Load) ? document_.result(Stage::Load) : nullptr;
+  std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> wanted;
+  try {
+    wanted = {pipeline::cellReachKey(choices, 0.0) + pipeline::plannedPlatformKey(choices),
+              placed ? placed->job.part : nullptr};
+  } catch (const base::Error&) {
+    return swapCell(CellOf::Choices, nullptr);
+  }
+  if (wanted == chosenCell_)
+    return;
+  chosenCell_ = wanted;
+  inBackground(
+      *drawingChosenCell_,
+      [choices, stage = placed ? placed->placed : nullptr]() {
+        std::shared_ptr<const scene::CellDrawing> drawing;
+        try {
+          const process::Process process =
+              pipeline::chosenProcess(choices, pipeline::parameterValues(choices));
+          const robot::Cell cell =
+              stage ? robot::loadCell(choices.cell, process,
+                                      pipeline::plannedPlatform(*stage, choices))
+                    : pipeline::cellToMap(choices, process);
+          drawing = scene::drawCell(cell, robot::lookOf(cell.robot()));
+        } catch (const base::Error&) {
+        }
+        return drawing;
       },
-      [this](auto&& made) {
-        viewport_.scene().setCell(made);
-        viewport_.requestFrame();
-      });
+      [this](auto&& made) { swapCell(CellOf::Choices, made); });
+}
+
+void PartPresenter::swapCell(CellOf which, std::shared_ptr<const scene::CellDrawing> drawing) {
+  cells_[static_cast<std::size_t>(which)] = std::move(drawing);
+  if (which != shownCell_)
+    return;
+  viewport_.scene().setCell(cells_[static_cast<std::size_t>(which)]);
+  viewport_.requestFrame();
+  if (which == CellOf::Choices && box_.isEmpty())
+    emit drawn(true);
+}
+
+void PartPresenter::showCell(CellOf which) {
+  if (std::exchange(shownCell_, which) != which)
+    viewport_.scene().setCell(cells_[static_cast<std::size_t>(which)]);
 }
 
 } // namespace voluta::window

@@ -35,8 +35,7 @@ public:
   int pathLayers() const { return print_.pathLayers(); }
   // Of the part on show, work frame; empty: no part.
   const Eigen::AlignedBox3d& partBox() const { return part_.box(); }
-  // As PartPresenter's.
-  void setCollisionSolids(bool on) { part_.setCollisionSolids(on); }
+  void showCell(PartPresenter::CellOf which) { part_.showCell(which); }
   const std::shared_ptr<const timeline::Clock>& clock() const { return print_.clock(); }
   const std::shared_ptr<const LayerFacts>& facts() const { return print_.facts(); }
   // Waypoints of a layer in print order, as moves count them.

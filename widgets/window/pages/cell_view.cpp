@@ -5,9 +5,31 @@
 
 namespace voluta::window {
 
+namespace {
+
+void showCell(scene::ViewState& view, const panels::ObjectTree& tree) {
+  using panels::SceneItem;
+  const auto role = [&](robot::BodyRole r) -> bool& {
+    return view.roles[static_cast<std::size_t>(r)];
+  };
+  view.cell = tree.isShown(SceneItem::Cell);
+  role(robot::BodyRole::Link) = tree.isShown(SceneItem::Robot);
+  role(robot::BodyRole::Head) = role(robot::BodyRole::Holder) = tree.isShown(SceneItem::Nozzle);
+  role(robot::BodyRole::Platform) = tree.isShown(SceneItem::Plate);
+}
+
+} // namespace
+
+void drawCellAtRest(scene::ViewState& view, const Workspace& work) {
+  work.presenter.showCell(PartPresenter::CellOf::Choices);
+  showCell(view, work.tree);
+  view.cellFramed = work.presenter.partBox().isEmpty();
+}
+
 void drawCellAtWork(scene::ViewState& view, const Workspace& work) {
   using panels::SceneItem;
   const auto shows = [&](SceneItem item) { return work.tree.isShown(item); };
+  work.presenter.showCell(PartPresenter::CellOf::Plan);
   view.part = false;
   view.sectionOn = false;
   view.paths = work.presenter.hasPaths() && shows(SceneItem::Part);
@@ -18,13 +40,7 @@ void drawCellAtWork(scene::ViewState& view, const Workspace& work) {
     return;
   }
   view.world = scene::World::Base;
-  view.cell = shows(SceneItem::Cell);
-  const auto role = [&](robot::BodyRole r) -> bool& {
-    return view.roles[static_cast<std::size_t>(r)];
-  };
-  role(robot::BodyRole::Link) = shows(SceneItem::Robot);
-  role(robot::BodyRole::Head) = role(robot::BodyRole::Holder) = shows(SceneItem::Nozzle);
-  role(robot::BodyRole::Platform) = shows(SceneItem::Plate);
+  showCell(view, work.tree);
   view.joints = clock->jointsAt(work.timeline.timeS());
   view.printedWaypoints = clock->printedWaypoints(work.timeline.timeS());
 }

@@ -16,6 +16,7 @@
 #include "robot/cell_draft.h"
 #include "window/cell_editor.h"
 #include "window/mesh_summary.h"
+#include "window/pages/cell_view.h"
 #include "window/pages/reach_view.h"
 #include "window/pages/stand_chooser.h"
 #include "window/presenter.h"
@@ -184,6 +185,7 @@ void PreparePage::draw(scene::ViewState& view) {
   view.voxels = made && work().presenter.hasVoxels();
   view.pieces = made && work().presenter.hasPieces();
   view.part = part && !view.voxels && !view.pieces;
+  drawCellAtRest(view, work());
   reach_->draw(view);
 }
 
