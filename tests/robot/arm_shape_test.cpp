@@ -123,7 +123,7 @@ protected:
       EXPECT_TRUE(isClosed(loft.mesh)) << which;
       EXPECT_GT(geometry::volume(loft.mesh), 0.0) << which;
       EXPECT_GT(leastArea(loft.mesh), 1e-7) << which;
-      EXPECT_LT(worstNormal(loft), 0.6) << which;
+      EXPECT_LT(worstNormal(loft), 0.7) << which;
       for (const Vector3d& normal : loft.normals)
         ASSERT_NEAR(normal.norm(), 1.0, 1e-9) << which;
     }
@@ -167,14 +167,23 @@ TEST_F(Shapes, AnArmWithoutOneGetsItFromItsKinematics) {
 // What is seen and what is checked must not tell different stories: a part that looks clear of the
 // arm is, and one that meets the solids looks near it.
 TEST_F(Shapes, StayNearTheSolidsThatAreChecked) {
-  constexpr double kBeyondMm = 40.0; // corners of housings; the solids are round and few
+  constexpr double kBeyondMm = 30.0;  // corners of housings: the solids are few and round
+  constexpr double kBaseBeyondMm = 55.0; // corners of castings about a column
+  constexpr double kFootMm = 20.0;    // plates on which the arm stands: nothing gets beside them
   for (const std::string& id : robotIds()) {
     const RobotModel robot = loadRobot(id);
     std::vector<Isometry3d> poses;
     robot.kinematics->linkPoses(restOf(robot), poses);
+    const std::vector<ShapeSolid> solids = lookOf(robot).solids;
+    double ground = 0.0;
+    for (const ShapeSolid& solid : solids)
+      for (const Vector3d& v : meshOf(solid.loft).mesh.vertices)
+        ground = solid.frame == 0 ? std::min(ground, v.z()) : ground;
     std::map<int, double> worst;
-    for (const ShapeSolid& solid : lookOf(robot).solids)
+    for (const ShapeSolid& solid : solids)
       for (const Vector3d& v : meshOf(solid.loft).mesh.vertices) {
+        if (solid.frame == 0 && v.z() < ground + kFootMm)
+          continue;
         double nearest = std::numeric_limits<double>::infinity();
         for (const Body& link : robot.links) {
           // Joints reach into the links beside them.
@@ -187,11 +196,8 @@ TEST_F(Shapes, StayNearTheSolidsThatAreChecked) {
         }
         worst[solid.frame] = std::max(worst[solid.frame], nearest);
       }
-    for (const auto& [frame, beyond] : worst) {
-      EXPECT_LT(beyond, kBeyondMm) << id << ", link " << frame;
-      if (beyond > 10.0)
-        std::printf("%s link %d: %.1f mm beyond its solids\n", id.c_str(), frame, beyond);
-    }
+    for (const auto& [frame, beyond] : worst)
+      EXPECT_LT(beyond, frame == 0 ? kBaseBeyondMm : kBeyondMm) << id << ", link " << frame;
   }
 }
 
