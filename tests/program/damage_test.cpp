@@ -31,10 +31,14 @@ protected:
     std::erase_if(all, [](const Dialect& d) { return GetParam() && !d.turnsRods; });
     return all;
   }
+  static bool sameFact(const plan::StatedFact& a, const plan::StatedFact& b) {
+    return a.kind == b.kind && a.number == b.number && a.word == b.word;
+  }
   static bool seen(const plan::ReadProgram& whole, const plan::ReadProgram& damaged) {
     if (!damaged.defects.empty() || !damaged.complete ||
         damaged.motions.size() != whole.motions.size() ||
-        damaged.flange_T_tcp.matrix() != whole.flange_T_tcp.matrix())
+        damaged.flange_T_tcp.matrix() != whole.flange_T_tcp.matrix() ||
+        !std::ranges::equal(damaged.facts, whole.facts, sameFact))
       return true;
     for (std::size_t i = 0; i < whole.motions.size(); ++i)
       if (!test::sameMotion(whole.motions[i], damaged.motions[i]))
