@@ -78,6 +78,10 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
     read.firstMotion = motions.size();
     for (plan::ProgramPause& pause : read.pauses)
       pause.before += read.firstMotion;
+    for (plan::StatedFact& fact : read.facts)
+      fact.before += read.firstMotion;
+    for (plan::StatedPosture& stated : read.postures)
+      stated.motion += read.firstMotion;
     motions.insert(motions.end(), read.motions.begin(), read.motions.end());
     read.motions = std::move(motions);
   }

@@ -51,6 +51,5 @@ plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext&
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
                                  const process::Process& process, const base::RunContext& ctx);
 bool looksLikeTableGcode(std::string_view text);
-bool mayBeMissingInTableGcode(const std::vector<std::string>& lines, std::size_t i); // Dialect
 
 } // namespace voluta::program

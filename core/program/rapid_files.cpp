@@ -101,8 +101,6 @@ bool looksLikeRapid(std::string_view text) {
 }
 
 bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i) {
-  if (lines[i].find("UIMsgBox") != std::string::npos)
-    return true;
   if (lines[i].find("ConfJ") == std::string::npos)
     return primes(lines, i);
   // About motions by joints: nothing where there is none.

@@ -3,6 +3,7 @@
 #include "program/extruder.h"
 #include "program/extruder_axis.h"
 #include "program/filament.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -191,9 +192,7 @@ private:
   }
 
   void aboutSignals() {
-    out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
-    number(in_.process.maxFlowMm3PerS, 3);
-    line(" mm3/s");
+    line(joined({"  ! extruder on: doExtruder; flow: aoFlow, ", fullFlowText("1", in_.process)}));
     if (bySpeed_)
       line("  ! in beads aoFlow is the TCP's real speed in mm/s times TriggSpeed's last number");
     line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,

@@ -11,6 +11,7 @@
 #include "replay/executed_path.h"
 #include "replay/run.h"
 #include "replay/section_errors.h"
+#include "replay/stated_facts.h"
 #include "replay/verification.h"
 
 #include <algorithm>
@@ -129,6 +130,7 @@ private:
         alignProgram(in_.program, *path_, planned, in_.trajectory, in_.cell, ctx_);
     deviates(compareWithPlan(in_.program, *path_, planned, in_.trajectory, alignment,
                              ComparisonOptions{}));
+    deviates(compareStatedFacts(in_.program, in_.trajectory, alignment, in_.cell, in_.process));
     deviates(judgeBesideMotion(in_.program, *path_, in_.plan, in_.trajectory, in_.cell, in_.process,
                                in_.firstPoint));
     const struct PathDeviation deviation =
