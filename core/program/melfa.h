@@ -57,8 +57,8 @@ plan::Program writeMelfa(const ProgramInput& input, const base::RunContext& ctx)
 // before, within or behind the program), GoSub, CallP of files that are there, and melfaWords();
 // letters of either case. Everything else is a defect, and so are numbers that do not ascend, steps
 // too long or too many, and another base. Without distances Cnt 1 blends as far as it takes to
-// stop, and is stated as OpenRounding. `complete`: every program ended with End, the extruder's outputs off behind its last
-// motion.
+// stop, and is stated as OpenRounding. `complete`: every program ended with End, the extruder's
+// outputs off behind its last motion.
 plan::ReadProgram readMelfa(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where; everything else is refused.

@@ -52,7 +52,7 @@ void expectRefused(const Verification& v, const std::string& word, std::size_t l
 }
 
 TEST(StatedFacts, AUnitOfAnotherNameIsFound) {
-  const test::Scene s = test::rodScene(1);
+  const test::Scene s = test::rodScene();
   const struct {
     const char *format, *pattern, *by, *at;
   } cases[] = {{"rapid", "(ActUnit |\")rod\\b", "$1spindle", "ActUnit"},
