@@ -56,7 +56,7 @@ constexpr std::array kForHome{UsualCell};
 constexpr std::array kForCell{UsualProcess, UsualCell};
 constexpr std::array kForPlates{ScaleToPlate, LargerCell, MakePlatform};
 
-constexpr std::span<const RemedyId> kNoCures;
+constexpr std::span<const RemedyId> kNoCures{};
 constexpr base::Text kOnlyWriteAgain =
     "the program's text is not this plan's: nothing in the plan is to be changed"_text;
 constexpr base::Text kSaysItself = "the message says what would help"_text;
