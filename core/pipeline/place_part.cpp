@@ -15,7 +15,6 @@
 #include "pipeline/turned_part.h"
 #include "plan/finding_kinds.h"
 #include "robot/reachable_ball.h"
-#include "support/supports.h"
 #include "voxel/solid_voxels.h"
 #include "voxel/voxel_object.h"
 
@@ -154,8 +153,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
   if (loaded.cells)
     placeCells(loaded, stage->scale * unit, stage->placement, ctx, *stage);
   if (choices.platform.isOfCell())
-    stage->platform =
-        cellPlate(fittingCell(choices, process), *stage->part, support::supportsWanted(values));
+    stage->platform = cellPlate(fittingCell(choices, process), *stage->part, plateNeeds(values));
   stage->report.scale = stage->scale;
   stage->report.triangles = stage->part->triangles.size();
   stage->report.watertight = geometry::isWatertight(*stage->part);

@@ -19,7 +19,7 @@ constexpr double kMostFaces = 4e5;
 double pitchFor(const plan::ToolPlan& plan, const process::Process& process) {
   Eigen::AlignedBox3d box;
   for (const plan::ToolPath& path : plan.paths)
-    if (path.kind != plan::PathKind::Skirt)
+    if (!plan::isWaste(path.kind))
       for (std::size_t i = path.first; i < path.first + path.count; ++i)
         box.extend(plan.position[i]);
   const Vector3d size = box.isEmpty() ? Vector3d::Zero().eval() : box.sizes();

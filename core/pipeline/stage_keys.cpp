@@ -4,15 +4,16 @@
 #include "base/json_node.h"
 #include "base/key_text.h"
 #include "modes/mode_table.h"
+#include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/turned_part.h"
 #include "program/dialect.h"
 #include "project/content_hash.h"
 #include "robot/cell.h"
+
 #include "robot/planning_text.h"
 #include "robot/robot_reader.h"
-#include "support/supports.h"
 
 #include <fmt/format.h>
 
@@ -71,8 +72,11 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   text += base::keyText(turnPlan(c, in.values));
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n";
-  if (c.platform.isOfCell())
-    text += "a plate of\n" + cell + base::keyText(support::supportsWanted(in.values));
+  if (c.platform.isOfCell()) {
+    const PlateNeeds needs = plateNeeds(in.values);
+    text += "a plate of\n" + cell +
+            base::keyText(needs.supports, needs.prime, needs.primeIsRing, needs.primeLengthMm);
+  }
   const modes::Mode& mode = modes::findMode(c.mode);
   if (mode.place)
     text += base::keyText(mode.id) + mode.place.key(in);

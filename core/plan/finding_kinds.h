@@ -153,6 +153,8 @@ enum class FindingKind : std::uint8_t {
   PathDeviation,
   ProgramRefused,
   ForeignRefused,
+  // toolpath
+  PrimeFalls,
 };
 
 enum class Gravity {

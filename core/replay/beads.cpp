@@ -46,7 +46,7 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
         pointOf[m] < waypointAt.size() ? waypointAt[pointOf[m]] : plan::kNoWaypoint;
     if (w < plan.waypointCount()) {
       here.toHeightMm = plan.heightMm[w];
-      here.waste = kind[w] == plan::PathKind::Skirt;
+      here.waste = plan::isWaste(kind[w]);
       here.ofPart = !here.waste && kind[w] != plan::PathKind::Support;
     }
     result[m] = last = here;

@@ -23,8 +23,8 @@ namespace voluta::replay {
 // What a program's text does not say of a motion's bead and its plan does.
 struct BeadKnowledge {
   float fromHeightMm = 0.0f, toHeightMm = 0.0f;
-  bool ofPart = true; // false: support or skirt
-  bool waste = false; // a skirt: whether it rests on anything is nobody's concern
+  bool ofPart = true; // false: support, skirt or prime
+  bool waste = false; // skirt or prime: whether it rests on anything is nobody's concern
 };
 
 // Material of a motion that takes so long, mm3: the amount that the text gives, else flow x time; 0

@@ -82,7 +82,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"tableZMm", {"5", kStageCount}},
     {"tableSense", {"tool", kStageCount}},
     {"tableTurns", {"2", kStageCount}},
-    {"tableUnwind", {"wind", kStageCount}},
+    {"tableUnwind", {"count", kStageCount}},
     {"gcodeRunner", {"rapid", 5}},
     {"mxtController", {"cr800", kStageCount}},
     {"extruderAxisMm", {"5000", kStageCount}}, // nor here

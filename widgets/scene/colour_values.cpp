@@ -1,6 +1,7 @@
 #include "scene/colour_values.h"
 
 #include "base/shown_number.h"
+#include "plan/tool_plan.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,8 @@ namespace {
 
 constexpr int kStops = 5;
 constexpr double kLoneValue = 0.6; // place on the map of a value that is the same everywhere
-constexpr std::array<base::Text, 5> kKindNames{"Wall"_text, "Infill"_text, "Gap fill"_text,
-                                               "Skirt"_text, "Support"_text};
+constexpr std::array<base::Text, plan::kPathKinds> kKindNames{
+    "Wall"_text, "Infill"_text, "Gap fill"_text, "Skirt"_text, "Support"_text, "Prime"_text};
 
 const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by) {
   switch (by) {
