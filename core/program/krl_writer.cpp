@@ -31,9 +31,7 @@ class KrlWriter : private Speller {
 public:
   KrlWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), motions_(input, ctx),
-        cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
-                                           ? input.options.motionsPerFile
-                                           : kKrlMotionsPerFile)),
+        cuts_(cutsOf(input, motionsPerFile(input.options, kKrlMotionsPerFile))),
         name_(krlName(input.name)), byAxis_(extruderOf(input).byAxis) {
     program_.format = "krl";
     program_.foreign = input.foreign;

@@ -37,7 +37,7 @@ public:
       out_.line = texts_[f].lastLine;
       if (!ran_[f])
         out_.defect("no program calls this file"_text);
-      complete = complete && ran_[f] && texts_[f].ended;
+      complete = complete && ran_[f];
     }
     complete = complete && !missing_;
     if (nozzle_)

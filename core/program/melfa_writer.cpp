@@ -25,7 +25,8 @@ class MelfaWriter : private Speller {
 public:
   MelfaWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), motions_(input, ctx),
-        cuts_(cutsOf(input.trajectory, motionsPerFile())),
+        cuts_(cutsOf(input, std::min(motionsPerFile(input.options, kMelfaMotionsPerFile),
+                                     kMelfaMotionsPerFile))),
         name_(identifierOf(input.name).substr(0, kNameCharacters)) {
     program_.format = "melfa";
     program_.foreign = input.foreign;
@@ -39,10 +40,6 @@ public:
   }
 
 private:
-  std::size_t motionsPerFile() const {
-    const std::size_t asked = in_.options.motionsPerFile;
-    return asked > 0 ? std::min(asked, kMelfaMotionsPerFile) : kMelfaMotionsPerFile;
-  }
   void step(std::string_view code) {
     out_ += std::to_string(++steps_);
     out_ += ' ';

@@ -17,9 +17,9 @@ std::string moduleListText(std::string_view module) {
                  module, "</Module>\r\n</Program>\r\n"});
 }
 
-std::string signalListText(std::string_view unit) {
-  std::string text = "EIO:CFG_1.0:6:1::\r\n"
-                     "# What the program expects; give each signal its -Device and -DeviceMap.\r\n";
+std::string signalListText(std::string_view unit, bool omniCore) {
+  std::string text = joined({"EIO:CFG_1.0:", omniCore ? "7:0" : "6:1", "::\r\n"});
+  text += "# What the program expects; give each signal its -Device and -DeviceMap.\r\n";
   if (!unit.empty())
     text += joined({"# Its mechanical unit, ", unit, ", belongs into MOC.cfg.\r\n"});
   return text + "#\r\nEIO_SIGNAL:\r\n\r\n"
@@ -37,7 +37,7 @@ bool takeModule(std::string_view& line) {
   return true;
 }
 
-bool linesEndRight(std::string_view text, ProgramBuilder& out) {
+void tellLineEnds(std::string_view text, ProgramBuilder& out) {
   bool told = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool lf = text[i] == '\n', cr = text[i] == '\r';
@@ -48,10 +48,6 @@ bool linesEndRight(std::string_view text, ProgramBuilder& out) {
     told = told || !pair;
     out.line += lf ? 1 : 0;
   }
-  const bool ended = !text.empty() && text.back() == '\n';
-  if (!ended)
-    out.defect("the last line has no end: the file was cut short"_text);
-  return ended;
 }
 
 std::string_view behindHeader(std::string_view text) {

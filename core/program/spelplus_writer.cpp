@@ -35,7 +35,7 @@ class SpelplusWriter : private Speller {
 public:
   SpelplusWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), tcp_(motionTargets(input, ctx)), targets_(tcp_),
-        motions_(in_, targets_), cuts_(cutsOf(input.trajectory, input.options.motionsPerFile)),
+        motions_(in_, targets_), cuts_(cutsOf(input, motionsPerFile(input.options, 0))),
         name_(programName(input.name)) {
     program_.format = "spel";
     program_.foreign = input.foreign;

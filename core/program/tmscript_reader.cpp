@@ -80,17 +80,14 @@ private:
         statement(withoutRemark(trimmed(rest.substr(0, rest.find('\n')))));
       behindLine(rest);
     }
-    const bool ended = !text.empty() && text.back() == '\n';
     out_.line = std::max<std::size_t>(out_.line, 2) - 1;
-    if (!ended)
-      defect("the last line has no end: the file was cut short"_text);
     if (text.find('\n') != std::string_view::npos && text.find('\r') == std::string_view::npos)
       defect("lines end with LF alone: a listen node takes CR LF"_text);
     if (!left_)
       defect("ScriptExit() is missing at the end"_text);
     if (!out_.outputsEnded())
       defect("the extruder is not set off behind the last motion"_text);
-    return ended && left_ && out_.outputsEnded();
+    return left_ && out_.outputsEnded();
   }
 
   void behindLine(std::string_view& rest) {

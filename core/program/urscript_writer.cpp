@@ -41,7 +41,8 @@ public:
 
   plan::Program write() {
     roundTargets();
-    const Walk walk{"urscript", cutsOf(in_.trajectory, in_.options.motionsPerFile), &motions_};
+    const Walk walk{"urscript", cutsOf(in_, motionsPerFile(in_.options, kMotionsPerScript)),
+                    &motions_};
     parts_ = walk.cuts.size() - 1;
     walkTrajectory(in_, walk, *this, ctx_);
     if (parts_ > 1 && !forPort_)

@@ -2,6 +2,8 @@
 // marked optional; an unknown key is an error.
 //   id, label, maker      texts; id as the file's name
 //   controller            id of the program format its controller reads, e.g. "urscript"
+//   controllerModel       optional: the controller's model where programs differ by it: "omnicore"
+//                         (ABB with RobotWare 7)
 //   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist) |
 //                         "chain" (any six turning axes) | "scara" (two upright axes and a shaft
 //                         that slides and turns)
@@ -27,9 +29,11 @@
 //   shape                 optional: what it looks like, as in robot/arm_shape.h; read where it is drawn
 #include "robot/robot_reader.h"
 
+#include "base/data_files.h"
 #include "base/json_node.h"
 #include "robot/arm_shape.h"
 #include "robot/chain_kinematics.h"
+#include "robot/controller_model.h"
 #include "robot/joint_reading.h"
 #include "robot/json_pose.h"
 #include "robot/limits_reader.h"
@@ -207,13 +211,15 @@ bool holdsRobot(const base::JsonNode& robot) {
 }
 
 RobotModel readRobot(const base::JsonNode& top) {
-  top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "reading", "limits",
-                 "links", "neverMeet", "payloadKg", "sources", "assumed", "shape"});
+  top.allowOnly({"id", "label", "maker", "controller", "controllerModel", "family", "geometryMm",
+                 "reading", "limits", "links", "neverMeet", "payloadKg", "sources", "assumed", "shape"});
   RobotModel robot;
   robot.id = top.at("id").text();
   robot.label = top.at("label").text();
   robot.maker = top.at("maker").text();
   robot.controller = top.at("controller").text();
+  if (top.has("controllerModel"))
+    top.at("controllerModel").text();
   robot.kinematics = readKinematics(top);
   robot.limits = readLimits(top.at("limits"), *robot.kinematics);
   robot.links = readLinks(top.at("links"), robot.dof());
@@ -228,6 +234,15 @@ RobotModel readRobot(const base::JsonNode& top) {
     for (const auto& [a, b] : readBodyPairs(top.at("neverMeet"), robot.links))
       robot.neverMeet.emplace_back(a, b);
   return robot;
+}
+
+std::string controllerModel(const std::string& robotId) {
+  const std::vector<std::string> known = robotIds();
+  if (std::ranges::find(known, robotId) == known.end())
+    return {};
+  const base::JsonNode top =
+      base::JsonNode::readFile(base::dataFile("robots", robotId, "unknown robot '{id}'"_text));
+  return top.has("controllerModel") ? top.at("controllerModel").text() : std::string();
 }
 
 } // namespace voluta::robot

@@ -145,7 +145,7 @@ TEST_F(ExportTest, WindingAndReadersAreOptionsOfTheirFormats) {
   ASSERT_NE(unwind, nullptr);
   unwind->setFocus();
   QTest::keyClick(unwind, Qt::Key_Down);
-  EXPECT_EQ(document().choices().parameters.at("tableUnwind"), "wind");
+  EXPECT_EQ(document().choices().parameters.at("tableUnwind"), "count");
   // An edit leaves the row on show that was chosen, though nothing of it is written yet.
   QTest::qWait(200);
   EXPECT_EQ(formats()->currentId(), "gcode-bc");
