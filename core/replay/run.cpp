@@ -119,6 +119,8 @@ private:
     const auto laid = std::make_shared<LaidBeads>();
     laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
     laid->printed.emplace(laid->beads, pieces);
+    laid->underside.emplace(process::erodedHead(in_.process.head, in_.process.contactToleranceMm),
+                            pieces, options.widthMaxMm);
     judgeBeads(*laid, pieces);
     laid->pieces = laidPieces(pieces, 2.0 * in_.process.beadWidthMaxMm);
     // What is met is asked for fillers alone.
@@ -232,8 +234,8 @@ private:
       for (std::size_t m = 0; m < armSame.size(); ++m)
         armSame[m] = armSame[m] && sameJoints(known->run.path, m);
     const std::vector<std::uint32_t> firstPiece = firstPieces(known);
-    out_.head = headClashes(path(), out_.laid->pieces, firstPiece, *out_.laid->printed, in_.process,
-                            ground, same_, ctx_);
+    out_.head = headClashes(path(), out_.laid->pieces, firstPiece, *out_.laid->printed,
+                            *out_.laid->underside, in_.process, ground, same_, ctx_);
     ctx_.report(0.97, "looking for collisions"_text);
     out_.arm = armClashes(path(), firstPiece, *out_.laid->printed, ground, in_.cell, armSame, ctx_);
     if (known) {
