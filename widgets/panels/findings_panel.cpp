@@ -1,6 +1,7 @@
 #include "panels/findings_panel.h"
 
 #include "forms/colours.h"
+#include "forms/discard.h"
 #include "forms/icons.h"
 #include "language/words.h"
 #include "panels/findings_model.h"
@@ -358,11 +359,8 @@ void FindingsPanel::showRemedies(const plan::Finding& finding) {
   if (wanted == shownRemedies_)
     return;
   shownRemedies_ = wanted;
-  for (QPushButton* button : remedyButtons_) {
-    button->setObjectName({});
-    button->hide();
-    button->deleteLater(); // it may be the one that was clicked
-  }
+  for (QPushButton* button : remedyButtons_)
+    forms::discard(button);
   remedyButtons_.clear();
   for (const RemedyButton& remedy : wanted) {
     auto* button = new QPushButton(remedy.label, actions_);
