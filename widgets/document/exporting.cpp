@@ -12,11 +12,15 @@ Exporting::Exporting(QObject* parent) : QObject(parent) {}
 
 QStringList Exporting::inTheWay(const QString& folder, const pipeline::PlanResult& plan,
                                 const pipeline::Programs& programs) {
-  QStringList there;
+  QStringList ofPrograms, others;
+  for (const auto& checked : programs)
+    for (const plan::ProgramFile& file : checked->program.files)
+      ofPrograms << QString::fromStdString(pipeline::writtenName(*checked, file));
   for (const std::string& name : pipeline::handoverNames(plan, programs))
-    if (const QString file = QString::fromStdString(name);
-        QFileInfo::exists(QDir(folder).filePath(file)))
-      there << file;
+    if (const QString file = QString::fromStdString(name); !ofPrograms.contains(file))
+      others << file;
+  QStringList there = ofPrograms + others;
+  there.removeIf([&](const QString& file) { return !QFileInfo::exists(QDir(folder).filePath(file)); });
   return there;
 }
 

@@ -17,7 +17,7 @@ class Exporting : public QObject {
 public:
   explicit Exporting(QObject* parent = nullptr);
 
-  // Which of the files that write() would leave in the folder are there already.
+  // Which of the files that write() would leave in the folder are there already, programs first.
   static QStringList inTheWay(const QString& folder, const pipeline::PlanResult& plan,
                               const pipeline::Programs& programs);
 
