@@ -26,7 +26,8 @@
 //   payloadKg             optional: what it may carry at its flange
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
-//   shape                 optional: what it looks like, as in robot/arm_shape.h; read where it is drawn
+//   shape                 optional: what it looks like, as in robot/arm_shape.h; read where it is
+//   drawn
 #include "robot/robot_reader.h"
 
 #include "base/data_files.h"
@@ -212,7 +213,8 @@ bool holdsRobot(const base::JsonNode& robot) {
 
 RobotModel readRobot(const base::JsonNode& top) {
   top.allowOnly({"id", "label", "maker", "controller", "controllerModel", "family", "geometryMm",
-                 "reading", "limits", "links", "neverMeet", "payloadKg", "sources", "assumed", "shape"});
+                 "reading", "limits", "links", "neverMeet", "payloadKg", "sources", "assumed",
+                 "shape"});
   RobotModel robot;
   robot.id = top.at("id").text();
   robot.label = top.at("label").text();

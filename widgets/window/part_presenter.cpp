@@ -75,11 +75,7 @@ void PartPresenter::show(Stage stage) {
 void PartPresenter::drawSource() {
   const std::shared_ptr<const project::LoadedPart> source = document_.source();
   if (!source) {
-    viewport_.scene().setPart(nullptr);
-    box_.setEmpty();
-    drawnPart_.reset();
-    viewport_.requestFrame();
-    emit drawn(true);
+    clear();
     return;
   }
   if (document_.result(Stage::Load) && document_.upToDate(Stage::Load))
@@ -97,6 +93,22 @@ void PartPresenter::drawSource() {
         drawnPart_.reset();
         swapPart(made.first, made.second);
       });
+}
+
+// What is still being drawn must not come into an empty project.
+void PartPresenter::clear() {
+  for (const auto* runner : {&drawingPart_, &drawingPlatform_, &drawingCell_})
+    (*runner)->cancel();
+  viewport_.scene().setPart(nullptr);
+  viewport_.scene().setPlatform(nullptr);
+  box_.setEmpty();
+  shownSource_.reset();
+  drawnPart_.reset();
+  drawnPlatform_ = {};
+  drawnCell_.reset();
+  swapCell(CellOf::Plan, nullptr);
+  viewport_.requestFrame();
+  emit drawn(true);
 }
 
 void PartPresenter::drawPart(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
@@ -159,8 +171,7 @@ void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
     return;
   drawnCell_ = cell;
   inBackground(
-      *drawingCell_,
-      [cell] { return scene::drawCell(*cell, robot::lookOf(cell->robot())); },
+      *drawingCell_, [cell] { return scene::drawCell(*cell, robot::lookOf(cell->robot())); },
       [this](auto&& made) { swapCell(CellOf::Plan, made); });
 }
 
@@ -186,10 +197,10 @@ void PartPresenter::drawChosenCell() {
         try {
           const process::Process process =
               pipeline::chosenProcess(choices, pipeline::parameterValues(choices));
-          const robot::Cell cell =
-              stage ? robot::loadCell(choices.cell, process,
-                                      pipeline::plannedPlatform(*stage, choices))
-                    : pipeline::cellToMap(choices, process);
+          const robot::Cell cell = stage
+                                       ? robot::loadCell(choices.cell, process,
+                                                         pipeline::plannedPlatform(*stage, choices))
+                                       : pipeline::cellToMap(choices, process);
           drawing = scene::drawCell(cell, robot::lookOf(cell.robot()));
         } catch (const base::Error&) {
         }
@@ -204,6 +215,7 @@ void PartPresenter::swapCell(CellOf which, std::shared_ptr<const scene::CellDraw
     return;
   viewport_.scene().setCell(cells_[static_cast<std::size_t>(which)]);
   viewport_.requestFrame();
+  emit cellDrawn();
   if (which == CellOf::Choices && box_.isEmpty())
     emit drawn(true);
 }

@@ -27,13 +27,17 @@ public:
   // Which cell is on show: that of the choices, at rest, or that of the plan on show.
   enum class CellOf { Choices, Plan };
   void showCell(CellOf which);
+  // Returns whether the cell to show is drawn.
+  bool hasCell() const { return cells_[static_cast<std::size_t>(shownCell_)] != nullptr; }
 
 signals:
   void platformDrawn();     // one of another size
   void drawn(bool another); // another: not the one that was on show with another placement
+  void cellDrawn();
 
 private:
   void show(project::Stage stage);
+  void clear();
   void drawSource();
   void drawPart(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
   void swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,

@@ -1,5 +1,6 @@
 #include "window/pages/cell_view.h"
 
+#include "document/document.h"
 #include "panels/object_tree.h"
 #include "window/presenter.h"
 
@@ -29,18 +30,20 @@ void drawCellAtRest(scene::ViewState& view, const Workspace& work) {
 void drawCellAtWork(scene::ViewState& view, const Workspace& work) {
   using panels::SceneItem;
   const auto shows = [&](SceneItem item) { return work.tree.isShown(item); };
-  work.presenter.showCell(PartPresenter::CellOf::Plan);
-  view.part = false;
-  view.sectionOn = false;
-  view.paths = work.presenter.hasPaths() && shows(SceneItem::Part);
-  view.materialColour = true;
   const auto& clock = work.presenter.clock();
-  if (!clock || clock->empty()) {
-    view.part = shows(SceneItem::Part) && !view.paths;
+  const bool moves = clock && !clock->empty();
+  work.presenter.showCell(moves ? PartPresenter::CellOf::Plan : PartPresenter::CellOf::Choices);
+  view.sectionOn = false;
+  view.paths = work.presenter.hasPaths() && shows(SceneItem::Part) &&
+               (moves || work.document.upToDate(project::Stage::Toolpath));
+  view.part = !moves && !view.paths && shows(SceneItem::Part);
+  view.materialColour = true;
+  if (!moves && !work.presenter.hasCell())
     return;
-  }
   view.world = scene::World::Base;
   showCell(view, work.tree);
+  if (!moves)
+    return; // at home
   view.joints = clock->jointsAt(work.timeline.timeS());
   view.printedWaypoints = clock->printedWaypoints(work.timeline.timeS());
 }

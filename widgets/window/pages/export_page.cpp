@@ -7,6 +7,7 @@
 #include "motion/resume.h"
 #include "panels/export_panel.h"
 #include "pictures/job_picture.h"
+#include "pipeline/choices.h"
 #include "pipeline/outputs.h"
 #include "pipeline/proof.h"
 #include "program/assumptions.h"
@@ -230,15 +231,17 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
   return formats;
 }
 
-// As the choices say, else those that were planned.
+// Those that the choices name, else those that the cell's programs are written in. A reopened
+// project has no programs yet; it has its cell.
 QStringList ExportPage::chosenFormats() const {
+  const project::Choices& choices = work().document.choices();
+  const auto planned = work().document.lastResult();
+  const std::vector<std::string> ids = planned && planned->cell
+                                           ? pipeline::chosenFormats(choices, *planned->cell)
+                                           : choices.formats;
   QStringList chosen;
-  for (const std::string& id : work().document.choices().formats)
+  for (const std::string& id : ids)
     chosen << QString::fromStdString(id);
-  const auto result = work().document.result(Stage::Replay);
-  if (chosen.isEmpty() && result)
-    for (const Checked& program : result->checked)
-      chosen << formatOf(program);
   return chosen;
 }
 
@@ -321,7 +324,11 @@ void ExportPage::goToLine(int file, qulonglong line) {
   showResume();
 }
 
+// No format at all is not a choice: an empty list stands for the cell's usual formats. The panel asks
+// for one.
 void ExportPage::setFormats(const QStringList& ids) {
+  if (ids.isEmpty())
+    return;
   project::Choices c = work().document.choices();
   c.formats.clear();
   for (const QString& id : ids)

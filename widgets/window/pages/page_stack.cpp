@@ -106,6 +106,7 @@ void PageStack::listenToPresenter() {
     if (!workspace_.viewport.isCameraTheUsers())
       workspace_.viewport.frameAll();
   });
+  connect(presenter, &Presenter::cellDrawn, this, &PageStack::showView);
   connect(presenter, &Presenter::motionReady, this, [this] {
     workspace_.timeline.setClock(workspace_.presenter.clock());
     showView();
@@ -229,6 +230,8 @@ void PageStack::showView() {
   workspace_.picture.reveal(view);
   unrolled_.mark(view);
   workspace_.viewport.setView(view);
+  if (std::exchange(world_, view.world) != view.world)
+    workspace_.viewport.frameAll(); // a cell has come or gone: all is in another place
   unrolled_.showLaid(page_->laid());
   page_->drawn();
   legend_.setLegend(isColoured(workspace_.viewport.view()) ? workspace_.viewport.scene().legend()

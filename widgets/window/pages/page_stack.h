@@ -68,6 +68,7 @@ private:
   std::vector<std::unique_ptr<Page>> pages_;
   Page* page_ = nullptr;
   bool inCell_ = false;
+  scene::World world_ = scene::World::Work;
 };
 
 } // namespace voluta::window
