@@ -12,8 +12,8 @@ namespace {
 
 std::vector<ShapeSolid> shapeOf(const RobotModel& robot) {
   try {
-    const base::JsonNode top = base::JsonNode::readFile(
-        base::dataFile("robots", robot.id, "unknown robot '{id}'"_text));
+    const base::JsonNode top =
+        base::JsonNode::readFile(base::dataFile("robots", robot.id, "unknown robot '{id}'"_text));
     if (top.has("shape"))
       return readArmShape(top.at("shape"), robot.dof());
   } catch (const base::Error&) {

@@ -54,8 +54,7 @@ LoftSection readHull(const base::JsonNode& node) {
   LoftSection section{values[0].number(), {}};
   for (const base::JsonNode& item : values[1].items()) {
     const auto disc = itemsOf(item, 3);
-    section.discs.push_back(
-        {Vector2d(disc[0].number(), disc[1].number()), disc[2].positive()});
+    section.discs.push_back({Vector2d(disc[0].number(), disc[1].number()), disc[2].positive()});
   }
   for (std::size_t i = 0; i < section.discs.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

@@ -7,7 +7,8 @@
 //     colour              a name of colours
 //     fromMm, axis        the line that it is lofted along, in the frame: a point, a direction
 //     turnedMm            round solids: a list of [along the line, radius]
-//     sectionsMm          others: a list of [along the line, [[x, y, radius], ...]], hulls of discs,
+//     sectionsMm          others: a list of [along the line, [[x, y, radius], ...]], hulls of
+//     discs,
 //                         counter-clockwise; x is `across`, y completes the right-handed frame
 //     across              needed with sectionsMm: a direction, not along the axis
 //     roundMm             radius of its edges; 2 where it is not given

@@ -11,17 +11,18 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr Rgb kBody{0.82, 0.83, 0.85}, kCap{0.36, 0.40, 0.45}, kMetal{0.62, 0.64, 0.66};
-constexpr double kTestTurnRad = 0.5;  // of a joint, to see about what it turns
+constexpr double kTestTurnRad = 0.5; // of a joint, to see about what it turns
 constexpr double kTestSlideMm = 50.0;
-constexpr double kThickAtBase = 0.055, kThickAtFlange = 0.03; // housings' radii, by the arm's length
-constexpr double kOfSolid = 0.85;   // a housing's radius is at most this share of its solid's
-constexpr double kTubeShare = 0.72; // of the thinner housing's radius
-constexpr double kTogetherMm = 1.0; // joints no further apart have no tube between them
+constexpr double kThickAtBase = 0.055,
+                 kThickAtFlange = 0.03; // housings' radii, by the arm's length
+constexpr double kOfSolid = 0.85;       // a housing's radius is at most this share of its solid's
+constexpr double kTubeShare = 0.72;     // of the thinner housing's radius
+constexpr double kTogetherMm = 1.0;     // joints no further apart have no tube between them
 
 // A joint's axis, in the frame of the link that it moves and in that of the link before.
 struct JointPlace {
-  Vector3d point, axis;             // moved link's frame
-  Vector3d pointBefore;             // link before
+  Vector3d point, axis; // moved link's frame
+  Vector3d pointBefore; // link before
   bool slides = false;
 };
 
@@ -42,8 +43,8 @@ JointPlace placeOf(const Kinematics& arm, const JointVector& q, int joint) {
     const Eigen::AngleAxisd turn(step.linear());
     place.axis = turn.axis();
     // The point of the axis that is nearest to the frame's origin.
-    const Eigen::Matrix3d fixed = Eigen::Matrix3d::Identity() - step.linear() +
-                                  place.axis * place.axis.transpose();
+    const Eigen::Matrix3d fixed =
+        Eigen::Matrix3d::Identity() - step.linear() + place.axis * place.axis.transpose();
     place.point = fixed.fullPivLu().solve(step.translation() -
                                           place.axis * place.axis.dot(step.translation()));
     place.pointBefore = before_T_link * place.point;
@@ -122,8 +123,8 @@ private:
   void addBase() {
     const double r = radius(0), height = std::max(end(0).norm(), r);
     const Vector3d up = end(0).norm() > kTogetherMm ? end(0) : Vector3d::UnitZ().eval();
-    add(0, kMetal, Vector3d::Zero(), up, {circleSection(0.0, 1.35 * r), circleSection(0.18 * r, 1.35 * r)},
-        0.05 * r);
+    add(0, kMetal, Vector3d::Zero(), up,
+        {circleSection(0.0, 1.35 * r), circleSection(0.18 * r, 1.35 * r)}, 0.05 * r);
     add(0, kBody, Vector3d::Zero(), up,
         {circleSection(0.1 * r, 1.1 * r), circleSection(height - 0.2 * r, 0.95 * r)}, 0.1 * r);
   }
@@ -138,6 +139,9 @@ private:
     }
     add(frame, kBody, joint.point - r * joint.axis, joint.axis,
         {circleSection(0.0, r), circleSection(2.0 * r, r)}, 0.12 * r);
+    // The housing of a joint close by takes the place of the lids.
+    if ((end(frame) - start(frame)).norm() < r)
+      return;
     for (const double side : {-1.0, 1.0})
       add(frame, kCap, joint.point + side * 0.95 * r * joint.axis, side * joint.axis,
           {circleSection(0.0, 0.86 * r), circleSection(0.2 * r, 0.82 * r)}, 0.1 * r);

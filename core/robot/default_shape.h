@@ -1,5 +1,5 @@
-// What an arm looks like of which nobody has said it: a housing about each joint's axis, a tube from
-// each joint to the next, a foot and a flange, from its kinematics and the size of its solids.
+// What an arm looks like of which nobody has said it: a housing about each joint's axis, a tube
+// from each joint to the next, a foot and a flange, from its kinematics and the size of its solids.
 #pragma once
 
 #include "robot/arm_shape.h"

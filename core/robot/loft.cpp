@@ -13,10 +13,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kAround = 48;      // points around a circle
-constexpr int kLeastOfDisc = 6;  // points around a disc of several
-constexpr int kEdgeSteps = 5;    // along a rounded edge
-constexpr double kSharpMm = 0.2; // edges with less room are sharp
+constexpr int kAround = 48;         // points around a circle
+constexpr int kLeastOfDisc = 6;     // points around a disc of several
+constexpr int kEdgeSteps = 5;       // along a rounded edge
+constexpr double kSharpMm = 0.2;    // edges with less room are sharp
 constexpr double kEdgeShare = 0.45; // of what an edge may take of the faces beside it
 constexpr double kSamePointMm = 1e-7;
 

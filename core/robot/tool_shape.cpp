@@ -2,6 +2,8 @@
 
 #include "robot/body.h"
 
+#include "base/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +17,7 @@ using Eigen::Vector3d;
 constexpr Rgb kBrass{0.80, 0.62, 0.30}, kSteel{0.70, 0.72, 0.74}, kBlock{0.55, 0.57, 0.60},
     kCasing{0.30, 0.33, 0.37}, kMotor{0.17, 0.18, 0.20}, kRail{0.74, 0.76, 0.78},
     kSlot{0.32, 0.34, 0.36}, kClamp{0.24, 0.26, 0.29};
-constexpr double kInSquare = 1.38;     // side of a square in a circle by its radius, corners rounded
+constexpr double kInSquare = 1.38; // side of a square in a circle by its radius, corners rounded
 constexpr double kRailFromRadii = 12.0; // a holder this long by its radius is a rail
 constexpr double kClampMm = 12.0;
 
@@ -85,7 +87,7 @@ private:
     const double corner = 0.06 * atNut;
     LoftSection hexagon{nut, {}};
     for (int i = 0; i < 6; ++i) {
-      const double angle = i * 3.14159265358979 / 3.0;
+      const double angle = i * base::kPi / 3.0;
       hexagon.discs.push_back(
           {(atNut - corner) * Vector2d(std::cos(angle), std::sin(angle)), corner});
     }
@@ -103,8 +105,8 @@ private:
         {rectangleSection(0.0, Vector2d(kInSquare * r, kInSquare * r), 0.1 * r),
          rectangleSection(block, Vector2d(kInSquare * r, kInSquare * r), 0.1 * r)},
         0.06 * r);
-    add(kSteel, part.p0, axis, {circleSection(block - 0.2, 0.3 * r), circleSection(length, 0.3 * r)},
-        0.0);
+    add(kSteel, part.p0, axis,
+        {circleSection(block - 0.2, 0.3 * r), circleSection(length, 0.3 * r)}, 0.0);
     const double from = block + 0.25 * r, room = length - from;
     const int fins = std::max(1, static_cast<int>(room / (0.36 * r)));
     const double pitch = room / fins;
@@ -135,10 +137,12 @@ private:
 
   void addTube(const Frustum& part, double length, double r, bool first, bool last) {
     const Vector3d axis = part.p1 - part.p0, unit = axis.normalized();
-    add(kSteel, part.p0, axis, {circleSection(0.2, 0.66 * r), circleSection(length, 0.66 * r)}, 0.5);
+    add(kSteel, part.p0, axis, {circleSection(0.2, 0.66 * r), circleSection(length, 0.66 * r)},
+        0.5);
     const double clamp = std::min(kClampMm, 0.3 * length);
     if (first)
-      add(kClamp, part.p0, axis, {circleSection(0.0, 0.98 * r), circleSection(clamp, 0.98 * r)}, 1.0);
+      add(kClamp, part.p0, axis, {circleSection(0.0, 0.98 * r), circleSection(clamp, 0.98 * r)},
+          1.0);
     if (last)
       add(kClamp, part.p1 - clamp * unit, axis,
           {circleSection(0.0, 0.98 * r), circleSection(clamp, 0.98 * r)}, 1.0);
@@ -163,12 +167,15 @@ private:
     const auto bar = [&](double at, double w, double h, double round) {
       return rectangleSection(at, Vector2d(w, h), round);
     };
-    add(kRail, part.p0, axis, {bar(0.3, side, side, 0.06 * side), bar(length, side, side, 0.06 * side)},
-        0.5);
+    add(kRail, part.p0, axis,
+        {bar(0.3, side, side, 0.06 * side), bar(length, side, side, 0.06 * side)}, 0.5);
     const double proud = side + 0.8, slot = 0.26 * side;
-    add(kSlot, part.p0, axis, {bar(1.0, slot, proud, 0.3), bar(length - 1.0, slot, proud, 0.3)}, 0.0);
-    add(kSlot, part.p0, axis, {bar(1.0, proud, slot, 0.3), bar(length - 1.0, proud, slot, 0.3)}, 0.0);
-    add(kClamp, part.p0, axis, {circleSection(0.0, 0.98 * r), circleSection(kClampMm, 0.98 * r)}, 1.0);
+    add(kSlot, part.p0, axis, {bar(1.0, slot, proud, 0.3), bar(length - 1.0, slot, proud, 0.3)},
+        0.0);
+    add(kSlot, part.p0, axis, {bar(1.0, proud, slot, 0.3), bar(length - 1.0, proud, slot, 0.3)},
+        0.0);
+    add(kClamp, part.p0, axis, {circleSection(0.0, 0.98 * r), circleSection(kClampMm, 0.98 * r)},
+        1.0);
   }
 
   const Body& body_;

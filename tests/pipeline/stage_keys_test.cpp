@@ -329,6 +329,11 @@ TEST_F(StageKeysOf, TheCellCountsByItsContent) {
   expectChangesFrom(boxRequest(), 3, "the nozzle stands elsewhere");
 }
 
+TEST_F(StageKeysOf, WhatAnArmLooksLikeDoesNotMatter) {
+  replace("robots/ur5.json", "\"cap\": \"#5d9cc6\"", "\"cap\": \"#00ff00\"");
+  expectChangesFrom(boxRequest(), kStageCount, "other lids");
+}
+
 TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {
   const std::tuple<const char*, const char*, std::size_t> rows[] = {
       {"\"label\": \"FDM", "\"label\": \"Other", kStageCount},

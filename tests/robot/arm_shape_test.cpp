@@ -56,9 +56,9 @@ double worstNormal(const LoftMesh& loft) {
   for (std::size_t i = 0; i < loft.mesh.triangles.size(); ++i) {
     const Vector3d facet = geometry::triangleNormal(loft.mesh, i);
     for (const int corner : loft.mesh.triangles[i])
-      worst = std::max(worst, std::acos(std::clamp(
-                                  facet.dot(loft.normals[static_cast<std::size_t>(corner)]), -1.0,
-                                  1.0)));
+      worst = std::max(
+          worst, std::acos(std::clamp(facet.dot(loft.normals[static_cast<std::size_t>(corner)]),
+                                      -1.0, 1.0)));
   }
   return worst;
 }
@@ -157,9 +157,9 @@ TEST_F(Shapes, AnArmWithoutOneGetsItFromItsKinematics) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const ShapeSolid& solid : solids)
       for (const Vector3d& v : meshOf(solid.loft).mesh.vertices)
-        nearest = std::min(nearest, (poses[static_cast<std::size_t>(solid.frame)] * v -
-                                     poses.back().translation())
-                                        .norm());
+        nearest = std::min(
+            nearest,
+            (poses[static_cast<std::size_t>(solid.frame)] * v - poses.back().translation()).norm());
     EXPECT_LT(nearest, 1.0) << id;
   }
 }
@@ -167,9 +167,9 @@ TEST_F(Shapes, AnArmWithoutOneGetsItFromItsKinematics) {
 // What is seen and what is checked must not tell different stories: a part that looks clear of the
 // arm is, and one that meets the solids looks near it.
 TEST_F(Shapes, StayNearTheSolidsThatAreChecked) {
-  constexpr double kBeyondMm = 30.0;  // corners of housings: the solids are few and round
+  constexpr double kBeyondMm = 30.0;     // corners of housings: the solids are few and round
   constexpr double kBaseBeyondMm = 55.0; // corners of castings about a column
-  constexpr double kFootMm = 20.0;    // plates on which the arm stands: nothing gets beside them
+  constexpr double kFootMm = 20.0;       // plates on which the arm stands: nothing gets beside them
   for (const std::string& id : robotIds()) {
     const RobotModel robot = loadRobot(id);
     std::vector<Isometry3d> poses;
@@ -257,9 +257,9 @@ TEST_F(Shapes, SayWhatIsWrongInThem) {
   EXPECT_THAT(complaint(R"({"frame": 7, "colour": "white", )" + line +
                         R"(, "turnedMm": [[0, 5], [9, 5]]})"),
               HasSubstr("frame"));
-  EXPECT_THAT(complaint(R"({"frame": 1, "colour": "pink", )" + line +
-                        R"(, "turnedMm": [[0, 5], [9, 5]]})"),
-              HasSubstr("'pink'"));
+  EXPECT_THAT(
+      complaint(R"({"frame": 1, "colour": "pink", )" + line + R"(, "turnedMm": [[0, 5], [9, 5]]})"),
+      HasSubstr("'pink'"));
   EXPECT_THAT(complaint(R"({"frame": 1, "colour": "white", )" + line +
                         R"(, "turnedMm": [[9, 5], [0, 5]]})"),
               HasSubstr("before the one before it"));
@@ -294,8 +294,10 @@ TEST_F(Shapes, TheHeadEndsAtTheToolsTip) {
 TEST(PlanningText, LeavesTheShapeOut) {
   EXPECT_EQ(planningText("{\n  \"id\": \"a\",\n  \"shape\": {\"solids\": [1, \"}\"]}\n}\n"),
             "{\n  \"id\": \"a\"\n}\n");
-  EXPECT_EQ(planningText(R"({"id": "a", "shape": {}, "b": [1, 2]})"), R"({"id": "a", "b": [1, 2]})");
-  for (const char* text : {R"({"id": "shape", "links": [{"shape": 1}]})", R"({"shape": 1})", "", "{"})
+  EXPECT_EQ(planningText(R"({"id": "a", "shape": {}, "b": [1, 2]})"),
+            R"({"id": "a", "b": [1, 2]})");
+  for (const char* text :
+       {R"({"id": "shape", "links": [{"shape": 1}]})", R"({"shape": 1})", "", "{"})
     EXPECT_EQ(planningText(text), text);
 }
 

@@ -87,8 +87,7 @@ void CellActors::show(const ViewState& view, bool byPlatform) {
 void CellActors::setSeenThrough(bool on) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const robot::BodyRole role = drawing_->cell.bodies()[drawing_->pieces[i].body].role;
-    const bool beneath =
-        role == robot::BodyRole::Platform || role == robot::BodyRole::Obstacle;
+    const bool beneath = role == robot::BodyRole::Platform || role == robot::BodyRole::Obstacle;
     pieces_[i]->GetProperty()->SetOpacity(on && beneath ? kFromBelow : 1.0);
   }
 }

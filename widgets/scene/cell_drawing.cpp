@@ -45,13 +45,17 @@ template <typename Solids> Surface colouredSurface(const Solids& solids) {
   return buffers.corners.empty() ? nullptr : polyDataOf(buffers);
 }
 
-// The link that stands for a frame: its own, or where it has none the one before it.
+// The link of a frame, or where it has none the last one before it.
 std::size_t bodyOfFrame(const robot::Cell& cell, int frame) {
   std::size_t found = 0;
-  for (std::size_t i = cell.bodies().size(); i-- > 0;)
-    if (cell.bodies()[i].role == robot::BodyRole::Link && cell.bodies()[i].frame <= frame &&
-        (cell.bodies()[found].frame > frame || cell.bodies()[i].frame >= cell.bodies()[found].frame))
-      found = i;
+  int nearest = -1;
+  for (std::size_t i = 0; i < cell.bodies().size(); ++i) {
+    const Body& body = cell.bodies()[i];
+    if (body.role != robot::BodyRole::Link || body.frame > frame || body.frame <= nearest)
+      continue;
+    nearest = body.frame;
+    found = i;
+  }
   return found;
 }
 

@@ -120,8 +120,8 @@ vtkSmartPointer<vtkPolyData> pathLine(const PathsDrawing& paths, std::size_t pat
 
 // What is seen of a body of a cell, or a part of it.
 struct CellPiece {
-  std::size_t body = 0; // index in Cell::bodies()
-  int frame = 0;        // the frame that it moves with
+  std::size_t body = 0;                 // index in Cell::bodies()
+  int frame = 0;                        // the frame that it moves with
   vtkSmartPointer<vtkPolyData> surface; // coloured: a colour a point, else the theme's
   bool coloured = false;
 };
