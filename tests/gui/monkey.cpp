@@ -136,9 +136,9 @@ void Monkey::step() {
     done_();
     return;
   }
-  next();
   if (within_ == 0 && !leaving_)
-    afterStep_();
+    afterStep_(); // may wait, and no step is taken meanwhile
+  next();
   inModal_ = modal == modal_ ? inModal_ + 1 : 0;
   modal_ = modal;
   QWidget* top = modal ? modal : window_();

@@ -7,6 +7,8 @@
 #include "helpers/shapes.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
+#include "window/language.h"
+#include "window/theme.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -29,6 +31,8 @@ protected:
   void TearDown() override {
     PlannedJobTest::TearDown();
     QApplication::setQuitOnLastWindowClosed(true);
+    window::chooseLanguage("en"); // it may have found another
+    window::applyAppearance(application(), window::Appearance::Light);
   }
   // The job as a file, so that it can be opened again after whatever was done.
   void saveJob() {
