@@ -46,9 +46,9 @@ protected:
     for (int row = 0; row < model->rowCount(parent); ++row)
       for (int column = 0; column < model->columnCount(parent); ++column) {
         const QPersistentModelIndex index = model->index(row, column, parent);
-        for (int n = 0; n < 3 && index.isValid() &&
-                        model->flags(index).testFlag(Qt::ItemIsUserCheckable) &&
-                        model->flags(index).testFlag(Qt::ItemIsEnabled);
+        for (int n = 0;
+             n < 3 && index.isValid() && model->flags(index).testFlag(Qt::ItemIsUserCheckable) &&
+             model->flags(index).testFlag(Qt::ItemIsEnabled);
              ++n) {
           const QVariant before = index.data(Qt::CheckStateRole);
           bringIntoSight(view);
@@ -60,7 +60,8 @@ protected:
           ASSERT_TRUE(index.isValid()) << "the row is gone";
           EXPECT_NE(index.data(Qt::CheckStateRole), before)
               << view->objectName().toStdString() << " "
-              << model->index(row, 0, parent).data().toString().toStdString() << ", click " << n + 1;
+              << model->index(row, 0, parent).data().toString().toStdString() << ", click "
+              << n + 1;
         }
         if (index.isValid() && column == 0 && model->hasChildren(index))
           clickRowsOf(view, index);

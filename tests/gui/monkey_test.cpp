@@ -68,10 +68,10 @@ TEST_P(MonkeyTest, BreaksNothing) {
   none.write("this is no mesh");
   none.close();
   const QString other = writePart("other.stl", box({0, 0, 0}, {8, 6, 4}));
-  Monkey monkey([this] { return &window(); }, static_cast<unsigned>(seed),
-                {{path("job.voluta"), path("job.voluta"), other, path("none.stl"),
-                  path("gone.stl")},
-                 folder_.path()});
+  Monkey monkey(
+      [this] { return &window(); }, static_cast<unsigned>(seed),
+      {{path("job.voluta"), path("job.voluta"), other, path("none.stl"), path("gone.stl")},
+       folder_.path()});
   RebuildWatch watch;
   QElapsedTimer clock;
   clock.start();

@@ -47,8 +47,8 @@ void PlannedJobTest::planJob(const std::string& mode) {
   }
   if (mode == "substrate") {
     choices.process = "fdm-0.35";
-    choices.platform = project::Platform(
-        "mesh:" + writePart("half.stl", halfCylinder(kRodMm, 20)).toStdString());
+    choices.platform =
+        project::Platform("mesh:" + writePart("half.stl", halfCylinder(kRodMm, 20)).toStdString());
     choices.parameters = {
         {"firstLayerMm", "0.25"}, {"layerShape", "cylinder"}, {"layerHeightMm", "0.2"}};
   }

@@ -1,6 +1,6 @@
-// Fails a test where rows or widgets go while they are at an input event of their own: Qt still uses
-// a list's row when its signal returns, and the widget that was clicked. (A tick that ended in a
-// list's clear() ended the program two times out of three.)
+// Fails a test where rows or widgets go while they are at an input event of their own: Qt still
+// uses a list's row when its signal returns, and the widget that was clicked. (A tick that ended in
+// a list's clear() ended the program two times out of three.)
 #pragma once
 
 #include <QObject>

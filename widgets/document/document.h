@@ -218,7 +218,7 @@ private:
   QString lastName_;
   std::uint64_t revision_ = 0;
 
-  project::StageKeys keys_; // of the choices; empty texts where they have none
+  project::StageKeys keys_;         // of the choices; empty texts where they have none
   ShownStages shown_, shownBefore_; // now; before the run under way
   std::optional<base::Error> unusable_;
   std::optional<Preview> preview_;

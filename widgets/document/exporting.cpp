@@ -20,7 +20,8 @@ QStringList Exporting::inTheWay(const QString& folder, const pipeline::PlanResul
     if (const QString file = QString::fromStdString(name); !ofPrograms.contains(file))
       others << file;
   QStringList there = ofPrograms + others;
-  there.removeIf([&](const QString& file) { return !QFileInfo::exists(QDir(folder).filePath(file)); });
+  there.removeIf(
+      [&](const QString& file) { return !QFileInfo::exists(QDir(folder).filePath(file)); });
   return there;
 }
 
@@ -46,15 +47,13 @@ void Exporting::write(const QString& folder, std::shared_ptr<const pipeline::Pla
 void Exporting::finish(const QString& folder) {
   if (folder.isEmpty())
     return;
-  finisher_.run(
-      [folder = folder.toStdString()](const base::RunContext&) {
-        return base::finishStaged(folder);
-      },
-      [this](const base::Outcome<bool>& outcome) {
-        if (const auto* error = std::get_if<base::Error>(&outcome))
-          emit failed(language::words(error->whole()));
-      },
-      1);
+  finisher_.run([folder = folder.toStdString()](
+                    const base::RunContext&) { return base::finishStaged(folder); },
+                [this](const base::Outcome<bool>& outcome) {
+                  if (const auto* error = std::get_if<base::Error>(&outcome))
+                    emit failed(language::words(error->whole()));
+                },
+                1);
 }
 
 } // namespace voluta::document

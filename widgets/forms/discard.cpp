@@ -11,7 +11,8 @@ namespace voluta::forms {
 namespace {
 class Rows : public QObject {
 public:
-  Rows(QList<QTreeWidgetItem*> items, QObject* parent) : QObject(parent), items_(std::move(items)) {}
+  Rows(QList<QTreeWidgetItem*> items, QObject* parent)
+      : QObject(parent), items_(std::move(items)) {}
   ~Rows() override { qDeleteAll(items_); }
 
 private:

@@ -236,9 +236,8 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
 QStringList ExportPage::chosenFormats() const {
   const project::Choices& choices = work().document.choices();
   const auto planned = work().document.lastResult();
-  const std::vector<std::string> ids = planned && planned->cell
-                                           ? pipeline::chosenFormats(choices, *planned->cell)
-                                           : choices.formats;
+  const std::vector<std::string> ids =
+      planned && planned->cell ? pipeline::chosenFormats(choices, *planned->cell) : choices.formats;
   QStringList chosen;
   for (const std::string& id : ids)
     chosen << QString::fromStdString(id);
@@ -324,8 +323,8 @@ void ExportPage::goToLine(int file, qulonglong line) {
   showResume();
 }
 
-// No format at all is not a choice: an empty list stands for the cell's usual formats. The panel asks
-// for one.
+// No format at all is not a choice: an empty list stands for the cell's usual formats. The panel
+// asks for one.
 void ExportPage::setFormats(const QStringList& ids) {
   if (ids.isEmpty())
     return;
