@@ -5,11 +5,13 @@
 #include "base/run_context.h"
 #include "curved/decomposition.h"
 #include "curved/forward_growth.h"
+#include "curved/growth_row.h"
 #include "curved/growth_scheme.h"
 #include "voxel/solid_voxels.h"
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -50,7 +52,8 @@ using DecompositionFilter = std::function<bool(const plan::Findings&)>;
 // but for a small share, and levels follow each other without islands.
 // What can't be laid is given up, as little as possible, and stands in findings by group.
 //
-// `platform`: convex polygon on z = 0, mm, counter-clockwise, 3 corners or more.
+// `platform`: convex polygon on z = 0, mm, counter-clockwise, 3 corners or more. `known`: what grow()
+// makes of these voxels on it with headForLosses(options); null: it is grown here.
 // Throws Error{UnusableInput} when no voxel stands on the platform; Cancelled.
 // Example:
 //   const std::vector<Eigen::Vector2d> plate = curved::platformFit(voxels, 0.0);
@@ -58,6 +61,7 @@ using DecompositionFilter = std::function<bool(const plan::Findings&)>;
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
                         const base::RunContext& ctx, const DecompositionWatch& watch = {},
-                        const DecompositionFilter& isRejected = {});
+                        const DecompositionFilter& isRejected = {},
+                        std::shared_ptr<const Growth> known = nullptr);
 
 } // namespace voluta::curved

@@ -94,7 +94,7 @@ decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base:
     };
   const auto decomposition = std::make_shared<curved::Decomposition>(
       curved::decompose(supports.solid, stage->platform.polygon, growth, ctx.sub(0.2, 1.0), watch,
-                        input.isRejected));
+                        input.isRejected, supports.growth));
   markSupports(supports, *decomposition);
   const curved::Decomposition& d = *decomposition;
   project::DecompositionReport& r = stage->report;

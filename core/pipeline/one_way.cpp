@@ -9,6 +9,7 @@
 #include "pipeline/automatic.h"
 #include "pipeline/avoided.h"
 #include "pipeline/choices.h"
+#include "pipeline/early_verdict.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/part_motion.h"
 #include "pipeline/part_size.h"
@@ -269,7 +270,11 @@ private:
     report().toolpath = stage->report;
     for (const std::string& format : chosenFormats(choices_, *result_.cell))
       program::requireUpright(program::findDialect(format), stage->toolPlan->direction);
-    return done(project::Stage::Toolpath, stage->findings, stage->timings);
+    const bool goesOn = done(project::Stage::Toolpath, stage->findings, stage->timings);
+    if (goesOn && trial_ && !given_ && report().model.watertight)
+      if (const auto mass = massOutOfReach(*stage->toolPlan, job().printed(), *process_))
+        return !reject(project::Stage::Toolpath, {*mass});
+    return goesOn;
   }
 
   bool motion() {
