@@ -208,7 +208,7 @@ private:
   }
 
   void checks() {
-    constexpr double kSign = 4.5, kPlace = 66.0;
+    constexpr double kSign = 4.5, kPlace = 60.0;
     heading(sheet_.checksTitle);
     for (const Check& check : sheet_.checks) {
       const double sentenceWidth = kText - kSign - kPlace - 3.0;

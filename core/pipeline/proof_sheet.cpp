@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -62,6 +63,21 @@ page::CellMap viewOf(const FillMap& fill, int across) {
   return map;
 }
 
+// No line ends between a number and its unit.
+std::string unbroken(std::string text) {
+  constexpr std::string_view kUnits[] = {" %", " mm", " g", " min", " h", " s", " cm"};
+  constexpr std::string_view kFixedSpace = "\u00a0";
+  for (const std::string_view unit : kUnits)
+    for (std::size_t at = text.find(unit); at != std::string::npos; at = text.find(unit, at + 1)) {
+      const std::size_t end = at + unit.size();
+      const bool ends =
+          end == text.size() || std::isalpha(static_cast<unsigned char>(text[end])) == 0;
+      if (at > 0 && std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0 && ends)
+        text.replace(at, 1, kFixedSpace);
+    }
+  return text;
+}
+
 class SheetMaker {
 public:
   SheetMaker(const Proof& proof, const base::Language& language)
@@ -87,7 +103,9 @@ public:
   }
 
 private:
-  std::string say(const base::Message& what) const { return base::inWords(what, language_); }
+  std::string say(const base::Message& what) const {
+    return unbroken(base::inWords(what, language_));
+  }
 
   void fact(base::Text label, const base::Message& value) {
     sheet_.facts.push_back({say(label), say(value)});

@@ -108,12 +108,12 @@ TEST(Proof, TheLegendHasTheColoursOfTheMap) {
     const int swatch = front.swatch[static_cast<std::size_t>(row * 3 + column)];
     return swatch < 0 ? "" : sheet.legend[static_cast<std::size_t>(swatch)].label;
   };
-  EXPECT_EQ(label(1, 0), "97 % and more filled");
-  EXPECT_EQ(label(1, 1), "90 to 97 %");
+  EXPECT_EQ(label(1, 0), "97\u00a0% and more filled");
+  EXPECT_EQ(label(1, 1), "90 to 97\u00a0%");
   EXPECT_EQ(label(1, 2), "");
-  EXPECT_EQ(label(0, 0), "75 to 90 %");
-  EXPECT_EQ(label(0, 1), "50 to 75 %");
-  EXPECT_EQ(label(0, 2), "less than 50 %");
+  EXPECT_EQ(label(0, 0), "75 to 90\u00a0%");
+  EXPECT_EQ(label(0, 1), "50 to 75\u00a0%");
+  EXPECT_EQ(label(0, 2), "less than 50\u00a0%");
 }
 
 TEST(Proof, NoneIsMadeWhereItIsNotWanted) {
