@@ -216,7 +216,7 @@ std::vector<std::string> proofPictures(const project::Job& job) {
     return {};
   PictureOptions options;
   options.width = 1000;
-  options.height = 640;
+  options.height = 560;
   options.legend = false;
   try {
     Renderer part(options, job), printed(options, job);
