@@ -342,6 +342,11 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "plate "
      "or over what is printed"_plural,
      kBreakOff},
+    {PrimeFalls, "primeFalls", "primeFalls", Toolpath, Tells,
+     "the plate has no room for the prime: a bead {length:.0f} long is laid in the air beside the "
+     "plate "
+     "and falls down here"_text,
+     "clear this place, or use a larger plate (--platform)"_text},
     {Braced, "braced", "braced", Toolpath, Tells,
      "{paths} bead would hang beside what is printed: it is laid after the one inwards of it and "
      "pressed against that, the nozzle leaning by up to {lean:.0f} more|"
@@ -588,19 +593,13 @@ constexpr auto kRows = std::to_array<FindingRow>({
     {ForeignRefused, "foreignRefused", "programRefused", Replay, Tells,
      "the {format} program, for another controller, is not handed over: {failed}"_text,
      "take the program of the cell's own controller"_text},
-
-    {PrimeFalls, "primeFalls", "primeFalls", Toolpath, Tells,
-     "the plate has no room for the prime: a bead {length:.0f} long is laid in the air beside the "
-     "plate "
-     "and falls down here"_text,
-     "clear this place, or use a larger plate (--platform)"_text},
 });
 
 constexpr bool inOrder() {
   for (std::size_t i = 0; i < kRows.size(); ++i)
     if (static_cast<std::size_t>(kRows[i].kind) != i)
       return false;
-  return kRows.size() == static_cast<std::size_t>(PrimeFalls) + 1;
+  return kRows.size() == static_cast<std::size_t>(ForeignRefused) + 1;
 }
 static_assert(inOrder(), "a row a kind, in the order of FindingKind");
 } // namespace

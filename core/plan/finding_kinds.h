@@ -75,6 +75,7 @@ enum class FindingKind : std::uint8_t {
   GivenTooFast,
   PatchWithoutBead,
   RimSupports,
+  PrimeFalls,
   Braced,
   Gouge,
   // motion
@@ -153,8 +154,6 @@ enum class FindingKind : std::uint8_t {
   PathDeviation,
   ProgramRefused,
   ForeignRefused,
-  // toolpath
-  PrimeFalls,
 };
 
 enum class Gravity {

@@ -14,7 +14,6 @@
 #include "program/tcp_motions.h"
 #include "program/text.h"
 #include "program/walk.h"
-#include "robot/controller_model.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +47,7 @@ std::string moduleName(const std::string& part, std::size_t module) {
 bool isForOmniCore(const ProgramInput& input) {
   const std::string chosen = chosenOf(rapidModules(), input.options);
   return chosen == "modx" ||
-         (chosen == "robot" && robot::controllerModel(input.cell.robot().id) == robot::kOmniCore);
+         (chosen == "robot" && input.cell.robot().controllerModel == robot::kOmniCore);
 }
 
 class RapidWriter : private Speller {

@@ -26,15 +26,13 @@
 //   payloadKg             optional: what it may carry at its flange
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
-//   shape                 optional: what it looks like, as in robot/arm_shape.h; read where it is
-//   drawn
+//   shape                 optional: what it looks like, as in robot/arm_shape.h; read by what
+//                         draws it
 #include "robot/robot_reader.h"
 
-#include "base/data_files.h"
 #include "base/json_node.h"
 #include "robot/arm_shape.h"
 #include "robot/chain_kinematics.h"
-#include "robot/controller_model.h"
 #include "robot/joint_reading.h"
 #include "robot/json_pose.h"
 #include "robot/limits_reader.h"
@@ -221,7 +219,7 @@ RobotModel readRobot(const base::JsonNode& top) {
   robot.maker = top.at("maker").text();
   robot.controller = top.at("controller").text();
   if (top.has("controllerModel"))
-    top.at("controllerModel").text();
+    robot.controllerModel = top.at("controllerModel").text();
   robot.kinematics = readKinematics(top);
   robot.limits = readLimits(top.at("limits"), *robot.kinematics);
   robot.links = readLinks(top.at("links"), robot.dof());
@@ -236,15 +234,6 @@ RobotModel readRobot(const base::JsonNode& top) {
     for (const auto& [a, b] : readBodyPairs(top.at("neverMeet"), robot.links))
       robot.neverMeet.emplace_back(a, b);
   return robot;
-}
-
-std::string controllerModel(const std::string& robotId) {
-  const std::vector<std::string> known = robotIds();
-  if (std::ranges::find(known, robotId) == known.end())
-    return {};
-  const base::JsonNode top =
-      base::JsonNode::readFile(base::dataFile("robots", robotId, "unknown robot '{id}'"_text));
-  return top.has("controllerModel") ? top.at("controllerModel").text() : std::string();
 }
 
 } // namespace voluta::robot
