@@ -1,6 +1,7 @@
 // A disc over a straight bead, by closed forms.
 #include "collision/bead_sections.h"
 
+#include "base/run_context.h"
 #include "collision/growing_part.h"
 
 #include <cmath>

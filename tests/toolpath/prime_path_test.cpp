@@ -1,5 +1,6 @@
 // Where the nozzle is filled: beside the part where the plate has room, else in the air beside it.
 #include "helpers/shapes.h"
+#include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "process/process.h"
 #include "robot/cell.h"
