@@ -150,7 +150,7 @@ double WayClearance::refined(const Stretch& s, double leastMm) const {
   const double lower = 0.5 * (s.fromMm + s.toMm - s.wayMm) - kDistanceMm;
   if (lower >= leastMm)
     return leastMm;
-  if (s.wayMm <= kWayExactMm)
+  if (s.wayMm <= 2.0 * (kWayExactMm - kDistanceMm))
     return lower;
   const JointVector middle = 0.5 * (s.from + s.to);
   Frames frames;

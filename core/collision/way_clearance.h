@@ -10,7 +10,7 @@
 namespace voluta::collision {
 
 // How far below the true least distance a reported one may be, mm.
-inline constexpr double kWayExactMm = 0.02;
+inline constexpr double kWayExactMm = 0.1;
 
 class WayClearance {
 public:
