@@ -3,6 +3,7 @@
 #include "base/outcome.h"
 #include "base/parameters.h"
 #include "modes/mode_table.h"
+#include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/larger_cell.h"
 #include "plan/finding_kinds.h"
@@ -33,10 +34,11 @@ std::optional<project::Choices> withParameter(const project::Choices& choices,
   const base::ParameterSpec* spec = table.find(key);
   if (!spec || !takes(choices, key))
     return std::nullopt;
-  const auto chosen = choices.parameters.find(key);
-  const std::string now = chosen == choices.parameters.end()
-                              ? base::formatParameter(spec->defaultValue)
-                              : chosen->second;
+  // In mode auto the way that was taken has values of its own.
+  const std::map<std::string, std::string> taken = byHand(choices).parameters;
+  const auto chosen = taken.find(key);
+  const std::string now =
+      chosen == taken.end() ? base::formatParameter(spec->defaultValue) : chosen->second;
   if (now == value)
     return std::nullopt;
   project::Choices changed = choices;
@@ -121,13 +123,12 @@ Edited shorterMotions(const plan::Finding&, const project::Choices& choices) {
   return withSteps(choices, 0.5, kShortestMm);
 }
 
-// In mode auto too it is then the user's. None where it is so already, or the mode builds on other
-// things than plates.
+// In mode auto too it is then the user's. None where it is that already, or the mode builds on
+// other things than plates.
 Edited withPlatform(const project::Choices& choices, const project::Platform& platform) {
   const modes::Mode* mode = modes::modeNamed(choices.mode);
-  const bool stays = choices.automatic ? choices.platformStays : true;
   if (!mode || !platform.isForAnyOf(mode->platforms) || choices.platform.isBody() ||
-      (choices.platform == platform && stays))
+      choices.platform == platform)
     return std::nullopt;
   project::Choices changed = choices;
   changed.platform = platform;
@@ -312,8 +313,11 @@ Edited usualCell(const plan::Finding&, const project::Choices& choices) {
   return mode ? withCell(choices, mode->usual.cell) : std::nullopt;
 }
 
-Edited largerCell(const plan::Finding&, const project::Choices& choices) {
-  const std::optional<std::string> larger = cellWithLargerPlate(choices);
+// Where the finding says how large a foot is to be carried, one that carries it.
+Edited largerCell(const plan::Finding& finding, const project::Choices& choices) {
+  const Eigen::Vector2d foot(numberOf(finding, "length").value_or(0.0),
+                             numberOf(finding, "width").value_or(0.0));
+  const std::optional<std::string> larger = cellWithLargerPlate(choices, foot);
   return larger ? withCell(choices, *larger) : std::nullopt;
 }
 
@@ -347,9 +351,10 @@ std::optional<project::Choices> chooseWay(const plan::Finding&, const project::C
   return changed;
 }
 
-// From a rod or a body to the plate of a usual cell.
+// From what mode auto does not try, on a rod or a body, to the plate of a usual cell.
 Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
-  if (choices.platform.isFor(project::PlatformUse::Plate) && !choices.platform.isBody())
+  if (std::ranges::any_of(automaticWays(),
+                          [&](const AutomaticWay& way) { return way.mode == choices.mode; }))
     return std::nullopt;
   const modes::Companions usual = modes::usualOnPlate();
   project::Choices changed = choices;

@@ -27,7 +27,8 @@ constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
 constexpr std::array kNarrow{NarrowVoxels};
 constexpr std::array kForUncovered{AdaptLayers, LowerLayers, FinerProcess, ChooseWay};
 constexpr std::array kForFill{LowerLayers, FinerProcess, ChooseWay};
-constexpr std::array kForUnsupported{AddSupports, TurnLeastRisky, PrintFlat, ChooseWay};
+constexpr std::array kForUnsupported{AddSupports, TurnLeastRisky, PrintFlat, ChooseWay,
+                                     PrintOnPlate};
 constexpr std::array kForHanging{ChooseWay};
 constexpr std::array kForThin{ScaleUp, FinerProcess};
 constexpr std::array kForThinInReach{FinerProcess};

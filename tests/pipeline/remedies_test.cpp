@@ -248,12 +248,13 @@ TEST(Remedies, ChoicesThatCannotBePlannedLeaveTheOtherButtons) {
 
 TEST(Remedies, ALargerCellHasALargerPlate) {
   Choices choices; // discs up to 250 mm under a nozzle that stands
-  const auto larger = cellWithLargerPlate(choices);
-  ASSERT_TRUE(larger);
+  const Eigen::Vector2d any(0.0, 0.0);
+  EXPECT_TRUE(cellWithLargerPlate(choices, any));
+  EXPECT_FALSE(cellWithLargerPlate(choices, {900.0, 900.0})) << "no plate is as wide";
   choices.cell = "ur5-moving";
-  EXPECT_NE(cellWithLargerPlate(choices), choices.cell);
+  EXPECT_NE(cellWithLargerPlate(choices, any), choices.cell);
   choices.cell = "kr10-r1100-track"; // the longest
-  EXPECT_FALSE(cellWithLargerPlate(choices));
+  EXPECT_FALSE(cellWithLargerPlate(choices, any));
 }
 
 TEST(Remedies, TheContactAreaIsAsSmallAsAPlatformGets) {

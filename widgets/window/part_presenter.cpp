@@ -158,12 +158,7 @@ void PartPresenter::swapPlatform(const std::shared_ptr<const scene::PlatformDraw
                                  const Eigen::Vector3d& sizeMm) {
   viewport_.scene().setPlatform(drawing);
   viewport_.requestFrame();
-  // Moving the part takes a platform that is made for it along: that is the same one.
-  constexpr double kSameMm = 2.0;
-  const bool other = (sizeMm - platformSizeMm_).cwiseAbs().maxCoeff() > kSameMm;
-  platformSizeMm_ = sizeMm;
-  if (other)
-    emit platformDrawn();
+  emit platformDrawn(sizeMm);
 }
 
 void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
