@@ -152,7 +152,7 @@ TEST_F(LoadedFiles, ALongUrscriptProgramIsSplit) {
 TEST_F(LoadedFiles, FilesAreCutWhereTheNozzleStandsHigh) {
   appendBeads({2, 2, 12, 2, 2, 2, 12, 2, 2, 2, 2, 12, 2}, 20);
   const std::vector<std::size_t> cuts = cutsOf(input(), 120);
-  ASSERT_EQ(cuts.size(), 4u);
+  ASSERT_EQ(cuts.size(), 5u);
   for (std::size_t k = 1; k + 1 < cuts.size(); ++k) {
     EXPECT_TRUE(standsClear(trajectory_, cuts[k]));
     const auto tip = [&](std::size_t i) {
