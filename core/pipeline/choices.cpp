@@ -11,6 +11,7 @@
 #include "modes/rod_profile.h"
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
+#include "pipeline/open_part.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
 #include "program/program_options.h"
@@ -101,6 +102,7 @@ base::ParameterTable allParameters() {
                              "be looked at and never to be run."_text),
   });
   table.append(modes::modeParameters());
+  table.append(openSurfaceParameters());
   table.append(placement::orientParameters());
   table.append(toolpath::toolpathParameters());
   table.append(motion::motionParameters());

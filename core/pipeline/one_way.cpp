@@ -157,6 +157,9 @@ private:
     project::Timings timings = stage->timings;
     timings.load = loaded_->readS;
     timings.repair = loaded_->repairS;
+    // Nothing is measured on a surface that encloses nothing.
+    if (std::ranges::any_of(stage->findings, &plan::Finding::blocking))
+      return done(project::Stage::Load, stage->findings, timings) && false;
     const auto size =
         taken<SizeStage>(keys_[project::indexOf(project::Stage::Load)] +
                              base::keyText(choices_.cell, process_->id, process_->beadWidthMinMm),

@@ -46,6 +46,15 @@ std::optional<project::Choices> withParameter(const project::Choices& choices,
   return changed;
 }
 
+std::optional<project::Choices> thickenSurface(const plan::Finding&,
+                                               const project::Choices& choices) {
+  return withParameter(choices, "openSurfaces", "thicken");
+}
+
+std::optional<project::Choices> closeRims(const plan::Finding&, const project::Choices& choices) {
+  return withParameter(choices, "openSurfaces", "close");
+}
+
 std::optional<project::Choices> addSupports(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "supports", "auto");
 }
@@ -373,7 +382,11 @@ Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
 std::span<const Remedy> remedies() {
   using enum plan::RemedyId;
   static constexpr auto kRemedies = std::to_array<Remedy>(
-      {{DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowest point on the plate"_text,
+      {{ThickenSurface, "thickenSurface", "Thicken to a wall"_text,
+        "Two beads wide, half of it on either side of the surface"_text, thickenSurface},
+       {CloseRims, "closeRims", "Close the rims"_text,
+        "Flat patches over the rims: the part becomes solid"_text, closeRims},
+       {DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowest point on the plate"_text,
         dropToPlate},
        {ShrinkPlatform, "shrinkPlatform", "Shrink platform"_text,
         "To the area that the part stands on: the front spans less"_text, shrinkPlatform},

@@ -7,6 +7,7 @@
 #include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/open_part.h"
 #include "pipeline/turned_part.h"
 #include "program/dialect.h"
 #include "project/content_hash.h"
@@ -69,6 +70,8 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
                                    c.placement.centreMm, c.placement.liftMm);
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
+  if (const std::string open = in.values.text("openSurfaces"); open != kRefuseOpenSurfaces)
+    text += base::keyText(open, openSurfaceWallMm(in.process));
   text += base::keyText(turnPlan(c, in.values));
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n";

@@ -39,6 +39,8 @@ constexpr std::array kForTiny{UnitsMetres, UnitsInches};
 constexpr std::array kForHuge{ScaleToFit, UnitsMicrometres};
 constexpr std::array kForAdrift{CellPlate, CentrePart};
 constexpr std::array kForLying{StandBest};
+constexpr std::array kForRims{ThickenSurface, CloseRims};
+constexpr std::array kForSheets{ThickenSurface};
 constexpr std::array kForUpright{PrintFlat, UsualCell};
 constexpr std::array kForTooLarge{ScaleToReach, LargerCell, PrintFlat};
 constexpr std::array kForOutOfReach{ScaleToFit, Shrink, CentrePart, LargerCell, PrintFlat};
@@ -109,6 +111,27 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "turn it by quarter turns and lift it by whole cells to keep its own"_text},
     {MeshDefect, "meshDefect", "meshDefect", Load, Tells, "{defect}"_text,
      "mend the mesh in a modelling program if the result looks wrong"_text},
+    {OpenRims, "openSurface", "openSurface", Load, Blocks,
+     "open surface: it ends at {rims} rim, {width:.3g} wide|"
+     "open surface: it ends at {rims} rims, the widest {width:.3g} wide"_plural,
+     "thicken it to a wall (openSurfaces=thicken), close its rims to make it solid "
+     "(openSurfaces=close), or close it in a modelling program"_text,
+     kForRims},
+    {SheetModel, "sheetModel", "openSurface", Load, Blocks,
+     "sheet model: {share:.3g} of the surface are sheets without thickness, {triangles} "
+     "triangles"_text,
+     "thicken the sheets to walls (openSurfaces=thicken), or give them a thickness in a modelling "
+     "program"_text,
+     kForSheets},
+    {RimsClosed, "rimsClosed", "openSurface", Load, Tells,
+     "closed the rims of an open surface: {share:.3g} of the surface are patches"_text,
+     "openSurfaces=thicken makes a wall of the surface instead"_text},
+    {SheetsLeftOut, "sheetsLeftOut", "openSurface", Load, Tells,
+     "left out the sheets without thickness: {share:.3g} of the surface, {triangles} triangles"_text,
+     "openSurfaces=thicken makes walls of them instead"_text},
+    {SurfaceThickened, "surfaceThickened", "openSurface", Load, Tells,
+     "thickened the open surface to a wall {wall:.2f} wide, half of it on either side"_text,
+     "openSurfaces=close makes it solid instead"_text},
     {TinyPart, "tinyPart", "oddSize", Load, Blocks,
      "the part is {size:.3g} long, if its file is in millimetres"_text,
      "give the units that it was drawn in (--units)"_text, kForTiny},

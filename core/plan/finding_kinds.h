@@ -20,6 +20,11 @@ enum class FindingKind : std::uint8_t {
   CellsTurned,
   CellsLifted,
   MeshDefect,
+  OpenRims,
+  SheetModel,
+  RimsClosed,
+  SheetsLeftOut,
+  SurfaceThickened,
   TinyPart,
   HugePart,
   ThinPart,
@@ -164,6 +169,8 @@ enum class Gravity {
 
 // What a button can do about a finding; how, is known to the pipeline.
 enum class RemedyId : std::uint8_t {
+  ThickenSurface,
+  CloseRims,
   DropToPlate,
   ShrinkPlatform,
   MakePlatform,

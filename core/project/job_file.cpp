@@ -157,6 +157,25 @@ Diagnosis readDiagnosis(const Json& j) {
   return d;
 }
 
+Json openJson(const geometry::OpenSurface& open) {
+  return Json{{"rims", open.rims},
+              {"widestMm", open.widestMm},
+              {"widestAt", pointJson(open.widestAt)},
+              {"capShare", open.capShare},
+              {"sheetTriangles", open.sheetTriangles},
+              {"sheetShare", open.sheetShare}};
+}
+geometry::OpenSurface readOpen(const Json& j) {
+  geometry::OpenSurface open;
+  j.at("rims").get_to(open.rims);
+  j.at("widestMm").get_to(open.widestMm);
+  open.widestAt = point(j.at("widestAt"));
+  j.at("capShare").get_to(open.capShare);
+  j.at("sheetTriangles").get_to(open.sheetTriangles);
+  j.at("sheetShare").get_to(open.sheetShare);
+  return open;
+}
+
 // What earlier versions do not look for: sentences as data, to be told in any language. They read
 // the English beside it.
 void addTold(BlockWriter& out, const Job& job) {
@@ -196,6 +215,7 @@ void addLoaded(BlockWriter& out, const LoadedPart& part) {
                              {"notes", base::english(part.notes)},
                              {"remains", base::english(part.remains)},
                              {"found", diagnosisJson(part.found)},
+                             {"open", part.open ? openJson(*part.open) : Json()},
                              {"readS", part.readS},
                              {"repairS", part.repairS}}
                             .dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -217,6 +237,8 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
   part->notes = readMessages(j.at("notes"));
   part->remains = readMessages(j.at("remains"));
   part->found = readDiagnosis(j.at("found"));
+  if (const auto open = j.find("open"); open != j.end() && !open->is_null())
+    part->open = readOpen(*open);
   j.at("readS").get_to(part->readS);
   j.at("repairS").get_to(part->repairS);
   part->source = std::make_shared<geometry::TriangleMesh>(getMesh(in, "source"));

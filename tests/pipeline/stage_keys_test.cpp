@@ -37,6 +37,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"frontShape", {"flat", 1}},
     {"supports", {"none", 1}},
     {"orient", {"leastRisky", 0}},
+    {"openSurfaces", {"close", 0}},
     {"fieldRounds", {"5", 1}},
     {"growthIsp", {"2", kStageCount}}, // of the sources' schemes, see below
     {"growthQueue", {"insertion", kStageCount}},
