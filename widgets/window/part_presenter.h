@@ -31,7 +31,7 @@ public:
   bool hasCell() const { return cells_[static_cast<std::size_t>(shownCell_)] != nullptr; }
 
 signals:
-  void platformDrawn();     // one of another size
+  void platformDrawn(const Eigen::Vector3d& sizeMm);
   void drawn(bool another); // another: not the one that was on show with another placement
   void cellDrawn();
 
@@ -64,7 +64,6 @@ private:
   // What the platform was drawn from: what of the choices, the part.
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> drawnPlatform_;
   Eigen::AlignedBox3d box_;
-  Eigen::Vector3d platformSizeMm_ = Eigen::Vector3d::Zero();
 };
 
 } // namespace voluta::window

@@ -51,7 +51,7 @@ public:
   bool busy() const;
 
 signals:
-  void platformDrawn();         // one of another size
+  void platformDrawn(const Eigen::Vector3d& sizeMm);
   void partDrawn(bool another); // another: not the one that was on show with another placement
   void cellDrawn();
   void voxelsDrawn();

@@ -102,15 +102,21 @@ void PageStack::listenToPresenter() {
     if (another)
       workspace_.viewport.frameAll();
   });
-  connect(presenter, &Presenter::platformDrawn, this, [this] {
-    if (!workspace_.viewport.isCameraTheUsers())
-      workspace_.viewport.frameAll();
-  });
+  connect(presenter, &Presenter::platformDrawn, this, &PageStack::keepPlatformInView);
   connect(presenter, &Presenter::cellDrawn, this, &PageStack::showView);
   connect(presenter, &Presenter::motionReady, this, [this] {
     workspace_.timeline.setClock(workspace_.presenter.clock());
     showView();
   });
+}
+
+// Moving the part takes a platform that is made for it along: that is the same one.
+void PageStack::keepPlatformInView(const Eigen::Vector3d& sizeMm) {
+  constexpr double kSameMm = 2.0;
+  const bool another = (sizeMm - platformSizeMm_).cwiseAbs().maxCoeff() > kSameMm;
+  platformSizeMm_ = sizeMm;
+  if (another && !workspace_.viewport.isCameraTheUsers())
+    workspace_.viewport.frameAll();
 }
 
 void PageStack::listenToBars() {

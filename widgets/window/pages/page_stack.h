@@ -57,6 +57,7 @@ private:
   void listenToBars();
   void showBadge();
   void lookAtMarker(const Eigen::Vector3d& place);
+  void keepPlatformInView(const Eigen::Vector3d& sizeMm);
   void forInputs(const std::function<void(ViewportInput&)>& does);
 
   WorkspaceParts workspace_;
@@ -69,6 +70,7 @@ private:
   Page* page_ = nullptr;
   bool inCell_ = false;
   scene::World world_ = scene::World::Work;
+  Eigen::Vector3d platformSizeMm_ = Eigen::Vector3d::Zero(); // as drawn last
 };
 
 } // namespace voluta::window
