@@ -45,6 +45,7 @@ PartPresenter::PartPresenter(document::Document& document, viewer::Viewport& vie
     if (const auto& preview = document_.preview())
       drawPlatform(preview->decomposition->platform);
   });
+  drawChosenCell();
 }
 
 PartPresenter::~PartPresenter() = default;
@@ -180,7 +181,10 @@ void PartPresenter::drawChosenCell() {
     wanted = {pipeline::cellReachKey(choices, 0.0) + pipeline::plannedPlatformKey(choices),
               placed ? placed->job.part : nullptr};
   } catch (const base::Error&) {
-    return swapCell(CellOf::Choices, nullptr);
+    chosenCell_ = {};
+    drawingChosenCell_->cancel();
+    swapCell(CellOf::Choices, nullptr);
+    return;
   }
   if (wanted == chosenCell_)
     return;
