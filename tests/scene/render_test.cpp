@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 
 namespace fs = std::filesystem;
 
@@ -95,6 +97,44 @@ TEST(Render, ThePlateOfACellIsThereAndFramedWithThePlatform) {
   const scene::Image with = picture(scene, view);
   view.roles[static_cast<std::size_t>(robot::BodyRole::Platform)] = false;
   EXPECT_NE(with.rgb, picture(scene, view).rgb);
+}
+
+TEST(Render, CheckedSolidsLieOverTheArmWhereAskedFor) {
+  const std::vector<Eigen::Vector2d> plate{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  const robot::Cell cell = robot::loadCell("ur5-moving", process::loadProcess("fdm-1.0"), plate);
+  scene::Scene scene(scene::lightTheme());
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
+  scene::ViewState view;
+  view.cell = true;
+  view.world = scene::World::Base;
+  const scene::Image arm = picture(scene, view);
+  view.collisionSolids = true;
+  const scene::Image both = picture(scene, view);
+  int changed = 0;
+  for (int y = 0; y < arm.height; ++y)
+    for (int x = 0; x < arm.width; ++x)
+      changed += at(arm, x, y).r != at(both, x, y).r;
+  EXPECT_GT(changed, 1000);
+  view.collisionSolids = false;
+  EXPECT_EQ(arm.rgb, picture(scene, view).rgb);
+}
+
+TEST(Render, AViewThatDoesNotFrameTheCellStaysWithThePart) {
+  const std::vector<Eigen::Vector2d> plate{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  const robot::Cell cell = robot::loadCell("ur5-moving", process::loadProcess("fdm-1.0"), plate);
+  scene::Scene scene(scene::lightTheme());
+  scene.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
+  const auto distance = [&](const scene::ViewState& view) {
+    picture(scene, view);
+    return scene.renderer()->GetActiveCamera()->GetDistance();
+  };
+  scene::ViewState view;
+  const double part = distance(view);
+  view.cell = true;
+  EXPECT_GT(distance(view), 4.0 * part);
+  view.cellFramed = false;
+  EXPECT_NEAR(distance(view), part, 1e-6 * part);
 }
 
 TEST(Render, ARodIsSeenToTurnInItsCell) {
