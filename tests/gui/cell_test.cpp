@@ -189,8 +189,8 @@ TEST_F(CellTest, AnArmFromAUrdfIsImportedAndItsCellTaken) {
   EXPECT_TRUE(document().result(Stage::Replay)->job.report.replay.passed);
 }
 
-// The machine stands about the part before anything is planned: that of the chosen cell, and its eye
-// takes it away.
+// The machine stands about the part before anything is planned: that of the chosen cell, and its
+// eye takes it away.
 TEST_F(CellTest, TheMachineIsDrawnOnPrepare) {
   openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
   ASSERT_TRUE(reachKnown());
