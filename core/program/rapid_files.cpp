@@ -12,6 +12,10 @@ bool isModuleList(std::string_view text) {
   return text.starts_with("<?xml");
 }
 
+std::string_view moduleExtension(bool omniCore) {
+  return omniCore ? ".modx" : ".mod";
+}
+
 std::string moduleListText(std::string_view module) {
   return joined({"<?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>\r\n<Program>\r\n\t<Module>",
                  module, "</Module>\r\n</Program>\r\n"});

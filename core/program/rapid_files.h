@@ -15,6 +15,8 @@ std::string_view behindHeader(std::string_view text);
 bool isModuleList(std::string_view text);
 // Configuration of the controller's signals (EIO.cfg), which no program runs.
 bool isSignalList(std::string_view text);
+// Of module files: .modx for an OmniCore, which runs RobotWare 7, else .mod.
+std::string_view moduleExtension(bool omniCore);
 // Those two as they are written: the list names one module, which loads the others. `unit`: the
 // mechanical unit that the program expects; empty: none. `omniCore`: for RobotWare 7, else 6.
 std::string moduleListText(std::string_view module);

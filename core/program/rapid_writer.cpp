@@ -111,7 +111,7 @@ private:
     return Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof);
   }
   std::string fileName(std::size_t part) const {
-    const std::string_view extension = omniCore_ ? ".modx" : ".mod";
+    const std::string_view extension = moduleExtension(omniCore_);
     return part == 0 ? joined({name_, extension})
                      : joined({name_, "_", std::to_string(part), extension});
   }
