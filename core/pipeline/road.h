@@ -58,9 +58,9 @@ using WayObserver = std::function<void(const WayInTurn&)>;
 
 // Each may be empty.
 struct PlanObservers {
-  StageObserver onStage;
-  PreviewObserver onPreview;
-  WayObserver onWay;
+  StageObserver onStage = {};
+  PreviewObserver onPreview = {};
+  WayObserver onWay = {};
 };
 
 // Stages whose key is in the cache are taken from there. The report's timings are what each stage
