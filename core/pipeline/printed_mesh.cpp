@@ -1,6 +1,7 @@
 #include "pipeline/printed_mesh.h"
 
 #include "build3mf/bead_cells.h"
+#include "geometry/measures.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -28,6 +29,26 @@ double pitchFor(const plan::ToolPlan& plan, const process::Process& process) {
   return std::max(0.5 * process.layerHeightMm, std::sqrt(area / kMostFaces));
 }
 
+// Fills the voids between beads: shells that look inwards, of no more than so much. A larger one is
+// a cavity of the part.
+geometry::TriangleMesh withoutPores(const geometry::TriangleMesh& mesh, double mostMm3) {
+  const geometry::Components shells = geometry::components(mesh);
+  std::vector<double> volume(static_cast<std::size_t>(shells.count), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto corner = [&](std::size_t k) -> const Vector3d& {
+      return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][k])];
+    };
+    volume[static_cast<std::size_t>(shells.ofTriangle[t])] +=
+        corner(0).dot(corner(1).cross(corner(2))) / 6.0;
+  }
+  std::vector<bool> keep(mesh.triangles.size());
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    const double enclosed = volume[static_cast<std::size_t>(shells.ofTriangle[t])];
+    keep[t] = enclosed > 0.0 || -enclosed > mostMm3;
+  }
+  return geometry::subMesh(mesh, keep);
+}
+
 // Every vertex moves by `share` of the way to the mean of its neighbours.
 void relax(geometry::TriangleMesh& mesh, double share) {
   std::vector<Vector3d> sum(mesh.vertices.size(), Vector3d::Zero());
@@ -48,7 +69,10 @@ void relax(geometry::TriangleMesh& mesh, double share) {
 
 geometry::TriangleMesh printedSolid(const plan::ToolPlan& plan, const process::Process& process,
                                     const base::RunContext& ctx) {
-  geometry::TriangleMesh solid = build3mf::solidOfBeads(plan, pitchFor(plan, process), ctx);
+  const double bead = process.beadWidthMm * process.beadWidthMm * process.layerHeightMm;
+  constexpr double kPoreBeads = 8.0; // two bead widths both ways, two layers high
+  geometry::TriangleMesh solid =
+      withoutPores(build3mf::solidOfBeads(plan, pitchFor(plan, process), ctx), kPoreBeads * bead);
   // Taubin (1995): what the first step shrinks, the second swells again.
   constexpr double kSmooth = 0.5, kSwell = -0.53;
   constexpr int kRounds = 4;

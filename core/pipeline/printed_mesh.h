@@ -10,8 +10,9 @@ namespace voluta::pipeline {
 
 // The solid that the part's beads make together (build3mf/bead_cells.h): closed, without walls
 // inside where beads lie side by side, its volume the material's; supports and waste left out.
-// Steps of its cells are smoothed. About half a layer fine, coarser for large parts. mm. Throws
-// Error{UnusableInput}: beads without a section; Cancelled.
+// Pores of less than about two beads are filled. Steps of its cells are smoothed. About half a
+// layer fine, coarser for large parts. mm. Throws Error{UnusableInput}: beads without a section;
+// Cancelled.
 geometry::TriangleMesh printedSolid(const plan::ToolPlan& plan, const process::Process& process,
                                     const base::RunContext& ctx);
 

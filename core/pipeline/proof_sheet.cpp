@@ -21,15 +21,16 @@ base::Quantity share(double fraction) {
   return base::percent(100.0 * fraction);
 }
 
-// The fill map's classes, fullest first; colours that eyes of every kind tell apart, none of them
-// the red of what failed.
+// The fill map's classes, fullest first: beads with round edges that touch fill nine tenths, and
+// the material that is pressed between them the rest. Colours that eyes of every kind tell apart,
+// none of them the red of what failed.
 struct FillClass {
   double least; // share
   page::Colour colour;
 };
-constexpr std::array<FillClass, 5> kFillClasses{{{0.97, {0x1f, 0x4e, 0x79}},
-                                                 {0.90, {0x5b, 0x8d, 0xb8}},
-                                                 {0.75, {0xa9, 0xc7, 0xde}},
+constexpr std::array<FillClass, 5> kFillClasses{{{0.90, {0x1f, 0x4e, 0x79}},
+                                                 {0.80, {0x5b, 0x8d, 0xb8}},
+                                                 {0.70, {0xa9, 0xc7, 0xde}},
                                                  {0.50, {0xf3, 0xc7, 0x6b}},
                                                  {0.00, {0xd9, 0x82, 0x2b}}}};
 
@@ -265,7 +266,8 @@ private:
   }
 
   void maps() {
-    sheet_.mapsTitle = say("How full the part is: the mean along the view"_text);
+    sheet_.mapsTitle =
+        say("How full the part is: the mean along the view, of beads with round edges"_text);
     sheet_.maps = {viewOf(proof_.fill, 0), viewOf(proof_.fill, 1)};
     sheet_.maps[0].caption = say("from the front (x to the right, z up)"_text);
     sheet_.maps[1].caption = say("from the side (y to the right, z up)"_text);

@@ -46,6 +46,7 @@ TEST(OwnFiles, AJobIsVerifiedWithoutThem) {
   ASSERT_TRUE(nothingBlocks(plan.job.report));
   EXPECT_EQ(plan.process->label, "own mine");
   EXPECT_EQ(plan.cell->label(), "own my-cell");
+  std::filesystem::create_directory(folder / "out");
   writeOutputs(plan, folder / "out", kCtx);
   std::filesystem::remove(folder / "mine.json");
   std::filesystem::remove(folder / "my-cell.json");

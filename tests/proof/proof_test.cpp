@@ -1,5 +1,5 @@
-// The proof beside a program: its hash is the file's, its places are lines of it, and its page agrees
-// with its figures.
+// The proof beside a program: its hash is the file's, its places are lines of it, and its page
+// agrees with its figures.
 #include "base/files.h"
 #include "base/sha256.h"
 #include "base/units.h"
@@ -98,7 +98,7 @@ TEST(Proof, ARefusedProgramSaysSoFirst) {
 TEST(Proof, TheLegendHasTheColoursOfTheMap) {
   Proof proof;
   proof.fill = {1.0, Eigen::Vector3d::Zero(), {3, 2, 2}, {}};
-  proof.fill.filled = {1.0, 0.93, -1.0, 1.0, 0.93, -1.0, 0.8, 0.6, 0.1, 0.8, 0.6, 0.1};
+  proof.fill.filled = {1.0, 0.83, -1.0, 1.0, 0.83, -1.0, 0.75, 0.6, 0.1, 0.75, 0.6, 0.1};
   const page::Sheet sheet = proofSheet(proof, base::Language());
   ASSERT_EQ(sheet.maps.size(), 2u);
   const page::CellMap& front = sheet.maps[0];
@@ -108,11 +108,11 @@ TEST(Proof, TheLegendHasTheColoursOfTheMap) {
     const int swatch = front.swatch[static_cast<std::size_t>(row * 3 + column)];
     return swatch < 0 ? "" : sheet.legend[static_cast<std::size_t>(swatch)].label;
   };
-  EXPECT_EQ(label(1, 0), "97\u00a0% and more filled");
-  EXPECT_EQ(label(1, 1), "90 to 97\u00a0%");
+  EXPECT_EQ(label(1, 0), "90\u00a0% and more filled");
+  EXPECT_EQ(label(1, 1), "80 to 90\u00a0%");
   EXPECT_EQ(label(1, 2), "");
-  EXPECT_EQ(label(0, 0), "75 to 90\u00a0%");
-  EXPECT_EQ(label(0, 1), "50 to 75\u00a0%");
+  EXPECT_EQ(label(0, 0), "70 to 80\u00a0%");
+  EXPECT_EQ(label(0, 1), "50 to 70\u00a0%");
   EXPECT_EQ(label(0, 2), "less than 50\u00a0%");
 }
 
