@@ -258,7 +258,7 @@ TEST(FindingsPanel, ButtonsAreInSightOnASmallScreen) {
   panel.setFindings(findings);
   panel.setPlanned(true);
   panel.setUnchecked({plan::Stage::Motion, plan::Stage::Replay});
-  panel.resize(240, 250);
+  panel.resize(260, 250);
   panel.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
   auto* list = panel.findChild<QListView*>("list");

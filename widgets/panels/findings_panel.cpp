@@ -28,7 +28,7 @@
 namespace voluta::panels {
 
 namespace {
-constexpr int kLeastRows = 2, kAmpleRows = 4; // of the list, on a small screen and elsewhere
+constexpr int kLeastRows = 1, kAmpleRows = 4; // of the list, on a small screen and elsewhere
 constexpr int kLeastWords = 2;                // lines of what the chosen finding says
 constexpr std::size_t kBeyondLoad = 5;        // stages that look for problems of printing
 
