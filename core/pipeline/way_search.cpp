@@ -116,11 +116,12 @@ private:
     const plan::Findings& findings = candidate.result.job.report.findings;
     const auto bridge =
         std::ranges::find(findings, plan::FindingKind::LongBridge, &plan::Finding::kind);
-    if (bridge != findings.end())
+    const bool isBridged = bridge == findings.end();
+    if (!isBridged)
       tried_[candidate.tried].reason = plan::reasonOf(*bridge);
-    if (bridge == findings.end() || !passed_ || longestOf(candidate) < longestOf(*passed_))
+    if (isBridged || !passed_ || longestOf(candidate) < longestOf(*passed_))
       passed_ = std::move(candidate);
-    return bridge == findings.end();
+    return isBridged;
   }
   static double longestOf(const Candidate& candidate) {
     return candidate.result.job.report.replay.longestUnsupportedMm;
