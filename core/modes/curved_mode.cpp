@@ -114,8 +114,7 @@ decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base:
   tellSupports(supports, *stage);
   const bool rejected = input.isRejected && input.isRejected(d.findings);
   if (const auto gains =
-          rejected ? std::nullopt
-                   : pedestalGains(solid, plan, supports.missedBefore, ctx.quiet()))
+          rejected ? std::nullopt : pedestalGains(solid, plan, supports.missedBefore, ctx.quiet()))
     stage->findings.push_back(*gains);
   stage->result = project::Voxels(decomposition);
   return stage;

@@ -13,7 +13,8 @@ namespace voluta::pipeline {
 namespace {
 
 // A replay lets a controller lay up to 5 % more or less than planned over a bead, and some of the
-// beads' length count as it is; it weighs against the part's volume or its cells', 2 % apart at most.
+// beads' length count as it is; it weighs against the part's volume or its cells', 2 % apart at
+// most.
 constexpr double kLeeway = 0.08;
 
 double partMaterial(const plan::ToolPlan& toolPlan) {
@@ -41,8 +42,8 @@ std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
   if (!(volume > 0.0))
     return std::nullopt;
   // What flows before each bead while the nozzle stands counts too.
-  const double standing = static_cast<double>(toolPlan.paths.size()) * process.primeS *
-                          process.maxFlowMm3PerS / volume;
+  const double standing =
+      static_cast<double>(toolPlan.paths.size()) * process.primeS * process.maxFlowMm3PerS / volume;
   const double ratio = partMaterial(toolPlan) / volume;
   const double slack = replay::ReplayThresholds{}.massTolerance + kLeeway;
   if (ratio <= 1.0 + slack + plan::kBlockingShare && ratio + standing >= 1.0 - slack)

@@ -207,9 +207,9 @@ private:
 
   bool decompose() {
     decomposed_ = taken<modes::DecomposeStage>([&] {
-      modes::DecomposeInput in{
-          *placed_,
-          [&](double voxelMm, const base::RunContext& ctx) { return voxels(voxelMm, ctx); }};
+      modes::DecomposeInput in{*placed_, [&](double voxelMm, const base::RunContext& ctx) {
+                                 return voxels(voxelMm, ctx);
+                               }};
       if (observers_.onPreview)
         in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
           observers_.onPreview(std::move(soFar), result_);

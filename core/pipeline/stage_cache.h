@@ -25,8 +25,8 @@ namespace voluta::pipeline {
 // which names its stage.
 class StageCache {
 public:
-  // Keeps the last `kept` results of each stage and slot. `behind` outlives it: what is kept here is
-  // kept there too, and what is found there is kept here.
+  // Keeps the last `kept` results of each stage and slot. `behind` outlives it: what is kept here
+  // is kept there too, and what is found there is kept here.
   explicit StageCache(std::size_t kept = 3, StageCache* behind = nullptr)
       : kept_(kept), behind_(behind) {}
 

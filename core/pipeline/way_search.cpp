@@ -37,7 +37,8 @@ public:
       if (observers_.onWay)
         observers_.onWay({nameOfWay(ways[i]), i + 1, ways.size()});
       const auto begin = [&](std::size_t k) {
-        return kLoaded + (1.0 - kLoaded) * static_cast<double>(k) / static_cast<double>(ways.size());
+        return kLoaded +
+               (1.0 - kLoaded) * static_cast<double>(k) / static_cast<double>(ways.size());
       };
       if (tryWay(ways[i], ctx_.sub(begin(i), begin(i + 1))))
         return choose(*passed_);
@@ -56,7 +57,7 @@ public:
 private:
   struct Candidate {
     project::Choices way;
-    std::size_t tried = 0; // its row of tried_
+    std::size_t tried = 0;              // its row of tried_
     std::unique_ptr<StageCache> stages; // that it came to, to be planned to its end from there
     PlanResult result = {};
     project::Stage rejectedBy = {};

@@ -301,8 +301,7 @@ TEST(Automatic, AWayEndsAsSoonAsItIsBlocked) {
   const pipeline::PlanResult whole = pipeline::planOneWay(request, {}, &cache, {});
   EXPECT_FALSE(whole.job.decomposition()->field.empty());
   EXPECT_EQ(whole.job.reached, project::Stage::Layers);
-  const auto blocking =
-      std::ranges::find_if(whole.job.report.findings, &plan::Finding::blocking);
+  const auto blocking = std::ranges::find_if(whole.job.report.findings, &plan::Finding::blocking);
   ASSERT_NE(blocking, whole.job.report.findings.end());
   EXPECT_EQ(base::english(plan::reasonOf(*blocking)),
             base::english(plan::reasonOf(trial.rejection->finding)));

@@ -61,8 +61,8 @@ TEST_F(Rings, AreGivenUpOnceMoreIsLostThanMayBeLeftOut) {
     upsideDown.direction[w] = -Eigen::Vector3d::UnitZ();
   const auto whole = PartMotion(upsideDown, plate_, cell_, process_, {}, {}, {}).plan({});
   ASSERT_NE(whole->trajectory, nullptr);
-  const auto tried = PartMotion(upsideDown, plate_, cell_, process_, {}, {}, {})
-                         .plan({}, plan::kBlockingShare);
+  const auto tried =
+      PartMotion(upsideDown, plate_, cell_, process_, {}, {}, {}).plan({}, plan::kBlockingShare);
   EXPECT_EQ(tried->trajectory, nullptr);
   const auto blocking = std::ranges::find_if(whole->findings, &plan::Finding::blocking);
   ASSERT_NE(blocking, whole->findings.end());

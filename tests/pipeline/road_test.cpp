@@ -79,16 +79,16 @@ TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
   std::vector<Stage> told;
   const PlanResult again =
       planPart(boxRequest(), context(), cache_, {.onStage = [&](Stage stage, const PlanResult& r) {
-        told.push_back(stage);
-        EXPECT_EQ(r.job.reached, stage);
-        EXPECT_NE(r.job.part, nullptr);
-        EXPECT_EQ(r.job.decomposition() != nullptr, stage >= Stage::Decompose);
-        EXPECT_EQ(r.cell != nullptr, stage >= Stage::Decompose);
-        EXPECT_EQ(r.job.layers != nullptr, stage >= Stage::Layers);
-        EXPECT_EQ(r.job.toolPlan != nullptr, stage >= Stage::Toolpath);
-        EXPECT_EQ(r.job.trajectory != nullptr, stage >= Stage::Motion);
-        EXPECT_EQ(!r.checked.empty(), stage >= Stage::Replay);
-      }});
+                 told.push_back(stage);
+                 EXPECT_EQ(r.job.reached, stage);
+                 EXPECT_NE(r.job.part, nullptr);
+                 EXPECT_EQ(r.job.decomposition() != nullptr, stage >= Stage::Decompose);
+                 EXPECT_EQ(r.cell != nullptr, stage >= Stage::Decompose);
+                 EXPECT_EQ(r.job.layers != nullptr, stage >= Stage::Layers);
+                 EXPECT_EQ(r.job.toolPlan != nullptr, stage >= Stage::Toolpath);
+                 EXPECT_EQ(r.job.trajectory != nullptr, stage >= Stage::Motion);
+                 EXPECT_EQ(!r.checked.empty(), stage >= Stage::Replay);
+               }});
   EXPECT_EQ(told, (std::vector<Stage>{Stage::Load, Stage::Decompose, Stage::Layers, Stage::Toolpath,
                                       Stage::Motion, Stage::Replay}));
   // All of it was kept.
