@@ -114,7 +114,7 @@ ExitCode inspectCommand(const InspectOptions& options) {
     fmt::print("nothing to repair\n");
     return kDone;
   }
-  fmt::print(repairs.empty() ? "nothing could be repaired\n" : "repairs\n");
+  fmt::print("{}\n", repairs.empty() ? "nothing could be repaired" : "repairs");
   for (const std::string& repair : repairs)
     fmt::print("  - {}\n", repair);
   printText(mended, "after repair");
