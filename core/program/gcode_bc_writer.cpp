@@ -158,10 +158,7 @@ private:
     if (sense_ < 0.0)
       all.emplace_back(kReversedNote);
     if (winds_)
-      all.push_back(
-          joined({"C stays within ", fixedText(mostTurns_, 3),
-                  " turns to either side: it is wound back ", std::to_string(windsAt_.size()),
-                  " times, amid a travel, with the nozzle at Z", fixedText(upMm_, 1)}));
+      all.push_back(rangeNote());
     else
       all.push_back(joined({"C's count is set back by whole turns (G92 C) in travels beyond ",
                             fixedText(mostTurns_, 0),
@@ -171,6 +168,15 @@ private:
                           " degrees, C at most at ", degrees(fastest),
                           " degrees/s: what the axes cannot follow takes longer"}));
     return all;
+  }
+  std::string rangeNote() const {
+    std::string note = joined({"C stays within ", fixedText(mostTurns_, 3),
+                               mostTurns_ == 1.0 ? " turn" : " turns", " to either side"});
+    if (!windsAt_.empty())
+      note += joined({": it is wound back ", std::to_string(windsAt_.size()),
+                      windsAt_.size() == 1 ? " time" : " times",
+                      ", amid a travel, with the nozzle at Z", fixedText(upMm_, 1)});
+    return note;
   }
   static std::string degrees(double rad) {
     std::string text;
