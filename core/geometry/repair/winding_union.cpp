@@ -42,9 +42,8 @@ public:
   PatchSides(const Arrangement& arrangement, const TriangleMesh& mesh)
       : arrangement_(arrangement), query_(mesh), reach_(1e-6 * bounds(mesh).diagonal().norm()) {}
 
-  // `facets`: the largest first.
-  int front(const std::vector<int>& facets) const {
-    int first = 0;
+  // `facets`: the largest first. None: other surfaces are too near to tell.
+  std::optional<int> front(const std::vector<int>& facets) const {
     for (std::size_t i = 0; i < std::min<std::size_t>(facets.size(), kTries); ++i) {
       const auto f = static_cast<std::size_t>(facets[i]);
       const TriangleMesh& mesh = arrangement_.facets;
@@ -54,14 +53,13 @@ public:
       const int front = winding(centre + out), back = winding(centre - out);
       if (back == front + arrangement_.layers[f])
         return front;
-      if (i == 0)
-        first = front;
     }
-    return first;
+    return std::nullopt;
   }
 
+  static constexpr std::size_t kTries = 5; // facets of a patch
+
 private:
-  static constexpr std::size_t kTries = 5;
   int winding(const Vector3d& p) const {
     return static_cast<int>(std::lround(query_.windingNumber(p)));
   }
@@ -71,6 +69,40 @@ private:
   double reach_;
 };
 
+enum class Choice : signed char { Open, Drop, Keep };
+
+// Chooses patches that nobody could measure, so that as many kept facets run forward as backward
+// along each edge: where one patch at an edge is open, the others decide.
+void chooseByNeighbours(const Arrangement& arrangement, const std::vector<int>& patch,
+                        std::vector<Choice>& choices) {
+  const std::vector<HalfEdge> edges = sortedHalfEdges(arrangement.facets);
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
+      int open = -1, openBalance = 0, keptBalance = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const int at = patch[static_cast<std::size_t>(edges[i].triangle)];
+        const Choice choice = choices[static_cast<std::size_t>(at)];
+        const int way = edges[i].forward ? 1 : -1;
+        if (choice == Choice::Keep)
+          keptBalance += way;
+        if (choice != Choice::Open)
+          continue;
+        if (open >= 0 && open != at)
+          return;
+        open = at;
+        openBalance += way;
+      }
+      if (open < 0 || openBalance == 0)
+        return;
+      choices[static_cast<std::size_t>(open)] =
+          keptBalance == -openBalance ? Choice::Keep : Choice::Drop;
+      changed = true;
+    });
+  }
+}
+
 TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh& mesh,
                               const base::RunContext& ctx) {
   const TriangleMesh& all = arrangement.facets;
@@ -79,21 +111,23 @@ TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh
   for (std::size_t f = 0; f < patch.size(); ++f)
     facetsOf[patch[f]].push_back(static_cast<int>(f));
   const PatchSides sides(arrangement, mesh);
-  std::vector<bool> keep(patch.size(), false);
+  std::vector<Choice> choices(patch.size(), Choice::Open); // by the patch's number
   for (auto& [id, facets] : facetsOf) {
     ctx.checkpoint();
     const auto areaOf = [&](int f) { return triangleArea(all, static_cast<std::size_t>(f)); };
-    std::vector<int> largest = facets;
-    const auto few = std::min<std::ptrdiff_t>(5, std::ssize(largest));
-    std::partial_sort(largest.begin(), largest.begin() + few, largest.end(), [&](int a, int b) {
+    const auto few = std::min<std::ptrdiff_t>(PatchSides::kTries, std::ssize(facets));
+    std::partial_sort(facets.begin(), facets.begin() + few, facets.end(), [&](int a, int b) {
       return std::pair(-areaOf(a), a) < std::pair(-areaOf(b), b);
     });
-    const int front = sides.front(largest);
-    const int back = front + arrangement.layers[static_cast<std::size_t>(id)];
-    if (front < 1 && back >= 1)
-      for (const int f : facets)
-        keep[static_cast<std::size_t>(f)] = true;
+    const auto at = static_cast<std::size_t>(id);
+    if (const std::optional<int> front = sides.front(facets))
+      choices[at] =
+          *front < 1 && *front + arrangement.layers[at] >= 1 ? Choice::Keep : Choice::Drop;
   }
+  chooseByNeighbours(arrangement, patch, choices);
+  std::vector<bool> keep(patch.size());
+  for (std::size_t f = 0; f < patch.size(); ++f)
+    keep[f] = choices[static_cast<std::size_t>(patch[f])] == Choice::Keep;
   return subMesh(all, keep);
 }
 
