@@ -40,7 +40,5 @@ std::optional<RayHit> pickPath(const PathsDrawing& paths, const Ray& ray,
 // Poses of all frames of the cell in the work frame. `body`: index in Cell::bodies().
 std::optional<RayHit> pickBody(const CellDrawing& cell, std::size_t body,
                                const std::vector<Eigen::Isometry3d>& work_T_frame, const Ray& ray);
-std::optional<RayHit> pickCell(const CellDrawing& cell,
-                               const std::vector<Eigen::Isometry3d>& work_T_frame, const Ray& ray);
 
 } // namespace voluta::scene

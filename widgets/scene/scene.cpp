@@ -438,6 +438,10 @@ struct Scene::Impl {
     return work_T_frame;
   }
 
+  bool isBodyShown(std::size_t body) const {
+    return view.roles[static_cast<std::size_t>(cell->cell.bodies()[body].role)];
+  }
+
   std::optional<RayHit> nearest(const Ray& ray) const {
     std::optional<RayHit> best = nearestPrinted(ray, false);
     const auto consider = [&](const std::optional<RayHit>& hit) {
@@ -446,8 +450,12 @@ struct Scene::Impl {
     };
     if (shows(view.platform, platform.get()))
       consider(pickPlatform(*platform, ray));
-    if (shows(view.cell, cell.get()))
-      consider(pickCell(*cell, framesInWork(), ray));
+    if (!shows(view.cell, cell.get()))
+      return best;
+    const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
+    for (std::size_t body = 0; body < cell->cell.bodies().size(); ++body)
+      if (isBodyShown(body))
+        consider(pickBody(*cell, body, work_T_frame, ray));
     return best;
   }
 
