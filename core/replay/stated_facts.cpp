@@ -102,6 +102,10 @@ private:
     return fact == program_.facts.end() ? nullptr : &*fact;
   }
 
+  const StatedFact* driveHome() const {
+    return first(FactKind::Home, [](const StatedFact&) { return true; });
+  }
+
   void needed(FactKind kind) {
     const TextPlace firstMotion = placeOf(program_, program_.firstMotion);
     switch (kind) {
@@ -124,7 +128,7 @@ private:
 
   // Before the machine moves at all.
   void operatorStop(TextPlace firstMotion) {
-    const StatedFact* home = first(FactKind::Home, [](const StatedFact&) { return true; });
+    const StatedFact* home = driveHome();
     const auto inTime = [&](const StatedFact& f) {
       return isBeforeMotion(f) && (!home || &f < home);
     };
@@ -141,9 +145,13 @@ private:
     if (!planned)
       return;
     const auto isOn = [](const StatedFact& f) { return f.number > 0.0; };
-    if (!first(FactKind::NozzleHeat,
-               [&](const StatedFact& f) { return isOn(f) && isBeforeFlow(f); }))
-      missing(FactKind::NozzleHeat, firstMotion);
+    // It heats up while the machine drives home.
+    const StatedFact* home = driveHome();
+    const auto inTime = [&](const StatedFact& f) {
+      return isOn(f) && isBeforeFlow(f) && (!home || &f < home);
+    };
+    if (!first(FactKind::NozzleHeat, inTime))
+      missing(FactKind::NozzleHeat, home ? placeOfFact(*home) : firstMotion);
     const StatedFact* last = nullptr;
     for (const StatedFact& fact : program_.facts)
       if (fact.kind == FactKind::NozzleHeat && fact.before <= firstBead_)
