@@ -54,8 +54,8 @@ TEST_P(WayClearances, NothingComesCloserOnTheWay) {
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   int between = 0;
-  for (int n = 0; n < 60; ++n) {
-    const double reach = n % 3 == 0 ? 0.05 : n % 3 == 1 ? 0.3 : 1.2; // rad
+  for (int n = 0; n < 90; ++n) {
+    const double reach = n % 3 == 0 ? 0.3 : n % 3 == 1 ? 1.5 : 3.0; // rad
     JointVector from = cell.home(), to;
     for (Eigen::Index j = 0; j < cell.armDof(); ++j)
       from[j] += 0.5 * share(engine);
@@ -64,18 +64,18 @@ TEST_P(WayClearances, NothingComesCloserOnTheWay) {
       to[j] += reach * share(engine);
     const double ends = std::min(at(from), at(to));
     double least = ends;
-    constexpr int kSamples = 400;
+    constexpr int kSamples = 300;
     for (int k = 1; k < kSamples; ++k)
       least = std::min(least, at(from + static_cast<double>(k) / kSamples * (to - from)));
     if (least <= 0.5)
       continue; // met: there is no clearance to be told
-    between += least < ends - 0.1;
+    between += least < ends - 0.01;
     const double reported = ways.along(from, to, before, ends);
     EXPECT_LE(reported, least + 1e-6) << GetParam() << " " << n;
     // Samples are no closer to the truth than what moves between them.
     EXPECT_GE(reported, least - collision::kWayExactMm - 0.5 * reach) << GetParam() << " " << n;
   }
-  EXPECT_GT(between, 3) << "motions whose least distance is at neither end";
+  EXPECT_GT(between, 0) << "motions whose least distance is at neither end";
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, WayClearances,
