@@ -158,6 +158,7 @@ TEST_F(PartChangeTest, AnotherArmIsInThePictureAtOnceAndWithoutTheMotionOfTheFir
   EXPECT_TRUE(window().viewport().view().cell);
   EXPECT_FALSE(window().viewport().view().paths);
   EXPECT_TRUE(window().viewport().view().part);
+  EXPECT_FALSE(find<QWidget>("pictureBadge")->isVisible()) << "nothing in it is out of date";
   EXPECT_GT(differingShare(before, picture()), 0.02);
   keepPicture(window(), "another_arm");
   document().undoStack()->undo();

@@ -31,7 +31,7 @@ bool showsResultsOf(const Page& page, Stage stage) {
 std::optional<Stage> stageOf(const scene::ViewState& view) {
   if (view.voxels || view.pieces)
     return Stage::Decompose;
-  if (view.world == scene::World::Base)
+  if (view.joints.size() > 0) // else the cell is at home, whatever is planned
     return Stage::Motion;
   return view.layers  ? std::optional(Stage::Layers)
          : view.paths ? std::optional(Stage::Toolpath)
