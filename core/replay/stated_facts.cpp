@@ -89,7 +89,9 @@ private:
   }
   void changed(FactKind kind, TextPlace place, base::Value found, base::Value planned) {
     add(StatementChanged, place,
-        {{"statement", nameOf(kind)}, {"found", std::move(found)}, {"planned", std::move(planned)}});
+        {{"statement", nameOf(kind)},
+         {"found", std::move(found)},
+         {"planned", std::move(planned)}});
   }
 
   bool isBeforeMotion(const StatedFact& fact) const { return fact.before <= program_.firstMotion; }
@@ -132,10 +134,11 @@ private:
     const auto inTime = [&](const StatedFact& f) {
       return isBeforeMotion(f) && (!home || &f < home);
     };
-    if (first(FactKind::OperatorStop, [&](const StatedFact& f) { return inTime(f) && f.number > 0.0; }))
+    if (first(FactKind::OperatorStop,
+              [&](const StatedFact& f) { return inTime(f) && f.number > 0.0; }))
       return;
     const StatedFact* passing = first(FactKind::OperatorStop, inTime);
-    missing(FactKind::OperatorStop, passing ? placeOfFact(*passing)
+    missing(FactKind::OperatorStop, passing                         ? placeOfFact(*passing)
                                     : home && isBeforeMotion(*home) ? placeOfFact(*home)
                                                                     : firstMotion);
   }

@@ -16,7 +16,8 @@ namespace voluta::replay {
 // Returns a finding, at its line, for each of these:
 // - a needed statement that is missing before the first motion, or, what concerns material, before
 //   anything flows; the operator's stop comes before the machine drives anywhere, the temperature
-//   before it drives home. A needed temperature is that of a material whose usual one is known, and stays on until the first bead.
+//   before it drives home. A needed temperature is that of a material whose usual one is known, and
+//   stays on until the first bead.
 // - the flow output: its full value or its range are not the process' and the dialect's.
 // - a mechanical unit that the cell does not have.
 // - flags of a target other than the trajectory's joints give.

@@ -88,8 +88,8 @@ TEST(StatedFacts, AnOutputWithoutItsTriggerIsFound) {
   for (const bool all : {false, true}) {
     test::ProgramText rapid = write(s, "rapid");
     ASSERT_TRUE(verify(s, rapid).passed) << told(verify(s, rapid));
-    const std::size_t at = replace(
-        rapid, "TriggEquip tFlow,0\\\\Start,0\\\\AOp:=aoFlow,([0-9.]+);", "SetAO aoFlow,$1;", all);
+    const std::size_t at = replace(rapid, "TriggEquip tFlow,0\\\\Start,0\\\\AOp:=aoFlow,([0-9.]+);",
+                                   "SetAO aoFlow,$1;", all);
     replace(rapid, "TriggL (.*),tFlow,", "MoveL $1,", all);
     expectRefused(verify(s, rapid), "outputPasses", at);
 

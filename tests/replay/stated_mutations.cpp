@@ -66,9 +66,9 @@ Mutation movedBehindFirstMotion(const std::string& kind, const std::string& patt
 Lines waitBehind(const Subject& s, std::size_t m, const std::string& seconds) {
   const std::string& format = s.text.format;
   static const std::map<std::string, std::array<std::string, 2>> kWords = {
-      {"urscript", {"  sleep(", ")"}}, {"rapid", {"    WaitTime ", ";"}},
-      {"krl", {"WAIT SEC ", ""}},      {"spel", {"  Wait ", ""}},
-      {"melfa", {"Dly ", ""}},         {"gcode", {"G4 S", ""}},
+      {"urscript", {"  sleep(", ")"}},  {"rapid", {"    WaitTime ", ";"}},
+      {"krl", {"WAIT SEC ", ""}},       {"spel", {"  Wait ", ""}},
+      {"melfa", {"Dly ", ""}},          {"gcode", {"G4 S", ""}},
       {"gcode-extended", {"G4 S", ""}}, {"gcode-bc", {"G4 S", ""}}};
   if (const auto words = kWords.find(format); words != kWords.end())
     return {words->second[0] + seconds + words->second[1]};
@@ -117,29 +117,29 @@ Line insertWaits(Subject& s, const std::vector<std::size_t>& motions, const std:
 
 void waits(std::vector<Mutation>& all, const std::string& format) {
   if (format == "csv") { // each line has its time from the beginning
-    all.push_back({"a wait of 0.95 s before a bead",
-                   [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
-                     const auto beads = arrivals(s, m);
-                     if (beads.empty())
-                       return std::nullopt;
-                     const std::size_t first = s.read.motions[beads.front() + 1].line;
-                     for (std::size_t l = first; l <= s.text.lines.size(); ++l)
-                       if (std::string& line = s.text.lines[l - 1];
-                           std::isdigit(static_cast<unsigned char>(line.front())) != 0)
-                         line = withNumber(line, numbersIn(line).front(), std::stod(line) + 0.95);
-                     return first;
-                   }});
+    all.push_back(
+        {"a wait of 0.95 s before a bead", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+           const auto beads = arrivals(s, m);
+           if (beads.empty())
+             return std::nullopt;
+           const std::size_t first = s.read.motions[beads.front() + 1].line;
+           for (std::size_t l = first; l <= s.text.lines.size(); ++l)
+             if (std::string& line = s.text.lines[l - 1];
+                 std::isdigit(static_cast<unsigned char>(line.front())) != 0)
+               line = withNumber(line, numbersIn(line).front(), std::stod(line) + 0.95);
+           return first;
+         }});
     return;
   }
-  all.push_back({"a wait of 0.95 s before a bead",
-                 [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
-                   const auto beads = arrivals(s, m);
-                   return beads.empty() ? std::nullopt : insertWait(s, beads.front(), "0.95");
-                 }});
-  all.push_back({"a wait of 0.3 s before every bead",
-                 [](Subject& s, std::size_t, std::mt19937_64&) -> Line {
-                   return insertWaits(s, arrivals(s, 1), "0.3");
-                 }});
+  all.push_back(
+      {"a wait of 0.95 s before a bead", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+         const auto beads = arrivals(s, m);
+         return beads.empty() ? std::nullopt : insertWait(s, beads.front(), "0.95");
+       }});
+  all.push_back(
+      {"a wait of 0.3 s before every bead", [](Subject& s, std::size_t, std::mt19937_64&) -> Line {
+         return insertWaits(s, arrivals(s, 1), "0.3");
+       }});
   if (format.starts_with("gcode"))
     all.push_back({"a wait of 0.9 s at every tenth motion",
                    [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
@@ -172,8 +172,8 @@ void stops(std::vector<Mutation>& all, const std::string& format) {
   all.push_back(erasedAll("the operator's stop is missing", words.line));
   all.push_back(movedBehindFirstMotion("the operator's stop is too late", words.line));
   for (const std::string& passing : words.passing)
-    all.push_back(replacedInHead("the operator's stop becomes '" + passing + "'", words.word,
-                                 passing));
+    all.push_back(
+        replacedInHead("the operator's stop becomes '" + passing + "'", words.word, passing));
 }
 
 void gcode(std::vector<Mutation>& all, const std::string& format) {
@@ -211,14 +211,14 @@ void melfa(std::vector<Mutation>& all) {
   all.push_back(inMotion("a left arm", "(3,0)"));
   all.push_back(inMotion("another turn", "(7,1048576)"));
   all.push_back(erasedAll("no base", "Base P_NBase"));
-  all.push_back({"rounding without distances",
-                 [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
-                   const Line line = find(s, "Cnt 1,", s.read.motions[m].line);
-                   if (line)
-                     s.text.lines[*line - 1] = std::regex_replace(
-                         s.text.lines[*line - 1], std::regex("Cnt 1,[0-9.,]+"), "Cnt 1");
-                   return line;
-                 }});
+  all.push_back(
+      {"rounding without distances", [](Subject& s, std::size_t m, std::mt19937_64&) -> Line {
+         const Line line = find(s, "Cnt 1,", s.read.motions[m].line);
+         if (line)
+           s.text.lines[*line - 1] =
+               std::regex_replace(s.text.lines[*line - 1], std::regex("Cnt 1,[0-9.,]+"), "Cnt 1");
+         return line;
+       }});
 }
 
 void tmscript(std::vector<Mutation>& all) {
@@ -255,8 +255,7 @@ void urscript(std::vector<Mutation>& all) {
                      return line;
                    }});
   all.push_back(replacedInHead("another range of the flow output",
-                               "set_analog_outputdomain\\(0,1\\)",
-                               "set_analog_outputdomain(0,0)"));
+                               "set_analog_outputdomain\\(0,1\\)", "set_analog_outputdomain(0,0)"));
 }
 
 } // namespace
