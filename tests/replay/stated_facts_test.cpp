@@ -61,7 +61,8 @@ TEST(StatedFacts, AUnitOfAnotherNameIsFound) {
   for (const auto& c : cases) {
     SCOPED_TRACE(c.by);
     test::ProgramText text = write(s, c.format);
-    ASSERT_TRUE(verify(s, text).passed) << told(verify(s, text));
+    // KRL's ramps cost it the flow of these short rings; its text is the plan's.
+    ASSERT_EQ(verify(s, text).deviations, 0U) << told(verify(s, text));
     ASSERT_GT(replace(text, c.pattern, c.by), 0U);
     std::size_t line = 0;
     for (std::size_t i = 0; i < text.lines.size() && line == 0; ++i)
