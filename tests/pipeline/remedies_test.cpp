@@ -102,8 +102,9 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       const StageKeys before = keysOf(choices), after = keysOf(*cured);
       EXPECT_TRUE(before != after || choices.automatic != cured->automatic)
           << remedy.name << " changes nothing";
-      if (!isStep(remedy.id))
+      if (!isStep(remedy.id)) {
         EXPECT_FALSE(remedy.cure(finding, *cured)) << remedy.name << " is offered again";
+      }
       Choices unchanged = *cured;
       unchanged.parameters = choices.parameters;
       unchanged.platform = choices.platform;
