@@ -1,20 +1,15 @@
 #include "pipeline/stage_keys.h"
 
-#include "base/data_files.h"
-#include "base/json_node.h"
 #include "base/key_text.h"
 #include "modes/mode_table.h"
 #include "pipeline/cell_plate.h"
+#include "pipeline/cell_text.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/open_part.h"
 #include "pipeline/turned_part.h"
 #include "program/dialect.h"
-#include "project/content_hash.h"
 #include "robot/cell.h"
-
-#include "robot/planning_text.h"
-#include "robot/robot_reader.h"
 
 #include <fmt/format.h>
 
@@ -28,19 +23,6 @@ static std::string keyOf(const PlatformSolid&) {
 namespace voluta::pipeline {
 
 namespace {
-
-std::string cellText(const robot::Cell& cell, const std::string& choice) {
-  const std::string text = base::dataText("cells", choice, "unknown cell '{id}'"_text).text;
-  const std::string hash = project::contentHash(text);
-  const std::string& robot = cell.robot().id;
-  const base::JsonNode described = base::JsonNode::parse(text, cell.id()).at("robot");
-  const std::string robotHash =
-      robot::holdsRobot(described)
-          ? hash
-          : project::contentHash(robot::planningText(
-                base::dataText("robots", robot, "unknown robot '{id}'"_text).text));
-  return fmt::format("cell {} {}\nrobot {} {}\n", cell.id(), hash, robot, robotHash);
-}
 
 // The process in the parts that stages take, so that what a stage does not take does not make it
 // run again. A new member of the process does not compile before it is in one of them.
