@@ -142,6 +142,8 @@ void Document::apply(const project::Choices& choices, const std::shared_ptr<Sour
   const bool newChoices = !sameChoices(choices, choices_), newSource = source != source_;
   const bool otherPart =
       newSource && !(source && source_ && source->part->hash == source_->part->hash);
+  // Taken first: the part may be the one that was left last.
+  ShownStages kept = source ? std::exchange(source->results, {}) : ShownStages{};
   if (otherPart && source_)
     keepResultsOf(source_);
   choices_ = choices;
@@ -149,7 +151,7 @@ void Document::apply(const project::Choices& choices, const std::shared_ptr<Sour
   ++revision_;
   refreshKeys();
   if (otherPart)
-    showResults(source_ ? std::exchange(source_->results, {}) : ShownStages{});
+    showResults(std::move(kept));
   if (newSource)
     emit sourceChanged();
   if (newChoices)
