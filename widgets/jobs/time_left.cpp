@@ -8,7 +8,8 @@ namespace voluta::jobs {
 namespace {
 constexpr double kHiddenS = 2.0;
 constexpr double kLeastFraction = 0.01;
-constexpr double kSmoothingS = 5.0;
+// A run that turns out to take longer is believed sooner than one that turns out shorter.
+constexpr double kSmoothingS = 5.0, kSmoothingLongerS = 1.0;
 // A stroke: more than this between two looks, and at a pace that would end any run in seconds.
 constexpr double kStroke = 0.02, kStrokePerS = 0.2;
 constexpr double kHalf = 0.5, kLastQuarter = 0.75; // of the run, where they begin
@@ -60,7 +61,8 @@ std::optional<double> TimeLeft::update(double elapsedS, double fraction) {
   }
   if (estimateS_) {
     const double counted = std::max(0.0, *estimateS_ - passed);
-    estimateS_ = counted + (1.0 - std::exp(-passed / kSmoothingS)) * (*now - counted);
+    const double smoothingS = *now > counted ? kSmoothingLongerS : kSmoothingS;
+    estimateS_ = counted + (1.0 - std::exp(-passed / smoothingS)) * (*now - counted);
   } else {
     estimateS_ = now;
   }
