@@ -111,6 +111,7 @@ private:
       script.remove_prefix(end + 1);
       ++out_.line;
     }
+    left_ = left_ && frame.sound; // a listen node takes no other
     rest.remove_prefix(frame.length);
     if (!trimmed(rest.substr(0, rest.find('\n'))).empty())
       defect("text behind a frame"_text);
