@@ -98,14 +98,13 @@ TEST_F(FindingsTest, APlaceInsideThePartIsShownByACut) {
   inside.where = box.center();
   panel()->setFindings({inside});
   clickFinding(0);
-  const scene::ViewState cut = window().viewport().view();
-  ASSERT_TRUE(cut.marker);
-  EXPECT_TRUE(cut.sectionOn);
+  // The layers above the place are not shown: it needs no cut.
+  EXPECT_EQ(page(), Page::Layers);
+  ASSERT_TRUE(window().viewport().view().marker);
   EXPECT_FALSE(before(box.center()).printed);
   picture();
   keepPicture(window(), "finding-inside");
   choosePage(Page::Prepare);
-  EXPECT_FALSE(window().viewport().view().sectionOn) << "the cut goes with the mark";
   plan::Finding wall = plan::verbatimFinding(Stage::Load, "thinPart", "inside the part", "");
   wall.where = box.center();
   panel()->setFindings({wall});
@@ -113,6 +112,8 @@ TEST_F(FindingsTest, APlaceInsideThePartIsShownByACut) {
   EXPECT_EQ(page(), Page::Prepare);
   EXPECT_TRUE(window().viewport().view().sectionOn);
   keepPicture(window(), "finding-inside-prepare");
+  choosePage(Page::Layers);
+  EXPECT_FALSE(window().viewport().view().sectionOn) << "the cut goes with the mark";
 }
 
 TEST_F(FindingsTest, APlaceOnTheOutsideNeedsNoCut) {

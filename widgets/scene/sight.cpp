@@ -14,7 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kAround = 12;
-constexpr std::size_t kTriedForPrinted = 8; // a look at everything printed takes its time
+// A look at everything printed takes its time: the nearest directions, then some all around.
+constexpr std::size_t kNearest = 4, kAllAround = 6;
 
 std::vector<Vector3d> directionsFrom(const Vector3d& own) {
   std::vector<Vector3d> all;
@@ -45,7 +46,10 @@ Sight clearSight(const Scene& scene, const Vector3d& placeInWork, double radiusM
   for (const Vector3d& towards : directionsFrom(own))
     if (!sightFrom(towards, false).hides.machine())
       clear.push_back(towards);
-  for (std::size_t i = 0; i < std::min(clear.size(), kTriedForPrinted); ++i)
+  const std::size_t step = clear.size() > kNearest + kAllAround
+                               ? (clear.size() - 1 - kNearest) / (kAllAround - 1)
+                               : 1;
+  for (std::size_t i = 0; i < clear.size(); i += i < kNearest ? 1 : step)
     if (const Sight sight = sightFrom(clear[i], true); !sight.hides.printed)
       return sight;
   return sightFrom(clear.empty() ? own : clear.front(), true);
