@@ -33,6 +33,11 @@ QPoint boxIn(const QAbstractItemView& view, const QModelIndex& index) {
       .center();
 }
 
+bool hasBox(const QModelIndex& index) {
+  return index.isValid() && index.data(Qt::CheckStateRole).isValid() &&
+         index.flags().testFlags(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled);
+}
+
 void bringIntoSight(QWidget* widget) {
   for (QWidget* at = widget->parentWidget(); at; at = at->parentWidget())
     if (auto* area = qobject_cast<QScrollArea*>(at))
@@ -46,10 +51,7 @@ protected:
     for (int row = 0; row < model->rowCount(parent); ++row)
       for (int column = 0; column < model->columnCount(parent); ++column) {
         const QPersistentModelIndex index = model->index(row, column, parent);
-        for (int n = 0;
-             n < 3 && index.isValid() && model->flags(index).testFlag(Qt::ItemIsUserCheckable) &&
-             model->flags(index).testFlag(Qt::ItemIsEnabled);
-             ++n) {
+        for (int n = 0; n < 3 && hasBox(index); ++n) {
           const QVariant before = index.data(Qt::CheckStateRole);
           bringIntoSight(view);
           view->scrollTo(index);
