@@ -1,7 +1,5 @@
 #include "base/shown_number.h"
 
-#include "base/error.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -12,7 +10,7 @@ namespace voluta::base {
 
 ShownNumber shownNumber(double value, int digits) {
   constexpr double kLeast = 1e-9;
-  require(digits >= 1, "a digit to show");
+  digits = std::max(digits, 1);
   if (!std::isfinite(value))
     return {value, 0};
   if (std::abs(value) < kLeast)

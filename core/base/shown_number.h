@@ -9,7 +9,8 @@ struct ShownNumber {
 };
 
 // Returns `value` rounded to `digits` significant digits: 3484.2 to three as {3480, 0}, 0.1204 to
-// three as {0.12, 2}. What is nearer to 0 than a billionth is 0. Precondition: digits >= 1.
+// three as {0.12, 2}. What is nearer to 0 than a billionth is 0.
+// At least one digit.
 ShownNumber shownNumber(double value, int digits);
 
 } // namespace voluta::base
