@@ -162,7 +162,7 @@ void stops(std::vector<Mutation>& all, const std::string& format) {
        {"UIMsgBox", "UIMsgBox (\"[^\"]*\");", {"UIMsgBox $1\\MaxTime:=1;", "TPWrite $1;"}}},
       {"krl", {"^HALT", "HALT", {"WAIT SEC 0.1"}}},
       {"spel", {"  Pause", "Pause", {"Wait 0.1"}}},
-      {"melfa", {" Hlt", "Hlt", {"Dly 0.1"}}},
+      {"melfa", {"^[0-9]+ Hlt", "^([0-9]+) Hlt", {"$1 Dly 0.1"}}},
       {"tmscript", {"^Pause\\(\\)", "Pause\\(\\)", {"QueueTag(1,0)"}}},
       {"gcode", {"^M0$", "M0", {"M0 P100", "M0 S1", "M1"}}}};
   const auto stop = kStops.find(format.starts_with("gcode") ? "gcode" : format);
