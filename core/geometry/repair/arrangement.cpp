@@ -50,15 +50,9 @@ private:
 // A segment of an intersection, by its ends; both the same: a point.
 using Segment = std::pair<int, int>;
 
-// A point on the side `side` of a triangle.
-struct OnSide {
-  int side = 0, id = 0;
-};
-
 class Intersections {
 public:
-  Intersections(const TriangleMesh& mesh, Points& points)
-      : mesh_(mesh), points_(points), onSides_(mesh.triangles.size()) {
+  Intersections(const TriangleMesh& mesh, Points& points) : mesh_(mesh), points_(points) {
     for (const auto& v : mesh.vertices) {
       filtered_.emplace_back(v.x(), v.y(), v.z());
       ids_.push_back(-1);
@@ -85,8 +79,6 @@ public:
     return true;
   }
   int vertex(int t, int k) const { return mesh_.triangles[index(t)][index(k % 3)]; }
-  // Points that segments() found where a side of t goes through another triangle.
-  const std::vector<OnSide>& onSides(int t) const { return onSides_[index(t)]; }
 
 private:
   const Filtered::Point_3& at(int t, int k) const { return filtered_[index(vertex(t, k))]; }
@@ -132,23 +124,17 @@ private:
 
   // The common segment of triangles in general position; none: they are not.
   std::optional<Segment> crossing(int a, int b) {
-    std::vector<std::tuple<int, int, int>> sides; // triangle, side, the one it goes through
+    std::vector<int> ends;
     for (const auto& [t, other] : {std::pair(a, b), std::pair(b, a)})
       for (int k = 0; k < 3; ++k) {
         const Pierces how = pierces(t, k, other);
         if (how == Pierces::Touches)
           return std::nullopt;
         if (how == Pierces::Yes)
-          sides.emplace_back(t, k, other);
+          ends.push_back(pierced(t, k, other));
       }
-    if (sides.size() != 2)
+    if (ends.size() != 2)
       return std::nullopt;
-    std::array<int, 2> ends{};
-    for (Index i = 0; i < 2; ++i) {
-      const auto& [t, k, other] = sides[i];
-      ends[i] = pierced(t, k, other);
-      onSides_[index(t)].push_back({k, ends[i]});
-    }
     return Segment{ends[0], ends[1]};
   }
 
@@ -181,7 +167,6 @@ private:
   std::vector<Filtered::Point_3> filtered_;
   std::vector<int> ids_;
   std::map<std::tuple<int, int, int>, int> pierced_;
-  std::vector<std::vector<OnSide>> onSides_;
 };
 
 // Triangles on one plane that overlap, with all that crosses them.
@@ -212,14 +197,6 @@ public:
     for (const int t : cluster.triangles)
       for (int k = 0; k < 3; ++k)
         constrain(flat, {corner(t, k), corner(t, k + 1)});
-    turns_.clear();
-    for (const int t : cluster.triangles)
-      turns_.push_back(turnOf(t));
-    // To find out that a point is on a side takes exact numbers; where it is known, they are not
-    // needed.
-    if (cluster.triangles.size() == 1)
-      for (int k = 0; k < 3; ++k)
-        addToSide(flat, cluster.triangles.front(), k);
     for (const Segment& segment : cluster.segments)
       constrain(flat, segment);
     for (const auto face : flat.finite_face_handles())
@@ -261,35 +238,6 @@ private:
     handles_.emplace(id, handle);
     return handle;
   }
-  void addToSide(Triangulation& flat, int t, int side) {
-    const int from = corner(t, side), to = corner(t, side + 1);
-    const Exact::Point_2 start = flattened(points_[from]), end = flattened(points_[to]);
-    const bool alongX = std::abs(CGAL::to_double(end.x() - start.x())) >
-                        std::abs(CGAL::to_double(end.y() - start.y()));
-    const bool ascends = alongX ? start.x() < end.x() : start.y() < end.y();
-    std::vector<std::pair<Exact::FT, int>> along;
-    for (const OnSide& point : vertices_.onSides(t))
-      if (point.side == side) {
-        const Exact::Point_2 p = flattened(points_[point.id]);
-        along.emplace_back(alongX ? p.x() : p.y(), point.id);
-      }
-    const auto before = [&](const auto& a, const auto& b) {
-      return a.second != b.second && (ascends ? a.first < b.first : b.first < a.first);
-    };
-    std::sort(along.begin(), along.end(), before);
-    auto last = handleOf(flat, from);
-    const auto goal = handleOf(flat, to);
-    for (const auto& [at, id] : along) {
-      Triangulation::Face_handle face;
-      int edge = 0;
-      if (handles_.contains(id) || !flat.is_edge(last, goal, face, edge))
-        continue;
-      last = flat.insert(flattened(points_[id]), Triangulation::EDGE, face, edge);
-      last->info().id = id;
-      handles_.emplace(id, last);
-    }
-  }
-
   void constrain(Triangulation& flat, const Segment& segment) {
     const auto from = handleOf(flat, segment.first), to = handleOf(flat, segment.second);
     if (from != to)
@@ -302,12 +250,12 @@ private:
       corners[index(k)] = face->vertex(k)->point();
     int layers = 0;
     if (cluster.triangles.size() == 1) {
-      layers = turns_.front();
+      layers = turnOf(cluster.triangles.front());
     } else {
       const Exact::Point_2 middle = CGAL::centroid(corners[0], corners[1], corners[2]);
-      for (Index i = 0; i < cluster.triangles.size(); ++i)
-        if (contains(cluster.triangles[i], middle))
-          layers += turns_[i];
+      for (const int t : cluster.triangles)
+        if (contains(t, middle))
+          layers += turnOf(t);
     }
     if (layers == 0)
       return;
@@ -346,7 +294,6 @@ private:
   int axis_ = 2; // that the picture looks along
   Exact::Plane_3 plane_;
   std::unordered_map<int, Triangulation::Vertex_handle> handles_;
-  std::vector<int> turns_; // of the cluster's triangles
 };
 
 bool isDegenerate(const TriangleMesh& mesh, Index t) {
@@ -357,27 +304,18 @@ bool isDegenerate(const TriangleMesh& mesh, Index t) {
   return CGAL::collinear(at(0), at(1), at(2));
 }
 
-// To double; by the interval that is known, where it is a few units in the last place wide.
-double rounded(const Exact::FT& x) {
-  constexpr double kNarrow = 1e-15;
-  const auto [low, high] = CGAL::to_interval(x);
-  if (high - low <= kNarrow * std::max(std::abs(low), std::abs(high)))
-    return 0.5 * (low + high);
-  return CGAL::to_double(CGAL::exact(x));
-}
-
 // Vertices rounded to double, those of equal coordinates as one.
 void setVertices(const Points& points, Arrangement& arrangement) {
   std::map<std::array<double, 3>, int> known;
-  std::vector<int> numbers(points.size(), -1);
+  std::vector<int> rounded(points.size(), -1);
   TriangleMesh& mesh = arrangement.facets;
   const auto vertexOf = [&](int id) {
-    int& vertex = numbers[index(id)];
+    int& vertex = rounded[index(id)];
     if (vertex >= 0)
       return vertex;
-    std::array<double, 3> at{};
-    for (int k = 0; k < 3; ++k)
-      at[index(k)] = rounded(points[id][k]) + 0.0;
+    const auto& p = CGAL::exact(points[id]);
+    const std::array<double, 3> at{CGAL::to_double(p.x()) + 0.0, CGAL::to_double(p.y()) + 0.0,
+                                   CGAL::to_double(p.z()) + 0.0};
     const auto [entry, isNew] = known.emplace(at, static_cast<int>(mesh.vertices.size()));
     if (isNew)
       mesh.vertices.emplace_back(at[0], at[1], at[2]);

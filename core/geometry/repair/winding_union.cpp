@@ -42,8 +42,13 @@ public:
   PatchSides(const Arrangement& arrangement, const TriangleMesh& mesh)
       : arrangement_(arrangement), query_(mesh), reach_(1e-6 * bounds(mesh).diagonal().norm()) {}
 
-  // `facets`: the largest first. None: other surfaces are too near to tell.
-  std::optional<int> front(const std::vector<int>& facets) const {
+  struct Front {
+    int winding = 0;
+    bool isCertain = false; // false: other surfaces are too near to tell
+  };
+  // `facets`: the largest first.
+  Front front(const std::vector<int>& facets) const {
+    Front first;
     for (std::size_t i = 0; i < std::min<std::size_t>(facets.size(), kTries); ++i) {
       const auto f = static_cast<std::size_t>(facets[i]);
       const TriangleMesh& mesh = arrangement_.facets;
@@ -52,9 +57,11 @@ public:
           std::min(reach_, 1e-3 * std::sqrt(triangleArea(mesh, f))) * triangleNormal(mesh, f);
       const int front = winding(centre + out), back = winding(centre - out);
       if (back == front + arrangement_.layers[f])
-        return front;
+        return {front, true};
+      if (i == 0)
+        first.winding = front;
     }
-    return std::nullopt;
+    return first;
   }
 
   static constexpr std::size_t kTries = 5; // facets of a patch
@@ -103,6 +110,7 @@ void chooseByNeighbours(const Arrangement& arrangement, const std::vector<int>& 
   }
 }
 
+// Uncertain patches are chosen as they were measured; if that leaves gaps, by their neighbours.
 TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh& mesh,
                               const base::RunContext& ctx) {
   const TriangleMesh& all = arrangement.facets;
@@ -111,7 +119,7 @@ TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh
   for (std::size_t f = 0; f < patch.size(); ++f)
     facetsOf[patch[f]].push_back(static_cast<int>(f));
   const PatchSides sides(arrangement, mesh);
-  std::vector<Choice> choices(patch.size(), Choice::Open); // by the patch's number
+  std::vector<Choice> choices(patch.size(), Choice::Open), certain = choices; // by the patch
   for (auto& [id, facets] : facetsOf) {
     ctx.checkpoint();
     const auto areaOf = [&](int f) { return triangleArea(all, static_cast<std::size_t>(f)); };
@@ -120,15 +128,23 @@ TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh
       return std::pair(-areaOf(a), a) < std::pair(-areaOf(b), b);
     });
     const auto at = static_cast<std::size_t>(id);
-    if (const std::optional<int> front = sides.front(facets))
-      choices[at] =
-          *front < 1 && *front + arrangement.layers[at] >= 1 ? Choice::Keep : Choice::Drop;
+    const PatchSides::Front front = sides.front(facets);
+    choices[at] = front.winding < 1 && front.winding + arrangement.layers[at] >= 1 ? Choice::Keep
+                                                                                   : Choice::Drop;
+    if (front.isCertain)
+      certain[at] = choices[at];
   }
-  chooseByNeighbours(arrangement, patch, choices);
-  std::vector<bool> keep(patch.size());
-  for (std::size_t f = 0; f < patch.size(); ++f)
-    keep[f] = choices[static_cast<std::size_t>(patch[f])] == Choice::Keep;
-  return subMesh(all, keep);
+  const auto kept = [&](const std::vector<Choice>& chosen) {
+    std::vector<bool> keep(patch.size());
+    for (std::size_t f = 0; f < patch.size(); ++f)
+      keep[f] = chosen[static_cast<std::size_t>(patch[f])] == Choice::Keep;
+    return subMesh(all, keep);
+  };
+  TriangleMesh measured = kept(choices);
+  if (isWatertight(measured))
+    return measured;
+  chooseByNeighbours(arrangement, patch, certain);
+  return kept(certain);
 }
 
 } // namespace
