@@ -1,7 +1,5 @@
 #include "base/text.h"
 
-#include "base/shown_number.h"
-
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
@@ -143,10 +141,8 @@ std::string Language::whole(long long number) const {
 }
 
 std::string Language::number(double number, char format, int digits) const {
-  if (format == 'f')
-    return fmt::format("{:.{}f}", number, digits);
-  const ShownNumber shown = shownNumber(number, digits);
-  return fmt::format("{:.{}f}", shown.value, shown.decimals);
+  return format == 'f' ? fmt::format("{:.{}f}", number, digits)
+                       : fmt::format("{:.{}g}", number, digits);
 }
 
 std::string Language::withUnit(const std::string& number, Unit unit) const {

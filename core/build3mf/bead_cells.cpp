@@ -19,7 +19,7 @@ namespace {
 constexpr double kMostCells = 1 << 27;
 
 bool isOfPart(const plan::ToolPath& path) {
-  return path.kind != plan::PathKind::Support && !plan::isWaste(path.kind);
+  return path.kind != plan::PathKind::Support && path.kind != plan::PathKind::Skirt;
 }
 
 // The room of one segment; flat where its path begins and ends, round where it goes on.

@@ -20,10 +20,8 @@ struct TrajectoryCollision {
 
 struct TrajectoryCheck {
   std::vector<TrajectoryCollision> collisions; // ascending, at most one a point
-  // Nothing comes closer on any of the motions that meet nothing; at most capMm, and at most
-  // collision::kWayExactMm less than the least distance.
-  double minClearanceMm = 0.0;
-  std::size_t closestPoint = 0; // at it, or on the way to it
+  double minClearanceMm = 0.0;                 // at the points; at most capMm
+  std::size_t closestPoint = 0;                // where it is that
 };
 
 // headBefore[w]: while printing at waypoint w the head is checked against what was filled before

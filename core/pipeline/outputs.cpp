@@ -94,20 +94,17 @@ void writeBuildFile(const PlanResult& result, const std::filesystem::path& folde
 }
 
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
-                  const base::RunContext& ctx, const ProofStyle& proofStyle) {
+                  const base::RunContext& ctx) {
   base::Stopwatch writing;
   ctx.report(0.0, "write files"_text);
-  Programs written;
   for (const auto& checked : result.checked)
     if (checked->passed || result.keepRefused)
-      written.push_back(checked);
-  for (const auto& checked : written)
-    writeProgram(*checked, folder, ctx);
+      writeProgram(*checked, folder, ctx);
   for (const plan::ProgramFile& file : pedestalFiles(result))
     base::writeFile(folder / file.name, file.text);
   const auto writeJob = [&] { project::writeJob(folder / "job.voluta", result.job); };
   if (result.proofs)
-    writeProofs(result, written, folder, ctx, proofStyle, writeJob);
+    writeProofs(result, result.checked, folder, ctx, writeJob);
   else
     writeJob();
   if (writesBuildFile(result))
@@ -149,14 +146,13 @@ std::vector<std::string> handoverNames(const PlanResult& result, const Programs&
 }
 
 void writeHandover(const PlanResult& result, const Programs& programs,
-                   const std::filesystem::path& folder, const base::RunContext& ctx,
-                   const ProofStyle& proofStyle) {
+                   const std::filesystem::path& folder, const base::RunContext& ctx) {
   for (const auto& checked : programs)
     writeProgram(*checked, folder, ctx);
   for (const plan::ProgramFile& file : pedestalFiles(result))
     base::writeFile(folder / file.name, file.text);
   if (result.proofs)
-    writeProofs(result, programs, folder, ctx, proofStyle);
+    writeProofs(result, programs, folder, ctx);
   if (writesBuildFile(result))
     writeBuildFile(result, folder, ctx);
   const auto isThere = [&](const std::string& format) {

@@ -34,10 +34,9 @@ void PartMotion::layPart(const base::RunContext& ctx) {
 
 PartMotion::~PartMotion() = default;
 
-std::shared_ptr<const MotionStage> PartMotion::plan(const base::RunContext& ctx,
-                                                    double mostLeftOut) {
+std::shared_ptr<const MotionStage> PartMotion::plan(const base::RunContext& ctx) {
   if (planner_)
-    return stageOf(planner_->plan(ctx, mostLeftOut));
+    return stageOf(planner_->plan(ctx));
   auto stage = std::make_shared<MotionStage>();
   stage->report.robot = cell_.robot().id;
   stage->report.cell = cell_.id();
@@ -77,8 +76,7 @@ std::shared_ptr<const MotionStage> PartMotion::stageOf(motion::MotionResult move
   stage->timings.transfer = moved.times.transfer;
   stage->tooLarge = moved.tooLarge;
   stage->findings = std::move(moved.findings);
-  if (!moved.isGivenUp)
-    stage->trajectory = std::make_shared<plan::Trajectory>(std::move(moved.trajectory));
+  stage->trajectory = std::make_shared<plan::Trajectory>(std::move(moved.trajectory));
   return stage;
 }
 

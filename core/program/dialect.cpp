@@ -7,7 +7,6 @@
 #include "program/extruder.h"
 #include "program/extruder_axis.h"
 #include "program/extruder_stream.h"
-#include "program/full_flow.h"
 #include "program/gcode_bc.h"
 #include "program/gcode_extended.h"
 #include "program/gcode_plain.h"
@@ -22,8 +21,6 @@
 #include "program/motion_targets.h"
 #include "program/mxt_packets.h"
 #include "program/rapid.h"
-#include "program/rapid_motions.h"
-#include "program/rapid_tokens.h"
 #include "program/spelplus.h"
 #include "program/text.h"
 #include "program/text_files.h"
@@ -32,7 +29,6 @@
 #include "program/urscript_stream.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace voluta::program {
 
@@ -49,27 +45,6 @@ constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMostMmPerS2,
                                       .lookAhead = 5};
 constexpr MergeLimits kKrlMerge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad};
 constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad};
-
-using enum plan::FactKind;
-std::vector<plan::FactKind> gcodeStates() {
-  return {OperatorStop, NozzleHeat,        NozzleHeatWait, Home,
-          Millimetres,  AbsolutePositions, FilamentCount};
-}
-
-std::vector<std::string> unitsOfRapid(const robot::Cell& cell) {
-  std::vector<std::string> units = {std::string(kRapidExtruderUnit)};
-  if (cell.axesUnderRobot() > 0)
-    units.push_back(rapidName(cell.robotUnit()));
-  if (cell.axesMovePlatform())
-    units.push_back(rapidName(cell.externalUnit()));
-  for (std::string& unit : units)
-    unit = inSmallLetters(unit);
-  return units;
-}
-std::vector<std::string> unitsOfKrl(const robot::Cell& cell) {
-  return cell.axesMovePlatform() ? std::vector<std::string>{"machine_def[2]"}
-                                 : std::vector<std::string>();
-}
 } // namespace
 
 const std::vector<Dialect>& dialects() {
@@ -85,8 +60,6 @@ const std::vector<Dialect>& dialects() {
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kCastelliExtruder, kStreamExtruder},
        .options = urscriptOptions,
-       .states = {OperatorStop},
-       .fullFlowAt = "1",
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
@@ -106,7 +79,6 @@ const std::vector<Dialect>& dialects() {
        // Every row says its flow. A stream of filament counts motions, of which a row may be a
        // piece.
        .extruders = {},
-       .fullFlowAt = "1",
        .write = writeUrscriptStream,
        .read = readUrscriptStream,
        .looksLike = looksLikeUrscriptStream,
@@ -123,7 +95,6 @@ const std::vector<Dialect>& dialects() {
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
        .options = extendedGcodeOptions,
-       .states = gcodeStates(),
        .write = writeExtendedGcode,
        .read = readExtendedGcode,
        .looksLike = looksLikeExtendedGcode,
@@ -140,12 +111,11 @@ const std::vector<Dialect>& dialects() {
        // Every motion says its time.
        .time = {},
        .options = tableGcodeOptions,
-       .states = gcodeStates(),
        .write = writeTableGcode,
        .read = readTableGcode,
        .looksLike = looksLikeTableGcode,
        .remark = ";",
-       .mayBeMissing = mayBeMissingInExtendedGcode},
+       .mayBeMissing = mayBeMissingInTableGcode},
       {.id = "gcode",
        .label = "Plain G-code (three axes, flat jobs)"_text,
        .extension = "gco",
@@ -156,7 +126,6 @@ const std::vector<Dialect>& dialects() {
        .tiltsNozzle = false,
        // As extended G-code's.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
-       .states = gcodeStates(),
        .write = writePlainGcode,
        .read = readPlainGcode,
        .looksLike = looksLikePlainGcode,
@@ -174,9 +143,6 @@ const std::vector<Dialect>& dialects() {
            {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
        .options = rapidOptions,
-       .states = {OperatorStop},
-       .fullFlowAt = "1",
-       .units = unitsOfRapid,
        .longestText = 80, // of a string
        .write = writeRapid,
        .read = readRapid,
@@ -194,9 +160,6 @@ const std::vector<Dialect>& dialects() {
        .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
        .options = krlOptions,
-       .states = {OperatorStop},
-       .fullFlowAt = "1",
-       .units = unitsOfKrl,
        .write = writeKrl,
        .read = readKrl,
        .looksLike = looksLikeKrl,
@@ -213,7 +176,6 @@ const std::vector<Dialect>& dialects() {
        .merge = kKrlMerge,
        // Every line says its flow.
        .extruders = {},
-       .fullFlowAt = "1",
        .write = writeKrlEki,
        .read = readKrlEki,
        .looksLike = looksLikeKrlEki,
@@ -232,8 +194,6 @@ const std::vector<Dialect>& dialects() {
                 .jointsInPercent = true},
        .extruders = {kOutputsExtruder, kCastelliExtruder, kStreamExtruder},
        .options = spelplusOptions,
-       .states = {OperatorStop},
-       .fullFlowAt = "10 V",
        .longestLine = 512,
        .write = writeSpelplus,
        .read = readSpelplus,
@@ -251,9 +211,6 @@ const std::vector<Dialect>& dialects() {
        .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
        .options = melfaOptions,
-       .states = {OperatorStop, TargetFrame},
-       .fullFlowAt = "10000",
-       .posture = melfaPosture,
        .longestLine = 127,
        .write = writeMelfa,
        .read = readMelfa,
@@ -274,7 +231,6 @@ const std::vector<Dialect>& dialects() {
        // piece.
        .extruders = {},
        .options = melfaStreamOptions,
-       .fullFlowAt = "10000",
        .write = writeMelfaStream,
        .read = readMelfaStream,
        .looksLike = looksLikeMelfaStream,
@@ -291,7 +247,6 @@ const std::vector<Dialect>& dialects() {
        .merge = kMelfaMerge,
        // Every line says its flow.
        .extruders = {},
-       .fullFlowAt = "10000",
        .write = writeMelfaDatalink,
        .read = readMelfaDatalink,
        .looksLike = looksLikeMelfaDatalink,
@@ -306,13 +261,11 @@ const std::vector<Dialect>& dialects() {
        // Points say their times; Line and PTP their ramps. What is not known of a queue's pace.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder},
-       .states = {OperatorStop, TargetFrame},
-       .fullFlowAt = "10 V",
        .write = writeTmscript,
        .read = readTmscript,
        .looksLike = looksLikeTmscript,
        .remark = "//",
-       .mayBeMissing = primes},
+       .mayBeMissing = mayBeMissingInTmscript},
       {.id = "csv",
        .label = "Joint table (CSV)"_text,
        .extension = "csv",
@@ -524,7 +477,6 @@ plan::ReadProgram readWithStream(const Dialect& dialect,
   std::ranges::for_each(program.motions, place);
   std::ranges::for_each(program.pauses, place);
   std::ranges::for_each(program.defects, place);
-  std::ranges::for_each(program.facts, place);
   if (program.load)
     place(*program.load);
   place(program.nozzleAt);
@@ -554,9 +506,6 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
       tellLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
                     program.defects);
   }
-  std::ranges::move(statedFullFlow(files), std::back_inserter(program.facts));
-  program.neededFacts.insert(program.neededFacts.end(), dialect.states.begin(),
-                             dialect.states.end());
   program.time = dialect.time;
   program.tellsDirections = dialect.tiltsNozzle;
   program.beadsByJoints = dialect.beadsByJoints;

@@ -1,7 +1,6 @@
 #include "program/melfa_datalink.h"
 
 #include "base/units.h"
-#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/link_files.h"
 #include "program/link_writer.h"
@@ -159,7 +158,8 @@ std::vector<std::string> stepsFor(const Link& link) {
 std::string outputsNote(const process::Process& process) {
   return joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
                  std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
-                 " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), process)});
+                 " as a number, ", fixedText(kMelfaFullFlow, 0), " = ",
+                 fixedText(process.maxFlowMm3PerS, 3), " mm3/s"});
 }
 
 std::string programText(const ProgramInput& in, const Link& link) {

@@ -25,8 +25,6 @@ const char* nameOf(plan::PathKind kind) {
     return "skirt";
   case plan::PathKind::Support:
     return "support";
-  case plan::PathKind::Prime:
-    return "prime";
   }
   return "path";
 }

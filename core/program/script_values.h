@@ -18,7 +18,6 @@ struct ScriptValue {
   ScriptKind kind = ScriptKind::None;
   double number = 0.0; // truths are 0 and 1
   std::vector<double> list;
-  std::vector<double> flags; // behind the list, in languages that have them
   std::string text;
 };
 

@@ -9,7 +9,6 @@
 #include "platform/platform_solid.h"
 #include "process/process.h"
 #include "replay/judged_runs.h"
-#include "replay/worst_places.h"
 #include "robot/cell.h"
 
 #include <cstddef>
@@ -77,8 +76,6 @@ struct RunFigures {
 
   double partVolumeMm3 = 0.0, beadLengthMm = 0.0;
   double pitchMm = 0.0; // of the grid of beads
-
-  WorstPlaces worst;
 };
 
 struct Verification : RunFigures {

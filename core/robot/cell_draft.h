@@ -75,9 +75,8 @@ private:
   std::string text_;
 };
 
-// `choice`: an id, or the text of a cell's file. Throws Error{Usage} where no cell has that id,
-// naming the nearest.
-CellDraft draftOfCell(const std::string& choice);
+// Throws Error{Usage} where no cell has that id, naming the nearest.
+CellDraft draftOfCell(const std::string& id);
 
 // Is there a cell of the program's own of that id?
 bool isShippedCell(const std::string& id);

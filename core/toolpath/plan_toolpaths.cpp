@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -136,8 +135,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   });
   Assembled assembled = assemble(stack, covers, process);
   // The head's ways know of the prime, as they do of every bead.
-  if (auto falls = addPrimePath(assembled.plan, cell, process, options))
-    r.findings.push_back(std::move(*falls));
+  addPrimePath(assembled.plan, cell, process, options);
   if (assembled.plan.primes())
     assembled.clearDirection.insert(assembled.clearDirection.begin(),
                                     assembled.plan.paths.front().count, Vector3d::UnitZ());
@@ -170,7 +168,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   r.plan = std::move(oriented.plan);
   r.grown = std::move(oriented.grown);
   slowBridges(r.plan, oriented.hanging, process);
-  std::ranges::move(oriented.findings, std::back_inserter(r.findings));
+  r.findings = std::move(oriented.findings);
   if (told)
     r.findings.push_back(std::move(*told));
 
@@ -188,7 +186,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                                  static_cast<double>(r.plan.heightMm[j]));
       };
       s.lengthMm += length;
-      if (plan::isWaste(path.kind))
+      if (path.kind == PathKind::Skirt)
         continue;
       s.materialMm3 += process::beadVolume(section(i - 1), section(i), length);
     }

@@ -441,8 +441,7 @@ TEST(Replay, AProgramWithoutMotionsIsOneFindingThatCountsThePoints) {
 }
 
 TEST(Replay, MaterialOfSupportsAndSkirtsIsNotThePart) {
-  for (const plan::PathKind kind :
-       {plan::PathKind::Support, plan::PathKind::Skirt, plan::PathKind::Prime}) {
+  for (const plan::PathKind kind : {plan::PathKind::Support, plan::PathKind::Skirt}) {
     test::Scene s = test::boxScene(1);
     for (plan::ToolPath& path : s.plan.paths)
       path.kind = kind;

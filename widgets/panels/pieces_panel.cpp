@@ -1,7 +1,6 @@
 #include "panels/pieces_panel.h"
 
 #include "forms/colours.h"
-#include "forms/discard.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -133,7 +132,7 @@ void PiecesPanel::setPieces(std::vector<PieceRow> pieces, double riskyBeforeMm2)
 
 void PiecesPanel::fill() {
   filling_ = true;
-  forms::discardRows(*tree_);
+  tree_->clear();
   items_.clear();
   selected_ = -1;
   const QLocale locale;

@@ -2,7 +2,6 @@
 
 #include "scene/mesh_buffers.h"
 
-#include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPolyDataNormals.h>
 
@@ -25,7 +24,6 @@ vtkSmartPointer<vtkPolyData> shadedSurface(vtkPolyData* plain, double featureAng
   normals->ConsistencyOff();
   normals->Update();
   vtkSmartPointer<vtkPolyData> surface = normals->GetOutput();
-  surface->GetPolys()->ConvertTo32BitStorage(); // as all meshes of this module
   surface->ComputeBounds();
   return surface;
 }

@@ -1,7 +1,5 @@
 #include "window/body_tree.h"
 
-#include "forms/discard.h"
-
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -31,7 +29,7 @@ BodyTree::BodyTree(QWidget* parent) : QTreeWidget(parent) {
 void BodyTree::setDraft(const robot::CellDraft& draft) {
   const std::optional<DraftBody> before = chosen();
   const QSignalBlocker quiet(this);
-  forms::discardRows(*this);
+  clear();
   bodies_ = draft.bodies();
   auto* base = new QTreeWidgetItem(this, {tr("Robot's base")});
   auto* flange = new QTreeWidgetItem(base, {tr("Flange of %1").arg(named(draft.robot()))});

@@ -6,7 +6,6 @@
 
 namespace voluta::window {
 
-// `volumeMm3`: of the part as it is placed and scaled.
-panels::MeshSummary meshSummary(const project::LoadedPart& part, double volumeMm3);
+panels::MeshSummary meshSummary(const project::LoadedPart& part);
 
 } // namespace voluta::window

@@ -32,10 +32,12 @@ struct UnrolledFrame {
   bool operator==(const UnrolledFrame&) const = default;
 };
 
+inline constexpr std::size_t kPathKinds = 5; // of plan::PathKind, in its order
+
 struct UnrolledLook {
   QColor sheet, beside; // within the layer's period, and its repetition beyond the seams
   QColor outline, seam, chosen;
-  std::array<QColor, plan::kPathKinds> kinds; // of plan::PathKind
+  std::array<QColor, kPathKinds> kinds;
   bool operator==(const UnrolledLook&) const = default;
 };
 

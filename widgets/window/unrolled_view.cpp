@@ -24,11 +24,9 @@ QString kindName(plan::PathKind kind) {
   case plan::PathKind::Skirt:
     return UnrolledView::tr("Skirt");
   case plan::PathKind::Support:
-    return UnrolledView::tr("Support");
-  case plan::PathKind::Prime:
     break;
   }
-  return UnrolledView::tr("Prime");
+  return UnrolledView::tr("Support");
 }
 } // namespace
 
