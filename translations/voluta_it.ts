@@ -787,12 +787,6 @@ persi</translation>
         <translation>Posizione</translation>
     </message>
     <message>
-        <source>Print
-time</source>
-        <translation>Tempo
-stampa</translation>
-    </message>
-    <message>
         <source>RAPID (ABB)</source>
         <translation>RAPID (ABB)</translation>
     </message>
@@ -1445,10 +1439,6 @@ mm³</translation>
             <numerusform>tagliala dopo la stampa: tocca il pezzo su un&apos;altra faccia</numerusform>
             <numerusform>tagliala dopo la stampa: tocca il pezzo su altre {faces} facce</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>cut out {removed} of {all} self-intersections</source>
-        <translation>eliminate {removed} di {all} autointersezioni</translation>
     </message>
     <message>
         <source>cut short</source>
@@ -2254,10 +2244,6 @@ mm³</translation>
         <translation>non resta alcun percorso da seguire</translation>
     </message>
     <message>
-        <source>no triangle with area is left</source>
-        <translation>non resta alcun triangolo con area</translation>
-    </message>
-    <message>
         <source>nominal</source>
         <translation>nominale</translation>
     </message>
@@ -2472,10 +2458,6 @@ mm³</translation>
     <message>
         <source>print the part smaller (scale)</source>
         <translation>stampare il pezzo più piccolo (scale)</translation>
-    </message>
-    <message>
-        <source>print time</source>
-        <translation>tempo di stampa</translation>
     </message>
     <message>
         <source>printed part</source>
@@ -2866,10 +2848,6 @@ mm³</translation>
     <message>
         <source>the job holds no {result}</source>
         <translation>il progetto non contiene {result}</translation>
-    </message>
-    <message>
-        <source>the last line has no end: the file was cut short</source>
-        <translation>l&apos;ultima riga non ha fine: il file è stato troncato</translation>
     </message>
     <message>
         <source>the line &apos;# end&apos; is missing: the file was cut short</source>
@@ -4317,24 +4295,8 @@ mm³</translation>
         <translation>Aggiunge NAME.build.3mf: i percorsi del piano a 6 assi per altri programmi (3MF Toolpath Extension).</translation>
     </message>
     <message>
-        <source>Adds NAME.proof.html and NAME.proof.json beside each program that passed: what was checked, and how near to its limits it comes; and NAME.printed.stl, the part as it will be printed.</source>
-        <translation>Aggiunge NAME.proof.html e NAME.proof.json accanto a ogni programma superato: che cosa è stato verificato e quanto si avvicina ai limiti; e NAME.printed.stl, il pezzo come sarà stampato.</translation>
-    </message>
-    <message>
-        <source>Dark blue: 97 % and more. The part as it will be printed: {file}</source>
-        <translation>Blu scuro: 97 % e oltre. Il pezzo come sarà stampato: {file}</translation>
-    </message>
-    <message>
-        <source>How full the part is</source>
-        <translation>Quanto è pieno il pezzo</translation>
-    </message>
-    <message>
         <source>IRC5: .mod</source>
         <translation>IRC5: .mod</translation>
-    </message>
-    <message>
-        <source>Nearest to its limits, from start to end</source>
-        <translation>Più vicino ai limiti, dall&apos;inizio alla fine</translation>
     </message>
     <message>
         <source>OmniCore: .modx</source>
@@ -4351,10 +4313,6 @@ mm³</translation>
     <message>
         <source>URScript for</source>
         <translation>URScript per</translation>
-    </message>
-    <message>
-        <source>Which modules the controller loads.</source>
-        <translation>Quali moduli carica il controllore.</translation>
     </message>
     <message>
         <source>a TriggL before its TriggEquip</source>
@@ -4445,14 +4403,6 @@ mm³</translation>
         <translation>alle velocità proprie del controllore {share:.2f} della lunghezza dei cordoni riceve oltre il 5 % di materiale in più o in meno, il primo qui</translation>
     </message>
     <message>
-        <source>at {time:.1f}</source>
-        <translation>a {time:.1f}</translation>
-    </message>
-    <message>
-        <source>bead length with nothing beneath</source>
-        <translation>lunghezza dei cordoni senza nulla sotto</translation>
-    </message>
-    <message>
         <source>bead {bead}</source>
         <translation>cordone {bead}</translation>
     </message>
@@ -4463,18 +4413,6 @@ mm³</translation>
     <message>
         <source>choose an earlier place</source>
         <translation>scegliere un punto precedente</translation>
-    </message>
-    <message>
-        <source>deviation from the planned path</source>
-        <translation>scostamento dal percorso pianificato</translation>
-    </message>
-    <message>
-        <source>duration as the program is run</source>
-        <translation>durata come il programma viene eseguito</translation>
-    </message>
-    <message>
-        <source>duration by the plan</source>
-        <translation>durata secondo il piano</translation>
     </message>
     <message>
         <source>factors of &apos;{attribute}&apos; are finer than its modifier&apos;s type</source>
@@ -4521,36 +4459,12 @@ mm³</translation>
         <translation>non è uno strato di percorsi</translation>
     </message>
     <message>
-        <source>isotropy of the arm (0: singular, 1: even)</source>
-        <translation>isotropia del braccio (0: singolare, 1: uniforme)</translation>
-    </message>
-    <message>
-        <source>joint {name}, to its nearer limit</source>
-        <translation>giunto {name}, dal limite più vicino</translation>
-    </message>
-    <message>
-        <source>least clearance of arm, plate and part</source>
-        <translation>distanza minima di braccio, piatto e pezzo</translation>
-    </message>
-    <message>
         <source>leave scale and units as they are, or give givenToolPaths=false</source>
         <translation>lasciare scala e unità come sono, o dare givenToolPaths=false</translation>
     </message>
     <message>
         <source>lines end in two ways, from here on another</source>
         <translation>le righe finiscono in due modi, da qui in poi in un altro</translation>
-    </message>
-    <message>
-        <source>material</source>
-        <translation>materiale</translation>
-    </message>
-    <message>
-        <source>material laid by the part&apos;s volume</source>
-        <translation>materiale deposto rispetto al volume del pezzo</translation>
-    </message>
-    <message>
-        <source>material outside the part or without room</source>
-        <translation>materiale fuori dal pezzo o senza posto</translation>
     </message>
     <message>
         <source>more than a zip file can hold</source>
@@ -4597,20 +4511,12 @@ mm³</translation>
         <translation>si legge solo il flusso all&apos;inizio di un movimento</translation>
     </message>
     <message>
-        <source>share of the part inside beads</source>
-        <translation>parte del pezzo dentro i cordoni</translation>
-    </message>
-    <message>
         <source>take the program of the cell&apos;s own controller</source>
         <translation>usare il programma del controllore della cella</translation>
     </message>
     <message>
         <source>the arm is told to carry {mass:.2f} kg, some {planned:.2f} kg are planned</source>
         <translation>al braccio è dichiarato un carico di {mass:.2f} kg, ne sono previsti circa {planned:.2f} kg</translation>
-    </message>
-    <message>
-        <source>the arm stands here for {time:.1f}, the hot nozzle on the part</source>
-        <translation>qui il braccio sta fermo per {time:.1f}, con l&apos;ugello caldo sul pezzo</translation>
     </message>
     <message>
         <source>the beads are thinner than can be filled with cells</source>
@@ -4744,10 +4650,6 @@ mm³</translation>
         <translation>testo non analizzato nei dati di un percorso</translation>
     </message>
     <message>
-        <source>violations of limits</source>
-        <translation>violazioni di limiti</translation>
-    </message>
-    <message>
         <source>waits before and after tool-paths are left out</source>
         <translation>le attese prima e dopo i percorsi sono tralasciate</translation>
     </message>
@@ -4764,16 +4666,8 @@ mm³</translation>
         <translation>scrivere di nuovo il programma: con tempi al posto di velocità dove il formato li conosce</translation>
     </message>
     <message>
-        <source>{bytes} bytes, SHA-256</source>
-        <translation>{bytes} byte, SHA-256</translation>
-    </message>
-    <message>
         <source>{celsius} °C is no heat to print {material} with</source>
         <translation>{celsius} °C non è una temperatura per stampare {material}</translation>
-    </message>
-    <message>
-        <source>{file}, line {line}, at {time:.1f}</source>
-        <translation>{file}, riga {line}, a {time:.1f}</translation>
     </message>
     <message>
         <source>{length:.0f} of filament are drawn back: out of the hot end</source>
@@ -4925,10 +4819,6 @@ mm³</translation>
     <message>
         <source>KRL memory</source>
         <translation>memoria KRL</translation>
-    </message>
-    <message>
-        <source>Longer programs are cut into files to be run in turn; 0: as the format has it.</source>
-        <translation>I programmi più lunghi si dividono in file da eseguire uno dopo l&apos;altro; 0: come vuole il formato.</translation>
     </message>
     <message>
         <source>MELFA-BASIC V (Mitsubishi)</source>
@@ -6079,14 +5969,6 @@ mm³</translation>
         <translation>G-code esteso: scrive accanto un modulo RAPID che legge il file su un controllore ABB e muove con esso braccio ed estrusore.</translation>
     </message>
     <message>
-        <source>G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; 0: it counts on, or, where the table is wound back, as few as suit.</source>
-        <translation>G-code con B e C: oltre tanti giri per parte C torna indietro di giri interi in uno spostamento; 0: continua a contare o, se la tavola viene riavvolta, quanti meno bastano.</translation>
-    </message>
-    <message>
-        <source>G-code with B and C: of a table that turns without end the count alone, and it stays where it is; one with a cable is wound back amid a travel, with the nozzle above all it lifts.</source>
-        <translation>G-code con B e C: di una tavola che gira senza fine torna solo il conto, ed essa resta dov&apos;è; una con un cavo viene riavvolta durante uno spostamento, con l&apos;ugello sopra tutto ciò che solleva.</translation>
-    </message>
-    <message>
         <source>Lines by data link (MELFA-BASIC V, with receiver and sender)</source>
         <translation>Righe via data link (MELFA-BASIC V, con ricevitore e mittente)</translation>
     </message>
@@ -6283,20 +6165,813 @@ mm³</translation>
         <source>turn the part, or let Voluta choose the way of building</source>
         <translation>gira il pezzo, o lascia che Voluta scelga il modo di costruire</translation>
     </message>
-</context>
-<context>
-    <name>Duration</name>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
+        <source>&apos;{name}&apos; is a word of the language: no function may be called so</source>
+        <translation>&apos;{name}&apos; è una parola del linguaggio: nessuna funzione può chiamarsi così</translation>
     </message>
     <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 min %2 s</translation>
+        <source>&apos;{number}&apos; is a number with a decimal comma, or one of thousands</source>
+        <translation>&apos;{number}&apos; può essere un numero con la virgola decimale o uno di migliaia</translation>
     </message>
     <message>
-        <source>%1 h %2 min</source>
-        <translation>%1 h %2 min</translation>
+        <source>A fifth smaller than now</source>
+        <translation>Un quinto più piccolo di adesso</translation>
+    </message>
+    <message>
+        <source>Adds a page to hand over beside each program, NAME.proof.html and NAME.proof.pdf: the verdict, what was checked, and how near to its limits it comes; its figures as NAME.proof.json; and NAME.printed.stl, the part as printed, as a solid.</source>
+        <translation>Aggiunge accanto a ogni programma una pagina da consegnare, NOME.proof.html e NOME.proof.pdf: l&apos;esito, che cosa è stato verificato e quanto ci si avvicina ai limiti; i valori in NOME.proof.json; e NOME.printed.stl, il pezzo stampato come solido.</translation>
+    </message>
+    <message>
+        <source>Allow less clearance</source>
+        <translation>Ammetti meno distanza</translation>
+    </message>
+    <message>
+        <source>Amount: {share:.1f} of the part&apos;s volume is laid; {least:.0f#} to {most:.0f} are allowed.</source>
+        <translation>Quantità: si depone il {share:.1f} del volume del pezzo; ammesso da {least:.0f#} a {most:.0f}.</translation>
+    </message>
+    <message>
+        <source>As large as the cell&apos;s largest plate carries</source>
+        <translation>Grande quanto porta il piatto più grande della cella</translation>
+    </message>
+    <message>
+        <source>As wide as the part&apos;s foot and 20 mm more, on a stem of its own</source>
+        <translation>Larga quanto la base del pezzo e 20 mm in più, su un suo gambo</translation>
+    </message>
+    <message>
+        <source>Bead section: wrong by more than 5 % over {share:.2f} of the printed length; at most {limit:.0f}.</source>
+        <translation>Sezione del cordone: errata di oltre il 5 % sul {share:.2f} della lunghezza stampata; al massimo {limit:.0f}.</translation>
+    </message>
+    <message>
+        <source>Built in</source>
+        <translation>Costruito in</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Cella</translation>
+    </message>
+    <message>
+        <source>Chosen: {way} ({values})</source>
+        <translation>Scelta: {way} ({values})</translation>
+    </message>
+    <message>
+        <source>Close the rims</source>
+        <translation>Chiudi i bordi</translation>
+    </message>
+    <message>
+        <source>Closest approach of arm, plate and part: {way:.1f} apart.</source>
+        <translation>Distanza minima fra braccio, piatto e pezzo: {way:.1f}.</translation>
+    </message>
+    <message>
+        <source>Collisions: {collisions}; none is allowed.</source>
+        <translation>Collisioni: {collisions}; nessuna è ammessa.</translation>
+    </message>
+    <message>
+        <source>Fill: {share:.1f} of the part is filled; {limit:.0f} are required.</source>
+        <translation>Riempimento: è pieno il {share:.1f} del pezzo; richiesto {limit:.0f}.</translation>
+    </message>
+    <message>
+        <source>Flat patches over the rims: the part becomes solid</source>
+        <translation>Toppe piane sui bordi: il pezzo diventa solido</translation>
+    </message>
+    <message>
+        <source>G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; 0: as few turns as the beads allow.</source>
+        <translation>G-code con B e C: oltre tanti giri da un lato C torna indietro di giri interi durante uno spostamento; 0: i giri più pochi che i cordoni permettono.</translation>
+    </message>
+    <message>
+        <source>G-code with B and C: the table is wound back amid a travel, with the nozzle above all that it lifts. Of a table that turns without end the count alone may go back: it stays where it is.</source>
+        <translation>G-code con B e C: la tavola viene riavvolta durante uno spostamento, con l&apos;ugello sopra tutto ciò che solleva. Di una tavola che gira senza fine può tornare indietro il solo conteggio: essa resta dov&apos;è.</translation>
+    </message>
+    <message>
+        <source>G94 is missing behind the last motion: what runs next would take F for times</source>
+        <translation>G94 manca dopo l&apos;ultimo movimento: il programma seguente prenderebbe F per tempi</translation>
+    </message>
+    <message>
+        <source>Half as high, as far as the process goes</source>
+        <translation>Alti la metà, fin dove arriva il processo</translation>
+    </message>
+    <message>
+        <source>Half as large again</source>
+        <translation>Una volta e mezza</translation>
+    </message>
+    <message>
+        <source>Half the distance that the arm keeps from itself and from the part</source>
+        <translation>Metà della distanza che il braccio tiene da sé stesso e dal pezzo</translation>
+    </message>
+    <message>
+        <source>Half-carried: {share:.1f} of the bead length lies on less than half its width.</source>
+        <translation>Appoggio parziale: il {share:.1f} della lunghezza dei cordoni poggia su meno di metà larghezza.</translation>
+    </message>
+    <message>
+        <source>How full the part is: the mean along the view, of beads with round edges</source>
+        <translation>Quanto è pieno il pezzo: la media lungo la vista, di cordoni con bordi tondi</translation>
+    </message>
+    <message>
+        <source>In a usual cell; Voluta chooses the way of building</source>
+        <translation>In una cella abituale; Voluta sceglie il modo di costruire</translation>
+    </message>
+    <message>
+        <source>It is for another controller than the cell&apos;s own.</source>
+        <translation>È per un controllore diverso da quello della cella.</translation>
+    </message>
+    <message>
+        <source>It prints the rest of a part that was stopped.</source>
+        <translation>Stampa il resto di un pezzo interrotto.</translation>
+    </message>
+    <message>
+        <source>Joint range: joint {name} comes nearest to its limit, {angle:.1f} from it.</source>
+        <translation>Corsa dei giunti: il giunto {name} è il più vicino al limite, a {angle:.1f}.</translation>
+    </message>
+    <message>
+        <source>Joint speed: joint {name} comes nearest to its limit, at {share:.0f} of it.</source>
+        <translation>Velocità dei giunti: il giunto {name} è il più vicino al limite, al {share:.0f}.</translation>
+    </message>
+    <message>
+        <source>Keep more clearance</source>
+        <translation>Tieni più distanza</translation>
+    </message>
+    <message>
+        <source>Limits of joints, speeds and flow: {violations} violations; none is allowed.</source>
+        <translation>Limiti di giunti, velocità e portata: {violations} violazioni; nessuna è ammessa.</translation>
+    </message>
+    <message>
+        <source>Longer programs are cut into files to be run in turn; 0: as the format has it (URScript and RAPID 5000, KRL 2500, MELFA 6500, SPEL+ one file).</source>
+        <translation>I programmi più lunghi sono divisi in file da eseguire uno dopo l&apos;altro; 0: come prevede il formato (URScript e RAPID 5000, KRL 2500, MELFA 6500, SPEL+ un file solo).</translation>
+    </message>
+    <message>
+        <source>Longest unsupported run: {length:.1f}; this material bridges {bridge:.1f}.</source>
+        <translation>Tratto più lungo senza appoggio: {length:.1f}; questo materiale supera {bridge:.1f}.</translation>
+    </message>
+    <message>
+        <source>Make a platform for the part</source>
+        <translation>Fai una piattaforma per il pezzo</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Massa</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiale</translation>
+    </message>
+    <message>
+        <source>Nothing passes; shown is the least bad: {way} ({values})</source>
+        <translation>Nessun modo è accettato; si mostra il meno peggio: {way} ({values})</translation>
+    </message>
+    <message>
+        <source>Nozzle, head and material that this way of building comes with</source>
+        <translation>Ugello, testa e materiale che accompagnano questo modo di costruire</translation>
+    </message>
+    <message>
+        <source>Open surfaces</source>
+        <translation>Superfici aperte</translation>
+    </message>
+    <message>
+        <source>Overfill: {share:.1f} of the part&apos;s volume lies outside it or found no room; at most {limit:.0f}.</source>
+        <translation>Eccesso: il {share:.1f} del volume del pezzo è fuori da esso o non trova posto; al massimo {limit:.0f}.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>Passed: this program prints the part as planned.</source>
+        <translation>Superato: questo programma stampa il pezzo come previsto.</translation>
+    </message>
+    <message>
+        <source>Path: the nozzle leaves its planned path by {way:.3f} at most; {limit:.2f} are allowed.</source>
+        <translation>Percorso: l&apos;ugello si scosta dal percorso previsto di {way:.3f} al massimo; ammesso {limit:.2f}.</translation>
+    </message>
+    <message>
+        <source>Planned
+time</source>
+        <translation>Tempo
+previsto</translation>
+    </message>
+    <message>
+        <source>Positions are mm in the work frame: from the middle of the platform&apos;s top, z out of it. The part as printed, as a solid: {file}</source>
+        <translation>Le posizioni sono in mm nel sistema di lavoro: dal centro del piano della piattaforma, z verso l&apos;esterno. Il pezzo stampato, come solido: {file}</translation>
+    </message>
+    <message>
+        <source>Prime</source>
+        <translation>Innesco</translation>
+    </message>
+    <message>
+        <source>Print it larger</source>
+        <translation>Stampalo più grande</translation>
+    </message>
+    <message>
+        <source>Print it smaller</source>
+        <translation>Stampalo più piccolo</translation>
+    </message>
+    <message>
+        <source>Print lower layers</source>
+        <translation>Stampa strati più bassi</translation>
+    </message>
+    <message>
+        <source>Print on a plate</source>
+        <translation>Stampa su un piatto</translation>
+    </message>
+    <message>
+        <source>Print time</source>
+        <translation>Tempo di stampa</translation>
+    </message>
+    <message>
+        <source>Program files, with the SHA-256 of each</source>
+        <translation>File del programma, con lo SHA-256 di ciascuno</translation>
+    </message>
+    <message>
+        <source>Refused: do not run this program.</source>
+        <translation>Rifiutato: non eseguire questo programma.</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Robot and plate that this way of building comes with</source>
+        <translation>Robot e piatto che accompagnano questo modo di costruire</translation>
+    </message>
+    <message>
+        <source>Singular poses: isotropy falls to {ratio:.3f} (0 is singular, 1 is even).</source>
+        <translation>Pose singolari: l&apos;isotropia scende a {ratio:.3f} (0 è singolare, 1 è uniforme).</translation>
+    </message>
+    <message>
+        <source>The next one with a larger plate</source>
+        <translation>La prossima con un piatto più grande</translation>
+    </message>
+    <message>
+        <source>The smallest of the cell&apos;s plates that carries the part</source>
+        <translation>Il più piccolo dei piatti della cella che porta il pezzo</translation>
+    </message>
+    <message>
+        <source>Thicken to a wall</source>
+        <translation>Ispessisci a parete</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Utensile</translation>
+    </message>
+    <message>
+        <source>Try more turns</source>
+        <translation>Prova più rotazioni</translation>
+    </message>
+    <message>
+        <source>Trying {way} ({number} of {count})</source>
+        <translation>Prova di {way} ({number} di {count})</translation>
+    </message>
+    <message>
+        <source>Twice as many turns about the nozzle at each place; planning takes longer</source>
+        <translation>Il doppio delle rotazioni attorno all&apos;ugello in ogni punto; la pianificazione dura di più</translation>
+    </message>
+    <message>
+        <source>Twice the distance that the arm keeps from itself and from the part</source>
+        <translation>Il doppio della distanza che il braccio tiene da sé stesso e dal pezzo</translation>
+    </message>
+    <message>
+        <source>Two beads wide, half of it on either side of the surface</source>
+        <translation>Larga due cordoni, metà per lato della superficie</translation>
+    </message>
+    <message>
+        <source>Unsupported: {share:.2f} of the bead length has nothing beneath it; at most {limit:.1f}.</source>
+        <translation>Senza appoggio: il {share:.2f} della lunghezza dei cordoni non ha nulla sotto; al massimo {limit:.1f}.</translation>
+    </message>
+    <message>
+        <source>Use a larger cell</source>
+        <translation>Usa una cella più grande</translation>
+    </message>
+    <message>
+        <source>Use longer motions</source>
+        <translation>Usa movimenti più lunghi</translation>
+    </message>
+    <message>
+        <source>Use shorter motions</source>
+        <translation>Usa movimenti più corti</translation>
+    </message>
+    <message>
+        <source>Use the cell&apos;s plate</source>
+        <translation>Usa il piatto della cella</translation>
+    </message>
+    <message>
+        <source>Use the usual cell</source>
+        <translation>Usa la cella abituale</translation>
+    </message>
+    <message>
+        <source>Use the usual process</source>
+        <translation>Usa il processo abituale</translation>
+    </message>
+    <message numerus="yes">
+        <source>Voluta read the program back, ran it on a model of the robot and its controller, and found {checks} checks failed.</source>
+        <translation>
+            <numerusform>Voluta ha riletto il programma, l&apos;ha eseguito su un modello del robot e del suo controllore e {checks} verifica non è superata.</numerusform>
+            <numerusform>Voluta ha riletto il programma, l&apos;ha eseguito su un modello del robot e del suo controllore e {checks} verifiche non sono superate.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Voluta read the program back, ran it on a model of the robot and its controller, and measured what it prints.</source>
+        <translation>Voluta ha riletto il programma, l&apos;ha eseguito su un modello del robot e del suo controllore e ha misurato ciò che stampa.</translation>
+    </message>
+    <message>
+        <source>Voluta {version}, {date}</source>
+        <translation>Voluta {version}, {date}</translation>
+    </message>
+    <message>
+        <source>Waypoints half as far apart; the program gets longer</source>
+        <translation>Punti distanti la metà; il programma si allunga</translation>
+    </message>
+    <message>
+        <source>Waypoints twice as far apart</source>
+        <translation>Punti distanti il doppio</translation>
+    </message>
+    <message>
+        <source>What becomes of a part whose surface has wide rims or no thickness: it is refused, its rims are closed with patches, or the surface becomes a wall two beads wide.</source>
+        <translation>Che cosa si fa di un pezzo la cui superficie ha bordi larghi o nessuno spessore: viene rifiutato, i bordi si chiudono con toppe, o la superficie diventa una parete larga due cordoni.</translation>
+    </message>
+    <message>
+        <source>What was checked, and where it comes nearest to its limit</source>
+        <translation>Che cosa è stato verificato e dove ci si avvicina di più al limite</translation>
+    </message>
+    <message>
+        <source>Which modules and list of signals the controller loads: IRC5 (RobotWare 6) or OmniCore (RobotWare 7).</source>
+        <translation>Quali moduli e quale elenco di segnali carica il controllore: IRC5 (RobotWare 6) oppure OmniCore (RobotWare 7).</translation>
+    </message>
+    <message>
+        <source>a ball at vertex {vertex}, which is not there</source>
+        <translation>una sfera al vertice {vertex}, che non c&apos;è</translation>
+    </message>
+    <message>
+        <source>a beam to vertex {vertex}, which is not there</source>
+        <translation>una trave al vertice {vertex}, che non c&apos;è</translation>
+    </message>
+    <message>
+        <source>a beam without a radius</source>
+        <translation>una trave senza raggio</translation>
+    </message>
+    <message>
+        <source>a picture of a sheet is no PNG</source>
+        <translation>un&apos;immagine del foglio non è un PNG</translation>
+    </message>
+    <message>
+        <source>a stop that lasts until the operator goes on</source>
+        <translation>un arresto che dura finché l&apos;operatore non prosegue</translation>
+    </message>
+    <message>
+        <source>a trigger for the output</source>
+        <translation>un trigger per l&apos;uscita</translation>
+    </message>
+    <message>
+        <source>a wait until the nozzle is hot</source>
+        <translation>un&apos;attesa finché l&apos;ugello è caldo</translation>
+    </message>
+    <message>
+        <source>a wall of {wall:.2f} is too thin for so large a surface: it would come to {facets:.2g} triangles</source>
+        <translation>una parete di {wall:.2f} è troppo sottile per una superficie così grande: darebbe {facets:.2g} triangoli</translation>
+    </message>
+    <message>
+        <source>absolute positions</source>
+        <translation>posizioni assolute</translation>
+    </message>
+    <message>
+        <source>after {time}</source>
+        <translation>dopo {time}</translation>
+    </message>
+    <message>
+        <source>an object of the unknown type &apos;{type}&apos;</source>
+        <translation>un oggetto del tipo sconosciuto &apos;{type}&apos;</translation>
+    </message>
+    <message>
+        <source>an output of the extruder set where the arm does not stop: it takes effect elsewhere, or stops the arm on the bead</source>
+        <translation>un&apos;uscita dell&apos;estrusore impostata dove il braccio non si ferma: ha effetto altrove, o ferma il braccio sul cordone</translation>
+    </message>
+    <message>
+        <source>as the robot&apos;s controller</source>
+        <translation>come il controllore del robot</translation>
+    </message>
+    <message>
+        <source>at {place:.1f}</source>
+        <translation>in {place:.1f}</translation>
+    </message>
+    <message>
+        <source>clear this place, or use a larger plate (--platform)</source>
+        <translation>liberare questo punto, oppure usare un piano più grande (--platform)</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>chiudi</translation>
+    </message>
+    <message>
+        <source>closed the rims of an open surface: {share:.3g} of the surface are patches</source>
+        <translation>chiusi i bordi di una superficie aperta: il {share:.3g} della superficie sono toppe</translation>
+    </message>
+    <message>
+        <source>curved layers</source>
+        <translation>strati curvi</translation>
+    </message>
+    <message>
+        <source>curved layers on a pedestal</source>
+        <translation>strati curvi su un piedistallo</translation>
+    </message>
+    <message>
+        <source>curved layers with supports</source>
+        <translation>strati curvi con supporti</translation>
+    </message>
+    <message>
+        <source>decimal commas read as decimal points</source>
+        <translation>virgole decimali lette come punti decimali</translation>
+    </message>
+    <message>
+        <source>export it as a triangle mesh</source>
+        <translation>esportalo come mesh di triangoli</translation>
+    </message>
+    <message>
+        <source>export it with decimal points</source>
+        <translation>esportalo con il punto decimale</translation>
+    </message>
+    <message>
+        <source>flat layers</source>
+        <translation>strati piani</translation>
+    </message>
+    <message>
+        <source>flat layers with supports</source>
+        <translation>strati piani con supporti</translation>
+    </message>
+    <message>
+        <source>foot of the part: {length:.0f} by {width:.0f}, more than the cell&apos;s largest plate ({plate}) carries</source>
+        <translation>base del pezzo: {length:.0f} per {width:.0f}, più di quanto porta il piatto più grande della cella ({plate})</translation>
+    </message>
+    <message>
+        <source>has a disc inside another</source>
+        <translation>ha un disco dentro un altro</translation>
+    </message>
+    <message>
+        <source>holds nothing to print: {what}</source>
+        <translation>non contiene nulla da stampare: {what}</translation>
+    </message>
+    <message>
+        <source>holds sliced G-code (&apos;{member}&apos;) and no model</source>
+        <translation>contiene G-code già affettato (&apos;{member}&apos;) e nessun modello</translation>
+    </message>
+    <message>
+        <source>how amounts of filament are counted</source>
+        <translation>come si contano le quantità di filamento</translation>
+    </message>
+    <message>
+        <source>infill density {density} cannot be printed yet: parts are filled solid</source>
+        <translation>la densità di riempimento {density} non si può ancora stampare: i pezzi sono pieni</translation>
+    </message>
+    <message>
+        <source>infill density {density} of the project is left out: parts are filled solid</source>
+        <translation>la densità di riempimento {density} del progetto è ignorata: i pezzi sono pieni</translation>
+    </message>
+    <message>
+        <source>is UTF-16 that is damaged or cut short</source>
+        <translation>è in UTF-16 danneggiato o troncato</translation>
+    </message>
+    <message>
+        <source>is UTF-32, which cannot be read</source>
+        <translation>è in UTF-32, che non si può leggere</translation>
+    </message>
+    <message>
+        <source>is none of the colours: &apos;{name}&apos;</source>
+        <translation>non è tra i colori: &apos;{name}&apos;</translation>
+    </message>
+    <message>
+        <source>kept as sentences in an older project: plan again for what can be done</source>
+        <translation>conservato come frasi in un progetto più vecchio: pianifica di nuovo per sapere che cosa si può fare</translation>
+    </message>
+    <message>
+        <source>layer height {height}, platform: {platform}</source>
+        <translation>altezza degli strati {height}, piattaforma: {platform}</translation>
+    </message>
+    <message>
+        <source>layer height {height}, supports: {supports}, platform: {platform}</source>
+        <translation>altezza degli strati {height}, supporti: {supports}, piattaforma: {platform}</translation>
+    </message>
+    <message>
+        <source>layer {layer}</source>
+        <translation>strato {layer}</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>ometterla</translation>
+    </message>
+    <message>
+        <source>left out the sheets without thickness: {share:.3g} of the surface, {triangles} triangles</source>
+        <translation>escluse le lamine senza spessore: il {share:.3g} della superficie, {triangles} triangoli</translation>
+    </message>
+    <message>
+        <source>less than {share:.0f}</source>
+        <translation>meno del {share:.0f}</translation>
+    </message>
+    <message>
+        <source>line {line} of {file}</source>
+        <translation>riga {line} di {file}</translation>
+    </message>
+    <message>
+        <source>millimetres as the unit of length</source>
+        <translation>i millimetri come unità di lunghezza</translation>
+    </message>
+    <message>
+        <source>missing before this line: {statement}</source>
+        <translation>manca prima di questa riga: {statement}</translation>
+    </message>
+    <message>
+        <source>must be a colour like &quot;#d0d4d8&quot;</source>
+        <translation>deve essere un colore come &quot;#d0d4d8&quot;</translation>
+    </message>
+    <message>
+        <source>must be in 1..{most}</source>
+        <translation>deve essere in 1..{most}</translation>
+    </message>
+    <message>
+        <source>must hold as many discs as the first, at least one</source>
+        <translation>deve contenere tanti dischi quanti la prima, almeno uno</translation>
+    </message>
+    <message>
+        <source>must hold at least one solid</source>
+        <translation>deve contenere almeno un solido</translation>
+    </message>
+    <message>
+        <source>must hold {wanted} values, holds {found}</source>
+        <translation>deve contenere {wanted} valori, ne contiene {found}</translation>
+    </message>
+    <message>
+        <source>must not be along the axis</source>
+        <translation>non deve essere lungo l&apos;asse</translation>
+    </message>
+    <message>
+        <source>must not be before the one before it</source>
+        <translation>non deve stare prima di quella precedente</translation>
+    </message>
+    <message>
+        <source>no process here has narrower beads</source>
+        <translation>nessun processo disponibile ha cordoni più stretti</translation>
+    </message>
+    <message>
+        <source>nothing is left: no triangle has area or encloses a volume</source>
+        <translation>non resta nulla: nessun triangolo ha area o racchiude un volume</translation>
+    </message>
+    <message>
+        <source>nozzle {nozzle}, bead {width#} x {height}</source>
+        <translation>ugello {nozzle}, cordone {width#} x {height}</translation>
+    </message>
+    <message>
+        <source>numbers with commas, such as &apos;{number}&apos;, beside numbers with points</source>
+        <translation>numeri con la virgola, come &apos;{number}&apos;, accanto a numeri con il punto</translation>
+    </message>
+    <message>
+        <source>object &apos;{id}&apos; has a beam lattice that a mesh clips, which cannot be read</source>
+        <translation>l&apos;oggetto &apos;{id}&apos; ha un reticolo di travi tagliato da una mesh, che non si può leggere</translation>
+    </message>
+    <message>
+        <source>object &apos;{id}&apos; is given in slices (slicestack), which cannot be read</source>
+        <translation>l&apos;oggetto &apos;{id}&apos; è dato a strati (slicestack), che non si possono leggere</translation>
+    </message>
+    <message>
+        <source>only the cell&apos;s own file can be changed: Edit, Edit cell</source>
+        <translation>si può cambiare solo il file della cella: Modifica, Modifica cella</translation>
+    </message>
+    <message numerus="yes">
+        <source>open surface: it ends at {rims} rims, the widest {width:.3g} wide</source>
+        <translation>
+            <numerusform>superficie aperta: finisce in {rims} bordo, largo {width:.3g}</numerusform>
+            <numerusform>superficie aperta: finisce in {rims} bordi, il più largo {width:.3g}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>open surface: it ends at {rims} rims, the widest {width:.3g} wide at {at:.1f}</source>
+        <translation>
+            <numerusform>superficie aperta: finisce in {rims} bordo, largo {width:.3g} a {at:.1f}</numerusform>
+            <numerusform>superficie aperta: finisce in {rims} bordi, il più largo {width:.3g} a {at:.1f}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>open the model that it was sliced from</source>
+        <translation>apri il modello da cui è stato affettato</translation>
+    </message>
+    <message>
+        <source>openSurfaces=close makes it solid instead</source>
+        <translation>openSurfaces=close ne fa invece un solido</translation>
+    </message>
+    <message>
+        <source>openSurfaces=thicken makes a wall of the surface instead</source>
+        <translation>openSurfaces=thicken ne fa invece una parete</translation>
+    </message>
+    <message>
+        <source>openSurfaces=thicken makes walls of them instead</source>
+        <translation>openSurfaces=thicken ne fa invece delle pareti</translation>
+    </message>
+    <message>
+        <source>pieces with supports</source>
+        <translation>parti piane con supporti</translation>
+    </message>
+    <message>
+        <source>planned time</source>
+        <translation>tempo previsto</translation>
+    </message>
+    <message>
+        <source>print the part at scale {scale}, or use a cell with a larger plate or a platform made for the part</source>
+        <translation>stampa il pezzo in scala {scale}, oppure usa una cella con un piatto più grande o una piattaforma fatta per il pezzo</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>rifiuta</translation>
+    </message>
+    <message numerus="yes">
+        <source>removed the loops of {count} components that cut themselves</source>
+        <translation>
+            <numerusform>tolti gli anelli di {count} componente che taglia sé stesso</numerusform>
+            <numerusform>tolti gli anelli di {count} componenti che tagliano sé stessi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>save it as UTF-8</source>
+        <translation>salvalo come UTF-8</translation>
+    </message>
+    <message>
+        <source>set it by a trigger of the next motion, or write the program again</source>
+        <translation>impostarla con un trigger del movimento seguente, o riscrivere il programma</translation>
+    </message>
+    <message>
+        <source>sheet model: {share:.3g} of the surface are sheets without thickness, {triangles} triangles</source>
+        <translation>modello a lamine: il {share:.3g} della superficie sono lamine senza spessore, {triangles} triangoli</translation>
+    </message>
+    <message numerus="yes">
+        <source>skipped: {count} items that are marked as not printable</source>
+        <translation>
+            <numerusform>saltato: {count} elemento contrassegnato come non stampabile</numerusform>
+            <numerusform>saltati: {count} elementi contrassegnati come non stampabili</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>skipped: {count} objects of type &apos;other&apos;, which are not printed</source>
+        <translation>
+            <numerusform>saltato: {count} oggetto di tipo &apos;other&apos;, che non si stampa</numerusform>
+            <numerusform>saltati: {count} oggetti di tipo &apos;other&apos;, che non si stampano</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>skipped: {count} objects of type &apos;surface&apos;, which have no inside</source>
+        <translation>
+            <numerusform>saltato: {count} oggetto di tipo &apos;surface&apos;, che non ha un interno</numerusform>
+            <numerusform>saltati: {count} oggetti di tipo &apos;surface&apos;, che non hanno un interno</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>skipped: {count} support objects</source>
+        <translation>
+            <numerusform>saltato: {count} oggetto di supporto</numerusform>
+            <numerusform>saltati: {count} oggetti di supporto</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the PDF is not made: {why}</source>
+        <translation>il PDF non è stato creato: {why}</translation>
+    </message>
+    <message>
+        <source>the arm passes this point at {stated:.1f} mm/s and its flow stays: {suits:.1f} mm/s suit its way</source>
+        <translation>il braccio passa per questo punto a {stated:.1f} mm/s e la portata resta: al suo percorso si addicono {suits:.1f} mm/s</translation>
+    </message>
+    <message>
+        <source>the arm stands here for {time:.2f}, the hot nozzle on the part: no wait is planned</source>
+        <translation>il braccio sta fermo qui per {time:.2f}, l&apos;ugello caldo sul pezzo: nessuna attesa è prevista</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s posture at this target: {found} in the program, {planned} planned</source>
+        <translation>la postura del braccio in questo punto: {found} nel programma, {planned} prevista</translation>
+    </message>
+    <message>
+        <source>the bead to go on from is chosen on the Simulate page</source>
+        <translation>il cordone da cui riprendere si sceglie nella pagina Simula</translation>
+    </message>
+    <message>
+        <source>the distances by which corners are rounded</source>
+        <translation>le distanze con cui si arrotondano gli angoli</translation>
+    </message>
+    <message>
+        <source>the drive to the reference</source>
+        <translation>la corsa al punto di riferimento</translation>
+    </message>
+    <message>
+        <source>the findings before this one have the remedies</source>
+        <translation>i rimedi sono nelle segnalazioni che precedono questa</translation>
+    </message>
+    <message>
+        <source>the frame of the targets</source>
+        <translation>il sistema di riferimento dei punti</translation>
+    </message>
+    <message>
+        <source>the full flow</source>
+        <translation>la portata massima</translation>
+    </message>
+    <message>
+        <source>the mechanical unit</source>
+        <translation>l&apos;unità meccanica</translation>
+    </message>
+    <message>
+        <source>the message says what would help</source>
+        <translation>il messaggio dice che cosa aiuterebbe</translation>
+    </message>
+    <message>
+        <source>the part as printed, every bead laid</source>
+        <translation>il pezzo stampato, con tutti i cordoni deposti</translation>
+    </message>
+    <message>
+        <source>the plate has no room for the prime: a bead {length:.0f} long is laid in the air beside the plate and falls down here</source>
+        <translation>sul piano non c&apos;è posto per l&apos;innesco: un cordone lungo {length:.0f} viene deposto in aria accanto al piano e cade qui</translation>
+    </message>
+    <message>
+        <source>the program&apos;s text is not this plan&apos;s: nothing in the plan is to be changed</source>
+        <translation>il testo del programma non è di questo piano: nel piano non c&apos;è nulla da cambiare</translation>
+    </message>
+    <message>
+        <source>the range of the flow output</source>
+        <translation>l&apos;intervallo dell&apos;uscita di portata</translation>
+    </message>
+    <message>
+        <source>the temperature of the nozzle, °C</source>
+        <translation>la temperatura dell&apos;ugello, °C</translation>
+    </message>
+    <message>
+        <source>thicken</source>
+        <translation>ispessisci</translation>
+    </message>
+    <message>
+        <source>thicken it to a wall (openSurfaces=thicken), close its rims to make it solid (openSurfaces=close), or close it in a modelling program</source>
+        <translation>dalle lo spessore di una parete (openSurfaces=thicken), chiudi i bordi per farne un solido (openSurfaces=close) o chiudila in un programma di modellazione</translation>
+    </message>
+    <message>
+        <source>thicken the sheets to walls (openSurfaces=thicken), or give them a thickness in a modelling program</source>
+        <translation>dai alle lamine lo spessore di una parete (openSurfaces=thicken) o dagliene uno in un programma di modellazione</translation>
+    </message>
+    <message>
+        <source>thicken the surface in a modelling program</source>
+        <translation>dai spessore alla superficie in un programma di modellazione</translation>
+    </message>
+    <message>
+        <source>thickened the open surface to a wall {wall:.2f} wide, half of it on either side</source>
+        <translation>dato alla superficie aperta lo spessore di una parete di {wall:.2f}, metà per lato</translation>
+    </message>
+    <message numerus="yes">
+        <source>turned {count} beams of a lattice into round bars</source>
+        <translation>
+            <numerusform>trasformata {count} trave di un reticolo in una barra tonda</numerusform>
+            <numerusform>trasformate {count} travi di un reticolo in barre tonde</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{bytes} bytes</source>
+        <translation>{bytes} byte</translation>
+    </message>
+    <message>
+        <source>{hours} h {minutes} min</source>
+        <translation>{hours} h {minutes} min</translation>
+    </message>
+    <message numerus="yes">
+        <source>{layers} layers, {way}</source>
+        <translation>
+            <numerusform>{layers} strato, {way}</numerusform>
+            <numerusform>{layers} strati, {way}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{least:.0f#} to {most:.0f}</source>
+        <translation>dal {least:.0f#} al {most:.0f}</translation>
+    </message>
+    <message>
+        <source>{mass:.1f} g, supports and waste included</source>
+        <translation>{mass:.1f} g, supporti e scarti compresi</translation>
+    </message>
+    <message>
+        <source>{material}, {volume:.1f} cm3 at {density:.2f} g/cm3</source>
+        <translation>{material}, {volume:.1f} cm³ a {density:.2f} g/cm³</translation>
+    </message>
+    <message>
+        <source>{minutes} min {seconds} s</source>
+        <translation>{minutes} min {seconds} s</translation>
+    </message>
+    <message>
+        <source>{part}, {x:.1f#} x {y:.1f#} x {z:.1f}</source>
+        <translation>{part}, {x:.1f#} x {y:.1f#} x {z:.1f}</translation>
+    </message>
+    <message>
+        <source>{seconds} s</source>
+        <translation>{seconds} s</translation>
+    </message>
+    <message>
+        <source>{share:.0f} and more filled</source>
+        <translation>pieno per il {share:.0f} e oltre</translation>
+    </message>
+    <message>
+        <source>{statement}: {found} in the program, {planned} planned</source>
+        <translation>{statement}: {found} nel programma, {planned} previsto</translation>
+    </message>
+    <message>
+        <source>{time} on its controller</source>
+        <translation>{time} sul suo controllore</translation>
+    </message>
+    <message>
+        <source>{way}, {height} high</source>
+        <translation>{way}, alti {height}</translation>
     </message>
 </context>
 <context>
@@ -6444,6 +7119,14 @@ mm³</translation>
     <message>
         <source>Another seed may find other ways through the air; the same seed always gives the same result.</source>
         <translation>Un altro seme può trovare altri tragitti a vuoto; lo stesso seme dà sempre lo stesso risultato.</translation>
+    </message>
+    <message>
+        <source>Your own cells are JSON files in %1</source>
+        <translation>Le proprie celle sono file JSON in %1</translation>
+    </message>
+    <message>
+        <source>Your own processes are JSON files in %1</source>
+        <translation>I propri processi sono file JSON in %1</translation>
     </message>
 </context>
 <context>
@@ -6959,12 +7642,12 @@ Fai clic per sceglierne un altro</translation>
         <translation>Piatto</translation>
     </message>
     <message>
-        <source>Hide (Space)</source>
-        <translation>Nascondi (Spazio)</translation>
+        <source>Hide</source>
+        <translation>Nascondi</translation>
     </message>
     <message>
-        <source>Show (Space)</source>
-        <translation>Mostra (Spazio)</translation>
+        <source>Show</source>
+        <translation>Mostra</translation>
     </message>
 </context>
 <context>
@@ -7188,16 +7871,16 @@ Fai clic per sceglierne un altro</translation>
         <translation>%1 in %2 file</translation>
     </message>
     <message>
-        <source>Takes %1, as planned</source>
-        <translation>Dura %1, come previsto</translation>
+        <source>Time on the controller: %1, as planned</source>
+        <translation>Tempo sul controllore: %1, come previsto</translation>
     </message>
     <message>
-        <source>Takes %1, planned are %2: %3 % more</source>
-        <translation>Dura %1, previsti %2: %3 % in più</translation>
+        <source>Time on the controller: %1, %3 % more than the planned time of %2</source>
+        <translation>Tempo sul controllore: %1, il %3 % in più del tempo previsto di %2</translation>
     </message>
     <message>
-        <source>Takes %1, planned are %2: %3 % less</source>
-        <translation>Dura %1, previsti %2: %3 % in meno</translation>
+        <source>Time on the controller: %1, %3 % less than the planned time of %2</source>
+        <translation>Tempo sul controllore: %1, il %3 % in meno del tempo previsto di %2</translation>
     </message>
 </context>
 <context>
@@ -7378,6 +8061,25 @@ circa %6 in base a volume e altezza, senza supporti</translation>
     </message>
 </context>
 <context>
+    <name>voluta::panels::WrittenBar</name>
+    <message>
+        <source>Open proof</source>
+        <translation>Apri la verifica</translation>
+    </message>
+    <message>
+        <source>The page to hand over: verdict, margins and hashes of the program</source>
+        <translation>La pagina da consegnare: esito, margini e impronte del programma</translation>
+    </message>
+    <message>
+        <source>Show folder</source>
+        <translation>Mostra la cartella</translation>
+    </message>
+    <message>
+        <source>The folder with the programs, in the file manager</source>
+        <translation>La cartella con i programmi, nel gestore dei file</translation>
+    </message>
+</context>
+<context>
     <name>voluta::timeline::JointPlots</name>
     <message>
         <source>Angle (°)</source>
@@ -7536,6 +8238,10 @@ circa %6 in base a volume e altezza, senza supporti</translation>
     <message>
         <source>Steps of growth</source>
         <translation>Passi di crescita</translation>
+    </message>
+    <message>
+        <source>Moment of the print / planned time</source>
+        <translation>Istante della stampa / tempo previsto</translation>
     </message>
 </context>
 <context>
@@ -7806,10 +8512,6 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Solidi di collisione</translation>
     </message>
     <message>
-        <source>The arm as the solids that are checked for collisions, where it has meshes of its own</source>
-        <translation>Il braccio come i solidi di cui si verificano le collisioni, dove ha mesh proprie</translation>
-    </message>
-    <message>
         <source>%1 is being read…</source>
         <translation>Lettura di %1…</translation>
     </message>
@@ -7824,6 +8526,10 @@ circa %6 in base a volume e altezza, senza supporti</translation>
     <message>
         <source>measure %1</source>
         <translation>misura %1</translation>
+    </message>
+    <message>
+        <source>Shows the solids that are checked for collisions over the arm</source>
+        <translation>Mostra sopra il braccio i solidi controllati per le collisioni</translation>
     </message>
 </context>
 <context>
@@ -7901,20 +8607,16 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>ciò che va col modo di costruire</translation>
     </message>
     <message>
-        <source>Taken: %1, %2.</source>
-        <translation>Preso: %1, %2.</translation>
-    </message>
-    <message>
-        <source>Not taken: %1: %2.</source>
-        <translation>Non preso: %1: %2.</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatico</translation>
     </message>
     <message>
         <source>The first way of building, and the first platform, that nothing blocks.</source>
         <translation>Il primo modo di costruire, e la prima piattaforma, che nulla blocca.</translation>
+    </message>
+    <message>
+        <source>Rejected: %1.</source>
+        <translation>Scartato: %1.</translation>
     </message>
 </context>
 <context>
@@ -8071,6 +8773,14 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>All files (*)</source>
         <translation>Tutti i file (*)</translation>
     </message>
+    <message>
+        <source>Cannot open %1</source>
+        <translation>Impossibile aprire %1</translation>
+    </message>
+    <message>
+        <source>No program is set up on this machine to open it.</source>
+        <translation>Su questa macchina nessun programma è impostato per aprirlo.</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::FlowBar</name>
@@ -8107,6 +8817,25 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::LogDialog</name>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 non si può leggere: %2.</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>Apri la cartella</translation>
+    </message>
+    <message>
+        <source>No program here opens the folder %1.</source>
+        <translation>Nessun programma qui apre la cartella %1.</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::MainWindow</name>
     <message>
         <source>Part and cell</source>
@@ -8123,14 +8852,6 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>%1 cannot be written. Choose another folder.</source>
         <translation>Impossibile scrivere %1. Scegli un&apos;altra cartella.</translation>
-    </message>
-    <message>
-        <source>Show the log</source>
-        <translation>Mostra il registro</translation>
-    </message>
-    <message>
-        <source>No program here opens %1.</source>
-        <translation>Nessun programma qui apre %1.</translation>
     </message>
     <message>
         <source>Rod</source>
@@ -8506,6 +9227,14 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <source>Nothing can be planned like this: see the mark in the settings.</source>
         <translation>Così non si può pianificare nulla: vedi il segno nelle impostazioni.</translation>
     </message>
+    <message>
+        <source>planned time %1</source>
+        <translation>tempo previsto %1</translation>
+    </message>
+    <message>
+        <source>time on the controller %1</source>
+        <translation>tempo sul controllore %1</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>
@@ -8545,8 +9274,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Solidi di collisione</translation>
     </message>
     <message>
-        <source>The arm as the solids that are checked for collisions, where it has meshes of its own</source>
-        <translation>Il braccio come i solidi di cui si verificano le collisioni, dove ha mesh proprie</translation>
+        <source>Shows the solids that are checked for collisions over the arm</source>
+        <translation>Mostra sopra il braccio i solidi controllati per le collisioni</translation>
     </message>
 </context>
 <context>
@@ -8696,6 +9425,10 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
     <message>
         <source>Click a path to find it in the 3D view. Wheel zooms, drag moves, double click shows all.</source>
         <translation>Fai clic su un percorso per trovarlo nella vista 3D. La rotella ingrandisce, trascinare sposta, il doppio clic mostra tutto.</translation>
+    </message>
+    <message>
+        <source>Prime</source>
+        <translation>Innesco</translation>
     </message>
 </context>
 <context>

@@ -33,13 +33,15 @@ ExitCode cellTipCommand(const MeasuredOptions& options) {
 }
 
 ExitCode cellCheckCommand(const CheckCellOptions& options) {
-  const bool isFile = std::filesystem::path(options.cell).extension() == ".json";
   const std::filesystem::path file =
-      isFile ? std::filesystem::path(options.cell)
-             : base::dataFile("cells", options.cell, "unknown cell '{id}'"_text);
-  const pipeline::CheckedCell checked =
-      pipeline::checkedCell(base::readFile(file), file.stem().string(),
-                            process::loadProcess(options.process), options.partKg, {});
+      base::isDataFileName(options.cell)
+          ? std::filesystem::path(options.cell)
+          : base::dataFile("cells", options.cell, "unknown cell '{id}'"_text);
+  const process::Process process = base::isDataFileName(options.process)
+                                       ? process::readProcess(options.process)
+                                       : process::loadProcess(options.process);
+  const pipeline::CheckedCell checked = pipeline::checkedCell(
+      base::readFile(file), file.stem().string(), process, options.partKg, {});
   for (const reach::CellFault& fault : checked.faults)
     fmt::print("{}\n", fault.remedy.empty() ? base::english(fault.what)
                                             : fmt::format("{} ({})", base::english(fault.what),

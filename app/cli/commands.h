@@ -28,9 +28,10 @@ ExitCode planCommand(const PlanOptions& options);
 using ReportingWork =
     std::function<project::Report(const std::filesystem::path& folder, const base::RunContext&)>;
 // The folder appears when the work is done, and stays as it was otherwise. To stdout what was
-// planned, to stderr the one line that says why it is not complete.
+// planned, to stderr the one line that says why it is not complete. `title`: as progressSink().
 ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path& folder,
-                          int threads, ProgressStyle progress);
+                          int threads, ProgressStyle progress,
+                          const std::shared_ptr<const base::Message>& title = {});
 
 struct CompareCommandOptions {
   pipeline::CompareOptions compared;

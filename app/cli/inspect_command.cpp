@@ -87,27 +87,34 @@ ExitCode inspectCommand(const InspectOptions& options) {
       foreign ? geometry::readForeign(options.part, geometry::ForeignFrame::Upright)
               : geometry::readMesh(bytes, options.part);
   const geometry::RepairResult repaired = geometry::repair(file.mesh, {});
-  Json found = diagnosisJson(geometry::diagnose(file.mesh));
-  Json mended = diagnosisJson(geometry::diagnose(repaired.mesh));
+  const std::string open = repaired.open ? base::english(repaired.open->sentence()) : "";
+  Json found = diagnosisJson(repaired.found);
+  Json mended = diagnosisJson(repaired.diagnosis);
   std::vector<std::string> repairs = base::english(file.repairs);
   for (const base::Message& repair : repaired.repairs)
     repairs.push_back(base::english(repair));
   const std::string note = base::english(geometry::guessUnits(file.mesh).note);
   if (options.json) {
-    const Json all{{"file", options.part}, {"format", file.format},
-                   {"unitNote", note},     {"asRead", std::move(found)},
-                   {"repairs", repairs},   {"afterRepair", std::move(mended)}};
+    const Json all{{"file", options.part},
+                   {"format", file.format},
+                   {"open", open},
+                   {"unitNote", note},
+                   {"repairs", repairs},
+                   {"asRead", std::move(found)},
+                   {"afterRepair", std::move(mended)}};
     fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
     return kDone;
   }
+  if (!open.empty())
+    fmt::print("{}\n", open);
   printText(found, fmt::format("{} ({})", options.part, file.format));
   if (!note.empty())
     fmt::print("note: {}\n", note);
-  if (repairs.empty()) {
+  if (repaired.found.clean() && repairs.empty()) {
     fmt::print("nothing to repair\n");
     return kDone;
   }
-  fmt::print("repairs\n");
+  fmt::print("{}\n", repairs.empty() ? "nothing could be repaired" : "repairs");
   for (const std::string& repair : repairs)
     fmt::print("  - {}\n", repair);
   printText(mended, "after repair");

@@ -78,8 +78,9 @@ struct PlanValues {
 void addPartOptions(CLI::App& command, pipeline::PlanRequest& request) {
   project::Choices& choices = request.choices;
   command.add_option("PART", request.part, "mesh file, or sample:NAME")->required();
-  command.add_option("--cell", choices.cell, "robot cell");
-  command.add_option("--process", choices.process, "nozzle, material, speeds");
+  command.add_option("--cell", choices.cell, "robot cell (see: list cells), or FILE.json");
+  command.add_option("--process", choices.process,
+                     "nozzle, material, speeds (see: list processes), or FILE.json");
   command.add_option("--scale", choices.scale, "factor, or fit: largest <= 1 in reach");
   command.add_option("--units", choices.units, "of the mesh's file: um, mm, cm, in, m");
   command.add_option_function<std::string>(
@@ -103,6 +104,7 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
 void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
   request.until = project::stageOf(values.until);
   project::Choices& choices = request.choices;
+  pipeline::takeOwnFiles(choices);
   pipeline::setParameters(choices, values.sets);
   if (!choices.automatic && !choices.platformStays)
     choices.platform = pipeline::usualPlatform(choices);
@@ -265,8 +267,12 @@ void addOrient(CLI::App& app, Parsed& parsed, int threads) {
   addPartOptions(*orient, options->request);
   orient->add_flag("--json", options->json, "as JSON");
   addThreads(*orient, options->threads);
-  orient->callback(
-      [options, &parsed] { parsed.run = [options] { return orientCommand(*options); }; });
+  orient->callback([options, &parsed] {
+    parsed.run = [options] {
+      pipeline::takeOwnFiles(options->request.choices);
+      return orientCommand(*options);
+    };
+  });
 }
 
 CLI::App* addImportRobot(CLI::App& robot, Parsed& parsed, int threads) {
@@ -319,8 +325,10 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
   auto options = std::make_shared<ReachOptions>();
   options->threads = threads;
   const auto addOptions = [&](CLI::App& command) {
-    command.add_option("--cell", options->choices.cell, "robot cell");
-    command.add_option("--process", options->choices.process, "nozzle, material, speeds");
+    command.add_option("--cell", options->choices.cell,
+                       "robot cell (see: list cells), or FILE.json");
+    command.add_option("--process", options->choices.process,
+                       "nozzle, material, speeds (see: list processes), or FILE.json");
     command.add_flag("--json", options->json, "as JSON");
   };
   CLI::App* reach = cell.add_subcommand("reach", "where over its plate the head reaches");
@@ -330,12 +338,20 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
   reach->add_option("--height", options->heightMm, "mm above the plate, up to which")
       ->check(CLI::Range(1.0, 5000.0));
   addThreads(*reach, options->threads);
-  reach->callback(
-      [options, &parsed] { parsed.run = [options] { return cellReachCommand(*options); }; });
+  reach->callback([options, &parsed] {
+    parsed.run = [options] {
+      pipeline::takeOwnFiles(options->choices);
+      return cellReachCommand(*options);
+    };
+  });
   CLI::App* nozzle = cell.add_subcommand("nozzle", "where a nozzle that stands still stood best");
   addOptions(*nozzle);
-  nozzle->callback(
-      [options, &parsed] { parsed.run = [options] { return cellNozzleCommand(*options); }; });
+  nozzle->callback([options, &parsed] {
+    parsed.run = [options] {
+      pipeline::takeOwnFiles(options->choices);
+      return cellNozzleCommand(*options);
+    };
+  });
 }
 
 void addCell(CLI::App& app, Parsed& parsed, int threads) {
@@ -360,7 +376,8 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
   auto checked = std::make_shared<CheckCellOptions>();
   CLI::App* check = cell->add_subcommand("check", "what a cell cannot do, a line each");
   check->add_option("CELL", checked->cell, "cell (see: list cells), or FILE.json")->required();
-  check->add_option("--process", checked->process, "nozzle, material, speeds");
+  check->add_option("--process", checked->process,
+                    "nozzle, material, speeds (see: list processes), or FILE.json");
   check->add_option("--part-kg", checked->partKg, "mass of the part, kg")
       ->check(CLI::Range(0.0, 1000.0));
   check->callback(

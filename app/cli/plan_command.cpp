@@ -1,7 +1,9 @@
 #include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
+#include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
+#include "pipeline/search_texts.h"
 #include "plan/finding_kinds.h"
 
 #include <fmt/format.h>
@@ -29,10 +31,10 @@ void sayFindings(const plan::Findings& findings) {
 
 void sayResult(const project::Report& r) {
   const project::DecompositionReport& d = r.decomposition;
-  for (const project::TriedReport& tried : r.tried)
-    if (!tried.taken)
-      fmt::print("mode {} on {} is not taken: {}\n", tried.mode, tried.platform,
-                 base::english(tried.reason));
+  for (const base::Message& rejected : pipeline::rejectedTexts(r))
+    fmt::print("Rejected: {}\n", base::english(rejected));
+  if (!r.tried.empty())
+    fmt::print("{}\n", base::english(pipeline::chosenText(r)));
   fmt::print("mode {}; ", d.mode);
   if (d.voxels > 0)
     fmt::print("{} voxels, {} missed; ", d.voxels, d.missedAfterSupports);
@@ -51,11 +53,12 @@ void sayResult(const project::Report& r) {
 } // namespace
 
 ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path& folder,
-                          int threads, ProgressStyle progress) {
+                          int threads, ProgressStyle progress,
+                          const std::shared_ptr<const base::Message>& title) {
   base::StagedFolder staged(folder);
   auto outcome = runInterruptibly(
       [work, inside = staged.path()](const base::RunContext& ctx) { return work(inside, ctx); },
-      threads, progressSink(progress), [&] { staged.discard(); });
+      threads, progressSink(progress, title), [&] { staged.discard(); });
   endProgress(progress);
   const auto report = settled(std::move(outcome), staged, folder);
   if (!report)
@@ -66,14 +69,21 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
 }
 
 ExitCode planCommand(const PlanOptions& options) {
+  const auto trying = std::make_shared<base::Message>();
   return reportingCommand(
-      [request = options.request](const std::filesystem::path& folder,
-                                  const base::RunContext& ctx) {
-        pipeline::PlanResult result = pipeline::planPart(request, ctx.sub(0.0, 0.97));
-        pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0));
+      [request = options.request, trying](const std::filesystem::path& folder,
+                                          const base::RunContext& ctx) {
+        const auto onWay = [&](const pipeline::WayInTurn& way) {
+          *trying = pipeline::tryingText(way);
+        };
+        pipeline::PlanResult result =
+            pipeline::planPart(request, ctx.sub(0.0, 0.97), nullptr, {.onWay = onWay});
+        *trying = {};
+        pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0),
+                               {.pictures = pictures::proofPictures});
         return result.job.report;
       },
-      options.folder, options.threads, options.progress);
+      options.folder, options.threads, options.progress, trying);
 }
 
 } // namespace voluta::cli

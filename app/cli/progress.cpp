@@ -12,24 +12,27 @@ namespace voluta::cli {
 namespace {
 using Clock = std::chrono::steady_clock;
 
-void drawBar(double fraction, std::string_view what) {
-  constexpr int kWidth = 30;
+void drawBar(double fraction, const std::string& title, const std::string& what) {
+  constexpr int kWidth = 20;
   const int full = static_cast<int>(fraction * kWidth + 0.5);
-  fmt::print(stderr, "\r[{:#>{}}{:->{}}] {:3.0f} % {:<40.40}", "", full, "", kWidth - full,
-             100.0 * fraction, what);
+  const std::string text = title.empty() ? what : title + ": " + what;
+  fmt::print(stderr, "\r[{:#>{}}{:->{}}] {:3.0f} % {:<50.50}", "", full, "", kWidth - full,
+             100.0 * fraction, text);
   std::fflush(stderr);
 }
 
-void writeJsonLine(double fraction, std::string_view what) {
-  const nlohmann::ordered_json line{{"stage", std::string(what)}, {"fraction", fraction}};
+void writeJsonLine(double fraction, const std::string& title, const std::string& what) {
+  nlohmann::ordered_json line{{"stage", what}, {"fraction", fraction}};
+  if (!title.empty())
+    line["trying"] = title;
   fmt::print(stderr, "{}\n", line.dump());
 }
 } // namespace
 
-base::ProgressSink progressSink(ProgressStyle style) {
+base::ProgressSink progressSink(ProgressStyle style, std::shared_ptr<const base::Message> title) {
   if (style == ProgressStyle::None || (style == ProgressStyle::Bar && !::isatty(STDERR_FILENO)))
     return {};
-  return [style, last = Clock::time_point{},
+  return [style, title = std::move(title), last = Clock::time_point{},
           stage = base::Message()](double fraction, const base::Message& message) mutable {
     const Clock::time_point now = Clock::now();
     if (message == stage && now - last < std::chrono::milliseconds(100))
@@ -37,7 +40,9 @@ base::ProgressSink progressSink(ProgressStyle style) {
     last = now;
     stage = message;
     const std::string what = base::english(message);
-    style == ProgressStyle::Bar ? drawBar(fraction, what) : writeJsonLine(fraction, what);
+    const std::string before = title ? base::english(*title) : std::string();
+    style == ProgressStyle::Bar ? drawBar(fraction, before, what)
+                                : writeJsonLine(fraction, before, what);
   };
 }
 

@@ -1,3 +1,4 @@
+#include "base/data_files.h"
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
@@ -81,9 +82,9 @@ ExitCode cellReachCommand(const ReachOptions& options) {
   if (!map)
     return kCancelled;
   if (options.json)
-    fmt::print("{}\n", jsonOf(*map, options.choices.cell).dump(2));
+    fmt::print("{}\n", jsonOf(*map, base::dataName(options.choices.cell)).dump(2));
   else
-    say(*map, options.choices.cell);
+    say(*map, base::dataName(options.choices.cell));
   return kDone;
 }
 

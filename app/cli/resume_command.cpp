@@ -1,4 +1,5 @@
 #include "cli/commands.h"
+#include "pictures/job_picture.h"
 #include "pipeline/outputs.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,8 @@ ExitCode resumeCommand(const ResumeOptions& options) {
       [request = options.request](const std::filesystem::path& folder,
                                   const base::RunContext& ctx) {
         pipeline::ResumeResult resumed = pipeline::resumePrint(request, ctx.sub(0.0, 0.97));
-        pipeline::writeOutputs(resumed.plan, folder, ctx.sub(0.97, 1.0));
+        pipeline::writeOutputs(resumed.plan, folder, ctx.sub(0.97, 1.0),
+                               {.pictures = pictures::proofPictures});
         fmt::print("from bead {} of {}, waypoint {}; {:.0f} mm3 are laid, {:.0f} mm3 are left\n",
                    resumed.bead, resumed.plan.job.toolPlan->paths.size(), resumed.waypoint,
                    resumed.laidMm3, resumed.leftMm3);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 namespace voluta::base {
 
@@ -46,6 +47,30 @@ std::filesystem::path dataFile(const std::string& folder, const std::string& id,
   std::error_code none;
   const std::filesystem::path own = resourceFolder() / name;
   return std::filesystem::exists(own, none) ? own : userDataFolder() / name;
+}
+
+bool isDataText(std::string_view choice) {
+  const std::size_t first = choice.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && choice[first] == '{';
+}
+
+std::string dataName(const std::string& choice) {
+  if (!isDataText(choice))
+    return choice;
+  const auto json = nlohmann::json::parse(choice, nullptr, false);
+  const auto id = json.is_object() ? json.find("id") : json.end();
+  return id != json.end() && id->is_string() ? id->get<std::string>() : std::string();
+}
+
+DataText dataText(const std::string& folder, const std::string& choice, Text unknown) {
+  if (isDataText(choice))
+    return {choice, dataName(choice) + ".json"};
+  const std::filesystem::path file = dataFile(folder, choice, unknown);
+  return {readFile(file), file};
+}
+
+bool isDataFileName(const std::string& choice) {
+  return !isDataText(choice) && std::filesystem::path(choice).extension() == ".json";
 }
 
 } // namespace voluta::base

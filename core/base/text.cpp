@@ -1,5 +1,7 @@
 #include "base/text.h"
 
+#include "base/shown_number.h"
+
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
@@ -141,8 +143,10 @@ std::string Language::whole(long long number) const {
 }
 
 std::string Language::number(double number, char format, int digits) const {
-  return format == 'f' ? fmt::format("{:.{}f}", number, digits)
-                       : fmt::format("{:.{}g}", number, digits);
+  if (format == 'f')
+    return fmt::format("{:.{}f}", number, digits);
+  const ShownNumber shown = shownNumber(number, digits);
+  return fmt::format("{:.{}f}", shown.value, shown.decimals);
 }
 
 std::string Language::withUnit(const std::string& number, Unit unit) const {

@@ -19,7 +19,7 @@ namespace {
 constexpr double kMostCells = 1 << 27;
 
 bool isOfPart(const plan::ToolPath& path) {
-  return path.kind != plan::PathKind::Support && path.kind != plan::PathKind::Skirt;
+  return path.kind != plan::PathKind::Support && !plan::isWaste(path.kind);
 }
 
 // The room of one segment; flat where its path begins and ends, round where it goes on.

@@ -24,8 +24,8 @@ inline constexpr std::string_view kModelRelation =
 inline constexpr std::string_view kOwnSpace = "urn:voluta:toolpath:2026";
 
 // In the order of plan::PathKind; also the names of profiles.
-inline constexpr std::array<std::string_view, 5> kKindNames{"wall", "infill", "gap fill", "skirt",
-                                                            "support"};
+inline constexpr std::array<std::string_view, 6> kKindNames{"wall",  "infill",  "gap fill",
+                                                            "skirt", "support", "prime"};
 
 // What a profile's modifiers may change here, by the profile's attribute.
 enum class Modulated { Width, Height, Speed };

@@ -29,8 +29,10 @@ plan::PathKind kindOf(const XmlAttributes& attributes, const std::string& name) 
   const std::string word = smallLetters(name);
   if (holds(word, "support"))
     return Support;
-  if (holds(word, "skirt") || holds(word, "brim") || holds(word, "purge"))
+  if (holds(word, "skirt") || holds(word, "brim"))
     return Skirt;
+  if (holds(word, "prime") || holds(word, "purge"))
+    return Prime;
   if (holds(word, "gap"))
     return GapFill;
   return holds(word, "fill") || holds(word, "hatch") ? Infill : Wall;

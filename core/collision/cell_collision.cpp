@@ -336,6 +336,50 @@ double CellCollision::clearanceToPart(const Frames& base_T_frame, const GrowingP
   return least;
 }
 
+std::vector<Contact> CellCollision::clearancePairs() const {
+  std::vector<Contact> pairs;
+  for (const auto& [a, b] : freePairs_)
+    pairs.push_back({a, b});
+  for (const int body : cell_.bodiesAgainstPart())
+    if (cell_.bodies()[static_cast<std::size_t>(body)].role != robot::BodyRole::Head)
+      pairs.push_back({body, kPrintedPart});
+  return pairs;
+}
+
+double CellCollision::distanceOf(const Contact& pair, const Frames& base_T_frame,
+                                 const GrowingPart& part, std::size_t before, double capMm) const {
+  const auto poseOf = [&](int body) -> const Isometry3d& {
+    return base_T_frame[static_cast<std::size_t>(
+        cell_.bodies()[static_cast<std::size_t>(body)].frame)];
+  };
+  const Assembly& first = assemblies_[static_cast<std::size_t>(pair.first)];
+  const Isometry3d& base_T_first = poseOf(pair.first);
+  if (pair.second == kPrintedPart) {
+    const Isometry3d work_T_first =
+        base_T_frame[static_cast<std::size_t>(cell_.workFrame())].inverse(Eigen::Isometry) *
+        base_T_first;
+    double least = capMm;
+    for (const Solid& solid : first.solids)
+      least = std::min(least, part.distance(solid.shape, work_T_first, least, before));
+    return least;
+  }
+  const Assembly& second = assemblies_[static_cast<std::size_t>(pair.second)];
+  const Isometry3d& base_T_second = poseOf(pair.second);
+  const double balls =
+      (base_T_first * first.ball.centre - base_T_second * second.ball.centre).norm() -
+      first.ball.radius - second.ball.radius;
+  if (balls > capMm)
+    return balls;
+  std::vector<PosedSolid> a, b;
+  placeSolids(first, base_T_first, a);
+  placeSolids(second, base_T_second, b);
+  return distance(a, b, capMm);
+}
+
+Ball CellCollision::ballAbout(int body) const {
+  return assemblies_[static_cast<std::size_t>(body)].ball;
+}
+
 base::Value CellCollision::nameOf(int body) const {
   return body == kPrintedPart ? "printed part"_text
                               : robot::nameOf(cell_.bodies()[static_cast<std::size_t>(body)]);

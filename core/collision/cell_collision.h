@@ -79,6 +79,14 @@ public:
   double clearanceToPart(const Frames& base_T_frame, const GrowingPart& part, std::size_t before,
                          double capMm) const;
 
+  // Those pairs one by one, of bodies and of a body and the part. distanceOf returns the pair's
+  // distance, or a lower bound of it that is no less than capMm.
+  std::vector<Contact> clearancePairs() const;
+  double distanceOf(const Contact& pair, const Frames& base_T_frame, const GrowingPart& part,
+                    std::size_t before, double capMm) const;
+  // A ball that holds the body, in its frame.
+  Ball ballAbout(int body) const;
+
   // "forearm", "platform", "printed part", ...
   base::Value nameOf(int body) const;
 

@@ -221,6 +221,7 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
     }
   });
   beads_ = std::make_shared<FillTimes>(grid, std::move(leads), ctx);
+  sections_ = std::make_shared<BeadSections>(plan, segments);
 }
 
 GrowingPart::GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other,
@@ -273,6 +274,7 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other,
     }
   });
   beads_ = std::make_shared<FillTimes>(grid, std::move(leads), ctx);
+  sections_ = std::make_shared<BeadSections>(plan, segments);
 }
 
 std::shared_ptr<const GrowingPart> regrown(const plan::ToolPlan& plan, const GrowingPart& other,
@@ -296,7 +298,21 @@ bool GrowingPart::headTouches(const Revolved& head, const Eigen::Isometry3d& wor
                               double marginMm, std::size_t before) const {
   const std::uint32_t moment = momentOf(before);
   return beads_->touches(head, work_T_head, marginMm - 0.5 * beads_->grid().pitch, moment) ||
-         ground_->touches(head, work_T_head, marginMm - 0.5 * ground_->grid().pitch, moment);
+         ground_->touches(head, work_T_head, marginMm - 0.5 * ground_->grid().pitch, moment) ||
+         sections_->reachedBy(head.underside(work_T_head, std::min(marginMm, kUndersideMm)),
+                              moment);
+}
+
+Eigen::AlignedBox3d GrowingPart::bounds() const {
+  Eigen::AlignedBox3d box;
+  for (const FillTimes* cells : {ground_.get(), beads_.get()}) {
+    const voxel::VoxelGrid& grid = cells->grid();
+    if (grid.cellCount() == 0)
+      continue;
+    box.extend(grid.origin);
+    box.extend(Eigen::Vector3d(grid.origin + grid.pitch * grid.size.cast<double>()));
+  }
+  return box;
 }
 
 bool GrowingPart::holds(const Eigen::Vector3d& point, std::size_t before) const {

@@ -2,6 +2,7 @@
 // (docs/design.md, The road).
 #pragma once
 
+#include "collision/bead_sections.h"
 #include "collision/fill_times.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
@@ -33,6 +34,9 @@ double growingPitch(const plan::ToolPlan& plan, const process::Process& process)
 std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& platform,
                                              double pitchMm, const base::RunContext& ctx);
 
+// Of the margin to be kept by the head's underside; cells look after more.
+inline constexpr double kUndersideMm = 0.05;
+
 // Copies are cheap: they share what never changes.
 class GrowingPart {
 public:
@@ -58,9 +62,13 @@ public:
   bool touches(const robot::Shape& shape, const Eigen::Isometry3d& work_T_shape, double marginMm,
                std::size_t before) const;
   // The same, but what lies in the solid by less than half a cell does not count: nearer the grids
-  // cannot tell. For the head, which is meant to be there.
+  // cannot tell. For the head, which is meant to be there. Its flat underside is held against the
+  // beads' sections besides, with a margin of at most kUndersideMm.
   bool headTouches(const Revolved& head, const Eigen::Isometry3d& work_T_head, double marginMm,
                    std::size_t before) const;
+
+  // A box that holds the centres of all its cells and of the ground's; empty where there are none.
+  Eigen::AlignedBox3d bounds() const;
 
   // Is the cell that the point is in, of the ground or of beads, filled at a waypoint index <
   // `before`?
@@ -75,6 +83,7 @@ private:
                                                     const plan::ToolPlan&, const process::Process&,
                                                     const base::RunContext&);
   std::shared_ptr<const FillTimes> ground_, beads_; // never null
+  std::shared_ptr<const BeadSections> sections_;    // of the beads; likewise
 };
 
 // A plan's part at growingPitch() on the ground of another's, from that one where cells are as

@@ -83,6 +83,14 @@ double Revolved::signedDistance(double rho, double z) const {
   return least;
 }
 
+Disc Revolved::underside(const Eigen::Isometry3d& frame_T_solid, double marginMm) const {
+  require(!pieces_.empty(), "a solid with a flat end");
+  const Piece& first = pieces_.front();
+  return {frame_T_solid * Vector3d(0.0, 0.0, first.from - first.up * marginMm),
+          frame_T_solid.linear() * Vector3d(0.0, 0.0, first.up),
+          std::max(0.0, first.profile.r0() + marginMm)};
+}
+
 double Revolved::lowest(const Vector3d& axis) const {
   const double across = std::sqrt(std::max(0.0, 1.0 - axis.z() * axis.z()));
   double lowest = std::numeric_limits<double>::infinity();

@@ -75,6 +75,11 @@ private:
   double outerRadius_;
 };
 
+struct Disc {
+  Eigen::Vector3d centre, normal; // unit
+  double radius = 0.0;
+};
+
 // Frusta about the z axis of their frame, such as a head's, as one solid.
 class Revolved {
 public:
@@ -82,6 +87,9 @@ public:
   explicit Revolved(const std::vector<robot::Frustum>& frusta);
   // Less than 0 in any of them; the least of theirs. Of a point so far from the axis.
   double signedDistance(double rho, double z) const;
+  // Its first end, which is flat, where it stands; grown by a margin (negative: shrunk). `normal`
+  // points into the solid.
+  Disc underside(const Eigen::Isometry3d& frame_T_solid, double marginMm) const;
   // Height of its lowest point over the origin of a frame in which its axis is this (unit).
   double lowest(const Eigen::Vector3d& axis) const;
 

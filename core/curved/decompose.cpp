@@ -182,7 +182,9 @@ base::ParameterTable curvedParameters() {
 
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
-                        const base::RunContext& ctx, const DecompositionWatch& watch) {
+                        const base::RunContext& ctx, const DecompositionWatch& watch,
+                        const DecompositionFilter& isRejected,
+                        std::shared_ptr<const Growth> known) {
   base::require(options.rounds >= 0 && options.heightMinMm > 0.0 &&
                     options.heightMinMm <= options.layerHeightMm &&
                     options.layerHeightMm <= options.heightMaxMm,
@@ -202,21 +204,26 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
   out.frontNormal.assign(voxels.grid.cellCount(), Eigen::Vector3f::Zero());
 
   const bool fits = options.growth.row().peels && options.rounds > 0;
-  const Growth growth = grow(graph, options.growth, options.forward,
-                             ctx.sub(0.0, fits ? 0.15 : 0.9), headForLosses(options));
+  if (!known) {
+    known = std::make_shared<Growth>(grow(graph, options.growth, options.forward,
+                                          ctx.sub(0.0, fits ? 0.15 : 0.9), headForLosses(options)));
+    out.seconds.peel = known->peelSeconds;
+    out.seconds.grow = known->growSeconds;
+  }
+  const Growth& growth = *known;
   out.growth = growth.scheme;
   out.layers = growth.ranks;
   if (growth.byHead > 0)
     out.byHead.assign(voxels.grid.cellCount(), 0);
   out.epsilonMm = growth.epsilon * out.grid.pitch;
-  out.seconds.peel = growth.peelSeconds;
-  out.seconds.grow = growth.growSeconds;
   for (std::size_t v = 0; v < graph.size(); ++v)
     if (growth.rank[v] > 0)
       out.rank[graph.cellOf(v)] = growth.rank[v];
   describeMissed(voxels, out, ctx);
   if (watch)
     watch(out);
+  if (isRejected && isRejected(out.findings))
+    return out;
   if (fits && growth.laid > 0)
     fitField(graph, growth, options, out, watch, ctx.sub(0.15, 1.0));
   else

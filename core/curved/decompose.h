@@ -5,11 +5,13 @@
 #include "base/run_context.h"
 #include "curved/decomposition.h"
 #include "curved/forward_growth.h"
+#include "curved/growth_row.h"
 #include "curved/growth_scheme.h"
 #include "voxel/solid_voxels.h"
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,8 @@ base::ParameterTable curvedParameters();
 // Hears of what is known so far: the ranks, then the field as rounds improve it. Called from the
 // thread that runs the stage; copies what it wants to keep.
 using DecompositionWatch = std::function<void(const Decomposition&)>;
+// Asked once the ranks are known, with the findings about them. True: no field is fitted.
+using DecompositionFilter = std::function<bool(const plan::Findings&)>;
 
 // Orders the voxels and fits the field.
 //
@@ -48,13 +52,15 @@ using DecompositionWatch = std::function<void(const Decomposition&)>;
 // but for a small share, and levels follow each other without islands.
 // What can't be laid is given up, as little as possible, and stands in findings by group.
 //
-// `platform`: convex polygon on z = 0, mm, counter-clockwise, 3 corners or more.
-// Throws Error{UnusableInput} when no voxel stands on the platform; Cancelled.
-// Example:
+// `platform`: convex polygon on z = 0, mm, counter-clockwise, 3 corners or more. `known`: what
+// grow() makes of these voxels on it with headForLosses(options); null: it is grown here. Throws
+// Error{UnusableInput} when no voxel stands on the platform; Cancelled. Example:
 //   const std::vector<Eigen::Vector2d> plate = curved::platformFit(voxels, 0.0);
 //   const curved::Decomposition order = curved::decompose(voxels, plate, {}, ctx);
 Decomposition decompose(const voxel::SolidVoxels& voxels,
                         const std::vector<Eigen::Vector2d>& platform, const CurvedOptions& options,
-                        const base::RunContext& ctx, const DecompositionWatch& watch = {});
+                        const base::RunContext& ctx, const DecompositionWatch& watch = {},
+                        const DecompositionFilter& isRejected = {},
+                        std::shared_ptr<const Growth> known = nullptr);
 
 } // namespace voluta::curved

@@ -16,6 +16,8 @@ namespace {
 // A node this near to a level (share of the pitch) counts as just below it: a level that runs
 // through voxel centres would else be cut at random by the last digits of the field.
 constexpr double kSnap = 1e-3;
+// Over more voxels than these the slope at a place says nothing of how far the next level is.
+constexpr double kFarGuess = 2.0;
 // Steeper than this against the plate, level 0 is no first layer in the usual sense.
 constexpr double kFlat = 0.8;
 
@@ -105,11 +107,27 @@ private:
     return static_cast<int>(out_.surface.vertices.size()) - 1;
   }
 
+  // Distance along `way` to where the field has changed by `change` or ends, `most` at most.
+  double walk(const Eigen::Vector3d& p, const Eigen::Vector3d& way, double change,
+              double most) const {
+    const double step = 0.25 * field_.grid().pitch;
+    for (double s = step; s < most; s += step) {
+      const std::optional<double> v = field_.valueAt(p + s * way);
+      if (!v || std::abs(*v - iso_) >= change)
+        return s;
+    }
+    return most;
+  }
+
   // Distance from the mid-surface along sign * direction to the level half a spacing away: secant
-  // steps in the interpolated field, or the first-order guess where the field ends or jumps.
+  // steps in the interpolated field, or the first-order guess where the field ends or jumps. Where
+  // the field is flat that guess is far outside the part: there it is walked.
   double march(const Eigen::Vector3d& p, const Eigen::Vector3d& direction, double slope,
                double sign) const {
-    const double half = 0.5 * spacing_, guess = half / slope;
+    const double half = 0.5 * spacing_;
+    double guess = half / slope;
+    if (guess > kFarGuess * field_.grid().pitch)
+      guess = walk(p, sign * direction, half, guess);
     double s = guess;
     for (int step = 0; step < 3; ++step) {
       const std::optional<double> v = field_.valueAt(p + sign * s * direction);

@@ -93,7 +93,8 @@ decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base:
       input.onPreview(copy);
     };
   const auto decomposition = std::make_shared<curved::Decomposition>(
-      curved::decompose(supports.solid, stage->platform.polygon, growth, ctx.sub(0.2, 1.0), watch));
+      curved::decompose(supports.solid, stage->platform.polygon, growth, ctx.sub(0.2, 1.0), watch,
+                        input.isRejected, supports.growth));
   markSupports(supports, *decomposition);
   const curved::Decomposition& d = *decomposition;
   project::DecompositionReport& r = stage->report;
@@ -111,7 +112,9 @@ decomposeCurved(const CurvedPlan& plan, const DecomposeInput& input, const base:
   stage->timings.grow = d.seconds.grow;
   stage->timings.smooth = d.seconds.smooth;
   tellSupports(supports, *stage);
-  if (const auto gains = pedestalGains(solid, plan, supports.missedBefore, ctx.quiet()))
+  const bool rejected = input.isRejected && input.isRejected(d.findings);
+  if (const auto gains =
+          rejected ? std::nullopt : pedestalGains(solid, plan, supports.missedBefore, ctx.quiet()))
     stage->findings.push_back(*gains);
   stage->result = project::Voxels(decomposition);
   return stage;

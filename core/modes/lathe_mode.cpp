@@ -1,5 +1,6 @@
 #include "modes/lathe_mode.h"
 
+#include "base/data_files.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "geometry/measures.h"
@@ -30,7 +31,7 @@ robot::CellRod cellRod(const ModeChoices& in) {
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text,
-                      in.choices.mode, in.choices.cell),
+                      in.choices.mode, base::dataName(in.choices.cell)),
         {}, "give --cell lathe"_text);
   return *cell.rod();
 }

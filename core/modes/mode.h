@@ -33,7 +33,10 @@ struct DecomposeInput {
   std::function<std::shared_ptr<const PartVoxels>(double voxelMm, const base::RunContext&)> voxels;
   // Called on the running thread with what has come out so far: ranks, then the field as rounds
   // improve it. May be empty.
-  std::function<void(std::shared_ptr<const curved::Decomposition>)> onPreview;
+  std::function<void(std::shared_ptr<const curved::Decomposition>)> onPreview = {};
+  // Is a plan with these findings of no use? Then the stage may end with what there is, and nobody
+  // keeps it. May be empty: every plan is.
+  std::function<bool(const plan::Findings&)> isRejected = {};
 };
 
 // What a mode is printed with unless something else is chosen.

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "collision/way_clearance.h"
 #include "motion/motion_scene.h"
 
 #include <algorithm>
@@ -58,6 +59,29 @@ private:
   Eigen::Isometry3d start_, end_;
   std::vector<JointVector> scratch_;
 };
+
+bool isStraight(plan::MoveKind move) {
+  return move == plan::MoveKind::Linear || move == plan::MoveKind::Wipe;
+}
+
+// `leastMm`, or what is kept along one motion where that is less. Where the nozzle goes straight
+// the joints do not: from step to step nearly so.
+double clearanceOnWay(const MotionScene& scene, const collision::WayClearance& ways,
+                      plan::MoveKind move, const JointVector& from, const JointVector& to,
+                      std::size_t before, double leastMm) {
+  constexpr double kDetour = 1.05;
+  if (!isStraight(move))
+    return ways.along(from, to, before, leastMm);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(scene.span(from, to) / kStraightStep)));
+  Between between(scene.cell, from, to, true);
+  JointVector last = from;
+  for (int k = 1; k <= pieces; ++k) {
+    const JointVector next = k == pieces ? to : between.at(static_cast<double>(k) / pieces);
+    leastMm = ways.along(last, next, before, leastMm, kDetour);
+    last = next;
+  }
+  return leastMm;
+}
 
 } // namespace
 
@@ -134,9 +158,7 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
           const double step =
               trajectory.move[i] == plan::MoveKind::Joint ? kJointStep : kStraightStep;
           const int pieces = static_cast<int>(std::ceil(scene.span(last, q) / step));
-          const bool straight = trajectory.move[i] == plan::MoveKind::Linear ||
-                                trajectory.move[i] == plan::MoveKind::Wipe;
-          Between between(scene.cell, last, q, straight);
+          Between between(scene.cell, last, q, isStraight(trajectory.move[i]));
           for (int k = 1; k < pieces && !contact; ++k) {
             scene.cell.framePoses(between.at(static_cast<double>(k) / pieces), frames);
             // Where printing stops or starts the head is at work too until it has left.
@@ -155,13 +177,39 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
   ctx.checkpoint();
   TrajectoryCheck check;
   check.minClearanceMm = capMm;
-  for (std::size_t c = 0; c < found.size(); ++c) {
-    check.collisions.insert(check.collisions.end(), found[c].begin(), found[c].end());
-    if (least[c] < check.minClearanceMm) {
-      check.minClearanceMm = least[c];
-      check.closestPoint = closest[c];
+  const auto takeLeast = [&] {
+    for (std::size_t c = 0; c < found.size(); ++c)
+      if (least[c] < check.minClearanceMm) {
+        check.minClearanceMm = least[c];
+        check.closestPoint = closest[c];
+      }
+  };
+  for (const std::vector<TrajectoryCollision>& some : found)
+    check.collisions.insert(check.collisions.end(), some.begin(), some.end());
+  takeLeast();
+
+  // Between the points.
+  const collision::WayClearance ways(scene.collision, scene.part);
+  base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
+    double& clearance = least[b / kChunk];
+    clearance = check.minClearanceMm;
+    auto met = found[b / kChunk].begin();
+    for (std::size_t i = std::max<std::size_t>(b, 1); i < e; ++i) {
+      if (ctx.cancelled())
+        return;
+      while (met != found[b / kChunk].end() && met->point < i)
+        ++met;
+      if (met != found[b / kChunk].end() && met->point == i)
+        continue;
+      const double all = clearanceOnWay(scene, ways, trajectory.move[i], jointsAt(i - 1),
+                                        jointsAt(i), next[i], clearance);
+      if (all < clearance)
+        closest[b / kChunk] = i;
+      clearance = all;
     }
-  }
+  });
+  ctx.checkpoint();
+  takeLeast();
   return check;
 }
 

@@ -20,8 +20,10 @@ struct TrajectoryCollision {
 
 struct TrajectoryCheck {
   std::vector<TrajectoryCollision> collisions; // ascending, at most one a point
-  double minClearanceMm = 0.0;                 // at the points; at most capMm
-  std::size_t closestPoint = 0;                // where it is that
+  // Nothing comes closer on any of the motions that meet nothing; at most capMm, and at most
+  // collision::kWayExactMm less than the least distance.
+  double minClearanceMm = 0.0;
+  std::size_t closestPoint = 0; // at it, or on the way to it
 };
 
 // headBefore[w]: while printing at waypoint w the head is checked against what was filled before

@@ -16,7 +16,7 @@ namespace voluta::motion {
 // that are not to be found take longest. Safe to be asked by several threads.
 class KnownTransfers {
 public:
-  enum class Way { Between, Leave, LeaveThoroughly, Approach, ApproachThoroughly };
+  enum class Way { Between, BetweenHigh, Leave, LeaveThoroughly, Approach, ApproachThoroughly };
 
   // What `find()` comes to, which must depend on nothing but the way, the states at its ends, the
   // waypoints there (what is printed by then, the seed) and what is about.

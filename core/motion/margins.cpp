@@ -21,6 +21,23 @@ JointVector jointsAt(const plan::Trajectory& t, std::size_t point) {
   return Eigen::Map<const JointVector>(t.at(point), t.dof);
 }
 
+std::vector<SpeedUse> speedsOf(const plan::Trajectory& t, const robot::Cell& cell) {
+  constexpr double kLeastS = 1e-6; // shorter steps tell no speed
+  std::vector<SpeedUse> speeds(static_cast<std::size_t>(t.dof));
+  for (std::size_t i = 1; i < t.pointCount(); ++i) {
+    const double step = t.timeS[i] - t.timeS[i - 1];
+    if (step < kLeastS)
+      continue;
+    for (int j = 0; j < t.dof; ++j) {
+      const double limit = cell.limits()[static_cast<std::size_t>(j)].velocity;
+      const double share = std::abs(t.at(i)[j] - t.at(i - 1)[j]) / step / limit;
+      if (SpeedUse& use = speeds[static_cast<std::size_t>(j)]; share > use.share)
+        use = {share, i};
+    }
+  }
+  return speeds;
+}
+
 } // namespace
 
 double reachOf(const robot::RobotModel& robot) {
@@ -75,6 +92,7 @@ MotionMargins marginsOf(const plan::Trajectory& t, const robot::Cell& cell,
       if (rad < margin.rad)
         margin = {rad, i};
     }
+  margins.speeds = speedsOf(t, cell);
   const double reach = reachOf(cell.robot());
   std::vector<double> isotropy(n, 1.0);
   base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {

@@ -1,4 +1,5 @@
-// How far a motion stays from joint limits and singular poses: start, travel and end included.
+// How far a motion stays from limits of joints and their speeds, and from singular poses: start,
+// travel and end included.
 #pragma once
 
 #include "plan/trajectory.h"
@@ -19,8 +20,15 @@ struct LimitMargin {
   std::size_t point = 0;
 };
 
+// A joint where it moves fastest, between a point and the one before.
+struct SpeedUse {
+  double share = 0.0; // of its limit
+  std::size_t point = 0;
+};
+
 struct MotionMargins {
   std::vector<LimitMargin> joints; // dof of them, external axes last
+  std::vector<SpeedUse> speeds;    // likewise
   // The least ratio of the smallest to the largest singular value of the arm's Jacobian, lengths by
   // the arm's reach: 0 at a singular pose, at most 1 (Yoshikawa's isotropy; Lynch and Park, Modern
   // Robotics, 5.4).

@@ -36,16 +36,49 @@ namespace {
 
 constexpr int kRounds = 10; // of planning again what meets on a closer look
 
-double materialOf(const plan::ToolPlan& plan) {
-  const auto section = [&](std::size_t i) {
-    return process::beadArea(plan.widthMm[i], plan.heightMm[i]);
+// Of the bead from the waypoint before to this one, mm3.
+double beadTo(const plan::ToolPlan& plan, std::size_t i) {
+  const auto section = [&](std::size_t w) {
+    return process::beadArea(plan.widthMm[w], plan.heightMm[w]);
   };
+  return process::beadVolume(section(i - 1), section(i),
+                             (plan.position[i] - plan.position[i - 1]).norm());
+}
+
+double materialOf(const plan::ToolPlan& plan) {
   double volume = 0.0;
   for (const plan::ToolPath& path : plan.paths)
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      volume += process::beadVolume(section(i - 1), section(i),
-                                    (plan.position[i] - plan.position[i - 1]).norm());
+      volume += beadTo(plan, i);
   return volume;
+}
+
+// Material that cannot be printed: the beads to and from waypoints that no motion gets to.
+class Loss {
+public:
+  explicit Loss(const plan::ToolPlan& plan)
+      : plan_(plan), planned_(materialOf(plan)), isLost_(plan.waypointCount(), 0) {}
+
+  void add(const plan::ToolPath& path, std::size_t waypoint) {
+    if (std::exchange(isLost_[waypoint], 1))
+      return;
+    if (waypoint > path.first && !isLost_[waypoint - 1])
+      mm3_ += beadTo(plan_, waypoint);
+    if (waypoint + 1 < path.first + path.count && !isLost_[waypoint + 1])
+      mm3_ += beadTo(plan_, waypoint + 1);
+  }
+  bool exceeds(double share) const { return mm3_ > (share + kRounding) * planned_; }
+
+private:
+  static constexpr double kRounding = 1e-6;
+  const plan::ToolPlan& plan_;
+  double planned_, mm3_ = 0.0;
+  std::vector<char> isLost_;
+};
+
+// Whether no other way to plan the path gets to the waypoint.
+bool isFinal(Refusal why) {
+  return why != Refusal::NoConnection && why != Refusal::CloserLook && why != Refusal::None;
 }
 
 } // namespace
@@ -59,7 +92,7 @@ public:
                                           part, options_, leversOf(plan, cell)},
         planner_(scene_, timingLimits(cell, process)), home_(stateAt(cell, cell.home())) {}
 
-  MotionResult plan(const base::RunContext& ctx) {
+  MotionResult plan(const base::RunContext& ctx, double mostLeftOut) {
     base::Stopwatch watch;
     headBefore_ = headBefore(scene_.plan);
     homeMeets_ = contactAtHome();
@@ -70,12 +103,25 @@ public:
     ways_.resize(plan_.paths.size());
     if (homeMeets_)
       refuseAll(*homeMeets_);
+    Loss loss(plan_);
+    for (const plan::ToolPath& path : plan_.paths)
+      for (std::size_t w = path.first; w < path.first + path.count; ++w)
+        if (!homeMeets_ && refusals_[w] != Refusal::None)
+          loss.add(path, w);
     for (std::size_t p = 0; p < plan_.paths.size() && !homeMeets_; ++p) {
+      if (loss.exceeds(mostLeftOut))
+        return givenUp(p);
       ctx.report(0.05 + 0.55 * static_cast<double>(plan_.paths[p].first) /
                             static_cast<double>(plan_.waypointCount()),
                  "motion"_text);
       planPath(p, ctx);
+      // Where external axes go depends on how a path is split: another way may get there.
+      for (const Refused& r : ways_[p].refused)
+        if (isFinal(r.why) && cell_.externalAxes().empty())
+          loss.add(plan_.paths[p], r.waypoint);
     }
+    if (!homeMeets_ && loss.exceeds(mostLeftOut))
+      return givenUp(plan_.paths.size());
     return joined(ctx.sub(0.6, 1.0));
   }
 
@@ -91,6 +137,22 @@ private:
     std::vector<Run> runs;
     std::vector<Refused> refused;
   };
+
+  // What is refused of the paths that are planned, and by the head of the others.
+  MotionResult givenUp(std::size_t plannedPaths) {
+    std::vector<Refused> refused;
+    for (std::size_t p = 0; p < plan_.paths.size(); ++p) {
+      const plan::ToolPath& path = plan_.paths[p];
+      if (p < plannedPaths)
+        refused.insert(refused.end(), ways_[p].refused.begin(), ways_[p].refused.end());
+      for (std::size_t w = path.first; p >= plannedPaths && w < path.first + path.count; ++w)
+        if (refusals_[w] != Refusal::None)
+          refused.push_back({w, refusals_[w], {}});
+    }
+    result_.findings = findingsOf(refused, scene_, [](std::size_t) { return 0.0; });
+    result_.isGivenUp = true;
+    return std::exchange(result_, {});
+  }
 
   // Whatever is planned begins and ends there.
   std::optional<collision::Contact> contactAtHome() const {
@@ -401,8 +463,8 @@ MotionPlanner::MotionPlanner(const plan::ToolPlan& plan, const robot::Cell& cell
 
 MotionPlanner::~MotionPlanner() = default;
 
-MotionResult MotionPlanner::plan(const base::RunContext& ctx) {
-  return work_->plan(ctx);
+MotionResult MotionPlanner::plan(const base::RunContext& ctx, double mostLeftOut) {
+  return work_->plan(ctx, mostLeftOut);
 }
 
 MotionResult MotionPlanner::planWithout(const std::vector<std::size_t>& waypoints,

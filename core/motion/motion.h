@@ -46,6 +46,7 @@ struct MotionTimes {
 };
 
 struct MotionResult {
+  bool isGivenUp = false; // there are findings only
   plan::Trajectory trajectory;
   std::vector<std::size_t> skipped; // waypoints that are not printed, ascending
   plan::Findings findings;
@@ -79,8 +80,9 @@ public:
                 const MotionOptions& options);
   ~MotionPlanner();
 
-  // Throws Cancelled; the planner is of no use then.
-  MotionResult plan(const base::RunContext& ctx);
+  // Gives up as soon as it is known that more than `mostLeftOut` of the material cannot be printed.
+  // Throws Cancelled. The planner is of no use after either.
+  MotionResult plan(const base::RunContext& ctx, double mostLeftOut = 1.0);
   // After plan: the same without these waypoints and those of earlier calls, since something was
   // found to meet there. Only the paths that have them are planned again. Throws Cancelled.
   MotionResult planWithout(const std::vector<std::size_t>& waypoints, const base::RunContext& ctx);

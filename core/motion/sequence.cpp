@@ -15,6 +15,9 @@ using Eigen::Vector3d;
 
 namespace {
 
+// A travel lifts high at least so often, in waypoints, so that long programs can be cut into files
+// where the nozzle stands clear of the part.
+constexpr std::size_t kHighEvery = 2000;
 constexpr int kThorough = 5; // times the usual search, where a piece would be lost else
 
 class Connector {
@@ -94,10 +97,12 @@ private:
     const plan::ToolPath &pathA = scene_.plan.paths[a.path], &pathB = scene_.plan.paths[b.path];
     const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
                      (last.at.tip - first.at.tip).norm() <= scene_.options.hopMm;
+    const bool high = a.points.front().next / kHighEvery != first.next / kHighEvery;
+    const Lift lift = high ? Lift::High : hop ? Lift::Hop : Lift::Usual;
     const auto from = [&](const RobotState& state) {
-      return known_.of(Way::Between, state, first.at, last.next, first.next, surrounds_[b.path],
-                       [&] {
-                         return usual_.plan(state, first.at, hop, first.next, surrounds_[b.path],
+      return known_.of(high ? Way::BetweenHigh : Way::Between, state, first.at, last.next,
+                       first.next, surrounds_[b.path], [&] {
+                         return usual_.plan(state, first.at, lift, first.next, surrounds_[b.path],
                                             scene_.options.seed + first.next, ctx_);
                        });
     };

@@ -256,15 +256,19 @@ std::optional<TransferKind> TransferPlanner::swing(const RobotState& from, const
 }
 
 std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const RobotState& to,
-                                              bool hop, std::size_t before,
+                                              Lift lift, std::size_t before,
                                               const Surround& surround, std::uint64_t seed,
                                               const base::RunContext& ctx) const {
   const MotionOptions& options = scene_.options;
   std::vector<double> heights;
-  if (hop)
-    heights.push_back(options.hopLiftMm);
-  for (const double factor : {1.0, 2.0, 5.0, 10.0})
-    heights.push_back(factor * options.liftMm);
+  if (lift == Lift::High) {
+    heights = {kHighLiftMm, 2.0 * kHighLiftMm};
+  } else {
+    if (lift == Lift::Hop)
+      heights.push_back(options.hopLiftMm);
+    for (const double factor : {1.0, 2.0, 5.0, 10.0})
+      heights.push_back(factor * options.liftMm);
+  }
   const std::vector<Points> up = lifts(from, heights, before);
   const std::vector<Points> down = lifts(to, heights, before);
   Transfer transfer;
@@ -297,6 +301,8 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
         return transfer;
       }
     }
+  if (lift == Lift::High)
+    return plan(from, to, Lift::Usual, before, surround, seed, ctx);
 
   const auto outer = [&](const RobotState& state) {
     const double out =

@@ -25,6 +25,15 @@ struct Transfer {
   TransferKind kind = TransferKind::Straight;
 };
 
+// How far a transfer lifts the nozzle.
+enum class Lift {
+  Hop,   // options.hopLiftMm, then as Usual
+  Usual, // options.liftMm and its multiples
+  High   // kHighLiftMm where that can be, else as Usual
+};
+// As high as the nozzle should stand where a program may be cut into files.
+inline constexpr double kHighLiftMm = 10.0;
+
 // A ball that holds what is printed before a waypoint, for ways around it.
 struct Surround {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -38,14 +47,14 @@ public:
       : scene_(scene), effort_(effort) {}
 
   // From state to state with everything printed before waypoint `before` in place. Tried in
-  // turn: lift along the nozzle, straight, down (lifts from 1 mm for hops or liftMm up); out of the
+  // turn: lift along the nozzle, straight, down (lifts as `lift` says); out of the
   // surrounding ball and round it on an arc; the same lifts with a joint move between; RRT-Connect
   // between the lifted stations. Lifting along the nozzle frees a head that is free, since it is
   // convex along its axis. Where a rod turns or other external axes move, lifts with a joint move
   // between come first: the arm hardly moves, the part does. Checked at steps of at most 2 mm and 1
   // degree (linear), half a degree a joint with 3 mm more clearance or a fifth of a degree (joint
   // moves; external axes' by what the part moves). None: no way was found.
-  std::optional<Transfer> plan(const RobotState& from, const RobotState& to, bool hop,
+  std::optional<Transfer> plan(const RobotState& from, const RobotState& to, Lift lift,
                                std::size_t before, const Surround& surround, std::uint64_t seed,
                                const base::RunContext& ctx) const;
 

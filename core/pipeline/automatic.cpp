@@ -1,31 +1,44 @@
 #include "pipeline/automatic.h"
 
+#include "base/data_files.h"
 #include "base/error.h"
 #include "base/parameters.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
+#include "support/supports.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace voluta::pipeline {
 
+namespace {
+
+constexpr const char* kLayerHeight = "layerHeightMm";
+constexpr const char* kSupports = "supports";
+
+constexpr base::Text kCurved = "curved layers"_text;
+constexpr base::Text kCurvedSupported = "curved layers with supports"_text;
+constexpr base::Text kFlat = "flat layers"_text;
+constexpr base::Text kFlatSupported = "flat layers with supports"_text;
+constexpr base::Text kPedestal = "curved layers on a pedestal"_text;
+
+} // namespace
+
 const std::vector<AutomaticWay>& automaticWays() {
   static const std::vector<AutomaticWay> kWays{
-      {"curved", "curved", "cell", {{"supports", "none"}}},
-      {"pieces", "planar", "cell"},
-      {"curved-columns", "curved", "cell", {{"supports", "auto"}}},
-      {"flat", "flat", "cell", {{"supports", "auto"}}},
-      {"flat-low", "flat", "cell", {{"supports", "auto"}}, true},
-      {"pedestal", "curved", "fit"},
+      {"curved", "curved", "cell", kCurved, kCurvedSupported, {{kSupports, "none"}}},
+      {"pieces", "planar", "cell", "pieces"_text, "pieces with supports"_text},
+      {"curved-columns", "curved", "cell", kCurved, kCurvedSupported, {{kSupports, "auto"}}},
+      {"flat", "flat", "cell", kFlat, kFlatSupported, {{kSupports, "auto"}}},
+      {"flat-low", "flat", "cell", kFlat, kFlatSupported, {{kSupports, "auto"}}, true},
+      {"pedestal", "curved", "fit", kPedestal, kPedestal},
   };
   return kWays;
 }
 
 namespace {
-
-constexpr const char* kLayerHeight = "layerHeightMm";
 
 bool fits(const AutomaticWay& way, const project::Choices& choices) {
   return way.mode == choices.mode &&
@@ -95,13 +108,17 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("no way of building takes platform {platform} in cell {cell}"_text,
-                      choices.platform.text(), choices.cell),
+                      choices.platform.text(), base::dataName(choices.cell)),
         {}, "choose another platform, or another cell"_text);
   return all;
 }
 
+bool namesWay(const project::Choices& choices) {
+  return choices.automatic && namedWay(choices);
+}
+
 project::Choices wayOrFirst(const project::Choices& choices) {
-  if (!choices.automatic || namedWay(choices))
+  if (!choices.automatic || namesWay(choices))
     return choices;
   return automaticChoices(choices).front();
 }
@@ -116,6 +133,24 @@ project::Choices byHand(project::Choices choices) {
     choices.parameters.insert(way->parameters.begin(), way->parameters.end());
   }
   return choices;
+}
+
+std::map<std::string, std::string> parametersOfWay(project::Choices choices) {
+  if (!choices.automatic)
+    return {};
+  choices.parameters.clear();
+  return byHand(std::move(choices)).parameters;
+}
+
+base::Message nameOfWay(const project::Choices& choices) {
+  const AutomaticWay* way = choices.automatic ? wayOf(choices) : nullptr;
+  if (!way)
+    return modes::findMode(choices.mode).label;
+  const bool supported = support::supportsWanted(parameterValues(byHand(choices)));
+  const base::Text name = supported ? way->nameWithSupports : way->name;
+  if (!lowers(choices))
+    return name;
+  return base::message("{way}, {height} high"_text, name, base::mm(lowLayerMm(choices)));
 }
 
 } // namespace voluta::pipeline

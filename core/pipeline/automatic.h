@@ -15,6 +15,7 @@ namespace voluta::pipeline {
 struct AutomaticWay {
   std::string_view id; // kept in projects: stays when ways are put in between
   std::string_view mode, platform;
+  base::Text name, nameWithSupports; // what a user reads
   std::map<std::string, std::string> parameters = {};
   bool lowLayers = false; // of a quarter of what the process has between its least and usual height
 };
@@ -29,6 +30,9 @@ const std::vector<AutomaticWay>& automaticWays();
 // choices with each way's mode and platform. Throws Error{Usage}: there is none.
 std::vector<project::Choices> automaticChoices(const project::Choices& choices);
 
+// Whether automatic choices name a way that has their mode and platform: that of an earlier plan.
+bool namesWay(const project::Choices& choices);
+
 // What automatic choices stand for: the way that they name, where they have its mode and platform,
 // else the first that would be tried. Others as they are. Throws as automaticChoices().
 project::Choices wayOrFirst(const project::Choices& choices);
@@ -36,5 +40,11 @@ project::Choices wayOrFirst(const project::Choices& choices);
 // As somebody would choose by hand what automatic choices, with the mode of one of the ways, come
 // to: with the way's parameters. Others as they are.
 project::Choices byHand(project::Choices choices);
+
+// Returns what byHand() would set if the user had changed no parameter. Empty for other choices.
+std::map<std::string, std::string> parametersOfWay(project::Choices choices);
+
+// Returns the name of the way, e.g. "flat layers with supports"; for choices by hand, the mode's.
+base::Message nameOfWay(const project::Choices& choices);
 
 } // namespace voluta::pipeline

@@ -4,6 +4,8 @@
 #include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
 #include "project/platform.h"
+#include "support/supports.h"
+#include "toolpath/prime_path.h"
 
 #include <algorithm>
 
@@ -18,8 +20,16 @@ constexpr double kStandingMm = 0.5; // a part's lowest points, as far as they co
 
 } // namespace
 
+PlateNeeds plateNeeds(const base::ParameterValues& values) {
+  const std::string prime = values.text("prime");
+  return {.supports = support::supportsWanted(values),
+          .prime = prime != "none",
+          .primeIsRing = prime == "skirt",
+          .primeLengthMm = values.number("primeLengthMm")};
+}
+
 std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::TriangleMesh& part,
-                                bool supports) {
+                                const PlateNeeds& needs) {
   if (cell.plates().empty())
     throw base::Error(base::ErrorCode::Usage,
                       base::message("cell {cell} comes without plates"_text, cell.id()), {},
@@ -27,17 +37,22 @@ std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::Triangl
   const double lowest = geometry::bounds(part).min().z();
   std::vector<Vector2d> points;
   for (const Eigen::Vector3d& v : part.vertices)
-    if (supports || v.z() <= lowest + kStandingMm)
+    if (needs.supports || v.z() <= lowest + kStandingMm)
       points.emplace_back(v.head<2>());
   points = geometry::convexPolygon(std::move(points), kRoomMm);
-  std::vector<Vector2d> plate;
+  std::vector<Vector2d> plate, carrying;
   for (const std::string& text : cell.plates()) {
     plate = project::Platform(text).plateAround({});
-    if (std::all_of(points.begin(), points.end(),
-                    [&](const Vector2d& p) { return geometry::inConvexPolygon(plate, p); }))
-      break;
+    if (!std::all_of(points.begin(), points.end(),
+                     [&](const Vector2d& p) { return geometry::inConvexPolygon(plate, p); }))
+      continue;
+    if (!needs.prime ||
+        toolpath::hasRoomForPrime(plate, part.vertices, needs.primeIsRing, needs.primeLengthMm))
+      return plate;
+    if (carrying.empty())
+      carrying = plate;
   }
-  return plate;
+  return carrying.empty() ? plate : carrying;
 }
 
 } // namespace voluta::pipeline

@@ -1,13 +1,11 @@
 #include "pipeline/cell_reach.h"
 
-#include "base/data_files.h"
-#include "base/files.h"
 #include "base/key_text.h"
 #include "curved/platform.h"
 #include "geometry/measures.h"
 #include "modes/cell_choice.h"
+#include "pipeline/cell_text.h"
 #include "pipeline/choices.h"
-#include "project/content_hash.h"
 
 #include <algorithm>
 
@@ -46,10 +44,6 @@ std::string cellReachKey(const project::Choices& choices, double heightMm) {
   const base::ParameterValues values = parameterValues(choices);
   const process::Process process = chosenProcess(choices, values);
   const robot::Cell cell = modes::cellOnAnyPlatform(choices, process);
-  const auto fileHash = [](const char* folder, const std::string& id) {
-    return project::contentHash(
-        base::readFile(base::dataFile(folder, id, "unknown cell '{id}'"_text)));
-  };
   const collision::Margins margins = motionOptionsOf(values, choices.seed).printing;
   std::vector<double> plate, head;
   if (!cell.rod())
@@ -57,9 +51,9 @@ std::string cellReachKey(const project::Choices& choices, double heightMm) {
       plate.insert(plate.end(), {corner.x(), corner.y()});
   for (const process::HeadSection& section : process.head.sections)
     head.insert(head.end(), {section.zMm, section.radiusMm});
-  return base::keyText(fileHash("cells", cell.id()), fileHash("robots", cell.robot().id), plate,
-                       head, process.layerHeightMm, process.contactToleranceMm, margins.bodiesMm,
-                       margins.partMm, margins.headMm, heightMm);
+  return base::keyText(cellText(cell, choices.cell), plate, head, process.layerHeightMm,
+                       process.contactToleranceMm, margins.bodiesMm, margins.partMm, margins.headMm,
+                       heightMm);
 }
 
 Eigen::Vector2d middleOf(const geometry::TriangleMesh& part) {

@@ -1,16 +1,21 @@
 #include "pipeline/choices.h"
 
+#include "base/data_files.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/nearest_name.h"
+#include "curved/platform.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "modes/planar_modes.h"
 #include "modes/rod_profile.h"
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
+#include "pipeline/open_part.h"
 #include "placement/orient.h"
 #include "program/dialect.h"
 #include "program/program_options.h"
+#include "project/infill_density.h"
 #include "project/length_unit.h"
 #include "project/platform_kinds.h"
 #include "robot/cell.h"
@@ -32,6 +37,34 @@ void checkName(base::Text unknown, const std::string& name, const std::vector<st
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw Error(ErrorCode::Usage, base::Message(unknown, {name}), {},
                 base::didYouMean(name, known));
+}
+
+// A choice of data may be a text of the user's own.
+void checkData(base::Text unknown, const std::string& choice,
+               const std::vector<std::string>& known) {
+  if (!base::isDataText(choice))
+    checkName(unknown, choice, known);
+}
+
+// Puts in the defaults that go with a process: the bead's own sizes, and lengths that were chosen
+// for beads of 1.2 x 0.8 mm. These grow with larger beads, and stay as they are for finer ones.
+void followProcess(std::vector<base::ParameterSpec>& specs, const process::Process& p) {
+  constexpr double kHeightMm = 0.8, kWidthMm = 1.2;
+  const double higher = std::max(1.0, p.layerHeightMm / kHeightMm);
+  const double wider = std::max(1.0, p.beadWidthMm / kWidthMm);
+  const std::map<std::string_view, double> values{{"layerHeightMm", p.layerHeightMm},
+                                                  {"beadWidthMm", p.beadWidthMm},
+                                                  {"stepMm", p.stepMm},
+                                                  {"retractMm", p.retractMm}};
+  const std::map<std::string_view, double> factors{
+      {"voxelMm", higher}, {"cuspMm", higher}, {"liftMm", higher}, {"primeLengthMm", wider}};
+  for (base::ParameterSpec& spec : specs) {
+    double* length = std::get_if<double>(&spec.defaultValue);
+    if (const auto value = values.find(spec.key); value != values.end())
+      *length = value->second;
+    else if (const auto factor = factors.find(spec.key); factor != factors.end())
+      *length = std::min(*length * factor->second, spec.maximum);
+  }
 }
 } // namespace
 
@@ -56,9 +89,10 @@ base::ParameterTable allParameters() {
                              "programs (3MF Toolpath Extension)."_text),
       base::booleanParameter("output.proof", true, "Output"_text,
                              "write a proof of each program"_text,
-                             "Adds NAME.proof.html and NAME.proof.json beside each program that "
-                             "passed: what was checked, and how near to its limits it comes; and "
-                             "NAME.printed.stl, the part as it will be printed."_text),
+                             "Adds a page to hand over beside each program, NAME.proof.html and "
+                             "NAME.proof.pdf: the verdict, what was checked, and how near to its "
+                             "limits it comes; its figures as NAME.proof.json; and "
+                             "NAME.printed.stl, the part as printed, as a solid."_text),
       base::booleanParameter("output.debug", false, "Output"_text,
                              "write what every stage made"_text,
                              "Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, "
@@ -68,6 +102,7 @@ base::ParameterTable allParameters() {
                              "be looked at and never to be run."_text),
   });
   table.append(modes::modeParameters());
+  table.append(openSurfaceParameters());
   table.append(placement::orientParameters());
   table.append(toolpath::toolpathParameters());
   table.append(motion::motionParameters());
@@ -75,10 +110,23 @@ base::ParameterTable allParameters() {
   return table;
 }
 
+base::ParameterTable offeredParameters() {
+  std::vector<base::ParameterSpec> specs = allParameters().specs();
+  std::erase_if(
+      specs, [](const base::ParameterSpec& spec) { return spec.key == project::kInfillDensity; });
+  return base::ParameterTable(std::move(specs));
+}
+
 void setParameters(project::Choices& choices, const std::vector<std::string>& assignments) {
   base::ParameterValues values(allParameters());
   for (const std::string& assignment : assignments)
     values.setAssignment(assignment);
+  if (const double density = values.number(project::kInfillDensity); density < 1.0)
+    throw Error(ErrorCode::Usage,
+                base::message("infill density {density} cannot be printed yet: parts are filled "
+                              "solid"_text,
+                              base::number(density)),
+                std::string(project::kInfillDensity), "leave it out"_text);
   for (const auto& [key, value] : values.changes())
     choices.parameters[key] = base::formatParameter(value);
   // Planes and profile go with the choices, wherever a project is opened again.
@@ -101,8 +149,18 @@ base::ParameterTable parametersOf(std::string_view id) {
   return base::ParameterTable(std::move(specs));
 }
 
+base::ParameterTable parametersOf(const project::Choices& choices) {
+  std::vector<base::ParameterSpec> specs = parametersOf(choices.mode).specs();
+  try {
+    followProcess(specs, process::loadProcess(choices.process));
+  } catch (const base::Error&) {
+    // The run that meets the process says what is wrong with it.
+  }
+  return base::ParameterTable(std::move(specs));
+}
+
 base::ParameterValues parameterValues(const project::Choices& choices) {
-  base::ParameterValues values(parametersOf(choices.mode));
+  base::ParameterValues values(parametersOf(choices));
   for (const auto& [key, text] : choices.parameters)
     values.set(key, text);
   return values;
@@ -186,9 +244,9 @@ robot::Cell fittingCell(const project::Choices& choices, const process::Process&
   throw Error(
       ErrorCode::Usage,
       winds ? base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text,
-                            choices.mode, choices.cell)
+                            choices.mode, base::dataName(choices.cell))
             : base::message("cell {cell} holds a rod, and mode {mode} prints on a plate"_text,
-                            choices.cell, choices.mode),
+                            base::dataName(choices.cell), choices.mode),
       {},
       winds ? base::Message("give --cell lathe"_text)
             : base::message("give --mode {modes}, or another cell"_text,
@@ -199,6 +257,7 @@ toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
                                             const process::Process& process) {
   toolpath::ToolpathOptions options = toolpath::toolpathOptions(values);
   options.stepMm = process.stepMm;
+  options.edgeMm = std::max(options.edgeMm, 0.5 * process.beadWidthMm);
   return options;
 }
 
@@ -233,8 +292,8 @@ void checkChoices(const project::Choices& given) {
   for (const program::Dialect& dialect : program::dialects())
     formatIds.emplace_back(dialect.id);
   checkName("unknown mode '{name}'"_text, choices.mode, modeIds);
-  checkName("unknown cell '{name}'"_text, choices.cell, robot::cellIds());
-  checkName("unknown process '{name}'"_text, choices.process, process::processIds());
+  checkData("unknown cell '{name}'"_text, choices.cell, robot::cellIds());
+  checkData("unknown process '{name}'"_text, choices.process, process::processIds());
   for (const std::string& format : choices.formats)
     checkName("unknown format '{name}'"_text, format, formatIds);
   const std::vector<project::PlatformUse>& taken = modes::findMode(choices.mode).platforms;
@@ -260,6 +319,20 @@ void checkChoices(const project::Choices& given) {
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
       !place.centreMm.allFinite() || !std::isfinite(place.liftMm))
     throw Error(ErrorCode::Usage, "the placement is not a turn and a place in mm"_text);
+}
+
+void takeOwnFiles(project::Choices& choices) {
+  if (base::isDataFileName(choices.process)) {
+    const std::string file = choices.process;
+    choices.process = base::readFile(file);
+    process::readProcessText(choices.process, file);
+  }
+  if (base::isDataFileName(choices.cell)) {
+    constexpr double kAnyMm = 80.0;
+    const std::filesystem::path file = choices.cell;
+    robot::Cell::read(file, process::loadProcess(choices.process), curved::platformDisc(kAnyMm));
+    choices.cell = robot::selfContainedCell(file);
+  }
 }
 
 } // namespace voluta::pipeline

@@ -19,11 +19,17 @@ namespace voluta::pipeline {
 // Every module's parameters in one table.
 base::ParameterTable allParameters();
 // Checks "key=value" texts against the table and keeps them in choices.parameters.
-// Throws Error{Usage}.
+// Throws Error{Usage}, also for a value that cannot be printed yet.
 void setParameters(project::Choices& choices, const std::vector<std::string>& assignments);
+
+// allParameters() without those that are not offered yet: no form, list or help shows them.
+base::ParameterTable offeredParameters();
 
 // allParameters() with the defaults that a mode has; as they are where no mode has that id.
 base::ParameterTable parametersOf(std::string_view mode);
+// With those of the process too: sizes of its beads, and lengths that grow with wider beads. The
+// mode's alone where the process cannot be read.
+base::ParameterTable parametersOf(const project::Choices& choices);
 
 // The values of choices.parameters over allParameters(). Throws Error{Usage}.
 base::ParameterValues parameterValues(const project::Choices& choices);
@@ -66,5 +72,9 @@ project::Platform usualPlatform(const project::Choices& choices);
 // Throws Error{Usage} for a placement that is no rotation or not finite, and for any name that
 // nothing answers to, naming the nearest.
 void checkChoices(const project::Choices& choices);
+
+// Replaces file names of cell and process (FILE.json) by the text of these files, so that a project
+// keeps what it was made with. Throws Error{UnreadableFile, UnusableInput} naming the file.
+void takeOwnFiles(project::Choices& choices);
 
 } // namespace voluta::pipeline

@@ -1,3 +1,4 @@
+#include "base/data_files.h"
 #include "pipeline/compare_figures.h"
 #include "project/version.h"
 
@@ -70,8 +71,8 @@ std::string compareJson(const Comparison& comparison, const Weights& weights,
     rows.push_back(rowJson(i, comparison.rows[i], ranking.score[i], files[i]));
   const project::Choices& c = comparison.choices;
   const Json all{{"part", comparison.part},
-                 {"cell", c.cell},
-                 {"process", c.process},
+                 {"cell", base::dataName(c.cell)},
+                 {"process", base::dataName(c.process)},
                  {"scale", c.scale},
                  {"until", project::stageName(comparison.until)},
                  {"threads", comparison.threads},

@@ -9,12 +9,15 @@
 #include "pipeline/automatic.h"
 #include "pipeline/avoided.h"
 #include "pipeline/choices.h"
+#include "pipeline/early_verdict.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/part_motion.h"
 #include "pipeline/part_size.h"
 #include "pipeline/part_ways.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/stage_keys.h"
+#include "pipeline/start_check.h"
+#include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
@@ -23,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <iterator>
 #include <utility>
 
@@ -45,12 +47,11 @@ bool coversAxis(const geometry::TriangleMesh& part) {
 // One plan: its stages in order, each taken from the cache or made.
 class OneWay {
 public:
-  // `untilBlocked`: what follows the first stage with a blocking finding is not made.
-  OneWay(const PlanRequest& request, bool untilBlocked, const base::RunContext& ctx,
-         StageCache* cache, const StageObserver& onStage, const PreviewObserver& onPreview)
-      : untilBlocked_(untilBlocked), choices_(byHand(request.choices)), until_(request.until),
-        ctx_(ctx), cache_(cache), onStage_(onStage), onPreview_(onPreview),
-        values_(parameterValues(choices_)), mode_(modes::findMode(choices_.mode)),
+  OneWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+         const PlanObservers& observers, Trial* trial)
+      : trial_(trial), choices_(byHand(request.choices)), until_(request.until), ctx_(ctx),
+        cache_(cache), observers_(observers), values_(parameterValues(choices_)),
+        mode_(modes::findMode(choices_.mode)),
         process_(std::make_shared<process::Process>(chosenProcess(choices_, values_))) {
     result_.process = process_;
     result_.debug = values_.boolean("output.debug");
@@ -60,6 +61,7 @@ public:
     job().choices = request.choices;
     report().threads = ctx.threads();
     report().decomposition.mode = choices_.mode;
+    report().chosen = chosenReport(request.choices);
     ctx.report(0.0, "load"_text);
     loaded_ = request.loaded
                   ? project::withRepair(request.loaded, choices_.repair, span(project::Stage::Load))
@@ -90,7 +92,7 @@ private:
       return stage;
     stage = make();
     ctx_.checkpoint();
-    if (cache_)
+    if (cache_ && !isRejected())
       cache_->keep<T>(key, stage, slot);
     return stage;
   }
@@ -105,19 +107,40 @@ private:
     return ctx_.sub((s > 0 ? kEnds[s - 1] : 0.0) / all, std::min(1.0, kEnds[s] / all));
   }
 
+  bool isRejected() const { return trial_ && trial_->rejection; }
+  // In a trial: the first finding that blocks ends it. Returns whether it has ended.
+  bool reject(project::Stage stage, const plan::Findings& findings) {
+    if (!trial_ || trial_->rejection)
+      return isRejected();
+    if (const auto blocking = std::ranges::find_if(findings, &plan::Finding::blocking);
+        blocking != findings.end())
+      trial_->rejection = {stage, *blocking};
+    return isRejected();
+  }
+
   // Notes that a stage is done; is there more to do?
   bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
     project::StageRecord& record = job().stages[project::indexOf(stage)];
-    record = {keys_[project::indexOf(stage)], findings.size(), timings};
+    const bool whole = !isRejected(); // else it ended early
+    record = {whole ? keys_[project::indexOf(stage)] : std::string(), findings.size(), timings};
     report().findings.insert(report().findings.end(), findings.begin(), findings.end());
     report().timings += timings;
     report().timings.total = whole_.seconds();
     job().reached = stage;
     base::returnFreedMemory();
-    if (onStage_)
-      onStage_(stage, result_);
+    if (whole && observers_.onStage)
+      observers_.onStage(stage, result_);
     ctx_.checkpoint();
-    return stage < until_ && !(untilBlocked_ && !nothingBlocks(report()));
+    return !reject(stage, findings) && stage < until_;
+  }
+
+  project::ChosenReport chosenReport(const project::Choices& given) const {
+    return {.way = given.automatic ? given.automaticWay : std::string(),
+            .name = nameOfWay(given),
+            .mode = choices_.mode,
+            .platform = choices_.platform.text(),
+            .supports = mode_.asksFor("supports") ? values_.text("supports") : std::string(),
+            .layerHeightMm = process_->layerHeightMm};
   }
 
   bool load() {
@@ -134,6 +157,9 @@ private:
     project::Timings timings = stage->timings;
     timings.load = loaded_->readS;
     timings.repair = loaded_->repairS;
+    // Nothing is measured on a surface that encloses nothing.
+    if (std::ranges::any_of(stage->findings, &plan::Finding::blocking))
+      return done(project::Stage::Load, stage->findings, timings) && false;
     const auto size =
         taken<SizeStage>(keys_[project::indexOf(project::Stage::Load)] +
                              base::keyText(choices_.cell, process_->id, process_->beadWidthMinMm),
@@ -145,16 +171,29 @@ private:
         taken<StandStage>(standKey(*loaded_, *placed_, choices_, *process_), "stand", [&] {
           return standStage(*placed_, choices_, *process_, span(project::Stage::Load).quiet());
         });
-    plan::Findings findings = size->findings;
+    // What was drawn in other units is no part to plan.
+    const bool odd = std::ranges::any_of(size->findings, [](const plan::Finding& f) {
+      return f.kind == plan::FindingKind::TinyPart || f.kind == plan::FindingKind::HugePart;
+    });
+    plan::Findings findings = odd ? plan::Findings() : startFindings();
+    const bool hopeless = odd || !findings.empty();
+    findings.insert(findings.end(), size->findings.begin(), size->findings.end());
     findings.insert(findings.end(), stand->findings.begin(), stand->findings.end());
     const plan::Findings defects = remainingDefects(*loaded_);
     findings.insert(findings.end(), defects.begin(), defects.end());
     findings.insert(findings.end(), stage->findings.begin(), stage->findings.end());
-    // What was drawn in other units is no part to plan.
-    const bool odd = std::ranges::any_of(findings, [](const plan::Finding& f) {
-      return f.kind == plan::FindingKind::TinyPart || f.kind == plan::FindingKind::HugePart;
-    });
-    return done(project::Stage::Load, findings, timings) && !odd;
+    return done(project::Stage::Load, findings, timings) && !hopeless;
+  }
+
+  // With the choices as they were given: in mode auto the platform may be the user's or not.
+  plan::Findings startFindings() {
+    const project::Choices& given = job().choices;
+    return taken<StartStage>(startKey(*placed_, given, *process_), "start",
+                             [&] {
+                               return startStage(*placed_, given, *process_,
+                                                 span(project::Stage::Load).quiet());
+                             })
+        ->findings;
   }
 
   modes::ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
@@ -162,19 +201,22 @@ private:
   // Most edits of a decomposition leave the voxels as they are.
   std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx) {
     return taken<modes::PartVoxels>(
-        fmt::format("{}voxels of {} mm\n", keys_[project::indexOf(project::Stage::Load)], voxelMm),
-        "voxels", [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
+        placedPartKey(*loaded_, *placed_, choices_) + base::keyText(voxelMm), "voxels",
+        [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
   }
 
   bool decompose() {
     decomposed_ = taken<modes::DecomposeStage>([&] {
-      modes::DecomposeInput in{
-          *placed_,
-          [&](double voxelMm, const base::RunContext& ctx) { return voxels(voxelMm, ctx); },
-          {}};
-      if (onPreview_)
+      modes::DecomposeInput in{*placed_, [&](double voxelMm, const base::RunContext& ctx) {
+                                 return voxels(voxelMm, ctx);
+                               }};
+      if (observers_.onPreview)
         in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
-          onPreview_(std::move(soFar), result_);
+          observers_.onPreview(std::move(soFar), result_);
+        };
+      if (trial_)
+        in.isRejected = [&](const plan::Findings& soFar) {
+          return reject(project::Stage::Decompose, soFar);
         };
       auto made = mode_.decompose(modeChoices(), in, span(project::Stage::Decompose));
       return given_ ? onlyGround(*made) : made;
@@ -229,7 +271,11 @@ private:
     report().toolpath = stage->report;
     for (const std::string& format : chosenFormats(choices_, *result_.cell))
       program::requireUpright(program::findDialect(format), stage->toolPlan->direction);
-    return done(project::Stage::Toolpath, stage->findings, stage->timings);
+    const bool goesOn = done(project::Stage::Toolpath, stage->findings, stage->timings);
+    if (goesOn && trial_ && !given_ && report().model.watertight)
+      if (const auto mass = massOutOfReach(*stage->toolPlan, job().printed(), *process_))
+        return !reject(project::Stage::Toolpath, {*mass});
+    return goesOn;
   }
 
   bool motion() {
@@ -246,7 +292,10 @@ private:
   // there was hardly room, and there motion mostly left something out itself: else it is let go.
   std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
     std::unique_ptr<PartMotion> moving = partMotion(ctx.sub(0, 0.05));
-    std::shared_ptr<const MotionStage> stage = moving->plan(ctx.sub(0.05, 1.0));
+    std::shared_ptr<const MotionStage> stage =
+        moving->plan(ctx.sub(0.05, 1.0), trial_ ? plan::kBlockingShare : 1.0);
+    if (!stage->trajectory && reject(project::Stage::Motion, stage->findings))
+      return stage;
     if (stage->report.unreachable + stage->report.collisions > 0)
       moving_ = std::move(moving);
     return stage;
@@ -287,12 +336,7 @@ private:
       for (const auto& checked : result_.checked)
         std::ranges::copy(metIn(*checked), std::back_inserter(found));
       const std::vector<std::size_t> met = avoided.next(*result_.job.toolPlan, found);
-      // Where only a plan that nothing blocks counts, what fails by other figures too is let go.
-      const bool hopeless =
-          untilBlocked_ && std::ranges::any_of(result_.checked, [this](const auto& checked) {
-            return decides(*checked) && checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
-          });
-      if (met.empty() || round == kRounds || hopeless || !moveWithout(met))
+      if (met.empty() || round == kRounds || isHopeless() || !moveWithout(met))
         break;
     }
     keepFresh();
@@ -305,9 +349,17 @@ private:
       told = told || first;
       tellProgram(*result_.checked[i], first, counts, report(), findings);
     }
+    if (isHopeless()) // there may be formats that were not written
+      reject(project::Stage::Replay, findings);
     done(project::Stage::Replay, findings, timings);
   }
 
+  // In a trial: a program fails by other figures than by what meets, which no other motion mends.
+  bool isHopeless() const {
+    return trial_ && std::ranges::any_of(result_.checked, [this](const auto& checked) {
+             return decides(*checked) && checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
+           });
+  }
   bool decides(const CheckedProgram& checked) const {
     return program::decidesOnPlan(checked.program.format, chosenFormats(choices_, *result_.cell),
                                   *result_.cell);
@@ -337,7 +389,7 @@ private:
     result_.checked.clear();
     replay::JudgedRuns judged;
     for (std::size_t i = 0; i < formats.size(); ++i) {
-      if (untilMet && i > 0 && !metIn(*result_.checked.back()).empty())
+      if (i > 0 && ((untilMet && !metIn(*result_.checked.back()).empty()) || isHopeless()))
         return;
       const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
       const auto make = [&] {
@@ -357,7 +409,7 @@ private:
 
   // Motion and programs together: what is kept belongs together, whenever a plan is cancelled.
   void keepFresh() {
-    if (!fresh_ || !cache_)
+    if (!fresh_ || !cache_ || isRejected()) // the programs are of the motion before
       return;
     cache_->keep<MotionStage>(keys_[project::indexOf(project::Stage::Motion)], motion_);
     for (const auto& checked : result_.checked)
@@ -366,13 +418,12 @@ private:
   }
 
   base::Stopwatch whole_;
-  bool untilBlocked_;
+  Trial* trial_; // null: a plan that goes on whatever blocks it
   const project::Choices choices_;
   project::Stage until_;
   const base::RunContext& ctx_;
   StageCache* cache_;
-  const StageObserver& onStage_;
-  const PreviewObserver& onPreview_;
+  const PlanObservers& observers_;
   base::ParameterValues values_;
   const modes::Mode& mode_;
   std::shared_ptr<const process::Process> process_;
@@ -390,10 +441,9 @@ private:
 
 } // namespace
 
-PlanResult planOneWay(const PlanRequest& request, bool untilBlocked, const base::RunContext& ctx,
-                      StageCache* cache, const StageObserver& onStage,
-                      const PreviewObserver& onPreview) {
-  return OneWay(request, untilBlocked, ctx, cache, onStage, onPreview).run();
+PlanResult planOneWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+                      const PlanObservers& observers, Trial* trial) {
+  return OneWay(request, ctx, cache, observers, trial).run();
 }
 
 } // namespace voluta::pipeline

@@ -94,17 +94,20 @@ void writeBuildFile(const PlanResult& result, const std::filesystem::path& folde
 }
 
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
-                  const base::RunContext& ctx) {
+                  const base::RunContext& ctx, const ProofStyle& proofStyle) {
   base::Stopwatch writing;
   ctx.report(0.0, "write files"_text);
+  Programs written;
   for (const auto& checked : result.checked)
     if (checked->passed || result.keepRefused)
-      writeProgram(*checked, folder, ctx);
+      written.push_back(checked);
+  for (const auto& checked : written)
+    writeProgram(*checked, folder, ctx);
   for (const plan::ProgramFile& file : pedestalFiles(result))
     base::writeFile(folder / file.name, file.text);
   const auto writeJob = [&] { project::writeJob(folder / "job.voluta", result.job); };
   if (result.proofs)
-    writeProofs(result, result.checked, folder, ctx, writeJob);
+    writeProofs(result, written, folder, ctx, proofStyle, writeJob);
   else
     writeJob();
   if (writesBuildFile(result))
@@ -146,13 +149,14 @@ std::vector<std::string> handoverNames(const PlanResult& result, const Programs&
 }
 
 void writeHandover(const PlanResult& result, const Programs& programs,
-                   const std::filesystem::path& folder, const base::RunContext& ctx) {
+                   const std::filesystem::path& folder, const base::RunContext& ctx,
+                   const ProofStyle& proofStyle) {
   for (const auto& checked : programs)
     writeProgram(*checked, folder, ctx);
   for (const plan::ProgramFile& file : pedestalFiles(result))
     base::writeFile(folder / file.name, file.text);
   if (result.proofs)
-    writeProofs(result, programs, folder, ctx);
+    writeProofs(result, programs, folder, ctx, proofStyle);
   if (writesBuildFile(result))
     writeBuildFile(result, folder, ctx);
   const auto isThere = [&](const std::string& format) {

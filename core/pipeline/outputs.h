@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "pipeline/proof_style.h"
 #include "pipeline/road.h"
 
 #include <filesystem>
@@ -26,7 +27,7 @@ void writeBuildFile(const PlanResult& result, const std::filesystem::path& folde
 // what every stage made. Fills in the report's timings.write and peakRssMb. Throws
 // Error{CannotWrite}.
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
-                  const base::RunContext& ctx);
+                  const base::RunContext& ctx, const ProofStyle& proofStyle = {});
 
 // Of a plan's programs those in these formats, refused ones only where `refusedToo`.
 using Programs = std::vector<std::shared_ptr<const CheckedProgram>>;
@@ -38,6 +39,7 @@ std::vector<std::string> handoverNames(const PlanResult& result, const Programs&
 // where they are asked for, the pedestal's files (pedestal.h) and report.json, which names no other
 // programs. Throws Error{CannotWrite}.
 void writeHandover(const PlanResult& result, const Programs& programs,
-                   const std::filesystem::path& folder, const base::RunContext& ctx);
+                   const std::filesystem::path& folder, const base::RunContext& ctx,
+                   const ProofStyle& proofStyle = {});
 
 } // namespace voluta::pipeline

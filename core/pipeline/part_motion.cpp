@@ -34,9 +34,10 @@ void PartMotion::layPart(const base::RunContext& ctx) {
 
 PartMotion::~PartMotion() = default;
 
-std::shared_ptr<const MotionStage> PartMotion::plan(const base::RunContext& ctx) {
+std::shared_ptr<const MotionStage> PartMotion::plan(const base::RunContext& ctx,
+                                                    double mostLeftOut) {
   if (planner_)
-    return stageOf(planner_->plan(ctx));
+    return stageOf(planner_->plan(ctx, mostLeftOut));
   auto stage = std::make_shared<MotionStage>();
   stage->report.robot = cell_.robot().id;
   stage->report.cell = cell_.id();
@@ -76,7 +77,8 @@ std::shared_ptr<const MotionStage> PartMotion::stageOf(motion::MotionResult move
   stage->timings.transfer = moved.times.transfer;
   stage->tooLarge = moved.tooLarge;
   stage->findings = std::move(moved.findings);
-  stage->trajectory = std::make_shared<plan::Trajectory>(std::move(moved.trajectory));
+  if (!moved.isGivenUp)
+    stage->trajectory = std::make_shared<plan::Trajectory>(std::move(moved.trajectory));
   return stage;
 }
 

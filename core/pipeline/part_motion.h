@@ -33,8 +33,9 @@ public:
              std::shared_ptr<const collision::GrowingPart> grown, const base::RunContext& ctx);
   ~PartMotion();
 
-  // Once. Throws Cancelled.
-  std::shared_ptr<const MotionStage> plan(const base::RunContext& ctx);
+  // Once. Gives up where more than `mostLeftOut` of the material cannot be printed: the stage has
+  // findings and no trajectory then. Throws Cancelled.
+  std::shared_ptr<const MotionStage> plan(const base::RunContext& ctx, double mostLeftOut = 1.0);
   // After plan: without these waypoints and those of earlier calls; only their paths are planned
   // again. Throws Cancelled.
   std::shared_ptr<const MotionStage> planWithout(const std::vector<std::size_t>& waypoints,

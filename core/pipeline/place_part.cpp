@@ -10,17 +10,18 @@
 #include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/open_part.h"
 #include "pipeline/part_size.h"
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
 #include "plan/finding_kinds.h"
 #include "robot/reachable_ball.h"
-#include "support/supports.h"
 #include "voxel/solid_voxels.h"
 #include "voxel/voxel_object.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace voluta::pipeline {
@@ -132,30 +133,32 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
                                : std::min(1.0, reachingScale(*loaded.mesh, unit, how,
                                                              fittingCell(choices, process), 1.0));
   };
+  OpenPart shape(loaded, values, process);
   const auto place = [&](const geometry::Placement& how) {
     stage->placement = how;
     stage->scale = scaleFor(how);
+    const double scale = stage->scale * unit;
     stage->part = std::make_shared<geometry::TriangleMesh>(
-        geometry::place(*loaded.mesh, stage->scale * unit, how));
+        geometry::place(*shape.mesh(scale, ctx), scale, how));
   };
   const std::optional<geometry::Placement> given =
       takesGivenPaths(loaded, values) && isUntouched(choices.placement) ? givenPlacement(loaded)
                                                                         : std::nullopt;
   place(given ? *given
               : placementByHandOrMode(*loaded.mesh, scaleFor(choices.placement) * unit, in));
+  stage->findings = shape.findings();
   if (values.text("orient") != "none") {
     TurnedPart turned = turnedPart(*stage->part, choices.placement, turnPlan(choices, values),
                                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),
                                    loaded.cells != nullptr, ctx);
     place(turned.placement);
-    stage->findings = std::move(turned.findings);
+    std::ranges::copy(turned.findings, std::back_inserter(stage->findings));
     stage->timings.decompose = turned.seconds;
   }
   if (loaded.cells)
     placeCells(loaded, stage->scale * unit, stage->placement, ctx, *stage);
   if (choices.platform.isOfCell())
-    stage->platform =
-        cellPlate(fittingCell(choices, process), *stage->part, support::supportsWanted(values));
+    stage->platform = cellPlate(fittingCell(choices, process), *stage->part, plateNeeds(values));
   stage->report.scale = stage->scale;
   stage->report.triangles = stage->part->triangles.size();
   stage->report.watertight = geometry::isWatertight(*stage->part);
@@ -186,6 +189,8 @@ std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
 
 plan::Findings remainingDefects(const project::LoadedPart& loaded) {
   plan::Findings findings;
+  if (loaded.open)
+    return findings; // loadStage() reports it
   for (const base::Message& defect : loaded.remains)
     findings.push_back(plan::makeFinding(plan::FindingKind::MeshDefect, {{"defect", defect}}));
   return findings;

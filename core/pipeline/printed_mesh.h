@@ -1,16 +1,19 @@
-// The part as it will be printed, for whoever wants to look at it: its outer beads as a mesh.
+// The part as it will be printed, as one solid.
 #pragma once
 
-#include "collision/growing_part.h"
+#include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
 #include "plan/tool_plan.h"
+#include "process/process.h"
 
 namespace voluta::pipeline {
 
-// A tube along each stretch of segments of which something is seen from outside, eight corners
-// around (of the area of the bead's section, process/bead_model.h), closed at both ends; waypoints
-// that lie within 0.15 mm of the line between others are left out. Tubes lie in one another where
-// beads do. Waste is none of it. `part` was grown from `plan`. mm.
-geometry::TriangleMesh outerBeads(const plan::ToolPlan& plan, const collision::GrowingPart& part);
+// The solid that the part's beads make together (build3mf/bead_cells.h): closed, without walls
+// inside where beads lie side by side, its volume the material's; supports and waste left out.
+// Pores of less than about two beads are filled. Steps of its cells are smoothed. About half a
+// layer fine, coarser for large parts. mm. Throws Error{UnusableInput}: beads without a section;
+// Cancelled.
+geometry::TriangleMesh printedSolid(const plan::ToolPlan& plan, const process::Process& process,
+                                    const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

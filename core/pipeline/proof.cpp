@@ -3,20 +3,22 @@
 #include "base/files.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
-#include "base/units.h"
 #include "collision/growing_part.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
+#include "modes/mode_table.h"
 #include "motion/margins.h"
 #include "motion/resume.h"
 #include "pipeline/printed_mesh.h"
 #include "pipeline/replay_stage.h"
-#include "voxel/column_parity.h"
+#include "project/version.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <ctime>
+#include <fmt/chrono.h>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace voluta::pipeline {
@@ -31,6 +33,7 @@ struct Measured {
   motion::MotionMargins margins;
   FillMap fill;
   std::string printed;
+  std::vector<page::Picture> pictures;
 };
 
 std::string printedName(const PlanResult& result) {
@@ -38,19 +41,101 @@ std::string printedName(const PlanResult& result) {
 }
 
 bool isProved(const CheckedProgram& program) {
-  return program.passed && !program.program.files.empty();
+  return !program.program.files.empty();
 }
 
-// The value with its place: `point` of the programs' own motion.
-ProofValue valueAt(double value, std::size_t point, const PlanResult& result,
-                   const Measured& measured, const CheckedProgram& checked) {
-  ProofValue at{value, {}, 0, measured.trajectory.timeS[point]};
-  const TextLine line = checked.pointLines[result.job.resumedAt + point];
-  if (line.line > 0 && line.file < checked.program.files.size()) {
-    at.file = checked.program.files[line.file].name;
-    at.line = line.line;
+// Local time, to the minute.
+std::string now() {
+  return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr)));
+}
+
+// Finds places of one program by points of the plan's motion and by positions on the part.
+class Places {
+public:
+  Places(const PlanResult& result, const CheckedProgram& checked)
+      : plan_(*result.job.toolPlan), whole_(*result.job.trajectory), cell_(*result.cell),
+        checked_(checked), resumedAt_(result.job.resumedAt) {}
+
+  // `point` of the programs' own motion.
+  ProofPlace ofPoint(std::size_t point) const { return at(resumedAt_ + point); }
+
+  // Of the waypoint nearest to it.
+  ProofPlace near(const std::optional<Eigen::Vector3d>& position) const {
+    if (!position)
+      return {};
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < plan_.waypointCount(); ++i)
+      if (const double far = (plan_.position[i] - *position).squaredNorm(); far < least) {
+        least = far;
+        nearest = i;
+      }
+    const auto point = std::ranges::find(whole_.waypoint, nearest);
+    ProofPlace place;
+    if (point != whole_.waypoint.end())
+      place = at(static_cast<std::size_t>(point - whole_.waypoint.begin()));
+    place.at = position;
+    return place;
   }
-  return at;
+
+private:
+  ProofPlace at(std::size_t point) const {
+    ProofPlace place;
+    const robot::JointVector joints =
+        Eigen::Map<const robot::JointVector>(whole_.at(point), whole_.dof);
+    place.at = cell_.work_T_tool(joints).translation();
+    place.layer = layerOf(point);
+    if (point < resumedAt_) // printed by an earlier program
+      return place;
+    place.atS = whole_.timeS[point] - whole_.timeS[resumedAt_];
+    const TextLine line = checked_.pointLines[point];
+    if (line.line > 0 && line.file < checked_.program.files.size()) {
+      place.file = writtenName(checked_, checked_.program.files[line.file]);
+      place.line = line.line;
+    }
+    return place;
+  }
+
+  // Of the bead that is laid there, or that was laid before.
+  int layerOf(std::size_t point) const {
+    for (std::size_t i = point + 1; i-- > 0;)
+      if (const std::size_t waypoint = whole_.waypoint[i]; waypoint != plan::kNoWaypoint) {
+        const auto path =
+            std::ranges::upper_bound(plan_.paths, waypoint, {}, &plan::ToolPath::first);
+        return path == plan_.paths.begin() ? 0 : std::prev(path)->layer + 1;
+      }
+    return 0;
+  }
+
+  const plan::ToolPlan& plan_;
+  const plan::Trajectory& whole_;
+  const robot::Cell& cell_;
+  const CheckedProgram& checked_;
+  std::size_t resumedAt_;
+};
+
+void putMargins(Proof& proof, const PlanResult& result, const Measured& measured,
+                const Places& places) {
+  const project::MotionReport& motion = result.job.report.motion;
+  const plan::Trajectory& t = measured.trajectory;
+  const auto closest = std::ranges::lower_bound(t.timeS, motion.minClearanceAtS) - t.timeS.begin();
+  proof.clearance = {
+      motion.minClearanceMm,
+      places.ofPoint(std::min(static_cast<std::size_t>(closest), t.pointCount() - 1))};
+  const int arm = result.cell->armDof();
+  for (std::size_t j = 0; j < measured.margins.joints.size(); ++j) {
+    const motion::LimitMargin& margin = measured.margins.joints[j];
+    const motion::SpeedUse& speed = measured.margins.speeds[j];
+    const int external = static_cast<int>(j) - arm;
+    const robot::JointKind kind = result.cell->limits()[j].kind;
+    proof.joints.push_back(
+        {external < 0 ? std::to_string(j + 1)
+                      : result.cell->externalAxes()[static_cast<std::size_t>(external)].name,
+         kind == robot::JointKind::Sliding,
+         {robot::shownValue(kind, margin.rad), places.ofPoint(margin.point)},
+         {speed.share, places.ofPoint(speed.point)}});
+  }
+  proof.isotropy = {measured.margins.isotropy, places.ofPoint(measured.margins.isotropyPoint)};
 }
 
 Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Measured& measured) {
@@ -58,39 +143,65 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.part = result.job.partName;
   proof.format = checked.program.format;
   proof.foreign = checked.program.foreign;
+  proof.rest = result.job.resumedAt > 0;
   proof.printed = measured.printed;
   for (const plan::ProgramFile& file : checked.program.files)
-    proof.files.push_back({file.name, base::sha256(file.text), file.text.size()});
+    proof.files.push_back({writtenName(checked, file), base::sha256(file.text), file.text.size()});
+  proof.date = now();
+  proof.version = project::kVersion;
+  proof.robot = result.cell->robot().label;
+  proof.cell = result.cell->label();
+  proof.mode = modes::findMode(result.job.choices.mode).label;
+  proof.process = *result.process;
+  proof.sizeMm = geometry::bounds(result.job.printed()).sizes();
+  proof.layers = result.job.report.layers.count;
   proof.verdict = checked.verdict;
-  const project::MotionReport& motion = result.job.report.motion;
-  proof.plannedS = motion.durationS;
+  proof.deviations = checked.deviations;
+  proof.plannedS = result.job.report.motion.durationS;
   proof.programS = checked.verdict.controllerDurationS;
-  const plan::Trajectory& t = measured.trajectory;
-  proof.materialMm3 = t.extrudedMm3.back();
-  const auto closest = std::lower_bound(t.timeS.begin(), t.timeS.end(), motion.minClearanceAtS);
-  proof.clearance =
-      valueAt(motion.minClearanceMm,
-              std::min(static_cast<std::size_t>(closest - t.timeS.begin()), t.pointCount() - 1),
-              result, measured, checked);
-  const int arm = result.cell->armDof();
-  for (std::size_t j = 0; j < measured.margins.joints.size(); ++j) {
-    const motion::LimitMargin& margin = measured.margins.joints[j];
-    const int external = static_cast<int>(j) - arm;
-    const robot::JointKind kind = result.cell->limits()[j].kind;
-    proof.joints.push_back(
-        {external < 0 ? std::to_string(j + 1)
-                      : result.cell->externalAxes()[static_cast<std::size_t>(external)].name,
-         kind == robot::JointKind::Sliding,
-         valueAt(robot::shownValue(kind, margin.rad), margin.point, result, measured, checked)});
-  }
-  proof.isotropy =
-      valueAt(measured.margins.isotropy, measured.margins.isotropyPoint, result, measured, checked);
+  proof.materialMm3 = measured.trajectory.extrudedMm3.back();
+  const Places places(result, checked);
+  putMargins(proof, result, measured, places);
+  proof.gap = places.near(checked.worst.gap);
+  proof.overfill = places.near(checked.worst.overfill);
+  proof.unsupported = places.near(checked.worst.unsupported);
+  proof.halfCarried = places.near(checked.worst.halfCarried);
+  proof.longestUnsupported = places.near(checked.worst.longestUnsupported);
+  proof.deviation = places.near(checked.worst.deviation);
+  proof.flowError = places.near(checked.worst.flowError);
   proof.fill = measured.fill;
   return proof;
 }
 
-Json placeJson(const ProofValue& value, const char* key) {
-  return Json{{key, value.value}, {"file", value.file}, {"line", value.line}, {"atS", value.atS}};
+Json placeJson(const ProofPlace& place) {
+  Json json{{"file", place.file}, {"line", place.line}, {"atS", place.atS}};
+  if (place.at)
+    json["atMm"] = {place.at->x(), place.at->y(), place.at->z()};
+  if (place.layer > 0)
+    json["layer"] = place.layer;
+  return json;
+}
+
+Json valueJson(const ProofValue& value, const char* key) {
+  Json json{{key, value.value}};
+  json.update(placeJson(value.place));
+  return json;
+}
+
+Json replayJson(const Proof& proof) {
+  const project::ReplayReport& v = proof.verdict;
+  return Json{{"passed", v.passed},
+              {"coveredFraction", v.coveredFraction},
+              {"unsupportedFraction", v.unsupportedFraction},
+              {"halfCarriedFraction", v.halfCarriedFraction},
+              {"longestUnsupportedMm", v.longestUnsupportedMm},
+              {"overfillFraction", v.overfillFraction},
+              {"massRatio", v.massRatio},
+              {"collisions", v.collisions},
+              {"limitViolations", v.limitViolations},
+              {"maxDeviationMm", v.maxDeviationMm},
+              {"flowErrorFraction", v.flowErrorFraction},
+              {"textDeviations", proof.deviations}};
 }
 
 // Where the shares stand in the text: in one line, not in thousands.
@@ -117,82 +228,72 @@ std::string filledJson(const FillMap& fill) {
   return filled.dump();
 }
 
-} // namespace
-
-FillMap fillMap(const geometry::TriangleMesh& part, const collision::GrowingPart& growing,
-                const base::RunContext& ctx) {
-  constexpr double kAcross = 40.0;
-  const Eigen::AlignedBox3d box = geometry::bounds(part);
-  voxel::VoxelGrid grid;
-  grid.pitch = growing.grid().pitch;
-  const Eigen::Vector3i shift =
-      ((box.min() - growing.grid().origin) / grid.pitch).array().floor().cast<int>();
-  grid.origin = growing.grid().origin + grid.pitch * shift.cast<double>();
-  grid.size = ((box.max() - grid.origin) / grid.pitch).array().ceil().cast<int>().max(1);
-  std::vector<std::uint8_t> inside(grid.cellCount(), 0);
-  if (const geometry::TriangleMesh caps = voxel::capsOf(part); caps.triangles.empty())
-    voxel::fillClosed(part, grid, inside, ctx);
-  else
-    voxel::fillOpen(part, caps, grid, inside, ctx);
-
-  FillMap map;
-  const int times =
-      std::max(1, static_cast<int>(std::ceil(box.sizes().maxCoeff() / kAcross / grid.pitch)));
-  map.cellMm = times * grid.pitch;
-  map.origin = grid.origin;
-  map.size = (grid.size.array() + times - 1) / times;
-  const voxel::VoxelGrid cubes{map.origin, map.cellMm, map.size};
-  std::vector<double> there(cubes.cellCount(), 0.0), filled(there);
-  for (std::size_t c = 0; c < inside.size(); ++c) {
-    if (inside[c] == 0)
-      continue;
-    const Eigen::Vector3i cell = grid.cell(c);
-    const std::size_t cube = cubes.index(cell.x() / times, cell.y() / times, cell.z() / times);
-    there[cube] += 1.0;
-    const Eigen::Vector3i bead = cell + shift;
-    if (growing.grid().contains(bead.x(), bead.y(), bead.z()) &&
-        growing.filledAt(growing.grid().index(bead.x(), bead.y(), bead.z())) !=
-            collision::GrowingPart::kNeverFilled)
-      filled[cube] += 1.0;
-  }
-  for (std::size_t c = 0; c < there.size(); ++c)
-    map.filled.push_back(there[c] > 0.0 ? filled[c] / there[c] : -1.0);
-  return map;
+std::vector<page::Picture> picturesOf(const project::Job& job, const ProofStyle& style) {
+  if (!style.pictures)
+    return {};
+  const base::Text captions[] = {"the part"_text, "the part as printed, every bead laid"_text};
+  std::vector<page::Picture> pictures;
+  for (std::string& png : style.pictures(job))
+    if (pictures.size() < std::size(captions))
+      pictures.push_back({std::move(png), style.language->sentence(captions[pictures.size()], {})});
+  return pictures;
 }
 
+void writeProof(const Proof& proof, const std::vector<page::Picture>& pictures,
+                const std::filesystem::path& file, const ProofStyle& style) {
+  page::Sheet sheet = proofSheet(proof, *style.language);
+  sheet.language = style.languageCode;
+  sheet.pictures = pictures;
+  base::writeFile(file.string() + ".json", proofJson(proof));
+  base::writeFile(file.string() + ".html", page::html(sheet));
+  base::writeFile(file.string() + ".pdf", page::pdf(sheet));
+}
+
+} // namespace
+
 std::string proofName(const CheckedProgram& program) {
-  return program.program.files.front().name + ".proof";
+  return writtenName(program, program.program.files.front()) + ".proof";
 }
 
 std::string proofJson(const Proof& proof) {
-  Json files = Json::array(), joints = Json::array();
+  Json files = Json::array(), joints = Json::array(), speeds = Json::array();
   for (const Proof::File& file : proof.files)
     files.push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   for (const Proof::Joint& joint : proof.joints) {
-    Json row = placeJson(joint.margin, joint.slides ? "marginMm" : "marginDeg");
+    Json row = valueJson(joint.margin, joint.slides ? "marginMm" : "marginDeg");
     row["joint"] = joint.name;
     joints.push_back(std::move(row));
+    Json speed = valueJson(joint.speed, "shareOfLimit");
+    speed["joint"] = joint.name;
+    speeds.push_back(std::move(speed));
   }
-  const project::ReplayReport& v = proof.verdict;
   std::string text = Json{
       {"part", proof.part},
       {"format", proof.format},
       {"foreign", proof.foreign},
+      {"date", proof.date},
+      {"voluta", proof.version},
+      {"robot", proof.robot},
+      {"cell", proof.cell},
+      {"process", proof.process.id},
       {"files", std::move(files)},
       {"durationS", {{"planned", proof.plannedS}, {"program", proof.programS}}},
+      {"material", proof.process.material},
       {"materialMm3", proof.materialMm3},
-      {"replay",
-       {{"passed", v.passed},
-        {"coveredFraction", v.coveredFraction},
-        {"unsupportedFraction", v.unsupportedFraction},
-        {"overfillFraction", v.overfillFraction},
-        {"massRatio", v.massRatio},
-        {"collisions", v.collisions},
-        {"limitViolations", v.limitViolations},
-        {"maxDeviationMm", v.maxDeviationMm}}},
-      {"leastClearance", placeJson(proof.clearance, "mm")},
+      {"massG", proof.massG()},
+      {"replay", replayJson(proof)},
+      {"worst",
+       {{"coveredFraction", placeJson(proof.gap)},
+        {"overfillFraction", placeJson(proof.overfill)},
+        {"unsupportedFraction", placeJson(proof.unsupported)},
+        {"halfCarriedFraction", placeJson(proof.halfCarried)},
+        {"longestUnsupportedMm", placeJson(proof.longestUnsupported)},
+        {"maxDeviationMm", placeJson(proof.deviation)},
+        {"flowErrorFraction", placeJson(proof.flowError)}}},
+      {"leastClearance", valueJson(proof.clearance, "mm")},
       {"jointLimits", std::move(joints)},
-      {"singularity", placeJson(proof.isotropy, "isotropy")},
+      {"jointSpeeds", std::move(speeds)},
+      {"singularity", valueJson(proof.isotropy, "isotropy")},
       {"fillMap", fillJson(proof.fill)},
       {"printedMesh",
        proof.printed}}.dump(1, ' ', false, Json::error_handler_t::replace);
@@ -203,10 +304,9 @@ std::string proofJson(const Proof& proof) {
 std::vector<std::string> proofNames(const PlanResult& result, const Programs& programs) {
   std::vector<std::string> names;
   for (const auto& checked : programs)
-    if (isProved(*checked)) {
-      names.push_back(proofName(*checked) + ".html");
-      names.push_back(proofName(*checked) + ".json");
-    }
+    if (isProved(*checked))
+      for (const char* ending : {".html", ".pdf", ".json"})
+        names.push_back(proofName(*checked) + ending);
   if (!names.empty())
     names.push_back(printedName(result));
   return names;
@@ -214,7 +314,7 @@ std::vector<std::string> proofNames(const PlanResult& result, const Programs& pr
 
 void writeProofs(const PlanResult& result, const Programs& programs,
                  const std::filesystem::path& folder, const base::RunContext& ctx,
-                 const std::function<void()>& meanwhile) {
+                 const ProofStyle& style, const std::function<void()>& meanwhile) {
   if (proofNames(result, programs).empty() || !result.job.trajectory || !result.cell)
     return meanwhile();
   const plan::ToolPlan& plan = *result.job.toolPlan;
@@ -226,18 +326,18 @@ void writeProofs(const PlanResult& result, const Programs& programs,
   sideBySide(ctx,
              {[&] { measured.margins = motion::marginsOf(measured.trajectory, *result.cell, ctx); },
               [&] { measured.fill = fillMap(result.job.printed(), growing, ctx); },
+              [&] { measured.pictures = picturesOf(result.job, style); },
               [&] {
                 base::writeFile(folder / measured.printed,
-                                geometry::writeStl(outerBeads(plan, growing)));
+                                geometry::writeStl(printedSolid(plan, *result.process, ctx)));
               },
               meanwhile});
   std::vector<std::function<void()>> proofs;
   for (const auto& checked : programs)
     if (isProved(*checked))
       proofs.push_back([&] {
-        const Proof proof = proofOf(*checked, result, measured);
-        base::writeFile(folder / (proofName(*checked) + ".json"), proofJson(proof));
-        base::writeFile(folder / (proofName(*checked) + ".html"), proofPage(proof));
+        writeProof(proofOf(*checked, result, measured), measured.pictures,
+                   folder / proofName(*checked), style);
       });
   sideBySide(ctx, proofs);
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "geometry/triangle_mesh.h"
+#include "page/sheet.h"
+#include "pipeline/fill_map.h"
 #include "pipeline/outputs.h"
+#include "pipeline/proof_style.h"
 #include "pipeline/road.h"
 #include "pipeline/stages.h"
 
@@ -14,37 +16,39 @@
 #include <string>
 #include <vector>
 
-namespace voluta::collision {
-class GrowingPart;
-}
-
 namespace voluta::pipeline {
 
-// A value at its worst, and where in the program that is.
-struct ProofValue {
-  double value = 0.0;
-  std::string file; // empty: in none
+// A place on the part and in the program. What is not known is empty, 0 or below 0.
+struct ProofPlace {
+  std::optional<Eigen::Vector3d> at; // of the nozzle's tip, work frame, mm
+  int layer = 0;                     // from 1
+  double atS = -1.0;                 // from the program's start
+  std::string file;
   std::size_t line = 0;
-  double atS = 0.0; // from the program's start
 };
 
-// Of cubes `cellMm` wide: what share of the part in them is filled with beads; below 0: no part.
-struct FillMap {
-  double cellMm = 0.0;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); // work frame
-  Eigen::Vector3i size = Eigen::Vector3i::Zero();
-  std::vector<double> filled; // x runs fastest
+// A value at its worst.
+struct ProofValue {
+  double value = 0.0;
+  ProofPlace place;
 };
 
 struct Proof {
-  std::string part, format, printed; // printed: file of the mesh
-  bool foreign = false;
+  std::string part, format, printed;  // printed: file of the mesh
+  bool foreign = false, rest = false; // rest: of a print that was stopped
   struct File {
     std::string name, sha256;
     std::size_t bytes = 0;
   };
   std::vector<File> files;
+  std::string date, version; // local time; Voluta's
+  std::string robot, cell;
+  base::Text mode;
+  process::Process process;
+  Eigen::Vector3d sizeMm = Eigen::Vector3d::Zero();
+  int layers = 0;
   project::ReplayReport verdict;
+  std::size_t deviations = 0;            // places where the text is not what was planned
   double plannedS = 0.0, programS = 0.0; // how long: by the plan, and as the program is run
   double materialMm3 = 0.0;
   ProofValue clearance; // of arm, plate and part, mm; the head's to plate and part left out
@@ -52,29 +56,29 @@ struct Proof {
     std::string name;
     bool slides = false; // then mm, else degrees
     ProofValue margin;   // to the nearer limit
+    ProofValue speed;    // share of its limit, at most
   };
   std::vector<Joint> joints;
   ProofValue isotropy; // motion/margins.h; 0: singular
+  // Where the replay's figures are at their worst (replay/worst_places.h).
+  ProofPlace gap, overfill, unsupported, halfCarried, longestUnsupported, deviation, flowError;
   FillMap fill;
+
+  double massG() const { return 1e-3 * materialMm3 * process.densityGPerCm3; }
 };
 
-// Of what of the part lies in each cube, by the cells of `growing`; cubes are a fortieth of the
-// part's longest side wide, or a cell. Throws Cancelled.
-FillMap fillMap(const geometry::TriangleMesh& part, const collision::GrowingPart& growing,
-                const base::RunContext& ctx);
-
-// NAME of a program's first file.
+// NAME of a program's first file, as it is written.
 std::string proofName(const CheckedProgram& program);
 std::string proofJson(const Proof& proof);
-// A page that stands alone, in English.
-std::string proofPage(const Proof& proof);
+// The sheet without its pictures.
+page::Sheet proofSheet(const Proof& proof, const base::Language& language);
 
-// NAME.proof.html and NAME.proof.json for each of the programs that passed, and PART.printed.stl.
-// `meanwhile` is called as well, side by side with what takes longest. Throws Error{CannotWrite};
-// Cancelled.
+// NAME.proof.html, .pdf and .json for each of the programs, and PART.printed.stl. `meanwhile` is
+// called as well, side by side with what takes longest. Throws Error{CannotWrite}; Cancelled.
 void writeProofs(
     const PlanResult& result, const Programs& programs, const std::filesystem::path& folder,
-    const base::RunContext& ctx, const std::function<void()>& meanwhile = [] {});
+    const base::RunContext& ctx, const ProofStyle& style = {},
+    const std::function<void()>& meanwhile = [] {});
 std::vector<std::string> proofNames(const PlanResult& result, const Programs& programs);
 
 } // namespace voluta::pipeline

@@ -1,15 +1,17 @@
 #include "pipeline/remedies.h"
 
+#include "base/outcome.h"
 #include "base/parameters.h"
 #include "modes/mode_table.h"
+#include "pipeline/automatic.h"
 #include "pipeline/choices.h"
-#include "pipeline/road.h"
+#include "pipeline/larger_cell.h"
 #include "plan/finding_kinds.h"
 #include "project/turn_text.h"
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
+#include <cmath>
 
 namespace voluta::pipeline {
 
@@ -17,22 +19,40 @@ namespace {
 
 constexpr double kRoomMm = 20.0;
 
+using Edited = std::optional<project::Choices>;
+
+// In mode auto any of its ways may take a parameter.
+bool takes(const project::Choices& choices, const std::string& key) {
+  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  return choices.automatic || (mode && modes::takesParameter(*mode, key));
+}
+
 // None where the value is what it is already, or no stage knows the parameter.
 std::optional<project::Choices> withParameter(const project::Choices& choices,
                                               const std::string& key, const std::string& value) {
-  const base::ParameterTable table = parametersOf(choices.mode);
+  const base::ParameterTable table = parametersOf(choices);
   const base::ParameterSpec* spec = table.find(key);
-  if (!spec)
+  if (!spec || !takes(choices, key))
     return std::nullopt;
-  const auto chosen = choices.parameters.find(key);
-  const std::string now = chosen == choices.parameters.end()
-                              ? base::formatParameter(spec->defaultValue)
-                              : chosen->second;
+  // In mode auto the way that was taken has values of its own.
+  const std::map<std::string, std::string> taken = byHand(choices).parameters;
+  const auto chosen = taken.find(key);
+  const std::string now =
+      chosen == taken.end() ? base::formatParameter(spec->defaultValue) : chosen->second;
   if (now == value)
     return std::nullopt;
   project::Choices changed = choices;
   changed.parameters[key] = value;
   return changed;
+}
+
+std::optional<project::Choices> thickenSurface(const plan::Finding&,
+                                               const project::Choices& choices) {
+  return withParameter(choices, "openSurfaces", "thicken");
+}
+
+std::optional<project::Choices> closeRims(const plan::Finding&, const project::Choices& choices) {
+  return withParameter(choices, "openSurfaces", "close");
 }
 
 std::optional<project::Choices> addSupports(const plan::Finding&, const project::Choices& choices) {
@@ -44,15 +64,105 @@ std::optional<project::Choices> turnLeastRisky(const plan::Finding&,
   return withParameter(choices, "orient", "leastRisky");
 }
 
+// The value times `factor` within the parameter's range and `limit`; none where it is there
+// already.
+Edited withMultiple(const project::Choices& choices, const std::string& key, double factor,
+                    double limit) {
+  const base::ParameterValues values = parameterValues(choices);
+  const base::ParameterSpec* spec = values.table().find(key);
+  const bool whole = spec->type == base::ParameterType::Integer;
+  const double now = whole ? static_cast<double>(values.integer(key)) : values.number(key);
+  const double wanted = factor > 1.0 ? std::min({now * factor, limit, spec->maximum})
+                                     : std::max({now * factor, limit, spec->minimum});
+  if (factor > 1.0 ? wanted <= now : wanted >= now)
+    return std::nullopt;
+  return withParameter(choices, key,
+                       whole ? base::formatParameter(static_cast<long long>(wanted))
+                             : base::formatParameter(wanted));
+}
+
+Edited moreTurns(const plan::Finding&, const project::Choices& choices) {
+  constexpr double kMost = 72.0;
+  return withMultiple(choices, "redundancySamples", 2.0, kMost);
+}
+
+constexpr double kLeastClearanceMm = 0.5, kMostClearanceMm = 20.0;
+
+// Of the arm and of the part; none where neither changes.
+Edited withClearances(const project::Choices& choices, double factor, double limit) {
+  const Edited arm = withMultiple(choices, "bodyClearanceMm", factor, limit);
+  const Edited part = withMultiple(arm ? *arm : choices, "partClearanceMm", factor, limit);
+  return part ? part : arm;
+}
+
+Edited lessClearance(const plan::Finding&, const project::Choices& choices) {
+  return withClearances(choices, 0.5, kLeastClearanceMm);
+}
+
+Edited moreClearance(const plan::Finding&, const project::Choices& choices) {
+  return withClearances(choices, 2.0, kMostClearanceMm);
+}
+
+// Half as high, as far as the process goes.
+Edited lowerLayers(const plan::Finding&, const project::Choices& choices) {
+  const process::Process p = chosenProcess(choices, parameterValues(choices));
+  const double wanted = std::max(0.5 * p.layerHeightMm, p.layerHeightMinMm);
+  if (wanted >= p.layerHeightMm)
+    return std::nullopt;
+  return withParameter(choices, "layerHeightMm", base::formatParameter(wanted));
+}
+
+// Waypoints are as far apart as the process says, unless the user says otherwise.
+Edited withSteps(const project::Choices& choices, double factor, double limit) {
+  const double now = chosenProcess(choices, parameterValues(choices)).stepMm;
+  const double wanted =
+      factor > 1.0 ? std::min(now * factor, limit) : std::max(now * factor, limit);
+  if (factor > 1.0 ? wanted <= now : wanted >= now)
+    return std::nullopt;
+  return withParameter(choices, "stepMm", base::formatParameter(wanted));
+}
+
+Edited longerMotions(const plan::Finding&, const project::Choices& choices) {
+  constexpr double kLongestMm = 4.0;
+  return withSteps(choices, 2.0, kLongestMm);
+}
+
+Edited shorterMotions(const plan::Finding&, const project::Choices& choices) {
+  constexpr double kShortestMm = 0.25;
+  return withSteps(choices, 0.5, kShortestMm);
+}
+
+// In mode auto too it is then the user's. None where it is that already, or the mode builds on
+// other things than plates.
+Edited withPlatform(const project::Choices& choices, const project::Platform& platform) {
+  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  if (!mode || !platform.isForAnyOf(mode->platforms) || choices.platform.isBody() ||
+      choices.platform == platform)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.platform = platform;
+  changed.platformStays = choices.automatic;
+  return changed;
+}
+
 // Room for supports beside the part.
 std::optional<project::Choices> widenPlatform(const plan::Finding&,
                                               const project::Choices& choices) {
   const std::optional<double> margin = choices.platform.marginMm();
   if (!margin || *margin >= kRoomMm)
     return std::nullopt;
-  project::Choices changed = choices;
-  changed.platform = choices.platform.withMarginMm(kRoomMm);
-  return changed;
+  return withPlatform(choices, choices.platform.withMarginMm(kRoomMm));
+}
+
+// One with room for supports, on a stem of its own.
+Edited makePlatform(const plan::Finding&, const project::Choices& choices) {
+  return choices.platform.marginMm()
+             ? std::nullopt
+             : withPlatform(choices, project::Platform::madeForPart(kRoomMm));
+}
+
+Edited cellPlate(const plan::Finding&, const project::Choices& choices) {
+  return withPlatform(choices, project::Platform("cell"));
 }
 
 // The parameter is for layers that are planes.
@@ -71,11 +181,7 @@ std::optional<project::Choices> turnPart(const plan::Finding&, const project::Ch
 // Voxels are shadowed by a front that spans the platform: the least one is the contact area.
 std::optional<project::Choices> shrinkPlatform(const plan::Finding&,
                                                const project::Choices& choices) {
-  project::Choices changed = choices;
-  changed.platform = project::Platform::madeForPart(0.0);
-  if (changed.platform == choices.platform)
-    return std::nullopt;
-  return changed;
+  return withPlatform(choices, project::Platform::madeForPart(0.0));
 }
 
 // "0.35 mm" is a value's number, in its own unit.
@@ -129,7 +235,7 @@ std::optional<project::Choices> scaleAsTold(const plan::Finding& finding,
   return changed.scale == choices.scale ? std::nullopt : std::optional(changed);
 }
 
-// The widest bead that is narrow enough: finer ones take longer.
+// The widest bead that is narrow enough, or narrower than now: finer ones take longer.
 std::optional<project::Choices> finerProcess(const plan::Finding& finding,
                                              const project::Choices& choices) {
   const std::optional<double> usual = numberOf(finding, "usual");
@@ -137,7 +243,7 @@ std::optional<project::Choices> finerProcess(const plan::Finding& finding,
   const double now = process::loadProcess(choices.process).beadWidthMinMm;
   for (const std::string& id : process::processIds()) {
     process::Process p = process::loadProcess(id);
-    if (usual && p.beadWidthMinMm <= *usual && p.beadWidthMinMm < now &&
+    if ((!usual || p.beadWidthMinMm <= *usual) && p.beadWidthMinMm < now &&
         (!best || p.beadWidthMinMm > best->beadWidthMinMm))
       best = std::move(p);
   }
@@ -174,6 +280,56 @@ std::optional<project::Choices> scaleToFit(const plan::Finding&, const project::
   return changed;
 }
 
+// None where the size is not the user's own number.
+Edited scaledBy(const project::Choices& choices, double factor) {
+  const double scale = project::parsedScale(choices.scale);
+  constexpr double kRound = 1e4;
+  const double wanted = std::round(scale * factor * kRound) / kRound;
+  if (wanted <= 0.0)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.scale = base::formatParameter(wanted);
+  return changed;
+}
+
+Edited shrink(const plan::Finding&, const project::Choices& choices) {
+  return scaledBy(choices, 0.8);
+}
+
+Edited enlarge(const plan::Finding&, const project::Choices& choices) {
+  return scaledBy(choices, 1.5);
+}
+
+Edited usualProcess(const plan::Finding&, const project::Choices& choices) {
+  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  if (!mode || mode->usual.process == choices.process)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.process = mode->usual.process;
+  return changed;
+}
+
+Edited withCell(const project::Choices& choices, const std::string& cell) {
+  if (cell == choices.cell)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.cell = cell;
+  return changed;
+}
+
+Edited usualCell(const plan::Finding&, const project::Choices& choices) {
+  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  return mode ? withCell(choices, mode->usual.cell) : std::nullopt;
+}
+
+// Where the finding says how large a foot is to be carried, one that carries it.
+Edited largerCell(const plan::Finding& finding, const project::Choices& choices) {
+  const Eigen::Vector2d foot(numberOf(finding, "length").value_or(0.0),
+                             numberOf(finding, "width").value_or(0.0));
+  const std::optional<std::string> larger = cellWithLargerPlate(choices, foot);
+  return larger ? withCell(choices, *larger) : std::nullopt;
+}
+
 std::optional<project::Choices> centrePart(const plan::Finding&, const project::Choices& choices) {
   if (choices.placement.centreMm == Eigen::Vector2d::Zero())
     return std::nullopt;
@@ -183,19 +339,41 @@ std::optional<project::Choices> centrePart(const plan::Finding&, const project::
 }
 
 std::optional<project::Choices> printFlat(const plan::Finding&, const project::Choices& choices) {
-  if (choices.mode == "flat")
+  const modes::Mode& flat = modes::findMode("flat");
+  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  if (choices.mode == flat.id || !mode || mode->aroundRod ||
+      !choices.platform.isForAnyOf(flat.platforms))
     return std::nullopt;
   project::Choices changed = choices;
-  changed.mode = "flat";
-  changed.automatic = false;
+  changed.mode = flat.id;
+  changed.automatic = changed.platformStays = false;
+  if (choices.automatic) // as its way does
+    changed.parameters.try_emplace("supports", "auto");
   return changed;
 }
 
 std::optional<project::Choices> chooseWay(const plan::Finding&, const project::Choices& choices) {
-  if (choices.automatic)
+  if (choices.automatic || !choices.platform.isFor(project::PlatformUse::Plate))
     return std::nullopt;
   project::Choices changed = choices;
   changed.automatic = true;
+  return changed;
+}
+
+// From what mode auto does not try, on a rod or a body, to the plate of a usual cell.
+Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
+  if (std::ranges::any_of(automaticWays(),
+                          [&](const AutomaticWay& way) { return way.mode == choices.mode; }))
+    return std::nullopt;
+  const modes::Companions usual = modes::usualOnPlate();
+  project::Choices changed = choices;
+  changed.automatic = true;
+  changed.platformStays = false;
+  changed.mode = project::Choices().mode;
+  changed.cell = usual.cell;
+  changed.process = usual.process;
+  changed.platform = project::Platform("cell");
+  changed.placement = {};
   return changed;
 }
 
@@ -204,16 +382,37 @@ std::optional<project::Choices> chooseWay(const plan::Finding&, const project::C
 std::span<const Remedy> remedies() {
   using enum plan::RemedyId;
   static constexpr auto kRemedies = std::to_array<Remedy>(
-      {{DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowest point on the plate"_text,
+      {{ThickenSurface, "thickenSurface", "Thicken to a wall"_text,
+        "Two beads wide, half of it on either side of the surface"_text, thickenSurface},
+       {CloseRims, "closeRims", "Close the rims"_text,
+        "Flat patches over the rims: the part becomes solid"_text, closeRims},
+       {DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowest point on the plate"_text,
         dropToPlate},
        {ShrinkPlatform, "shrinkPlatform", "Shrink platform"_text,
         "To the area that the part stands on: the front spans less"_text, shrinkPlatform},
+       {MakePlatform, "makePlatform", "Make a platform for the part"_text,
+        "As wide as the part's foot and 20 mm more, on a stem of its own"_text, makePlatform},
+       {CellPlate, "cellPlate", "Use the cell's plate"_text,
+        "The smallest of the cell's plates that carries the part"_text, cellPlate},
        {AddSupports, "addSupports", "Add supports"_text,
         "Thin columns that break off, as few as can be"_text, addSupports},
        {WidenPlatform, "widenPlatform", "Widen the platform"_text,
         "By 20 mm all round, so that supports have something to stand on"_text, widenPlatform},
        {AdaptLayers, "adaptLayers", "Adapt the layers"_text,
         "Lower ones where the surface leans: steps leave less of it empty"_text, adaptLayers},
+       {LowerLayers, "lowerLayers", "Print lower layers"_text,
+        "Half as high, as far as the process goes"_text, lowerLayers},
+       {MoreTurns, "moreTurns", "Try more turns"_text,
+        "Twice as many turns about the nozzle at each place; planning takes longer"_text,
+        moreTurns},
+       {LessClearance, "lessClearance", "Allow less clearance"_text,
+        "Half the distance that the arm keeps from itself and from the part"_text, lessClearance},
+       {MoreClearance, "moreClearance", "Keep more clearance"_text,
+        "Twice the distance that the arm keeps from itself and from the part"_text, moreClearance},
+       {ShorterMotions, "shorterMotions", "Use shorter motions"_text,
+        "Waypoints half as far apart; the program gets longer"_text, shorterMotions},
+       {LongerMotions, "longerMotions", "Use longer motions"_text,
+        "Waypoints twice as far apart"_text, longerMotions},
        {TurnLeastRisky, "turnLeastRisky", "Turn the part"_text,
         "Searches the way to lie in which least area needs support"_text, turnLeastRisky},
        {TurnPart, "turnPart", "Turn the part"_text,
@@ -230,6 +429,10 @@ std::span<const Remedy> remedies() {
         scaleToFit},
        {ScaleToReach, "scaleToReach", "Print at scale {scale}"_text,
         "As large as the robot gets to all of it"_text, scaleAsTold},
+       {ScaleToPlate, "scaleToPlate", "Print at scale {scale}"_text,
+        "As large as the cell's largest plate carries"_text, scaleAsTold},
+       {Shrink, "shrink", "Print it smaller"_text, "A fifth smaller than now"_text, shrink},
+       {Enlarge, "enlarge", "Print it larger"_text, "Half as large again"_text, enlarge},
        {UnitsMetres, "unitsMetres", "It is in metres"_text, "A thousand times as large"_text,
         unitsMetres},
        {UnitsInches, "unitsInches", "It is in inches"_text, "25.4 times as large"_text,
@@ -238,11 +441,19 @@ std::span<const Remedy> remedies() {
         "A thousandth of the size"_text, unitsMicrometres},
        {CentrePart, "centrePart", "Centre the part"_text,
         "Over the middle of the platform's place"_text, centrePart},
+       {UsualProcess, "usualProcess", "Use the usual process"_text,
+        "Nozzle, head and material that this way of building comes with"_text, usualProcess},
+       {UsualCell, "usualCell", "Use the usual cell"_text,
+        "Robot and plate that this way of building comes with"_text, usualCell},
+       {LargerCell, "largerCell", "Use a larger cell"_text, "The next one with a larger plate"_text,
+        largerCell},
        {PrintFlat, "printFlat", "Print in flat layers"_text,
         "As an ordinary printer does, the nozzle upright throughout"_text, printFlat},
        {ChooseWay, "chooseWay", "Let Voluta choose"_text,
         "Tries the ways of building one after the other, until nothing hangs or is missed"_text,
-        chooseWay}});
+        chooseWay},
+       {PrintOnPlate, "printOnPlate", "Print on a plate"_text,
+        "In a usual cell; Voluta chooses the way of building"_text, printOnPlate}});
   return kRemedies;
 }
 
@@ -252,13 +463,16 @@ std::vector<Offer> remediesFor(const plan::Finding& finding, const project::Choi
   for (const Remedy& remedy : remedies()) {
     if (std::find(cures.begin(), cures.end(), remedy.id) == cures.end())
       continue;
-    std::optional<project::Choices> cured = remedy.cure(finding, choices);
-    if (!cured)
+    // Choices that cannot be planned as they are (a value beyond the process) leave some nothing to
+    // go by.
+    auto outcome = base::outcomeOf([&] { return remedy.cure(finding, choices); });
+    auto* cured = std::get_if<Edited>(&outcome);
+    if (!cured || !*cured)
       continue;
     base::Message label(remedy.label);
     for (const std::string_view name : base::placeNames(remedy.label.english()))
       label.values.push_back(*finding.value(name));
-    offers.push_back({&remedy, std::move(label), std::move(*cured)});
+    offers.push_back({&remedy, std::move(label), std::move(**cured)});
   }
   return offers;
 }

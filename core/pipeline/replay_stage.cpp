@@ -78,6 +78,10 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
     read.firstMotion = motions.size();
     for (plan::ProgramPause& pause : read.pauses)
       pause.before += read.firstMotion;
+    for (plan::StatedFact& fact : read.facts)
+      fact.before += read.firstMotion;
+    for (plan::StatedPosture& stated : read.postures)
+      stated.motion += read.firstMotion;
     motions.insert(motions.end(), read.motions.begin(), read.motions.end());
     read.motions = std::move(motions);
   }
@@ -159,6 +163,8 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   for (std::size_t i = 0; i < checked->pointLines.size(); ++i)
     checked->pointLines[i] = lines[points.pointOf[i]];
   checked->verdict = replayReport(verdict);
+  checked->worst = verdict.worst;
+  checked->deviations = verdict.deviations;
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);
   checked->slow = slowSpans(said.trajectory, verdict.pointOf, verdict.motionS);

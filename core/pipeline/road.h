@@ -47,8 +47,26 @@ using StageObserver = std::function<void(project::Stage, const PlanResult&)>;
 using PreviewObserver =
     std::function<void(std::shared_ptr<const curved::Decomposition>, const PlanResult&)>;
 
+// Which way of building mode auto is planning.
+struct WayInTurn {
+  base::Message name; // "flat layers with supports"
+  std::size_t number = 1, count = 1;
+  bool isLast() const { return number == count; }
+};
+// Called on the running thread before each way.
+using WayObserver = std::function<void(const WayInTurn&)>;
+
+// Each may be empty.
+struct PlanObservers {
+  StageObserver onStage = {};
+  PreviewObserver onPreview = {};
+  WayObserver onWay = {};
+};
+
 // Stages whose key is in the cache are taken from there. The report's timings are what each stage
 // took when it was made, `total` what this plan took.
+// Mode auto chooses anew, but for a plan that ends with Load or Decompose and whose choices name
+// the way of an earlier one.
 // Throws Error{Usage}: unknown names, values out of range; Error{UnreadableFile, UnusableInput}:
 // the part. Whatever cannot be printed, reached or verified is in job.report.findings.
 // Example:
@@ -59,8 +77,7 @@ using PreviewObserver =
 //   pipeline::PlanResult result = pipeline::planPart(request, ctx);
 //   pipeline::writeOutputs(result, save, ctx);
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx,
-                    StageCache* cache = nullptr, const StageObserver& onStage = {},
-                    const PreviewObserver& onPreview = {});
+                    StageCache* cache = nullptr, const PlanObservers& observers = {});
 
 // The keys that the stages of this request have, whatever its `until`. What is shown and has
 // another key is out of date. Reads the cell's and the process's file; takes about a millisecond.

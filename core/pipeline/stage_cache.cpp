@@ -10,6 +10,22 @@ namespace voluta::pipeline {
 
 StageCache::Value StageCache::findAny(project::Stage stage, const std::string& slot,
                                       const std::string& key) {
+  Value found = findHere(stage, slot, key);
+  if (!found && behind_)
+    if (found = behind_->findAny(stage, slot, key); found)
+      keepHere(stage, slot, key, found);
+  return found;
+}
+
+void StageCache::keepAny(project::Stage stage, const std::string& slot, const std::string& key,
+                         const Value& value) {
+  keepHere(stage, slot, key, value);
+  if (behind_)
+    behind_->keepAny(stage, slot, key, value);
+}
+
+StageCache::Value StageCache::findHere(project::Stage stage, const std::string& slot,
+                                       const std::string& key) {
   const std::lock_guard lock(mutex_);
   const auto shelf = shelves_.find({stage, slot});
   if (shelf == shelves_.end())
@@ -23,8 +39,8 @@ StageCache::Value StageCache::findAny(project::Stage stage, const std::string& s
   return kept.front().second;
 }
 
-void StageCache::keepAny(project::Stage stage, const std::string& slot, const std::string& key,
-                         Value value) {
+void StageCache::keepHere(project::Stage stage, const std::string& slot, const std::string& key,
+                          Value value) {
   std::vector<Value> dropped; // freed outside the lock: results may be large
   const std::lock_guard lock(mutex_);
   auto& kept = shelves_[{stage, slot}];

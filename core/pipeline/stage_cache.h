@@ -25,8 +25,10 @@ namespace voluta::pipeline {
 // which names its stage.
 class StageCache {
 public:
-  // Keeps the last `kept` results of each stage and slot.
-  explicit StageCache(std::size_t kept = 3) : kept_(kept) {}
+  // Keeps the last `kept` results of each stage and slot. `behind` outlives it: what is kept here
+  // is kept there too, and what is found there is kept here.
+  explicit StageCache(std::size_t kept = 3, StageCache* behind = nullptr)
+      : kept_(kept), behind_(behind) {}
 
   // nullptr: not kept. `slot`: a format's id for programs, "voxels" for a decomposition's.
   template <typename T>
@@ -42,9 +44,13 @@ public:
 private:
   using Value = std::shared_ptr<const void>;
   Value findAny(project::Stage stage, const std::string& slot, const std::string& key);
-  void keepAny(project::Stage stage, const std::string& slot, const std::string& key, Value value);
+  Value findHere(project::Stage stage, const std::string& slot, const std::string& key);
+  void keepAny(project::Stage stage, const std::string& slot, const std::string& key,
+               const Value& value);
+  void keepHere(project::Stage stage, const std::string& slot, const std::string& key, Value value);
 
   std::size_t kept_;
+  StageCache* behind_; // null: none
   std::mutex mutex_;
   // Latest first.
   std::map<std::pair<project::Stage, std::string>, std::vector<std::pair<std::string, Value>>>

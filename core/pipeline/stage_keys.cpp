@@ -1,16 +1,15 @@
 #include "pipeline/stage_keys.h"
 
-#include "base/data_files.h"
-#include "base/files.h"
 #include "base/key_text.h"
 #include "modes/mode_table.h"
+#include "pipeline/cell_plate.h"
+#include "pipeline/cell_text.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
+#include "pipeline/open_part.h"
 #include "pipeline/turned_part.h"
 #include "program/dialect.h"
-#include "project/content_hash.h"
 #include "robot/cell.h"
-#include "support/supports.h"
 
 #include <fmt/format.h>
 
@@ -24,17 +23,6 @@ static std::string keyOf(const PlatformSolid&) {
 namespace voluta::pipeline {
 
 namespace {
-
-std::string fileHash(const std::string& folder, const std::string& id, base::Text unknown) {
-  return project::contentHash(base::readFile(base::dataFile(folder, id, unknown)));
-}
-
-std::string cellText(const robot::Cell& cell) {
-  const std::string& robot = cell.robot().id;
-  return fmt::format("cell {} {}\nrobot {} {}\n", cell.id(),
-                     fileHash("cells", cell.id(), "unknown cell '{id}'"_text), robot,
-                     fileHash("robots", robot, "unknown robot '{id}'"_text));
-}
 
 // The process in the parts that stages take, so that what a stage does not take does not make it
 // run again. A new member of the process does not compile before it is in one of them.
@@ -53,19 +41,27 @@ ProcessKeys keysOf(const process::Process& process) {
           base::keyText(id, nozzle, prime, retract, material, density)};
 }
 
+bool isMended(const project::LoadedPart& loaded, const project::Choices& choices) {
+  return choices.repair && !loaded.found.clean(); // a clean mesh stays as it is
+}
+
 std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,
                      const std::string& cell) {
   const project::Choices& c = in.choices;
-  const bool mended = c.repair && !loaded.found.clean(); // a clean mesh stays as it is
-  std::string text = base::keyText(loaded.hash, mended, c.placement.rotation.coeffs(),
+  std::string text = base::keyText(loaded.hash, isMended(loaded, c), c.placement.rotation.coeffs(),
                                    c.placement.centreMm, c.placement.liftMm);
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
+  if (const std::string open = in.values.text("openSurfaces"); open != kRefuseOpenSurfaces)
+    text += base::keyText(open, openSurfaceWallMm(in.process));
   text += base::keyText(turnPlan(c, in.values));
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n";
-  if (c.platform.isOfCell())
-    text += "a plate of\n" + cell + base::keyText(support::supportsWanted(in.values));
+  if (c.platform.isOfCell()) {
+    const PlateNeeds needs = plateNeeds(in.values);
+    text += "a plate of\n" + cell +
+            base::keyText(needs.supports, needs.prime, needs.primeIsRing, needs.primeLengthMm);
+  }
   const modes::Mode& mode = modes::findMode(c.mode);
   if (mode.place)
     text += base::keyText(mode.id) + mode.place.key(in);
@@ -97,7 +93,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   const robot::Cell cell = fittingCell(choices, process); // the platform has its own text
   const modes::Mode& mode = modes::findMode(choices.mode);
   const modes::ModeChoices in{choices, values, process};
-  const std::string cellKey = cellText(cell);
+  const std::string cellKey = cellText(cell, choices.cell);
 
   project::StageKeys keys;
   const auto put = [&](project::Stage stage, const std::string& own) {
@@ -119,6 +115,14 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
     formats += format + " " + optionsText(format, program::programOptions(values));
   put(project::Stage::Replay, programText(loaded.name, process) + "formats\n" + formats);
   return keys;
+}
+
+std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
+                          const project::Choices& choices) {
+  const geometry::Placement& at = placed.placement;
+  return base::keyText(loaded.hash, isMended(loaded, choices),
+                       placed.scale * unitMm(loaded, choices), at.rotation.coeffs(), at.centreMm,
+                       at.liftMm);
 }
 
 std::string programKey(const project::StageKeys& keys, const std::string& partName,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "modes/stages.h"
 #include "process/process.h"
 #include "program/program_options.h"
 #include "project/job.h"
@@ -16,6 +17,11 @@ namespace voluta::pipeline {
 // Precondition: the choices are checked.
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
                           const base::ParameterValues& values, const process::Process& process);
+
+// What decides about a placed part, as text: nothing of a platform, so that ways of building share
+// what is made of the part alone.
+std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
+                          const project::Choices& choices);
 
 // The key of one program of the Replay stage.
 std::string programKey(const project::StageKeys& keys, const std::string& partName,

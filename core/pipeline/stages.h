@@ -23,6 +23,7 @@
 #include "project/report.h"
 #include "project/stage.h"
 #include "replay/judged_runs.h"
+#include "replay/worst_places.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
@@ -69,6 +70,8 @@ struct CheckedProgram {
   std::vector<SlowSpan> slow;       // of its controller
   std::vector<TextLine> pointLines; // of each point of the trajectory; line 0: it has none
   project::Timings timings;
+  replay::WorstPlaces worst;
+  std::size_t deviations = 0; // places where the text is not what was planned
 };
 
 // The line of each point of the trajectory that `program` was written from. A point whose motion is

@@ -14,24 +14,61 @@ using enum Stage;
 using enum Gravity;
 using enum RemedyId;
 
-constexpr std::array kDrop{DropToPlate};
+constexpr std::array kForStopped{DropToPlate, ChooseWay};
 constexpr std::array kForShadowed{ShrinkPlatform, AddSupports, TurnPart};
 constexpr std::array kForUnreached{DropToPlate, AddSupports, TurnPart};
+constexpr std::array kForNoSupport{WidenPlatform, TurnPart, PrintFlat};
 constexpr std::array kForOverhang{AddSupports, TurnLeastRisky};
+constexpr std::array kForAir{AddSupports, TurnLeastRisky, ChooseWay};
+constexpr std::array kForAirOverGround{PrintOnPlate};
 constexpr std::array kTurn{TurnLeastRisky};
 constexpr std::array kPedestal{ShrinkPlatform};
 constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
 constexpr std::array kNarrow{NarrowVoxels};
-constexpr std::array kForUncovered{AdaptLayers, ChooseWay};
+constexpr std::array kForUncovered{AdaptLayers, LowerLayers, FinerProcess, ChooseWay};
+constexpr std::array kForFill{LowerLayers, FinerProcess, ChooseWay};
+constexpr std::array kForUnsupported{AddSupports, TurnLeastRisky, PrintFlat, ChooseWay,
+                                     PrintOnPlate};
 constexpr std::array kForHanging{ChooseWay};
 constexpr std::array kForThin{ScaleUp, FinerProcess};
 constexpr std::array kForThinInReach{FinerProcess};
+constexpr std::array kForSlivers{FinerProcess, Enlarge};
+constexpr std::array kForNothing{FinerProcess, Enlarge};
+constexpr std::array kForGouge{FinerProcess, Enlarge, PrintFlat, ChooseWay};
 constexpr std::array kForTiny{UnitsMetres, UnitsInches};
 constexpr std::array kForHuge{ScaleToFit, UnitsMicrometres};
-constexpr std::array kCentre{CentrePart};
+constexpr std::array kForAdrift{CellPlate, CentrePart};
 constexpr std::array kForLying{StandBest};
-constexpr std::array kForUpright{PrintFlat};
-constexpr std::array kForTooLarge{ScaleToReach, PrintFlat};
+constexpr std::array kForRims{ThickenSurface, CloseRims};
+constexpr std::array kForSheets{ThickenSurface};
+constexpr std::array kForUpright{PrintFlat, UsualCell};
+constexpr std::array kForTooLarge{ScaleToReach, LargerCell, PrintFlat};
+constexpr std::array kForOutOfReach{ScaleToFit, Shrink, CentrePart, LargerCell, PrintFlat};
+constexpr std::array kForRod{ScaleToFit, Shrink};
+constexpr std::array kForUnconnected{MoreTurns, Shrink, PrintFlat};
+constexpr std::array kForHeadInPart{LowerLayers, FinerProcess, PrintFlat, ChooseWay};
+constexpr std::array kForHeadInPlatform{ShrinkPlatform, FinerProcess, PrintFlat, PrintOnPlate};
+constexpr std::array kForCollision{LessClearance, MoreTurns, Shrink, CentrePart};
+constexpr std::array kForReplayed{MoreClearance, Shrink, CentrePart};
+constexpr std::array kForLimits{MoreTurns, Shrink, CentrePart, PrintFlat};
+constexpr std::array kForFlow{LowerLayers, FinerProcess};
+constexpr std::array kForFlowErrors{LongerMotions};
+constexpr std::array kForBlends{LongerMotions};
+constexpr std::array kForDeviation{ShorterMotions};
+constexpr std::array kForHome{UsualCell};
+constexpr std::array kForCell{UsualProcess, UsualCell};
+constexpr std::array kForPlates{ScaleToPlate, LargerCell, MakePlatform};
+
+constexpr std::span<const RemedyId> kNoCures{};
+constexpr base::Text kOnlyWriteAgain =
+    "the program's text is not this plan's: nothing in the plan is to be changed"_text;
+constexpr base::Text kSaysItself = "the message says what would help"_text;
+constexpr base::Text kOldProject =
+    "kept as sentences in an older project: plan again for what can be done"_text;
+constexpr base::Text kOthersHelp = "the findings before this one have the remedies"_text;
+constexpr base::Text kFinest = "no process here has narrower beads"_text;
+constexpr base::Text kOtherBead = "the bead to go on from is chosen on the Simulate page"_text;
+constexpr base::Text kCellFile = "only the cell's own file can be changed: Edit, Edit cell"_text;
 
 constexpr base::Text kTurnOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
@@ -62,8 +99,9 @@ constexpr base::Text kWriteAgain = "write the program again, or plan anew with t
 constexpr base::Text kSlower = "slower there, or another place in the cell"_text;
 
 constexpr auto kRows = std::to_array<FindingRow>({
-    {Verbatim, "verbatim", "", Load, Depends, "{reason}"_text, "{remedy}"_text},
-    {Stopped, "stopped", "stopped", Load, Blocks, "{what}"_text, {}, kDrop},
+    {Verbatim, "verbatim", "", Load, Depends, "{reason}"_text, "{remedy}"_text, kNoCures,
+     kOldProject},
+    {Stopped, "stopped", "stopped", Load, Blocks, "{what}"_text, {}, kForStopped, kSaysItself},
 
     {CellsTurned, "cellsTurned", "newCells", Load, Tells,
      "the voxel object is turned by other than quarter turns: its surface is cut into new cells"_text,
@@ -73,6 +111,27 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "turn it by quarter turns and lift it by whole cells to keep its own"_text},
     {MeshDefect, "meshDefect", "meshDefect", Load, Tells, "{defect}"_text,
      "mend the mesh in a modelling program if the result looks wrong"_text},
+    {OpenRims, "openSurface", "openSurface", Load, Blocks,
+     "open surface: it ends at {rims} rim, {width:.3g} wide|"
+     "open surface: it ends at {rims} rims, the widest {width:.3g} wide"_plural,
+     "thicken it to a wall (openSurfaces=thicken), close its rims to make it solid "
+     "(openSurfaces=close), or close it in a modelling program"_text,
+     kForRims},
+    {SheetModel, "sheetModel", "openSurface", Load, Blocks,
+     "sheet model: {share:.3g} of the surface are sheets without thickness, {triangles} "
+     "triangles"_text,
+     "thicken the sheets to walls (openSurfaces=thicken), or give them a thickness in a modelling "
+     "program"_text,
+     kForSheets},
+    {RimsClosed, "rimsClosed", "openSurface", Load, Tells,
+     "closed the rims of an open surface: {share:.3g} of the surface are patches"_text,
+     "openSurfaces=thicken makes a wall of the surface instead"_text},
+    {SheetsLeftOut, "sheetsLeftOut", "openSurface", Load, Tells,
+     "left out the sheets without thickness: {share:.3g} of the surface, {triangles} triangles"_text,
+     "openSurfaces=thicken makes walls of them instead"_text},
+    {SurfaceThickened, "surfaceThickened", "openSurface", Load, Tells,
+     "thickened the open surface to a wall {wall:.2f} wide, half of it on either side"_text,
+     "openSurfaces=close makes it solid instead"_text},
     {TinyPart, "tinyPart", "oddSize", Load, Blocks,
      "the part is {size:.3g} long, if its file is in millimetres"_text,
      "give the units that it was drawn in (--units)"_text, kForTiny},
@@ -88,7 +147,7 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{share:.3g} of the part are walls thinner than the least bead of {least}, most of them "
      "{usual:.2f}"_text,
      "use a process of narrower beads; as large as it had to be it is out of the robot's reach"_text,
-     kForThinInReach},
+     kForThinInReach, kFinest},
     {LiesBadly, "liesBadly", "liesBadly", Load, Tells,
      "the part lies badly: {contact:.0f} of it touch the plate, {overhang:.0f} lean over, and one "
      "pass of growth misses {missed:.2g}; it can stand on {bestContact:.0f} with "
@@ -112,10 +171,18 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "the part stays as it lies: the one way that stands is not better|"
      "the part stays as it lies: none of {ways} ways that stand is better"_plural,
      "put it another way by hand"_text},
+    {CellCannotPrint, "cellCannotPrint", "cell", Load, Blocks, "{fault}"_text, "{help}"_text,
+     kForCell, kCellFile},
+    {LargerThanPlates, "largerThanPlates", "tooLarge", Load, Blocks,
+     "foot of the part: {length:.0f} by {width:.0f}, more than the cell's largest plate ({plate}) "
+     "carries"_text,
+     "print the part at scale {scale}, or use a cell with a larger plate or a platform made for "
+     "the part"_text,
+     kForPlates},
 
     {PlatformAdrift, "platformAdrift", "platformAdrift", Decompose, Blocks,
      "the platform lies {distance:.0f} beside what carries it: it would float"_text,
-     "place the part over the middle, or use a platform that reaches there"_text, kCentre},
+     "place the part over the middle, or use a platform that reaches there"_text, kForAdrift},
     {ShadowedUnderFacet, "shadowedUnderFacet", "shadowedVoxels", Decompose, Blocks,
      "{voxels} voxel is shadowed: from step {step} on it lies inside the front, under its facet "
      "between {a:.0f}, {b:.0f} and {c:.0f} mm|"
@@ -172,7 +239,7 @@ constexpr auto kRows = std::to_array<FindingRow>({
     {NoSupport, "noSupport", "noSupport", Decompose, Blocks,
      "no column from inside the platform reaches {voxels} voxel that would be missed|"
      "no column from inside the platform reaches {voxels} voxels that would be missed"_plural,
-     "a larger platform, or turn the part"_text},
+     "a larger platform, or turn the part"_text, kForNoSupport},
     {ThinWall, "thinWall", "thinWalls", Decompose, Tells,
      "a wall {usual:.2f} thick ({thinnest:.2f} at its thinnest) is thinner than a voxel of "
      "{voxel}"_text,
@@ -217,7 +284,7 @@ constexpr auto kRows = std::to_array<FindingRow>({
      kGentlerSurface, kForOverhang},
     {BeyondCell, "beyondCell", "beyondCell", Decompose, Blocks,
      "the part reaches {reach:.4g} from the rod's axis, the cell prints up to {limit}"_text,
-     "print the part smaller (scale)"_text},
+     "print the part smaller (scale)"_text, kForRod},
     {BlockedPieces, "blockedPieces", "blockedPieces", Decompose, Tells,
      "{blocked} of {pieces} pieces: something printed before is in the head's way"_text,
      "give other cuts (cutPlanes), turn the part, or use curved mode"_text},
@@ -250,22 +317,24 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "{pieces} pieces of layers are too small for a bead or would begin in the air, {volume:.3g} "
      "of "
      "{whole:.3g#}: they are not laid"_plural,
-     kFiner},
+     kFiner, kForSlivers},
     {BeginsInAir, "beginsInAir", "beginsInAir", Layers, Blocks,
      "{pieces} piece of a layer has nothing under it|"
      "{pieces} pieces of layers have nothing under them"_plural,
-     kTurnOrOther, kForOverhang},
+     kTurnOrOther, kForAir},
     {BeginsInAirOverRod, "beginsInAirOverRod", "beginsInAir", Layers, Blocks,
      "a piece of a layer has neither the rod nor an earlier layer under it|"
      "{pieces} pieces of layers have neither the rod nor an earlier layer under them"_plural,
-     "move the part on the rod, or let what is under them grow out of it"_text, kForOverhang},
+     "move the part on the rod, or let what is under them grow out of it"_text, kForAirOverGround},
     {BeginsInAirOverSurface, "beginsInAirOverSurface", "beginsInAir", Layers, Blocks,
      "a piece of a layer has neither the surface nor an earlier layer under it|"
      "{pieces} pieces of layers have neither the surface nor an earlier layer under them"_plural,
-     "move the part on the surface, or let what is under them grow out of it"_text, kForOverhang},
+     "move the part on the surface, or let what is under them grow out of it"_text,
+     kForAirOverGround},
     {NotLaid, "notLaid", "notLaid", Layers, Blocks,
      "{left:.3g#} of {whole:.4g} of the part are in no layer"_text,
-     "choose layers that reach all of it (layerShape, layerCentre, endSurface)"_text},
+     "choose layers that reach all of it (layerShape, layerCentre, endSurface)"_text,
+     kForAirOverGround},
     {UnheldOverhang, "unheldOverhang", "unheldOverhang", Layers, Tells,
      "{area:.3g} hang where a support has nothing to stand on"_text,
      "use a larger platform (fit:MARGIN), or turn the part"_text, kForUnheld},
@@ -288,7 +357,7 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "slower"_plural,
      "a larger nozzle, or slower tool-paths"_text},
     {PatchWithoutBead, "patchWithoutBead", "patchWithoutBead", Toolpath, Depends,
-     "pieces of layers are narrower than half a bead and stay empty"_text, kFiner},
+     "pieces of layers are narrower than half a bead and stay empty"_text, kFiner, kForSlivers},
     {RimSupports, "rimSupports", "rimSupports", Toolpath, Tells,
      "beads of support ({volume:.3g}) are laid under {paths} bead that would hang just over the "
      "plate "
@@ -297,6 +366,11 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "plate "
      "or over what is printed"_plural,
      kBreakOff},
+    {PrimeFalls, "primeFalls", "primeFalls", Toolpath, Tells,
+     "the plate has no room for the prime: a bead {length:.0f} long is laid in the air beside the "
+     "plate "
+     "and falls down here"_text,
+     "clear this place, or use a larger plate (--platform)"_text},
     {Braced, "braced", "braced", Toolpath, Tells,
      "{paths} bead would hang beside what is printed: it is laid after the one inwards of it and "
      "pressed against that, the nozzle leaning by up to {lean:.0f} more|"
@@ -305,10 +379,11 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "where that is not wanted, turn the part or print it in flat layers with supports"_text},
     {Gouge, "gouge", "gouge", Toolpath, Depends,
      "the print head would cut into material printed before, whatever way it leans"_text,
-     "use a slimmer head, turn the part, or print it larger"_text},
+     "use a slimmer head, turn the part, or print it larger"_text, kForGouge},
 
     {NothingToPrint, "nothingToPrint", "nothingToPrint", Motion, Blocks,
-     "no tool-path is left to move along"_text, "choose a smaller voxelMm or beadWidthMm"_text},
+     "no tool-path is left to move along"_text, "choose a smaller voxelMm or beadWidthMm"_text,
+     kForNothing},
     {TooLarge, "tooLarge", "unreachable", Motion, Blocks,
      "{share:.2g} of the tool-paths' points are out of the robot's reach; at {size:.2g} of this "
      "size it would get to them"_text,
@@ -316,79 +391,81 @@ constexpr auto kRows = std::to_array<FindingRow>({
     {MuchOutOfReach, "muchOutOfReach", "unreachable", Motion, Blocks,
      "{share:.2g} of the tool-paths' points are out of the robot's reach"_text,
      "use flat layers, where the nozzle need not lean, turn the part, or use a larger robot"_text,
-     kForUpright},
+     kForOutOfReach},
     {Unreachable, "unreachable", "unreachable", Motion, Blocks,
      "{place}: the robot cannot bring this place under the nozzle: out of reach, or beyond a "
      "joint's limits, however the part is turned about the nozzle"_text,
-     kScaleOrTurn},
+     kScaleOrTurn, kForOutOfReach},
     {MoreUnreachable, "moreUnreachable", "unreachable", Motion, Blocks,
      "and further places, the first at {place}: the robot cannot bring this place under the "
      "nozzle: "
      "out of reach, or beyond a joint's limits, however the part is turned about the nozzle"_text,
-     kScaleOrTurn},
+     kScaleOrTurn, kForOutOfReach},
     {Unconnected, "unconnected", "unconnected", Motion, Blocks,
      "{place}: the robot can be here, but cannot come from or go on to a neighbouring place "
      "without "
      "lifting"_text,
-     kMoreTurns},
+     kMoreTurns, kForUnconnected},
     {MoreUnconnected, "moreUnconnected", "unconnected", Motion, Blocks,
      "and further places, the first at {place}: the robot can be here, but cannot come from or go "
      "on to a neighbouring place without lifting"_text,
-     kMoreTurns},
+     kMoreTurns, kForUnconnected},
     {StaysUpright, "staysUpright", "staysUpright", Motion, Blocks,
      "this arm keeps the nozzle upright, and the layers lean it, first at {place}"_text,
      "use mode flat, or planar with upright layers"_text, kForUpright},
     {BeyondRod, "beyondRod", "beyondRod", Motion, Blocks,
      "{place}: the cell prints up to {radius} from the rod's axis and {along} from its middle"_text,
-     kAlongRod},
+     kAlongRod, kForRod},
     {MoreBeyondRod, "moreBeyondRod", "beyondRod", Motion, Blocks,
      "and further places, the first at {place}: the cell prints up to {radius} from the rod's axis "
      "and {along} from its middle"_text,
-     kAlongRod},
+     kAlongRod, kForRod},
     {HeadInPart, "headInPart", "collision", Motion, Blocks,
-     "{place}: the print head would cut into what is printed already"_text, kSlimmer},
+     "{place}: the print head would cut into what is printed already"_text, kSlimmer,
+     kForHeadInPart},
     {MoreHeadInPart, "moreHeadInPart", "collision", Motion, Blocks,
      "and further places, the first at {place}: the print head would cut into what is printed "
      "already"_text,
-     kSlimmer},
+     kSlimmer, kForHeadInPart},
     {HeadInPlatform, "headInPlatform", "collision", Motion, Blocks,
-     "{place}: the print head would cut into the platform"_text, kHigher},
+     "{place}: the print head would cut into the platform"_text, kHigher, kForHeadInPlatform},
     {MoreHeadInPlatform, "moreHeadInPlatform", "collision", Motion, Blocks,
      "and further places, the first at {place}: the print head would cut into the platform"_text,
-     kHigher},
+     kHigher, kForHeadInPlatform},
     {Collision, "collision", "collision", Motion, Blocks,
      "{place}: {first} would meet {second}, however the part is turned about the nozzle"_text,
-     kLessClearance},
+     kLessClearance, kForCollision},
     {MoreCollisions, "moreCollisions", "collision", Motion, Blocks,
      "and further places, the first at {place}: {first} would meet {second}, however the part is "
      "turned about the nozzle"_text,
-     kLessClearance},
+     kLessClearance, kForCollision},
     {MeetsOnCloserLook, "meetsOnCloserLook", "collision", Motion, Blocks,
      "{place}: something would meet on the way here, so this place is left out"_text,
-     kTurnOrClearance},
+     kTurnOrClearance, kForCollision},
     {MoreMeetOnCloserLook, "moreMeetOnCloserLook", "collision", Motion, Blocks,
      "and further places, the first at {place}: something would meet on the way there, so they are "
      "left out"_text,
-     kTurnOrClearance},
+     kTurnOrClearance, kForCollision},
     {CollisionInMotion, "collisionInMotion", "collision", Motion, Blocks,
-     "{first} meets {second} in the finished motion"_text, kTurnOrClearance},
+     "{first} meets {second} in the finished motion"_text, kTurnOrClearance, kForCollision},
     {HomeMeets, "homeMeets", "collision", Motion, Blocks,
      "{first} meets {second} where the arm rests: nothing can be moved"_text,
      "give the cell another home; where only the shapes that enclose two links overlap, list the "
      "pair "
-     "under neverMeet in the robot's file"_text},
+     "under neverMeet in the robot's file"_text,
+     kForHome, kCellFile},
     {NoWayTo, "noWayTo", "transfer", Motion, Blocks,
      "{place}: no way to {pieces} piece of a path was found that keeps clear of everything|"
      "{place}: no way to {pieces} pieces of paths was found that keeps clear of everything"_plural,
-     kTurnOrClearance},
+     kTurnOrClearance, kForCollision},
     {NoWayBack, "noWayBack", "transfer", Motion, Blocks,
      "{place}: no way leads from home to where the print is to go on, clear of what is printed by "
      "then"_text,
-     "choose a bead before it or after it"_text},
+     "choose a bead before it or after it"_text, kNoCures, kOtherBead},
     {NoWayFrom, "noWayFrom", "transfer", Motion, Blocks,
      "{place}: the arm would not get away from where {pieces} piece of a path ends|"
      "{place}: the arm would not get away from where {pieces} pieces of paths end"_plural,
-     kTurnOrClearance},
+     kTurnOrClearance, kForCollision},
     {LeftOut, "leftOut", "leftOut", Motion, Tells,
      "{waypoints} waypoint, {share:.2g} of the material, is left out here and there, as told above|"
      "{waypoints} waypoints, {share:.2g} of the material, are left out here and there, as told "
@@ -396,121 +473,147 @@ constexpr auto kRows = std::to_array<FindingRow>({
      "look at these places in the picture; turn the part where they matter"_text},
 
     {UnreadableLine, "unreadableLine", "unreadableLine", Replay, Blocks, "{defect}"_text,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {EndMissing, "endMissing", "endMissing", Replay, Blocks, "the end sequence is missing"_text,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {NoMotions, "noMotions", "programCutShort", Replay, Blocks, "the program has no motions"_text,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {ProgramCutShort, "programCutShort", "programCutShort", Replay, Blocks,
      "the program ends here; {motions} planned motion not in it|"
      "the program ends here; {motions} planned motions not in it"_plural,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {OtherJob, "otherJob", "otherJob", Replay, Depends,
      "the program says that it is of another job: {program}; this job is {job}"_text,
-     "give the job that the program was written from"_text},
+     "give the job that the program was written from"_text, kNoCures, kOnlyWriteAgain},
     {OtherCell, "otherCell", "otherJob", Replay, Depends,
      "the program says that it is for another cell: {program}; this job is {job}"_text,
-     "give the job that the program was written from"_text},
+     "give the job that the program was written from"_text, kNoCures, kOnlyWriteAgain},
     {OtherProgram, "otherProgram", "otherProgram", Replay, Blocks,
      "the program's motions are not those of this plan"_text,
-     "give the job that the program was written from"_text},
+     "give the job that the program was written from"_text, kNoCures, kOnlyWriteAgain},
     {WaypointMoved, "waypointMoved", "waypointMoved", Replay, Blocks,
-     "the nozzle goes {distance:.3f} beside its plan"_text, kWriteAgain},
+     "the nozzle goes {distance:.3f} beside its plan"_text, kWriteAgain, kNoCures, kOnlyWriteAgain},
     {WaypointTilted, "waypointTilted", "waypointMoved", Replay, Blocks,
-     "the nozzle's axis is {angle:.2f} off its plan"_text, kWriteAgain},
+     "the nozzle's axis is {angle:.2f} off its plan"_text, kWriteAgain, kNoCures, kOnlyWriteAgain},
     {WaypointsMissingBefore, "waypointsMissingBefore", "waypointsMissing", Replay, Blocks,
      "{motions} planned motion missing before this one|"
      "{motions} planned motions missing before this one"_plural,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {WaypointsMissingBetween, "waypointsMissingBetween", "waypointsMissing", Replay, Blocks,
      "{motions} planned motion missing between {before} and this one|"
      "{motions} planned motions missing between {before} and this one"_plural,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {MotionsUnplanned, "motionsUnplanned", "motionsUnplanned", Replay, Blocks,
      "{motions} motion from here on not in the plan|"
      "{motions} motions from here on not in the plan"_plural,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {WaypointsSwapped, "waypointsSwapped", "waypointsSwapped", Replay, Blocks,
-     "this motion and that of {other} have changed places"_text, kWriteAgain},
+     "this motion and that of {other} have changed places"_text, kWriteAgain, kNoCures,
+     kOnlyWriteAgain},
     {OtherConfiguration, "otherConfiguration", "otherConfiguration", Replay, Blocks,
-     "the arm stands otherwise than planned, a joint by {angle:.1f}"_text, kWriteAgain},
+     "the arm stands otherwise than planned, a joint by {angle:.1f}"_text, kWriteAgain, kNoCures,
+     kOnlyWriteAgain},
     {ExternalAxisMoved, "externalAxisMoved", "externalAxisMoved", Replay, Blocks,
-     "the external axis stands {angle:.3f} off its plan"_text, kWriteAgain},
+     "the external axis stands {angle:.3f} off its plan"_text, kWriteAgain, kNoCures,
+     kOnlyWriteAgain},
     {ExtruderOnTravel, "extruderOnTravel", "extruderOnTravel", Replay, Blocks,
-     "the extruder is on over a travel"_text, kWriteAgain},
+     "the extruder is on over a travel"_text, kWriteAgain, kNoCures, kOnlyWriteAgain},
     {ExtruderOffPrint, "extruderOffPrint", "extruderOffPrint", Replay, Blocks,
-     "the extruder is off where a bead is to be laid"_text, kWriteAgain},
+     "the extruder is off where a bead is to be laid"_text, kWriteAgain, kNoCures, kOnlyWriteAgain},
     {SpeedChanged, "speedChanged", "speedChanged", Replay, Blocks,
-     "this motion takes {time:.3f}, planned are {planned:.3f}"_text, kWriteAgain},
+     "this motion takes {time:.3f}, planned are {planned:.3f}"_text, kWriteAgain, kNoCures,
+     kOnlyWriteAgain},
     {FlowChanged, "flowChanged", "flowChanged", Replay, Blocks,
-     "this motion lays {volume:.3f}, planned are {planned:.3f}"_text, kWriteAgain},
+     "this motion lays {volume:.3f}, planned are {planned:.3f}"_text, kWriteAgain, kNoCures,
+     kOnlyWriteAgain},
     {BeadByJoints, "beadByJoints", "beadByJoints", Replay, Blocks,
-     "a bead is laid by a motion in joints, planned is a straight one"_text, kWriteAgain},
+     "a bead is laid by a motion in joints, planned is a straight one"_text, kWriteAgain, kNoCures,
+     kOnlyWriteAgain},
     {FlowsWhileStanding, "flowsWhileStanding", "flowsWhileStanding", Replay, Blocks,
-     "{volume:.3f} flow out here while the nozzle stands for {time:.3f}"_text, kWriteAgain},
+     "{volume:.3f} flow out here while the nozzle stands for {time:.3f}"_text, kWriteAgain,
+     kNoCures, kOnlyWriteAgain},
     {StandsAmidPrint, "standsAmidPrint", "standsAmidPrint", Replay, Blocks,
-     "the arm stands here for {time:.1f}, the hot nozzle on the part"_text, kWriteAgain},
+     "the arm stands here for {time:.2f}, the hot nozzle on the part: no wait is planned"_text,
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {PrimeChanged, "primeChanged", "primeChanged", Replay, Blocks,
      "{volume:.3f} are pushed out before the first bead, planned are {planned:.3f}"_text,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {FirstMotionFast, "firstMotionFast", "firstMotionFast", Replay, Blocks,
-     "the first motion, from wherever the arm stands, is a fast one"_text, kWriteAgain},
+     "the first motion, from wherever the arm stands, is a fast one"_text, kWriteAgain, kNoCures,
+     kOnlyWriteAgain},
     {AccelerationChanged, "accelerationChanged", "accelerationChanged", Replay, Blocks,
-     "this motion is told to speed up {times:.1f} times as hard as planned"_text, kWriteAgain},
+     "this motion is told to speed up {times:.1f} times as hard as planned"_text, kWriteAgain,
+     kNoCures, kOnlyWriteAgain},
     {LoadChanged, "loadChanged", "loadChanged", Replay, Blocks,
-     "the arm is told to carry {mass:.2f} kg, some {planned:.2f} kg are planned"_text, kWriteAgain},
+     "the arm is told to carry {mass:.2f} kg, some {planned:.2f} kg are planned"_text, kWriteAgain,
+     kNoCures, kOnlyWriteAgain},
     {NozzleElsewhere, "nozzleElsewhere", "nozzleElsewhere", Replay, Blocks,
      "the program has its nozzle {distance:.2f} and {angle:.2f} from where the cell's stands"_text,
-     kWriteAgain},
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
+    {StatementMissing, "statementMissing", "statementMissing", Replay, Blocks,
+     "missing before this line: {statement}"_text, kWriteAgain, kNoCures, kOnlyWriteAgain},
+    {StatementChanged, "statementChanged", "statementChanged", Replay, Blocks,
+     "{statement}: {found} in the program, {planned} planned"_text, kWriteAgain, kNoCures,
+     kOnlyWriteAgain},
+    {OutputPasses, "outputPasses", "outputPasses", Replay, Blocks,
+     "an output of the extruder set where the arm does not stop: it takes effect elsewhere, or "
+     "stops the arm on the bead"_text,
+     "set it by a trigger of the next motion, or write the program again"_text, kNoCures,
+     kOnlyWriteAgain},
+    {PostureChanged, "postureChanged", "postureChanged", Replay, Blocks,
+     "the arm's posture at this target: {found} in the program, {planned} planned"_text,
+     kWriteAgain, kNoCures, kOnlyWriteAgain},
     {FlowErrors, "flowErrors", "flowErrors", Replay, Blocks,
      "at the controller's own speeds {share:.2f} of the beads' length get more than 5 % "
      "too much or too little material, the first of them here"_text,
-     "write the program again: with times instead of speeds where the format knows them"_text},
+     "write the program again: with times instead of speeds where the format knows them"_text,
+     kForFlowErrors},
     {Uncovered, "uncovered", "uncovered", Replay, Blocks,
      "{share:.2f} of the part is in no bead; most of it round the place given"_text,
      "use lower layers or a finer nozzle, or print the part larger"_text, kForUncovered},
     {Overfill, "overfill", "overfill", Replay, Blocks,
      "{outside:.2f} of the part's volume is laid outside it, {noRoom:.2f} finds no room"_text,
-     "less flow, or beads further apart"_text},
+     "less flow, or beads further apart"_text, kForFill},
     {Mass, "mass", "mass", Replay, Blocks, "the material laid is {share:.2f} of the part"_text,
-     "check the flow and the infill's density"_text},
+     "check the flow and the infill's density"_text, kForFill},
     {Unsupported, "unsupported", "unsupported", Replay, Blocks,
      "{length:.1f} of bead have nothing beneath them, the first of them here"_text,
-     "turn the part, or let Voluta choose the way of building"_text, kForHanging},
+     "turn the part, or let Voluta choose the way of building"_text, kForUnsupported},
     {LongBridge, "longBridge", "longBridge", Replay, Tells,
      "{length:.1f} of a bead have nothing right beneath them; this material bridges {bridge:.1f}"_text,
      "turn the part, or let Voluta choose the way of building"_text, kForHanging},
     {ReplayedCollision, "replayedCollision", "collision", Replay, Blocks,
      "{first} and {second} collide"_text,
-     "plan anew with more clearance, or another place for the part"_text},
+     "plan anew with more clearance, or another place for the part"_text, kForReplayed},
     {MoreReplayedCollisions, "moreReplayedCollisions", "collision", Replay, Blocks,
      "and {collisions} collision more|and {collisions} collisions more"_plural,
-     "plan anew with more clearance"_text},
+     "plan anew with more clearance"_text, kForReplayed},
     {OutOfReach, "outOfReach", "limit", Replay, Blocks, "the arm cannot reach this target"_text,
-     kSlower},
+     kSlower, kForLimits},
     {JointRange, "jointRange", "limit", Replay, Blocks,
-     "{joint} at {angle:.1f}, its limit is {limit:.1f#}"_text, kSlower},
+     "{joint} at {angle:.1f}, its limit is {limit:.1f#}"_text, kSlower, kForLimits},
     {JointSpeed, "jointSpeed", "limit", Replay, Blocks,
-     "{joint} at {speed:.1f}, its limit is {limit:.1f#}"_text, kSlower},
+     "{joint} at {speed:.1f}, its limit is {limit:.1f#}"_text, kSlower, kForLimits},
     {SlideSpeed, "slideSpeed", "limit", Replay, Blocks,
-     "{joint} at {speed:.1f}/s, its limit is {limit:.1f#}"_text, kSlower},
+     "{joint} at {speed:.1f}/s, its limit is {limit:.1f#}"_text, kSlower, kForLimits},
     {BranchJump, "branchJump", "limit", Replay, Blocks,
-     "the arm would have to change its configuration, {joint} by {angle:.1f} at once"_text,
-     kSlower},
+     "the arm would have to change its configuration, {joint} by {angle:.1f} at once"_text, kSlower,
+     kForLimits},
     {BlendOverlap, "blendOverlap", "limit", Replay, Blocks,
      "its blend overlaps the one before ({blend:.3f} on {way:.3f}): the controller skips the "
      "waypoint"_text,
-     kSlower},
+     kSlower, kForBlends},
     {Flow, "flow", "limit", Replay, Blocks,
-     "a flow of {flow:.1f}, the extruder gives {limit:.1f#}"_text, kSlower},
+     "a flow of {flow:.1f}, the extruder gives {limit:.1f#}"_text, kSlower, kForFlow},
     {MoreLimits, "moreLimits", "limit", Replay, Blocks,
-     "and {violations} violation more|and {violations} violations more"_plural, kSlower},
+     "and {violations} violation more|and {violations} violations more"_plural, kSlower,
+     kForLimits},
     {PathDeviation, "pathDeviation", "deviation", Replay, Blocks,
      "the nozzle's path is {distance:.3f} off the planned one"_text,
-     "shorter motions or smaller blends"_text},
+     "shorter motions or smaller blends"_text, kForDeviation},
     {ProgramRefused, "programRefused", "programRefused", Replay, Blocks,
      "the {format} program is not handed over: {failed}"_text,
-     "see the findings before this one"_text},
+     "see the findings before this one"_text, kNoCures, kOthersHelp},
     {ForeignRefused, "foreignRefused", "programRefused", Replay, Tells,
      "the {format} program, for another controller, is not handed over: {failed}"_text,
      "take the program of the cell's own controller"_text},

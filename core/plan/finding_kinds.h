@@ -20,6 +20,11 @@ enum class FindingKind : std::uint8_t {
   CellsTurned,
   CellsLifted,
   MeshDefect,
+  OpenRims,
+  SheetModel,
+  RimsClosed,
+  SheetsLeftOut,
+  SurfaceThickened,
   TinyPart,
   HugePart,
   ThinPart,
@@ -28,6 +33,8 @@ enum class FindingKind : std::uint8_t {
   TurnedLeastRisky,
   TurnedFewestMissed,
   NotTurned,
+  CellCannotPrint,
+  LargerThanPlates,
   // decompose
   PlatformAdrift,
   ShadowedUnderFacet,
@@ -73,6 +80,7 @@ enum class FindingKind : std::uint8_t {
   GivenTooFast,
   PatchWithoutBead,
   RimSupports,
+  PrimeFalls,
   Braced,
   Gouge,
   // motion
@@ -128,6 +136,10 @@ enum class FindingKind : std::uint8_t {
   AccelerationChanged,
   LoadChanged,
   NozzleElsewhere,
+  StatementMissing,
+  StatementChanged,
+  OutputPasses,
+  PostureChanged,
   FlowErrors,
   Uncovered,
   Overfill,
@@ -157,11 +169,21 @@ enum class Gravity {
 
 // What a button can do about a finding; how, is known to the pipeline.
 enum class RemedyId : std::uint8_t {
+  ThickenSurface,
+  CloseRims,
   DropToPlate,
   ShrinkPlatform,
+  MakePlatform,
+  CellPlate,
   AddSupports,
   WidenPlatform,
   AdaptLayers,
+  LowerLayers,
+  MoreTurns,
+  LessClearance,
+  MoreClearance,
+  ShorterMotions,
+  LongerMotions,
   TurnLeastRisky,
   TurnPart,
   StandBest,
@@ -173,9 +195,16 @@ enum class RemedyId : std::uint8_t {
   UnitsMicrometres,
   ScaleToFit,
   ScaleToReach,
+  ScaleToPlate,
+  Shrink,
+  Enlarge,
   CentrePart,
+  UsualProcess,
+  UsualCell,
+  LargerCell,
   PrintFlat,
-  ChooseWay
+  ChooseWay,
+  PrintOnPlate
 };
 
 struct FindingRow {
@@ -186,6 +215,9 @@ struct FindingRow {
   Gravity gravity;
   base::Text reason, remedy; // with places for the same values
   std::span<const RemedyId> cures = {};
+  // Why there may be no button: nothing that the program can carry out helps. Every kind that can
+  // block has this or cures that are offered in every mode (tests/pipeline/remedies_test.cpp).
+  base::Text whyNoRemedy = {};
 };
 
 std::span<const FindingRow> findingRows();

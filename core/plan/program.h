@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "plan/stated_facts.h"
 #include "plan/time_model.h"
 
 #include <Eigen/Geometry>
@@ -85,6 +86,7 @@ struct ProgramPause {
   std::size_t before = 0;         // the motion that follows; motions.size(): none
   double durationS = 0.0;
   double volumeMm3 = 0.0; // flows meanwhile
+  double drawnMm = 0.0;           // filament that is drawn back or returned meanwhile
 };
 
 // What the program says that the arm carries.
@@ -118,6 +120,9 @@ struct ReadProgram {
   bool tellsDirections = true;      // the language has words for the nozzle's direction
   bool beadsByJoints = false;       // between points of a bead, too, the joints go at steady speeds
   std::optional<ProgramLoad> load;
+  std::vector<StatedFact> facts;       // in order
+  std::vector<FactKind> neededFacts;   // what a program of this language states before it moves
+  std::vector<StatedPosture> postures; // of motions, where the text gives them; in order
   TimeModel time;        // of the dialect
   bool complete = false; // its end sequence was found
   std::vector<ProgramDefect> defects;

@@ -8,7 +8,14 @@
 
 namespace voluta::plan {
 
-enum class PathKind : std::uint8_t { Wall, Infill, GapFill, Skirt, Support };
+// Projects keep their numbers: add new kinds at the end.
+enum class PathKind : std::uint8_t { Wall, Infill, GapFill, Skirt, Support, Prime };
+inline constexpr std::size_t kPathKinds = 6;
+
+// Is it thrown away, and no part of what is printed? Nothing has to hold it.
+constexpr bool isWaste(PathKind kind) {
+  return kind == PathKind::Skirt || kind == PathKind::Prime;
+}
 
 // One bead laid without lifting: waypoints [first, first + count), count >= 2.
 // A closed path repeats its first waypoint at its end.
@@ -29,7 +36,7 @@ struct ToolPlan {
 
   std::size_t waypointCount() const { return position.size(); }
   // Does a bead that is waste fill the nozzle before the part begins?
-  bool primes() const { return !paths.empty() && paths.front().kind == PathKind::Skirt; }
+  bool primes() const { return !paths.empty() && isWaste(paths.front().kind); }
   // Is that bead laid in the air over the plate? Nothing is there yet that could hold it: it falls,
   // and is no part of what grows.
   bool primeFalls() const {

@@ -1,6 +1,7 @@
 #include "process/process.h"
 
 #include "base/data_files.h"
+#include "base/files.h"
 #include "base/json_node.h"
 
 #include <algorithm>
@@ -53,7 +54,11 @@ HeadShape erodedHead(const HeadShape& head, double toleranceMm) {
 }
 
 Process readProcess(const std::filesystem::path& file) {
-  const JsonNode top = JsonNode::readFile(file);
+  return readProcessText(base::readFile(file), file.string());
+}
+
+Process readProcessText(const std::string& text, const std::string& name) {
+  const JsonNode top = JsonNode::parse(text, name);
   top.allowOnly({"id", "label", "nozzleDiameterMm", "layerHeightMm", "beadWidthMm", "stepMm",
                  "speedMmPerS", "travelSpeedMmPerS", "accelerationMmPerS2", "contactToleranceMm",
                  "bridgeMm", "bridgeSpeedMmPerS", "maxFlowMm3PerS", "primeS", "retractMm",
@@ -87,8 +92,9 @@ std::vector<std::string> processIds() {
   return base::dataFileIds("processes");
 }
 
-Process loadProcess(const std::string& id) {
-  return readProcess(base::dataFile("processes", id, "unknown process '{id}'"_text));
+Process loadProcess(const std::string& choice) {
+  const base::DataText data = base::dataText("processes", choice, "unknown process '{id}'"_text);
+  return readProcessText(data.text, data.file.string());
 }
 
 } // namespace voluta::process

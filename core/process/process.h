@@ -43,9 +43,12 @@ struct Process {
 // key that is missing or unknown, a size, speed or density that is not positive, limits that do not
 // enclose their default, a head that does not rise from z = 0.
 Process readProcess(const std::filesystem::path& file);
+// The same from the file's text; `name` names it in errors.
+Process readProcessText(const std::string& text, const std::string& name);
 // Ids of the processes in resourceFolder()/processes, sorted.
 std::vector<std::string> processIds();
-// Throws Error{Usage} for an unknown id, naming the nearest.
-Process loadProcess(const std::string& id);
+// `choice`: an id, or the text of a process's file (base/data_files.h). Throws Error{Usage} for an
+// unknown id, naming the nearest; as readProcess() for a text.
+Process loadProcess(const std::string& choice);
 
 } // namespace voluta::process

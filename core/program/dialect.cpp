@@ -7,6 +7,7 @@
 #include "program/extruder.h"
 #include "program/extruder_axis.h"
 #include "program/extruder_stream.h"
+#include "program/full_flow.h"
 #include "program/gcode_bc.h"
 #include "program/gcode_extended.h"
 #include "program/gcode_plain.h"
@@ -21,6 +22,8 @@
 #include "program/motion_targets.h"
 #include "program/mxt_packets.h"
 #include "program/rapid.h"
+#include "program/rapid_motions.h"
+#include "program/rapid_tokens.h"
 #include "program/spelplus.h"
 #include "program/text.h"
 #include "program/text_files.h"
@@ -29,6 +32,7 @@
 #include "program/urscript_stream.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace voluta::program {
 
@@ -45,6 +49,27 @@ constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMostMmPerS2,
                                       .lookAhead = 5};
 constexpr MergeLimits kKrlMerge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad};
 constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad};
+
+using enum plan::FactKind;
+std::vector<plan::FactKind> gcodeStates() {
+  return {OperatorStop, NozzleHeat,        NozzleHeatWait, Home,
+          Millimetres,  AbsolutePositions, FilamentCount};
+}
+
+std::vector<std::string> unitsOfRapid(const robot::Cell& cell) {
+  std::vector<std::string> units = {std::string(kRapidExtruderUnit)};
+  if (cell.axesUnderRobot() > 0)
+    units.push_back(rapidName(cell.robotUnit()));
+  if (cell.axesMovePlatform())
+    units.push_back(rapidName(cell.externalUnit()));
+  for (std::string& unit : units)
+    unit = inSmallLetters(unit);
+  return units;
+}
+std::vector<std::string> unitsOfKrl(const robot::Cell& cell) {
+  return cell.axesMovePlatform() ? std::vector<std::string>{"machine_def[2]"}
+                                 : std::vector<std::string>();
+}
 } // namespace
 
 const std::vector<Dialect>& dialects() {
@@ -60,6 +85,8 @@ const std::vector<Dialect>& dialects() {
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kCastelliExtruder, kStreamExtruder},
        .options = urscriptOptions,
+       .states = {OperatorStop},
+       .fullFlowAt = "1",
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
@@ -79,6 +106,7 @@ const std::vector<Dialect>& dialects() {
        // Every row says its flow. A stream of filament counts motions, of which a row may be a
        // piece.
        .extruders = {},
+       .fullFlowAt = "1",
        .write = writeUrscriptStream,
        .read = readUrscriptStream,
        .looksLike = looksLikeUrscriptStream,
@@ -95,6 +123,7 @@ const std::vector<Dialect>& dialects() {
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
        .options = extendedGcodeOptions,
+       .states = gcodeStates(),
        .write = writeExtendedGcode,
        .read = readExtendedGcode,
        .looksLike = looksLikeExtendedGcode,
@@ -111,11 +140,12 @@ const std::vector<Dialect>& dialects() {
        // Every motion says its time.
        .time = {},
        .options = tableGcodeOptions,
+       .states = gcodeStates(),
        .write = writeTableGcode,
        .read = readTableGcode,
        .looksLike = looksLikeTableGcode,
        .remark = ";",
-       .mayBeMissing = mayBeMissingInTableGcode},
+       .mayBeMissing = mayBeMissingInExtendedGcode},
       {.id = "gcode",
        .label = "Plain G-code (three axes, flat jobs)"_text,
        .extension = "gco",
@@ -126,6 +156,7 @@ const std::vector<Dialect>& dialects() {
        .tiltsNozzle = false,
        // As extended G-code's.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
+       .states = gcodeStates(),
        .write = writePlainGcode,
        .read = readPlainGcode,
        .looksLike = looksLikePlainGcode,
@@ -143,6 +174,9 @@ const std::vector<Dialect>& dialects() {
            {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
        .options = rapidOptions,
+       .states = {OperatorStop},
+       .fullFlowAt = "1",
+       .units = unitsOfRapid,
        .longestText = 80, // of a string
        .write = writeRapid,
        .read = readRapid,
@@ -160,6 +194,9 @@ const std::vector<Dialect>& dialects() {
        .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
        .options = krlOptions,
+       .states = {OperatorStop},
+       .fullFlowAt = "1",
+       .units = unitsOfKrl,
        .write = writeKrl,
        .read = readKrl,
        .looksLike = looksLikeKrl,
@@ -176,6 +213,7 @@ const std::vector<Dialect>& dialects() {
        .merge = kKrlMerge,
        // Every line says its flow.
        .extruders = {},
+       .fullFlowAt = "1",
        .write = writeKrlEki,
        .read = readKrlEki,
        .looksLike = looksLikeKrlEki,
@@ -194,6 +232,8 @@ const std::vector<Dialect>& dialects() {
                 .jointsInPercent = true},
        .extruders = {kOutputsExtruder, kCastelliExtruder, kStreamExtruder},
        .options = spelplusOptions,
+       .states = {OperatorStop},
+       .fullFlowAt = "10 V",
        .longestLine = 512,
        .write = writeSpelplus,
        .read = readSpelplus,
@@ -211,6 +251,9 @@ const std::vector<Dialect>& dialects() {
        .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
        .options = melfaOptions,
+       .states = {OperatorStop, TargetFrame},
+       .fullFlowAt = "10000",
+       .posture = melfaPosture,
        .longestLine = 127,
        .write = writeMelfa,
        .read = readMelfa,
@@ -231,6 +274,7 @@ const std::vector<Dialect>& dialects() {
        // piece.
        .extruders = {},
        .options = melfaStreamOptions,
+       .fullFlowAt = "10000",
        .write = writeMelfaStream,
        .read = readMelfaStream,
        .looksLike = looksLikeMelfaStream,
@@ -247,6 +291,7 @@ const std::vector<Dialect>& dialects() {
        .merge = kMelfaMerge,
        // Every line says its flow.
        .extruders = {},
+       .fullFlowAt = "10000",
        .write = writeMelfaDatalink,
        .read = readMelfaDatalink,
        .looksLike = looksLikeMelfaDatalink,
@@ -261,11 +306,13 @@ const std::vector<Dialect>& dialects() {
        // Points say their times; Line and PTP their ramps. What is not known of a queue's pace.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder},
+       .states = {OperatorStop, TargetFrame},
+       .fullFlowAt = "10 V",
        .write = writeTmscript,
        .read = readTmscript,
        .looksLike = looksLikeTmscript,
        .remark = "//",
-       .mayBeMissing = mayBeMissingInTmscript},
+       .mayBeMissing = primes},
       {.id = "csv",
        .label = "Joint table (CSV)"_text,
        .extension = "csv",
@@ -477,6 +524,7 @@ plan::ReadProgram readWithStream(const Dialect& dialect,
   std::ranges::for_each(program.motions, place);
   std::ranges::for_each(program.pauses, place);
   std::ranges::for_each(program.defects, place);
+  std::ranges::for_each(program.facts, place);
   if (program.load)
     place(*program.load);
   place(program.nozzleAt);
@@ -506,6 +554,9 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
       tellLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
                     program.defects);
   }
+  std::ranges::move(statedFullFlow(files), std::back_inserter(program.facts));
+  program.neededFacts.insert(program.neededFacts.end(), dialect.states.begin(),
+                             dialect.states.end());
   program.time = dialect.time;
   program.tellsDirections = dialect.tiltsNozzle;
   program.beadsByJoints = dialect.beadsByJoints;

@@ -14,6 +14,7 @@
 #include "base/run_context.h"
 #include "base/text.h"
 #include "plan/program.h"
+#include "plan/stated_facts.h"
 #include "program/merged_points.h"
 #include "program/program_input.h"
 #include "program/text.h"
@@ -45,6 +46,15 @@ struct Dialect {
   bool forAnyCell = false; // written beside the cell's own where the user chooses no formats
   // What the user may choose about its text; nullptr: nothing. Dialects may share an option.
   std::vector<base::ParameterSpec> (*options)() = nullptr;
+  // What its programs state before anything moves or flows; readProgram hands it on.
+  std::vector<plan::FactKind> states = {};
+  // The greatest value of its flow output, as the head says it; empty: it has none.
+  std::string_view fullFlowAt = {};
+  // The mechanical units that a program for this cell may name, in small letters; nullptr: the
+  // language has no names for them.
+  std::vector<std::string> (*units)(const robot::Cell&) = nullptr;
+  // The flags that its targets have; nullptr: the language has none, or nothing depends on them.
+  plan::ArmPosture (*posture)(const robot::Cell&, bool foreign, const double* joints) = nullptr;
   // What its controller takes: characters of a line, and of a text in quotation marks. 0: no limit
   // is known.
   std::size_t longestLine = 0, longestText = 0;

@@ -128,8 +128,10 @@ private:
       if (plan::ProgramPause& pause = program_.pauses[p];
           pause.before == motion_ && !pauseTold_[p] && pause.durationS > 0.0) {
         pauseTold_[p] = true;
+        const double before = drawnMm3_;
         std::tie(pause.volumeMm3, drawnMm3_) =
             pushedOut(volume / seconds * pause.durationS, drawnMm3_);
+        pause.drawnMm = std::abs(drawnMm3_ - before) / mm2_;
         if (drawnMm3_ > kMostDrawnBackMm * mm2_)
           defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
                                base::mm(drawnMm3_ / mm2_)));

@@ -32,9 +32,9 @@ inline constexpr std::string_view kReversedNote = "B and C count the tool's turn
 base::ParameterSpec tableXMm();
 base::ParameterSpec tableZMm();
 base::ParameterSpec tableSense();
-// Beyond so many turns to a side C goes back by whole turns in a travel: its count, G92 C, without
-// a motion, for tables that turn without end ("count"), or the table ("wind"), and then it never
-// passes them. 0: it counts on, or is wound back at as few turns as suit.
+// Beyond so many turns to a side C goes back by whole turns in a travel: the table ("wind", the
+// default), and then it never passes them; or its count, G92 C, without a motion, for tables that
+// turn without end ("count"). 0: as few turns as suit, or one.
 base::ParameterSpec tableTurns();
 base::ParameterSpec tableUnwind();
 std::vector<base::ParameterSpec> tableGcodeOptions();
@@ -51,6 +51,5 @@ plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext&
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
                                  const process::Process& process, const base::RunContext& ctx);
 bool looksLikeTableGcode(std::string_view text);
-bool mayBeMissingInTableGcode(const std::vector<std::string>& lines, std::size_t i); // Dialect
 
 } // namespace voluta::program

@@ -1,7 +1,6 @@
 #include "program/gcode_bc.h"
 
 #include "base/units.h"
-#include "program/gcode_extended.h"
 #include "program/gcode_reader.h"
 #include "program/text.h"
 #include "program/tilting_table.h"
@@ -127,6 +126,12 @@ private:
                : 0;
   }
   void finish() override {
+    if (ours_ && inverseTime_ && !poses_.empty()) {
+      const plan::ProgramMotion& last = out_.program().motions.back();
+      out_.file = last.file;
+      out_.line = last.line + 1;
+      defect("G94 is missing behind the last motion: what runs next would take F for times"_text);
+    }
     std::vector<plan::ProgramMotion>& motions = out_.program().motions;
     for (std::size_t m = 1; m < poses_.size() && poses_.size() == motions.size();)
       if (const std::size_t count = windingAt(m)) {
@@ -167,10 +172,6 @@ plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
 
 bool looksLikeTableGcode(std::string_view text) {
   return kindOfGcode(text) == GcodeKind::Table;
-}
-
-bool mayBeMissingInTableGcode(const std::vector<std::string>& lines, std::size_t i) {
-  return lines[i] == "G94" || mayBeMissingInExtendedGcode(lines, i);
 }
 
 } // namespace voluta::program

@@ -40,11 +40,13 @@ public:
     findStations();
     if (winds_)
       findWindings();
+    else if (!(mostTurns_ > 0.0))
+      mostTurns_ = 1.0;
     upMm_ = heightAbove();
   }
 
   plan::Program write() {
-    walkTrajectory(in_, {"gcode-bc", cutsOf(in_.trajectory, 0)}, *this, ctx_);
+    walkTrajectory(in_, {"gcode-bc", cutsOf(in_, 0)}, *this, ctx_);
     return std::move(program_);
   }
 
@@ -156,11 +158,8 @@ private:
     if (sense_ < 0.0)
       all.emplace_back(kReversedNote);
     if (winds_)
-      all.push_back(
-          joined({"C stays within ", fixedText(mostTurns_, 3),
-                  " turns to either side: it is wound back ", std::to_string(windsAt_.size()),
-                  " times, amid a travel, with the nozzle at Z", fixedText(upMm_, 1)}));
-    else if (mostTurns_ > 0.0)
+      all.push_back(rangeNote());
+    else
       all.push_back(joined({"C's count is set back by whole turns (G92 C) in travels beyond ",
                             fixedText(mostTurns_, 0),
                             ": the table does not move then, and has to turn without end"}));
@@ -169,6 +168,15 @@ private:
                           " degrees, C at most at ", degrees(fastest),
                           " degrees/s: what the axes cannot follow takes longer"}));
     return all;
+  }
+  std::string rangeNote() const {
+    std::string note = joined({"C stays within ", fixedText(mostTurns_, 3),
+                               mostTurns_ == 1.0 ? " turn" : " turns", " to either side"});
+    if (!windsAt_.empty())
+      note += joined({": it is wound back ", std::to_string(windsAt_.size()),
+                      windsAt_.size() == 1 ? " time" : " times",
+                      ", amid a travel, with the nozzle at Z", fixedText(upMm_, 1)});
+    return note;
   }
   static std::string degrees(double rad) {
     std::string text;
@@ -255,7 +263,7 @@ private:
   void setCountBack() {
     const double degrees = sense_ * base::radiansToDegrees(last_.angles.turn) - countedDeg_;
     const double turns = std::round(degrees / 360.0);
-    if (!(mostTurns_ > 0.0) || std::abs(degrees) <= 360.0 * mostTurns_ || turns == 0.0)
+    if (std::abs(degrees) <= 360.0 * mostTurns_ || turns == 0.0)
       return;
     countedDeg_ += 360.0 * turns;
     text_.word("G92 C", degrees - 360.0 * turns, kAngleDecimals);
@@ -325,16 +333,17 @@ base::ParameterSpec tableTurns() {
   return base::numberParameter(
       "tableTurns", "", 0.0, 0.0, 1000.0, "Programs"_text, "turns until C goes back"_text,
       "G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; "
-      "0: it counts on, or, where the table is wound back, as few as suit."_text);
+      "0: as few turns as the beads allow."_text);
 }
 
 base::ParameterSpec tableUnwind() {
   return base::choiceParameter(
-      "tableUnwind", std::string(kCounts),
-      {{std::string(kCounts), "its count (G92 C)"_text}, {std::string(kWinds), "the table"_text}},
+      "tableUnwind", std::string(kWinds),
+      {{std::string(kWinds), "the table"_text}, {std::string(kCounts), "its count (G92 C)"_text}},
       "Programs"_text, "what goes back of C"_text,
-      "G-code with B and C: of a table that turns without end the count alone, and it stays where "
-      "it is; one with a cable is wound back amid a travel, with the nozzle above all it lifts."_text);
+      "G-code with B and C: the table is wound back amid a travel, with the nozzle above all that "
+      "it lifts. Of a table that turns without end the count alone may go back: it stays where it "
+      "is."_text);
 }
 
 std::vector<base::ParameterSpec> tableGcodeOptions() {

@@ -102,10 +102,7 @@ bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::siz
   // E is 0 before the prime, not behind it.
   if (lines[i] == "G92 E0")
     return lines[i - 1].find("prime") == std::string::npos;
-  for (const char* word : {"G21", "G90", "M82", "G28", "M104 S2", "M109", "M117", "M0"})
-    if (lines[i].find(word) != std::string::npos)
-      return true;
-  return primes(lines, i);
+  return lines[i].starts_with("M117") || primes(lines, i);
 }
 
 } // namespace voluta::program

@@ -22,8 +22,9 @@ struct GcodeWords {
   bool anyDirection() const { return direction[0] || direction[1] || direction[2]; }
 };
 
-// Of a line without its `;` comment and checksum; small letters and ( ) comments too. A letter with
-// nothing behind it counts as 0. false: not understood, or a word given twice.
+// Of a line without its `;` comment and checksum; small letters and ( ) comments too, with or
+// without blanks (G1X10E5 is X10 E5: numbers have no exponent). A letter without a number counts as
+// 0. false: not understood, or a word given twice.
 bool wordsOf(std::string_view line, GcodeWords& words);
 
 enum class GcodeKind {

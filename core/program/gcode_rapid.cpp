@@ -7,6 +7,7 @@
 #include "program/language_words.h"
 #include "program/motion_targets.h"
 #include "program/rapid.h"
+#include "program/rapid_files.h"
 #include "program/rapid_text.h"
 #include "program/same_text.h"
 #include "program/tcp_motions.h"
@@ -50,7 +51,8 @@ bool wantsRapidRunner(const ProgramOptions& options) {
 }
 
 std::string rapidRunnerName(const ProgramInput& input) {
-  return identifierOf(input.name) + "_gcode.mod";
+  const bool omniCore = input.cell.robot().controllerModel == robot::kOmniCore;
+  return joined({identifierOf(input.name), "_gcode", moduleExtension(omniCore)});
 }
 
 plan::ProgramFile rapidRunner(const ProgramInput& input, std::string_view gcodeFile,

@@ -8,6 +8,8 @@
 
 namespace voluta::program {
 
+using enum plan::FactKind;
+
 GcodeReader::GcodeReader(std::string_view format, const process::Process& process,
                          const base::RunContext& ctx)
     : out_(format, process), process_(process), ctx_(ctx) {
@@ -107,15 +109,26 @@ void GcodeReader::executeG(double g, GcodeWords& w) {
     defect("relative positions are not understood"_text);
   else if (!command(g) && !inTable('G', g))
     defect("a G command that is not known to the reader"_text);
+  if (g == 21.0)
+    out_.state(Millimetres);
+  else if (g == 28.0)
+    out_.state(Home);
+  else if (g == 90.0)
+    out_.state(AbsolutePositions);
 }
 
 void GcodeReader::executeM(double m, GcodeWords& w) {
-  if (m == 82.0 || m == 83.0)
+  if (m == 82.0 || m == 83.0) {
     relativeE_ = m == 83.0;
-  else if (m == 104.0 || m == 109.0)
+    out_.state(FilamentCount);
+  } else if (m == 104.0 || m == 109.0) {
     heat(m, w);
-  else if (!inTable('M', m))
+  } else if (!inTable('M', m)) {
     defect("an M command that is not known to the reader"_text);
+  }
+  // M1 stops where a switch says so; with P or S a stop ends by itself.
+  if (m == 0.0 || m == 1.0)
+    out_.state(OperatorStop, m == 0.0 && !w['P'] && !w['S'] ? 1.0 : 0.0);
   if (m == 84.0 || m == 18.0)
     motorsOff_ = true;
 }
@@ -137,6 +150,9 @@ void GcodeReader::heat(double m, GcodeWords& w) {
       celsius != 0.0 && !(celsius >= least && celsius <= most))
     defect(base::message("{celsius} °C is no heat to print {material} with"_text,
                          base::number(celsius), process_.material));
+  out_.state(NozzleHeat, celsius);
+  if (m == 109.0 && celsius > 0.0)
+    out_.state(NozzleHeatWait);
   celsius_ = celsius;
   cold_ = celsius == 0.0;
 }
@@ -180,7 +196,7 @@ void GcodeReader::motion(double g, GcodeWords& w) {
   const bool moves = w.any("XYZ") || movesBeside(w);
   // Before the first target material is pushed out at home (prime); later it would be a blob.
   if (!moves && (pushedMm == 0.0 || out_.program().motions.empty())) {
-    out_.pause(secondsOf(w, filamentMm), pushedMm * filamentMm2_);
+    out_.pause(secondsOf(w, filamentMm), pushedMm * filamentMm2_, filamentMm - pushedMm);
     return;
   }
   plan::ProgramMotion m;

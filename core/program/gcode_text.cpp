@@ -22,7 +22,7 @@ public:
   }
 
   plan::Program write() {
-    walkTrajectory(in_, {kind_.format, cutsOf(in_.trajectory, 0)}, *this, ctx_);
+    walkTrajectory(in_, {kind_.format, cutsOf(in_, 0)}, *this, ctx_);
     return std::move(program_);
   }
 

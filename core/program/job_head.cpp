@@ -43,18 +43,6 @@ private:
 constexpr std::string_view kPart = "part ", kJob = ", job ", kCell = "cell ", kRobot = ", robot ",
                            kProcess = ", process ";
 constexpr std::size_t kHashDigits = 16;
-// The head stands within so many lines of a file's beginning.
-constexpr std::size_t kHeadLines = 60;
-
-// What stands behind `word`, which begins a remark's text: nothing but marks is before it.
-std::optional<std::string_view> behind(std::string_view line, std::string_view word) {
-  const std::size_t at = line.find(word);
-  const auto isMark = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; };
-  if (at == std::string_view::npos ||
-      !std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(at), isMark))
-    return std::nullopt;
-  return line.substr(at + word.size());
-}
 
 // "PART, job HASH"; a part may have any name.
 bool takePart(std::string_view text, JobHead& head) {
@@ -83,6 +71,15 @@ bool takeCell(std::string_view text, JobHead& head) {
 }
 
 } // namespace
+
+std::optional<std::string_view> behindMark(std::string_view line, std::string_view word) {
+  const std::size_t at = line.find(word);
+  const auto isMark = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; };
+  if (at == std::string_view::npos ||
+      !std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(at), isMark))
+    return std::nullopt;
+  return line.substr(at + word.size());
+}
 
 std::string plainText(std::string_view text, std::size_t most) {
   std::string plain(text.substr(0, most));
@@ -119,9 +116,9 @@ std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) 
     LineReader lines(file.text);
     for (std::string_view line; lines.number() < kHeadLines && lines.next(line);) {
       if (head.job.empty()) {
-        if (const auto text = behind(line, kPart))
+        if (const auto text = behindMark(line, kPart))
           takePart(*text, head);
-      } else if (const auto text = behind(line, kCell); text && takeCell(*text, head)) {
+      } else if (const auto text = behindMark(line, kCell); text && takeCell(*text, head)) {
         break;
       }
     }

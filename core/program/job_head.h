@@ -36,6 +36,11 @@ struct JobHead {
   friend bool operator==(const JobHead&, const JobHead&) = default;
 };
 JobHead jobHead(const ProgramInput& input);
+// A head ends within so many lines of a file's beginning.
+inline constexpr std::size_t kHeadLines = 60;
+// What follows `word`, which begins a remark's text: before it are marks only.
+std::optional<std::string_view> behindMark(std::string_view line, std::string_view word);
+
 // What the first lines of the files say; nothing where none names a job: a program of another
 // origin, or one whose remarks were taken out.
 std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files);

@@ -26,7 +26,7 @@ public:
   }
 
   WrittenRows write() {
-    walkTrajectory(in_, {format_, cutsOf(in_.trajectory, 0), &motions_}, *this, ctx_);
+    walkTrajectory(in_, {format_, cutsOf(in_, 0), &motions_}, *this, ctx_);
     return std::move(out_);
   }
 

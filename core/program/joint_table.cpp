@@ -164,7 +164,7 @@ public:
   explicit JointTableWriter(const ProgramInput& input) : in_(input) { checkInput(input); }
 
   plan::Program write(const base::RunContext& ctx) {
-    walkTrajectory(in_, {"csv", cutsOf(in_.trajectory, 0)}, *this, ctx);
+    walkTrajectory(in_, {"csv", cutsOf(in_, 0)}, *this, ctx);
     return std::move(program_);
   }
 

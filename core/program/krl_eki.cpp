@@ -2,6 +2,7 @@
 
 #include "base/units.h"
 #include "program/euler_angles.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/krl.h"
 #include "program/krl_eki_texts.h"
@@ -99,8 +100,8 @@ std::string textOf(const std::vector<std::string>& lines) {
 std::vector<std::string> remarksFor(const ProgramInput& in) {
   std::vector<std::string> remarks = {"Takes lines by EthernetKRL"};
   std::ranges::copy(headLines(in), std::back_inserter(remarks));
-  remarks.push_back(joined({"extruder on: $OUT[1]; flow: $ANOUT[1], 1 = ",
-                            fixedText(in.process.maxFlowMm3PerS, 3), " mm3/s, 0 to 10 V"}));
+  remarks.push_back(joined({"extruder on: $OUT[1]; flow: $ANOUT[1], ",
+                            fullFlowText("1", in.process), ", 0 to 10 V"}));
   remarks.push_back(joined({"carries, assumed: ", assumedLoadText(in)}));
   if (in.cell.nozzleMount() == robot::Mount::World)
     remarks.emplace_back("fixed nozzle: $BASE is the nozzle, $TOOL the work frame on the flange");

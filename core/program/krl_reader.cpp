@@ -146,8 +146,10 @@ private:
       return line.ended();
     if (!out_.word(krlWords(), word))
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
-    if (word == "halt" && !line.ended())
-      return false;
+    if (word == "halt") {
+      out_.state(plan::FactKind::OperatorStop, 1.0);
+      return line.ended();
+    }
     return takeRest(line);
   }
 
@@ -254,9 +256,14 @@ private:
     std::string path;
     KrlValue frame;
     line.takeWord("ek");
-    if (!line.takeMark('(') || !takeKrlPath(line, path) || !line.takeMark(',') ||
-        !takeKrlPath(line, path) || !line.takeMark(',') || !variables_.takeValue(line, frame) ||
-        !line.takeMark(')'))
+    if (!line.takeMark('('))
+      return false;
+    for (int part = 0; part < 2; ++part) { // ROOT, MECH_TYPE
+      if (!takeKrlPath(line, path) || !line.takeMark(','))
+        return false;
+      out_.state(plan::FactKind::MechanicalUnit, 0.0, path.substr(0, path.find('.')));
+    }
+    if (!variables_.takeValue(line, frame) || !line.takeMark(')'))
       return false;
     frameSet("$base");
     variables_.set("$base", frame);
@@ -270,6 +277,8 @@ private:
       return false;
     if (std::exchange(aheadOfArm_, false) && moved_)
       return fail("an output behind CONTINUE runs ahead of the arm"_text);
+    if (path == kExtruder || path == kFlow)
+      out_.statePassingOutput();
     stopAdvance();
     return setOutput(path, number->second);
   }

@@ -3,6 +3,7 @@
 #include "program/extruder.h"
 #include "program/extruder_axis.h"
 #include "program/filament.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/krl.h"
 #include "program/krl_motions.h"
@@ -30,9 +31,7 @@ class KrlWriter : private Speller {
 public:
   KrlWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), motions_(input, ctx),
-        cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
-                                           ? input.options.motionsPerFile
-                                           : kKrlMotionsPerFile)),
+        cuts_(cutsOf(input, motionsPerFile(input.options, kKrlMotionsPerFile))),
         name_(krlName(input.name)), byAxis_(extruderOf(input).byAxis) {
     program_.format = "krl";
     program_.foreign = input.foreign;
@@ -151,8 +150,8 @@ private:
                    "; 100 percent of its speed is taken as ", fixedText(kKrlExtruderMmPerS, 0),
                    " mm/s"}));
     else
-      line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], 1 = ",
-                   fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s, 0 to 10 V"}));
+      line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], ", fullFlowText("1", in_.process),
+                   ", 0 to 10 V"}));
     if (motions_.turnLimit() > kMostTurnDegPerS)
       line(joined({"; the tool turns by up to ", fixedText(motions_.turnLimit(), 0),
                    " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));

@@ -18,7 +18,7 @@ public:
       : in_(input), form_(form), motions_(motions), head_(head), ctx_(ctx), link_(head.frames) {}
 
   LinkText write() {
-    walkTrajectory(in_, {head_.format, cutsOf(in_.trajectory, 0), &motions_.tcp()}, *this, ctx_);
+    walkTrajectory(in_, {head_.format, cutsOf(in_, 0), &motions_.tcp()}, *this, ctx_);
     return {std::move(out_), link_};
   }
 

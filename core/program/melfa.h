@@ -21,6 +21,7 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "plan/program.h"
+#include "plan/stated_facts.h"
 #include "program/known_words.h"
 #include "program/program_input.h"
 
@@ -44,6 +45,10 @@ inline constexpr std::size_t kMelfaMotionsPerFile = 6500; // of five steps at mo
 
 std::vector<base::ParameterSpec> melfaOptions(); // motionsPerFile
 
+// The flags of a target: structure (4 right, 2 above, 1 not flipped), and whole turns, 4 bits an
+// axis. `joints`: of the arm and what is behind it; of a foreign arm nothing is known of them.
+plan::ArmPosture melfaPosture(const robot::Cell& cell, bool foreign, const double* joints);
+
 plan::Program writeMelfa(const ProgramInput& input, const base::RunContext& ctx);
 
 // Understood: steps with or without numbers, statements that share a line, labels, remarks; Tool,
@@ -52,8 +57,8 @@ plan::Program writeMelfa(const ProgramInput& input, const base::RunContext& ctx)
 // before, within or behind the program), GoSub, CallP of files that are there, and melfaWords();
 // letters of either case. Everything else is a defect, and so are numbers that do not ascend, steps
 // too long or too many, and another base. Without distances Cnt 1 blends as far as it takes to
-// stop. `complete`: every program ended with End, the extruder's outputs off behind its last
-// motion.
+// stop, and is stated as OpenRounding. `complete`: every program ended with End, the extruder's
+// outputs off behind its last motion.
 plan::ReadProgram readMelfa(const std::vector<plan::ProgramFile>& files,
                             const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where; everything else is refused.

@@ -1,6 +1,7 @@
 #include "program/melfa_datalink.h"
 
 #include "base/units.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/link_files.h"
 #include "program/link_writer.h"
@@ -158,8 +159,7 @@ std::vector<std::string> stepsFor(const Link& link) {
 std::string outputsNote(const process::Process& process) {
   return joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
                  std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
-                 " as a number, ", fixedText(kMelfaFullFlow, 0), " = ",
-                 fixedText(process.maxFlowMm3PerS, 3), " mm3/s"});
+                 " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), process)});
 }
 
 std::string programText(const ProgramInput& in, const Link& link) {

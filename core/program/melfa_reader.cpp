@@ -37,7 +37,7 @@ public:
       out_.line = texts_[f].lastLine;
       if (!ran_[f])
         out_.defect("no program calls this file"_text);
-      complete = complete && ran_[f] && texts_[f].ended;
+      complete = complete && ran_[f];
     }
     complete = complete && !missing_;
     if (nozzle_)
@@ -135,8 +135,12 @@ private:
       call(scanner, depth);
     else if (word == "def")
       definition(scanner);
-    else if (!assign(code) && !out_.word(melfaWords(), word))
+    else if (assign(code))
+      return;
+    else if (!out_.word(melfaWords(), word))
       unknown(word, code);
+    else if (word == "hlt")
+      out_.state(plan::FactKind::OperatorStop, 1.0);
   }
   void unknown(std::string_view word, std::string_view code) {
     if (word.empty() || code.find('=') != std::string_view::npos)
@@ -278,6 +282,8 @@ private:
       stop();
     continuous_ = *on == 1.0;
     blendMm_ = end ? end : start;
+    if (continuous_ && !blendMm_)
+      out_.state(plan::FactKind::OpenRounding);
   }
 
   // A frame in the robot's base or on its flange.
@@ -303,6 +309,8 @@ private:
     const auto pose = poseIn(scanner);
     if (!pose || !scanner.ended() || !pose->isApprox(Eigen::Isometry3d::Identity(), 1e-9))
       defect("a base other than the robot's own: write positions in that"_text);
+    else
+      out_.state(plan::FactKind::TargetFrame);
   }
 
   void delay(MelfaScanner& scanner) {
@@ -370,7 +378,20 @@ private:
         !straightKind(word, coordinates, joints) || !behindTarget(scanner, code))
       return;
     way(m);
+    statePosture(target);
     out_.motionByOutputs(std::move(m));
+  }
+  // Of the motion that comes next.
+  void statePosture(const ScriptValue& target) {
+    constexpr double kBits = 4294967296.0; // 32
+    if (target.flags.size() != 2)
+      return;
+    const auto bits = [](double flag) {
+      return static_cast<std::uint32_t>(
+          static_cast<std::int64_t>(std::fmod(flag, kBits)) & 0xffffffff);
+    };
+    out_.program().postures.push_back(
+        {out_.program().motions.size(), {bits(target.flags[0]), bits(target.flags[1])}});
   }
 
   bool jointTarget(const ScriptValue& target, plan::ProgramMotion& m) {

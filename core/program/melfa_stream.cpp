@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/joint_rows_writer.h"
 #include "program/melfa.h"
@@ -78,8 +79,7 @@ if __name__ == "__main__":
 std::string outputsNote(const process::Process& process) {
   return joined({"extruder on: output ", std::to_string(kMxtFirstOutput + 15), "; flow: outputs ",
                  std::to_string(kMxtFirstOutput), " to ", std::to_string(kMxtFirstOutput + 14),
-                 " as a number, ", fixedText(kMxtFullFlow, 0), " = ",
-                 fixedText(process.maxFlowMm3PerS, 3), " mm3/s"});
+                 " as a number, ", fullFlowText(fixedText(kMxtFullFlow, 0), process)});
 }
 
 // The steps of the program that takes the stream; an address stands in the place of "".

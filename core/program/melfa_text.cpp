@@ -56,9 +56,6 @@ MelfaText melfaText(std::string_view text, ProgramBuilder& out, const base::RunC
     }
     into.steps.push_back({reader.number(), code});
   }
-  into.ended = !text.empty() && text.back() == '\n';
-  if (!into.ended)
-    out.defect("the last line has no end: the file was cut short"_text);
   return into;
 }
 
@@ -80,8 +77,8 @@ bool mayBeMissingInMelfa(const std::vector<std::string>& lines, std::size_t i) {
   std::size_t step = 0;
   const std::string_view code = melfaCode(lines[i], step);
   const auto begins = [&](std::string_view word) { return code.starts_with(word); };
-  // The arm's own base, speeds and accelerations are there without a word.
-  return code.empty() || begins("Base") || begins("Ovrd") || begins("Accel") || begins("Hlt") ||
+  // The arm's own speeds and accelerations are there without a word.
+  return code.empty() || begins("Ovrd") || begins("Accel") ||
          (begins("Cnt 0") && i > 0 && lines[i - 1].find("Accel") != std::string::npos) ||
          primes(lines, i);
 }

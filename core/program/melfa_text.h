@@ -22,7 +22,6 @@ struct MelfaText {
   std::vector<MelfaStep> steps;                           // with code in them
   std::map<std::string, std::size_t, std::less<>> labels; // in small letters; indices of steps
   std::size_t lastLine = 0;
-  bool ended = false; // its last line has an end
 };
 
 // A step's line without its number and its remark. `step`: its number, 0 where it has none.

@@ -150,10 +150,14 @@ bool MelfaScanner::behindList(ScriptValue& list) {
     return list.list.size() <= kMostNumbers;
   rest.remove_prefix(1);
   std::vector<ScriptValue> flags;
-  return arguments(flags) && flags.size() <= 2 && list.list.size() <= kMostNumbers &&
-         std::all_of(flags.begin(), flags.end(), [](const ScriptValue& flag) {
-           return flag.kind == ScriptKind::Number && flag.number == std::floor(flag.number);
-         });
+  const bool sound = arguments(flags) && flags.size() <= 2 && list.list.size() <= kMostNumbers &&
+                     std::all_of(flags.begin(), flags.end(), [](const ScriptValue& flag) {
+                       return flag.kind == ScriptKind::Number &&
+                              flag.number == std::floor(flag.number);
+                     });
+  for (const ScriptValue& flag : flags)
+    list.flags.push_back(flag.number);
+  return sound;
 }
 
 bool MelfaScanner::oddNumber(double& value) {

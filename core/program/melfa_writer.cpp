@@ -1,5 +1,6 @@
 #include "base/units.h"
 #include "program/arm_branch.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/melfa.h"
 #include "program/melfa_motions.h"
@@ -24,7 +25,8 @@ class MelfaWriter : private Speller {
 public:
   MelfaWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), motions_(input, ctx),
-        cuts_(cutsOf(input.trajectory, motionsPerFile())),
+        cuts_(cutsOf(input, std::min(motionsPerFile(input.options, kMelfaMotionsPerFile),
+                                     kMelfaMotionsPerFile))),
         name_(identifierOf(input.name).substr(0, kNameCharacters)) {
     program_.format = "melfa";
     program_.foreign = input.foreign;
@@ -38,10 +40,6 @@ public:
   }
 
 private:
-  std::size_t motionsPerFile() const {
-    const std::size_t asked = in_.options.motionsPerFile;
-    return asked > 0 ? std::min(asked, kMelfaMotionsPerFile) : kMelfaMotionsPerFile;
-  }
   void step(std::string_view code) {
     out_ += std::to_string(++steps_);
     out_ += ' ';
@@ -52,20 +50,11 @@ private:
     return melfaFrame(pose.translation(), melfaDegrees(pose));
   }
 
-  // Structure: 4 right, 2 above, 1 not flipped; and whole turns, 4 bits an axis.
   std::string flags(std::size_t i) const {
-    if (program_.foreign || in_.cell.armDof() != 6)
-      return "(7,0)";
-    const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), 6);
-    const ArmBranch arm = armBranch(in_.cell.robot(), q);
-    const int structure =
-        (arm.behindAxis1 ? 0 : 4) + (arm.behindLowerArm ? 0 : 2) + (arm.axis5Negative ? 0 : 1);
-    std::uint32_t turns = 0;
-    for (int k = 0; k < 6; ++k) {
-      const auto n = static_cast<int>(std::round(q[k] / (2.0 * base::kPi)));
-      turns |= (static_cast<std::uint32_t>(n) & 0xfU) << (4 * k);
-    }
-    return joined({"(", std::to_string(structure), ",", std::to_string(turns), ")"});
+    const plan::ArmPosture posture =
+        melfaPosture(in_.cell, program_.foreign, in_.trajectory.at(i));
+    return joined(
+        {"(", std::to_string(posture.structure), ",", std::to_string(posture.turns), ")"});
   }
   std::string targetOf(std::size_t i) const {
     return melfaPosition(motions_.mm(i), motions_.degrees(i), kMelfaMmDecimals, kMelfaDegDecimals,
@@ -126,8 +115,7 @@ private:
     }
     say(joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
                 std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
-                " as a number, ", fixedText(kMelfaFullFlow, 0), " = ",
-                fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
+                " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), in_.process)}));
     say(joined({"load assumed: ", fixedText(assumedLoadKg(in_), 3), " kg, to be set in HNDDAT1"}));
   }
 
@@ -221,6 +209,22 @@ private:
 };
 
 } // namespace
+
+plan::ArmPosture melfaPosture(const robot::Cell& cell, bool foreign, const double* joints) {
+  constexpr int kAxes = 6;
+  if (foreign || cell.armDof() != kAxes)
+    return {.structure = 7, .turns = 0};
+  const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(joints, kAxes);
+  const ArmBranch arm = armBranch(cell.robot(), q);
+  plan::ArmPosture posture;
+  posture.structure =
+      (arm.behindAxis1 ? 0U : 4U) + (arm.behindLowerArm ? 0U : 2U) + (arm.axis5Negative ? 0U : 1U);
+  for (int k = 0; k < kAxes; ++k) {
+    const auto n = static_cast<int>(std::round(q[k] / (2.0 * base::kPi)));
+    posture.turns |= (static_cast<std::uint32_t>(n) & 0xfU) << (4 * k);
+  }
+  return posture;
+}
 
 std::vector<base::ParameterSpec> melfaOptions() {
   return {motionsPerFileOption()};

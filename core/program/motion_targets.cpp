@@ -25,6 +25,8 @@ const char* nameOf(plan::PathKind kind) {
     return "skirt";
   case plan::PathKind::Support:
     return "support";
+  case plan::PathKind::Prime:
+    return "prime";
   }
   return "path";
 }

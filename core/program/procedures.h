@@ -34,7 +34,7 @@ public:
   // Called with a line of code, none of them empty; out.file and out.line are its place.
   using Statement = std::function<void(std::string_view code)>;
   // Finds the procedures of all files; `outside` is given each statement that stands in none.
-  // Defects: what begins or ends twice, a file whose last line has no end. false: there was one.
+  // Defects: what begins or ends twice, a file that is empty. false: there was one.
   bool find(const std::vector<plan::ProgramFile>& files, const Statement& outside);
   // Runs the first file's first procedure. false: there is none, or a file was not come to.
   bool run(const Statement& statement);

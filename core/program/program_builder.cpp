@@ -4,6 +4,7 @@
 #include "program/filament.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -56,6 +57,8 @@ void ProgramBuilder::turn(bool on) {
 }
 
 void ProgramBuilder::send(std::string_view text) {
+  if (std::vector<plan::FactKind>& needed = program_.neededFacts; needed.empty())
+    needed.push_back(plan::FactKind::NozzleHeat);
   const auto command = readCastelli(text);
   if (!command) {
     defect(base::message("'{text}' is no text that the extruder takes"_text, text.substr(0, 40)));
@@ -73,6 +76,7 @@ void ProgramBuilder::send(std::string_view text) {
         value != 0.0 && !(value >= least && value <= most))
       defect(base::message("{celsius} °C is no heat to print {material} with"_text,
                            base::number(value), process_.material));
+    state(plan::FactKind::NozzleHeat, value);
     wordAt("M", kAside);
     return;
   case 'R':
@@ -104,10 +108,11 @@ void ProgramBuilder::motion(plan::ProgramMotion m) {
 
 void ProgramBuilder::pauseByOutputs(double seconds) {
   const double pushed = (outputs_.flowShare() * process_.maxFlowMm3PerS - drawsMm3PerS_) * seconds;
+  const double before = drawnMm3_;
   double out = 0.0;
   std::tie(out, drawnMm3_) = pushedOut(pushed, drawnMm3_);
   tellDrawn(drawnMm3_ / filamentArea(kCastelliFilamentMm));
-  pause(seconds, out);
+  pause(seconds, out, std::abs(drawnMm3_ - before) / filamentArea(kCastelliFilamentMm));
 }
 
 void ProgramBuilder::tellDrawn(double mm) {
@@ -136,15 +141,26 @@ void ProgramBuilder::motionByAxis(plan::ProgramMotion m, double mm) {
 }
 
 void ProgramBuilder::pauseByAxis(double seconds, double mm) {
-  const double outMm = axis_.to(mm);
+  const double before = axis_.drawnBackMm(), outMm = axis_.to(mm);
   tellDrawn(axis_.drawnBackMm());
-  pause(seconds, outMm * filamentArea());
+  pause(seconds, outMm * filamentArea(), std::abs(axis_.drawnBackMm() - before));
 }
 
-void ProgramBuilder::pause(double seconds, double volumeMm3) {
+void ProgramBuilder::pause(double seconds, double volumeMm3, double drawnMm) {
   if (volumeMm3 > 0.0)
     places_.material();
-  program_.pauses.push_back({file, line, program_.motions.size(), seconds, volumeMm3});
+  program_.pauses.push_back({file, line, program_.motions.size(), seconds, volumeMm3, drawnMm});
+}
+
+void ProgramBuilder::state(plan::FactKind kind, double number, std::string_view word) {
+  program_.facts.push_back({kind, static_cast<std::uint32_t>(file),
+                            static_cast<std::uint32_t>(line), program_.motions.size(),
+                            program_.pauses.size(), number, std::string(word)});
+}
+
+void ProgramBuilder::statePassingOutput() {
+  if (!program_.motions.empty() && program_.motions.back().blendMm > 0.0)
+    state(plan::FactKind::PassingOutput);
 }
 
 bool ProgramBuilder::word(std::span<const KnownWord> table, std::string_view word) {

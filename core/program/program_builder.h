@@ -43,7 +43,7 @@ public:
   void motion(plan::ProgramMotion motion);
   // The arm stands. What flows is what the outputs let, or `volumeMm3`.
   void pauseByOutputs(double seconds);
-  void pause(double seconds, double volumeMm3);
+  void pause(double seconds, double volumeMm3, double drawnMm = 0.0);
 
   // The extruder as an axis that goes with the arm (program/extruder_axis.h): it is where it counts
   // as 0; during a motion, or while the arm stands, it goes on to `mm` of filament.
@@ -55,6 +55,11 @@ public:
   bool word(std::span<const KnownWord> table, std::string_view word);
   // One that the reader knows better.
   void wordAt(std::string_view word, std::uint8_t places);
+  // A statement that the replay compares with the plan's needs. Filled in: where it stands.
+  void state(plan::FactKind kind, double number = 0.0, std::string_view word = {});
+  // An output of the extruder's is set, and not as a trigger of the next motion.
+  void statePassingOutput();
+
   // The mass that the arm is told to carry. A defect where it is told another amid the print.
   void load(std::string_view word, double kg);
 

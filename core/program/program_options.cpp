@@ -13,7 +13,12 @@ base::ParameterSpec motionsPerFileOption() {
   return base::integerParameter(std::string(kMotionsPerFile), 0, 0, 1000000, "Programs"_text,
                                 "motions per file"_text,
                                 "Longer programs are cut into files to be run in turn; 0: as the "
-                                "format has it."_text);
+                                "format has it (URScript and RAPID 5000, KRL 2500, MELFA 6500, "
+                                "SPEL+ one file)."_text);
+}
+
+std::size_t motionsPerFile(const ProgramOptions& options, std::size_t usual) {
+  return options.motionsPerFile > 0 ? options.motionsPerFile : usual;
 }
 
 namespace {

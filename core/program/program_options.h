@@ -24,6 +24,9 @@ struct ProgramOptions {
 // Shared by the dialects whose programs may be cut: fills ProgramOptions::motionsPerFile.
 base::ParameterSpec motionsPerFileOption();
 
+// What was chosen, or as many as the dialect has it. 0: any number.
+std::size_t motionsPerFile(const ProgramOptions& options, std::size_t usual);
+
 // The id that was chosen of an option that is a choice.
 std::string chosenOf(const base::ParameterSpec& option, const ProgramOptions& options);
 // Of an option that is a number.

@@ -50,7 +50,8 @@ inline constexpr std::size_t kMotionsPerModule = 5000;
 // What a motion takes at least for an IRC5 to plan it in time, s.
 inline constexpr double kRapidMotionS = 0.02;
 
-// motionsPerFile; rapidModules: .mod, or .modx (RobotWare 7, OmniCore); rapidFlow: aoFlow set where
+// motionsPerFile; rapidModules: .mod (IRC5, RobotWare 6), or .modx (OmniCore, RobotWare 7), by
+// default by the robot's controllerModel; rapidFlow: aoFlow set where
 // motions begin (TriggEquip), or in proportion to the TCP's real speed (TriggSpeed): the share of
 // the full flow per mm/s where a motion begins, and from there on.
 base::ParameterSpec rapidModules();

@@ -12,14 +12,18 @@ bool isModuleList(std::string_view text) {
   return text.starts_with("<?xml");
 }
 
+std::string_view moduleExtension(bool omniCore) {
+  return omniCore ? ".modx" : ".mod";
+}
+
 std::string moduleListText(std::string_view module) {
   return joined({"<?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>\r\n<Program>\r\n\t<Module>",
                  module, "</Module>\r\n</Program>\r\n"});
 }
 
-std::string signalListText(std::string_view unit) {
-  std::string text = "EIO:CFG_1.0:6:1::\r\n"
-                     "# What the program expects; give each signal its -Device and -DeviceMap.\r\n";
+std::string signalListText(std::string_view unit, bool omniCore) {
+  std::string text = joined({"EIO:CFG_1.0:", omniCore ? "7:0" : "6:1", "::\r\n"});
+  text += "# What the program expects; give each signal its -Device and -DeviceMap.\r\n";
   if (!unit.empty())
     text += joined({"# Its mechanical unit, ", unit, ", belongs into MOC.cfg.\r\n"});
   return text + "#\r\nEIO_SIGNAL:\r\n\r\n"
@@ -37,7 +41,7 @@ bool takeModule(std::string_view& line) {
   return true;
 }
 
-bool linesEndRight(std::string_view text, ProgramBuilder& out) {
+void tellLineEnds(std::string_view text, ProgramBuilder& out) {
   bool told = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool lf = text[i] == '\n', cr = text[i] == '\r';
@@ -48,10 +52,6 @@ bool linesEndRight(std::string_view text, ProgramBuilder& out) {
     told = told || !pair;
     out.line += lf ? 1 : 0;
   }
-  const bool ended = !text.empty() && text.back() == '\n';
-  if (!ended)
-    out.defect("the last line has no end: the file was cut short"_text);
-  return ended;
 }
 
 std::string_view behindHeader(std::string_view text) {
@@ -101,8 +101,6 @@ bool looksLikeRapid(std::string_view text) {
 }
 
 bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i) {
-  if (lines[i].find("UIMsgBox") != std::string::npos)
-    return true;
   if (lines[i].find("ConfJ") == std::string::npos)
     return primes(lines, i);
   // About motions by joints: nothing where there is none.

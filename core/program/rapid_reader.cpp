@@ -36,7 +36,7 @@ public:
       ctx_.checkpoint();
       const plan::ProgramFile& file = files[out_.file];
       out_.line = 1;
-      complete = linesEndRight(file.text, out_) && complete;
+      tellLineEnds(file.text, out_);
       if (isSignalList(file.text))
         continue;
       if (isModuleList(file.text))
@@ -251,6 +251,17 @@ private:
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
     if (word == "singarea" && (advance(), !isWord("off")))
       return fail("near singular poses the arm would leave its planned turn"_text);
+    return word == "uimsgbox" || word == "tpreadfk" || word == "tpreadnum" || word == "stop"
+               ? operatorStop()
+               : skipStatement();
+  }
+
+  bool operatorStop() {
+    bool endsByItself = false;
+    for (; token_.kind != RapidTokenKind::End && !isMark(';'); advance())
+      for (const std::string_view word : {"maxtime", "dibreak", "dobreak", "persboolbreak"})
+        endsByItself = endsByItself || isWord(word);
+    out_.state(plan::FactKind::OperatorStop, endsByItself ? 0.0 : 1.0);
     return skipStatement();
   }
 
@@ -295,6 +306,7 @@ private:
   bool digital(double value) {
     if (value != 0.0 && value != 1.0)
       return fail("a digital output is 0 or 1"_text);
+    out_.statePassingOutput();
     extruderOn_ = value == 1.0;
     out_.turn(extruderOn_);
     return true;
@@ -302,6 +314,7 @@ private:
   bool analogue(double value) {
     if (!(value >= 0.0 && value <= 1.0))
       return fail("an analogue output outside 0..1"_text);
+    out_.statePassingOutput();
     out_.flow(value);
     perMm_ = 0.0;
     return true;
@@ -374,6 +387,8 @@ private:
     std::string name;
     if (!takeName(name) || !takeEnd())
       return false;
+    if (active)
+      out_.state(plan::FactKind::MechanicalUnit, 0.0, name);
     motions_.unit(name, active);
     return true;
   }

@@ -3,6 +3,7 @@
 #include "program/extruder.h"
 #include "program/extruder_axis.h"
 #include "program/filament.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
 #include "program/motion_targets.h"
@@ -43,18 +44,22 @@ std::string moduleName(const std::string& part, std::size_t module) {
   return id;
 }
 
+bool isForOmniCore(const ProgramInput& input) {
+  const std::string chosen = chosenOf(rapidModules(), input.options);
+  return chosen == "modx" ||
+         (chosen == "robot" && input.cell.robot().controllerModel == robot::kOmniCore);
+}
+
 class RapidWriter : private Speller {
 public:
   RapidWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
-        cuts_(cutsOf(input.trajectory, input.options.motionsPerFile > 0
-                                           ? input.options.motionsPerFile
-                                           : kMotionsPerModule)),
+        cuts_(cutsOf(input, motionsPerFile(input.options, kMotionsPerModule))),
         name_(identifierOf(input.name)), object_(in_.cell.rod() ? "wRod"
                                                  : movesPart()  ? "wTable"
                                                  : heldPlate()  ? "wPlate"
                                                                 : "wPrint"),
-        byAxis_(extruderOf(input).byAxis),
+        omniCore_(isForOmniCore(input)), byAxis_(extruderOf(input).byAxis),
         bySpeed_(!byAxis_ && chosenOf(rapidFlow(), input.options) == "speed") {
     program_.format = "rapid";
     program_.foreign = input.foreign;
@@ -71,10 +76,10 @@ public:
     }
     walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
     if (!byAxis_)
-      program_.files.push_back(
-          {name_ + "_EIO.cfg", signalListText(movesPart()    ? unit()
-                                              : movesRobot() ? robotUnit()
-                                                             : std::string())});
+      program_.files.push_back({name_ + "_EIO.cfg", signalListText(movesPart()    ? unit()
+                                                                   : movesRobot() ? robotUnit()
+                                                                                  : std::string(),
+                                                                   omniCore_)});
     program_.files.push_back({name_ + ".pgf", moduleListText(fileName(0))});
     return std::move(program_);
   }
@@ -106,7 +111,7 @@ private:
     return Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof);
   }
   std::string fileName(std::size_t part) const {
-    const std::string extension = joined({".", chosenOf(rapidModules(), in_.options)});
+    const std::string_view extension = moduleExtension(omniCore_);
     return part == 0 ? joined({name_, extension})
                      : joined({name_, "_", std::to_string(part), extension});
   }
@@ -191,9 +196,7 @@ private:
   }
 
   void aboutSignals() {
-    out_ += "  ! extruder on: doExtruder; flow: aoFlow, 1 = ";
-    number(in_.process.maxFlowMm3PerS, 3);
-    line(" mm3/s");
+    line(joined({"  ! extruder on: doExtruder; flow: aoFlow, ", fullFlowText("1", in_.process)}));
     if (bySpeed_)
       line("  ! in beads aoFlow is the TCP's real speed in mm/s times TriggSpeed's last number");
     line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,
@@ -468,7 +471,8 @@ private:
   plan::Program program_;
   std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of module k
   std::string name_, object_, out_;
-  const bool byAxis_; // the extruder is an external axis
+  const bool omniCore_; // the controller that the files are for
+  const bool byAxis_;   // the extruder is an external axis
   double axisMm_ = 0.0;
   bool zeroes_ = false; // in this module
   const bool bySpeed_;
@@ -482,8 +486,13 @@ private:
 
 base::ParameterSpec rapidModules() {
   return base::choiceParameter(
-      "rapidModules", "mod", {{"mod", "IRC5: .mod"_text}, {"modx", "OmniCore: .modx"_text}},
-      "Programs"_text, "RAPID modules"_text, "Which modules the controller loads."_text);
+      "rapidModules", "robot",
+      {{"robot", "as the robot's controller"_text},
+       {"mod", "IRC5: .mod"_text},
+       {"modx", "OmniCore: .modx"_text}},
+      "Programs"_text, "RAPID modules"_text,
+      "Which modules and list of signals the controller loads: IRC5 (RobotWare 6) or OmniCore "
+      "(RobotWare 7)."_text);
 }
 
 base::ParameterSpec rapidFlow() {

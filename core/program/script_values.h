@@ -18,6 +18,7 @@ struct ScriptValue {
   ScriptKind kind = ScriptKind::None;
   double number = 0.0; // truths are 0 and 1
   std::vector<double> list;
+  std::vector<double> flags; // behind the list, in languages that have them
   std::string text;
 };
 

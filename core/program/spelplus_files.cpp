@@ -3,16 +3,32 @@
 #include "program/text.h"
 
 #include <algorithm>
+#include <array>
 
 namespace voluta::program {
 
+namespace {
+// A directive (#include "x.inc", #define N 3) or a declaration of variables.
+bool standsBeforeFunctions(LineCursor line) {
+  if (line.isMark('#'))
+    return true;
+  line.takeWord("global");
+  line.takeWord("preserve");
+  constexpr std::array kTypes = {"boolean", "byte",   "double", "int32", "int64",
+                                 "integer", "long",   "real",   "short", "string",
+                                 "ubyte",   "uint32", "uint64", "ushort"};
+  return std::ranges::any_of(kTypes, [&](std::string_view type) { return line.isWord(type); });
+}
+} // namespace
+
 bool looksLikeSpelplus(std::string_view text) {
   LineReader lines(text.substr(0, 16384));
-  for (std::string_view line; lines.next(line);)
-    if (const std::string_view code = codeOf(line, kSpelplusSyntax); !code.empty()) {
-      std::string name;
-      return spelplusPart({code, kSpelplusSyntax}, name) == LinePart::Begins && !name.empty();
-    }
+  for (std::string_view line; lines.next(line);) {
+    LineCursor code(codeOf(line, kSpelplusSyntax), kSpelplusSyntax);
+    std::string name;
+    if (!code.ended() && !standsBeforeFunctions(code))
+      return spelplusPart(code, name) == LinePart::Begins && !name.empty();
+  }
   return false;
 }
 
@@ -20,7 +36,7 @@ bool looksLikeSpelplus(std::string_view text) {
 bool mayBeMissingInSpelplus(const std::vector<std::string>& lines, std::size_t i) {
   const std::string_view line = trimmed(lines[i]);
   for (const std::string_view idle :
-       {"Motor On", "Power Low", "AutoLJM On", "Weight", "Print", "Pause", "AccelS"})
+       {"Motor On", "Power Low", "AutoLJM On", "Weight", "Print", "AccelS"})
     if (line.starts_with(idle))
       return true;
   return primes(lines, i);

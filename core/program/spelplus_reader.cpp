@@ -114,6 +114,8 @@ private:
       return load(line);
     if (!out_.word(spelplusWords(), word))
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
+    if (word == "pause" || word == "msgbox")
+      out_.state(plan::FactKind::OperatorStop, 1.0);
     return takeRest(line);
   }
 

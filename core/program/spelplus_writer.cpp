@@ -2,6 +2,7 @@
 #include "program/castelli_serial.h"
 #include "program/euler_angles.h"
 #include "program/extruder.h"
+#include "program/full_flow.h"
 #include "program/gcode_text.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
@@ -34,7 +35,7 @@ class SpelplusWriter : private Speller {
 public:
   SpelplusWriter(const ProgramInput& input, const base::RunContext& ctx)
       : in_(input), ctx_(ctx), tcp_(motionTargets(input, ctx)), targets_(tcp_),
-        motions_(in_, targets_), cuts_(cutsOf(input.trajectory, input.options.motionsPerFile)),
+        motions_(in_, targets_), cuts_(cutsOf(input, motionsPerFile(input.options, 0))),
         name_(programName(input.name)) {
     program_.format = "spel";
     program_.foreign = input.foreign;
@@ -89,9 +90,8 @@ private:
               "tool 1's in Base, the work frame on the flange"
             : "  ' moving nozzle: poses are tool 1's in Base, the nozzle's tip");
     line(joined(
-        {"  ' ", extruderNote(in_, joined({"extruder on: output 1; flow: analogue output "
-                                           "1, 10 V = ",
-                                           fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s"}))}));
+        {"  ' ", extruderNote(in_, joined({"extruder on: output 1; flow: analogue output 1, ",
+                                           fullFlowText("10 V", in_.process)}))}));
     line("  ' to be added to a project of RC+, and called or chosen to be run");
   }
 

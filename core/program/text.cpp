@@ -92,16 +92,26 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-bool takeNumber(std::string_view& text, double& value) {
+namespace {
+bool takeNumber(std::string_view& text, double& value, std::chars_format format) {
   std::string_view rest = text;
   if (rest.size() > 1 && rest[0] == '+' && (isDigit(rest[1]) || rest[1] == '.'))
     rest.remove_prefix(1);
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value, format);
   if (error != std::errc() || !std::isfinite(value))
     return false;
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   text = rest;
   return true;
+}
+} // namespace
+
+bool takeNumber(std::string_view& text, double& value) {
+  return takeNumber(text, value, std::chars_format::general);
+}
+
+bool takeDecimal(std::string_view& text, double& value) {
+  return takeNumber(text, value, std::chars_format::fixed);
 }
 
 bool parseNumber(std::string_view text, double& value) {
@@ -129,10 +139,11 @@ void Defects::add(std::size_t file, std::size_t line, base::Message reason) {
 
 bool primes(const std::vector<std::string>& lines, std::size_t i) {
   constexpr std::size_t kLines = 4;
+  const auto isRemark = [&](std::size_t k) { return trimmed(lines[k]).ends_with(" prime"); };
   if (lines[i].find("; prime") != std::string::npos)
     return true;
   for (std::size_t k = i; k-- > 0 && i - k <= kLines;)
-    if (lines[k].find(" prime") != std::string::npos)
+    if (isRemark(k))
       return true;
   return false;
 }

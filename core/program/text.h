@@ -37,6 +37,8 @@ std::string_view trimmed(std::string_view text);
 bool parseNumber(std::string_view text, double& value);
 // A number at the beginning of `text`, which is moved behind it.
 bool takeNumber(std::string_view& text, double& value);
+// The same, but an E ends the number instead of beginning an exponent.
+bool takeDecimal(std::string_view& text, double& value);
 
 // Lines of a text without their ends (LF, CR LF); numbers from 1. A last line without end counts.
 class LineReader {

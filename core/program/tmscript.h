@@ -48,6 +48,5 @@ inline constexpr double kTmLeastPercent = 12.0;
 // What else may stand in a program, and where; everything else is refused.
 std::span<const KnownWord> tmscriptWords();
 bool looksLikeTmscript(std::string_view text);
-bool mayBeMissingInTmscript(const std::vector<std::string>& lines, std::size_t i); // Dialect
 
 } // namespace voluta::program

@@ -4,6 +4,7 @@
 #include "program/pvt_velocities.h"
 #include "program/rapid_tokens.h"
 #include "program/script_values.h"
+#include "program/tcp_motions.h"
 #include "program/text.h"
 #include "program/tmscript.h"
 #include "program/tmscript_frames.h"
@@ -24,6 +25,9 @@ constexpr std::size_t kNumbers = 6;
 constexpr double kMostMm = 1e5, kMostDeg = 1e5, kMostMmPerS = 1e4, kMostSeconds = 1e6;
 // A cubic further off its line, or from the even motion along it, than start and stop ask for.
 constexpr double kMostAcrossMm = 0.05, kMostAlongShare = 0.25;
+// Amid a bead: how far the speed at a point may be from the one that suits the way, by share of
+// the speeds of the motions to and from it.
+constexpr double kSpeedShare = 0.2;
 
 enum class Block { None, Joints, Poses };
 
@@ -60,6 +64,7 @@ private:
     out_.beginOutputs();
     block_ = Block::None;
     last_.reset();
+    passed_.reset();
     left_ = false;
     tcpSet_ = false;
     base_T_frame_ = Eigen::Isometry3d::Identity();
@@ -75,17 +80,14 @@ private:
         statement(withoutRemark(trimmed(rest.substr(0, rest.find('\n')))));
       behindLine(rest);
     }
-    const bool ended = !text.empty() && text.back() == '\n';
     out_.line = std::max<std::size_t>(out_.line, 2) - 1;
-    if (!ended)
-      defect("the last line has no end: the file was cut short"_text);
     if (text.find('\n') != std::string_view::npos && text.find('\r') == std::string_view::npos)
       defect("lines end with LF alone: a listen node takes CR LF"_text);
     if (!left_)
       defect("ScriptExit() is missing at the end"_text);
     if (!out_.outputsEnded())
       defect("the extruder is not set off behind the last motion"_text);
-    return ended && left_ && out_.outputsEnded();
+    return left_ && out_.outputsEnded();
   }
 
   void behindLine(std::string_view& rest) {
@@ -109,6 +111,7 @@ private:
       script.remove_prefix(end + 1);
       ++out_.line;
     }
+    left_ = left_ && frame.sound; // a listen node takes no other
     rest.remove_prefix(frame.length);
     if (!trimmed(rest.substr(0, rest.find('\n'))).empty())
       defect("text behind a frame"_text);
@@ -154,6 +157,8 @@ private:
       leave();
     else if (!out_.word(tmscriptWords(), word))
       defect(base::message("'{name}' is not known to the reader"_text, word.substr(0, 40)));
+    else if (word == "Pause")
+      out_.state(plan::FactKind::OperatorStop, 1.0);
   }
 
   void leave() {
@@ -222,11 +227,17 @@ private:
     else if (digital && value != 0.0 && value != 1.0)
       defect("an output is 0 or 1"_text);
     else if (digital)
-      out_.turn(value > 0.0);
+      turn(value > 0.0);
     else if (value < 0.0 || value > kTmFullVolts)
       defect("an analogue output outside 0 to 10 V"_text);
     else
       out_.flow(value / kTmFullVolts);
+  }
+
+  void turn(bool on) {
+    out_.turn(on);
+    if (!on)
+      passed_.reset();
   }
 
   static std::optional<Eigen::Isometry3d> poseOf(const PvtVector& numbers) {
@@ -273,8 +284,10 @@ private:
       defect("a base that only the robot knows: write its numbers"_text);
       return;
     }
+    out_.state(plan::FactKind::TargetFrame);
     base_T_frame_ = *pose;
     last_.reset();
+    passed_.reset();
   }
 
   void enter(const Arguments& a) {
@@ -316,14 +329,48 @@ private:
                         last_->numbers == numbers && velocity.norm() == 0.0;
     if (stands) {
       out_.pauseByOutputs(seconds);
+      passed_.reset();
       return;
     }
+    std::optional<PvtMotion> motion;
     if (last_ && last_->joints == joints())
-      checkVelocities({.way = numbers - last_->numbers, .seconds = seconds}, velocity);
+      motion = PvtMotion{.way = numbers - last_->numbers, .seconds = seconds};
+    if (motion)
+      checkVelocities(*motion, velocity);
     velocity_ = velocity;
     plan::ProgramMotion m;
     m.durationS = seconds;
     moveTo(numbers, joints(), std::move(m));
+    passPoint(motion, velocity);
+  }
+
+  // The flow is the same all along a motion: amid a bead the arm has to pass each point at the
+  // speed that suits the motions to and from it.
+  void passPoint(const std::optional<PvtMotion>& motion, const PvtVector& velocity) {
+    const bool prints = motion && block_ == Block::Poses && !out_.program().motions.empty() &&
+                        out_.program().motions.back().extruding;
+    if (prints && passed_)
+      checkSpeed(*passed_, *motion);
+    passed_ = prints ? std::optional(Passed{*motion, velocity, out_.line}) : std::nullopt;
+  }
+  struct Passed {
+    PvtMotion to;
+    PvtVector velocity;
+    std::size_t line;
+  };
+  void checkSpeed(const Passed& point, const PvtMotion& from) {
+    const auto speedOf = [](const PvtMotion& motion) {
+      return motion.way.head<3>().norm() / motion.seconds;
+    };
+    const double suits = pvtVelocity(point.to, from, kBlendToleranceMm).head<3>().norm();
+    const double stated = point.velocity.head<3>().norm();
+    if (std::abs(stated - suits) <= kSpeedShare * 0.5 * (speedOf(point.to) + speedOf(from)))
+      return;
+    const std::size_t here = std::exchange(out_.line, point.line);
+    defect(base::message("the arm passes this point at {stated:.1f} mm/s and its flow stays: "
+                         "{suits:.1f} mm/s suit its way"_text,
+                         base::number(stated), base::number(suits)));
+    out_.line = here;
   }
   bool joints() const { return block_ == Block::Joints; }
 
@@ -374,6 +421,7 @@ private:
     double speed, rampMs, blend;
   };
   std::optional<Motion> motionOf(const Arguments& a) {
+    passed_.reset();
     if (block_ != Block::None) {
       defect("a motion of its own between PVTEnter and PVTExit"_text);
       return std::nullopt;
@@ -453,6 +501,7 @@ private:
   std::optional<Last> last_;
   Block block_ = Block::None;
   PvtVector velocity_ = PvtVector::Zero(); // at the last point of PVT
+  std::optional<Passed> passed_;           // the last point, where it lies on a bead
   bool first_ = false;                     // the next point is the block's first
   bool left_ = false, tcpSet_ = false, everSet_ = false;
 };
@@ -469,13 +518,6 @@ bool looksLikeTmscript(std::string_view text) {
   return head.find("$TMSCT,") != std::string_view::npos ||
          head.find("PTP(\"") != std::string_view::npos ||
          head.find("PVTPoint(") != std::string_view::npos;
-}
-
-bool mayBeMissingInTmscript(const std::vector<std::string>& lines, std::size_t i) {
-  for (const char* word : {"ChangeBase(\"RobotBase\")", "Pause()"})
-    if (lines[i].find(word) != std::string::npos)
-      return true;
-  return primes(lines, i);
 }
 
 } // namespace voluta::program

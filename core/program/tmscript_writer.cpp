@@ -1,5 +1,6 @@
 #include "base/units.h"
 #include "program/euler_angles.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/motion_targets.h"
 #include "program/pvt_velocities.h"
@@ -30,7 +31,7 @@ public:
 
   plan::Program write() {
     roundTargets();
-    walkTrajectory(in_, {"tmscript", cutsOf(in_.trajectory, 0), &motions_}, *this, ctx_);
+    walkTrajectory(in_, {"tmscript", cutsOf(in_, 0), &motions_}, *this, ctx_);
     return std::move(program_);
   }
 
@@ -85,8 +86,8 @@ private:
     remark(in_.cell.nozzleMount() == robot::Mount::World
                ? "fixed nozzle: the TCP is the plate's centre, poses are the plate's in RobotBase"
                : "moving nozzle: the TCP is the nozzle's tip, poses are in RobotBase");
-    remark(joined({"extruder on: DO 0 of the control box; flow: AO 0, 10 V = ",
-                   fixedText(in_.process.maxFlowMm3PerS, 3), " mm3/s"}));
+    remark(joined({"extruder on: DO 0 of the control box; flow: AO 0, ",
+                   fullFlowText("10 V", in_.process)}));
   }
 
   void endFile(std::size_t) override {

@@ -8,7 +8,8 @@
 //                  over v and a, for way and turn alike (a speed would leave the turn to a limit of
 //                  the controller's own); a is what ramps and blends ask for. v= where no time is
 //                  known.
-//   Joint          movej([q...], a=, v=), a the cell's travelAcceleration, v of the leading joint at
+//   Joint          movej([q...], a=, v=), a the cell's travelAcceleration, v of the leading joint
+//   at
 //                  which it takes as long as planned from rest to rest;
 //                  movej(p[...]) in a program for another maker's robot. The first point is always
 //                  a movej, at kStartRadPerS, behind a popup that asks the operator.
@@ -16,8 +17,9 @@
 // 0, in 0..1, 0 to 10 V) x process.maxFlowMm3PerS. Flow and times: TcpMotions. Blends
 // (program/tcp_motions.h) only between Print motions or straight travels. Prime: once, at the first
 // point, before anything moves on; the extruder runs for process.primeS.
-// With motionsPerFile: for a file node a file that calls the functions of the others, whose nodes
-// stand before it; for a port files that are sent in turn.
+// A program of more than kMotionsPerScript motions (or motionsPerFile) is split: for a file node
+// into a file that calls the functions of the others, whose nodes stand before it; for a port into
+// files that are sent in turn.
 #pragma once
 
 #include "base/run_context.h"
@@ -33,6 +35,9 @@
 namespace voluta::program {
 
 inline constexpr double kStartRadPerS = 0.25;
+// Of a file unless the user says otherwise. No limit is published; controllers slow down from some
+// thousand lines on.
+inline constexpr std::size_t kMotionsPerScript = 5000;
 // Said by a program whose function is called behind its end, so that the call is missed.
 inline constexpr std::string_view kCalledNote = "# called in the last line";
 
@@ -52,8 +57,8 @@ plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& c
 // outputs by set_[standard_]digital_out and set_[standard_]analog_out, and urscriptWords();
 // positional and named arguments in any order, spaces, comments, CR LF. Everything else is a
 // defect. Functions of any file may be called; a file that is a part runs only so, any other one by
-// itself, in their order. `complete`: every function was closed by `end` and, where the text says kCalledNote,
-// called, after the extruder's two outputs were set off behind the last motion.
+// itself, in their order. `complete`: every function was closed by `end` and, where the text says
+// kCalledNote, called, after the extruder's two outputs were set off behind the last motion.
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
                                const process::Process& process, const base::RunContext& ctx);
 // What else may stand in a program, and where; everything else is refused.

@@ -17,9 +17,7 @@ bool looksLikeUrscript(std::string_view text) {
 
 bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i) {
   return lines[i].find("set_payload") != std::string::npos ||
-         lines[i].find("set_analog_outputdomain") != std::string::npos ||
-         lines[i].find("sleep(") != std::string::npos ||
-         lines[i].find("popup(") != std::string::npos || primes(lines, i);
+         lines[i].find("sleep(") != std::string::npos || primes(lines, i);
 }
 
 // Functions without arguments that are called and stand nowhere in the text.

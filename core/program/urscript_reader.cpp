@@ -1,4 +1,6 @@
 #include "base/error.h"
+#include "program/full_flow.h"
+#include "program/language_words.h"
 #include "program/program_builder.h"
 #include "program/rotation_vector.h"
 #include "program/text.h"
@@ -186,6 +188,9 @@ private:
       defect("not the head of a function without arguments"_text);
     else if (kind == "thread")
       defect("a thread of its own is not read"_text);
+    else if (isUrscriptWord(name))
+      defect(base::message("'{name}' is a word of the language: no function may be called so"_text,
+                           name));
     else if (functions_.contains(name))
       defect(base::message("the function '{defined}' is defined twice"_text, name));
     const std::size_t first = ++i;
@@ -301,6 +306,15 @@ private:
       if (!first || first->kind != ValueKind::List || first->count != 3 ||
           (Eigen::Vector3d(first->list.data()) - Eigen::Vector3d(0, 0, kG)).norm() > kSlack)
         defect("gravity other than that of an arm that stands upright"_text);
+    } else if (call.name == "popup") {
+      const Value* blocking = call.find("blocking", 4);
+      out_.state(plan::FactKind::OperatorStop, blocking ? blocking->number : 0.0);
+    } else if (call.name == "set_analog_outputdomain" ||
+               call.name == "set_standard_analog_output_domain") {
+      const Value* domain = call.find("domain", 1);
+      if (first && first->number == 0.0)
+        out_.state(plan::FactKind::FlowOutputRange, 0.0,
+                   domain && domain->number == 1.0 ? k0To10V : "4 to 20 mA");
     }
   }
 

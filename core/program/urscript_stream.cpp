@@ -1,6 +1,7 @@
 #include "program/urscript_stream.h"
 
 #include "program/extruder_outputs.h"
+#include "program/full_flow.h"
 #include "program/job_head.h"
 #include "program/joint_rows_writer.h"
 #include "program/language_words.h"
@@ -78,8 +79,8 @@ plan::Program writeUrscriptStream(const ProgramInput& input, const base::RunCont
                                    joined({kReceiverNote.substr(2), receiverName(input)}),
                                    joined({kSenderNote.substr(2), senderName(input)})};
   std::ranges::copy(headLines(input), std::back_inserter(head));
-  head.push_back(joined({"extruder: digital output 0; flow: analogue output 0, 1 = ",
-                         fixedText(input.process.maxFlowMm3PerS, 3), " mm3/s"}));
+  head.push_back(joined({"extruder: digital output 0; flow: analogue output 0, ",
+                         fullFlowText("1", input.process)}));
   plan::Program program;
   program.format = kId;
   program.files = {

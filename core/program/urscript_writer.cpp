@@ -2,6 +2,7 @@
 #include "base/units.h"
 #include "program/castelli_serial.h"
 #include "program/extruder.h"
+#include "program/full_flow.h"
 #include "program/gcode_text.h"
 #include "program/job_head.h"
 #include "program/language_words.h"
@@ -40,7 +41,8 @@ public:
 
   plan::Program write() {
     roundTargets();
-    const Walk walk{"urscript", cutsOf(in_.trajectory, in_.options.motionsPerFile), &motions_};
+    const Walk walk{"urscript", cutsOf(in_, motionsPerFile(in_.options, kMotionsPerScript)),
+                    &motions_};
     parts_ = walk.cuts.size() - 1;
     walkTrajectory(in_, walk, *this, ctx_);
     if (parts_ > 1 && !forPort_)
@@ -162,7 +164,6 @@ private:
 
   void about() {
     const robot::Cell& cell = in_.cell;
-    const process::Process& p = in_.process;
     line("  # Robot program for printing, URScript");
     if (program_.foreign)
       line("  # FOREIGN: the cell's robot is no Universal Robot; Cartesian targets only");
@@ -172,9 +173,8 @@ private:
              ? "  # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base"
              : "  # moving nozzle: the TCP is the nozzle's tip");
     line(joined(
-        {"  # ", extruderNote(in_, joined({"extruder on: digital output 0; flow: analogue output "
-                                           "0, 1 = ",
-                                           fixedText(p.maxFlowMm3PerS, 3), " mm3/s"}))}));
+        {"  # ", extruderNote(in_, joined({"extruder on: digital output 0; flow: analogue output 0, ",
+                                           fullFlowText("1", in_.process)}))}));
   }
 
   void ask() override {

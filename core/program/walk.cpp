@@ -7,6 +7,7 @@
 #include "program/motion_targets.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace voluta::program {
 
@@ -147,17 +148,52 @@ void walkTrajectory(const ProgramInput& input, const Walk& walk, Speller& spelle
   Walker(input, walk, speller, ctx).run();
 }
 
-std::vector<std::size_t> cutsOf(const plan::Trajectory& trajectory, std::size_t most) {
-  std::vector<std::size_t> cuts = {0};
-  const std::size_t hard = most + std::max<std::size_t>(most / 10, 100);
-  if (most > 0)
-    for (std::size_t i = 1; i < trajectory.pointCount(); ++i) {
-      const std::size_t count = i - cuts.back();
-      // Behind the first motion of a travel: what stands while the next file loads is clear.
-      if (count >= hard || (count >= most && standsClear(trajectory, i)))
-        cuts.push_back(i);
+namespace {
+MotionTarget targetAt(const ProgramInput& input, std::size_t point) {
+  return targetOf(input.cell,
+                  Eigen::Map<const Eigen::VectorXd>(input.trajectory.at(point), input.cell.dof()));
+}
+
+// Of the nozzle at a point of a travel, over the bead before it.
+double liftAt(const ProgramInput& input, std::size_t point) {
+  std::size_t bead = point;
+  while (bead > 0 && !isPrint(input.trajectory, bead))
+    --bead;
+  const MotionTarget end = targetAt(input, bead);
+  return (targetAt(input, point).tipMm - end.tipMm).dot(end.direction);
+}
+
+// Where the file that begins at `begin` ends; none: nowhere up to `last`.
+std::optional<std::size_t> cutBehindLift(const ProgramInput& input, std::size_t begin,
+                                         std::size_t most, std::size_t last) {
+  constexpr double kSlackMm = 0.01;
+  std::optional<std::size_t> cut;
+  double highest = 0.0;
+  for (std::size_t i = begin + std::max<std::size_t>(1, most / 2); i <= last; ++i) {
+    if (!standsClear(input.trajectory, i))
+      continue;
+    const double lift = std::min(liftAt(input, i - 1), kClearMm - kSlackMm);
+    if (!cut || (i - begin > most ? lift > highest : lift >= highest)) {
+      cut = i;
+      highest = lift;
     }
-  cuts.push_back(trajectory.pointCount());
+  }
+  return cut;
+}
+} // namespace
+
+std::vector<std::size_t> cutsOf(const ProgramInput& input, std::size_t most) {
+  const std::size_t n = input.trajectory.pointCount();
+  const std::size_t hard = most + std::max<std::size_t>(most / 10, 100);
+  std::vector<std::size_t> cuts = {0};
+  while (most > 0 && n - cuts.back() > most) {
+    const std::size_t begin = cuts.back(), last = std::min(begin + hard, n - 1);
+    const auto cut = cutBehindLift(input, begin, most, last);
+    if (!cut && n - begin <= hard)
+      break;
+    cuts.push_back(cut.value_or(last));
+  }
+  cuts.push_back(n);
   return cuts;
 }
 

@@ -55,9 +55,13 @@ struct Walk {
 void walkTrajectory(const ProgramInput& input, const Walk& walk, Speller& speller,
                     const base::RunContext& ctx);
 
-// Cuts for files of about `most` motions (0: one file), each behind the lift that a travel begins
-// with, so that the nozzle does not stand on the part; where there is none within a tenth or 100
-// motions more, at a bead's point.
-std::vector<std::size_t> cutsOf(const plan::Trajectory& trajectory, std::size_t most);
+// How high the nozzle stands over its last bead while the next file is loaded or sent, where the
+// motion has a travel that lifts it so far.
+inline constexpr double kClearMm = 10.0;
+
+// Returns where files of at most `most` motions begin (0: one file). Files are cut behind the lift
+// of a travel: the last one of kClearMm or more in the second half of a file; else the highest, up
+// to a tenth or 100 motions beyond `most`; without any travel at a bead's point.
+std::vector<std::size_t> cutsOf(const ProgramInput& input, std::size_t most);
 
 } // namespace voluta::program

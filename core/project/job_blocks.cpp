@@ -427,7 +427,7 @@ bool isSound(const plan::ToolPlan& p) {
       p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction))
     return false;
   return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
-    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Support;
+    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Prime;
   });
 }
 

@@ -1,7 +1,9 @@
 #include "base/error.h"
 #include "base/files.h"
+#include "base/number_list.h"
 #include "project/block_file.h"
 #include "project/content_hash.h"
+#include "project/infill_density.h"
 #include "project/job.h"
 #include "project/job_blocks.h"
 #include "project/message_json.h"
@@ -85,6 +87,22 @@ Choices readChoices(const Json& j, int format) {
   return c;
 }
 
+// Notes with the part that a density which the project was given has gone.
+void dropSparseInfill(Choices& choices, LoadedPart& part) {
+  const auto density = choices.parameters.find(kInfillDensity);
+  if (density == choices.parameters.end())
+    return;
+  double share = 1.0;
+  if (base::readNumbers(density->second, ',', {&share}) && share < 1.0) {
+    const base::Message note = base::message(
+        "infill density {density} of the project is left out: parts are filled solid"_text,
+        density->second);
+    part.readNotes.push_back(note);
+    part.notes.push_back(note);
+  }
+  choices.parameters.erase(density);
+}
+
 // ---- the part as it came
 
 struct DefectName {
@@ -139,6 +157,25 @@ Diagnosis readDiagnosis(const Json& j) {
   return d;
 }
 
+Json openJson(const geometry::OpenSurface& open) {
+  return Json{{"rims", open.rims},
+              {"widestMm", open.widestMm},
+              {"widestAt", pointJson(open.widestAt)},
+              {"capShare", open.capShare},
+              {"sheetTriangles", open.sheetTriangles},
+              {"sheetShare", open.sheetShare}};
+}
+geometry::OpenSurface readOpen(const Json& j) {
+  geometry::OpenSurface open;
+  j.at("rims").get_to(open.rims);
+  j.at("widestMm").get_to(open.widestMm);
+  open.widestAt = point(j.at("widestAt"));
+  j.at("capShare").get_to(open.capShare);
+  j.at("sheetTriangles").get_to(open.sheetTriangles);
+  j.at("sheetShare").get_to(open.sheetShare);
+  return open;
+}
+
 // What earlier versions do not look for: sentences as data, to be told in any language. They read
 // the English beside it.
 void addTold(BlockWriter& out, const Job& job) {
@@ -178,6 +215,7 @@ void addLoaded(BlockWriter& out, const LoadedPart& part) {
                              {"notes", base::english(part.notes)},
                              {"remains", base::english(part.remains)},
                              {"found", diagnosisJson(part.found)},
+                             {"open", part.open ? openJson(*part.open) : Json()},
                              {"readS", part.readS},
                              {"repairS", part.repairS}}
                             .dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -199,6 +237,8 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
   part->notes = readMessages(j.at("notes"));
   part->remains = readMessages(j.at("remains"));
   part->found = readDiagnosis(j.at("found"));
+  if (const auto open = j.find("open"); open != j.end() && !open->is_null())
+    part->open = readOpen(*open);
   j.at("readS").get_to(part->readS);
   j.at("repairS").get_to(part->repairS);
   part->source = std::make_shared<geometry::TriangleMesh>(getMesh(in, "source"));
@@ -357,6 +397,7 @@ Job readFrame(const Frame& frame, const std::string& where) {
       job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
     job.report = readReportJson(blocks.text("report"));
     getTold(blocks, job, *loaded);
+    dropSparseInfill(job.choices, *loaded);
     readRecords(header.at("stages"), job);
     if (header.contains("placement"))
       job.placement = readPlacement(header.at("placement"));

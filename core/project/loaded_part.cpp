@@ -41,6 +41,7 @@ void mend(LoadedPart& part, const base::RunContext& ctx) {
     part.notes.insert(part.notes.end(), repaired.repairs.begin(), repaired.repairs.end());
     part.remains = std::move(repaired.remains);
     part.found = std::move(repaired.found);
+    part.open = std::move(repaired.open);
     part.mesh = part.found.clean()
                     ? part.source
                     : std::make_shared<geometry::TriangleMesh>(std::move(repaired.mesh));
@@ -48,6 +49,7 @@ void mend(LoadedPart& part, const base::RunContext& ctx) {
     part.mesh = part.source;
     part.found = geometry::diagnose(*part.source, ctx);
     part.remains = part.found.sentences();
+    part.open.reset();
   }
   part.repairS = mending.seconds();
   if (part.mesh->empty())
@@ -124,6 +126,14 @@ std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
   part.repair = repair;
   setCells(part, std::move(cells));
   return mended(std::move(part), ctx);
+}
+
+std::shared_ptr<const geometry::TriangleMesh> closedMesh(const LoadedPart& part,
+                                                         const base::RunContext& ctx) {
+  if (!part.open)
+    return part.mesh;
+  return std::make_shared<geometry::TriangleMesh>(
+      geometry::repair(*part.source, ctx, geometry::OpenSurfaces::Close).mesh);
 }
 
 std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,

@@ -4,11 +4,13 @@
 #include "base/run_context.h"
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
+#include "geometry/repair/open_surface.h"
 #include "geometry/triangle_mesh.h"
 #include "plan/tool_plan.h"
 #include "voxel/voxel_object.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +32,7 @@ struct LoadedPart {
   std::vector<base::Message> notes;     // all that was found and mended, readNotes among them
   std::vector<base::Message> remains;   // what could not be mended, a sentence each
   geometry::Diagnosis found;            // of `source`, before any repair
+  std::optional<geometry::OpenSurface> open; // of `mesh`, where mending left it open
   geometry::UnitGuess units;            // of `mesh`
   std::string hash;                     // of the content of `source` or `cells`, and of
                                         // `toolPaths`, hexadecimal
@@ -51,6 +54,11 @@ std::string hashOf(const LoadedPart& part);
 // Error{Usage} for an unknown sample; Cancelled.
 std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
                                            const base::RunContext& ctx);
+
+// The part's mesh with every rim closed and without sheets, where mending left it open; else
+// LoadedPart::mesh. Throws Error{UnusableInput}: nothing but sheets. Throws Cancelled.
+std::shared_ptr<const geometry::TriangleMesh> closedMesh(const LoadedPart& part,
+                                                         const base::RunContext& ctx);
 
 // A part from a mesh at hand, e.g. of a project file. Throws as loadPart does.
 std::shared_ptr<const LoadedPart> loadedFrom(std::string name,

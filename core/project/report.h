@@ -91,10 +91,22 @@ struct ReplayReport {
 
 // A way of building that was tried, of a plan that looks for its way.
 struct TriedReport {
+  std::string way = {};    // its id; empty: a mode that is no way of mode auto's table
+  base::Message name = {}; // "flat layers with supports"
   std::string mode, platform;
   bool passed = false, taken = false;
   std::string stage = {};    // where it ended
   base::Message reason = {}; // what blocks there; empty: nothing
+};
+
+// How the part is built, and with which values: those of the user's choices, of the mode's defaults
+// or of the way that mode auto took.
+struct ChosenReport {
+  std::string way = {}; // of mode auto; empty: chosen by hand
+  base::Message name = {};
+  std::string mode, platform;
+  std::string supports = {}; // empty: the mode takes none
+  double layerHeightMm = 0.0;
 };
 
 // Disjoint wall seconds.
@@ -114,6 +126,7 @@ struct Report {
   MotionReport motion;
   std::vector<ProgramReport> programs;
   ReplayReport replay;
+  ChosenReport chosen;
   std::vector<TriedReport> tried; // in the order they were tried
   plan::Findings findings;
   Timings timings;

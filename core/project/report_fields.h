@@ -134,12 +134,21 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
 }
 constexpr auto fieldsOf(std::type_identity<TriedReport>) {
   using R = TriedReport;
-  return std::tuple{Field{"mode", &R::mode},
+  return std::tuple{Field{"way", &R::way, "", true},
+                    Field{"name", &R::name, "", true},
+                    Field{"mode", &R::mode},
                     Field{"platform", &R::platform},
                     Field{"passed", &R::passed, "", true},
                     Field{"taken", &R::taken, "", true},
                     Field{"why", &R::reason, "", true},
                     Field{"stage", &R::stage}};
+}
+constexpr auto fieldsOf(std::type_identity<ChosenReport>) {
+  using R = ChosenReport;
+  return std::tuple{
+      Field{"way", &R::way},           Field{"name", &R::name},
+      Field{"mode", &R::mode},         Field{"platform", &R::platform},
+      Field{"supports", &R::supports}, Field{"layerHeightMm", &R::layerHeightMm, "mm"}};
 }
 constexpr auto fieldsOf(std::type_identity<Timings>) {
   using R = Timings;
@@ -156,17 +165,12 @@ constexpr auto fieldsOf(std::type_identity<Timings>) {
 }
 constexpr auto fieldsOf(std::type_identity<Report>) {
   using R = Report;
-  return std::tuple{Field{"model", &R::model},
-                    Field{"decomposition", &R::decomposition},
-                    Field{"layers", &R::layers},
-                    Field{"toolpath", &R::toolpath},
-                    Field{"motion", &R::motion},
-                    Field{"programs", &R::programs},
-                    Field{"replay", &R::replay},
-                    Field{"tried", &R::tried, "", true},
-                    Field{"findings", &R::findings},
-                    Field{"timingS", &R::timings},
-                    Field{"peakRssMb", &R::peakRssMb, "MB"},
+  return std::tuple{Field{"model", &R::model},           Field{"decomposition", &R::decomposition},
+                    Field{"layers", &R::layers},         Field{"toolpath", &R::toolpath},
+                    Field{"motion", &R::motion},         Field{"programs", &R::programs},
+                    Field{"replay", &R::replay},         Field{"chosen", &R::chosen, "", true},
+                    Field{"tried", &R::tried, "", true}, Field{"findings", &R::findings},
+                    Field{"timingS", &R::timings},       Field{"peakRssMb", &R::peakRssMb, "MB"},
                     Field{"threads", &R::threads}};
 }
 

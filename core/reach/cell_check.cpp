@@ -86,7 +86,8 @@ ReachGrid coarseGrid(const robot::Prism& plate, const process::Process& process)
 // What meets most often where the arm gets to, of the ways to each place the one that turns the
 // joints least from rest. None: it gets nowhere.
 std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& collision,
-                                const ReachMap& map, const base::RunContext& ctx) {
+                                const collision::Margins& margins, const ReachMap& map,
+                                const base::RunContext& ctx) {
   std::map<std::pair<int, int>, int> times;
   std::vector<robot::JointVector> solutions;
   Frames frames;
@@ -111,7 +112,7 @@ std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& co
     if (nearest.size() == 0)
       continue;
     cell.framePoses(nearest, frames);
-    if (const auto contact = collision.bodies(frames, {}))
+    if (const auto contact = collision.bodies(frames, margins))
       ++times[{contact->first, contact->second}];
   }
   if (times.empty())
@@ -122,15 +123,15 @@ std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& co
 }
 
 void checkPlate(const robot::Cell& cell, const process::Process& process,
-                const CellCollision& collision, const base::RunContext& ctx,
-                std::vector<CellFault>& faults) {
+                const CellCollision& collision, const collision::Margins& margins,
+                const base::RunContext& ctx, std::vector<CellFault>& faults) {
   const robot::Prism* plate = robot::plateOf(cell);
   if (!plate)
     return;
-  const ReachMap map = reachMap(cell, process, coarseGrid(*plate, process), {}, ctx);
+  const ReachMap map = reachMap(cell, process, coarseGrid(*plate, process), margins, ctx);
   if (map.shareOfTilt(0) > 0.0)
     return;
-  if (const auto contact = inTheWay(cell, collision, map, ctx))
+  if (const auto contact = inTheWay(cell, collision, margins, map, ctx))
     faults.push_back(
         {base::message("wherever the nozzle gets to the plate, {first} meets {second}"_text,
                        collision.nameOf(contact->first), collision.nameOf(contact->second)),
@@ -159,8 +160,18 @@ std::vector<CellFault> cellFaults(const robot::Cell& cell, const process::Proces
   std::vector<CellFault> faults;
   checkNozzle(cell, process, frames, faults);
   checkRest(collision, frames, faults);
-  checkPlate(cell, process, collision, ctx, faults);
+  checkPlate(cell, process, collision, {}, ctx, faults);
   checkLoad(cell, partKg, faults);
+  return faults;
+}
+
+std::vector<CellFault> printingFaults(const robot::Cell& cell, const process::Process& process,
+                                      const collision::Margins& margins,
+                                      const base::RunContext& ctx) {
+  const CellCollision collision(cell, process);
+  std::vector<CellFault> faults;
+  checkRest(collision, framesAtRest(cell), faults);
+  checkPlate(cell, process, collision, margins, ctx, faults);
   return faults;
 }
 

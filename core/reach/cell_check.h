@@ -28,6 +28,12 @@ struct CellFault {
 std::vector<CellFault> cellFaults(const robot::Cell& cell, const process::Process& process,
                                   double partKg, const base::RunContext& ctx);
 
+// Of these what keeps the cell from printing anything: the second and the third, with bodies no
+// nearer to each other than `margins`. Deterministic. Throws Cancelled.
+std::vector<CellFault> printingFaults(const robot::Cell& cell, const process::Process& process,
+                                      const collision::Margins& margins,
+                                      const base::RunContext& ctx);
+
 // At rest, with the nozzle upright over the middle of the plate: the pose whose bodies are clearest
 // of each other, up to 20 mm; of those that are the same to 1 mm the one highest over the plate,
 // then the one that turns the joints least. Tried 180, 160 ... 20 mm above it, 16 turns about the

@@ -46,7 +46,7 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
         pointOf[m] < waypointAt.size() ? waypointAt[pointOf[m]] : plan::kNoWaypoint;
     if (w < plan.waypointCount()) {
       here.toHeightMm = plan.heightMm[w];
-      here.waste = kind[w] == plan::PathKind::Skirt;
+      here.waste = plan::isWaste(kind[w]);
       here.ofPart = !here.waste && kind[w] != plan::PathKind::Support;
     }
     result[m] = last = here;
@@ -185,6 +185,32 @@ std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pie
   return first;
 }
 
+namespace {
+// The longest stretch of consecutive pieces of one bead that share a defect.
+struct LongestRun {
+  double longestMm = 0.0;
+  std::optional<std::uint32_t> first; // piece; empty: no piece has the defect
+
+  void add(std::size_t piece, double lengthMm, bool continuesBead, bool hasDefect) {
+    if (!continuesBead || !hasDefect)
+      runMm_ = 0.0;
+    if (!hasDefect)
+      return;
+    if (runMm_ == 0.0)
+      from_ = static_cast<std::uint32_t>(piece);
+    runMm_ += lengthMm;
+    if (runMm_ > longestMm) {
+      longestMm = runMm_;
+      first = from_;
+    }
+  }
+
+private:
+  double runMm_ = 0.0;
+  std::uint32_t from_ = 0;
+};
+} // namespace
+
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
                            const GroundProbe& ground, const base::RunContext& ctx) {
   struct Found {
@@ -203,12 +229,15 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
     }
   });
   SupportedBeads result;
-  double inTheAir = 0.0;
-  std::size_t from = 0;
+  LongestRun inTheAir, unsupported, halfCarried;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     if (pieces[p].waste)
       continue;
     const double length = (pieces[p].to - pieces[p].from).norm();
+    const bool goesOn = p > 0 && pieces[p].run == pieces[p - 1].run;
+    inTheAir.add(p, length, goesOn, found[p].carried <= 0.0);
+    unsupported.add(p, length, goesOn, !found[p].supported);
+    halfCarried.add(p, length, goesOn, found[p].carried < 0.5);
     result.lengthMm += length;
     if (!found[p].supported) {
       result.unsupportedMm += length;
@@ -216,19 +245,11 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
     }
     if (found[p].carried < 0.5)
       result.halfCarriedMm += length;
-    const bool goesOn = p > 0 && pieces[p].run == pieces[p - 1].run;
-    if (!goesOn || found[p].carried > 0.0)
-      inTheAir = 0.0;
-    if (found[p].carried > 0.0)
-      continue;
-    if (inTheAir == 0.0)
-      from = p;
-    inTheAir += length;
-    if (inTheAir > result.longestUnsupportedMm) {
-      result.longestUnsupportedMm = inTheAir;
-      result.longestFrom = static_cast<std::uint32_t>(from);
-    }
   }
+  result.longestUnsupportedMm = inTheAir.longestMm;
+  result.longestFrom = inTheAir.first.value_or(0);
+  result.unsupportedFrom = unsupported.first;
+  result.halfCarriedFrom = halfCarried.first;
   return result;
 }
 

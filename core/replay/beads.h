@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace voluta::base {
@@ -22,8 +23,8 @@ namespace voluta::replay {
 // What a program's text does not say of a motion's bead and its plan does.
 struct BeadKnowledge {
   float fromHeightMm = 0.0f, toHeightMm = 0.0f;
-  bool ofPart = true; // false: support or skirt
-  bool waste = false; // a skirt: whether it rests on anything is nobody's concern
+  bool ofPart = true; // false: support, skirt or prime
+  bool waste = false; // skirt or prime: whether it rests on anything is nobody's concern
 };
 
 // Material of a motion that takes so long, mm3: the amount that the text gives, else flow x time; 0
@@ -68,6 +69,8 @@ struct SupportedBeads {
   // The longest stretch of one bead that is carried on none of its width, and its first piece.
   double longestUnsupportedMm = 0.0;
   std::uint32_t longestFrom = 0;
+  // First piece of the longest run of unsupported pieces, and of half-carried ones.
+  std::optional<std::uint32_t> unsupportedFrom, halfCarriedFrom;
 };
 
 // A piece is supported where, at its middle, the ground or material laid before lies beneath the

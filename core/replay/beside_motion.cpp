@@ -4,6 +4,7 @@
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "process/bead_model.h"
+#include "program/extruder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,10 @@ namespace {
 
 using enum plan::FindingKind;
 
-constexpr double kLeastMm3 = 0.005, kLongestPauseS = 1.0, kPrimeTolerance = 0.1;
+constexpr double kLeastMm3 = 0.005, kPrimeTolerance = 0.1;
+// Pauses that no plan has, all together; and of one how much is rounding, by share and besides.
+constexpr double kMostPausesS = 0.1, kPauseShare = 0.05, kPauseS = 1e-3;
+constexpr std::size_t kMostPauses = 100; // findings
 constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0;
 constexpr double kFirstRadPerS = 1.0471975511965976, kFirstRadPerS2 = 2.0, kFirstMmPerS = 250.0;
 constexpr double kNozzleMm = 0.05, kNozzleRad = 0.01;
@@ -22,19 +26,14 @@ constexpr double kHarder = 1.5;
 // Writers let the speed change within half the motion.
 constexpr double kHalf = 2.0;
 
-// The text's own motions that extrude: first and last; count, 0 where there is none.
-struct Beads {
-  std::size_t first, last;
-};
-Beads beadsOf(const plan::ReadProgram& program) {
-  const auto lays = [](const plan::ProgramMotion& m) { return m.extruding; };
+// The text's own first motion that extrudes; count: there is none.
+std::size_t firstBeadOf(const plan::ReadProgram& program) {
   const auto& motions = program.motions;
   const auto begin =
       motions.begin() + static_cast<std::ptrdiff_t>(std::min(program.firstMotion, motions.size()));
-  const auto first = std::find_if(begin, motions.end(), lays);
-  const auto last = std::find_if(motions.rbegin(), motions.rend(), lays);
-  return {static_cast<std::size_t>(first - motions.begin()),
-          first == motions.end() ? 0 : static_cast<std::size_t>(motions.rend() - last) - 1};
+  return static_cast<std::size_t>(
+      std::find_if(begin, motions.end(), [](const plan::ProgramMotion& m) { return m.extruding; }) -
+      motions.begin());
 }
 
 class Judge {
@@ -43,10 +42,11 @@ public:
         const plan::Trajectory& trajectory, const robot::Cell& cell,
         const process::Process& process, std::size_t firstPoint)
       : program_(program), path_(path), plan_(plan), trajectory_(trajectory), cell_(cell),
-        process_(process), firstPoint_(firstPoint), beads_(beadsOf(program)) {}
+        process_(process), firstPoint_(firstPoint), firstBead_(firstBeadOf(program)) {}
 
   std::vector<TextFinding> judge() {
     pauses();
+    waits();
     prime();
     load();
     nozzle();
@@ -68,14 +68,35 @@ private:
 
   void pauses() {
     for (const plan::ProgramPause& p : program_.pauses) {
-      if (p.before <= beads_.first || p.before > program_.motions.size())
+      if (p.before <= firstBead_ || p.before > program_.motions.size())
         continue;
       if (p.volumeMm3 > kLeastMm3)
         add(FlowsWhileStanding, placeOfPause(p),
             {{"volume", base::mm3(p.volumeMm3)}, {"time", base::seconds(p.durationS)}});
-      else if (p.durationS > kLongestPauseS && p.before <= beads_.last)
-        add(StandsAmidPrint, placeOfPause(p), {{"time", base::seconds(p.durationS)}});
     }
+  }
+
+  // A hot nozzle drips wherever it stands.
+  void waits() {
+    std::vector<const plan::ProgramPause*> unplanned;
+    double seconds = 0.0;
+    for (const plan::ProgramPause& p : program_.pauses) {
+      const bool amid = p.before > program_.firstMotion && p.before < program_.motions.size();
+      const double over = p.durationS - (1.0 + kPauseShare) * plannedPauseS(p);
+      if (!amid || p.volumeMm3 > kLeastMm3 || over <= kPauseS)
+        continue;
+      unplanned.push_back(&p);
+      seconds += over;
+    }
+    if (seconds <= kMostPausesS)
+      return;
+    unplanned.resize(std::min(unplanned.size(), kMostPauses));
+    for (const plan::ProgramPause* p : unplanned)
+      add(StandsAmidPrint, placeOfPause(*p), {{"time", base::seconds(p->durationS)}});
+  }
+  // Of a pause in which nothing flows.
+  double plannedPauseS(const plan::ProgramPause& p) const {
+    return std::min(p.drawnMm, process_.retractMm) / program::kDrawBackMmPerS;
   }
 
   void prime() {
@@ -85,7 +106,7 @@ private:
     double volume = 0.0;
     const plan::ProgramPause* most = nullptr;
     for (const plan::ProgramPause& p : program_.pauses) {
-      if (p.before > beads_.first)
+      if (p.before > firstBead_)
         continue;
       volume += p.volumeMm3;
       if (!most || p.volumeMm3 > most->volumeMm3)
@@ -95,7 +116,7 @@ private:
       return;
     // Programs prime where the arm stands at its start.
     const std::size_t motion =
-        std::min({program_.firstMotion + 1, beads_.first, program_.motions.size() - 1});
+        std::min({program_.firstMotion + 1, firstBead_, program_.motions.size() - 1});
     add(PrimeChanged, most ? placeOfPause(*most) : placeOf(program_, motion),
         {{"volume", base::mm3(volume)}, {"planned", base::mm3(planned)}});
   }
@@ -169,7 +190,7 @@ private:
   const robot::Cell& cell_;
   const process::Process& process_;
   std::size_t firstPoint_;
-  Beads beads_;
+  std::size_t firstBead_;
   std::vector<TextFinding> found_;
 };
 
@@ -186,10 +207,10 @@ double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& traje
 }
 
 double standingMm3(const plan::ReadProgram& program) {
-  const Beads beads = beadsOf(program);
+  const std::size_t firstBead = firstBeadOf(program);
   double volume = 0.0;
   for (const plan::ProgramPause& p : program.pauses)
-    if (p.before > beads.first)
+    if (p.before > firstBead)
       volume += p.volumeMm3;
   return volume;
 }

@@ -24,7 +24,10 @@ double standingMm3(const plan::ReadProgram& program);
 
 // Findings of pauses, prime, load, nozzle, the first motion's speed and accelerations, each at its
 // line.
-// - A pause amid the print in which more than 0.005 mm3 flow, or which is longer than a second.
+// - A pause amid the print in which more than 0.005 mm3 flow.
+// - Pauses between the first motion and the last that the plan has not, where they come to more
+//   than 0.1 s in all: each of them, the first 100. Planned are the prime, and filament that is
+//   drawn back and returned, as far as the process has it, at kDrawBackMmPerS or faster.
 // - Before the first bead what flows is the prime, within a tenth; languages that have no word for
 //   a pause have none.
 // - The load is told within a kilogram or a factor of 3 of what is assumed (0.5 kg of plate and

@@ -71,9 +71,9 @@ std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const M
 
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidPiece>& pieces,
                                const std::vector<std::uint32_t>& firstPiece,
-                               const PrintedPart& printed, const process::Process& process,
-                               const GroundSolids& ground, const std::vector<char>& known,
-                               const base::RunContext& ctx) {
+                               const PrintedPart& printed, const Underside& underside,
+                               const process::Process& process, const GroundSolids& ground,
+                               const std::vector<char>& known, const base::RunContext& ctx) {
   const double tolerance = process.contactToleranceMm;
   const HeadSolid againstPlatform(process::erodedHead(process.head, tolerance));
   const HeadSolid againstPart(
@@ -113,7 +113,10 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidP
         if (p > 0) {
           const LaidPiece& last = pieces[p - 1];
           moment = {static_cast<std::uint32_t>(p), last.run, last.runMm, last.recentMm};
-          if (const auto where = overPart.touched(path.tip[s], path.direction[s], moment))
+          auto where = overPart.touched(path.tip[s], path.direction[s], moment);
+          if (!where)
+            where = underside.touched(path.tip[s], path.direction[s], moment);
+          if (where)
             touches.push_back({s, kPart, *where});
         }
         if (overBody) {

@@ -7,6 +7,7 @@
 #include "replay/executed_path.h"
 #include "replay/ground.h"
 #include "replay/printed_part.h"
+#include "replay/underside.h"
 #include "robot/cell.h"
 
 #include <Eigen/Core>
@@ -33,15 +34,16 @@ struct Clash {
 // The eroded head (process::erodedHead; it may be that deep in soft, rounded beads) along the
 // nozzle's path, against material laid before and against the ground.
 // A cell of the part, or of a body that is the ground, counts when its centre is in the head shrunk
-// by another half cell: nearer the grid can't tell. Material of the last 2 bead widths of the same
+// by another half cell: nearer the grid can't tell. The flat underside, which all beads lie under,
+// is held against their sections themselves. Material of the last 2 bead widths of the same
 // path doesn't count. `firstPiece`: per motion the index of the first piece that is its own or a
 // later motion's, one entry more (beads.h: firstPieceOfMotions). Not looked at are motions of which
 // `known` holds; empty: of none. Throws Cancelled.
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidPiece>& pieces,
                                const std::vector<std::uint32_t>& firstPiece,
-                               const PrintedPart& printed, const process::Process& process,
-                               const GroundSolids& ground, const std::vector<char>& known,
-                               const base::RunContext& ctx);
+                               const PrintedPart& printed, const Underside& underside,
+                               const process::Process& process, const GroundSolids& ground,
+                               const std::vector<char>& known, const base::RunContext& ctx);
 
 // Bodies of the cell against each other (its checkedPairs, but head against platform: above) and,
 // the head apart, against material laid before and a body that is the ground. Between samples

@@ -38,8 +38,8 @@ struct BeadPiece {
   float runMm = 0;                            // length of the bead laid without a stop, up to `to`
   std::uint32_t run = 0;                      // which bead
   std::uint32_t motion = 0;                   // of the program
-  bool ofPart = true;                         // false: support or skirt
-  bool waste = false;                         // a skirt
+  bool ofPart = true;                         // false: support, skirt or prime
+  bool waste = false;                         // skirt or prime
 };
 
 // The section of a piece: width from its volume and length, and where that is less than its

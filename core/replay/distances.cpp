@@ -185,15 +185,16 @@ private:
   }
 };
 
-double coreDistance(const robot::Shape& a, const Eigen::Isometry3d& frame_T_a,
-                    const robot::Shape& b, const Eigen::Isometry3d& frame_T_b) {
-  Vector3d v = frame_T_a * ballRound(a).centre - frame_T_b * ballRound(b).centre;
+// Of two convex solids, given by their farthest points along a direction; `v`: from one of the
+// second's points to one of the first's.
+template <typename SupportA, typename SupportB>
+double hullDistance(const SupportA& supportA, const SupportB& supportB, Vector3d v) {
   if (v.squaredNorm() < 1e-12)
     v = Vector3d::UnitX();
   Simplex simplex;
   double lower = 0.0;
   for (int round = 0; round < 100; ++round) {
-    const Vector3d w = supportOf(a, frame_T_a, -v) - supportOf(b, frame_T_b, v);
+    const Vector3d w = supportA(-v) - supportB(v);
     const double length = v.norm();
     // Everything lies beyond the plane through w across v.
     if (simplex.size > 0) {
@@ -210,6 +211,13 @@ double coreDistance(const robot::Shape& a, const Eigen::Isometry3d& frame_T_a,
       return 0.0;
   }
   return lower;
+}
+
+double coreDistance(const robot::Shape& a, const Eigen::Isometry3d& frame_T_a,
+                    const robot::Shape& b, const Eigen::Isometry3d& frame_T_b) {
+  return hullDistance([&](const Vector3d& d) { return supportOf(a, frame_T_a, d); },
+                      [&](const Vector3d& d) { return supportOf(b, frame_T_b, d); },
+                      frame_T_a * ballRound(a).centre - frame_T_b * ballRound(b).centre);
 }
 
 } // namespace
@@ -279,6 +287,21 @@ double distanceBetween(const robot::Shape& a, const Eigen::Isometry3d& frame_T_a
                                             frame_T_b * cb->p0, frame_T_b * cb->p1)
                           : coreDistance(a, frame_T_a, b, frame_T_b);
   return std::max(0.0, core - coreRadius(a) - coreRadius(b));
+}
+
+double distanceBetween(const FlatDisc& disc, const RoundedQuad& solid, double reachMm) {
+  const auto ofDisc = [&](const Vector3d& d) -> Vector3d {
+    const Vector3d across = d - d.dot(disc.normal) * disc.normal;
+    const double n = across.norm();
+    return n > 1e-12 ? Vector3d(disc.centre + disc.radius / n * across) : disc.centre;
+  };
+  const auto ofSolid = [&](const Vector3d& d) -> Vector3d {
+    return *std::ranges::max_element(solid.corners, {},
+                                     [&](const Vector3d& corner) { return corner.dot(d); });
+  };
+  const Vector3d apart = disc.centre - 0.25 * (solid.corners[0] + solid.corners[1] +
+                                               solid.corners[2] + solid.corners[3]);
+  return std::max(0.0, hullDistance(ofDisc, ofSolid, apart) - solid.radius + reachMm);
 }
 
 HeadSolid::HeadSolid(const process::HeadShape& shape) : sections_(shape.sections) {

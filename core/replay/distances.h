@@ -5,6 +5,7 @@
 #include "robot/body.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <vector>
 
 namespace voluta::replay {
@@ -28,6 +29,18 @@ double segmentDistance(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
 // Automation 4(2), 1988) to 1e-4 mm; it never claims more than the true distance by more.
 double distanceBetween(const robot::Shape& a, const Eigen::Isometry3d& frame_T_a,
                        const robot::Shape& b, const Eigen::Isometry3d& frame_T_b);
+
+struct FlatDisc {
+  Eigen::Vector3d centre, normal; // unit
+  double radius;
+};
+// The hull of four corners, grown by a radius.
+struct RoundedQuad {
+  std::array<Eigen::Vector3d, 4> corners;
+  double radius;
+};
+// Between the disc and the solid less `reachMm` of its radius; 0 where they meet. Exact to 1e-4 mm.
+double distanceBetween(const FlatDisc& disc, const RoundedQuad& solid, double reachMm = 0.0);
 
 // A head: frusta about the z axis, which runs from the tip up into it.
 class HeadSolid {

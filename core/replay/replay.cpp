@@ -11,6 +11,7 @@
 #include "replay/executed_path.h"
 #include "replay/run.h"
 #include "replay/section_errors.h"
+#include "replay/stated_facts.h"
 #include "replay/verification.h"
 
 #include <algorithm>
@@ -129,6 +130,7 @@ private:
         alignProgram(in_.program, *path_, planned, in_.trajectory, in_.cell, ctx_);
     deviates(compareWithPlan(in_.program, *path_, planned, in_.trajectory, alignment,
                              ComparisonOptions{}));
+    deviates(compareStatedFacts(in_.program, in_.trajectory, alignment, in_.cell, in_.process));
     deviates(judgeBesideMotion(in_.program, *path_, in_.plan, in_.trajectory, in_.cell, in_.process,
                                in_.firstPoint));
     const struct PathDeviation deviation =
@@ -136,6 +138,8 @@ private:
     out_.maxDeviationMm = deviation.mm;
     out_.maxDeviationRad = deviation.rad;
     deviationMotion_ = deviation.motion;
+    if (deviation.mm > 0.0)
+      deviationAt_ = path_->targetTip[deviation.motion];
     run.knowledge =
         beadKnowledge(alignment.pointOf, in_.trajectory, in_.plan, in_.process.layerHeightMm);
     out_.pointOf = alignment.pointOf;
@@ -157,6 +161,8 @@ private:
 
   void tellBeads(const JudgedRun& run) {
     static_cast<RunFigures&>(out_) = run.figures;
+    out_.worst.deviation = deviationAt_;
+    out_.worst.flowError = flowErrorAt_;
     const double part = std::max(out_.partVolumeMm3, 1e-9);
     out_.excessFraction += standing_ / part;
     out_.overfillFraction += standing_ / part;
@@ -182,6 +188,8 @@ private:
         worst = errors;
     }
     out_.flowErrorFraction = worst.fraction;
+    if (worst.worst)
+      flowErrorAt_ = path_->targetTip[*worst.worst];
     if (worst.first && worst.fraction > limits_.flowErrorMax)
       atMotion(FlowErrors, *worst.first, {{"share", base::percent(100.0 * worst.fraction)}},
                path_->targetTip[*worst.first], path_->startS[*worst.first]);
@@ -328,6 +336,7 @@ private:
   std::vector<double> seconds_; // of each motion, on its controller
   double standing_ = 0.0;       // laid while the arm stands, mm3
   std::size_t deviationMotion_ = 0;
+  std::optional<Vector3d> deviationAt_, flowErrorAt_;
 };
 
 } // namespace

@@ -119,6 +119,8 @@ private:
     const auto laid = std::make_shared<LaidBeads>();
     laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
     laid->printed.emplace(laid->beads, pieces);
+    laid->underside.emplace(process::erodedHead(in_.process.head, in_.process.contactToleranceMm),
+                            pieces, options.widthMaxMm);
     judgeBeads(*laid, pieces);
     laid->pieces = laidPieces(pieces, 2.0 * in_.process.beadWidthMaxMm);
     // What is met is asked for fillers alone.
@@ -164,6 +166,8 @@ private:
     figures.partVolumeMm3 = partVolume(cells.volumeMm3);
     const double volume = std::max(figures.partVolumeMm3, 1e-9);
     figures.coveredFraction = coverage.coveredFraction;
+    if (coverage.worstGapMm3 > 0.0)
+      figures.worst.gap = coverage.worstGap;
     double excess = 0.0;
     std::size_t worst = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -173,6 +177,8 @@ private:
           worst = p;
       }
     figures.excessFraction = std::max(0.0, excess / volume);
+    if (excess > 0.0)
+      figures.worst.overfill = pieces[worst].to;
     figures.overfillFraction = std::max(0.0, (coverage.outsideMm3 + excess) / volume);
     if (figures.coveredFraction < limits_.coveredMin)
       add(Uncovered, {{"share", base::percent(100.0 * (1.0 - figures.coveredFraction))}},
@@ -195,6 +201,12 @@ private:
     figures.unsupportedFraction = support.unsupportedMm / length;
     figures.halfCarriedFraction = support.halfCarriedMm / length;
     figures.longestUnsupportedMm = support.longestUnsupportedMm;
+    if (support.unsupportedFrom)
+      figures.worst.unsupported = pieces[*support.unsupportedFrom].to;
+    if (support.halfCarriedFrom)
+      figures.worst.halfCarried = pieces[*support.halfCarriedFrom].to;
+    if (support.longestUnsupportedMm > 0.0)
+      figures.worst.longestUnsupported = pieces[support.longestFrom].to;
     if (figures.unsupportedFraction > limits_.unsupportedMax && !support.unsupported.empty()) {
       const BeadPiece& first = pieces[support.unsupported.front()];
       add(Unsupported, {{"length", base::mm(support.unsupportedMm)}}, first.to, first.motion,
@@ -222,8 +234,8 @@ private:
       for (std::size_t m = 0; m < armSame.size(); ++m)
         armSame[m] = armSame[m] && sameJoints(known->run.path, m);
     const std::vector<std::uint32_t> firstPiece = firstPieces(known);
-    out_.head = headClashes(path(), out_.laid->pieces, firstPiece, *out_.laid->printed, in_.process,
-                            ground, same_, ctx_);
+    out_.head = headClashes(path(), out_.laid->pieces, firstPiece, *out_.laid->printed,
+                            *out_.laid->underside, in_.process, ground, same_, ctx_);
     ctx_.report(0.97, "looking for collisions"_text);
     out_.arm = armClashes(path(), firstPiece, *out_.laid->printed, ground, in_.cell, armSame, ctx_);
     if (known) {

@@ -7,6 +7,7 @@
 #include "replay/clashes.h"
 #include "replay/executed_path.h"
 #include "replay/printed_part.h"
+#include "replay/underside.h"
 #include "replay/verification.h"
 
 #include <Eigen/Core>
@@ -44,6 +45,7 @@ struct LaidBeads {
   std::vector<LaidPiece> pieces;
   BeadGrid beads; // without fill
   std::optional<PrintedPart> printed;
+  std::optional<Underside> underside; // of the head over the pieces
 };
 
 // A run with what was found in it. Kept for others to be lent, it is without what no other asks:

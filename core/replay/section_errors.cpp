@@ -2,6 +2,7 @@
 
 #include "replay/beads.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace voluta::replay {
@@ -24,7 +25,7 @@ SectionErrors sectionErrors(const plan::ReadProgram& program, const ExecutedPath
                             const std::vector<double>& seconds) {
   const std::vector<double> volume = flowingMm3(program, seconds);
   SectionErrors result;
-  double printed = 0.0, wrong = 0.0;
+  double printed = 0.0, wrong = 0.0, worst = 0.0;
   for (std::size_t m = 1; m < volume.size(); ++m) {
     if (!program.motions[m].extruding)
       continue;
@@ -39,6 +40,11 @@ SectionErrors sectionErrors(const plan::ReadProgram& program, const ExecutedPath
     wrong += length;
     if (!result.first)
       result.first = m;
+    const double share = std::abs(volume[m] - wanted) / std::max(wanted, kRoundingMm3);
+    if (share > worst) {
+      worst = share;
+      result.worst = m;
+    }
   }
   result.fraction = printed > 0.0 ? wrong / printed : 0.0;
   return result;

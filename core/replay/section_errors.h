@@ -21,6 +21,7 @@ std::vector<double> flowingMm3(const plan::ReadProgram& program,
 struct SectionErrors {
   double fraction = 0.0;            // of the printed length
   std::optional<std::size_t> first; // motion
+  std::optional<std::size_t> worst; // motion whose section is most wrong, by share
 };
 // Against the plan where a motion goes from one of its points to the next, else against what the
 // text lays without ramps. `pointOf`: per motion, as of alignment.h. Sections are compared by

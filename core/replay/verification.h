@@ -9,6 +9,7 @@
 #include "platform/platform_solid.h"
 #include "process/process.h"
 #include "replay/judged_runs.h"
+#include "replay/worst_places.h"
 #include "robot/cell.h"
 
 #include <cstddef>
@@ -76,6 +77,8 @@ struct RunFigures {
 
   double partVolumeMm3 = 0.0, beadLengthMm = 0.0;
   double pitchMm = 0.0; // of the grid of beads
+
+  WorstPlaces worst;
 };
 
 struct Verification : RunFigures {

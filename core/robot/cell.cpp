@@ -2,8 +2,12 @@
 
 #include "base/data_files.h"
 #include "base/error.h"
+#include "base/files.h"
+#include "base/json_node.h"
+#include "robot/robot_reader.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace voluta::robot {
 
@@ -108,10 +112,26 @@ std::vector<std::string> cellIds() {
   return base::dataFileIds("cells");
 }
 
-Cell loadCell(const std::string& id, const process::Process& process,
+Cell loadCell(const std::string& choice, const process::Process& process,
               platform::PlatformSolid platform) {
-  return Cell::read(base::dataFile("cells", id, "unknown cell '{id}'"_text), process,
-                    std::move(platform));
+  const base::DataText data = base::dataText("cells", choice, "unknown cell '{id}'"_text);
+  return Cell::readText(data.text, data.file, process, std::move(platform));
+}
+
+std::string selfContainedCell(const std::filesystem::path& file) {
+  using Json = nlohmann::ordered_json;
+  std::string text = base::readFile(file);
+  const base::JsonNode robot = base::JsonNode::parse(text, file.string()).at("robot");
+  if (holdsRobot(robot))
+    return text;
+  const std::filesystem::path robotFile =
+      base::dataFile("robots", robot.text(), "unknown robot '{id}'"_text);
+  if (robotFile.parent_path() == base::resourceFolder() / "robots")
+    return text;
+  base::JsonNode::readFile(robotFile); // says what is wrong with it
+  Json cell = Json::parse(text);
+  cell["robot"] = Json::parse(base::readFile(robotFile));
+  return cell.dump(1);
 }
 
 } // namespace voluta::robot

@@ -164,9 +164,13 @@ private:
 };
 
 std::vector<std::string> cellIds();
-// Throws Error{Usage} for an unknown id, naming the nearest.
-Cell loadCell(const std::string& id, const process::Process& process,
+// `choice`: an id, or the text of a cell's file (base/data_files.h). Throws Error{Usage} for an
+// unknown id, naming the nearest; as Cell::readText() for a text.
+Cell loadCell(const std::string& choice, const process::Process& process,
               platform::PlatformSolid platform);
+// Returns the text of a cell's file with the whole robot in it where the robot is the user's own,
+// so that the text needs no other file. Throws Error{UnreadableFile, UnusableInput, Usage}.
+std::string selfContainedCell(const std::filesystem::path& file);
 
 // The largest radius R such that for every point of a ball of radius R standing on the platform
 // (centre at height R above it) the nozzle can be brought there, upright and tilted up to

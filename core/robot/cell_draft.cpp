@@ -288,8 +288,8 @@ CellDraft CellDraft::without(const DraftBody& obstacle) const {
   return CellDraft(textOf(cell));
 }
 
-CellDraft draftOfCell(const std::string& id) {
-  return CellDraft(base::readFile(base::dataFile("cells", id, "unknown cell '{id}'"_text)));
+CellDraft draftOfCell(const std::string& choice) {
+  return CellDraft(base::dataText("cells", choice, "unknown cell '{id}'"_text).text);
 }
 
 bool isShippedCell(const std::string& id) {

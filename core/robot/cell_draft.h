@@ -75,8 +75,9 @@ private:
   std::string text_;
 };
 
-// Throws Error{Usage} where no cell has that id, naming the nearest.
-CellDraft draftOfCell(const std::string& id);
+// `choice`: an id, or the text of a cell's file. Throws Error{Usage} where no cell has that id,
+// naming the nearest.
+CellDraft draftOfCell(const std::string& choice);
 
 // Is there a cell of the program's own of that id?
 bool isShippedCell(const std::string& id);

@@ -5,7 +5,7 @@
 //   note                  optional text: how the cell was laid out
 //   extruder              optional: id of a row of program::extruders(), "outputs" where it is not
 //                         given
-//   robot                 id of a robot
+//   robot                 id of a robot, or its whole description as in resources/robots/ID.json
 //   nozzle                {mount: "world" | "flange", pose, holder}: pose is base_T_tool or
 //                         flange_T_tool (z in the direction of extrusion); holder, optional, is
 //                         what carries the head, shapes in the tool frame. The head itself comes
@@ -53,6 +53,7 @@
 #include "base/json_node.h"
 #include "robot/json_pose.h"
 #include "robot/plate.h"
+#include "robot/robot_reader.h"
 #include "robot/shape_moves.h"
 #include "robot/shape_reader.h"
 
@@ -81,6 +82,8 @@ Mount readMount(const base::JsonNode& node) {
 }
 
 RobotModel readRobotOf(const base::JsonNode& node) {
+  if (holdsRobot(node))
+    return readRobot(node);
   try {
     return loadRobot(node.text());
   } catch (const base::Error& e) {

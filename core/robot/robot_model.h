@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -63,8 +64,12 @@ public:
   }
 };
 
+// RobotModel::controllerModel of ABB's controllers with RobotWare 7.
+inline constexpr std::string_view kOmniCore = "omnicore";
+
 struct RobotModel {
   std::string id, label, maker, controller; // controller: id of its program format
+  std::string controllerModel;              // where programs differ by it: kOmniCore; else empty
   std::shared_ptr<const Kinematics> kinematics;
   std::vector<JointLimits> limits;
   std::vector<Body> links; // frame: 0 base, 1..dof links (index into linkPoses)
@@ -72,7 +77,7 @@ struct RobotModel {
   // joints keep them apart, or only their enclosing shapes overlap. Each has its reason in the
   // file.
   std::vector<std::pair<int, int>> neverMeet;
-  std::optional<double> payloadKg; // at the flange, as the maker rates it
+  std::optional<double> payloadKg;  // at the flange, as the maker rates it
   std::vector<std::string> assumed; // what is not from a published source, said where shown
 
   int dof() const { return kinematics->dof(); }

@@ -2,6 +2,8 @@
 // marked optional; an unknown key is an error.
 //   id, label, maker      texts; id as the file's name
 //   controller            id of the program format its controller reads, e.g. "urscript"
+//   controllerModel       optional: the controller's model where programs differ by it: "omnicore"
+//                         (ABB with RobotWare 7)
 //   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist) |
 //                         "chain" (any six turning axes) | "scara" (two upright axes and a shaft
 //                         that slides and turns)
@@ -24,7 +26,12 @@
 //   payloadKg             optional: what it may carry at its flange
 //   sources               optional list of texts: where the numbers come from
 //   assumed               list of texts: what is not from a published source
+//   shape                 optional: what it looks like, as in robot/arm_shape.h; read by what
+//                         draws it
+#include "robot/robot_reader.h"
+
 #include "base/json_node.h"
+#include "robot/arm_shape.h"
 #include "robot/chain_kinematics.h"
 #include "robot/joint_reading.h"
 #include "robot/json_pose.h"
@@ -191,16 +198,28 @@ std::vector<std::string> readTexts(const base::JsonNode& list) {
 
 RobotModel readRobot(const std::filesystem::path& file) {
   const base::JsonNode top = base::JsonNode::readFile(file);
-  top.allowOnly({"id", "label", "maker", "controller", "family", "geometryMm", "reading", "limits",
-                 "links", "neverMeet", "payloadKg", "sources", "assumed"});
+  const std::string id = top.at("id").text();
+  if (id != file.stem().string())
+    top.at("id").fail(
+        base::message("is '{id}', but the file is named '{file}'"_text, id, file.stem().string()));
+  return readRobot(top);
+}
+
+bool holdsRobot(const base::JsonNode& robot) {
+  return robot.has("id");
+}
+
+RobotModel readRobot(const base::JsonNode& top) {
+  top.allowOnly({"id", "label", "maker", "controller", "controllerModel", "family", "geometryMm",
+                 "reading", "limits", "links", "neverMeet", "payloadKg", "sources", "assumed",
+                 "shape"});
   RobotModel robot;
   robot.id = top.at("id").text();
-  if (robot.id != file.stem().string())
-    top.at("id").fail(base::message("is '{id}', but the file is named '{file}'"_text, robot.id,
-                                    file.stem().string()));
   robot.label = top.at("label").text();
   robot.maker = top.at("maker").text();
   robot.controller = top.at("controller").text();
+  if (top.has("controllerModel"))
+    robot.controllerModel = top.at("controllerModel").text();
   robot.kinematics = readKinematics(top);
   robot.limits = readLimits(top.at("limits"), *robot.kinematics);
   robot.links = readLinks(top.at("links"), robot.dof());
@@ -209,6 +228,8 @@ RobotModel readRobot(const std::filesystem::path& file) {
     robot.payloadKg = top.at("payloadKg").positive();
   if (top.has("sources"))
     readTexts(top.at("sources"));
+  if (top.has("shape"))
+    readArmShape(top.at("shape"), robot.dof());
   if (top.has("neverMeet"))
     for (const auto& [a, b] : readBodyPairs(top.at("neverMeet"), robot.links))
       robot.neverMeet.emplace_back(a, b);

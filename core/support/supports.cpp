@@ -40,10 +40,12 @@ public:
   Supports run() {
     const curved::VoxelGraph plain = graphOf(out_.solid.solid);
     belowPlate_ = part_.count - plain.size();
-    const curved::Growth first = grown(plain, ctx_.sub(0.0, 0.3));
+    curved::Growth first = grown(plain, ctx_.sub(0.0, 0.3));
     out_.missedBefore = out_.missedAfter = missedOf(plain, first.rank);
-    if (out_.missedBefore == 0)
+    if (out_.missedBefore == 0) {
+      out_.growth = std::make_shared<curved::Growth>(std::move(first));
       return std::move(out_);
+    }
     const std::vector<std::int32_t> reached = curved::flood(plain, {}, ctx_).order;
     out_.unreachedBefore =
         belowPlate_ + static_cast<std::size_t>(std::count_if(reached.begin(), reached.end(),
@@ -52,7 +54,8 @@ public:
     addColumns(plain, first.rank);
     thin();
     const curved::VoxelGraph graph = graphOf(out_.solid.solid);
-    out_.missedAfter = missedOf(graph, grown(graph, ctx_.sub(0.9, 1.0)).rank);
+    out_.growth = std::make_shared<curved::Growth>(grown(graph, ctx_.sub(0.9, 1.0)));
+    out_.missedAfter = missedOf(graph, out_.growth->rank);
     out_.support.assign(part_.solid.size(), 0);
     for (const Column& column : out_.columns)
       for (const std::size_t c : column.cells)

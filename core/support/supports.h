@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Supports {
   std::size_t voxels = 0;                        // of support
   std::size_t missedBefore = 0, missedAfter = 0; // voxels of the part
   std::size_t unreachedBefore = 0;               // of them: no way through the part
+  std::shared_ptr<const curved::Growth> growth;  // of `solid`; null: not grown
   plan::Findings findings; // what is carried (not blocking); what no column reaches (blocking)
   int growths = 0;         // how often something was grown
   double seconds = 0.0;

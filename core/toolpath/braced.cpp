@@ -153,7 +153,7 @@ std::vector<OrderedPath> inwardsFirst(const plan::ToolPlan& plan, const std::vec
   for (std::size_t b = 0; b < order.size();) {
     std::size_t e = b + 1;
     while (e < order.size() && plan.paths[e].patch == plan.paths[b].patch &&
-           plan.paths[e - 1].kind != plan::PathKind::Skirt)
+           !plan::isWaste(plan.paths[e - 1].kind))
       ++e;
     std::vector<std::size_t> first;
     std::vector<std::pair<std::size_t, std::vector<HangingStretch>>> outer;

@@ -99,7 +99,7 @@ std::vector<char> hangingWaypoints(const plan::ToolPlan& plan, const collision::
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p) {
       const plan::ToolPath& path = plan.paths[p];
-      if (path.kind == plan::PathKind::Skirt)
+      if (plan::isWaste(path.kind))
         continue;
       double width = 0.0;
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -135,7 +136,8 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   });
   Assembled assembled = assemble(stack, covers, process);
   // The head's ways know of the prime, as they do of every bead.
-  addPrimePath(assembled.plan, cell, process, options);
+  if (auto falls = addPrimePath(assembled.plan, cell, process, options))
+    r.findings.push_back(std::move(*falls));
   if (assembled.plan.primes())
     assembled.clearDirection.insert(assembled.clearDirection.begin(),
                                     assembled.plan.paths.front().count, Vector3d::UnitZ());
@@ -168,7 +170,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   r.plan = std::move(oriented.plan);
   r.grown = std::move(oriented.grown);
   slowBridges(r.plan, oriented.hanging, process);
-  r.findings = std::move(oriented.findings);
+  std::ranges::move(oriented.findings, std::back_inserter(r.findings));
   if (told)
     r.findings.push_back(std::move(*told));
 
@@ -186,7 +188,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                                  static_cast<double>(r.plan.heightMm[j]));
       };
       s.lengthMm += length;
-      if (path.kind == PathKind::Skirt)
+      if (plan::isWaste(path.kind))
         continue;
       s.materialMm3 += process::beadVolume(section(i - 1), section(i), length);
     }

@@ -1,6 +1,7 @@
 #include "toolpath/prime_path.h"
 
 #include "base/units.h"
+#include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "robot/plate.h"
 
@@ -108,12 +109,18 @@ PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vect
           false};
 }
 
-void addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell, const process::Process& process,
-                  const ToolpathOptions& options) {
+bool hasRoomForPrime(const std::vector<Vector2d>& plate, const std::vector<Vector3d>& positions,
+                     bool skirt, double lengthMm) {
+  return primePlace(plate, positions, Vector2d::Zero(), skirt, lengthMm).onPlate;
+}
+
+std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell,
+                                          const process::Process& process,
+                                          const ToolpathOptions& options) {
   const robot::Prism* plate = robot::plateOf(cell);
   if (options.prime == "none" || plan.paths.empty() || !plate || options.platform.mesh ||
       options.platform.rod)
-    return;
+    return std::nullopt;
   const PrimePlace place = primePlace(plate->polygon, plan.position,
                                       cell.work_T_tool(cell.home()).translation().head<2>(),
                                       options.prime == "skirt", options.primeLengthMm);
@@ -143,12 +150,16 @@ void addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell, const process::
     path.first += count;
   plan::ToolPath path;
   path.count = count;
-  path.kind = plan::PathKind::Skirt;
   path.layer = plan.paths.front().layer;
   path.patch = plan.paths.front().patch;
   path.group = plan.paths.front().group;
   path.closed = place.corners.size() > 2;
+  path.kind = path.closed ? plan::PathKind::Skirt : plan::PathKind::Prime;
   plan.paths.insert(plan.paths.begin(), path);
+  if (place.onPlate)
+    return std::nullopt;
+  return plan::makeFinding(plan::FindingKind::PrimeFalls, {{"length", base::mm(kPrimeInAirMm)}},
+                           points.front());
 }
 
 } // namespace voluta::toolpath

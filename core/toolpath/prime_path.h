@@ -2,12 +2,14 @@
 // checked as any other.
 #pragma once
 
+#include "plan/finding.h"
 #include "plan/tool_plan.h"
 #include "process/process.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -30,9 +32,15 @@ PrimePlace primePlace(const std::vector<Eigen::Vector2d>& plate,
                       const std::vector<Eigen::Vector3d>& positions, const Eigen::Vector2d& rest,
                       bool skirt, double lengthMm);
 
-// Puts it before all other paths, as PathKind::Skirt. Nothing for options.prime "none", without a
-// path, and where what is printed on is no plate.
-void addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell, const process::Process& process,
-                  const ToolpathOptions& options);
+// Is there room for the bead on that plate? Same precondition as primePlace.
+bool hasRoomForPrime(const std::vector<Eigen::Vector2d>& plate,
+                     const std::vector<Eigen::Vector3d>& positions, bool skirt, double lengthMm);
+
+// Puts the bead before all other paths: a ring as PathKind::Skirt, a line as PathKind::Prime. Does
+// nothing if options.prime is "none", the plan has no path, or the platform is no plate. Returns a
+// finding with the place if the bead falls because the plate has no room for it.
+std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell,
+                                          const process::Process& process,
+                                          const ToolpathOptions& options);
 
 } // namespace voluta::toolpath

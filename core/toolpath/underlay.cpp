@@ -44,7 +44,7 @@ void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction
 // Is a path the first of its patch? The prime is of none.
 bool beginsPatch(const plan::ToolPlan& plan, std::size_t path) {
   return path == 0 || plan.paths[path - 1].patch != plan.paths[path].patch ||
-         plan.paths[path - 1].kind == plan::PathKind::Skirt;
+         plan::isWaste(plan.paths[path - 1].kind);
 }
 
 // One bead beneath another: a waypoint each.
@@ -313,7 +313,7 @@ UnderlaidPlan underlay(plan::ToolPlan plan, std::vector<Vector3d> clearDirection
     const plan::ToolPath& path = was.plan.paths[order[p].path];
     // Before the first path of the patch come the beads under all its paths, low ones first: the
     // head cuts into none that is higher.
-    if (beginsPatch(was.plan, p) && path.kind != plan::PathKind::Skirt) {
+    if (beginsPatch(was.plan, p) && !plan::isWaste(path.kind)) {
       std::vector<std::pair<const Course*, const plan::ToolPath*>> beneath;
       for (std::size_t q = p; q < was.plan.paths.size() && was.plan.paths[q].patch == path.patch;
            ++q) {

@@ -16,6 +16,7 @@ namespace {
 const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"base", {}},
     {"texts", {}},
+    {"page", {}},
     {"geometry", {}},
     {"platform", {"geometry"}},
     {"samples", {"geometry"}},
@@ -50,7 +51,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"pipeline",
      {"geometry", "platform",  "process", "voxel",     "plan",    "build3mf",  "layers", "curved",
       "planar",   "substrate", "support", "placement", "robot",   "collision", "reach",  "setup",
-      "toolpath", "motion",    "program", "replay",    "project", "modes"}},
+      "toolpath", "motion",    "program", "replay",    "project", "modes",
+      "page"}},
 };
 
 struct Include {

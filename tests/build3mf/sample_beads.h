@@ -20,7 +20,7 @@ inline plan::ToolPlan randomBeads(unsigned seed, int layers) {
     for (int p = 0; p < 4; ++p) {
       plan::ToolPath path;
       path.first = plan.waypointCount();
-      path.kind = static_cast<plan::PathKind>((layer + p) % 5);
+      path.kind = static_cast<plan::PathKind>((layer + p) % 6);
       path.layer = layer / 2;
       path.patch = p;
       path.group = layer % 3;

@@ -134,6 +134,21 @@ TEST(ExtractLevels, LimbsWithAGapOfAVoxelKeepTheirOwnValues) {
   EXPECT_NEAR(result.volumeMm3 / geometry::volume(part), 1.0, 0.01);
 }
 
+// By the slope at a place of a field that hardly rises, the next levels are 100 mm away.
+TEST(ExtractLevels, NoLayerIsThickerThanThePartWhereTheFieldIsFlat) {
+  constexpr double kHeight = 4.0, kPitch = 0.8;
+  const auto part = test::box({-6, -6, 0}, {6, 6, kHeight});
+  const auto d = test::decompositionOf(
+      part, kPitch, [](const Vector3d& p) { return 2.8 + 0.004 * (p.z() - 2.0); });
+  std::size_t vertices = 0;
+  for (const auto& level : curved::extractLevels(d, 0.8, {}))
+    for (const double thickness : level.thicknessMm) {
+      EXPECT_LT(thickness, kHeight + 2.0 * kPitch);
+      ++vertices;
+    }
+  EXPECT_GT(vertices, 0u);
+}
+
 TEST(ExtractLevels, RanksAloneMakeLayersToo) {
   const auto part = test::box({-10, -8, 0}, {10, 8, 12});
   auto d = test::decompositionOf(part, 0.8, heightOf);

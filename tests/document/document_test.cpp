@@ -47,7 +47,9 @@ TEST(Document, UndoBringsBackChoicesAndPart) {
   document.openPart(other, {}, true);
   EXPECT_EQ(document.source(), other);
   EXPECT_EQ(document.name(), "other");
+  EXPECT_EQ(test::seedOf(document), 1);
   document.undoStack()->undo();
+  EXPECT_EQ(test::seedOf(document), 5);
   EXPECT_EQ(document.source(), box);
   EXPECT_EQ(document.name(), "box");
   document.undoStack()->undo();
@@ -59,7 +61,7 @@ TEST(Document, UndoBringsBackChoicesAndPart) {
   document.undoStack()->redo();
   EXPECT_EQ(test::seedOf(document), 5);
   EXPECT_EQ(source.size(), 5);
-  EXPECT_EQ(choices.size(), 3);
+  EXPECT_EQ(choices.size(), 5) << "the other part begins with settings of its own";
 }
 
 TEST(Document, AnEditThatChangesNothingIsNone) {
@@ -124,9 +126,59 @@ TEST(Document, APartOpenedInASavedProjectBeginsAProjectOfItsOwn) {
   EXPECT_EQ(document.name(), "other");
   EXPECT_TRUE(document.dirty());
   EXPECT_FALSE(document.undoStack()->canUndo());
-  EXPECT_EQ(document.choices().parameters.at("voxelMm"), "1.5");
+  EXPECT_TRUE(document.choices().parameters.empty()) << "those of the part before";
   EXPECT_EQ(document.choices().scale, "1");
   EXPECT_EQ(edited.size(), 1) << "the part is to be laid";
+}
+
+TEST(Document, TheNextPartKeepsTheWorkshopAndNoSettings) {
+  Document document;
+  project::Choices start;
+  start.automatic = true;
+  document.startWith(start);
+  project::Choices own = document.choices();
+  own.parameters["walls"] = "5";
+  document.setChoices(own, "before any part"); // meant for the part to come
+  document.openPart(test::boxPart(), "/tmp/box.stl", true);
+  EXPECT_EQ(document.choices().parameters.at("walls"), "5");
+  own.process = "fdm-0.35";
+  own.formats = {"csv"};
+  own.cell = "ur10-moving";
+  document.setChoices(own, "own");
+  document.openPart(test::boxPart(5.0, "other.stl"), "/tmp/other.stl", true);
+  EXPECT_TRUE(document.choices().parameters.empty());
+  EXPECT_TRUE(document.choices().automatic);
+  EXPECT_EQ(document.choices().cell, "ur10-moving");
+  EXPECT_EQ(document.choices().process, "fdm-0.35");
+  EXPECT_EQ(document.choices().formats, std::vector<std::string>{"csv"});
+  // The cell of a lathe came along with the way of building.
+  project::Choices lathe = document.choices();
+  lathe.automatic = false;
+  lathe.mode = "lathe";
+  lathe.cell = "lathe";
+  lathe.platform = project::Platform("rod:5x200");
+  document.setChoices(lathe, "lathe");
+  document.openPart(test::boxPart(6.0, "third.stl"), "/tmp/third.stl", true);
+  EXPECT_EQ(document.choices().cell, start.cell);
+  EXPECT_TRUE(document.choices().automatic);
+  // The same file read again is the same part.
+  document.setParameter("walls", "1");
+  document.openPart(test::boxPart(7.0, "third.stl"), "/tmp/third.stl", true);
+  EXPECT_EQ(document.choices().parameters.at("walls"), "1");
+}
+
+TEST(Document, UnsavedWorkIsMoreThanAnOpenedPart) {
+  Document document;
+  EXPECT_FALSE(document.hasUnsavedWork());
+  document.openPart(test::boxPart(), {}, true);
+  EXPECT_TRUE(document.dirty());
+  EXPECT_FALSE(document.hasUnsavedWork());
+  test::setSeed(document, 5);
+  EXPECT_TRUE(document.hasUnsavedWork());
+  document.saved("/tmp/a.voluta", document.revision());
+  EXPECT_FALSE(document.hasUnsavedWork());
+  document.undoStack()->undo();
+  EXPECT_TRUE(document.hasUnsavedWork());
 }
 
 TEST(Document, TheRepairedPartReachesEveryEdit) {

@@ -75,6 +75,9 @@ TEST_F(ExportingTest, WhatItWouldReplaceIsNamed) {
   const std::vector<std::string> proofs = pipeline::proofNames(*plan_, csv);
   EXPECT_EQ(names.size(), 4 + static_cast<qsizetype>(proofs.size()));
   EXPECT_TRUE(names.contains("report.json"));
+  EXPECT_EQ(names.front().toStdString(),
+            pipeline::writtenName(*csv.front(), csv.front()->program.files.front()))
+      << "what would run on a robot";
   QStringList shared{"pedestal.dxf", "pedestal.stl"};
   if (!proofs.empty()) // the mesh of the part as printed is of the plan
     shared << QString::fromStdString(proofs.back());

@@ -77,6 +77,22 @@ TEST_F(PlanningTest, AnotherPartDropsTheResults) {
   EXPECT_FALSE(document_.lastResult());
 }
 
+TEST_F(PlanningTest, UndoBringsBackThePlanOfThePartBefore) {
+  open();
+  plan(Stage::Layers);
+  const auto layers = document_.result(Stage::Layers);
+  EXPECT_TRUE(document_.hasUnsavedWork());
+  document_.openPart(test::boxPart(6.0, "small.stl"), {}, true);
+  plan(Stage::Decompose);
+  const auto voxels = document_.result(Stage::Decompose);
+  document_.undoStack()->undo();
+  EXPECT_EQ(document_.result(Stage::Layers), layers);
+  EXPECT_TRUE(document_.upToDate(Stage::Layers));
+  document_.undoStack()->redo();
+  EXPECT_EQ(document_.result(Stage::Decompose), voxels);
+  EXPECT_FALSE(document_.result(Stage::Layers));
+}
+
 TEST_F(PlanningTest, ACancelFreesTheWindowAndLeavesTheLastResult) {
   open();
   plan(Stage::Load);

@@ -39,10 +39,28 @@ constexpr const char* kModel = R"(<?xml version="1.0" encoding="UTF-8"?>
 </model>
 )";
 
+// A lattice of two beams and a ball, a support, and an item that is not to be printed.
+constexpr const char* kLattice = R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit="inch" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+ xmlns:b="http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02"
+ xmlns:s="http://schemas.microsoft.com/3dmanufacturing/slice/2015/07" requiredextensions="b">
+<resources>
+<object id="1"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="9" y="0" z="0"/>
+<vertex x="0" y="8" z="0"/></vertices>
+<b:beamlattice radius="1" minlength="0.1" cap="butt" clippingmode="none" ballmode="mixed" ballradius="2">
+<b:beams><b:beam v1="0" v2="1" r1="2" r2="1" cap1="sphere"/><b:beam v1="1" v2="2"/></b:beams>
+<b:balls><b:ball vindex="2" r="1.5"/></b:balls></b:beamlattice></mesh></object>
+<object id="2" type="support" s:slicestackid="4" s:meshresolution="lowres"><components>
+<component objectid="1"/></components></object>
+</resources>
+<build><item objectid="1" printable="0"/><item objectid="1"/><item objectid="2"/></build>
+</model>
+)";
+
 } // namespace
 
 std::vector<std::string> fuzz::seeds() {
-  return {kModel, test::package3mf(kModel), test::package3mf(kModel, false)};
+  return {kModel, kLattice, test::package3mf(kModel), test::package3mf(kModel, false)};
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

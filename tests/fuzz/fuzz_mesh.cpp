@@ -11,6 +11,20 @@ namespace {
 
 using namespace voluta;
 
+// As programs write it where numbers have commas, and lines end with CR.
+std::string withCommas(std::string text) {
+  for (char& c : text)
+    c = c == '.' ? ',' : c == '\n' ? '\r' : c;
+  return text;
+}
+
+std::string utf16(const std::string& text) {
+  std::string bytes = "\xff\xfe";
+  for (const char c : text)
+    bytes.append({c, '\0'});
+  return bytes;
+}
+
 std::string textStl(const geometry::TriangleMesh& mesh) {
   std::string text = "solid part\n";
   for (const auto& t : mesh.triangles) {
@@ -70,6 +84,9 @@ std::vector<std::string> voluta::fuzz::seeds() {
   polygons += "o other\nvn 0 0 1\nvt 0.5 0.5\nf 1/1/1 3/1/1 4/1/1 2/1/1\nf -1//1 -2//1 -3//1\n";
   return {geometry::writeStl(box),
           textStl(box),
+          withCommas(textStl(box)),
+          utf16(textStl(box)),
+          "\xef\xbb\xbf" + polygons + "v \\\n1 2 3\nf 1 2\\\n 3\n",
           polygons,
           fmt::format("OFF\n{} {} 0\n", box.vertices.size(), box.triangles.size()) +
               lists(box, "", "3 ", 0),

@@ -1,7 +1,9 @@
 // 3MF: what is built stands where it is built, in mm; damage is told with its place.
 #include "base/error.h"
+#include "base/units.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
+#include "geometry/repair/repair.h"
 #include "helpers/package_3mf.h"
 
 #include <gmock/gmock.h>
@@ -133,6 +135,146 @@ TEST(ThreeMf, ObjectsThatHoldOneAnotherComeToAnEnd) {
   }
   EXPECT_THAT(messageOf(package3mf(modelOf(doubling, "<item objectid=\"40\"/>"))),
               HasSubstr("more than can be read"));
+}
+
+// ---- what is no part
+
+std::string objectOf(const std::string& id, const std::string& type) {
+  return "<object id=\"" + id + "\" type=\"" + type + "\">" + kMesh + "</object>";
+}
+
+TEST(ThreeMf, OnlyModelsThatArePrintedArePrinted) {
+  const std::string resources =
+      objectOf("1", "model") + objectOf("2", "support") + objectOf("3", "solidsupport") +
+      objectOf("4", "surface") + objectOf("5", "other") +
+      // An object of components has the types of its components.
+      "<object id=\"6\" type=\"support\"><components><component objectid=\"1\"/>"
+      "<component objectid=\"2\"/></components></object>";
+  std::string build;
+  for (const char* id : {"1", "2", "3", "4", "5", "6"})
+    build += std::string("<item objectid=\"") + id + "\"/>";
+  build += "<item objectid=\"1\" printable=\"0\"/><item objectid=\"1\" printable=\"1\"/>";
+  const MeshFile file = readMesh(package3mf(modelOf(resources, build)), "part.3mf");
+  EXPECT_EQ(file.mesh.triangles.size(), 3u * 4u);
+  EXPECT_THAT(base::english(file.repairs),
+              ::testing::ElementsAre(HasSubstr("skipped: 1 item that is marked as not printable"),
+                                     HasSubstr("skipped: 3 support objects"),
+                                     HasSubstr("skipped: 1 object of type 'surface'"),
+                                     HasSubstr("skipped: 1 object of type 'other'")));
+}
+
+TEST(ThreeMf, WhereNothingIsToBePrintedItSaysWhatWasSkipped) {
+  EXPECT_THAT(messageOf(package3mf(modelOf(objectOf("1", "support"),
+                                           "<item objectid=\"1\"/><item objectid=\"1\"/>"))),
+              HasSubstr("part.3mf: holds nothing to print: skipped: 2 support objects"));
+  EXPECT_THAT(messageOf(package3mf(modelOf(objectOf("1", "part"), "<item objectid=\"1\"/>"))),
+              HasSubstr("an object of the unknown type 'part'"));
+}
+
+TEST(ThreeMf, SlicedGcodeIsNamed) {
+  test::ZipWriter zip(true);
+  zip.add("_rels/.rels", "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/"
+                         "relationships\"/>");
+  zip.add("Metadata/plate_1.gcode", "G28\n");
+  EXPECT_THAT(messageOf(zip.bytes()),
+              HasSubstr("part.3mf: holds sliced G-code ('Metadata/plate_1.gcode') and no model"));
+  test::ZipWriter withModel(true);
+  withModel.add("_rels/.rels",
+                "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/"
+                "relationships\"><Relationship Target=\"/3D/3dmodel.model\" Id=\"r\" Type=\"http://"
+                "schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>");
+  withModel.add("3D/3dmodel.model", modelOf("", ""));
+  withModel.add("Metadata/plate_1.gcode", "G28\n");
+  EXPECT_THAT(messageOf(withModel.bytes()), HasSubstr("sliced G-code"));
+}
+
+// ---- extensions
+
+std::string extended(const std::string& resources, const std::string& requires_ = {}) {
+  return "<?xml version=\"1.0\"?>\n<model unit=\"millimeter\" "
+         "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+         "xmlns:b=\"http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02\" "
+         "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" "
+         "xmlns:x=\"http://example.com/volumes\" requiredextensions=\"" +
+         requires_ + "\">\n<resources>" + resources +
+         "</resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
+}
+
+std::string latticeOf(const std::string& attributes, const std::string& beams,
+                      const std::string& more = {}) {
+  return "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"10\" "
+         "y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"20\"/></vertices><triangles/>"
+         "<b:beamlattice radius=\"1\" minlength=\"0.01\" " +
+         attributes + "><b:beams>" + beams + "</b:beams>" + more + "</b:beamlattice></mesh></object>";
+}
+
+TEST(ThreeMf, SlicesAreRefusedUnlessTheMeshIsTheShape) {
+  const auto sliced = [](const std::string& resolution) {
+    return package3mf(extended("<s:slicestack id=\"7\" zbottom=\"0\"><s:slice ztop=\"1\">"
+                               "<s:vertices><s:vertex x=\"0\" y=\"0\"/></s:vertices></s:slice>"
+                               "</s:slicestack><object id=\"1\" s:slicestackid=\"7\" "
+                               "s:meshresolution=\"" +
+                                   resolution + "\">" + kMesh + "</object>",
+                               "s"));
+  };
+  EXPECT_THAT(messageOf(sliced("lowres")), HasSubstr("object '1' is given in slices (slicestack), "
+                                                     "which cannot be read"));
+  EXPECT_EQ(readMesh(sliced("fullres"), "part.3mf").mesh.triangles.size(), 4u);
+}
+
+TEST(ThreeMf, BeamsAreRoundBars) {
+  // A bar with flat ends, a cone, and balls where they are asked for.
+  const auto volumeOf = [](const std::string& model) {
+    return volume(readMesh(package3mf(extended(model, "b")), "part.3mf").mesh);
+  };
+  constexpr double kPi = base::kPi;
+  EXPECT_NEAR(volumeOf(latticeOf("cap=\"butt\"", "<b:beam v1=\"0\" v2=\"1\"/>")), kPi * 10, 1e-9);
+  EXPECT_NEAR(volumeOf(latticeOf("cap=\"butt\"",
+                                 "<b:beam v1=\"0\" v2=\"2\" r1=\"2\" r2=\"1\"/>")),
+              kPi / 3 * 20 * (4 + 2 + 1), 1e-9);
+  // Shells that overlap count twice before they are united.
+  EXPECT_NEAR(volumeOf(latticeOf("", "<b:beam v1=\"0\" v2=\"1\" cap1=\"butt\"/>")),
+              kPi * 10 + kPi * 4 / 3, 1e-9);
+  EXPECT_NEAR(volumeOf(latticeOf("cap=\"butt\" ballmode=\"all\" ballradius=\"3\"",
+                                 "<b:beam v1=\"0\" v2=\"1\"/>")),
+              kPi * 10 + 2 * kPi * 36, 1e-9);
+  EXPECT_NEAR(volumeOf(latticeOf("cap=\"butt\" ballmode=\"mixed\" ballradius=\"3\"",
+                                 "<b:beam v1=\"0\" v2=\"1\"/>",
+                                 "<b:balls><b:ball vindex=\"1\" r=\"2\"/></b:balls>")),
+              kPi * 10 + kPi * 32 / 3, 1e-9);
+}
+
+TEST(ThreeMf, ALatticeBecomesOneSolid) {
+  const MeshFile file = readMesh(
+      package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"1\"/><b:beam v1=\"0\" v2=\"2\"/>"),
+                          "b")),
+      "part.3mf");
+  EXPECT_THAT(base::english(file.repairs),
+              ::testing::ElementsAre(HasSubstr("turned 2 beams of a lattice into round bars")));
+  const RepairResult united = repair(file.mesh);
+  EXPECT_EQ(united.diagnosis.components, 1);
+  EXPECT_EQ(united.diagnosis.selfIntersections.count, 0u);
+  EXPECT_TRUE(united.diagnosis.watertight);
+  // Two cylinders that overlap in a quarter of Steinmetz's solid, half a ball at either end, and a
+  // quarter of one at the corner.
+  EXPECT_NEAR(united.diagnosis.volumeMm3,
+              base::kPi * 30 - 4.0 / 3.0 + base::kPi * 4.0 / 3.0 * 1.25, 0.3);
+}
+
+TEST(ThreeMf, BeamsThatCannotBeReadAreNamed) {
+  EXPECT_THAT(messageOf(package3mf(extended(
+                  latticeOf("clippingmode=\"inside\" clippingmesh=\"9\"",
+                            "<b:beam v1=\"0\" v2=\"1\"/>")))),
+              HasSubstr("object '1' has a beam lattice that a mesh clips"));
+  EXPECT_THAT(messageOf(package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"8\"/>")))),
+              HasSubstr("a beam to vertex 8, which is not there"));
+  EXPECT_THAT(messageOf(package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"1\" r1=\"0\"/>")))),
+              HasSubstr("a beam without a radius"));
+}
+
+TEST(ThreeMf, AnUnknownExtensionThatItRequiresIsNamed) {
+  EXPECT_THAT(messageOf(package3mf(extended("<object id=\"1\">" + kMesh + "</object>", "b x"))),
+              HasSubstr("asks for the extension 'http://example.com/volumes', which is not known"));
 }
 
 } // namespace

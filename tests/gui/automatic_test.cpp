@@ -4,8 +4,11 @@
 #include "pipeline/automatic.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QTest>
+#include <QToolButton>
 
 namespace voluta::test {
 namespace {
@@ -21,20 +24,39 @@ protected:
   }
   QString mode() { return find<QComboBox>("mode")->currentData().toString(); }
   QString notice() { return find<QLabel>("notice")->text(); }
+  template <typename T> T* editorOf(const char* parameter) {
+    auto* row = find<QWidget>("parameters")->findChild<QWidget*>(QString::fromLatin1(parameter));
+    return row ? row->findChild<T*>("editor") : nullptr;
+  }
+  QString supports() { return editorOf<QComboBox>("supports")->currentData().toString(); }
+  double layerHeight() { return editorOf<QDoubleSpinBox>("layerHeightMm")->value(); }
+  // Report, notice and form say the same, and none of it counts as changed by the user.
+  void expectFormShowsWhatWasUsed() {
+    const project::ChosenReport& chosen = document().lastResult()->job.report.chosen;
+    EXPECT_EQ(supports().toStdString(), chosen.supports);
+    EXPECT_DOUBLE_EQ(layerHeight(), chosen.layerHeightMm);
+    EXPECT_EQ(document().choices().mode, chosen.mode);
+    EXPECT_EQ(document().choices().platform.text(), chosen.platform);
+    EXPECT_TRUE(notice().contains(QString::fromStdString(base::english(chosen.name))))
+        << qPrintable(notice());
+    EXPECT_TRUE(document().choices().parameters.empty());
+    EXPECT_FALSE(find<QToolButton>("resetAll")->isEnabled());
+  }
 };
 
 TEST_F(AutomaticTest, WhatIsTakenIsTold) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("auto");
   EXPECT_TRUE(document().choices().automatic);
-  EXPECT_FALSE(notice().contains("Taken")) << "nothing is planned";
+  EXPECT_FALSE(notice().contains("Chosen")) << "nothing is planned";
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
   EXPECT_EQ(mode(), "auto");
   const auto& first = pipeline::automaticWays().front();
   EXPECT_EQ(document().choices().mode, first.mode);
   EXPECT_EQ(document().state(Stage::Layers), document::StageState::Done);
-  EXPECT_TRUE(notice().contains("Taken: Curved layers, plate of the cell")) << qPrintable(notice());
+  EXPECT_TRUE(notice().startsWith("Chosen: curved layers (")) << qPrintable(notice());
+  expectFormShowsWhatWasUsed();
 }
 
 TEST_F(AutomaticTest, WhatWasPlannedByHandIsOutOfDateAndPlanTriesTheWays) {
@@ -50,8 +72,53 @@ TEST_F(AutomaticTest, WhatWasPlannedByHandIsOutOfDateAndPlanTriesTheWays) {
   EXPECT_NE(document().state(Stage::Layers), document::StageState::Done);
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
-  EXPECT_TRUE(notice().contains("Taken: Curved layers, plate of the cell")) << qPrintable(notice());
+  EXPECT_TRUE(notice().startsWith("Chosen: curved layers (")) << qPrintable(notice());
+  expectFormShowsWhatWasUsed();
   EXPECT_EQ(document().state(Stage::Layers), document::StageState::Done);
+}
+
+// Low flat layers with supports, the way whose values are furthest from the defaults.
+TEST_F(AutomaticTest, TheFormShowsTheValuesOfTheWayAndTheUsersOwnOverThem) {
+  openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
+  chooseMode("auto");
+  auto choices = document().choices();
+  choices.mode = "flat";
+  choices.platform = project::Platform("cell");
+  choices.automaticWay = "flat-low";
+  window().document().setChoices(choices, "way");
+  EXPECT_EQ(supports(), "auto");
+  EXPECT_DOUBLE_EQ(layerHeight(), 0.5);
+  EXPECT_FALSE(find<QToolButton>("resetAll")->isEnabled());
+  window().document().setParameter("layerHeightMm", "0.6");
+  EXPECT_DOUBLE_EQ(layerHeight(), 0.6);
+  EXPECT_TRUE(find<QToolButton>("resetAll")->isEnabled());
+  EXPECT_EQ(document().choices().parameters.at("layerHeightMm"), "0.6");
+  window().document().resetParameter("layerHeightMm");
+  EXPECT_DOUBLE_EQ(layerHeight(), 0.5);
+}
+
+TEST_F(AutomaticTest, WaysThatAreRejectedAreListedWithTheirReason) {
+  geometry::TriangleMesh part = box({-5, -5, 0}, {5, 5, 16});
+  append(part, box({20, -8, 8}, {36, 8, 12})); // over nothing
+  openPart(writePart("air.stl", part));
+  chooseMode("auto");
+  QStringList said;
+  QObject::connect(&window().planning(), &document::Planning::progressed,
+                   [&](const jobs::Progress& progress) {
+                     said << QString::fromStdString(base::english(progress.stage));
+                     if (said.back().startsWith("Trying curved layers (1 of")) {
+                       EXPECT_FALSE(progress.secondsLeft);
+                     }
+                   });
+  clickMenu("runMenu", "planLayers");
+  ASSERT_TRUE(planned(Stage::Layers));
+  EXPECT_TRUE(said.join('\n').contains(QRegularExpression("Trying .+ \\([1-6] of 6\\): ")));
+  const auto& tried = document().lastResult()->job.report.tried;
+  ASSERT_GT(tried.size(), 1U);
+  EXPECT_EQ(notice().count("Rejected: "), static_cast<qsizetype>(tried.size()) - 1)
+      << qPrintable(notice());
+  expectFormShowsWhatWasUsed();
+  keepPicture(window(), "automatic-rejected");
 }
 
 TEST_F(AutomaticTest, AWayByHandIsWhatItWas) {

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "gui/cell_fixture.h"
 #include "helpers/shapes.h"
+#include "panels/object_tree.h"
 #include "panels/reach_panel.h"
 #include "robot/cell_draft.h"
 #include "robot/link_meshes.h"
@@ -19,6 +20,8 @@
 #include <QTabWidget>
 #include <QTest>
 #include <QTimer>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 
 namespace voluta::test {
 namespace {
@@ -32,6 +35,17 @@ double colouredShare(const QImage& picture) {
     for (int x = 0; x < picture.width(); ++x)
       coloured += picture.pixelColor(x, y).hsvSaturation() > 65;
   return static_cast<double>(coloured) / (picture.width() * picture.height());
+}
+
+double orangeShare(const QImage& picture) {
+  int orange = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const QColor colour = picture.pixelColor(x, y);
+      orange += colour.red() > 120 && colour.green() < 0.7 * colour.red() &&
+                colour.blue() < 0.4 * colour.red() && colour.green() > 0.35 * colour.red();
+    }
+  return static_cast<double>(orange) / (picture.width() * picture.height());
 }
 
 class CellTest : public CellWindowTest {
@@ -173,6 +187,34 @@ TEST_F(CellTest, AnArmFromAUrdfIsImportedAndItsCellTaken) {
   clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
   EXPECT_TRUE(document().result(Stage::Replay)->job.report.replay.passed);
+}
+
+// The machine stands about the part before anything is planned: that of the chosen cell, and its
+// eye takes it away.
+TEST_F(CellTest, TheMachineIsDrawnOnPrepare) {
+  openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
+  ASSERT_TRUE(reachKnown());
+  const QImage ur5 = picture();
+  keepPicture(window(), "prepare-ur5");
+  const double framed = window().viewport().scene().renderer()->GetActiveCamera()->GetDistance();
+  auto* cells = find<QComboBox>("cell");
+  cells->setCurrentIndex(cells->findData("kr6-r900-moving"));
+  emit cells->activated(cells->currentIndex());
+  ASSERT_TRUE(reachKnown());
+  const QImage kr6 = picture();
+  keepPicture(window(), "prepare-kr6");
+  EXPECT_GT(differingShare(ur5, kr6), 0.02);
+  EXPECT_GT(orangeShare(kr6), orangeShare(ur5) + 0.005) << "KUKA's orange";
+
+  auto* tree = find<panels::ObjectTree>("tree");
+  tree->setFocus();
+  tree->select(panels::SceneItem::Cell);
+  QTest::keyClick(tree, Qt::Key_Space);
+  EXPECT_LT(orangeShare(picture()), 0.001);
+  QTest::keyClick(tree, Qt::Key_Space);
+  EXPECT_LT(differingShare(kr6, picture()), 0.001);
+  // The part stays as large as without the machine.
+  EXPECT_LT(framed, 1000.0);
 }
 
 // An arm with meshes of its own: a box in place of its forearm, which its solids are far from.

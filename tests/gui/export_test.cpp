@@ -11,16 +11,19 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
 #include <QUndoStack>
+#include <QUrl>
 
 namespace voluta::test {
 namespace {
@@ -142,7 +145,7 @@ TEST_F(ExportTest, WindingAndReadersAreOptionsOfTheirFormats) {
   ASSERT_NE(unwind, nullptr);
   unwind->setFocus();
   QTest::keyClick(unwind, Qt::Key_Down);
-  EXPECT_EQ(document().choices().parameters.at("tableUnwind"), "wind");
+  EXPECT_EQ(document().choices().parameters.at("tableUnwind"), "count");
   // An edit leaves the row on show that was chosen, though nothing of it is written yet.
   QTest::qWait(200);
   EXPECT_EQ(formats()->currentId(), "gcode-bc");
@@ -159,7 +162,8 @@ TEST_F(ExportTest, SizePartsAndTimesAreTold) {
   chooseFormat("urscript");
   const auto text = [&](const char* name) { return panel()->findChild<QLabel*>(name)->text(); };
   EXPECT_TRUE(text("programSize").contains("in one file")) << text("programSize").toStdString();
-  EXPECT_TRUE(text("programTime").startsWith("Takes ")) << text("programTime").toStdString();
+  EXPECT_TRUE(text("programTime").startsWith("Time on the controller: "))
+      << text("programTime").toStdString();
   EXPECT_TRUE(text("assumptions").contains("8 ms")) << text("assumptions").toStdString();
   auto* most = qobject_cast<QSpinBox*>(option("motionsPerFile")->editor());
   most->setFocus();
@@ -315,5 +319,46 @@ TEST_F(ExportTest, AProgramFromDiskIsJudgedByThePlanOnShow) {
       waitFor([&] { return !window().findChild<QAction*>("verifyProgram")->isEnabled(); }, 5000));
 }
 
+// What QDesktopServices is asked to open.
+class OpenedUrls : public QObject {
+  Q_OBJECT
+
+public:
+  OpenedUrls() { QDesktopServices::setUrlHandler("file", this, "take"); }
+  ~OpenedUrls() override { QDesktopServices::unsetUrlHandler("file"); }
+  QStringList paths;
+
+public slots:
+  void take(const QUrl& url) { paths << url.toLocalFile(); }
+};
+
+// The proof and its folder are a click away once they are written.
+TEST_F(ExportTest, TheProofIsOpenedFromTheResult) {
+  planPlinth();
+  auto* open = panel()->findChild<QPushButton*>("openProof");
+  auto* show = panel()->findChild<QPushButton*>("showFolder");
+  ASSERT_TRUE(open && show);
+  EXPECT_FALSE(open->isVisible());
+  auto* folder = panel()->findChild<QLineEdit*>("folder");
+  folder->setFocus();
+  folder->selectAll();
+  QTest::keyClicks(folder, path("handover"));
+  QTest::mouseClick(button(panel(), "export"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return open->isVisible(); }, 60000));
+  EXPECT_TRUE(panel()->findChild<QLabel*>("written")->text().contains("handover"));
+  keepPicture(window(), "export_written");
+  const OpenedUrls opened;
+  QTest::mouseClick(open, Qt::LeftButton);
+  QTest::mouseClick(show, Qt::LeftButton);
+  ASSERT_EQ(opened.paths.size(), 2);
+  EXPECT_TRUE(opened.paths[0].endsWith(".script.proof.pdf")) << opened.paths[0].toStdString();
+  QFile proof(opened.paths[0]);
+  ASSERT_TRUE(proof.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(proof.readAll().startsWith("%PDF-"));
+  EXPECT_EQ(QDir(opened.paths[1]), QDir(path("handover")));
+}
+
 } // namespace
 } // namespace voluta::test
+
+#include "export_test.moc"

@@ -272,6 +272,46 @@ TEST_F(FirstHourTest, AReopenedProjectDoesNotSayThatThereIsSomethingToExport) {
   EXPECT_FALSE(exportButton()->isEnabled());
 }
 
+TEST_F(FirstHourTest, AReopenedProjectKeepsItsFormatsTicked) {
+  openPart(plinth());
+  planAll();
+  choosePage(Page::Export);
+  auto* formats = find<QWidget>("export")->findChild<panels::FormatList*>("formats");
+  const QStringList usual = formats->checkedIds();
+  ASSERT_FALSE(usual.isEmpty());
+  const QString project = saveAs("plinth.voluta");
+  const auto reopen = [&] {
+    find<QAction>("new")->trigger();
+    window().open(project);
+    ASSERT_TRUE(waitFor([&] {
+      return document().name() == "plinth" && window().presenter().hasPaths() &&
+             !window().presenter().busy();
+    }));
+    choosePage(Page::Export);
+  };
+  reopen();
+  EXPECT_EQ(formats->checkedIds(), usual);
+  project::Choices choices = document().choices();
+  choices.formats = {"csv"};
+  document().setChoices(choices, "formats");
+  clickToolBar("save");
+  ASSERT_TRUE(waitFor([&] { return !document().dirty(); }, 20000));
+  reopen();
+  EXPECT_EQ(formats->checkedIds(), QStringList("csv"));
+}
+
+TEST_F(FirstHourTest, WithoutAnyFormatNothingIsExported) {
+  openPart(plinth());
+  planAll();
+  choosePage(Page::Export);
+  auto* formats = find<QWidget>("export")->findChild<panels::FormatList*>("formats");
+  for (int i = 0; i < formats->topLevelItemCount(); ++i)
+    formats->topLevelItem(i)->setCheckState(0, Qt::Unchecked);
+  EXPECT_TRUE(formats->checkedIds().isEmpty());
+  EXPECT_FALSE(exportButton()->isEnabled());
+  EXPECT_FALSE(document().choices().formats.empty()) << "empty stands for the usual ones";
+}
+
 TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
   openPart(small());
   planAll();
@@ -287,8 +327,21 @@ TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
   ASSERT_TRUE(mark.open(QIODevice::WriteOnly));
   mark.write("mine");
   mark.close();
+  QString asked;
   const auto again = [&](QMessageBox::ButtonRole replace) {
     answerBox("replaceBox", replace);
+    auto* reading = new QTimer(&window());
+    QObject::connect(reading, &QTimer::timeout, reading, [reading, &asked] {
+      for (QWidget* widget : QApplication::topLevelWidgets())
+        if (auto* box = qobject_cast<QMessageBox*>(widget);
+            box && box->isVisible() && box->objectName() == "replaceBox") {
+          asked = box->informativeText();
+          reading->deleteLater();
+          reading->stop();
+          return;
+        }
+    });
+    reading->start(5);
     auto* refused = new QTimer(&window());
     QObject::connect(refused, &QTimer::timeout, refused, [refused] {
       for (QWidget* widget : QApplication::topLevelWidgets())
@@ -308,6 +361,11 @@ TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
   EXPECT_EQ(bytesOf(out.filePath("report.json")), "mine");
   again(QMessageBox::DestructiveRole);
   EXPECT_TRUE(waitFor([&] { return bytesOf(out.filePath("report.json")) != "mine"; }, 5000));
+  // What would run on a robot comes first.
+  const auto programs = document().result(Stage::Replay)->checked;
+  const QString first = asked.section('\n', 0, 0);
+  EXPECT_TRUE(first.contains(QString::fromStdString(programs.at(0)->program.files.at(0).name)))
+      << asked.toStdString();
 }
 
 TEST_F(FirstHourTest, TheMarkOfAFindingGoesWhenSomethingElseIsAskedFor) {

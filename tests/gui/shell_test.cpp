@@ -3,15 +3,22 @@
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "plan/finding_kinds.h"
+#include "timeline/timeline_bar.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QDialog>
 #include <QDockWidget>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QMenu>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
+#include <QTreeWidget>
 #include <QUndoStack>
 
 namespace voluta::test {
@@ -69,8 +76,70 @@ TEST_F(WindowTest, EveryCommandIsInAMenuAndInTheListOfKeys) {
 
 TEST_F(WindowTest, HelpShowsTheLog) {
   clickMenu("helpMenu", "showLog");
-  ASSERT_TRUE(waitFor([&] { return !given_.files().isEmpty(); }, 5000));
-  EXPECT_EQ(given_.files(), QStringList(path("voluta.log")));
+  QDialog* dialog = nullptr;
+  ASSERT_TRUE(waitFor(
+      [&] { return (dialog = window().findChild<QDialog*>("logDialog")) != nullptr; }, 5000));
+  ASSERT_TRUE(dialog->isVisible());
+  const QString text = dialog->findChild<QPlainTextEdit*>("logText")->toPlainText();
+  EXPECT_TRUE(text.contains("voluta ")) << text.toStdString();
+  QTest::mouseClick(dialog->findChild<QPushButton*>("logFolder"), Qt::LeftButton);
+  EXPECT_EQ(given_.files(), QStringList(QFileInfo(path("voluta.log")).absolutePath()));
+  keepPicture(*dialog, "log");
+  dialog->reject();
+}
+
+// Of keys that commands share with widgets: after a click the command has them, text never loses
+// them, and what was reached by Tab has them itself.
+TEST_F(WindowTest, SpacePlaysAndHomeShowsEverythingAfterAClickOnAnything) {
+  openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  choosePage(Page::Simulate);
+  auto* bar = find<timeline::TimelineBar>("timeline");
+  auto* solids = find<QCheckBox>("simulateSolids");
+  auto* tree = find<QTreeWidget>("tree");
+  const auto clickTree = [&] {
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                      tree->visualItemRect(tree->topLevelItem(1)).center());
+  };
+  const auto clickBox = [&] {
+    QTest::mouseClick(solids, Qt::LeftButton, {}, QPoint(8, solids->height() / 2));
+  };
+  int frames = 0;
+  QObject::connect(&window().viewport(), &viewer::Viewport::cameraMoved, &window(),
+                   [&] { ++frames; });
+  for (const std::function<void()>& click : {std::function<void()>(clickTree), {clickBox}}) {
+    click();
+    QWidget* focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    ASSERT_NE(focus, &window().viewport());
+    const bool ticked = solids->isChecked();
+    QTest::keyClick(focus, Qt::Key_Space);
+    EXPECT_TRUE(bar->playing()) << focus->metaObject()->className();
+    QTest::keyClick(focus, Qt::Key_Space);
+    EXPECT_FALSE(bar->playing());
+    EXPECT_EQ(solids->isChecked(), ticked);
+    frames = 0;
+    QTest::keyClick(focus, Qt::Key_Home);
+    EXPECT_GT(frames, 0) << focus->metaObject()->className();
+  }
+  // By the keyboard alone a box is ticked.
+  QTest::keyClick(tree, Qt::Key_Tab);
+  solids->setFocus(Qt::TabFocusReason);
+  const bool ticked = solids->isChecked();
+  QTest::keyClick(solids, Qt::Key_Space);
+  EXPECT_NE(solids->isChecked(), ticked);
+  EXPECT_FALSE(bar->playing());
+  // What is typed into is typed into.
+  choosePage(Page::Export);
+  auto* folder = find<QWidget>("export")->findChild<QLineEdit*>("folder");
+  QTest::mouseClick(folder, Qt::LeftButton);
+  folder->clear();
+  QTest::keyClicks(folder, "a b");
+  QTest::keyClick(folder, Qt::Key_Home);
+  EXPECT_EQ(folder->text(), "a b");
+  EXPECT_EQ(folder->cursorPosition(), 0);
+  EXPECT_FALSE(bar->playing());
 }
 
 TEST_F(WindowTest, CommandsCanBeUsedWhereTheyMeanSomething) {

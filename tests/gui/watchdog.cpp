@@ -18,11 +18,20 @@ double threadMs() {
 }
 } // namespace
 
+bool WatchedApplication::deliver(QObject* receiver, QEvent* event) {
+  if (!event->isInputEvent() && event->type() != QEvent::Shortcut)
+    return QApplication::notify(receiver, event);
+  inputReceivers_.push_back(receiver);
+  const bool taken = QApplication::notify(receiver, event);
+  inputReceivers_.pop_back();
+  return taken;
+}
+
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   const int loop = QThread::currentThread()->loopLevel();
   if (!under_.empty() && under_.back().loop == loop) { // part of the one being timed
     under_.back().paints = under_.back().paints || event->type() == QEvent::Paint;
-    return QApplication::notify(receiver, event);
+    return deliver(receiver, event);
   }
   for (Delivery& outer : under_)
     outer.opensLoop = true;
@@ -38,7 +47,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   QElapsedTimer timer;
   timer.start();
   const double workedBefore = threadMs();
-  const bool taken = QApplication::notify(receiver, event);
+  const bool taken = deliver(receiver, event);
   const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   const double worked = threadMs() - workedBefore;
   const double beside = ms - (framesMs_ - framesBefore);

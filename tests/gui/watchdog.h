@@ -27,10 +27,15 @@ public:
   double longestWorkMs() const { return longestWorkMs_; }
   QString longestWork() const { return longestWork_; }
   QString longestWhat() const { return longestWhat_; }
+  // Who is being given a mouse, key, wheel or shortcut event now; the outermost first. More than
+  // one: an event that was passed on to parents, or one of a loop inside another.
+  const std::vector<QObject*>& inputReceivers() const { return inputReceivers_; }
   // With everything: the viewport, the panels, putting them together.
   double longestFrameMs() const { return longestFrameMs_; }
 
 private:
+  bool deliver(QObject* receiver, QEvent* event);
+
   // An event being delivered by the loop of that level. One that opens a loop of its own (a dialog)
   // waits for the user in it and is not counted; the events of that loop are.
   struct Delivery {
@@ -41,6 +46,7 @@ private:
     bool paints = false;
   };
   std::vector<Delivery> under_;
+  std::vector<QObject*> inputReceivers_;
   double framesMs_ = 0.0, longestFrameMs_ = 0.0, longestMs_ = 0.0, longestWorkMs_ = 0.0;
   QString longestWhat_, longestWork_;
 };

@@ -37,6 +37,11 @@ void WindowTest::SetUp() {
   qputenv("VOLUTA_STATE_DIR", folder_.path().toUtf8());
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   QSettings().clear();
+  openWindow();
+}
+
+void WindowTest::openWindow() {
+  window_.reset();
   window_ = std::make_unique<window::MainWindow>(window::Appearance::Light);
   QObject::connect(&window_->viewport(), &viewer::VtkView::framePainted, &window(),
                    [](double ms) { application().addFrame(ms); });

@@ -50,6 +50,8 @@ protected:
   void SetUp() override;
   void TearDown() override;
 
+  // A new one, as when the program is started again.
+  void openWindow();
   window::MainWindow& window() { return *window_; }
   document::Document& document() { return window_->document(); }
   QString path(const QString& name) const { return folder_.filePath(name); }

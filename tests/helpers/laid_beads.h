@@ -36,7 +36,7 @@ inline std::vector<replay::BeadPiece> laidBeads(const plan::ToolPlan& plan) {
       piece.runMm = static_cast<float>(run);
       piece.run = static_cast<std::uint32_t>(k + 1);
       piece.motion = static_cast<std::uint32_t>(i);
-      piece.ofPart = path.kind != plan::PathKind::Support && path.kind != plan::PathKind::Skirt;
+      piece.ofPart = path.kind != plan::PathKind::Support && !plan::isWaste(path.kind);
       pieces.push_back(piece);
     }
   }

@@ -260,14 +260,39 @@ TEST(TimeLeft, HidesTheFirstTwoSecondsAndThenCountsDown) {
   }
 }
 
-TEST(TimeLeft, AStageThatJumpsDoesNotMakeItJump) {
+TEST(TimeLeft, NothingIsSaidAfterAStageThatJumpsUntilTheEstimatesAgreeAgain) {
   TimeLeft left;
   for (double t = 0.0; t < 10.0; t += 0.1)
     left.update(t, 0.02 * t);
-  const double before = *left.update(10.0, 0.2);
-  const double after = *left.update(10.1, 0.8);
-  EXPECT_NEAR(before, 40.0, 1.0);
-  EXPECT_NEAR(after, before, 2.0);
+  const std::optional<double> before = left.update(10.0, 0.2);
+  ASSERT_TRUE(before);
+  EXPECT_NEAR(*before, 40.0, 1.0);
+  EXPECT_FALSE(left.update(10.1, 0.8)) << "10 s at this pace, 40 s were said";
+  std::optional<double> after;
+  for (double t = 10.2; t < 20.1 && !after; t += 0.1)
+    after = left.update(t, 0.8 + 0.02 * (t - 10.1));
+  EXPECT_TRUE(after);
+}
+
+// The second half of the work takes another share of the time than the first.
+TEST(TimeLeft, WhatIsSaidIsRightWithinAFactorOfTwo) {
+  constexpr double kFirstS = 10.0, kNoticedS = 2.0;
+  for (const double slowdown : {0.25, 1.0, 2.0, 4.0}) {
+    TimeLeft left;
+    const double secondS = kFirstS * slowdown;
+    bool said = false;
+    for (double t = 0.0; t < kFirstS + secondS; t += 0.1) {
+      const double share = t < kFirstS ? t / kFirstS : 1.0 + (t - kFirstS) / secondS;
+      const std::optional<double> now = left.update(t, 0.5 * share);
+      const double rest = kFirstS + secondS - t;
+      if (t < kFirstS + kNoticedS || !now || rest < 1.0)
+        continue;
+      said = true;
+      EXPECT_LE(*now, 2.0 * rest) << slowdown << " at " << t;
+      EXPECT_GE(*now, 0.5 * rest) << slowdown << " at " << t;
+    }
+    EXPECT_EQ(said, slowdown >= 1.0) << slowdown;
+  }
 }
 
 // Half of the work was kept from the run before and came at once; the other half takes 16 s.
@@ -289,7 +314,7 @@ TEST(TimeLeft, NothingIsSaidOnceARunStandsStillForLongerThanItWasToTake) {
   EXPECT_TRUE(left.update(9.0, 0.9));
   EXPECT_TRUE(left.update(9.5, 0.9));
   EXPECT_FALSE(left.update(12.0, 0.9));
-  EXPECT_TRUE(left.update(12.05, 0.91));
+  EXPECT_FALSE(left.update(12.05, 0.91)) << "going on again, at a pace that nobody knows yet";
 }
 
 TEST(TimeLeft, NothingIsSaidOfWorkThatHasHardlyBegun) {

@@ -15,6 +15,7 @@
 using namespace voluta;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using motion::Lift;
 using motion::RobotState;
 using motion::Surround;
 using motion::Transfer;
@@ -134,7 +135,8 @@ TEST_F(Transfers, AHopLiftsLittleAndATravelMore) {
   for (const bool hop : {true, false}) {
     const RobotState to = hop ? state({10.0, 2.5, z}, 0.0, from.q, before)
                               : state({-9.0, 1.0, z}, 0.2, from.q, before);
-    const auto way = planner_.plan(from, to, hop, before, {{0, 0, 2}, 12.0}, 1, {});
+    const auto way =
+        planner_.plan(from, to, hop ? Lift::Hop : Lift::Usual, before, {{0, 0, 2}, 12.0}, 1, {});
     ASSERT_TRUE(way);
     EXPECT_EQ(way->kind, TransferKind::Straight);
     ASSERT_GE(way->points.size(), 3u);
@@ -183,7 +185,8 @@ TEST(TransferLifts, AreNoHigherThanTheyHaveToBe) {
       if (!motion::solveNear(cell, from.tip, from.tool, cell.home(), 4.0, scratch, from.q) ||
           !motion::solveNear(cell, to.tip, to.tool, from.q, 1.0, scratch, to.q))
         continue;
-      way = motion::TransferPlanner(scene).plan(from, to, false, before, {{0, 0, 4}, 30.0}, 1, {});
+      way = motion::TransferPlanner(scene).plan(from, to, Lift::Usual, before, {{0, 0, 4}, 30.0}, 1,
+                                                {});
       if (way && way->kind != TransferKind::Straight)
         way.reset();
     }
@@ -202,7 +205,7 @@ TEST_F(Transfers, AroundTheBallWhereDirectionsAreFarApart) {
   const std::size_t before = plan_.paths[9].first;
   const RobotState from = state({12.0, 0.0, 40.0}, 0.85, cell_.home(), before);
   const RobotState to = state({-12.0, 0.0, 40.0}, -0.85, from.q, before);
-  const auto way = planner_.plan(from, to, false, before, ball, 1, {});
+  const auto way = planner_.plan(from, to, Lift::Usual, before, ball, 1, {});
   ASSERT_TRUE(way);
   EXPECT_EQ(way->kind, TransferKind::Arc);
   expectAt(way->points.back().at, to);

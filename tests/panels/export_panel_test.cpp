@@ -167,7 +167,7 @@ TEST_F(ExportPanelTest, OptionsAndFactsAreOfTheFormatInSight) {
   EXPECT_EQ(changed[0][1].toString(), "node");
   const auto text = [&](const char* name) { return panel.findChild<QLabel*>(name)->text(); };
   EXPECT_TRUE(text("programSize").endsWith("in one file"));
-  EXPECT_TRUE(text("programTime").contains("planned are 11 min 40 s"))
+  EXPECT_TRUE(text("programTime").contains("planned time of 11 min 40 s"))
       << qPrintable(text("programTime"));
   EXPECT_EQ(text("assumptions").count(QChar(0x2022)), 2);
   list->setCurrentItem(list->topLevelItem(3)); // no options, nothing written

@@ -240,6 +240,59 @@ TEST(FindingsPanel, WordsAndButtonsAreInSightWhereThereIsRoom) {
       << "a short one leaves the list its room";
 }
 
+// What is left of a screen of 1280 by 800 at 150 %, in the words of a language that has more.
+TEST(FindingsPanel, ButtonsAreInSightOnASmallScreen) {
+  panels::FindingsPanel panel;
+  panel.setRemedies([](const plan::Finding&) {
+    return std::vector<panels::RemedyButton>{
+        {"turn", QStringLiteral("Appoggia il pezzo nel modo migliore"), ""},
+        {"prop", QStringLiteral("Aggiungi supporti"), ""},
+        {"way", QStringLiteral("Lascia scegliere a Voluta"), ""}};
+  });
+  std::string words;
+  for (int i = 0; i < 60; ++i)
+    words += "some words ";
+  plan::Findings findings;
+  for (int i = 0; i < 12; ++i)
+    findings.push_back(finding("replay", (std::to_string(i) + words).c_str(), true));
+  panel.setFindings(findings);
+  panel.setPlanned(true);
+  panel.setUnchecked({plan::Stage::Motion, plan::Stage::Replay});
+  panel.resize(260, 250);
+  panel.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+  auto* list = panel.findChild<QListView*>("list");
+  list->setCurrentIndex(list->model()->index(1, 0));
+  QTest::qWait(20);
+  EXPECT_LE(panel.minimumSizeHint().height(), 250);
+  EXPECT_GE(list->viewport()->height(), list->visualRect(list->model()->index(0, 0)).height());
+  for (const char* name : {"remedy_turn", "remedy_prop", "remedy_way", "show"}) {
+    const auto* button = panel.findChild<QPushButton*>(name);
+    ASSERT_NE(button, nullptr) << name;
+    EXPECT_TRUE(button->visibleRegion().contains(button->rect())) << name;
+    EXPECT_GE(button->width(), button->sizeHint().width()) << name << " is cut off";
+  }
+}
+
+TEST(FindingsPanel, ABlockedFindingWithoutAButtonSaysWhy) {
+  panels::FindingsPanel panel;
+  panel.resize(260, 500);
+  panel.show();
+  const plan::FindingRow* row = nullptr;
+  for (const plan::FindingRow& one : plan::findingRows())
+    if (!one.whyNoRemedy.empty() && base::placeNames(one.reason.english()).empty())
+      row = &one;
+  ASSERT_NE(row, nullptr);
+  panel.setFindings({plan::makeFinding(row->kind)});
+  auto* list = panel.findChild<QListView*>("list");
+  list->setCurrentIndex(list->model()->index(0, 0));
+  EXPECT_TRUE(panel.findChild<QLabel*>("whyNoRemedy")->isVisible());
+  panel.setRemedies([](const plan::Finding&) {
+    return std::vector<panels::RemedyButton>{{"turn", "Turn it", ""}};
+  });
+  EXPECT_FALSE(panel.findChild<QLabel*>("whyNoRemedy")->isVisible());
+}
+
 TEST(FindingsPanel, TenThousandFindingsMakeNoWidgets) {
   panels::FindingsPanel panel;
   panel.resize(300, 500);

@@ -86,5 +86,5 @@ TEST(LayerInfo, ShowsMeasuresAndDashesWithoutALayer) {
   info.setMeasures(layer);
   EXPECT_TRUE(says("42 of 125"));
   EXPECT_TRUE(says("15.23 m"));
-  EXPECT_TRUE(says("1:01"));
+  EXPECT_TRUE(says("1 min 1 s"));
 }

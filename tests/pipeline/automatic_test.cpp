@@ -5,8 +5,13 @@
 #include "helpers/shapes.h"
 #include "modes/mode_table.h"
 #include "pipeline/box_request.h"
+#include "pipeline/choices.h"
+#include "pipeline/one_way.h"
 #include "pipeline/road.h"
+#include "pipeline/search_texts.h"
+#include "plan/finding_kinds.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -27,6 +32,41 @@ pipeline::PlanRequest automaticRequest() {
   request.choices.automatic = true;
   request.choices.formats = {"urscript"};
   return request;
+}
+
+// Over nothing: no way but one with supports gets to it.
+pipeline::PlanRequest plateInTheAir() {
+  geometry::TriangleMesh part = test::box({-5, -5, 0}, {5, 5, 20});
+  test::append(part, test::box({20, -8, 12}, {36, 8, 16}));
+  pipeline::PlanRequest request = automaticRequest();
+  request.loaded =
+      project::loadedFrom("air.stl", std::make_shared<geometry::TriangleMesh>(part), {}, true, {});
+  return request;
+}
+
+// The report, the choices and the plan name the same way with the same values.
+void expectConsistent(const pipeline::PlanResult& result) {
+  const project::Report& report = result.job.report;
+  const project::ChosenReport& chosen = report.chosen;
+  const auto taken = std::ranges::find(report.tried, true, &project::TriedReport::taken);
+  ASSERT_NE(taken, report.tried.end());
+  EXPECT_EQ(std::ranges::count(report.tried, true, &project::TriedReport::taken), 1);
+  EXPECT_EQ(chosen.way, taken->way);
+  EXPECT_EQ(base::english(chosen.name), base::english(taken->name));
+  EXPECT_EQ(chosen.mode, taken->mode);
+  EXPECT_EQ(chosen.platform, taken->platform);
+  EXPECT_EQ(chosen.mode, report.decomposition.mode);
+  EXPECT_EQ(chosen.way, result.job.choices.automaticWay);
+  const project::Choices hand = byHand(result.job.choices);
+  EXPECT_EQ(chosen.mode, hand.mode);
+  EXPECT_EQ(chosen.platform, hand.platform.text());
+  EXPECT_EQ(chosen.supports, pipeline::parameterValues(hand).text("supports"));
+  EXPECT_EQ(chosen.layerHeightMm, result.process->layerHeightMm);
+  for (const project::TriedReport& tried : report.tried) {
+    EXPECT_FALSE(tried.name.empty());
+    EXPECT_TRUE(tried.taken || !tried.reason.empty()) << base::english(tried.name);
+  }
+  EXPECT_EQ(pipeline::rejectedTexts(report).size(), report.tried.size() - 1);
 }
 
 } // namespace
@@ -186,13 +226,7 @@ TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
 }
 
 TEST(Automatic, WhatBlocksAWayIsTold) {
-  // A plate in the air over nothing: no way but the one with supports comes to it.
-  geometry::TriangleMesh part = test::box({-5, -5, 0}, {5, 5, 20});
-  test::append(part, test::box({20, -8, 12}, {36, 8, 16}));
-  pipeline::PlanRequest request = automaticRequest();
-  request.loaded =
-      project::loadedFrom("air.stl", std::make_shared<geometry::TriangleMesh>(part), {}, true, {});
-  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  const pipeline::PlanResult result = pipeline::planPart(plateInTheAir(), {});
   ASSERT_FALSE(result.job.report.tried.empty());
   const project::TriedReport& first = result.job.report.tried.front();
   EXPECT_EQ(first.mode, pipeline::automaticWays().front().mode);
@@ -204,6 +238,73 @@ TEST(Automatic, WhatBlocksAWayIsTold) {
   }
   const std::string json = project::reportJson(result.job.report);
   EXPECT_EQ(project::readReportJson(json).tried.size(), result.job.report.tried.size());
+}
+
+TEST(Automatic, WaysAreNamedByWhatTheyDo) {
+  std::vector<std::string> names;
+  for (const project::Choices& way : automaticChoices(automatic()))
+    names.push_back(base::english(pipeline::nameOfWay(way)));
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "curved layers", "pieces", "curved layers with supports",
+                       "flat layers with supports", "flat layers with supports, 0.5 mm high",
+                       "curved layers on a pedestal"}));
+  project::Choices none = automatic();
+  none.parameters["supports"] = "none";
+  for (const project::Choices& way : automaticChoices(none))
+    EXPECT_EQ(base::english(pipeline::nameOfWay(way)).find("supports"), std::string::npos);
+  EXPECT_EQ(base::english(pipeline::nameOfWay(byHand(none))), "Curved layers");
+  EXPECT_EQ(base::english(pipeline::tryingText({"pieces"_text, 2, 4})), "Trying pieces (2 of 4)");
+}
+
+TEST(Automatic, WhatIsSaidOfABoxIsConsistent) {
+  std::vector<std::string> tried;
+  const auto note = [&](const pipeline::WayInTurn& way) {
+    tried.push_back(base::english(way.name));
+    EXPECT_EQ(way.count, pipeline::automaticWays().size());
+  };
+  const pipeline::PlanResult result =
+      pipeline::planPart(automaticRequest(), {}, nullptr, {.onWay = note});
+  expectConsistent(result);
+  EXPECT_EQ(tried, (std::vector<std::string>{"curved layers"}));
+  EXPECT_EQ(base::english(pipeline::chosenText(result.job.report)),
+            "Chosen: curved layers (layer height 0.8 mm, supports: none, platform: plate of the "
+            "cell)");
+}
+
+TEST(Automatic, WhatIsSaidIsConsistentWhereWaysAreRejected) {
+  const pipeline::PlanResult result = pipeline::planPart(plateInTheAir(), {});
+  expectConsistent(result);
+  EXPECT_GT(result.job.report.tried.size(), 1U);
+}
+
+// The field is what takes long in curved layers: it is not fitted where voxels are missed.
+TEST(Automatic, AWayEndsAsSoonAsItIsBlocked) {
+  pipeline::PlanRequest request = plateInTheAir();
+  request.choices = automaticChoices(request.choices).front();
+  pipeline::StageCache cache;
+  pipeline::Trial trial;
+  std::vector<project::Stage> shown;
+  const auto note = [&](project::Stage stage, const pipeline::PlanResult&) {
+    shown.push_back(stage);
+  };
+  const pipeline::PlanResult tried =
+      pipeline::planOneWay(request, {}, &cache, {.onStage = note}, &trial);
+  ASSERT_TRUE(trial.rejection);
+  EXPECT_EQ(trial.rejection->stage, project::Stage::Decompose);
+  EXPECT_TRUE(trial.rejection->finding.blocking);
+  ASSERT_NE(tried.job.decomposition(), nullptr);
+  EXPECT_GT(tried.job.decomposition()->missedVoxels, 0U);
+  EXPECT_TRUE(tried.job.decomposition()->field.empty());
+  EXPECT_EQ(shown, (std::vector<project::Stage>{project::Stage::Load}));
+  // Planned for itself it is whole, with the same first reason.
+  request.until = project::Stage::Layers;
+  const pipeline::PlanResult whole = pipeline::planOneWay(request, {}, &cache, {});
+  EXPECT_FALSE(whole.job.decomposition()->field.empty());
+  EXPECT_EQ(whole.job.reached, project::Stage::Layers);
+  const auto blocking = std::ranges::find_if(whole.job.report.findings, &plan::Finding::blocking);
+  ASSERT_NE(blocking, whole.job.report.findings.end());
+  EXPECT_EQ(base::english(plan::reasonOf(*blocking)),
+            base::english(plan::reasonOf(trial.rejection->finding)));
 }
 
 TEST(Automatic, APartThatNoWayTakesIsAnError) {
@@ -218,6 +319,11 @@ TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   request.choices.parameters["infillDensity"] = "0.3";
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   EXPECT_FALSE(pipeline::nothingBlocks(result.job.report));
+  expectConsistent(result);
+  const std::string said = base::english(pipeline::chosenText(result.job.report));
+  EXPECT_TRUE(said.starts_with("Nothing passes; shown is the least bad: ")) << said;
+  EXPECT_EQ(result.job.reached, project::Stage::Replay);
+  EXPECT_FALSE(result.checked.empty());
   EXPECT_EQ(result.job.report.tried.size(), pipeline::automaticWays().size() - 1);
   int curved = 0;
   for (const project::TriedReport& tried : result.job.report.tried)
@@ -239,10 +345,11 @@ TEST(Automatic, WhereAllHangTheOneThatHangsLeastIsTaken) {
   request.choices.cell = "t3";
   request.choices.formats = {"spel"};
   std::string lastShown;
-  const pipeline::PlanResult result = pipeline::planPart(
-      request, {}, nullptr, [&](project::Stage, const pipeline::PlanResult& soFar) {
-        lastShown = soFar.job.choices.automaticWay;
-      });
+  const auto noteShown = [&](project::Stage, const pipeline::PlanResult& soFar) {
+    lastShown = soFar.job.choices.automaticWay;
+  };
+  const pipeline::PlanResult result =
+      pipeline::planPart(request, {}, nullptr, {.onStage = noteShown});
   const project::Report& report = result.job.report;
   EXPECT_TRUE(pipeline::nothingBlocks(report));
   EXPECT_GT(report.replay.longestUnsupportedMm, result.process->bridgeMm);

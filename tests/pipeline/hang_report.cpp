@@ -35,7 +35,8 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kDownMm = 60.0; // how far down is looked
-constexpr std::array<const char*, 5> kKinds = {"wall", "infill", "gap", "skirt", "support"};
+constexpr std::array<const char*, 6> kKinds = {"wall",  "infill",  "gap",
+                                               "skirt", "support", "prime"};
 
 // What is right beneath a piece; and how far aside from its middle, to the left and to the right,
 // the first material lies.

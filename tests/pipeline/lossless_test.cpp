@@ -92,7 +92,7 @@ TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
   for (const layers::Patch& patch : plan.job.layers->patches)
     patches += patch.group == layers::kSupportGroup;
   for (const plan::ToolPath& path : plan.job.toolPlan->paths) {
-    if (path.kind == plan::PathKind::Skirt)
+    if (plan::isWaste(path.kind))
       continue;
     EXPECT_EQ(path.kind == plan::PathKind::Support, path.group == layers::kSupportGroup);
     paths += path.kind == plan::PathKind::Support;

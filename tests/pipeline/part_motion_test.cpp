@@ -2,6 +2,7 @@
 
 #include "motion/motion.h"
 #include "motion/sample_plans.h"
+#include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
@@ -51,6 +52,30 @@ TEST_F(Rings, TakeThePartThatIsLaidAlready) {
   EXPECT_EQ(taking.plan({})->trajectory->joints, laying.plan({})->trajectory->joints);
   EXPECT_EQ(taking.planWithout({40}, {})->trajectory->joints,
             laying.planWithout({40}, {})->trajectory->joints);
+}
+
+TEST_F(Rings, AreGivenUpOnceMoreIsLostThanMayBeLeftOut) {
+  plan::ToolPlan upsideDown = plan_;
+  const plan::ToolPath& last = upsideDown.paths.back();
+  for (std::size_t w = last.first; w < last.first + last.count; ++w)
+    upsideDown.direction[w] = -Eigen::Vector3d::UnitZ();
+  const auto whole = PartMotion(upsideDown, plate_, cell_, process_, {}, {}, {}).plan({});
+  ASSERT_NE(whole->trajectory, nullptr);
+  const auto tried =
+      PartMotion(upsideDown, plate_, cell_, process_, {}, {}, {}).plan({}, plan::kBlockingShare);
+  EXPECT_EQ(tried->trajectory, nullptr);
+  const auto blocking = std::ranges::find_if(whole->findings, &plan::Finding::blocking);
+  ASSERT_NE(blocking, whole->findings.end());
+  ASSERT_FALSE(tried->findings.empty());
+  EXPECT_EQ(tried->findings.front().kind, blocking->kind);
+  EXPECT_TRUE(tried->findings.front().blocking);
+}
+
+TEST_F(Rings, AreMovedTheSameWayWhereNothingIsLost) {
+  PartMotion tried(plan_, plate_, cell_, process_, {}, {}, {}),
+      whole(plan_, plate_, cell_, process_, {}, {}, {});
+  EXPECT_EQ(tried.plan({}, plan::kBlockingShare)->trajectory->joints,
+            whole.plan({})->trajectory->joints);
 }
 
 TEST_F(Rings, NothingToPrintIsTold) {

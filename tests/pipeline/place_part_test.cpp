@@ -3,6 +3,7 @@
 #include "helpers/lathe_parts.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/box_request.h"
+#include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +43,28 @@ void expectLaid(const PlanResult& result) {
   ASSERT_EQ(part.vertices.size(), result.job.part->vertices.size());
   for (std::size_t i = 0; i < part.vertices.size(); ++i)
     EXPECT_LT((part.vertices[i] - result.job.part->vertices[i]).norm(), 1e-9);
+}
+
+// A plate that carries the part but has no room for the prime is passed over for one that has.
+TEST(PlacePart, ThePlateHasRoomForThePrime) {
+  const process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell =
+      robot::loadCell("ur5-fixed", process, {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}});
+  const auto radiusFor = [&](double halfMm, const pipeline::PlateNeeds& needs) {
+    const auto box = test::loadedBox({-halfMm, -halfMm, 0}, {halfMm, halfMm, 10});
+    double radius = 0.0;
+    for (const Eigen::Vector2d& p : pipeline::cellPlate(cell, *box->mesh, needs))
+      radius = std::max(radius, p.norm());
+    return radius;
+  };
+  const pipeline::PlateNeeds none, line{.prime = true, .primeLengthMm = 30.0},
+      ring{.prime = true, .primeIsRing = true, .primeLengthMm = 30.0};
+  EXPECT_NEAR(radiusFor(15.0, none), 30.0, 0.5);
+  EXPECT_NEAR(radiusFor(15.0, line), 45.0, 0.5);
+  EXPECT_NEAR(radiusFor(15.0, ring), 45.0, 0.5);
+  // Where none has room for it, the smallest that carries the part.
+  EXPECT_NEAR(radiusFor(85.0, none), 125.0, 0.5);
+  EXPECT_NEAR(radiusFor(85.0, ring), 125.0, 0.5);
 }
 
 TEST(PlacePart, WhereTheModeLaidItIsKept) {

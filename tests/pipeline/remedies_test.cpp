@@ -1,7 +1,10 @@
 // Every row of the table of remedies: a cure changes the choices into others that can be planned.
 #include "helpers/shapes.h"
+#include "modes/mode_table.h"
 #include "modes/part_voxels.h"
+#include "pipeline/automatic.h"
 #include "pipeline/choices.h"
+#include "pipeline/larger_cell.h"
 #include "pipeline/part_size.h"
 #include "pipeline/remedies.h"
 #include "pipeline/road.h"
@@ -44,7 +47,27 @@ Choices choicesFor(RemedyId id) {
     choices.mode = "flat";
   if (id == RemedyId::CentrePart)
     choices.placement.centreMm = {30.0, 0.0};
+  if (id == RemedyId::MakePlatform)
+    choices.platform = project::Platform("cell");
+  if (id == RemedyId::UsualProcess)
+    choices.process = "fdm-0.35";
+  if (id == RemedyId::UsualCell)
+    choices.cell = "ur5-moving";
+  if (id == RemedyId::PrintOnPlate) {
+    choices.mode = "lathe";
+    choices.cell = "lathe";
+    choices.platform = project::Platform("rod:5x200");
+  }
   return choices;
+}
+
+// Steps that may be taken again, until there is no more to gain.
+bool isStep(RemedyId id) {
+  using enum RemedyId;
+  return std::set<RemedyId>{Shrink,        Enlarge,       LargerCell,    LowerLayers,
+                            MoreTurns,     LessClearance, MoreClearance, ShorterMotions,
+                            LongerMotions, FinerProcess}
+      .contains(id);
 }
 
 StageKeys keysOf(const Choices& choices) {
@@ -77,10 +100,11 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       ASSERT_TRUE(cured) << remedy.name << " for " << row.id;
       EXPECT_NO_THROW(checkChoices(*cured)) << remedy.name;
       const StageKeys before = keysOf(choices), after = keysOf(*cured);
-      EXPECT_TRUE(before[indexOf(Stage::Layers)] != after[indexOf(Stage::Layers)] ||
-                  choices.automatic != cured->automatic)
-          << remedy.name << " changes nothing of what is decomposed and sliced";
-      EXPECT_FALSE(remedy.cure(finding, *cured)) << remedy.name << " is offered again";
+      EXPECT_TRUE(before != after || choices.automatic != cured->automatic)
+          << remedy.name << " changes nothing";
+      if (!isStep(remedy.id)) {
+        EXPECT_FALSE(remedy.cure(finding, *cured)) << remedy.name << " is offered again";
+      }
       Choices unchanged = *cured;
       unchanged.parameters = choices.parameters;
       unchanged.platform = choices.platform;
@@ -88,6 +112,7 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       unchanged.scale = choices.scale;
       unchanged.units = choices.units;
       unchanged.process = choices.process;
+      unchanged.cell = choices.cell;
       unchanged.mode = choices.mode;
       unchanged.automatic = choices.automatic;
       EXPECT_EQ(keysOf(unchanged), before) << remedy.name << " changes something else too";
@@ -106,22 +131,131 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
       ids.insert(offer.remedy->id);
     return ids;
   };
-  EXPECT_TRUE(idsFor(FindingKind::Collision).empty());
+  EXPECT_TRUE(idsFor(FindingKind::OtherProgram).empty());
   EXPECT_TRUE(idsFor(FindingKind::WallTooThin).empty()) << "no width is named";
   EXPECT_TRUE(idsFor(FindingKind::ShadowedUnderFacet).contains(RemedyId::ShrinkPlatform));
   EXPECT_FALSE(idsFor(FindingKind::ShadowedUnderFacet).contains(RemedyId::DropToPlate));
   EXPECT_FALSE(idsFor(FindingKind::Unreached).contains(RemedyId::ShrinkPlatform));
   EXPECT_TRUE(idsFor(FindingKind::Unreached).contains(RemedyId::DropToPlate));
-  EXPECT_EQ(idsFor(FindingKind::Uncovered), (std::set<RemedyId>{RemedyId::ChooseWay}))
+  EXPECT_FALSE(idsFor(FindingKind::Uncovered).contains(RemedyId::AdaptLayers))
       << "curved layers follow the field";
   choices.mode = "planar";
   EXPECT_EQ(idsFor(FindingKind::Uncovered),
-            (std::set<RemedyId>{RemedyId::AdaptLayers, RemedyId::ChooseWay}));
-  for (const FindingKind hangs : {FindingKind::Unsupported, FindingKind::LongBridge})
-    EXPECT_EQ(idsFor(hangs), (std::set<RemedyId>{RemedyId::ChooseWay}));
+            (std::set<RemedyId>{RemedyId::AdaptLayers, RemedyId::LowerLayers,
+                                RemedyId::FinerProcess, RemedyId::ChooseWay}));
+  EXPECT_EQ(idsFor(FindingKind::LongBridge), (std::set<RemedyId>{RemedyId::ChooseWay}));
   choices.automatic = true;
   EXPECT_TRUE(idsFor(FindingKind::LongBridge).empty()) << "it has chosen";
   EXPECT_EQ(idsFor(FindingKind::Stopped), (std::set<RemedyId>{RemedyId::DropToPlate}));
+}
+
+// As a user has them who has moved the part about: in every mode, and in mode auto whichever way it
+// took last.
+std::vector<Choices> everyMode() {
+  std::vector<Choices> all;
+  for (const Mode& mode : modeTable()) {
+    Choices choices;
+    choices.mode = mode.id;
+    choices.cell = mode.usual.cell;
+    choices.process = mode.usual.process;
+    choices.platform = mode.usual.platform;
+    all.push_back(choices);
+  }
+  Choices automatic;
+  automatic.automatic = true;
+  automatic.platform = project::Platform("cell");
+  for (const Choices& way : automaticChoices(automatic))
+    all.push_back(way);
+  for (Choices& choices : all) {
+    choices.placement.centreMm = {30.0, 10.0};
+    choices.placement.liftMm = 2.0;
+  }
+  return all;
+}
+
+// Kinds that a mode cannot come to.
+bool arises(const plan::FindingRow& row, const Choices& choices) {
+  using enum FindingKind;
+  const Mode& mode = findMode(choices.mode);
+  const std::set<FindingKind> rod{BeyondCell, BeyondRod, MoreBeyondRod, BeginsInAirOverRod};
+  const std::set<FindingKind> surface{BeginsInAirOverSurface, NotLaid};
+  const std::set<FindingKind> plate{PlatformAdrift,  NoSupport,        BelowPlate,  BeginsInAir,
+                                    CellCannotPrint, LargerThanPlates, StaysUpright};
+  if (rod.contains(row.kind))
+    return mode.aroundRod;
+  if (surface.contains(row.kind))
+    return mode.id == "substrate";
+  if (plate.contains(row.kind) && (mode.aroundRod || mode.id == "substrate"))
+    return false;
+  if (row.kind == StaysUpright)
+    return !mode.upright;
+  return row.stage != plan::Stage::Decompose || mode.grows || plate.contains(row.kind);
+}
+
+TEST(Remedies, WhatBlocksHasAButtonInEveryModeOrSaysWhyThereIsNone) {
+  const std::vector<Choices> all = everyMode();
+  for (const plan::FindingRow& row : plan::findingRows()) {
+    if (row.gravity == plan::Gravity::Tells)
+      continue;
+    EXPECT_FALSE(row.cures.empty() && row.whyNoRemedy.empty()) << row.id;
+    for (const Choices& choices : all) {
+      if (!arises(row, choices) || !row.whyNoRemedy.empty())
+        continue;
+      EXPECT_FALSE(remediesFor(findingOf(row.kind), choices).empty())
+          << row.id << " in mode " << (choices.automatic ? "auto, " : "") << choices.mode;
+    }
+  }
+}
+
+TEST(Remedies, WhatAButtonDoesCanBePlannedInEveryMode) {
+  for (const plan::FindingRow& row : plan::findingRows())
+    for (const Choices& choices : everyMode())
+      for (const Offer& offer : remediesFor(findingOf(row.kind), choices)) {
+        if (!arises(row, choices))
+          continue;
+        SCOPED_TRACE(std::string(row.id) + " in mode " + choices.mode + ": " +
+                     std::string(offer.remedy->name));
+        EXPECT_NO_THROW(checkChoices(offer.choices));
+        StageKeys before, after;
+        ASSERT_NO_THROW(before = keysOf(choices));
+        EXPECT_NO_THROW(after = keysOf(offer.choices));
+        EXPECT_TRUE(before != after || choices.automatic != offer.choices.automatic)
+            << "it changes nothing";
+      }
+}
+
+TEST(Remedies, APlatformThatAButtonChoseStaysInModeAuto) {
+  Choices choices;
+  choices.automatic = true;
+  choices.platform = project::Platform("cell");
+  for (const Offer& offer : remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
+    if (offer.remedy->id == RemedyId::ShrinkPlatform) {
+      for (const Choices& way : automaticChoices(offer.choices))
+        EXPECT_EQ(way.platform.text(), "fit:0");
+      return;
+    }
+  FAIL() << "no smaller platform is offered";
+}
+
+TEST(Remedies, ChoicesThatCannotBePlannedLeaveTheOtherButtons) {
+  Choices choices;
+  choices.parameters["layerHeightMm"] = "9"; // beyond the process
+  std::set<RemedyId> ids;
+  for (const Offer& offer : remediesFor(findingOf(FindingKind::Uncovered), choices))
+    ids.insert(offer.remedy->id);
+  EXPECT_FALSE(ids.contains(RemedyId::LowerLayers));
+  EXPECT_TRUE(ids.contains(RemedyId::ChooseWay));
+}
+
+TEST(Remedies, ALargerCellHasALargerPlate) {
+  Choices choices; // discs up to 250 mm under a nozzle that stands
+  const Eigen::Vector2d any(0.0, 0.0);
+  EXPECT_TRUE(cellWithLargerPlate(choices, any));
+  EXPECT_FALSE(cellWithLargerPlate(choices, {900.0, 900.0})) << "no plate is as wide";
+  choices.cell = "ur5-moving";
+  EXPECT_NE(cellWithLargerPlate(choices, any), choices.cell);
+  choices.cell = "kr10-r1100-track"; // the longest
+  EXPECT_FALSE(cellWithLargerPlate(choices, any));
 }
 
 TEST(Remedies, TheContactAreaIsAsSmallAsAPlatformGets) {

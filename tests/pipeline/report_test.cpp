@@ -34,6 +34,7 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
      {"passed", "coveredFraction", "unsupportedFraction", "halfCarriedFraction",
       "longestUnsupportedMm", "overfillFraction", "massRatio", "collisions", "limitViolations",
       "maxDeviationMm", "controllerDurationS", "flowErrorFraction", "thresholds"}},
+    {"chosen", {"way", "name", "mode", "platform", "supports", "layerHeightMm"}},
     {"timingS",
      {"load", "repair", "voxelise", "peel", "grow", "smooth", "extract", "trim", "decompose",
       "toolpath", "orient", "ik", "graph", "jerk", "collision", "transfer", "write", "replay",

@@ -78,17 +78,17 @@ PlanResult* PlannedBox::first_ = nullptr;
 TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
   std::vector<Stage> told;
   const PlanResult again =
-      planPart(boxRequest(), context(), cache_, [&](Stage stage, const PlanResult& r) {
-        told.push_back(stage);
-        EXPECT_EQ(r.job.reached, stage);
-        EXPECT_NE(r.job.part, nullptr);
-        EXPECT_EQ(r.job.decomposition() != nullptr, stage >= Stage::Decompose);
-        EXPECT_EQ(r.cell != nullptr, stage >= Stage::Decompose);
-        EXPECT_EQ(r.job.layers != nullptr, stage >= Stage::Layers);
-        EXPECT_EQ(r.job.toolPlan != nullptr, stage >= Stage::Toolpath);
-        EXPECT_EQ(r.job.trajectory != nullptr, stage >= Stage::Motion);
-        EXPECT_EQ(!r.checked.empty(), stage >= Stage::Replay);
-      });
+      planPart(boxRequest(), context(), cache_, {.onStage = [&](Stage stage, const PlanResult& r) {
+                 told.push_back(stage);
+                 EXPECT_EQ(r.job.reached, stage);
+                 EXPECT_NE(r.job.part, nullptr);
+                 EXPECT_EQ(r.job.decomposition() != nullptr, stage >= Stage::Decompose);
+                 EXPECT_EQ(r.cell != nullptr, stage >= Stage::Decompose);
+                 EXPECT_EQ(r.job.layers != nullptr, stage >= Stage::Layers);
+                 EXPECT_EQ(r.job.toolPlan != nullptr, stage >= Stage::Toolpath);
+                 EXPECT_EQ(r.job.trajectory != nullptr, stage >= Stage::Motion);
+                 EXPECT_EQ(!r.checked.empty(), stage >= Stage::Replay);
+               }});
   EXPECT_EQ(told, (std::vector<Stage>{Stage::Load, Stage::Decompose, Stage::Layers, Stage::Toolpath,
                                       Stage::Motion, Stage::Replay}));
   // All of it was kept.
@@ -217,11 +217,12 @@ TEST_F(PlannedBox, ACancelledPlanKeepsWhatIsDone) {
   const base::CancelToken token;
   std::shared_ptr<const curved::Decomposition> made;
   EXPECT_THROW(planPart(boxRequest(), base::RunContext(token, 1), &cache,
-                        [&](Stage stage, const PlanResult& r) {
-                          made = r.job.decomposition();
-                          if (stage == Stage::Decompose)
-                            token.cancel();
-                        }),
+                        {.onStage =
+                             [&](Stage stage, const PlanResult& r) {
+                               made = r.job.decomposition();
+                               if (stage == Stage::Decompose)
+                                 token.cancel();
+                             }}),
                base::Cancelled);
   PlanRequest again = boxRequest();
   again.until = Stage::Layers;

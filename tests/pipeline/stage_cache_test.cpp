@@ -59,6 +59,19 @@ TEST(StageCache, AKeyKeptTwiceHasTheLatestValueOnce) {
   EXPECT_EQ(cache.find<LayersStage>("other"), old);
 }
 
+TEST(StageCache, WhatOneBehindItHasIsItsOwnToo) {
+  StageCache behind(1);
+  const auto a = std::make_shared<const LayersStage>(), b = std::make_shared<const LayersStage>();
+  behind.keep<LayersStage>("a", a);
+  StageCache cache(1, &behind);
+  EXPECT_EQ(cache.find<LayersStage>("a"), a);
+  behind.keep<LayersStage>("b", b);
+  EXPECT_EQ(behind.find<LayersStage>("a"), nullptr);
+  EXPECT_EQ(cache.find<LayersStage>("a"), a) << "asked for, and so its own";
+  cache.keep<LayersStage>("c", b);
+  EXPECT_EQ(behind.find<LayersStage>("c"), b);
+}
+
 TEST(StageCache, SeveralThreadsMayUseIt) {
   StageCache cache(3);
   std::vector<std::thread> threads;

@@ -37,6 +37,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"frontShape", {"flat", 1}},
     {"supports", {"none", 1}},
     {"orient", {"leastRisky", 0}},
+    {"openSurfaces", {"close", 0}},
     {"fieldRounds", {"5", 1}},
     {"growthIsp", {"2", kStageCount}}, // of the sources' schemes, see below
     {"growthQueue", {"insertion", kStageCount}},
@@ -82,7 +83,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"tableZMm", {"5", kStageCount}},
     {"tableSense", {"tool", kStageCount}},
     {"tableTurns", {"2", kStageCount}},
-    {"tableUnwind", {"wind", kStageCount}},
+    {"tableUnwind", {"count", kStageCount}},
     {"gcodeRunner", {"rapid", 5}},
     {"mxtController", {"cr800", kStageCount}},
     {"extruderAxisMm", {"5000", kStageCount}}, // nor here
@@ -327,6 +328,11 @@ TEST_F(StageKeysOf, TheCellCountsByItsContent) {
 
   replace("cells/ur5-fixed.json", "\"xyzMm\": [500, 0, 500]", "\"xyzMm\": [500, 0, 510]");
   expectChangesFrom(boxRequest(), 3, "the nozzle stands elsewhere");
+}
+
+TEST_F(StageKeysOf, WhatAnArmLooksLikeDoesNotMatter) {
+  replace("robots/ur5.json", "\"cap\": \"#5d9cc6\"", "\"cap\": \"#00ff00\"");
+  expectChangesFrom(boxRequest(), kStageCount, "other lids");
 }
 
 TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {

@@ -189,7 +189,8 @@ TEST(RapidReader, wantsCrLfEverywhere) {
   const auto program = read(text);
   expectDefect(program, 3, "CR LF");
   EXPECT_EQ(program.defects.size(), 1u);
-  expectDefect(read(module(kMove).substr(0, module(kMove).size() - 2)), 12, "no end");
+  // The last line may have no end.
+  expectSound(read(module(kMove).substr(0, module(kMove).size() - 2)));
 }
 
 TEST(RapidReader, turnsNoFasterThanItsSpeedSays) {

@@ -214,6 +214,8 @@ TEST_F(TablePrograms, CountIsSetBackInTravels) {
   for (const char* sense : {"part", "tool"}) {
     ProgramInput in = input();
     in.options.own["tableSense"] = std::string(sense);
+    in.options.own["tableUnwind"] = std::string("count");
+    in.options.own["tableTurns"] = 1000.0; // it counts on
     const plan::ReadProgram on =
         readProgram("gcode-bc", writeProgram("gcode-bc", in).files, process_);
     in.options.own["tableTurns"] = 1.0;

@@ -117,7 +117,7 @@ TEST_F(Winding, KeepsCWithinAndThePartAsItIs) {
     for (const char* sense : {"part", "tool"})
       for (const double turns : {0.0, 1.5, 3.0}) {
         SCOPED_TRACE(testing::Message() << seed << " " << sense << " " << turns);
-        ProgramInput counts = with(0.0, sense);
+        ProgramInput counts = with(1000.0, sense); // it counts on
         counts.options.own["tableUnwind"] = std::string("count");
         const plan::ReadProgram on = read(writeProgram("gcode-bc", counts).files);
         const plan::Program program = writeProgram("gcode-bc", with(turns, sense));

@@ -32,6 +32,26 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
                                        ended(s, remark + "seen by me " + std::to_string(random())));
                    return line;
                  }});
+  all.push_back(
+      {"a remark in the head", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+         const std::size_t first = format == "krl" ? 4 : 3, last = s.read.motions.front().line;
+         const std::size_t line = first + random() % (last - first + 1);
+         s.text.lines.insert(s.text.lines.begin() + at(line), ended(s, remark + "room 12"));
+         return line;
+       }});
+  all.push_back(
+      {"a remark says more", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
+         std::vector<std::size_t> remarks;
+         for (std::size_t l = 1; l <= s.text.lines.size(); ++l)
+           if (s.text.lines[l - 1].find(", path ") != std::string::npos)
+             remarks.push_back(l);
+         if (remarks.empty())
+           return std::nullopt;
+         const std::size_t line = remarks[random() % remarks.size()];
+         std::string& text = s.text.lines[line - 1];
+         text.insert(endOf(text), ", 20 mm3/s");
+         return line;
+       }});
   all.push_back({"an empty line", [=](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
                    const std::size_t line = any(s, random);
                    s.text.lines.insert(s.text.lines.begin() + at(line), ended(s, "   "));
@@ -126,6 +146,8 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
   } else if (format.starts_with("gcode")) {
     all.push_back(swapped("G21", "G90"));
     all.push_back(swapped("G90", "M82"));
+  } else if (format == "tmscript") {
+    all.push_back(swapped("ChangeBase", "ChangeTCP"));
   }
   return all;
 }

@@ -3,6 +3,7 @@
 #include "mutation_lines.h"
 #include "replay/flow_mutations.h"
 #include "replay/mutation_text.h"
+#include "replay/stated_mutations.h"
 
 #include "base/units.h"
 
@@ -458,6 +459,8 @@ std::vector<Mutation> harmfulMutations(const std::string& format) {
   targets(all, format == "gcode-bc" ? 5 : format.starts_with("gcode") ? 3 : 6);
   words(all, format);
   all.push_back(lowerFlow(format, 0.8, 200));
+  for (Mutation& mutation : statedMutations(format))
+    all.push_back(std::move(mutation));
   return all;
 }
 

@@ -34,7 +34,7 @@ protected:
   void SetUp() override {
     const test::Scene& s = scene();
     whole_ = program::writeProgram(
-        GetParam(), {s.plan, s.trajectory, s.cell, s.process, "box", {.motionsPerFile = 40}});
+        GetParam(), {s.plan, s.trajectory, s.cell, s.process, "box", {.motionsPerFile = 25}});
     std::set<std::size_t> files;
     for (const plan::ProgramMotion& m : read(whole_.files).motions)
       files.insert(m.file);

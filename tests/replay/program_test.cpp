@@ -441,7 +441,8 @@ TEST(Replay, AProgramWithoutMotionsIsOneFindingThatCountsThePoints) {
 }
 
 TEST(Replay, MaterialOfSupportsAndSkirtsIsNotThePart) {
-  for (const plan::PathKind kind : {plan::PathKind::Support, plan::PathKind::Skirt}) {
+  for (const plan::PathKind kind :
+       {plan::PathKind::Support, plan::PathKind::Skirt, plan::PathKind::Prime}) {
     test::Scene s = test::boxScene(1);
     for (plan::ToolPath& path : s.plan.paths)
       path.kind = kind;

@@ -22,7 +22,7 @@ test::Scene primedScene() {
   plan::ToolPlan plan;
   test::addPath(plan, {{-10, -24, 10}, {10, -24, 10}}, s.process.beadWidthMm,
                 s.process.layerHeightMm, s.process.speedMmPerS, 0);
-  plan.paths[0].kind = plan::PathKind::Skirt;
+  plan.paths[0].kind = plan::PathKind::Prime;
   const std::size_t count = plan.waypointCount();
   const auto append = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());

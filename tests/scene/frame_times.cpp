@@ -2,7 +2,7 @@
 #include "base/stopwatch.h"
 #include "pipeline/choices.h"
 #include "project/job.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 #include "scene/offscreen_target.h"
 
 #include <algorithm>
@@ -128,7 +128,7 @@ int main() {
     return 0;
   const auto process = pipeline::chosenProcess(job.choices, pipeline::parameterValues(job.choices));
   const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.platform);
-  bench.scene.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
+  bench.scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
   view.cell = view.materialColour = true;
   view.world = scene::World::Base;
   bench.run("simulation", view, [&](scene::ViewState& v, double t) {

@@ -1,7 +1,7 @@
 #include "scene/offscreen_target.h"
 
 #include "helpers/shapes.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 
 #include <gtest/gtest.h>
 
@@ -103,7 +103,7 @@ TEST_F(Picking, BodyOfTheCell) {
   const auto process = process::loadProcess("fdm-1.0");
   const std::vector<Eigen::Vector2d> plate{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, plate);
-  scene_.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
+  scene_.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
   scene::ViewState view;
   view.cell = true;
   view.world = scene::World::Base;

@@ -4,7 +4,7 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "project/job.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 #include "scene/offscreen_target.h"
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 
 namespace fs = std::filesystem;
 
@@ -88,7 +90,7 @@ TEST(Render, ThePlateOfACellIsThereAndFramedWithThePlatform) {
   scene::Scene scene(scene::lightTheme());
   scene.setPlatform(scene::drawPlatform(plate, 0.0));
   EXPECT_EQ(picture(scene, {}).rgb.size(), 3u * 320 * 200);
-  scene.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
   scene::ViewState view;
   view.cell = true;
   view.world = scene::World::Base;
@@ -97,13 +99,51 @@ TEST(Render, ThePlateOfACellIsThereAndFramedWithThePlatform) {
   EXPECT_NE(with.rgb, picture(scene, view).rgb);
 }
 
+TEST(Render, CheckedSolidsLieOverTheArmWhereAskedFor) {
+  const std::vector<Eigen::Vector2d> plate{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  const robot::Cell cell = robot::loadCell("ur5-moving", process::loadProcess("fdm-1.0"), plate);
+  scene::Scene scene(scene::lightTheme());
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
+  scene::ViewState view;
+  view.cell = true;
+  view.world = scene::World::Base;
+  const scene::Image arm = picture(scene, view);
+  view.collisionSolids = true;
+  const scene::Image both = picture(scene, view);
+  int changed = 0;
+  for (int y = 0; y < arm.height; ++y)
+    for (int x = 0; x < arm.width; ++x)
+      changed += at(arm, x, y).r != at(both, x, y).r;
+  EXPECT_GT(changed, 1000);
+  view.collisionSolids = false;
+  EXPECT_EQ(arm.rgb, picture(scene, view).rgb);
+}
+
+TEST(Render, AViewThatDoesNotFrameTheCellStaysWithThePart) {
+  const std::vector<Eigen::Vector2d> plate{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  const robot::Cell cell = robot::loadCell("ur5-moving", process::loadProcess("fdm-1.0"), plate);
+  scene::Scene scene(scene::lightTheme());
+  scene.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
+  const auto distance = [&](const scene::ViewState& view) {
+    picture(scene, view);
+    return scene.renderer()->GetActiveCamera()->GetDistance();
+  };
+  scene::ViewState view;
+  const double part = distance(view);
+  view.cell = true;
+  EXPECT_GT(distance(view), 4.0 * part);
+  view.cellFramed = false;
+  EXPECT_NEAR(distance(view), part, 1e-6 * part);
+}
+
 TEST(Render, ARodIsSeenToTurnInItsCell) {
   platform::PlatformSolid platform;
   platform.rod = platform::straightRod(20.0, 200.0, 6);
   const robot::Cell cell = robot::loadCell("lathe", process::loadProcess("fdm-0.35"), platform);
   scene::Scene scene(scene::lightTheme());
   scene.setPlatform(scene::drawPlatform(platform, 0.0));
-  scene.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
   scene::ViewState view;
   view.cell = true;
   view.world = scene::World::Base;

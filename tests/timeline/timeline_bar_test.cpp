@@ -31,16 +31,16 @@ protected:
 };
 
 TEST_F(TimelineBarTest, ShowsMinutesAndSeconds) {
-  EXPECT_EQ(label(), "00:00 / 00:14");
+  EXPECT_EQ(label(), "00:00 / 14 s");
   bar_.setTimeS(7.5);
-  EXPECT_EQ(label(), "00:07 / 00:14");
+  EXPECT_EQ(label(), "00:07 / 14 s");
 }
 
 TEST_F(TimelineBarTest, LongProgramsShowHours) {
   const test::SampleProgram p = test::sampleProgram(1, 4, 2000.0);
   bar_.setClock(std::make_shared<Clock>(p.trajectory, p.toolPlan));
   bar_.setTimeS(3725.0);
-  EXPECT_EQ(label(), "1:02:05 / 2:13:20");
+  EXPECT_EQ(label(), "1:02:05 / 2 h 13 min");
 }
 
 TEST_F(TimelineBarTest, TellsOnlyChanges) {
@@ -167,7 +167,7 @@ TEST_F(TimelineBarTest, MovesOfALayerHaveTheirOwnPosition) {
   EXPECT_EQ(time.size(), 0);
   bar_.setMode(BarMode::Time);
   EXPECT_DOUBLE_EQ(bar_.timeS(), 5.0);
-  EXPECT_EQ(label(), "00:05 / 00:14");
+  EXPECT_EQ(label(), "00:05 / 14 s");
 }
 
 TEST_F(TimelineBarTest, WithoutAProgramNothingCanBePlayed) {

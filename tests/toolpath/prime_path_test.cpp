@@ -1,5 +1,6 @@
 // Where the nozzle is filled: beside the part where the plate has room, else in the air beside it.
 #include "helpers/shapes.h"
+#include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "process/process.h"
 #include "robot/cell.h"
@@ -92,12 +93,42 @@ TEST(PrimePath, isTheFirstOfThePlanAndWaste) {
   addPrimePath(plan, cell, process, options);
   EXPECT_TRUE(plan.primes());
   ASSERT_EQ(plan.paths.size(), 2u);
+  EXPECT_EQ(plan.paths[0].kind, plan::PathKind::Prime);
   EXPECT_EQ(plan.paths[0].count, 31u);
   EXPECT_EQ(plan.paths[1].first, 31u);
   EXPECT_EQ(plan.waypointCount(), 35u);
   for (std::size_t i = 0; i < 31; ++i)
     EXPECT_NEAR(plan.position[i].z(), process.layerHeightMm, 1e-12);
   EXPECT_EQ(plan.position[31], corners(40)[0]);
+}
+
+// What falls is told, where it falls; what lies on the plate is no news.
+TEST(PrimePath, tellsWhereItFalls) {
+  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+  const process::Process process = process::loadProcess("fdm-1.0");
+  plan::ToolPlan plan;
+  plan.position = corners(40);
+  plan.direction.assign(4, Vector3d::UnitZ());
+  plan.widthMm.assign(4, 1.2f);
+  plan.heightMm.assign(4, 0.8f);
+  plan.speedMmPerS.assign(4, 20.0f);
+  plan.paths.push_back({.first = 0, .count = 4});
+  ToolpathOptions options;
+  options.prime = "line";
+  for (const double sideMm : {200.0, 42.0}) {
+    plan::ToolPlan primed = plan;
+    const auto told = addPrimePath(primed, robot::loadCell("ur5-moving", process, square(sideMm)),
+                                   process, options);
+    EXPECT_EQ(primed.paths[0].kind, plan::PathKind::Prime);
+    EXPECT_EQ(told.has_value(), primed.primeFalls()) << sideMm;
+    EXPECT_EQ(told.has_value(), sideMm < 100.0);
+    if (told) {
+      EXPECT_EQ(told->kind, plan::FindingKind::PrimeFalls);
+      EXPECT_FALSE(told->blocking);
+      ASSERT_TRUE(told->where);
+      EXPECT_EQ(*told->where, primed.position[0]);
+    }
+  }
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "document/mode_switch.h"
 #include "language/words.h"
+#include "modes/mode_table.h"
+#include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "plan/finding_kinds.h"
 
@@ -9,6 +11,7 @@
 #include <QUndoCommand>
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace voluta::document {
 
@@ -43,6 +46,7 @@ struct Document::Source {
   std::shared_ptr<const project::LoadedPart> part;
   QString path;
   bool ready = true;
+  ShownStages results = {}; // while another part is on show
 };
 
 class Document::EditCommand : public QUndoCommand {
@@ -56,6 +60,7 @@ public:
       : QUndoCommand(name), document_(document), before_(std::move(before)),
         after_(std::move(after)) {}
 
+  bool opensPart() const { return before_.source != after_.source; }
   void undo() override { document_.apply(before_.choices, before_.source); }
   void redo() override { document_.apply(after_.choices, after_.source); }
 
@@ -101,6 +106,17 @@ bool Document::dirty() const {
   return unsaved_ || !undo_.isClean();
 }
 
+bool Document::hasUnsavedWork() const {
+  if (!dirty())
+    return false;
+  const bool plans = running_ && until_ > Stage::Load;
+  const auto last = lastResult();
+  if (plans || unsaved_ || !projectFile_.isEmpty() || (last && *last->job.reached > Stage::Load))
+    return true;
+  const int edits = undo_.index();
+  return edits > 0 && !static_cast<const EditCommand*>(undo_.command(edits - 1))->opensPart();
+}
+
 void Document::tellDirtyAndName() {
   if (const bool now = dirty(); now != wasDirty_) {
     wasDirty_ = now;
@@ -126,12 +142,16 @@ void Document::apply(const project::Choices& choices, const std::shared_ptr<Sour
   const bool newChoices = !sameChoices(choices, choices_), newSource = source != source_;
   const bool otherPart =
       newSource && !(source && source_ && source->part->hash == source_->part->hash);
+  // Taken first: the part may be the one that was left last.
+  ShownStages kept = source ? std::exchange(source->results, {}) : ShownStages{};
+  if (otherPart && source_)
+    keepResultsOf(source_);
   choices_ = choices;
   source_ = source;
   ++revision_;
   refreshKeys();
   if (otherPart)
-    dropResults();
+    showResults(std::move(kept));
   if (newSource)
     emit sourceChanged();
   if (newChoices)
@@ -196,10 +216,7 @@ void Document::setScale(const QString& scale) {
 void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path,
                         bool ready) {
   base::require(part != nullptr, "Document: a part to open");
-  project::Choices choices = choices_;
-  const project::Choices fresh;
-  choices.placement = fresh.placement;
-  choices.scale = fresh.scale;
+  const project::Choices choices = choicesOfNextPart(path);
   const QString editName = tr("Open %1").arg(QString::fromStdString(part->name));
   const auto opened = std::make_shared<Source>(Source{std::move(part), path, ready});
   if (!projectFile_.isEmpty()) {
@@ -212,6 +229,29 @@ void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const Q
   std::erase_if(sources_, [](const std::weak_ptr<Source>& s) { return s.expired(); });
   sources_.push_back(opened);
   push(choices, opened, editName);
+}
+
+project::Choices Document::choicesOfNextPart(const QString& path) const {
+  const project::Choices usual;
+  project::Choices same = choices_;
+  same.placement = usual.placement;
+  same.scale = usual.scale;
+  if (!source_ || (!path.isEmpty() && path == source_->path))
+    return same;
+  const project::Choices fresh = start_;
+  // A cell and a process that came along with the way of building go with it.
+  const modes::Mode* mode = choices_.automatic ? nullptr : modes::modeNamed(choices_.mode);
+  if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != fresh.cell)
+    return fresh;
+  project::Choices next = fresh;
+  next.cell = choices_.cell;
+  next.process = choices_.process;
+  next.formats = choices_.formats;
+  try {
+    return next.automatic ? pipeline::automaticChoices(next).front() : fitting(next);
+  } catch (const base::Error&) {
+    return fresh; // no way of building goes with that cell
+  }
 }
 
 void Document::replaceSource(const std::shared_ptr<const project::LoadedPart>& part,
@@ -302,16 +342,21 @@ void Document::refreshKeys() {
   }
 }
 
-void Document::dropResults() {
+void Document::showResults(ShownStages results) {
   failure_.reset();
   shownBefore_ = {};
   dropPreview();
-  for (std::size_t s = 0; s < kStageCount; ++s) {
-    if (!shown_[s].result)
-      continue;
-    shown_[s] = {};
-    emit resultChanged(stageAt(s));
-  }
+  std::swap(shown_, results);
+  for (std::size_t s = 0; s < kStageCount; ++s)
+    if (shown_[s].result != results[s].result)
+      emit resultChanged(stageAt(s));
+}
+
+void Document::keepResultsOf(const std::shared_ptr<Source>& left) {
+  if (const auto before = left_.lock())
+    before->results = {};
+  left->results = shown_;
+  left_ = left;
 }
 
 std::shared_ptr<const pipeline::PlanResult> Document::result(Stage stage) const {
@@ -451,7 +496,7 @@ void Document::planCancelled() {
   const std::size_t came = running_ ? indexOf(*running_) : 0; // stages that the run has brought
   const bool further = std::any_of(shownBefore_.begin() + static_cast<std::ptrdiff_t>(came),
                                    shownBefore_.end(), [](const Shown& s) { return s.result; });
-  const std::array<Shown, kStageCount> before = shownBefore_;
+  const ShownStages before = shownBefore_;
   endRun();
   dropPreview();
   // But for the first: the part lies where the numbers say.

@@ -44,8 +44,9 @@ struct Preview {
 Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
                   const pipeline::PlanResult& soFar);
 
-// Edits are commands on undoStack(), each with a name; undo brings back choices and part, results
-// are kept by what they were made from and never by an edit. Lives on the thread of the window.
+// Edits are commands on undoStack(), each with a name; undo brings back choices and part. Results
+// are kept by what they were made from: those of the part on show, and those of the part that was
+// left last, for undo and redo. Lives on the thread of the window.
 class Document : public QObject {
   Q_OBJECT
 
@@ -67,6 +68,9 @@ public:
   // where the print is taken up again), else "Untitled".
   QString name() const;
   bool dirty() const;
+  // Would another part or project take the place of work that no file has: a plan, or edits other
+  // than that this part was opened?
+  bool hasUnsavedWork() const;
   QUndoStack* undoStack() { return &undo_; }
   // Counts every change of choices or source, undo and redo included.
   std::uint64_t revision() const { return revision_; }
@@ -83,9 +87,12 @@ public:
   void resetParameters();
   void place(const geometry::Placement& placement, const QString& editName);
   void setScale(const QString& scale);
-  // Shows another part; `ready` false when a repaired version will follow. Keeps the choices but
-  // for the placement and the scale. Where the project has a file, that file stays as it is: the
-  // part begins a project of its own, without file and undo. Else it is an edit like any other.
+  // Shows another part; `ready` false when a repaired version will follow. It begins with the
+  // choices of a new project; the cell, the process and the formats stay, being the workshop's.
+  // Choices made before any part was open and those of the same file read again stay too, but for
+  // the placement and the scale. Where the project has a file, that file stays as it is: the part
+  // begins a project of its own, without file and undo. Else it is an edit like any other, and undo
+  // brings back the part before it with its results.
   void openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path, bool ready);
   // The repaired version of `part`, wherever edits refer to it; it is ready now. Not an edit.
   void replaceSource(const std::shared_ptr<const project::LoadedPart>& part,
@@ -177,6 +184,7 @@ private:
     std::shared_ptr<const pipeline::PlanResult> result;
     std::string key;
   };
+  using ShownStages = std::array<Shown, project::kStageCount>;
 
   void push(const project::Choices& choices, std::shared_ptr<Source> source,
             const QString& editName);
@@ -188,7 +196,11 @@ private:
   static std::string shownKey(const pipeline::PlanResult& result, std::size_t stage,
                               const project::StageKeys& keys);
   void refreshKeys();
-  void dropResults();
+  void dropResults() { showResults({}); }
+  void showResults(ShownStages results);
+  // Keeps what is on show of the part that is left, and of no other.
+  void keepResultsOf(const std::shared_ptr<Source>& left);
+  project::Choices choicesOfNextPart(const QString& path) const;
   // Of automatic choices: the way of building that a plan has come to. Nothing to be undone.
   void takeWay(const project::Choices& planned);
   void endRun();
@@ -198,6 +210,7 @@ private:
   project::Choices choices_;
   std::shared_ptr<Source> source_;
   std::vector<std::weak_ptr<Source>> sources_; // all that edits may refer to
+  std::weak_ptr<Source> left_;                 // the part before, with its results
   QString projectFile_;
   QUndoStack undo_;
   bool unsaved_ = false; // changed in a way that the undo stack does not know of
@@ -205,8 +218,8 @@ private:
   QString lastName_;
   std::uint64_t revision_ = 0;
 
-  project::StageKeys keys_; // of the choices; empty texts where they have none
-  std::array<Shown, project::kStageCount> shown_, shownBefore_; // now; before the run under way
+  project::StageKeys keys_;         // of the choices; empty texts where they have none
+  ShownStages shown_, shownBefore_; // now; before the run under way
   std::optional<base::Error> unusable_;
   std::optional<Preview> preview_;
   std::optional<Failure> failure_;

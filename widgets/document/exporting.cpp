@@ -12,21 +12,26 @@ Exporting::Exporting(QObject* parent) : QObject(parent) {}
 
 QStringList Exporting::inTheWay(const QString& folder, const pipeline::PlanResult& plan,
                                 const pipeline::Programs& programs) {
-  QStringList there;
+  QStringList ofPrograms, others;
+  for (const auto& checked : programs)
+    for (const plan::ProgramFile& file : checked->program.files)
+      ofPrograms << QString::fromStdString(pipeline::writtenName(*checked, file));
   for (const std::string& name : pipeline::handoverNames(plan, programs))
-    if (const QString file = QString::fromStdString(name);
-        QFileInfo::exists(QDir(folder).filePath(file)))
-      there << file;
+    if (const QString file = QString::fromStdString(name); !ofPrograms.contains(file))
+      others << file;
+  QStringList there = ofPrograms + others;
+  there.removeIf(
+      [&](const QString& file) { return !QFileInfo::exists(QDir(folder).filePath(file)); });
   return there;
 }
 
 void Exporting::write(const QString& folder, std::shared_ptr<const pipeline::PlanResult> plan,
-                      pipeline::Programs programs) {
+                      pipeline::Programs programs, pipeline::ProofStyle proofStyle) {
   runner_.run(
-      [folder = folder.toStdString(), plan = std::move(plan),
-       programs = std::move(programs)](const base::RunContext& ctx) {
+      [folder = folder.toStdString(), plan = std::move(plan), programs = std::move(programs),
+       proofStyle = std::move(proofStyle)](const base::RunContext& ctx) {
         base::StagedFolder staged(folder);
-        pipeline::writeHandover(*plan, programs, staged.path(), ctx);
+        pipeline::writeHandover(*plan, programs, staged.path(), ctx, proofStyle);
         staged.commit();
         return static_cast<int>(pipeline::handoverNames(*plan, programs).size());
       },
@@ -42,15 +47,13 @@ void Exporting::write(const QString& folder, std::shared_ptr<const pipeline::Pla
 void Exporting::finish(const QString& folder) {
   if (folder.isEmpty())
     return;
-  finisher_.run(
-      [folder = folder.toStdString()](const base::RunContext&) {
-        return base::finishStaged(folder);
-      },
-      [this](const base::Outcome<bool>& outcome) {
-        if (const auto* error = std::get_if<base::Error>(&outcome))
-          emit failed(language::words(error->whole()));
-      },
-      1);
+  finisher_.run([folder = folder.toStdString()](
+                    const base::RunContext&) { return base::finishStaged(folder); },
+                [this](const base::Outcome<bool>& outcome) {
+                  if (const auto* error = std::get_if<base::Error>(&outcome))
+                    emit failed(language::words(error->whole()));
+                },
+                1);
 }
 
 } // namespace voluta::document

@@ -113,7 +113,7 @@ void LivePreview::start() {
           });
         };
         return std::make_shared<const pipeline::PlanResult>(
-            pipeline::planPart(request, ctx, cache.get(), {}, preview));
+            pipeline::planPart(request, ctx, cache.get(), {.onPreview = preview}));
       },
       [this](const base::Outcome<Result>& outcome) {
         if (const auto* result = std::get_if<Result>(&outcome)) {

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
+#include "pipeline/automatic.h"
 #include "pipeline/choices.h"
-#include "process/process.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -90,19 +90,16 @@ Choices ModeSwitch::automatic(const Choices& now) {
 }
 
 base::ParameterTable parametersFor(const Choices& choices) {
-  std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices.mode).specs();
+  std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices).specs();
+  const base::ParameterTable offered = pipeline::offeredParameters();
+  std::erase_if(specs, [&](const base::ParameterSpec& spec) { return !offered.find(spec.key); });
   try {
-    const process::Process process = process::loadProcess(choices.process);
-    const auto put = [&](std::string_view key, double value) {
-      for (base::ParameterSpec& spec : specs)
-        if (spec.key == key)
-          spec.defaultValue = value;
-    };
-    put("layerHeightMm", process.layerHeightMm);
-    put("beadWidthMm", process.beadWidthMm);
-    put("stepMm", process.stepMm);
+    const std::map<std::string, std::string> ofWay = pipeline::parametersOfWay(choices);
+    for (base::ParameterSpec& spec : specs)
+      if (const auto found = ofWay.find(spec.key); found != ofWay.end())
+        spec.defaultValue = base::parseParameter(spec, found->second);
   } catch (const base::Error&) {
-    // The run that meets the process says what is wrong with it.
+    // Planning reports an unreadable process.
   }
   return base::ParameterTable(std::move(specs));
 }

@@ -34,7 +34,8 @@ private:
 // Reads descriptions of cells.
 project::Choices fitting(project::Choices choices);
 
-// The parameters with the defaults that the choices' mode and process have.
+// The parameters with the defaults that the choices' mode and process have, and, where the way of
+// building is left to the plan, with the values of the way that was taken last.
 base::ParameterTable parametersFor(const project::Choices& choices);
 
 // What keeps anything from being planned with these choices, a parameter apart: one sentence, or

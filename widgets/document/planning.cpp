@@ -3,6 +3,7 @@
 #include "document/document.h"
 #include "language/words.h"
 #include "pipeline/resume.h"
+#include "pipeline/search_texts.h"
 #include "pipeline/stage_cache.h"
 
 #include <QTimer>
@@ -27,7 +28,7 @@ Planning::Planning(Document& document, QObject* parent)
   });
   connect(&document_, &Document::edited, this, &Planning::noteEdit);
   connect(&document_, &Document::sourceChanged, this, &Planning::noteSource);
-  connect(&runner_, &jobs::JobRunner::progressed, this, &Planning::progressed);
+  connect(&runner_, &jobs::JobRunner::progressed, this, &Planning::noteProgress);
 }
 
 Planning::~Planning() = default;
@@ -68,6 +69,7 @@ void Planning::startRest() {
 void Planning::start() {
   waiting_.reset();
   startOver_->stop();
+  way_.reset();
   const bool rest = document_.isRest() && until_ == Stage::Replay;
   document_.planStarted(until_);
   if (rest) {
@@ -94,11 +96,27 @@ void Planning::start() {
             document_.showPreview(shown);
           });
         };
+        const auto tellWay = [&](const pipeline::WayInTurn& way) {
+          post([this, way] { way_ = way; });
+        };
         return std::make_shared<const pipeline::PlanResult>(
-            pipeline::planPart(request, ctx, cache.get(), tell, preview));
+            pipeline::planPart(request, ctx, cache.get(), {tell, preview, tellWay}));
       },
       [this](const base::Outcome<Result>& outcome) { end(outcome); });
   emit started(until_);
+}
+
+// How long it takes is known for the last way only: an earlier one may be the last that is planned,
+// or end at once.
+void Planning::noteProgress(const jobs::Progress& progress) {
+  progress_ = progress;
+  if (way_) {
+    progress_.stage =
+        base::message("{trying}: {stage}"_text, pipeline::tryingText(*way_), progress.stage);
+    if (!way_->isLast())
+      progress_.secondsLeft.reset();
+  }
+  emit progressed(progress_);
 }
 
 void Planning::end(const base::Outcome<Result>& outcome) {

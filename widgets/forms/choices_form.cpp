@@ -1,10 +1,12 @@
 #include "forms/choices_form.h"
 
+#include "base/data_files.h"
 #include "forms/icons.h"
 #include "forms/platform_editor.h"
 #include "forms/value_boxes.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -33,7 +35,7 @@ void choose(QComboBox* combo, const QString& id) {
   const QSignalBlocker quiet(combo);
   int at = combo->findData(id);
   if (at < 0 && !id.isEmpty()) {
-    combo->addItem(id, id);
+    combo->addItem(QString::fromStdString(base::dataName(id.toStdString())), id);
     at = combo->count() - 1;
   }
   combo->setCurrentIndex(at);
@@ -155,6 +157,12 @@ void ChoicesForm::retranslate() {
   platformLabel_->setText(tr("Platform"));
   cell_.label->setText(tr("Cell"));
   process_.label->setText(tr("Process"));
+  const auto own = [](const char* folder) {
+    return QDir::toNativeSeparators(
+        QString::fromStdString((base::userDataFolder() / folder).string()));
+  };
+  cell_.combo->setToolTip(tr("Your own cells are JSON files in %1").arg(own("cells")));
+  process_.combo->setToolTip(tr("Your own processes are JSON files in %1").arg(own("processes")));
   seedLabel_->setText(tr("Seed"));
   seed_->setToolTip(tr("Another seed may find other ways through the air; the same seed always "
                        "gives the same result."));

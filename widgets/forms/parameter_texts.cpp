@@ -1,5 +1,6 @@
 #include "forms/parameter_texts.h"
 
+#include "language/numbers.h"
 #include "language/words.h"
 
 #include <QCoreApplication>
@@ -16,7 +17,7 @@ QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& v
   const QLocale locale;
   const QString space = unit.isEmpty() || unit == QStringLiteral("°") ? QString() : QString(' ');
   if (const auto* number = std::get_if<double>(&value))
-    return locale.toString(*number, 'g', 6) + space + unit;
+    return language::numberText(*number, 6) + space + unit;
   if (const auto* whole = std::get_if<long long>(&value))
     return locale.toString(static_cast<qlonglong>(*whole)) + space + unit;
   if (const auto* yes = std::get_if<bool>(&value))

@@ -8,10 +8,38 @@ namespace voluta::jobs {
 namespace {
 constexpr double kHiddenS = 2.0;
 constexpr double kLeastFraction = 0.01;
-constexpr double kSmoothingS = 5.0;
+// A run that turns out to take longer is believed sooner than one that turns out shorter.
+constexpr double kSmoothingS = 5.0, kSmoothingLongerS = 1.0;
 // A stroke: more than this between two looks, and at a pace that would end any run in seconds.
 constexpr double kStroke = 0.02, kStrokePerS = 0.2;
+constexpr double kHalf = 0.5, kLastQuarter = 0.75; // of the run, where they begin
+constexpr double kWithin = 2.0;                    // factor
+constexpr double kLeastLeftS = 1.0;
+constexpr double kApart = 0.005; // of the run, between estimates that are kept
 } // namespace
+
+std::optional<double> TimeLeft::agreed(double elapsedS, double worked, double leftS, double left) {
+  if (estimates_.empty() || elapsedS - estimates_.back().atS > kApart * elapsedS)
+    estimates_.push_back({elapsedS, worked, elapsedS + leftS});
+  while (estimates_.front().atS < kHalf * elapsedS)
+    estimates_.pop_front();
+  double least = std::max(leftS, kLeastLeftS), most = least;
+  const auto take = [&](double seconds) {
+    least = std::min(least, std::max(seconds, kLeastLeftS));
+    most = std::max(most, seconds);
+  };
+  double recentS = leftS;
+  const auto recent = std::ranges::find_if(
+      estimates_, [&](const Estimate& e) { return e.atS >= kLastQuarter * elapsedS; });
+  if (recent != estimates_.end() && elapsedS > recent->atS)
+    recentS = left * (elapsedS - recent->atS) / std::max(worked - recent->worked, 1e-9);
+  take(recentS);
+  for (const Estimate& estimate : estimates_)
+    take(estimate.endS - elapsedS);
+  if (most > kWithin * least)
+    return std::nullopt;
+  return std::sqrt(leftS * recentS);
+}
 
 std::optional<double> TimeLeft::update(double elapsedS, double fraction) {
   const double passed = std::max(0.0, elapsedS - lastS_);
@@ -25,14 +53,20 @@ std::optional<double> TimeLeft::update(double elapsedS, double fraction) {
   const double worked = fraction - atOneStroke_;
   if (worked < kLeastFraction)
     return std::nullopt;
-  const double now = elapsedS * (1.0 - std::min(fraction, 1.0)) / worked;
+  const double left = 1.0 - std::min(fraction, 1.0);
+  const std::optional<double> now = agreed(elapsedS, worked, elapsedS * left / worked, left);
+  if (!now) {
+    estimateS_.reset();
+    return std::nullopt;
+  }
   if (estimateS_) {
     const double counted = std::max(0.0, *estimateS_ - passed);
-    estimateS_ = counted + (1.0 - std::exp(-passed / kSmoothingS)) * (now - counted);
+    const double smoothingS = *now > counted ? kSmoothingLongerS : kSmoothingS;
+    estimateS_ = counted + (1.0 - std::exp(-passed / smoothingS)) * (*now - counted);
   } else {
     estimateS_ = now;
   }
-  if (elapsedS < kHiddenS || elapsedS - movedS_ > std::max(*estimateS_, 1.0))
+  if (elapsedS < kHiddenS || elapsedS - movedS_ > std::max(*estimateS_, kLeastLeftS))
     return std::nullopt;
   return estimateS_;
 }

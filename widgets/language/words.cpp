@@ -1,5 +1,8 @@
 #include "language/words.h"
 
+#include "language/numbers.h"
+#include "language/window_language.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -24,7 +27,8 @@ public:
     return QLocale().toString(static_cast<qlonglong>(number)).toStdString();
   }
   std::string number(double number, char format, int digits) const override {
-    return QLocale().toString(number, format, digits).toStdString();
+    return (format == 'f' ? QLocale().toString(number, 'f', digits) : numberText(number, digits))
+        .toStdString();
   }
   std::string withUnit(const std::string& number, base::Unit unit) const override {
     switch (unit) {
@@ -62,6 +66,14 @@ QStringList words(const std::vector<base::Message>& messages) {
   for (const base::Message& message : messages)
     all << words(message);
   return all;
+}
+
+std::shared_ptr<const base::Language> windowLanguage() {
+  return std::make_shared<WindowLanguage>();
+}
+
+std::string windowLanguageCode() {
+  return QLocale().bcp47Name().toStdString();
 }
 
 QString heading(base::Text text) {

@@ -1,5 +1,6 @@
 #include "panels/compare_panel.h"
 
+#include "forms/discard.h"
 #include "forms/fold.h"
 #include "forms/platform_editor.h"
 #include "forms/value_boxes.h"
@@ -170,7 +171,7 @@ void ComparePanel::fill(std::vector<Tick>& ticks, QGridLayout* grid,
     made.push_back({item.id.toStdString(), box});
   }
   for (const Tick& tick : ticks)
-    delete tick.box;
+    forms::discard(tick.box);
   ticks = std::move(made);
 }
 

@@ -5,6 +5,7 @@
 #include "panels/resume_bar.h"
 #include "panels/text_preview.h"
 #include "panels/verdict_table.h"
+#include "panels/written_bar.h"
 
 #include "forms/icons.h"
 #include "forms/tab_order.h"
@@ -111,6 +112,10 @@ void ExportPanel::build() {
   export_->setDefault(true);
   connect(export_, &QPushButton::clicked, this, &ExportPanel::exportNow);
 
+  written_ = new WrittenBar(this);
+  connect(written_, &WrittenBar::openProofRequested, this, &ExportPanel::openProofRequested);
+  connect(written_, &WrittenBar::showFolderRequested, this, &ExportPanel::showFolderRequested);
+
   auto* fileRow = new QHBoxLayout;
   fileRow->addWidget(fileLabel_);
   fileRow->addWidget(file_, 1);
@@ -150,6 +155,7 @@ void ExportPanel::build() {
   lower->addWidget(folderLabel_);
   lower->addLayout(folderRow);
   lower->addLayout(exportRow);
+  lower->addWidget(written_);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->setSpacing(0);
@@ -199,6 +205,10 @@ void ExportPanel::showLine(std::size_t file, std::size_t line) {
 
 void ExportPanel::setResumePlace(const QString& place) {
   resume_->setPlace(place);
+}
+
+void ExportPanel::setWritten(const QString& text, bool hasProof) {
+  written_->setWritten(text, hasProof);
 }
 
 std::size_t ExportPanel::currentLine() const {

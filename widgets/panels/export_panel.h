@@ -21,6 +21,7 @@ class ProgramFacts;
 class ResumeBar;
 class TextPreview;
 class VerdictTable;
+class WrittenBar;
 
 class ExportPanel : public QWidget {
   Q_OBJECT
@@ -41,6 +42,8 @@ public:
   void showLine(std::size_t file, std::size_t line);
   // Where the print could be taken up at the line that is set off; empty: nowhere.
   void setResumePlace(const QString& place);
+  // What the last export wrote, a line; empty: nothing to show.
+  void setWritten(const QString& text, bool hasProof);
   // The line that is set off, 1-based; 0: none.
   std::size_t currentLine() const;
   int currentFile() const;
@@ -61,6 +64,8 @@ signals:
   void optionResetRequested(const QString& key);
   void folderChanged(const QString& folder);
   void resumeAsked();
+  void openProofRequested();
+  void showFolderRequested();
   // `file` an index, `line` 1-based.
   void lineClicked(int file, qulonglong line);
 
@@ -98,6 +103,7 @@ private:
   QPushButton* browse_ = nullptr;
   QLabel* reason_ = nullptr;
   QPushButton* export_ = nullptr;
+  WrittenBar* written_ = nullptr;
 };
 
 } // namespace voluta::panels

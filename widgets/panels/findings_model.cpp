@@ -1,11 +1,11 @@
 #include "panels/findings_model.h"
 
+#include "forms/duration.h"
 #include "language/words.h"
 #include "plan/finding_kinds.h"
 
 #include <QLocale>
 #include <algorithm>
-#include <cmath>
 
 namespace voluta::panels {
 
@@ -102,10 +102,8 @@ QString FindingsModel::detail(const plan::Finding& finding) {
                  .arg(locale.toString(at.x(), 'f', 1), locale.toString(at.y(), 'f', 1),
                       locale.toString(at.z(), 'f', 1));
   }
-  if (finding.whenS) {
-    const auto whole = static_cast<long long>(std::floor(*finding.whenS));
-    parts << QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
-  }
+  if (finding.whenS)
+    parts << forms::clockText(*finding.whenS, *finding.whenS);
   return parts.join(QStringLiteral(" · "));
 }
 

@@ -1,9 +1,11 @@
 #include "panels/findings_panel.h"
 
 #include "forms/colours.h"
+#include "forms/discard.h"
 #include "forms/icons.h"
 #include "language/words.h"
 #include "panels/findings_model.h"
+#include "plan/finding_kinds.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -21,12 +23,14 @@
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace voluta::panels {
 
 namespace {
-constexpr int kLeastRows = 4;
-constexpr std::size_t kBeyondLoad = 5; // stages that look for problems of printing
+constexpr int kLeastRows = 1, kAmpleRows = 4; // of the list, on a small screen and elsewhere
+constexpr int kLeastWords = 2;                // lines of what the chosen finding says
+constexpr std::size_t kBeyondLoad = 5;        // stages that look for problems of printing
 
 // Where the text behind them begins.
 int paintTags(QPainter& painter, const QRect& line, const QStringList& tags) {
@@ -103,7 +107,7 @@ QLabel* wrappedLabel(QWidget* parent) {
 }
 
 // As high as its content at its width, where there is room: a scroll area by itself takes words for
-// one line each, and buttons stayed out of sight under them.
+// one line each.
 class FittedArea : public QScrollArea {
 public:
   using QScrollArea::QScrollArea;
@@ -114,6 +118,10 @@ public:
       return narrow;
     const int inside = width() - 2 * frameWidth();
     return {narrow.width(), widget()->heightForWidth(inside) + 2 * frameWidth()};
+  }
+  QSize minimumSizeHint() const override {
+    return {QScrollArea::minimumSizeHint().width(),
+            std::min(sizeHint().height(), kLeastWords * fontMetrics().height() + 8)};
   }
 
 protected:
@@ -176,27 +184,31 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   where_ = wrappedLabel(details_);
   where_->setForegroundRole(QPalette::PlaceholderText);
   remedy_ = wrappedLabel(details_);
-  show_ = new QPushButton(details_);
-  show_->setObjectName(QStringLiteral("show"));
-  connect(show_, &QPushButton::clicked, this, &FindingsPanel::activateCurrent);
   auto* detailColumn = new QVBoxLayout(details_);
   detailColumn->setContentsMargins(6, 4, 6, 4);
   detailColumn->setSpacing(4);
   detailColumn->addWidget(reason_);
   detailColumn->addWidget(where_);
   detailColumn->addWidget(remedy_);
-  buttons_ = new QGridLayout;
-  buttons_->setSpacing(4);
-  detailColumn->addLayout(buttons_);
-  detailColumn->addWidget(show_, 0, Qt::AlignRight);
-  // Under a short list the words scroll, so that the list stays one to read.
+  whyNone_ = wrappedLabel(details_);
+  whyNone_->setObjectName(QStringLiteral("whyNoRemedy"));
+  whyNone_->setForegroundRole(QPalette::PlaceholderText);
+  detailColumn->addWidget(whyNone_);
+  // On a small screen the words scroll; what can be done about them does not.
   detailsArea_ = new FittedArea(this);
   detailsArea_->setWidgetResizable(true);
   detailsArea_->setFrameShape(QFrame::NoFrame);
   detailsArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   detailsArea_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   detailsArea_->setWidget(details_);
-  list_->setMinimumHeight(kLeastRows * (2 * fontMetrics().height() + 8) + 2 * list_->frameWidth());
+  actions_ = new QWidget(this);
+  actions_->setObjectName(QStringLiteral("actions"));
+  buttons_ = new QGridLayout(actions_);
+  buttons_->setContentsMargins(6, 0, 6, 4);
+  buttons_->setSpacing(4);
+  show_ = new QPushButton(actions_);
+  show_->setObjectName(QStringLiteral("show"));
+  connect(show_, &QPushButton::clicked, this, &FindingsPanel::activateCurrent);
 
   auto* heading = new QHBoxLayout;
   heading->setContentsMargins(6, 0, 0, 0);
@@ -209,7 +221,9 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(notChecked_);
   column->addWidget(pages_, 1);
   column->addWidget(detailsArea_);
+  column->addWidget(actions_);
   retranslate();
+  arrange();
 }
 
 void FindingsPanel::setFindings(const plan::Findings& findings, const plan::Findings& before) {
@@ -263,8 +277,11 @@ void FindingsPanel::activateCurrent() {
 void FindingsPanel::showCurrent() {
   const QModelIndex current = list_->currentIndex();
   detailsArea_->setVisible(current.isValid());
-  if (!current.isValid())
+  actions_->setVisible(current.isValid());
+  if (!current.isValid()) {
+    arrange();
     return;
+  }
   const plan::Finding& finding = model_->finding(current.row());
   reason_->setText(model_->reason(current.row()));
   where_->setText((QStringList{FindingsModel::detail(finding)} + model_->formats(current.row()))
@@ -274,6 +291,65 @@ void FindingsPanel::showCurrent() {
   remedy_->setVisible(!remedy.isEmpty());
   show_->setEnabled(finding.where || finding.whenS);
   showRemedies(finding);
+  showWhyNone(finding);
+  arrange();
+}
+
+// A finding that blocks without a button says why there is none.
+void FindingsPanel::showWhyNone(const plan::Finding& finding) {
+  const base::Text why = plan::rowOf(finding.kind).whyNoRemedy;
+  whyNone_->setVisible(finding.blocking && remedyButtons_.empty() && !why.empty());
+  whyNone_->setText(language::heading(why) + QLatin1Char('.'));
+}
+
+int FindingsPanel::heightOfRows(int rows) const {
+  return rows * (2 * fontMetrics().height() + 8) + 2 * list_->frameWidth();
+}
+
+QSize FindingsPanel::minimumSizeHint() const {
+  return {QWidget::minimumSizeHint().width(), heightBesideList() + heightOfRows(kLeastRows)};
+}
+
+// Asked for while widgets come and go, when the layout's own sum is of before.
+int FindingsPanel::heightBesideList() const {
+  const QMargins margins = layout()->contentsMargins();
+  std::vector<int> heights{layout()->itemAt(0)->minimumSize().height()};
+  if (!notChecked_->isHidden())
+    heights.push_back(notChecked_->heightForWidth(width() - margins.left() - margins.right()));
+  if (!detailsArea_->isHidden())
+    heights.insert(heights.end(), {detailsArea_->minimumSizeHint().height(),
+                                   buttons_->totalMinimumSize().height()});
+  int sum = margins.top() + margins.bottom();
+  for (const int height : heights)
+    sum += height + layout()->spacing();
+  return sum;
+}
+
+// Two buttons a line where both are read whole, and as many rows of the list as leave the words and
+// the buttons their room.
+void FindingsPanel::arrange() {
+  std::vector<QPushButton*> all = remedyButtons_;
+  all.push_back(show_);
+  int widest = 0;
+  for (QPushButton* button : all) {
+    buttons_->removeWidget(button);
+    widest = std::max(widest, button->sizeHint().width());
+  }
+  const QMargins margins = buttons_->contentsMargins();
+  const int wide =
+      width() - 2 * layout()->contentsMargins().left() - margins.left() - margins.right();
+  const int columns = 2 * widest + buttons_->spacing() <= wide ? 2 : 1;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    buttons_->addWidget(all[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+  const int row = heightOfRows(1) - heightOfRows(0);
+  const int room = height() - heightBesideList() - heightOfRows(0);
+  const int rows = std::clamp(room / row, kLeastRows, kAmpleRows);
+  list_->setMinimumHeight(heightOfRows(rows));
+}
+
+void FindingsPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
 }
 
 // Buttons that say the same stay: one of them may be held down by the mouse.
@@ -283,19 +359,14 @@ void FindingsPanel::showRemedies(const plan::Finding& finding) {
   if (wanted == shownRemedies_)
     return;
   shownRemedies_ = wanted;
-  for (QPushButton* button : remedyButtons_) {
-    button->setObjectName({});
-    button->hide();
-    button->deleteLater(); // it may be the one that was clicked
-  }
+  for (QPushButton* button : remedyButtons_)
+    forms::discard(button);
   remedyButtons_.clear();
   for (const RemedyButton& remedy : wanted) {
-    auto* button = new QPushButton(remedy.label, details_);
+    auto* button = new QPushButton(remedy.label, actions_);
     button->setObjectName(QStringLiteral("remedy_") + remedy.id);
     button->setToolTip(remedy.help);
     connect(button, &QPushButton::clicked, this, [this, id = remedy.id] { chooseRemedy(id); });
-    const int at = static_cast<int>(remedyButtons_.size());
-    buttons_->addWidget(button, at / 2, at % 2);
     button->show();
     remedyButtons_.push_back(button);
   }

@@ -45,6 +45,7 @@ public:
   void setBlockedOnly(bool only);
   // Says what can be done about a finding; none, as at first: nothing.
   void setRemedies(RemedySource remedies);
+  QSize minimumSizeHint() const override;
 
 signals:
   // A click, Enter or the button "Show": take the views there.
@@ -54,11 +55,16 @@ signals:
 protected:
   void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   void activateCurrent();
   void showCurrent();
   void showRemedies(const plan::Finding& finding);
+  void showWhyNone(const plan::Finding& finding);
+  void arrange();
+  int heightOfRows(int rows) const;
+  int heightBesideList() const; // at least
   void chooseRemedy(const QString& id);
   void showState();
   QString uncheckedText() const; // empty: all is checked
@@ -76,6 +82,8 @@ private:
   QLabel* reason_ = nullptr;
   QLabel* where_ = nullptr;
   QLabel* remedy_ = nullptr;
+  QLabel* whyNone_ = nullptr;
+  QWidget* actions_ = nullptr;
   QPushButton* show_ = nullptr;
   QGridLayout* buttons_ = nullptr;
   std::vector<QPushButton*> remedyButtons_;

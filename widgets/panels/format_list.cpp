@@ -1,6 +1,7 @@
 #include "panels/format_list.h"
 
 #include "forms/colours.h"
+#include "forms/discard.h"
 #include "forms/icons.h"
 
 #include <QEvent>
@@ -73,17 +74,11 @@ FormatList::FormatList(QWidget* parent) : QTreeWidget(parent) {
 
 void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
   const QSignalBlocker quiet(this);
-  const QString current = currentId();
-  const QStringList checked = checkedIds();
+  const bool sameRows =
+      std::ranges::equal(formats, formats_, {}, &ExportFormat::id, &ExportFormat::id);
   formats_ = formats;
-  clear();
-  for (const ExportFormat& format : formats_) {
-    auto* item = new QTreeWidgetItem(this);
-    item->setData(kLabel, kIdRole, format.id);
-    item->setCheckState(kLabel, checked.contains(format.id) ? Qt::Checked : Qt::Unchecked);
-    if (format.id == current)
-      setCurrentItem(item);
-  }
+  if (!sameRows)
+    makeRows();
   const bool stays = chosen_ && currentItem();
   if (!currentItem() && topLevelItemCount() > 0)
     setCurrentItem(topLevelItem(0));
@@ -97,6 +92,20 @@ void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
   offerCheckBoxes();
   retranslate();
   updateGeometry();
+}
+
+// What is current and ticked stays so.
+void FormatList::makeRows() {
+  const QString current = currentId();
+  const QStringList checked = checkedIds();
+  forms::discardRows(*this);
+  for (const ExportFormat& format : formats_) {
+    auto* item = new QTreeWidgetItem(this);
+    item->setData(kLabel, kIdRole, format.id);
+    item->setCheckState(kLabel, checked.contains(format.id) ? Qt::Checked : Qt::Unchecked);
+    if (format.id == current)
+      setCurrentItem(item);
+  }
 }
 
 // One that cannot be written can only be taken off.
@@ -163,12 +172,11 @@ void FormatList::retranslate() {
     const ExportFormat& format = formats_[static_cast<std::size_t>(i)];
     QTreeWidgetItem* item = topLevelItem(i);
     item->setText(kLabel, format.foreign ? tr("%1, foreign").arg(format.label) : format.label);
-    if (format.foreign) {
-      item->setIcon(kForeign, forms::icon(forms::Icon::Foreign));
-      const QString why = tr("For another maker's controller: where the nozzle goes, not how this "
-                             "robot moves");
-      item->setToolTip(kForeign, why);
-    }
+    item->setIcon(kForeign, format.foreign ? forms::icon(forms::Icon::Foreign) : QIcon());
+    item->setToolTip(kForeign, format.foreign
+                                   ? tr("For another maker's controller: where the nozzle goes, "
+                                        "not how this robot moves")
+                                   : QString());
     const bool offered = format.whyNot.isEmpty();
     item->setIcon(kVerdict, offered ? forms::icon(iconOf(format.state)) : QIcon());
     const QString verdict = offered ? verdictOf(format) : format.whyNot;

@@ -59,6 +59,7 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  void makeRows();
   void offerCheckBoxes();
   static QString verdictOf(const ExportFormat& format);
   void retranslate();

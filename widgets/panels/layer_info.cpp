@@ -1,19 +1,13 @@
 #include "panels/layer_info.h"
 
+#include "forms/duration.h"
+
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
-#include <cmath>
 
 namespace voluta::panels {
-
-namespace {
-QString timeText(double seconds) {
-  const auto whole = static_cast<long long>(std::lround(seconds));
-  return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
-}
-} // namespace
 
 LayerInfo::LayerInfo(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
@@ -51,7 +45,7 @@ void LayerInfo::retranslate() {
                             .arg(number(m.thicknessMinMm, 2), number(m.thicknessMeanMm, 2),
                                  number(m.thicknessMaxMm, 2))},
       {tr("Length"), QStringLiteral("%1 m").arg(number(m.lengthMm / 1000.0, 2))},
-      {tr("Time"), m.timeS > 0.0 ? timeText(m.timeS) : QStringLiteral("–")},
+      {tr("Time"), m.timeS > 0.0 ? forms::durationText(m.timeS) : QStringLiteral("–")},
       {tr("Waypoints"), whole(m.waypoints)},
   }};
   for (std::size_t row = 0; row < kRows; ++row) {

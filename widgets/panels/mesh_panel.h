@@ -17,7 +17,7 @@ namespace voluta::panels {
 struct MeshSummary {
   std::string name; // file name without folder
   std::size_t triangles = 0;
-  double volumeMm3 = 0.0;
+  double volumeMm3 = 0.0; // of the part as it is placed
   bool watertight = false;
   std::vector<base::Message> found, repaired, remains; // a sentence each
 };

@@ -106,7 +106,7 @@ void ObjectTree::showEntry(SceneItem which) {
   e.item->setToolTip(kDetail, e.detail);
   e.item->setForeground(kDetail, forms::mutedColour(palette()));
   e.item->setIcon(kEye, forms::icon(e.shown ? forms::Icon::EyeOpen : forms::Icon::EyeClosed));
-  e.item->setToolTip(kEye, e.shown ? tr("Hide (Space)") : tr("Show (Space)"));
+  e.item->setToolTip(kEye, e.shown ? tr("Hide") : tr("Show"));
   const bool seen = e.shown && (!isOfCell(which) || isShown(SceneItem::Cell));
   e.item->setForeground(kName,
                         seen ? palette().color(QPalette::Text) : forms::mutedColour(palette()));

@@ -1,6 +1,7 @@
 #include "panels/options_form.h"
 
 #include "base/error.h"
+#include "forms/discard.h"
 #include "forms/parameter_row.h"
 
 #include <QEvent>
@@ -23,10 +24,8 @@ bool OptionsForm::shows(const std::vector<base::ParameterSpec>& options) const {
 void OptionsForm::setOptions(const std::vector<base::ParameterSpec>& options) {
   if (shows(options))
     return;
-  for (forms::ParameterRow* row : rows_) {
-    row->hide(); // it may be in the middle of a signal
-    row->deleteLater();
-  }
+  for (forms::ParameterRow* row : rows_)
+    forms::discard(row);
   rows_.clear();
   for (const base::ParameterSpec& option : options) {
     auto* row = new forms::ParameterRow(option, this);

@@ -1,6 +1,7 @@
 #include "panels/pieces_panel.h"
 
 #include "forms/colours.h"
+#include "forms/discard.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -132,7 +133,7 @@ void PiecesPanel::setPieces(std::vector<PieceRow> pieces, double riskyBeforeMm2)
 
 void PiecesPanel::fill() {
   filling_ = true;
-  tree_->clear();
+  forms::discardRows(*tree_);
   items_.clear();
   selected_ = -1;
   const QLocale locale;

@@ -68,12 +68,15 @@ void ProgramFacts::retranslate() {
   const double share = f.plannedS > 0.0 ? f.controllerS / f.plannedS - 1.0 : 0.0;
   const QString takes = forms::durationText(f.controllerS), plan = forms::durationText(f.plannedS);
   if (std::abs(share) < kSameShare) {
-    time_->setText(tr("Takes %1, as planned").arg(takes));
+    time_->setText(tr("Time on the controller: %1, as planned").arg(takes));
     return;
   }
   const QString percent = QLocale().toString(100.0 * std::abs(share), 'f', 1);
-  time_->setText(share > 0.0 ? tr("Takes %1, planned are %2: %3 % more").arg(takes, plan, percent)
-                             : tr("Takes %1, planned are %2: %3 % less").arg(takes, plan, percent));
+  time_->setText(share > 0.0
+                     ? tr("Time on the controller: %1, %3 % more than the planned time of %2")
+                           .arg(takes, plan, percent)
+                     : tr("Time on the controller: %1, %3 % less than the planned time of %2")
+                           .arg(takes, plan, percent));
 }
 
 void ProgramFacts::changeEvent(QEvent* event) {

@@ -3,6 +3,7 @@
 #include "forms/colours.h"
 #include "forms/duration.h"
 #include "forms/icons.h"
+#include "language/numbers.h"
 
 #include <QEvent>
 #include <QHeaderView>
@@ -17,7 +18,7 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
     return locale.toString(100.0 * share, 'f', 2) + QStringLiteral(" %");
   };
   const auto shortPercent = [&](double share) {
-    return locale.toString(100.0 * share, 'g', 4) + QStringLiteral(" %");
+    return language::numberText(100.0 * share, 4) + QStringLiteral(" %");
   };
   const auto atLeast = [](const QString& limit) { return QStringLiteral("≥ ") + limit; };
   const auto atMost = [](const QString& limit) { return QStringLiteral("≤ ") + limit; };
@@ -43,11 +44,14 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
       {VerdictTable::tr("Limits broken"), whole(r.limitViolations),
        atMost(whole(limits.limitViolations)), r.limitViolations <= limits.limitViolations},
       {VerdictTable::tr("Off the plan"), mm(r.maxDeviationMm),
-       atMost(locale.toString(limits.deviationMm, 'g', 4) + QStringLiteral(" mm")),
+       atMost(language::numberText(limits.deviationMm, 4) + QStringLiteral(" mm")),
        r.maxDeviationMm <= limits.deviationMm},
       {VerdictTable::tr("Wrong flow"), percent(r.flowErrorFraction),
        atMost(shortPercent(limits.flowError)), r.flowErrorFraction <= limits.flowError},
-      {VerdictTable::tr("Time on the controller"), forms::durationText(r.controllerDurationS), {}, true},
+      {VerdictTable::tr("Time on the controller"),
+       forms::durationText(r.controllerDurationS),
+       {},
+       true},
   };
 }
 

@@ -5,7 +5,7 @@
 #include "curved/peeling_field.h"
 #include "modes/planar_modes.h"
 #include "pipeline/choices.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -88,7 +88,7 @@ public:
     const auto& trajectory = *need(job_.trajectory, "robot motion"_text);
     const auto& plan = *need(job_.toolPlan, "tool-paths"_text);
     const robot::Cell cell = robot::loadCell(job_.choices.cell, process(), job_.platform);
-    scene_.setCell(scene::drawCell(cell, robot::linkMeshesOf(cell.robot().id)));
+    scene_.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
     const auto drawing = scene::drawPaths(plan, &trajectory);
     setLastLayer(scene::layerCount(*drawing));
     scene_.setPaths(drawing);
@@ -98,6 +98,8 @@ public:
     setTime(trajectory);
     scene_.setPlatform(scene::drawPlatform(job_.platform, 0.0));
   }
+
+  void inMaterialColour() { view_.materialColour = true; }
 
   scene::Image picture(scene::StandardView view) {
     scene_.setView(view_);
@@ -207,6 +209,25 @@ scene::Image jobPicture(const project::Job& job, const PictureOptions& options) 
   Renderer renderer(options, job);
   (renderer.*show)();
   return renderer.picture(view);
+}
+
+std::vector<std::string> proofPictures(const project::Job& job) {
+  if (!job.part || !job.toolPlan)
+    return {};
+  PictureOptions options;
+  options.width = 1000;
+  options.height = 560;
+  options.legend = false;
+  try {
+    Renderer part(options, job), printed(options, job);
+    part.showPart();
+    printed.showPaths();
+    printed.inMaterialColour();
+    return {scene::pngBytes(part.picture(scene::StandardView::Isometric)),
+            scene::pngBytes(printed.picture(scene::StandardView::Isometric))};
+  } catch (const base::Error&) {
+    return {}; // a proof is of use without pictures
+  }
 }
 
 std::string furthestPicture(const project::Job& job) {

@@ -163,9 +163,13 @@ void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
   renderer->ResetCameraClippingRange();
 }
 
+double lookingDistance(vtkRenderer* renderer, double radiusMm) {
+  return radiusMm / std::sin(halfViewAngle(renderer->GetActiveCamera()));
+}
+
 void lookAt(vtkRenderer* renderer, const Vector3d& target, double radiusMm) {
   vtkCamera* camera = renderer->GetActiveCamera();
-  const double distance = radiusMm / std::sin(halfViewAngle(camera));
+  const double distance = lookingDistance(renderer, radiusMm);
   place(camera, target, target + distance * towardsEye(renderer).normalized(), radiusMm);
   renderer->ResetCameraClippingRange();
 }

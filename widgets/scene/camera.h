@@ -22,6 +22,9 @@ void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
 // radiusMm > 0.
 void lookAt(vtkRenderer* renderer, const Eigen::Vector3d& target, double radiusMm);
 
+// How far from the target lookAt() puts the eye.
+double lookingDistance(vtkRenderer* renderer, double radiusMm);
+
 // From what is looked at to the eye; not a unit vector.
 Eigen::Vector3d towardsEye(vtkRenderer* renderer);
 // How much of the world the picture shows from bottom to top at the distance of that point, mm.

@@ -1,17 +1,35 @@
 #include "scene/cell_actors.h"
 
+#include <vtkMapper.h>
+#include <vtkProperty.h>
+
 namespace voluta::scene {
 
+namespace {
+constexpr double kSolidsOpacity = 0.28;
+constexpr double kFromBelow = 0.25;
+} // namespace
+
 void CellActors::setDrawing(const CellDrawing* drawing) {
-  for (const auto& body : bodies_)
-    renderer_->RemoveActor(body);
-  bodies_.clear();
+  for (const auto* actors : {&pieces_, &solids_})
+    for (const auto& actor : *actors)
+      renderer_->RemoveActor(actor);
+  pieces_.clear();
+  solids_.clear();
   drawing_ = drawing;
-  if (drawing)
-    for (const auto& data : drawing->bodies) {
-      bodies_.push_back(addSolid(renderer_));
-      setData(bodies_.back(), data);
-    }
+  if (!drawing)
+    return;
+  for (const CellPiece& piece : drawing->pieces) {
+    pieces_.push_back(addSolid(renderer_));
+    setData(pieces_.back(), piece.surface);
+    pieces_.back()->GetMapper()->SetScalarVisibility(piece.coloured);
+  }
+  for (const auto& solid : drawing->solids) {
+    solids_.push_back(addSolid(renderer_));
+    setData(solids_.back(), solid);
+    solids_.back()->GetProperty()->SetOpacity(kSolidsOpacity);
+    solids_.back()->GetProperty()->BackfaceCullingOn();
+  }
   colour();
 }
 
@@ -21,8 +39,10 @@ void CellActors::setTheme(const Theme& theme) {
 }
 
 void CellActors::colour() {
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    setColour(bodies_[i], colourOf(drawing_->cell.bodies()[i]));
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    setColour(pieces_[i], colourOf(drawing_->cell.bodies()[drawing_->pieces[i].body]));
+  for (const auto& solid : solids_)
+    setColour(solid, theme_.front);
 }
 
 const Colour& CellActors::colourOf(const robot::Body& body) const {
@@ -42,23 +62,41 @@ const Colour& CellActors::colourOf(const robot::Body& body) const {
 }
 
 void CellActors::pose(const std::vector<Eigen::Isometry3d>& world_T_frame) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    setPose(bodies_[i], world_T_frame[static_cast<std::size_t>(drawing_->cell.bodies()[i].frame)]);
+  const auto poseOf = [&](int frame) { return world_T_frame[static_cast<std::size_t>(frame)]; };
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    setPose(pieces_[i], poseOf(drawing_->pieces[i].frame));
+  for (std::size_t i = 0; i < solids_.size(); ++i)
+    setPose(solids_[i], poseOf(drawing_->cell.bodies()[i].frame));
+}
+
+bool CellActors::shows(const ViewState& view, std::size_t body, bool byPlatform) const {
+  const robot::BodyRole role = drawing_->cell.bodies()[body].role;
+  return view.cell && view.roles[static_cast<std::size_t>(role)] &&
+         !(role == robot::BodyRole::Platform && byPlatform);
 }
 
 void CellActors::show(const ViewState& view, bool byPlatform) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const robot::BodyRole role = drawing_->cell.bodies()[i].role;
-    bodies_[i]->SetVisibility(view.cell && view.roles[static_cast<std::size_t>(role)] &&
-                              !(role == robot::BodyRole::Platform && byPlatform));
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    pieces_[i]->SetVisibility(shows(view, drawing_->pieces[i].body, byPlatform));
+  // Obstacles are seen as they are checked.
+  for (std::size_t i = 0; i < solids_.size(); ++i)
+    solids_[i]->SetVisibility(view.collisionSolids && shows(view, i, byPlatform) &&
+                              drawing_->cell.bodies()[i].role != robot::BodyRole::Obstacle);
+}
+
+void CellActors::setSeenThrough(bool on) {
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const robot::BodyRole role = drawing_->cell.bodies()[drawing_->pieces[i].body].role;
+    const bool beneath = role == robot::BodyRole::Platform || role == robot::BodyRole::Obstacle;
+    pieces_[i]->GetProperty()->SetOpacity(on && beneath ? kFromBelow : 1.0);
   }
 }
 
 Eigen::AlignedBox3d CellActors::box() const {
   Eigen::AlignedBox3d box;
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (drawing_->cell.bodies()[i].role != robot::BodyRole::Obstacle) {
-      const double* b = bodies_[i]->GetBounds();
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    if (drawing_->cell.bodies()[drawing_->pieces[i].body].role != robot::BodyRole::Obstacle) {
+      const double* b = pieces_[i]->GetBounds();
       box.extend(Eigen::Vector3d(b[0], b[2], b[4]));
       box.extend(Eigen::Vector3d(b[1], b[3], b[5]));
     }

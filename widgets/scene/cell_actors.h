@@ -22,18 +22,22 @@ public:
   void pose(const std::vector<Eigen::Isometry3d>& world_T_frame);
   // `byPlatform`: the cell's platform is drawn otherwise.
   void show(const ViewState& view, bool byPlatform);
+  // What a part stands on, and obstacles: seen through from below.
+  void setSeenThrough(bool on);
 
   // In the world; of all but obstacles.
   Eigen::AlignedBox3d box() const;
 
 private:
   const Colour& colourOf(const robot::Body& body) const;
+  bool shows(const ViewState& view, std::size_t body, bool byPlatform) const;
   void colour();
 
   vtkRenderer* renderer_;
   Theme theme_;
   const CellDrawing* drawing_ = nullptr;
-  std::vector<vtkSmartPointer<vtkActor>> bodies_;
+  std::vector<vtkSmartPointer<vtkActor>> pieces_;
+  std::vector<vtkSmartPointer<vtkActor>> solids_; // one a body
 };
 
 } // namespace voluta::scene

@@ -1,5 +1,8 @@
 #include "scene/colour_values.h"
 
+#include "base/shown_number.h"
+#include "plan/tool_plan.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +14,8 @@ namespace {
 
 constexpr int kStops = 5;
 constexpr double kLoneValue = 0.6; // place on the map of a value that is the same everywhere
-constexpr std::array<base::Text, 5> kKindNames{"Wall"_text, "Infill"_text, "Gap fill"_text,
-                                               "Skirt"_text, "Support"_text};
+constexpr std::array<base::Text, plan::kPathKinds> kKindNames{
+    "Wall"_text, "Infill"_text, "Gap fill"_text, "Skirt"_text, "Support"_text, "Prime"_text};
 
 const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by) {
   switch (by) {
@@ -79,8 +82,10 @@ Span spanOf(const ColourValues& values, ColourBy by) {
 
 // As exact as a scale of that width needs; without idle zeros where it has one value only.
 std::string scaleNumber(double value, double width) {
-  if (width <= 0.0)
-    return fmt::format("{:.3g}", value);
+  if (width <= 0.0) {
+    const base::ShownNumber shown = base::shownNumber(value, 3);
+    return fmt::format("{:.{}f}", shown.value, shown.decimals);
+  }
   return fmt::format("{:.{}f}", value, width > 20 ? 0 : width > 2 ? 1 : 2);
 }
 

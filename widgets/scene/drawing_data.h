@@ -118,9 +118,18 @@ struct PathsDrawing {
 // A line along the tops of the beads of a path; empty for a path that is not there.
 vtkSmartPointer<vtkPolyData> pathLine(const PathsDrawing& paths, std::size_t path);
 
+// What is seen of a body of a cell, or a part of it.
+struct CellPiece {
+  std::size_t body = 0;                 // index in Cell::bodies()
+  int frame = 0;                        // the frame that it moves with
+  vtkSmartPointer<vtkPolyData> surface; // coloured: a colour a point, else the theme's
+  bool coloured = false;
+};
+
 struct CellDrawing {
   robot::Cell cell;
-  std::vector<vtkSmartPointer<vtkPolyData>> bodies;
+  std::vector<CellPiece> pieces;                    // of links first
+  std::vector<vtkSmartPointer<vtkPolyData>> solids; // that are checked, one a body
 };
 
 } // namespace voluta::scene

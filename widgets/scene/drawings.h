@@ -20,7 +20,7 @@
 #include <vector>
 
 namespace voluta::robot {
-struct LinkMesh;
+struct ArmLook;
 }
 
 namespace voluta::scene {
@@ -115,10 +115,9 @@ std::shared_ptr<const ReachDrawing> drawReach(const std::vector<ReachPoint>& poi
                                               double spacingMm,
                                               const std::vector<Eigen::Vector2d>& plate);
 
-// Robot, holders, head, platform and obstacles as the solids that are checked; links as those of
-// the meshes, where there is one of their frame.
-std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell,
-                                            const std::vector<robot::LinkMesh>& links);
+// The arm as it looks, head, holder, platform and obstacles, and the solids that are checked for
+// collisions (ViewState::collisionSolids).
+std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell, const robot::ArmLook& look);
 // The same of a cell with the same arm, whose links are taken from what was drawn before.
 std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell, const CellDrawing& before);
 

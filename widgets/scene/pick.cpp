@@ -248,24 +248,48 @@ std::optional<RayHit> pickPath(const PathsDrawing& paths, const Ray& ray,
   return best;
 }
 
-std::optional<RayHit> pickCell(const CellDrawing& cell,
+namespace {
+
+// Does it pass the ball about a surface?
+bool mayMeet(const Ray& ray, vtkPolyData* surface) {
+  const double* b = surface->GetBounds();
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(b[0], b[2], b[4]),
+                                Eigen::Vector3d(b[1], b[3], b[5]));
+  const Eigen::Vector3d aside = (box.center() - ray.origin).cross(ray.direction);
+  return aside.norm() <= 0.5 * box.diagonal().norm();
+}
+
+std::optional<RayHit> pickPiece(const CellPiece& piece,
+                                const std::vector<Eigen::Isometry3d>& work_T_frame,
+                                const Ray& ray) {
+  const Eigen::Isometry3d frame_T_work =
+      work_T_frame[static_cast<std::size_t>(piece.frame)].inverse();
+  const Ray local{frame_T_work * ray.origin, frame_T_work.linear() * ray.direction};
+  if (!mayMeet(local, piece.surface))
+    return std::nullopt;
+  std::optional<RayHit> best;
+  const Triangles triangles(piece.surface);
+  for (std::size_t i = 0; i < triangles.count(); ++i)
+    if (const auto t =
+            meet(local, triangles.corner(i, 0), triangles.corner(i, 1), triangles.corner(i, 2))) {
+      Hit hit;
+      hit.what = Hit::What::Cell;
+      hit.point = ray.at(*t);
+      hit.body = piece.body;
+      keepNearer(best, *t, hit);
+    }
+  return best;
+}
+
+} // namespace
+
+std::optional<RayHit> pickBody(const CellDrawing& cell, std::size_t body,
                                const std::vector<Eigen::Isometry3d>& work_T_frame, const Ray& ray) {
   std::optional<RayHit> best;
-  for (std::size_t body = 0; body < cell.bodies.size(); ++body) {
-    const int frame = cell.cell.bodies()[body].frame;
-    const Eigen::Isometry3d frame_T_work = work_T_frame[static_cast<std::size_t>(frame)].inverse();
-    const Ray local{frame_T_work * ray.origin, frame_T_work.linear() * ray.direction};
-    const Triangles triangles(cell.bodies[body]);
-    for (std::size_t i = 0; i < triangles.count(); ++i)
-      if (const auto t =
-              meet(local, triangles.corner(i, 0), triangles.corner(i, 1), triangles.corner(i, 2))) {
-        Hit hit;
-        hit.what = Hit::What::Cell;
-        hit.point = ray.at(*t);
-        hit.body = body;
-        keepNearer(best, *t, hit);
-      }
-  }
+  for (const CellPiece& piece : cell.pieces)
+    if (piece.body == body)
+      if (const auto hit = pickPiece(piece, work_T_frame, ray))
+        keepNearer(best, hit->t, hit->hit);
   return best;
 }
 

@@ -37,8 +37,8 @@ std::optional<RayHit> pickLayer(const LayersDrawing& layers, const Ray& ray,
 // The segments of the stretches (two triangles each).
 std::optional<RayHit> pickPath(const PathsDrawing& paths, const Ray& ray,
                                const std::vector<Stretch>& stretches, const IsShown& shown);
-// Poses of all frames of the cell in the work frame.
-std::optional<RayHit> pickCell(const CellDrawing& cell,
+// Poses of all frames of the cell in the work frame. `body`: index in Cell::bodies().
+std::optional<RayHit> pickBody(const CellDrawing& cell, std::size_t body,
                                const std::vector<Eigen::Isometry3d>& work_T_frame, const Ray& ray);
 
 } // namespace voluta::scene

@@ -40,6 +40,7 @@ constexpr double kMarkerShare = 0.022;  // of the picture's height
 constexpr int kRingCorners = 48;
 constexpr double kChosenPathPixels = 3.0;
 constexpr double kFrontOpacity = 0.28;
+constexpr double kSolidOpacity = 0.5; // what is fainter is seen through
 
 // What the colours of a range actor were made for.
 struct ColourState {
@@ -228,7 +229,7 @@ struct Scene::Impl {
   void showPart() {
     const bool on = shows(view.part, part.get()) && view.partOpacity > 0.0;
     partSurface->SetVisibility(on);
-    partEdges->SetVisibility(on && view.partOpacity >= 0.5);
+    partEdges->SetVisibility(on && !isSeeThrough());
     setColour(partSurface, view.partBeyond ? theme.partBeyond : theme.part);
     partSurface->GetProperty()->SetOpacity(view.partOpacity);
     // Translucent walls are sorted by showing only those that face the eye.
@@ -253,7 +254,7 @@ struct Scene::Impl {
   }
 
   bool seenFromAbove() const {
-    return (world_T_work.linear().transpose() * towardsEye(renderer)).z() > 0.0;
+    return (world_T_work.linear().transpose() * scene::towardsEye(renderer)).z() > 0.0;
   }
 
   std::vector<Stretch> layerStretches() const {
@@ -384,16 +385,98 @@ struct Scene::Impl {
       const Eigen::Vector3d place = world_T_work * *view.marker;
       const Eigen::Affine3d facing =
           Eigen::Translation3d(place) *
-          geometry::leastTurn(Eigen::Vector3d::UnitZ(), towardsEye(renderer)) *
+          geometry::leastTurn(Eigen::Vector3d::UnitZ(), scene::towardsEye(renderer)) *
           Eigen::Scaling(kMarkerShare * pictureHeightMm(renderer, place));
       for (vtkActor* actor : {marker.actor.Get(), markerRim.actor.Get()})
         setPose(actor, facing);
     }
-    platformActors->lookFrom(world_T_work.inverse() *
-                             Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition()));
+    const Eigen::Vector3d eye =
+        world_T_work.inverse() * Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition());
+    platformActors->lookFrom(eye);
+    cellActors->setSeenThrough(view.world == World::Work && eye.z() < 0.0);
     renderer->ResetCameraClippingRange();
     pieceLabels->update(view, world_T_work);
     overlay->update();
+  }
+
+  bool isSeeThrough() const { return view.partOpacity < kSolidOpacity; }
+
+  // The part, voxels, pieces, layers and paths that are drawn. `solid`: not what is see-through.
+  std::optional<RayHit> nearestPrinted(const Ray& ray, bool solid) const {
+    const IsShown shown = [&](const Eigen::Vector3d& p) {
+      return !view.sectionOn || (p - view.sectionOrigin).dot(view.sectionNormal) <= 0.0;
+    };
+    std::optional<RayHit> best;
+    const auto consider = [&](const std::optional<RayHit>& hit) {
+      if (hit && (!best || hit->t < best->t))
+        best = hit;
+    };
+    if (shows(view.part, part.get()) && view.partOpacity > 0.0 && !(solid && isSeeThrough()))
+      consider(pickPart(*part, ray, shown));
+    if (replaysGrowth()) {
+      std::optional<RayHit> hit = pickVoxel(*growth, ray, 0, *view.growthStep - 1, shown);
+      if (hit)
+        hit->hit.layer = -1;
+      consider(hit);
+    } else if (const VoxelDrawing* drawing = shownVoxels();
+               drawing && !(solid && view.seeThrough)) {
+      consider(pickVoxel(*drawing, ray, view.firstLayer, view.lastLayer, shown));
+    }
+    if (shows(view.pieces, pieces.get()))
+      consider(pickPiece(*pieces, ray, pieceOffsets(*pieces, view.explodeMm), shown));
+    if (shows(view.layers, layers.get()))
+      consider(pickLayer(*layers, ray, layerStretches(), shown));
+    if (shows(view.paths, paths.get()))
+      consider(pickPath(*paths, ray, visibleBeads(*paths, view), shown));
+    return best;
+  }
+
+  std::vector<Eigen::Isometry3d> framesInWork() const {
+    std::vector<Eigen::Isometry3d> work_T_frame = world_T_frame;
+    for (Eigen::Isometry3d& pose : work_T_frame)
+      pose = world_T_work.inverse() * pose;
+    return work_T_frame;
+  }
+
+  bool isBodyShown(std::size_t body) const {
+    return view.roles[static_cast<std::size_t>(cell->cell.bodies()[body].role)];
+  }
+
+  std::optional<RayHit> nearest(const Ray& ray) const {
+    std::optional<RayHit> best = nearestPrinted(ray, false);
+    const auto consider = [&](const std::optional<RayHit>& hit) {
+      if (hit && (!best || hit->t < best->t))
+        best = hit;
+    };
+    if (shows(view.platform, platform.get()))
+      consider(pickPlatform(*platform, ray));
+    if (!shows(view.cell, cell.get()))
+      return best;
+    const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
+    for (std::size_t body = 0; body < cell->cell.bodies().size(); ++body)
+      if (isBodyShown(body))
+        consider(pickBody(*cell, body, work_T_frame, ray));
+    return best;
+  }
+
+  Between between(const Ray& ray, double lengthMm, bool printed) const {
+    const auto isOnTheWay = [&](const std::optional<RayHit>& hit) {
+      return hit && hit->t < lengthMm;
+    };
+    Between between;
+    between.printed = printed && isOnTheWay(nearestPrinted(ray, true));
+    between.platform =
+        shows(view.platform, platform.get()) && isOnTheWay(pickPlatform(*platform, ray));
+    if (!shows(view.cell, cell.get()))
+      return between;
+    const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
+    const auto& bodies = cell->cell.bodies();
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+      const auto role = static_cast<std::size_t>(bodies[body].role);
+      if (view.roles[role] && !between.roles[role])
+        between.roles[role] = isOnTheWay(pickBody(*cell, body, work_T_frame, ray));
+    }
+    return between;
   }
 
   // What the camera should see: in the world.
@@ -421,7 +504,7 @@ struct Scene::Impl {
       extend(platform->box);
     if (platformActors->showsRod() && !view.cell)
       extend(platformActors->rodBeside(box));
-    if (shows(view.cell, cell.get()))
+    if (shows(view.cell && view.cellFramed, cell.get()))
       box.extend(cellActors->box());
     return box;
   }
@@ -548,6 +631,24 @@ void Scene::lookAt(const Eigen::Vector3d& pointInWork, double radiusMm) {
   scene::lookAt(impl_->renderer, impl_->world_T_work * pointInWork, radiusMm);
 }
 
+Eigen::Vector3d Scene::towardsEye() const {
+  return scene::towardsEye(impl_->renderer).normalized();
+}
+
+Eigen::Vector3d Scene::directionInWork(const Eigen::Vector3d& inWorld) const {
+  return impl_->world_T_work.linear().transpose() * inWorld;
+}
+
+Between Scene::between(const Eigen::Vector3d& placeInWork, const Eigen::Vector3d& towardsEye,
+                       double radiusMm, bool printed) const {
+  constexpr double kTouchingMm = 2.0; // beside a bead that is laid there
+  constexpr double kAroundEye = 1.15; // nothing right behind the eye either
+  const Eigen::Vector3d direction = directionInWork(towardsEye).normalized();
+  const double distance = lookingDistance(impl_->renderer, radiusMm);
+  return impl_->between({placeInWork + kTouchingMm * direction, direction},
+                        kAroundEye * distance - kTouchingMm, printed);
+}
+
 void Scene::cameraMoved() {
   impl_->renderer->ResetCameraClippingRange();
 }
@@ -559,39 +660,7 @@ std::optional<Hit> Scene::pick(int x, int y) const {
   const Eigen::Vector3d to = work_T_world * pointAt(s.renderer, x, y, 1.0);
   if (!from.allFinite() || !to.allFinite() || (to - from).norm() == 0.0)
     return std::nullopt;
-  const Ray ray{from, (to - from).normalized()};
-  const IsShown shown = [&](const Eigen::Vector3d& p) {
-    return !s.view.sectionOn || (p - s.view.sectionOrigin).dot(s.view.sectionNormal) <= 0.0;
-  };
-  std::optional<RayHit> best;
-  const auto consider = [&](const std::optional<RayHit>& hit) {
-    if (hit && (!best || hit->t < best->t))
-      best = hit;
-  };
-  if (s.shows(s.view.part, s.part.get()) && s.view.partOpacity > 0.0)
-    consider(pickPart(*s.part, ray, shown));
-  if (s.shows(s.view.platform, s.platform.get()))
-    consider(pickPlatform(*s.platform, ray));
-  if (s.replaysGrowth()) {
-    std::optional<RayHit> hit = pickVoxel(*s.growth, ray, 0, *s.view.growthStep - 1, shown);
-    if (hit)
-      hit->hit.layer = -1;
-    consider(hit);
-  } else if (const VoxelDrawing* drawing = s.shownVoxels()) {
-    consider(pickVoxel(*drawing, ray, s.view.firstLayer, s.view.lastLayer, shown));
-  }
-  if (s.shows(s.view.pieces, s.pieces.get()))
-    consider(pickPiece(*s.pieces, ray, pieceOffsets(*s.pieces, s.view.explodeMm), shown));
-  if (s.shows(s.view.layers, s.layers.get()))
-    consider(pickLayer(*s.layers, ray, s.layerStretches(), shown));
-  if (s.shows(s.view.paths, s.paths.get()))
-    consider(pickPath(*s.paths, ray, visibleBeads(*s.paths, s.view), shown));
-  if (s.shows(s.view.cell, s.cell.get())) {
-    std::vector<Eigen::Isometry3d> work_T_frame = s.world_T_frame;
-    for (Eigen::Isometry3d& pose : work_T_frame)
-      pose = work_T_world * pose;
-    consider(pickCell(*s.cell, work_T_frame, ray));
-  }
+  const auto best = s.nearest({from, (to - from).normalized()});
   return best ? std::optional(best->hit) : std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include "scene/camera.h"
 #include "scene/colouring.h"
 #include "scene/drawings.h"
+#include "scene/sight.h"
 #include "scene/theme.h"
 #include "scene/view_state.h"
 
@@ -77,6 +78,14 @@ public:
   void frameAll();
   void standardView(StandardView view);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
+  // From what is looked at to the eye: world, unit.
+  Eigen::Vector3d towardsEye() const;
+  Eigen::Vector3d directionInWork(const Eigen::Vector3d& inWorld) const;
+  // What is drawn between a place and an eye in that direction of the world, as far away as
+  // lookAt(placeInWork, radiusMm) puts it; what touches the place is not between. `printed`: is
+  // material looked at too, which takes longer?
+  Between between(const Eigen::Vector3d& placeInWork, const Eigen::Vector3d& towardsEye,
+                  double radiusMm, bool printed) const;
   // Call after the camera was moved from outside (an interactor).
   void cameraMoved();
 

@@ -2,6 +2,7 @@
 
 #include "scene/mesh_buffers.h"
 
+#include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPolyDataNormals.h>
 
@@ -24,6 +25,7 @@ vtkSmartPointer<vtkPolyData> shadedSurface(vtkPolyData* plain, double featureAng
   normals->ConsistencyOff();
   normals->Update();
   vtkSmartPointer<vtkPolyData> surface = normals->GetOutput();
+  surface->GetPolys()->ConvertTo32BitStorage(); // as all meshes of this module
   surface->ComputeBounds();
   return surface;
 }

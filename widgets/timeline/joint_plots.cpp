@@ -1,6 +1,7 @@
 #include "timeline/joint_plots.h"
 
 #include "forms/colours.h"
+#include "forms/discard.h"
 #include "jobs/job_runner.h"
 #include "timeline/chart_canvas.h"
 #include "timeline/joint_curves.h"
@@ -187,7 +188,7 @@ void JointPlots::makeJointButtons() {
   const std::size_t count = static_cast<std::size_t>(curves_->dof());
   if (jointButtons_.size() != count) {
     for (QToolButton* button : jointButtons_)
-      delete button;
+      forms::discard(button);
     jointButtons_.clear();
     shown_.assign(count, true);
     for (std::size_t i = 0; i < count; ++i) {

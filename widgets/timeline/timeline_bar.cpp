@@ -1,5 +1,6 @@
 #include "timeline/timeline_bar.h"
 
+#include "forms/duration.h"
 #include "timeline/player.h"
 #include "timeline/scrub_slider.h"
 #include "timeline/timeline_icons.h"
@@ -25,15 +26,6 @@ constexpr double kMovesPerSecond = 20.0;
 // A part grows in some ten seconds.
 constexpr double kStepsPerSecond = 12.0;
 constexpr int kManySteps = 10;
-
-// mm:ss, with hours in front where the whole takes as long.
-QString timeText(double timeS, double endS) {
-  const int total = static_cast<int>(std::floor(timeS + 1e-9));
-  const QString minutes = QStringLiteral("%1:%2")
-                              .arg(total / 60 % 60, 2, 10, QLatin1Char('0'))
-                              .arg(total % 60, 2, 10, QLatin1Char('0'));
-  return endS < 3600.0 ? minutes : QStringLiteral("%1:%2").arg(total / 3600).arg(minutes);
-}
 
 QToolButton* makeButton(QWidget* parent, BarIcon which) {
   auto* button = new QToolButton(parent);
@@ -72,7 +64,7 @@ void TimelineBar::buildWidgets() {
   slider_ = new ScrubSlider(this);
   slider_->setObjectName("scrubSlider");
   slider_->setTextOf([this](double position) {
-    return mode_ == BarMode::Time    ? timeText(position, player_->end())
+    return mode_ == BarMode::Time    ? forms::clockText(position, player_->end())
            : mode_ == BarMode::Moves ? tr("move %1").arg(std::llround(position))
                                      : tr("growth step %1").arg(std::llround(position));
   });
@@ -117,6 +109,7 @@ void TimelineBar::retranslate() {
   name(nextMove_, steps ? tr("Next growth step") : tr("Next move"), keys(Qt::Key_Right));
   name(nextLayer_, steps ? tr("Ten steps on") : tr("Next layer"), keys(Qt::CTRL | Qt::Key_Right));
   name(speed_, tr("Speed of playing"), {});
+  label_->setToolTip(mode_ == BarMode::Time ? tr("Moment of the print / planned time") : QString());
   slider_->setAccessibleName(mode_ == BarMode::Time ? tr("Time")
                              : steps                ? tr("Steps of growth")
                                                     : tr("Moves of the layer"));
@@ -284,7 +277,7 @@ void TimelineBar::showPosition() {
   const QLocale locale = this->locale();
   const auto text = [&](double at) {
     return mode_ == BarMode::Time
-               ? QStringLiteral("%1 / %2").arg(timeText(at, end), timeText(end, end))
+               ? QStringLiteral("%1 / %2").arg(forms::clockText(at, end), forms::durationText(end))
                : QStringLiteral("%1 / %2").arg(locale.toString(static_cast<int>(at)),
                                                locale.toString(static_cast<int>(endOfMode())));
   };

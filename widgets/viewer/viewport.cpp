@@ -152,6 +152,7 @@ void Viewport::beforeFrame() {
 }
 
 void Viewport::moved() {
+  usersCamera_ = true;
   scene_.cameraMoved();
   settle_.start();
   applyDetail();
@@ -172,6 +173,7 @@ void Viewport::frameAll() {
   scene_.setCovered(std::move(covered));
   scene_.frameAll();
   moved();
+  usersCamera_ = false;
 }
 
 void Viewport::viewFrom(const Eigen::Vector3d& towardsEye) {
@@ -182,6 +184,13 @@ void Viewport::viewFrom(const Eigen::Vector3d& towardsEye) {
 void Viewport::lookAt(const Eigen::Vector3d& pointInWork, double radiusMm) {
   scene_.lookAt(pointInWork, radiusMm);
   moved();
+}
+
+scene::Sight Viewport::lookAtClearly(const Eigen::Vector3d& pointInWork, double radiusMm) {
+  const scene::Sight sight = scene::clearSight(scene_, pointInWork, radiusMm);
+  camera_.viewFrom(sight.towardsEye);
+  lookAt(pointInWork, radiusMm);
+  return sight;
 }
 
 std::optional<scene::Hit> Viewport::hitAt(const QPointF& place) const {

@@ -38,6 +38,10 @@ public:
   void frameAll();
   void viewFrom(const Eigen::Vector3d& towardsEye);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
+  // As lookAt(), from where the place is seen best; says what hides it there all the same.
+  scene::Sight lookAtClearly(const Eigen::Vector3d& pointInWork, double radiusMm);
+  // Has the user put the camera where it is, since frameAll()?
+  bool isCameraTheUsers() const { return usersCamera_; }
   // Something other than the camera is being dragged: less detail, faster frames.
   void setDragging(bool on);
   // A widget laid over the viewport, at its upper left corner.
@@ -90,6 +94,7 @@ private:
   QPointF pressedAt_, last_;
   Qt::MouseButton button_ = Qt::NoButton;
   bool turning_ = false, moving_ = false, dragged_ = false, heldByOthers_ = false;
+  bool usersCamera_ = false;
 };
 
 } // namespace voluta::viewer

@@ -1,5 +1,7 @@
 #include "window/body_tree.h"
 
+#include "forms/discard.h"
+
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -29,7 +31,7 @@ BodyTree::BodyTree(QWidget* parent) : QTreeWidget(parent) {
 void BodyTree::setDraft(const robot::CellDraft& draft) {
   const std::optional<DraftBody> before = chosen();
   const QSignalBlocker quiet(this);
-  clear();
+  forms::discardRows(*this);
   bodies_ = draft.bodies();
   auto* base = new QTreeWidgetItem(this, {tr("Robot's base")});
   auto* flange = new QTreeWidgetItem(base, {tr("Flange of %1").arg(named(draft.robot()))});

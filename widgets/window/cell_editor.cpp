@@ -8,7 +8,7 @@
 #include "language/words.h"
 #include "panels/frame_form.h"
 #include "program/extruder.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 #include "scene/drawing_data.h"
 #include "viewer/viewport.h"
 #include "window/background.h"
@@ -203,12 +203,8 @@ QWidget* CellEditor::buildBodies() {
   }
   solids_ = new QCheckBox(tr("Collision solids"), bodies);
   solids_->setObjectName("cellSolids");
-  solids_->setToolTip(tr("The arm as the solids that are checked for collisions, where it has "
-                         "meshes of its own"));
-  connect(solids_, &QCheckBox::toggled, this, [this] {
-    drawing_.reset();
-    look();
-  });
+  solids_->setToolTip(tr("Shows the solids that are checked for collisions over the arm"));
+  connect(solids_, &QCheckBox::toggled, this, &CellEditor::showBody);
   row->addStretch(1);
   row->addWidget(solids_);
   row->addWidget(rest_);
@@ -312,6 +308,7 @@ void CellEditor::showBody() {
   scene::ViewState view;
   view.part = view.platform = false;
   view.cell = true;
+  view.collisionSolids = solids_->isChecked();
   view.world = scene::World::Base;
   const bool shown = body && checked_.cell;
   if (shown) {
@@ -329,13 +326,12 @@ void CellEditor::look() {
   inBackground(
       runner_,
       [text = draft_.text(), id = draft_.id(), process = process_, partKg = partKg_,
-       solids = solids_->isChecked(), before = drawing_](const base::RunContext& ctx) {
+       before = drawing_](const base::RunContext& ctx) {
         Looked looked{pipeline::checkedCell(text, id, process, partKg, ctx), nullptr};
         if (const auto& cell = looked.checked.cell; cell && before && sameArm(*before, *cell))
           looked.drawing = scene::drawCell(*cell, *before);
         else if (cell)
-          looked.drawing = scene::drawCell(*cell, solids ? std::vector<robot::LinkMesh>()
-                                                         : robot::linkMeshesOf(cell->robot().id));
+          looked.drawing = scene::drawCell(*cell, robot::lookOf(cell->robot()));
         return looked;
       },
       [this](Looked&& looked) { take(std::move(looked)); });

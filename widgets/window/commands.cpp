@@ -20,18 +20,9 @@ constexpr int kBarIcon = 20;
 QString translated(const char* text) {
   return text ? QCoreApplication::translate("Commands", text) : QString();
 }
-
-bool belongsToLists(const QList<QKeySequence>& keys) {
-  if (keys.isEmpty() || keys.first().isEmpty())
-    return false;
-  const int key = keys.first()[0].toCombined();
-  return key == Qt::Key_Space || key == Qt::Key_Home || key == Qt::Key_PageUp ||
-         key == Qt::Key_PageDown;
-}
 } // namespace
 
-CommandTable::CommandTable(QMainWindow& window, QWidget& keyed)
-    : QObject(&window), window_(window), keyed_(keyed) {}
+CommandTable::CommandTable(QMainWindow& window) : QObject(&window), window_(window) {}
 
 CommandTable::~CommandTable() = default;
 
@@ -56,12 +47,7 @@ void CommandTable::makeAction(Row& row) {
   action->setShortcuts(chosen == standard ? command.keys : QList<QKeySequence>{chosen});
   action->setProperty("defaultShortcut", standard);
   action->setCheckable(static_cast<bool>(command.checked));
-  if (belongsToLists(command.keys)) {
-    action->setShortcutContext(Qt::WidgetShortcut);
-    keyed_.addAction(action);
-  } else {
-    window_.addAction(action); // so that its key works while the menu is closed
-  }
+  window_.addAction(action); // so that its key works while the menu is closed
   connect(action, &QAction::triggered, this, [this, does = command.does] {
     does();
     refresh();

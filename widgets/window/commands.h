@@ -55,8 +55,8 @@ class CommandTable : public QObject {
   Q_OBJECT
 
 public:
-  // Keys that lists, buttons and sliders have a use for are `keyed`'s alone. Both outlive this.
-  CommandTable(QMainWindow& window, QWidget& keyed);
+  // The window outlives this.
+  explicit CommandTable(QMainWindow& window);
   ~CommandTable() override;
 
   // Rows before build(); ids differ.
@@ -94,7 +94,6 @@ private:
   void addToBar(QToolBar& bar, BarGroup first, BarGroup last);
 
   QMainWindow& window_;
-  QWidget& keyed_;
   QToolBar* bar_ = nullptr;
   std::vector<Row> rows_;
   std::vector<PlacedAction> placed_;

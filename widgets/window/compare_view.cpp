@@ -54,14 +54,8 @@ QString valueText(const pipeline::Figure& figure, const pipeline::CompareRow& ro
   const QLocale locale;
   if (!value)
     return QStringLiteral("–");
-  if (figure.unit == "s") {
-    const auto whole = static_cast<int>(*value + 0.5);
-    const auto two = [](int n) { return QStringLiteral("%1").arg(n, 2, 10, QChar('0')); };
-    return whole < 3600 ? QStringLiteral("%1:%2").arg(whole / 60).arg(two(whole % 60))
-                        : QStringLiteral("%1:%2:%3")
-                              .arg(whole / 3600)
-                              .arg(two(whole / 60 % 60), two(whole % 60));
-  }
+  if (figure.unit == "s")
+    return forms::durationText(*value);
   if (figure.unit == "%")
     return locale.toString(100.0 * *value, 'f', *value < 1.0 ? 2 : 0);
   return locale.toString(*value, 'f', figure.unit.empty() || *value == 0.0 ? 0 : 1);

@@ -10,13 +10,14 @@
 #include "window/findings_presenter.h"
 #include "window/flow_bar.h"
 #include "window/icons.h"
+#include "window/log_dialog.h"
+#include "window/shared_keys.h"
 #include "window/shell_commands.h"
 #include "window/shortcuts_dialog.h"
 #include "window/status_line.h"
 #include "window/welcome.h"
 
 #include <QApplication>
-#include <QDesktopServices>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -86,7 +87,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
       unrolled_(new UnrolledDock(document_, *presenter_, area_->layers(), this)),
       summary_(new QLabel(this)), findingsPresenter_(std::make_unique<FindingsPresenter>(
                                       document_, planning_, live_, *findings_, area_->timeline())),
-      commands_(new CommandTable(*this, area_->viewport())) {
+      commands_(new CommandTable(*this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
   pages_ = std::make_unique<PageStack>(
@@ -97,6 +98,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   setStatusBar(status_);
   buildDocks();
   buildCommands();
+  new SharedKeys(*this, viewport());
   listen();
   forms::tabInReadingOrder({pages_->flow(), tree_, findings_, pages_->centres(), pages_->sides()});
   retranslate();
@@ -219,7 +221,7 @@ std::vector<Command> MainWindow::ownCommands() {
        QT_TRANSLATE_NOOP("Commands", "Show &log"),
        QT_TRANSLATE_NOOP("Commands", "What was opened, planned and found, and what failed"),
        {},
-       [this] { showLog(); },
+       [this] { (new LogDialog(document::logFile(), this))->open(); },
        [] { return QFileInfo::exists(document::logFile()); }},
       {"about",
        "helpMenu",
@@ -323,12 +325,6 @@ void MainWindow::editShortcuts() {
     commands_->retranslate();
 }
 
-void MainWindow::showLog() {
-  const QString file = document::logFile();
-  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(file)))
-    tell(tr("Show the log"), tr("No program here opens %1.").arg(file));
-}
-
 void MainWindow::tell(const QString& title, const QString& message) {
   auto* box = new QMessageBox(QMessageBox::Warning, title, message, QMessageBox::Ok, this);
   box->setObjectName("messageBox");
@@ -406,7 +402,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls())
     if (url.isLocalFile()) {
       event->acceptProposedAction();
-      open(url.toLocalFile());
+      // Queued: the program that the file comes from waits for the end of the drop, and must not
+      // wait for an answer about unsaved work.
+      QMetaObject::invokeMethod(
+          this, [this, file = url.toLocalFile()] { open(file); }, Qt::QueuedConnection);
       return;
     }
 }

@@ -70,7 +70,6 @@ private:
   void plan(project::Stage until);
   void switchAppearance();
   void editShortcuts();
-  void showLog();
   void tell(const QString& title, const QString& message);
   void retranslate();
   void fitToolBar();

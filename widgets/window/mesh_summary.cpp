@@ -2,11 +2,11 @@
 
 namespace voluta::window {
 
-panels::MeshSummary meshSummary(const project::LoadedPart& part) {
+panels::MeshSummary meshSummary(const project::LoadedPart& part, double volumeMm3) {
   panels::MeshSummary summary;
   summary.name = part.name;
   summary.triangles = part.mesh->triangles.size();
-  summary.volumeMm3 = part.found.volumeMm3;
+  summary.volumeMm3 = volumeMm3;
   // Mended without a remainder is as good as sound.
   summary.watertight = part.repair ? part.remains.empty() : part.found.watertight;
   summary.found = part.found.sentences();

@@ -6,6 +6,7 @@
 
 namespace voluta::window {
 
-panels::MeshSummary meshSummary(const project::LoadedPart& part);
+// `volumeMm3`: of the part as it is placed and scaled.
+panels::MeshSummary meshSummary(const project::LoadedPart& part, double volumeMm3);
 
 } // namespace voluta::window

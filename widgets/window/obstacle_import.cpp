@@ -2,13 +2,13 @@
 
 #include "base/error.h"
 #include "base/outcome.h"
+#include "language/numbers.h"
 #include "language/words.h"
 #include "setup/obstacle_file.h"
 #include "window/background.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMessageBox>
 #include <QSettings>
 #include <QWidget>
@@ -59,7 +59,7 @@ void ObstacleImport::read(const QString& path, double mmPerUnit) {
 bool ObstacleImport::drawnInMetres(const QString& name, double longestMm) {
   return QMessageBox::question(parent_, parent_->windowTitle(),
                                tr("%1 is %2 mm long. Was it drawn in metres?")
-                                   .arg(name, QLocale().toString(longestMm, 'g', 3))) ==
+                                   .arg(name, language::numberText(longestMm, 3))) ==
          QMessageBox::Yes;
 }
 

@@ -2,9 +2,10 @@
 
 #include "geometry/measures.h"
 #include "geometry/placement.h"
+#include "pipeline/cell_reach.h"
 #include "pipeline/choices.h"
 #include "pipeline/stages.h"
-#include "robot/link_meshes.h"
+#include "robot/arm_look.h"
 #include "window/background.h"
 
 namespace voluta::window {
@@ -13,26 +14,45 @@ using project::Stage;
 
 namespace {
 constexpr double kGroundRadiusMm = 150.0;
+
+Eigen::Vector3d sizeOf(const platform::PlatformSolid& platform) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector2d& corner : platform.polygon)
+    box.extend(Eigen::Vector3d(corner.x(), corner.y(), 0.0));
+  if (platform.mesh)
+    box.extend(geometry::bounds(*platform.mesh));
+  return box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval();
 }
+
+std::pair<std::shared_ptr<const scene::PlatformDrawing>, Eigen::Vector3d>
+drawingOf(const platform::PlatformSolid& platform) {
+  return {scene::drawPlatform(platform, kGroundRadiusMm), sizeOf(platform)};
+}
+} // namespace
 
 PartPresenter::PartPresenter(document::Document& document, viewer::Viewport& viewport)
     : document_(document), viewport_(viewport), drawingPart_(std::make_unique<jobs::JobRunner>()),
       drawingPlatform_(std::make_unique<jobs::JobRunner>()),
-      drawingCell_(std::make_unique<jobs::JobRunner>()) {
+      drawingCell_(std::make_unique<jobs::JobRunner>()),
+      drawingChosenCell_(std::make_unique<jobs::JobRunner>()) {
   using document::Document;
   connect(&document, &Document::sourceChanged, this, &PartPresenter::drawSource);
   connect(&document, &Document::resultChanged, this, &PartPresenter::show);
   connect(&document, &Document::choicesChanged, this, &PartPresenter::drawPlannedPlatform);
+  connect(&document, &Document::choicesChanged, this, &PartPresenter::drawChosenCell);
+  connect(&document, &Document::sourceChanged, this, &PartPresenter::drawChosenCell);
   connect(&document, &Document::previewChanged, this, [this] {
     if (const auto& preview = document_.preview())
       drawPlatform(preview->decomposition->platform);
   });
+  drawChosenCell();
 }
 
 PartPresenter::~PartPresenter() = default;
 
 bool PartPresenter::busy() const {
-  return drawingPart_->running() || drawingPlatform_->running() || drawingCell_->running();
+  return drawingPart_->running() || drawingPlatform_->running() || drawingCell_->running() ||
+         drawingChosenCell_->running();
 }
 
 void PartPresenter::show(Stage stage) {
@@ -40,9 +60,11 @@ void PartPresenter::show(Stage stage) {
   if (!result) {
     drawnPart_.reset();
     drawnCell_.reset();
+    swapCell(CellOf::Plan, nullptr);
   } else if (stage == Stage::Load) {
     drawPart(result->job.part);
     drawPlannedPlatform();
+    drawChosenCell();
   } else if (stage == Stage::Decompose) {
     drawnPlatform_ = {pipeline::plannedPlatformKey(result->job.choices), result->job.part};
     drawPlatform(result->job.platform);
@@ -54,11 +76,7 @@ void PartPresenter::show(Stage stage) {
 void PartPresenter::drawSource() {
   const std::shared_ptr<const project::LoadedPart> source = document_.source();
   if (!source) {
-    viewport_.scene().setPart(nullptr);
-    box_.setEmpty();
-    drawnPart_.reset();
-    viewport_.requestFrame();
-    emit drawn(true);
+    clear();
     return;
   }
   if (document_.result(Stage::Load) && document_.upToDate(Stage::Load))
@@ -76,6 +94,22 @@ void PartPresenter::drawSource() {
         drawnPart_.reset();
         swapPart(made.first, made.second);
       });
+}
+
+// What is still being drawn must not come into an empty project.
+void PartPresenter::clear() {
+  for (const auto* runner : {&drawingPart_, &drawingPlatform_, &drawingCell_})
+    (*runner)->cancel();
+  viewport_.scene().setPart(nullptr);
+  viewport_.scene().setPlatform(nullptr);
+  box_.setEmpty();
+  shownSource_.reset();
+  drawnPart_.reset();
+  drawnPlatform_ = {};
+  drawnCell_.reset();
+  swapCell(CellOf::Plan, nullptr);
+  viewport_.requestFrame();
+  emit drawn(true);
 }
 
 void PartPresenter::drawPart(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
@@ -99,8 +133,8 @@ void PartPresenter::swapPart(const std::shared_ptr<const scene::PartDrawing>& dr
 
 void PartPresenter::drawPlatform(const platform::PlatformSolid& platform) {
   inBackground(
-      *drawingPlatform_, [platform] { return scene::drawPlatform(platform, kGroundRadiusMm); },
-      [this](auto&& made) { swapPlatform(made); });
+      *drawingPlatform_, [platform] { return drawingOf(platform); },
+      [this](auto&& made) { swapPlatform(made.first, made.second); });
 }
 
 // The platform's outline is on show before anything is planned: its size decides what can grow.
@@ -116,19 +150,16 @@ void PartPresenter::drawPlannedPlatform() {
   inBackground(
       *drawingPlatform_,
       [choices, stage = placed->placed] {
-        return scene::drawPlatform(pipeline::plannedPlatform(*stage, choices), kGroundRadiusMm);
+        return drawingOf(pipeline::plannedPlatform(*stage, choices));
       },
-      [this](auto&& made) { swapPlatform(made); });
+      [this](auto&& made) { swapPlatform(made.first, made.second); });
 }
 
-void PartPresenter::swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing) {
+void PartPresenter::swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing,
+                                 const Eigen::Vector3d& sizeMm) {
   viewport_.scene().setPlatform(drawing);
   viewport_.requestFrame();
-}
-
-void PartPresenter::setCollisionSolids(bool on) {
-  if (std::exchange(collisionSolids_, on) != on)
-    drawCell(std::exchange(drawnCell_, nullptr));
+  emit platformDrawn(sizeMm);
 }
 
 void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
@@ -136,15 +167,61 @@ void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
     return;
   drawnCell_ = cell;
   inBackground(
-      *drawingCell_,
-      [cell, solids = collisionSolids_] {
-        return scene::drawCell(*cell, solids ? std::vector<robot::LinkMesh>()
-                                             : robot::linkMeshesOf(cell->robot().id));
+      *drawingCell_, [cell] { return scene::drawCell(*cell, robot::lookOf(cell->robot())); },
+      [this](auto&& made) { swapCell(CellOf::Plan, made); });
+}
+
+// The machine is on show before anything is planned. A cell that cannot be read is not drawn: the
+// plan says what is wrong with it.
+void PartPresenter::drawChosenCell() {
+  const project::Choices& choices = document_.choices();
+  const auto placed = document_.upToDate(Stage::Load) ? document_.result(Stage::Load) : nullptr;
+  std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> wanted;
+  try {
+    wanted = {pipeline::cellReachKey(choices, 0.0) + pipeline::plannedPlatformKey(choices),
+              placed ? placed->job.part : nullptr};
+  } catch (const base::Error&) {
+    chosenCell_ = {};
+    drawingChosenCell_->cancel();
+    swapCell(CellOf::Choices, nullptr);
+    return;
+  }
+  if (wanted == chosenCell_)
+    return;
+  chosenCell_ = wanted;
+  inBackground(
+      *drawingChosenCell_,
+      [choices, stage = placed ? placed->placed : nullptr]() {
+        std::shared_ptr<const scene::CellDrawing> drawing;
+        try {
+          const process::Process process =
+              pipeline::chosenProcess(choices, pipeline::parameterValues(choices));
+          const robot::Cell cell = stage
+                                       ? robot::loadCell(choices.cell, process,
+                                                         pipeline::plannedPlatform(*stage, choices))
+                                       : pipeline::cellToMap(choices, process);
+          drawing = scene::drawCell(cell, robot::lookOf(cell.robot()));
+        } catch (const base::Error&) {
+        }
+        return drawing;
       },
-      [this](auto&& made) {
-        viewport_.scene().setCell(made);
-        viewport_.requestFrame();
-      });
+      [this](auto&& made) { swapCell(CellOf::Choices, made); });
+}
+
+void PartPresenter::swapCell(CellOf which, std::shared_ptr<const scene::CellDrawing> drawing) {
+  cells_[static_cast<std::size_t>(which)] = std::move(drawing);
+  if (which != shownCell_)
+    return;
+  viewport_.scene().setCell(cells_[static_cast<std::size_t>(which)]);
+  viewport_.requestFrame();
+  emit cellDrawn();
+  if (which == CellOf::Choices && box_.isEmpty())
+    emit drawn(true);
+}
+
+void PartPresenter::showCell(CellOf which) {
+  if (std::exchange(shownCell_, which) != which)
+    viewport_.scene().setCell(cells_[static_cast<std::size_t>(which)]);
 }
 
 } // namespace voluta::window

@@ -24,32 +24,43 @@ public:
   // Of the part on show, work frame; empty: no part.
   const Eigen::AlignedBox3d& box() const { return box_; }
   bool busy() const;
-  // The cell's arm as the solids that are checked for collisions, else as its meshes where it has
-  // such.
-  void setCollisionSolids(bool on);
+  // Which cell is on show: that of the choices, at rest, or that of the plan on show.
+  enum class CellOf { Choices, Plan };
+  void showCell(CellOf which);
+  // Returns whether the cell to show is drawn.
+  bool hasCell() const { return cells_[static_cast<std::size_t>(shownCell_)] != nullptr; }
 
 signals:
+  void platformDrawn(const Eigen::Vector3d& sizeMm);
   void drawn(bool another); // another: not the one that was on show with another placement
+  void cellDrawn();
 
 private:
   void show(project::Stage stage);
+  void clear();
   void drawSource();
   void drawPart(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
   void swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
                 const Eigen::AlignedBox3d& box);
   void drawPlatform(const platform::PlatformSolid& platform);
   void drawPlannedPlatform();
-  void swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing);
+  void swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing,
+                    const Eigen::Vector3d& sizeMm);
   void drawCell(const std::shared_ptr<const robot::Cell>& cell);
+  void drawChosenCell();
+  void swapCell(CellOf which, std::shared_ptr<const scene::CellDrawing> drawing);
 
   document::Document& document_;
   viewer::Viewport& viewport_;
-  std::unique_ptr<jobs::JobRunner> drawingPart_, drawingPlatform_, drawingCell_;
+  std::unique_ptr<jobs::JobRunner> drawingPart_, drawingPlatform_, drawingCell_, drawingChosenCell_;
   std::shared_ptr<const void> shownSource_;
   // What was drawn last, so that the same data is never drawn twice.
   std::shared_ptr<const geometry::TriangleMesh> drawnPart_;
   std::shared_ptr<const robot::Cell> drawnCell_;
-  bool collisionSolids_ = false;
+  // What the cell of the choices was drawn from: what of the choices, the part.
+  std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> chosenCell_;
+  std::array<std::shared_ptr<const scene::CellDrawing>, 2> cells_; // by CellOf
+  CellOf shownCell_ = CellOf::Choices;
   // What the platform was drawn from: what of the choices, the part.
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> drawnPlatform_;
   Eigen::AlignedBox3d box_;

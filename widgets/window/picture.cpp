@@ -24,4 +24,18 @@ scene::ViewState Picture::base(const Eigen::AlignedBox3d& partBox) const {
   return view;
 }
 
+void Picture::reveal(scene::ViewState& view) const {
+  if (!marker_ || !sight_)
+    return;
+  const auto& [hides, normal] = *sight_;
+  if (hides.printed) {
+    view.sectionOn = true;
+    view.sectionOrigin = *marker_;
+    view.sectionNormal = normal;
+  }
+  view.platform = view.platform && !hides.platform;
+  for (std::size_t role = 0; role < view.roles.size(); ++role)
+    view.roles[role] = view.roles[role] && !hides.roles[role];
+}
+
 } // namespace voluta::window

@@ -1,11 +1,13 @@
 // How the picture is looked at, whatever page is on show: colours, section plane, marker.
 #pragma once
 
+#include "scene/sight.h"
 #include "scene/view_state.h"
 
 #include <Eigen/Geometry>
 #include <QObject>
 #include <optional>
+#include <utility>
 
 namespace voluta::window {
 
@@ -27,7 +29,17 @@ public:
   const Look& look() const { return look_; }
   void setLook(const Look& look);
   // Place of a finding, work frame; none: no marker.
-  void setMarker(const std::optional<Eigen::Vector3d>& place) { marker_ = place; }
+  void setMarker(const std::optional<Eigen::Vector3d>& place) {
+    marker_ = place;
+    sight_.reset();
+  }
+  // What hides the marker from the eye, until there is another one. `normalInWork`: towards the
+  // eye.
+  void setHidden(const scene::Between& hides, const Eigen::Vector3d& normalInWork) {
+    sight_ = {hides, normalInWork};
+  }
+  // Cuts away what hides the marker, and leaves out what cannot be cut.
+  void reveal(scene::ViewState& view) const;
   // What every page begins with. `partBox`: of the part, work frame; may be empty.
   scene::ViewState base(const Eigen::AlignedBox3d& partBox) const;
 
@@ -37,6 +49,7 @@ signals:
 private:
   Look look_;
   std::optional<Eigen::Vector3d> marker_;
+  std::optional<std::pair<scene::Between, Eigen::Vector3d>> sight_;
 };
 
 } // namespace voluta::window

@@ -17,6 +17,8 @@ Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, Q
   });
   connect(&document, &document::Document::previewChanged, this, &Presenter::drawVoxels);
   connect(&part_, &PartPresenter::drawn, this, &Presenter::partDrawn);
+  connect(&part_, &PartPresenter::platformDrawn, this, &Presenter::platformDrawn);
+  connect(&part_, &PartPresenter::cellDrawn, this, &Presenter::cellDrawn);
   connect(&voxels_, &VoxelPresenter::drawn, this, &Presenter::voxelsDrawn);
   connect(&print_, &PrintPresenter::layersDrawn, this, &Presenter::layersDrawn);
   connect(&print_, &PrintPresenter::pathsDrawn, this, &Presenter::pathsDrawn);

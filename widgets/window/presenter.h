@@ -29,14 +29,15 @@ public:
   bool hasVoxels() const { return voxels_.layers() > 0; }
   bool hasLayers() const { return print_.patchLayers() > 0; }
   bool hasPaths() const { return print_.pathLayers() > 0; }
+  bool hasCell() const { return part_.hasCell(); }
   // Layers of each that is drawn; 0: none.
   int voxelLayers() const { return voxels_.layers(); }
   int patchLayers() const { return print_.patchLayers(); }
   int pathLayers() const { return print_.pathLayers(); }
   // Of the part on show, work frame; empty: no part.
   const Eigen::AlignedBox3d& partBox() const { return part_.box(); }
-  // As PartPresenter's.
-  void setCollisionSolids(bool on) { part_.setCollisionSolids(on); }
+  void showCell(PartPresenter::CellOf which) { part_.showCell(which); }
+  // Of the motion, where it is one of the chosen cell; null: there is none.
   const std::shared_ptr<const timeline::Clock>& clock() const { return print_.clock(); }
   const std::shared_ptr<const LayerFacts>& facts() const { return print_.facts(); }
   // Waypoints of a layer in print order, as moves count them.
@@ -50,7 +51,9 @@ public:
   bool busy() const;
 
 signals:
+  void platformDrawn(const Eigen::Vector3d& sizeMm);
   void partDrawn(bool another); // another: not the one that was on show with another placement
+  void cellDrawn();
   void voxelsDrawn();
   void layersDrawn();
   void pathsDrawn();

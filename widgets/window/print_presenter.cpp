@@ -3,6 +3,8 @@
 #include "window/background.h"
 #include "window/layer_measures.h"
 
+#include <utility>
+
 namespace voluta::window {
 
 using project::Stage;
@@ -18,6 +20,7 @@ PrintPresenter::PrintPresenter(document::Document& document, viewer::Viewport& v
       drawingPaths_(std::make_unique<jobs::JobRunner>()),
       gathering_(std::make_unique<jobs::JobRunner>()) {
   connect(&document, &document::Document::resultChanged, this, &PrintPresenter::show);
+  connect(&document, &document::Document::choicesChanged, this, &PrintPresenter::followCell);
 }
 
 PrintPresenter::~PrintPresenter() = default;
@@ -43,21 +46,27 @@ void PrintPresenter::show(Stage stage) {
     drawMotion();
 }
 
-// Went with its part or project.
+// Went with its part or project. What is still being drawn of it must not come after it.
 void PrintPresenter::drop(Stage stage) {
   if (stage == Stage::Layers) {
+    drawingLayers_->cancel();
+    gathering_->cancel();
     viewport_.scene().setLayers(nullptr);
     patchLayers_ = 0;
     facts_.reset();
+    drawnLayers_.reset();
+    emit layersDrawn();
   } else if (stage == Stage::Toolpath) {
+    drawingPaths_->cancel();
     viewport_.scene().setPaths(nullptr);
     paths_.reset();
     pathLayers_ = 0;
+    drawnPaths_.reset();
+    emit pathsDrawn();
   } else if (stage == Stage::Motion) {
     clock_.reset();
+    emit motionReady();
   }
-  drawnLayers_.reset();
-  drawnPaths_.reset();
   viewport_.requestFrame();
 }
 
@@ -82,10 +91,16 @@ void PrintPresenter::drawPaths(const std::shared_ptr<const plan::ToolPlan>& plan
   if (!plan || drawnPaths_ == plan)
     return;
   drawnPaths_ = plan;
+  if (const auto motion = shownMotion(); motion && motion->job.toolPlan == plan) {
+    drawMotion();
+    return;
+  }
   inBackground(
       *drawingPaths_, [plan] { return scene::drawPaths(*plan); },
       [this](auto&& made) {
         swapPaths(made);
+        if (std::exchange(clock_, nullptr)) // of the paths before
+          emit motionReady();
         gatherFacts();
       });
 }
@@ -98,9 +113,26 @@ void PrintPresenter::swapPaths(const std::shared_ptr<const scene::PathsDrawing>&
   emit pathsDrawn();
 }
 
+std::shared_ptr<const pipeline::PlanResult> PrintPresenter::shownMotion() const {
+  const auto motion = document_.result(Stage::Motion), paths = document_.result(Stage::Toolpath);
+  const bool there = motion && motion->job.trajectory && motion->job.toolPlan && paths &&
+                     motion->job.toolPlan == paths->job.toolPlan &&
+                     motion->job.choices.cell == document_.choices().cell;
+  return there ? motion : nullptr;
+}
+
+void PrintPresenter::followCell() {
+  if (!shownMotion()) {
+    if (std::exchange(clock_, nullptr))
+      emit motionReady();
+  } else if (!clock_ && !drawingPaths_->running()) {
+    drawMotion();
+  }
+}
+
 void PrintPresenter::drawMotion() {
-  const auto result = document_.result(Stage::Motion);
-  if (!result || !result->job.trajectory || !result->job.toolPlan)
+  const auto result = shownMotion();
+  if (!result)
     return;
   const auto plan = result->job.toolPlan;
   const auto trajectory = result->job.trajectory;
@@ -110,8 +142,9 @@ void PrintPresenter::drawMotion() {
         return std::pair(scene::drawPaths(*plan, trajectory.get()),
                          std::make_shared<const timeline::Clock>(trajectory, plan));
       },
-      [this](auto&& made) {
-        clock_ = made.second;
+      [this, trajectory](auto&& made) {
+        const auto motion = shownMotion(); // the choices may have changed meanwhile
+        clock_ = motion && motion->job.trajectory == trajectory ? made.second : nullptr;
         swapPaths(made.first);
         emit motionReady();
         gatherFacts();

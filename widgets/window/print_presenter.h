@@ -54,6 +54,10 @@ private:
                   const process::Process& process);
   void drawPaths(const std::shared_ptr<const plan::ToolPlan>& plan);
   void swapPaths(const std::shared_ptr<const scene::PathsDrawing>& drawing);
+  // That of the paths on show, for the chosen cell: a motion says nothing about another robot.
+  // Null: there is none.
+  std::shared_ptr<const pipeline::PlanResult> shownMotion() const;
+  void followCell();
   void drawMotion();
   void gatherFacts();
 

@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "document/planning.h"
 #include "document/recovery.h"
+#include "forms/discard.h"
 #include "window/arm_import_dialog.h"
 
 #include <QFileDialog>
@@ -131,7 +132,8 @@ void ProjectFiles::setRecentMenu(QMenu* menu) {
 void ProjectFiles::showRecent() {
   if (!recentMenu_)
     return;
-  recentMenu_->clear();
+  for (QAction* action : recentMenu_->actions())
+    forms::discard(action);
   for (const QString& file : recent_.files()) {
     QAction* action = recentMenu_->addAction(nameOf(file).replace('&', "&&"));
     action->setToolTip(file);
@@ -152,9 +154,8 @@ void ProjectFiles::open(const QString& path) {
     planning_.cancel();
     opening_.open(path);
   };
-  // Another part is an edit, which undo takes back; another project is not, nor a part that begins
-  // one of its own because the project on show has a file.
-  if (path.endsWith(".voluta", Qt::CaseInsensitive) || !document_.projectFile().isEmpty())
+  // Undo brings back a part that was only opened; another project clears the undo stack.
+  if (path.endsWith(".voluta", Qt::CaseInsensitive) || document_.hasUnsavedWork())
     afterSaved(start);
   else
     start();
@@ -192,7 +193,10 @@ void ProjectFiles::importArm(const QString& urdf) {
     return;
   project::Choices choices = document_.choices();
   choices.cell = dialog.cell().toStdString();
-  document_.setChoices(choices, tr("cell"));
+  if (choices.cell == document_.choices().cell)
+    document_.filesChanged(); // imported again under its name
+  else
+    document_.setChoices(choices, tr("cell"));
   emit said(tr("Imported: cell %1").arg(dialog.cell()));
 }
 

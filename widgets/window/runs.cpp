@@ -57,7 +57,10 @@ QString figuresText(const project::Report& r, Stage reached) {
   if (r.toolpath.materialMm3 > 0)
     parts << Runs::tr("%1 cm³").arg(locale.toString(r.toolpath.materialMm3 / 1000.0, 'f', 1));
   if (r.motion.durationS > 0)
-    parts << forms::durationText(r.motion.durationS);
+    parts << Runs::tr("planned time %1").arg(forms::durationText(r.motion.durationS));
+  if (r.replay.controllerDurationS > 0)
+    parts << Runs::tr("time on the controller %1")
+                 .arg(forms::durationText(r.replay.controllerDurationS));
   if (reached == Stage::Replay)
     parts << (r.replay.passed ? Runs::tr("replay passed") : Runs::tr("replay not passed"));
   return parts.join(", ");

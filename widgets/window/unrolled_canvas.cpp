@@ -54,7 +54,7 @@ UnrolledLook lookOf(const QPalette& p) {
   look.seam = between(p.color(QPalette::WindowText), p.color(QPalette::Base), 0.4);
   const bool dark = look.sheet.lightness() < 128;
   look.chosen = colourOf((dark ? scene::darkTheme() : scene::lightTheme()).marker);
-  for (std::size_t i = 0; i < kPathKinds; ++i)
+  for (std::size_t i = 0; i < plan::kPathKinds; ++i)
     look.kinds[i] = colourOf(scene::categoricalColour(static_cast<int>(i)));
   return look;
 }

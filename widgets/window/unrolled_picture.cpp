@@ -75,7 +75,7 @@ private:
       }
       if (count < 2)
         continue;
-      QColor colour = look_.kinds[std::min(static_cast<std::size_t>(s.kind), kPathKinds - 1)];
+      QColor colour = look_.kinds[std::min(static_cast<std::size_t>(s.kind), plan::kPathKinds - 1)];
       if (!laid)
         colour.setAlpha(kFaint);
       const double bead =

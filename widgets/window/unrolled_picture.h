@@ -32,12 +32,10 @@ struct UnrolledFrame {
   bool operator==(const UnrolledFrame&) const = default;
 };
 
-inline constexpr std::size_t kPathKinds = 5; // of plan::PathKind, in its order
-
 struct UnrolledLook {
   QColor sheet, beside; // within the layer's period, and its repetition beyond the seams
   QColor outline, seam, chosen;
-  std::array<QColor, kPathKinds> kinds;
+  std::array<QColor, plan::kPathKinds> kinds; // of plan::PathKind
   bool operator==(const UnrolledLook&) const = default;
 };
 

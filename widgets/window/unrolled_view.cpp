@@ -24,9 +24,11 @@ QString kindName(plan::PathKind kind) {
   case plan::PathKind::Skirt:
     return UnrolledView::tr("Skirt");
   case plan::PathKind::Support:
+    return UnrolledView::tr("Support");
+  case plan::PathKind::Prime:
     break;
   }
-  return UnrolledView::tr("Support");
+  return UnrolledView::tr("Prime");
 }
 } // namespace
 

@@ -44,6 +44,8 @@ void VoxelPresenter::setDecomposition(std::shared_ptr<const curved::Decompositio
   viewport_.scene().setGrowth(nullptr);
   viewport_.scene().setFront(nullptr);
   viewport_.requestFrame();
+  emit drawn();
+  emit replayReady();
 }
 
 void VoxelPresenter::setColouring(scene::ColourBy colourBy) {

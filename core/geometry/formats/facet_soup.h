@@ -19,6 +19,8 @@ struct FacetSoup {
   std::vector<base::Message> repairs; // what was left out, a sentence each
 };
 
+// Whether the bytes are as many as the header of a binary STL says.
+bool isBinaryStl(std::string_view bytes);
 // Whether the bytes are an STL of either kind.
 bool looksLikeStl(std::string_view bytes);
 // Throws Error{UnreadableFile} with the line or the facet.

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "geometry/formats/facet_soup.h"
+#include "geometry/formats/plain_text.h"
 
 #include <algorithm>
 #include <array>
@@ -122,18 +123,22 @@ MeshFile readMesh(const std::filesystem::path& path) {
 }
 
 MeshFile readMesh(std::string_view bytes, const std::string& name) {
-  const std::string extension = extensionOf(name);
-  const std::string format = formatOf(bytes, extension);
   if (bytes.empty())
     throw Error(ErrorCode::UnreadableFile, "the file is empty"_text, name);
+  const std::string extension = extensionOf(name);
+  // The size tells a binary STL, whatever its header looks like.
+  const PlainText plain = isBinaryStl(bytes) ? PlainText{bytes, {}, {}} : plainText(bytes, name);
+  const std::string_view text = plain.text();
+  const std::string format = formatOf(text, extension);
   if (format.empty())
     throw Error(ErrorCode::UnreadableFile, "not a mesh file"_text, name,
                 "STL, OBJ, PLY, OFF, 3MF, COLLADA and glTF can be read"_text);
-  FacetSoup soup = format == "stl"   ? readStl(bytes, name)
-                   : format == "obj" ? readObj(bytes, name)
-                   : format == "off" ? readOff(bytes, name)
-                   : format == "ply" ? readPly(bytes, name)
-                                     : read3mf(bytes, name);
+  FacetSoup soup = format == "stl"   ? readStl(text, name)
+                   : format == "obj" ? readObj(text, name)
+                   : format == "off" ? readOff(text, name)
+                   : format == "ply" ? readPly(text, name)
+                                     : read3mf(text, name);
+  soup.repairs.insert(soup.repairs.begin(), plain.notes.begin(), plain.notes.end());
   return meshOf(std::move(soup), name);
 }
 

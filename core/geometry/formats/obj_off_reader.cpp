@@ -31,6 +31,24 @@ Vector3d pointOf(const WordList& words, std::size_t from, const std::string& nam
   return point;
 }
 
+// The next line with words, with those that follow a "\\" at its end.
+bool nextWholeLine(LineScanner& scanner, WordList& words) {
+  if (!scanner.nextFilledLine(words))
+    return false;
+  WordList more;
+  while (words.back().ends_with('\\')) {
+    words.back().remove_suffix(1);
+    if (words.back().empty())
+      words.pop_back();
+    if (!scanner.nextLine(more))
+      break;
+    words.insert(words.end(), more.begin(), more.end());
+    if (more.empty())
+      break;
+  }
+  return true;
+}
+
 } // namespace
 
 void addPolygon(const std::vector<Vector3d>& polygon, std::vector<Facet>& facets) {
@@ -44,7 +62,9 @@ FacetSoup readObj(std::string_view bytes, const std::string& name) {
   LineScanner scanner(bytes);
   WordList words;
   std::vector<Vector3d> points, polygon;
-  while (scanner.nextFilledLine(words)) {
+  while (nextWholeLine(scanner, words)) {
+    if (words.empty())
+      continue;
     if (words[0] == "v") {
       points.push_back(pointOf(words, 1, name, scanner.line()));
     } else if (words[0] == "f") {

@@ -1,15 +1,16 @@
 #include "geometry/formats/facet_soup.h"
 
 #include "base/error.h"
+#include "geometry/formats/text_scanner.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
+#include <optional>
 
 namespace voluta::geometry {
 
@@ -31,10 +32,6 @@ std::uint32_t announcedFacets(std::string_view bytes) {
   return count;
 }
 
-bool sizeMatches(std::string_view bytes) {
-  return bytes.size() >= kHeader && bytes.size() == kHeader + kFacet * announcedFacets(bytes);
-}
-
 // Words separated by white space, with the line they stand in.
 class Words {
 public:
@@ -43,19 +40,24 @@ public:
   // Lower case; empty at the end.
   std::string next() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])))
-      line_ += text_[at_++] == '\n';
+      line_ += endsLine(at_++);
     std::string word;
     while (at_ < text_.size() && !std::isspace(static_cast<unsigned char>(text_[at_])))
       word += static_cast<char>(std::tolower(static_cast<unsigned char>(text_[at_++])));
     return word;
   }
   void skipLine() {
-    while (at_ < text_.size() && text_[at_] != '\n')
+    while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r')
       ++at_;
   }
   int line() const { return line_; }
 
 private:
+  // LF, or CR without LF.
+  bool endsLine(std::size_t at) const {
+    return text_[at] == '\n' || (text_[at] == '\r' && text_.substr(at + 1, 1) != "\n");
+  }
+
   std::string_view text_;
   std::size_t at_ = 0;
   int line_ = 1;
@@ -67,7 +69,7 @@ bool looksLikeText(std::string_view bytes) {
     return false;
   words.skipLine();
   const std::string word = words.next();
-  return word == "facet" || word == "endsolid";
+  return word == "facet" || word == "endsolid" || (word == "end" && words.next() == "solid");
 }
 
 FacetSoup readText(std::string_view bytes, const std::string& name) {
@@ -81,6 +83,8 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
                 base::lineOf(name, words.line()));
   };
   for (std::string word = words.next(); !word.empty(); word = words.next()) {
+    if (word == "end") // "end solid" and the like
+      word += words.next();
     if (word == "solid" || word == "endsolid") {
       ended = word == "endsolid";
       words.skipLine();
@@ -88,17 +92,12 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
       Vector3d v;
       for (int k = 0; k < 3; ++k) {
         const std::string number = words.next();
-        const char* first = number.data() + (number.starts_with('+') ? 1 : 0);
-        const char* const last = number.data() + number.size();
-        const auto [end, error] = std::from_chars(first, last, v[k]);
-        // Out of range is left to the check of coordinates.
-        if (error == std::errc::result_out_of_range)
-          v[k] = std::numeric_limits<double>::infinity();
-        else if (error != std::errc{} || end != last || number.empty()) {
-          if (number.empty())
-            break; // the end of the file; told below
+        if (number.empty())
+          break; // the end of the file, reported below
+        const std::optional<double> value = numberOf(number);
+        if (!value)
           fail(base::message("'{text}' is not a number"_text, number.substr(0, 40)));
-        }
+        v[k] = *value;
       }
       loop.push_back(v);
     } else if (word == "endloop") {
@@ -155,13 +154,17 @@ FacetSoup readBinary(std::string_view bytes, const std::string& name) {
 
 } // namespace
 
+bool isBinaryStl(std::string_view bytes) {
+  return bytes.size() >= kHeader && bytes.size() == kHeader + kFacet * announcedFacets(bytes);
+}
+
 bool looksLikeStl(std::string_view bytes) {
-  return sizeMatches(bytes) || looksLikeText(bytes);
+  return isBinaryStl(bytes) || looksLikeText(bytes);
 }
 
 FacetSoup readStl(std::string_view bytes, const std::string& name) {
   // A header may begin with "solid" as well, so the size is asked first.
-  return !sizeMatches(bytes) && looksLikeText(bytes) ? readText(bytes, name)
+  return !isBinaryStl(bytes) && looksLikeText(bytes) ? readText(bytes, name)
                                                      : readBinary(bytes, name);
 }
 

@@ -33,9 +33,12 @@ bool LineScanner::nextLine(std::vector<std::string_view>& words) {
   words.clear();
   if (at_ >= text_.size())
     return false;
-  const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+  std::size_t end = at_;
+  while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r')
+    ++end;
   std::string_view rest = text_.substr(at_, end - at_);
-  at_ = std::min(end + 1, text_.size());
+  const bool isPair = text_.substr(end, 2) == "\r\n";
+  at_ = std::min(end + (isPair ? 2 : 1), text_.size());
   ++line_;
   rest = rest.substr(0, rest.find('#'));
   const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };

@@ -13,6 +13,7 @@ std::optional<double> numberOf(std::string_view word);
 std::optional<long long> integerOf(std::string_view word);
 
 // Hands out the lines of a text cut into words (white space between), without what follows '#'.
+// Lines end with LF, CR or both.
 class LineScanner {
 public:
   explicit LineScanner(std::string_view text, std::size_t at = 0) : text_(text), at_(at) {}

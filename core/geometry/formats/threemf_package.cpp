@@ -11,10 +11,12 @@ std::string memberOf(std::string_view path) {
   return std::string(path.starts_with('/') ? path.substr(1) : path);
 }
 
-std::string mainModel(const ZipPackage& package, const std::string& name) {
-  constexpr const char* kRelations = "_rels/.rels";
+namespace {
+constexpr const char* kRelations = "_rels/.rels";
+
+// Empty: the relations name no model.
+std::string relatedModel(const ZipPackage& package, const std::string& where) {
   constexpr std::string_view kType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
-  const std::string where = name + ", " + kRelations;
   std::string target;
   XmlHandler handler;
   handler.begin = [&](XmlName element, const XmlAttributes& attributes) {
@@ -22,9 +24,20 @@ std::string mainModel(const ZipPackage& package, const std::string& name) {
       target = attributes.text("Target");
   };
   scanXml(package.member(kRelations), where, handler);
-  if (target.empty())
-    throw base::Error(base::ErrorCode::UnreadableFile, "names no model"_text, where);
   return memberOf(target);
+}
+} // namespace
+
+bool namesModel(const ZipPackage& package, const std::string& name) {
+  return package.has(kRelations) && !relatedModel(package, name + ", " + kRelations).empty();
+}
+
+std::string mainModel(const ZipPackage& package, const std::string& name) {
+  const std::string where = name + ", " + kRelations;
+  std::string member = relatedModel(package, where);
+  if (member.empty())
+    throw base::Error(base::ErrorCode::UnreadableFile, "names no model"_text, where);
+  return member;
 }
 
 std::optional<double> threemfUnitMm(const std::string& unit) {

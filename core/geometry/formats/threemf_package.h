@@ -13,6 +13,9 @@ namespace voluta::geometry {
 // Members are named without the slash that paths begin with.
 std::string memberOf(std::string_view path);
 
+// Whether the package's relations name a model. Throws Error{UnreadableFile}: they are damaged.
+bool namesModel(const ZipPackage& package, const std::string& name);
+
 // The member that the package's relations name as its model. `name`: of the file, for errors.
 // Throws Error{UnreadableFile}: there is none.
 std::string mainModel(const ZipPackage& package, const std::string& name);

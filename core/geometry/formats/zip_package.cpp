@@ -88,6 +88,13 @@ ZipPackage::ZipPackage(std::string_view bytes, const std::string& name)
   }
 }
 
+std::optional<std::string> ZipPackage::firstEndingIn(std::string_view ending) const {
+  for (const auto& [member, entry] : members_)
+    if (member.ends_with(ending))
+      return member;
+  return std::nullopt;
+}
+
 std::size_t ZipPackage::sizeOf(const std::string& member) const {
   const auto found = members_.find(member);
   return found == members_.end() ? 0 : found->second.size;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,8 @@ public:
   ZipPackage(std::string_view bytes, const std::string& name);
 
   bool has(const std::string& member) const { return members_.contains(member); }
+  // The first member, by name, that ends so.
+  std::optional<std::string> firstEndingIn(std::string_view ending) const;
   // What its directory says a member comes to, bytes; 0 where it is not there.
   std::size_t sizeOf(const std::string& member) const;
   // Throws Error{UnreadableFile}: not there, packed in another way, damaged.

@@ -1,45 +1,63 @@
 #include "geometry/repair/repair.h"
 
 #include "base/error.h"
+#include "geometry/append_mesh.h"
 #include "geometry/measures.h"
 #include "geometry/repair/orientation.h"
 #include "geometry/repair/repair_steps.h"
 #include "geometry/repair/self_intersections.h"
+#include "geometry/repair/winding_union.h"
 
-#include <cmath>
+#include <algorithm>
+#include <set>
 
 namespace voluta::geometry {
 
 namespace {
 
-// What cutting out self-intersections may change the volume by.
-constexpr double kVolumeChange = 0.05;
+// Intersecting pairs beyond which uniting would take minutes.
+constexpr std::size_t kMostPairs = 2'000'000;
+// Rounding after a union may leave new crossings, fewer each time.
+constexpr int kRounds = 5;
 
 class Repair {
 public:
-  Repair(const TriangleMesh& mesh, Diagnosis found, const base::RunContext& ctx)
-      : mesh_(mesh), found_(std::move(found)), ctx_(ctx) {}
+  Repair(const TriangleMesh& mesh, Diagnosis found, OpenSurfaces how, const base::RunContext& ctx)
+      : mesh_(mesh), found_(std::move(found)), how_(how), ctx_(ctx) {}
 
   RepairResult run() {
     mendConnections();
     ctx_.report(0.4, "repair: orientation"_text);
     mendOrientation();
+    assessSheets();
     ctx_.report(0.5, "repair: holes"_text);
     mendHoles();
     turnShells();
     ctx_.report(0.7, "repair: self-intersections"_text);
     mendIntersections();
+    if (keepsOpen())
+      appendMesh(mesh_, sheets_);
     dropUnusedVertices(mesh_);
     if (mesh_.empty())
-      throw base::Error(base::ErrorCode::UnusableInput, "no triangle with area is left"_text);
+      throw base::Error(base::ErrorCode::UnusableInput,
+                        "nothing is left: no triangle has area or encloses a volume"_text);
     ctx_.report(0.9, "repair: check"_text);
-    RepairResult result{std::move(mesh_), std::move(notes_), {}, {}, std::move(found_)};
+    RepairResult result{std::move(mesh_), std::move(notes_), {}, {}, std::move(found_), {}};
     result.diagnosis = diagnose(result.mesh, ctx_);
-    result.remains = result.diagnosis.sentences();
+    if (keepsOpen()) {
+      result.open = open_;
+      result.remains = {open_.sentence()};
+    } else {
+      result.remains = result.diagnosis.sentences();
+    }
     return result;
   }
 
 private:
+  bool keepsOpen() const {
+    return how_ == OpenSurfaces::Keep && (open_.hasOpenRims() || open_.isSheetModel());
+  }
+
   void note(std::size_t count, base::Text what) {
     if (count > 0)
       notes_.emplace_back(what, std::vector<base::Value>{count});
@@ -55,19 +73,16 @@ private:
     const std::size_t collapsed = dropCollapsedFaces(mesh_);
     note(collapsed, "dropped {count} triangle without area|"
                     "dropped {count} triangles without area"_plural);
-    const std::size_t doubled = dropDuplicateFaces(mesh_);
-    note(doubled, "dropped {count} duplicate triangle|dropped {count} duplicate triangles"_plural);
+    if (open || found_.duplicateFaces.count > 0) {
+      const std::size_t doubled = dropDuplicateFaces(mesh_, sheets_) - sheets_.triangles.size();
+      note(doubled,
+           "dropped {count} duplicate triangle|dropped {count} duplicate triangles"_plural);
+    }
     if (open) {
       const std::size_t split = splitTJunctions(mesh_, 1e-5 * found_.boundsMm.diagonal().norm());
       note(split, "split edges at {count} T-junction|split edges at {count} T-junctions"_plural);
     }
-    dropSheets();
-  }
-
-  void dropSheets() {
-    const std::size_t loose = dropLooseSheets(mesh_);
-    note(loose, "dropped {count} triangle of sheets without volume|"
-                "dropped {count} triangles of sheets without volume"_plural);
+    separateSheets(mesh_, sheets_);
   }
 
   void mendOrientation() {
@@ -81,19 +96,65 @@ private:
       const std::size_t separated = separateNonManifold(mesh_);
       note(separated, "separated non-manifold edges at {count} point|"
                       "separated non-manifold edges at {count} points"_plural);
-      dropSheets();
+      separateSheets(mesh_, sheets_);
     }
   }
 
+  void assessSheets() {
+    open_.sheetTriangles = sheets_.triangles.size();
+    const double sheets = area(sheets_), all = sheets + area(mesh_);
+    open_.sheetShare = all > 0.0 ? sheets / all : 0.0;
+    if (!keepsOpen())
+      note(open_.sheetTriangles, "dropped {count} triangle of sheets without volume|"
+                                 "dropped {count} triangles of sheets without volume"_plural);
+  }
+
   void mendHoles() {
-    const ClosedHoles holes = closeHoles(mesh_, ctx_);
-    const Eigen::Vector3d& at = holes.largestAt;
-    if (holes.count > 0)
-      notes_.push_back(
-          base::message("closed {count} hole, of {edges} edges at {at:.2f}|"
-                        "closed {count} holes, the largest of {edges} edges at {at:.2f}"_plural,
-                        holes.count, holes.largestEdges, base::Point{at.x(), at.y(), at.z()}));
+    const std::vector<RimCap> caps = rimCaps(mesh_, ctx_);
+    double ending = 0.0, all = area(mesh_);
+    for (const RimCap& cap : caps) {
+      all += cap.areaMm2;
+      ending += cap.endsSurface ? cap.areaMm2 : 0.0;
+      if (cap.endsSurface)
+        addRim(cap);
+    }
+    open_.capShare = all > 0.0 ? ending / all : 0.0;
+    const bool keeps = how_ == OpenSurfaces::Keep && open_.hasOpenRims();
+    std::vector<const RimCap*> closed;
+    for (const RimCap& cap : caps)
+      if (!cap.triangles.empty() && !(keeps && cap.endsSurface))
+        closed.push_back(&cap);
+    for (const RimCap* cap : closed)
+      mesh_.triangles.insert(mesh_.triangles.end(), cap->triangles.begin(), cap->triangles.end());
+    tellClosed(closed);
     ctx_.checkpoint();
+  }
+
+  Eigen::AlignedBox3d boxOf(const RimCap& cap) const {
+    Eigen::AlignedBox3d box;
+    for (const int v : cap.rim)
+      box.extend(mesh_.vertices[static_cast<std::size_t>(v)]);
+    return box;
+  }
+  void addRim(const RimCap& cap) {
+    ++open_.rims;
+    const Eigen::AlignedBox3d box = boxOf(cap);
+    if (const double width = box.diagonal().norm(); width > open_.widestMm) {
+      open_.widestMm = width;
+      open_.widestAt = box.center();
+    }
+  }
+
+  void tellClosed(const std::vector<const RimCap*>& closed) {
+    if (closed.empty())
+      return;
+    const RimCap& largest =
+        **std::ranges::max_element(closed, {}, [](const RimCap* cap) { return cap->rim.size(); });
+    const Eigen::Vector3d at = boxOf(largest).center();
+    notes_.push_back(
+        base::message("closed {count} hole, of {edges} edges at {at:.2f}|"
+                      "closed {count} holes, the largest of {edges} edges at {at:.2f}"_plural,
+                      closed.size(), largest.rim.size(), base::Point{at.x(), at.y(), at.z()}));
   }
 
   void turnShells() {
@@ -103,47 +164,90 @@ private:
   }
 
   void mendIntersections() {
-    auto pairs = selfIntersections(mesh_, ctx_);
-    if (pairs.empty())
+    auto [united, rest] = closedAndOpen();
+    auto pairs = selfIntersections(united, ctx_);
+    if (pairs.empty() || pairs.size() > kMostPairs)
       return;
-    const std::size_t united = uniteComponents(mesh_, pairs, ctx_);
-    if (united > 0) {
-      note(united, "united {count} overlapping component|"
-                   "united {count} overlapping components"_plural);
-      pairs = selfIntersections(mesh_, ctx_);
-      if (pairs.empty())
-        return;
+    const std::size_t before = pairs.size();
+    const auto [overlapping, cutThemselves] = involved(united, pairs);
+    std::size_t left = before;
+    for (int round = 0; round < kRounds && left > 0; ++round) {
+      std::optional<TriangleMesh> next = windingUnion(united, pairs, ctx_);
+      if (!next)
+        break;
+      pairs = selfIntersections(*next, ctx_);
+      if (round > 0 && pairs.size() >= left)
+        break;
+      united = std::move(*next);
+      left = pairs.size();
     }
-    // Taken only where the outcome is closed, has fewer cuts and the same volume.
-    TriangleMesh trial = mesh_;
-    if (!removeSelfIntersections(trial, ctx_))
+    if (left == before)
       return;
-    closeHoles(trial, ctx_);
-    const Diagnosis before = diagnose(mesh_, ctx_), after = diagnose(trial, ctx_);
-    const bool sameVolume =
-        std::abs(after.volumeMm3 - before.volumeMm3) <= kVolumeChange * std::abs(before.volumeMm3);
-    if (after.watertight && sameVolume && after.selfIntersections.count < pairs.size()) {
-      mesh_ = std::move(trial);
-      notes_.push_back(base::message("cut out {removed} of {all} self-intersections"_text,
-                                     pairs.size() - after.selfIntersections.count, pairs.size()));
-      ctx_.checkpoint();
+    mesh_ = std::move(united);
+    appendMesh(mesh_, rest);
+    note(overlapping, "united {count} overlapping component|"
+                      "united {count} overlapping components"_plural);
+    note(cutThemselves, "removed the loops of {count} component that cuts itself|"
+                        "removed the loops of {count} components that cut themselves"_plural);
+  }
+
+  std::pair<TriangleMesh, TriangleMesh> closedAndOpen() const {
+    const Components parts = components(mesh_);
+    const std::vector<bool> closed = closedComponents(mesh_, parts);
+    std::vector<bool> isClosed(mesh_.triangles.size()), isOpen(mesh_.triangles.size());
+    for (std::size_t t = 0; t < isClosed.size(); ++t) {
+      isClosed[t] = closed[static_cast<std::size_t>(parts.ofTriangle[t])];
+      isOpen[t] = !isClosed[t];
     }
+    return {subMesh(mesh_, isClosed), subMesh(mesh_, isOpen)};
+  }
+
+  // Numbers of the components that cut others, and of those that cut themselves.
+  static std::pair<std::size_t, std::size_t>
+  involved(const TriangleMesh& mesh, const std::vector<std::pair<int, int>>& pairs) {
+    const Components parts = components(mesh);
+    std::set<int> overlapping, cutThemselves;
+    for (const auto& [a, b] : pairs) {
+      const int partA = parts.ofTriangle[static_cast<std::size_t>(a)],
+                partB = parts.ofTriangle[static_cast<std::size_t>(b)];
+      if (partA == partB)
+        cutThemselves.insert(partA);
+      else
+        overlapping.insert({partA, partB});
+    }
+    return {overlapping.size(), cutThemselves.size()};
   }
 
   TriangleMesh mesh_;
+  TriangleMesh sheets_; // taken out of the mesh
   Diagnosis found_;
+  OpenSurfaces how_;
   const base::RunContext& ctx_;
+  OpenSurface open_;
   std::vector<base::Message> notes_;
 };
 
 } // namespace
 
-RepairResult repair(const TriangleMesh& mesh, const base::RunContext& ctx) {
+base::Message OpenSurface::sentence() const {
+  if (isSheetModel())
+    return base::message("sheet model: {share:.3g} of the surface are sheets without thickness, "
+                         "{triangles} triangles"_text,
+                         base::percent(100.0 * sheetShare), sheetTriangles);
+  if (hasOpenRims())
+    return base::message(
+        "open surface: it ends at {rims} rim, {width:.3g} wide at {at:.1f}|"
+        "open surface: it ends at {rims} rims, the widest {width:.3g} wide at {at:.1f}"_plural,
+        rims, base::mm(widestMm), base::Point{widestAt.x(), widestAt.y(), widestAt.z()});
+  return {};
+}
+
+RepairResult repair(const TriangleMesh& mesh, const base::RunContext& ctx, OpenSurfaces how) {
   ctx.report(0.0, "repair: diagnosis"_text);
   const Diagnosis found = diagnose(mesh, ctx);
   if (found.clean())
-    return {mesh, {}, {}, found, found};
-  return Repair(mesh, found, ctx).run();
+    return {mesh, {}, {}, found, found, {}};
+  return Repair(mesh, found, how, ctx).run();
 }
 
 } // namespace voluta::geometry

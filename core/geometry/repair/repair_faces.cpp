@@ -1,4 +1,4 @@
-#include "geometry/boundary.h"
+#include "geometry/append_mesh.h"
 #include "geometry/edges.h"
 #include "geometry/measures.h"
 #include "geometry/repair/orientation.h"
@@ -22,6 +22,7 @@ bool even(const std::array<int, 3>& c) {
   return ((c[0] < c[1]) + (c[1] < c[2]) + (c[2] < c[0])) == 2;
 }
 
+// Returns how many triangles go.
 std::size_t keepOnly(TriangleMesh& mesh, const std::vector<bool>& keep) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -40,14 +41,14 @@ std::size_t dropCollapsedFaces(TriangleMesh& mesh) {
   });
 }
 
-std::size_t dropDuplicateFaces(TriangleMesh& mesh) {
+std::size_t dropDuplicateFaces(TriangleMesh& mesh, TriangleMesh& sheets) {
   std::map<std::pair<int, int>, int> trianglesAt;
   const std::vector<HalfEdge> edges = sortedHalfEdges(mesh);
   forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
     trianglesAt[{edges[begin].low, edges[begin].high}] = static_cast<int>(end - begin);
   });
   std::map<std::array<int, 3>, std::size_t> first[2]; // by direction
-  std::vector<bool> keep(mesh.triangles.size(), true);
+  std::vector<bool> keep(mesh.triangles.size(), true), paired(mesh.triangles.size(), false);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::array<int, 3> corners = sorted(mesh.triangles[t]);
     const bool direction = even(mesh.triangles[t]);
@@ -61,13 +62,16 @@ std::size_t dropDuplicateFaces(TriangleMesh& mesh) {
     const bool held = trianglesAt[{corners[0], corners[1]}] > 3 &&
                       trianglesAt[{corners[1], corners[2]}] > 3 &&
                       trianglesAt[{corners[0], corners[2]}] > 3;
-    if (held)
+    if (held) {
       keep[t] = keep[opposite->second] = false;
+      paired[t] = paired[opposite->second] = true;
+    }
   }
+  appendMesh(sheets, subMesh(mesh, paired));
   return keepOnly(mesh, keep);
 }
 
-std::size_t dropLooseSheets(TriangleMesh& mesh) {
+std::size_t separateSheets(TriangleMesh& mesh, TriangleMesh& sheets) {
   const Components parts = components(mesh);
   const std::vector<bool> closed = closedComponents(mesh, parts);
   const double size = bounds(mesh).diagonal().norm();
@@ -87,16 +91,12 @@ std::size_t dropLooseSheets(TriangleMesh& mesh) {
   const auto solid = [&](std::size_t c) {
     return std::abs(volumes[c]) > (closed[c] ? 1e-12 : 1e-9) * size * size * size;
   };
-  bool anySolid = false;
-  for (std::size_t c = 0; c < volumes.size(); ++c)
-    anySolid = anySolid || solid(c);
-  if (!anySolid)
-    return 0;
-  std::vector<bool> keep(mesh.triangles.size());
+  std::vector<bool> keep(mesh.triangles.size()), flat(mesh.triangles.size());
   for (std::size_t t = 0; t < keep.size(); ++t) {
-    const auto c = static_cast<std::size_t>(parts.ofTriangle[t]);
-    keep[t] = solid(c);
+    keep[t] = solid(static_cast<std::size_t>(parts.ofTriangle[t]));
+    flat[t] = !keep[t];
   }
+  appendMesh(sheets, subMesh(mesh, flat));
   return keepOnly(mesh, keep);
 }
 

@@ -4,9 +4,8 @@
 #include "base/run_context.h"
 #include "geometry/triangle_mesh.h"
 
-#include <Eigen/Core>
+#include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace voluta::geometry {
@@ -21,12 +20,12 @@ std::size_t mergeNearbyPoints(TriangleMesh& mesh);
 std::size_t dropCollapsedFaces(TriangleMesh& mesh);
 
 // Drops triangles on the corners of an earlier one: repeats of the same direction, and pairs of
-// opposite direction where other triangles hold at all their edges. Returns how many.
-std::size_t dropDuplicateFaces(TriangleMesh& mesh);
+// opposite direction where other triangles hold at all their edges; the pairs go to `sheets`.
+// Returns how many.
+std::size_t dropDuplicateFaces(TriangleMesh& mesh, TriangleMesh& sheets);
 
-// Drops components without volume, open or closed, beside components that have some. Returns
-// triangles dropped.
-std::size_t dropLooseSheets(TriangleMesh& mesh);
+// Moves components without volume, open or closed, to `sheets`. Returns triangles moved.
+std::size_t separateSheets(TriangleMesh& mesh, TriangleMesh& sheets);
 
 // Splits triangles whose open edge passes within `tolerance` (mm) of a vertex on an open edge.
 // Returns the number of such vertices.
@@ -35,27 +34,21 @@ std::size_t splitTJunctions(TriangleMesh& mesh, double tolerance);
 // Gives each fan of triangles at a non-manifold edge its own vertices. Returns vertices added.
 std::size_t separateNonManifold(TriangleMesh& mesh);
 
-struct ClosedHoles {
-  std::size_t count = 0;
-  std::size_t largestEdges = 0;
-  Eigen::Vector3d largestAt = Eigen::Vector3d::Zero(); // mean of its rim
-  std::size_t failed = 0;
+// A patch that would close a boundary loop.
+struct RimCap {
+  std::vector<int> rim;                      // as boundaryLoops() has it
+  std::vector<std::array<int, 3>> triangles; // between its vertices; none: they do not make a patch
+  double areaMm2 = 0.0;
+  // Whether the surface ends at the rim: along three quarters of it or more the patch folds away
+  // from the surface by more than 45 degrees. Where it does not, the patch continues the surface.
+  bool endsSurface = false;
 };
-// Fills every boundary loop with triangles between its vertices (CGAL triangulate_hole_polyline:
-// least dihedral angles, then least area).
-ClosedHoles closeHoles(TriangleMesh& mesh, const base::RunContext& ctx);
+// A patch for each boundary loop (CGAL triangulate_hole_polyline: least dihedral angles, then least
+// area; Liepa 2003).
+std::vector<RimCap> rimCaps(const TriangleMesh& mesh, const base::RunContext& ctx);
 
 // Turns the inside-out components. Returns how many.
 std::size_t turnInsideOut(TriangleMesh& mesh);
-
-// Unites outward closed components that cut each other, `pairs` as selfIntersections() gives them.
-// Components that cut themselves are left. Returns the number of components that went into unions.
-std::size_t uniteComponents(TriangleMesh& mesh, const std::vector<std::pair<int, int>>& pairs,
-                            const base::RunContext& ctx);
-
-// Cuts self-intersections out of each component and closes the gaps; components where that fails
-// are left. Returns whether anything changed.
-bool removeSelfIntersections(TriangleMesh& mesh, const base::RunContext& ctx);
 
 // Vertices that no triangle uses go, the others keep their order.
 void dropUnusedVertices(TriangleMesh& mesh);

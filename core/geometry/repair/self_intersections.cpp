@@ -1,6 +1,6 @@
 #include "geometry/repair/self_intersections.h"
 
-#include "geometry/measures.h"
+#include "base/parallel.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
@@ -79,14 +79,27 @@ std::vector<std::pair<int, int>> selfIntersections(const TriangleMesh& mesh,
     if (!triangle.is_degenerate())
       boxes.emplace_back(triangle.bbox(), t);
   }
-  std::vector<std::pair<int, int>> pairs;
-  std::size_t asked = 0;
+  // Candidates are found on one thread and tested on all, so many at a time that they need little
+  // memory.
+  constexpr std::size_t kBatch = 1 << 20, kGrain = 4096;
+  std::vector<std::pair<int, int>> pairs, candidates;
+  const auto testCandidates = [&] {
+    std::vector<char> cuts(candidates.size());
+    base::parallelChunks(ctx, candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        cuts[i] = test.cut(candidates[i].first, candidates[i].second) ? 1 : 0;
+    });
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (cuts[i])
+        pairs.push_back(candidates[i]);
+    candidates.clear();
+  };
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (++asked % 4096 == 0)
-      ctx.checkpoint();
-    if (test.cut(a.info(), b.info()))
-      pairs.emplace_back(std::min(a.info(), b.info()), std::max(a.info(), b.info()));
+    candidates.emplace_back(std::min(a.info(), b.info()), std::max(a.info(), b.info()));
+    if (candidates.size() == kBatch)
+      testCandidates();
   });
+  testCandidates();
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

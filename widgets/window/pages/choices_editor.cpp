@@ -1,9 +1,11 @@
 #include "window/pages/choices_editor.h"
 
+#include "base/data_files.h"
 #include "curved/decompose.h"
 #include "document/document.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
+#include "pipeline/search_texts.h"
 #include "process/process.h"
 #include "robot/cell.h"
 
@@ -40,11 +42,11 @@ QString editNameOf(const QString& field) {
 QString changesOf(const project::Choices& from, const project::Choices& to) {
   QStringList parts;
   if (to.cell != from.cell)
-    parts << ChoicesEditor::tr("cell %1").arg(named(to.cell));
+    parts << ChoicesEditor::tr("cell %1").arg(named(base::dataName(to.cell)));
   if (to.platform != from.platform)
     parts << ChoicesEditor::tr("platform %1").arg(language::words(to.platform.shown()));
   if (to.process != from.process)
-    parts << ChoicesEditor::tr("process %1").arg(named(to.process));
+    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.process)));
   if (to.scale != from.scale)
     parts << ChoicesEditor::tr("scale %1").arg(named(to.scale));
   if (to.parameters != from.parameters)
@@ -93,7 +95,7 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
   connect(form_, &forms::ChoicesForm::changed, this, &ChoicesEditor::change);
   connect(&document_, &document::Document::stateChanged, this, [this] {
     if (document_.choices().automatic && !document_.unusable())
-      form_->setNotice(wayTaken(), {}, false); // no file is read for it, however often this comes
+      form_->setNotice(wayChosen(), {}, false); // no file is read for it, however often this comes
   });
   connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
   connect(form_, &forms::ChoicesForm::rodProfileChanged, this, &ChoicesEditor::changeRod);
@@ -175,7 +177,7 @@ void ChoicesEditor::showNotice() {
                                             : tr("Use %1").arg(changes),
                      true);
   } else if (choices.automatic) {
-    form_->setNotice(wayTaken(), {}, false);
+    form_->setNotice(wayChosen(), {}, false);
   } else if (wantsBody(choices)) {
     form_->setNotice(tr("Which body is printed on? Without one it is the plate."),
                      tr("Choose the body…"), false);
@@ -186,22 +188,14 @@ void ChoicesEditor::showNotice() {
   }
 }
 
-QString ChoicesEditor::wayTaken() const {
+QString ChoicesEditor::wayChosen() const {
   const auto result = document_.lastResult();
-  if (!result || !result->job.choices.automatic || *result->job.reached == project::Stage::Load)
-    return {}; // the part is where it lies, and no way was tried
-  const auto labelOf = [](const std::string& id) {
-    const modes::Mode* mode = modes::modeNamed(id);
-    return mode ? language::words(mode->label) : named(id);
-  };
-  const project::Job& job = result->job;
-  QString text = tr("Taken: %1, %2.")
-                     .arg(labelOf(job.choices.mode), language::words(job.choices.platform.shown()));
-  for (const project::TriedReport& tried : job.report.tried)
-    if (!tried.taken)
-      text += QLatin1Char('\n') +
-              tr("Not taken: %1: %2.").arg(labelOf(tried.mode), language::words(tried.reason));
-  return text;
+  if (!result || result->job.report.tried.empty())
+    return {};
+  QStringList lines{language::words(pipeline::chosenText(result->job.report)) + u'.'};
+  for (const base::Message& rejected : pipeline::rejectedTexts(result->job.report))
+    lines << tr("Rejected: %1.").arg(language::words(rejected));
+  return lines.join(u'\n');
 }
 
 void ChoicesEditor::pressNotice() {

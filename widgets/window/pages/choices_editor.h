@@ -36,8 +36,8 @@ private:
   void changeRod(const forms::RodProfile& profile);
   void switchMode(const std::string& mode);
   void showNotice();
-  // Of automatic choices: what was taken, and why nothing else; empty: not planned yet.
-  QString wayTaken() const;
+  // Of automatic choices: what was chosen, and why nothing else; empty: not planned yet.
+  QString wayChosen() const;
   void pressNotice();
 
   document::Document& document_;

@@ -2,10 +2,14 @@
 
 #include "document/document.h"
 #include "document/planning.h"
+#include "language/window_language.h"
 #include "language/words.h"
 #include "motion/resume.h"
 #include "panels/export_panel.h"
+#include "pictures/job_picture.h"
+#include "pipeline/choices.h"
 #include "pipeline/outputs.h"
+#include "pipeline/proof.h"
 #include "program/assumptions.h"
 #include "program/dialect.h"
 #include "window/pages/cell_view.h"
@@ -14,6 +18,7 @@
 #include "window/program_preview.h"
 #include "window/verify_dialog.h"
 
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -22,6 +27,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
+#include <QUrl>
 #include <algorithm>
 #include <utility>
 
@@ -53,6 +59,12 @@ std::vector<panels::ExportFile> exportFiles(const Checked& checked) {
                      std::shared_ptr<const std::string>(checked, &file.text)});
   return files;
 }
+// The proof of the program on show, else of the first that is written.
+QString proofToOpen(const pipeline::Programs& programs, const QString& shownFormat) {
+  const auto shown = std::ranges::find(programs, shownFormat, formatOf);
+  const Checked& program = shown == programs.end() ? programs.front() : *shown;
+  return QString::fromStdString(pipeline::proofName(*program)) + ".pdf";
+}
 } // namespace
 
 ExportPage::ExportPage(const Workspace& workspace)
@@ -63,6 +75,12 @@ ExportPage::ExportPage(const Workspace& workspace)
   listenToPanel();
   listenToRuns();
   exporting_.finish(panel_->folder());
+}
+
+void ExportPage::open(const QString& path) {
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+    work().shell.tell(tr("Cannot open %1").arg(QDir::toNativeSeparators(path)),
+                      tr("No program is set up on this machine to open it."));
 }
 
 void ExportPage::listenToPanel() {
@@ -85,6 +103,9 @@ void ExportPage::listenToPanel() {
     if (const auto point = resumePoint())
       work().shell.resume(*point);
   });
+  connect(panel_, &ExportPanel::openProofRequested, this,
+          [this] { open(QDir(writtenTo_).filePath(proof_)); });
+  connect(panel_, &ExportPanel::showFolderRequested, this, [this] { open(writtenTo_); });
   connect(preview_, &ProgramPreview::linesReady, this, &ExportPage::showLine);
   connect(&work().timeline, &timeline::TimelineBar::timeChanged, this, &ExportPage::showLine);
 }
@@ -98,6 +119,8 @@ void ExportPage::listenToRuns() {
             if (!leftOut_.isEmpty())
               text += tr("; refused and not written: %1").arg(leftOut_.join(", "));
             work().shell.say(text);
+            writtenTo_ = folder;
+            panel_->setWritten(text, !proof_.isEmpty());
           });
   connect(&exporting_, &document::Exporting::failed, this, [this](const QString& message) {
     work().shell.tell(tr("Nothing is exported"), message);
@@ -208,15 +231,16 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
   return formats;
 }
 
-// As the choices say, else those that were planned.
+// Those that the choices name, else those that the cell's programs are written in. A reopened
+// project has no programs yet; it has its cell.
 QStringList ExportPage::chosenFormats() const {
+  const project::Choices& choices = work().document.choices();
+  const auto planned = work().document.lastResult();
+  const std::vector<std::string> ids =
+      planned && planned->cell ? pipeline::chosenFormats(choices, *planned->cell) : choices.formats;
   QStringList chosen;
-  for (const std::string& id : work().document.choices().formats)
+  for (const std::string& id : ids)
     chosen << QString::fromStdString(id);
-  const auto result = work().document.result(Stage::Replay);
-  if (chosen.isEmpty() && result)
-    for (const Checked& program : result->checked)
-      chosen << formatOf(program);
   return chosen;
 }
 
@@ -299,7 +323,11 @@ void ExportPage::goToLine(int file, qulonglong line) {
   showResume();
 }
 
+// No format at all is not a choice: an empty list stands for the cell's usual formats. The panel
+// asks for one.
 void ExportPage::setFormats(const QStringList& ids) {
+  if (ids.isEmpty())
+    return;
   project::Choices c = work().document.choices();
   c.formats.clear();
   for (const QString& id : ids)
@@ -340,8 +368,13 @@ void ExportPage::write(const Order& order) {
     return;
   }
   const QStringList there = document::Exporting::inTheWay(order.folder, *result, programs);
-  if (there.isEmpty() || mayReplace(order.folder, there))
-    exporting_.write(order.folder, result, programs);
+  if (!there.isEmpty() && !mayReplace(order.folder, there))
+    return;
+  panel_->setWritten({}, false);
+  proof_ = result->proofs ? proofToOpen(programs, panel_->previewFormat()) : QString();
+  exporting_.write(
+      order.folder, result, programs,
+      {language::windowLanguage(), language::windowLanguageCode(), pictures::proofPictures});
 }
 
 bool ExportPage::mayReplace(const QString& folder, const QStringList& names) {

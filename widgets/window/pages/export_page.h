@@ -59,12 +59,15 @@ private:
   void verify();
   void place(const Order& order);
   void write(const Order& order);
+  void open(const QString& path);
   bool mayReplace(const QString& folder, const QStringList& names);
 
   panels::ExportPanel* panel_;
   QWidget* side_;
   ProgramPreview* preview_;
   document::Exporting exporting_;
+  QString proof_;                // of the last export: file name; empty: none
+  QString writtenTo_;            // its folder
   QStringList leftOut_;          // refused formats of the last order
   std::optional<Order> pending_; // waits for its programs to be planned
 };

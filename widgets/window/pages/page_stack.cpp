@@ -31,7 +31,7 @@ bool showsResultsOf(const Page& page, Stage stage) {
 std::optional<Stage> stageOf(const scene::ViewState& view) {
   if (view.voxels || view.pieces)
     return Stage::Decompose;
-  if (view.world == scene::World::Base)
+  if (view.joints.size() > 0) // else the cell is at home, whatever is planned
     return Stage::Motion;
   return view.layers  ? std::optional(Stage::Layers)
          : view.paths ? std::optional(Stage::Toolpath)
@@ -102,10 +102,21 @@ void PageStack::listenToPresenter() {
     if (another)
       workspace_.viewport.frameAll();
   });
+  connect(presenter, &Presenter::platformDrawn, this, &PageStack::keepPlatformInView);
+  connect(presenter, &Presenter::cellDrawn, this, &PageStack::showView);
   connect(presenter, &Presenter::motionReady, this, [this] {
     workspace_.timeline.setClock(workspace_.presenter.clock());
     showView();
   });
+}
+
+// Moving the part takes a platform that is made for it along: that is the same one.
+void PageStack::keepPlatformInView(const Eigen::Vector3d& sizeMm) {
+  constexpr double kSameMm = 2.0;
+  const bool another = (sizeMm - platformSizeMm_).cwiseAbs().maxCoeff() > kSameMm;
+  platformSizeMm_ = sizeMm;
+  if (another && !workspace_.viewport.isCameraTheUsers())
+    workspace_.viewport.frameAll();
 }
 
 void PageStack::listenToBars() {
@@ -198,7 +209,13 @@ void PageStack::goTo(const plan::Finding& finding) {
   workspace_.picture.setMarker(finding.where);
   showView();
   if (finding.where && !there)
-    workspace_.viewport.lookAt(*finding.where, kFindingRadiusMm);
+    lookAtMarker(*finding.where);
+}
+
+void PageStack::lookAtMarker(const Eigen::Vector3d& place) {
+  const scene::Sight sight = workspace_.viewport.lookAtClearly(place, kFindingRadiusMm);
+  workspace_.picture.setHidden(sight.hides, sight.towardsEyeInWork);
+  showView();
 }
 
 void PageStack::chooseWaypoint(std::optional<std::size_t> waypoint) {
@@ -216,8 +233,11 @@ void PageStack::showView() {
   scene::ViewState view = workspace_.picture.base(workspace_.presenter.partBox());
   view.platform = workspace_.tree.isShown(panels::SceneItem::Platform);
   page_->draw(view);
+  workspace_.picture.reveal(view);
   unrolled_.mark(view);
   workspace_.viewport.setView(view);
+  if (std::exchange(world_, view.world) != view.world)
+    workspace_.viewport.frameAll(); // a cell has come or gone: all is in another place
   unrolled_.showLaid(page_->laid());
   page_->drawn();
   legend_.setLegend(isColoured(workspace_.viewport.view()) ? workspace_.viewport.scene().legend()

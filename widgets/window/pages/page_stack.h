@@ -56,6 +56,8 @@ private:
   void listenToPresenter();
   void listenToBars();
   void showBadge();
+  void lookAtMarker(const Eigen::Vector3d& place);
+  void keepPlatformInView(const Eigen::Vector3d& sizeMm);
   void forInputs(const std::function<void(ViewportInput&)>& does);
 
   WorkspaceParts workspace_;
@@ -67,6 +69,8 @@ private:
   std::vector<std::unique_ptr<Page>> pages_;
   Page* page_ = nullptr;
   bool inCell_ = false;
+  scene::World world_ = scene::World::Work;
+  Eigen::Vector3d platformSizeMm_ = Eigen::Vector3d::Zero(); // as drawn last
 };
 
 } // namespace voluta::window

@@ -16,6 +16,7 @@
 #include "robot/cell_draft.h"
 #include "window/cell_editor.h"
 #include "window/mesh_summary.h"
+#include "window/pages/cell_view.h"
 #include "window/pages/reach_view.h"
 #include "window/pages/stand_chooser.h"
 #include "window/presenter.h"
@@ -52,7 +53,7 @@ void PreparePage::build() {
   placement_ = new panels::PlacementPanel;
   placement_->setObjectName("placement");
   mesh_ = new panels::MeshPanel;
-  parameters_ = new forms::ParameterForm(pipeline::allParameters());
+  parameters_ = new forms::ParameterForm(pipeline::offeredParameters());
   parameters_->setObjectName("parameters");
   parameters_->setHeader(choices_->form());
   const auto text = [](std::string_view view) {
@@ -184,6 +185,7 @@ void PreparePage::draw(scene::ViewState& view) {
   view.voxels = made && work().presenter.hasVoxels();
   view.pieces = made && work().presenter.hasPieces();
   view.part = part && !view.voxels && !view.pieces;
+  drawCellAtRest(view, work());
   reach_->draw(view);
 }
 
@@ -241,7 +243,8 @@ void PreparePage::showPart() {
   }
   const Eigen::AlignedBox3d& box = work().presenter.partBox();
   placement_->setSizeMm(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval());
-  mesh_->setSummary(meshSummary(*source));
+  mesh_->setSummary(
+      meshSummary(*source, placed ? placed->job.report.model.volumeMm3 : source->found.volumeMm3));
 }
 
 } // namespace voluta::window

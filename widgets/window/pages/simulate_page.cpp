@@ -44,7 +44,7 @@ SimulatePage::SimulatePage(const Workspace& workspace)
   timeline::TimelineBar* bar = &work().timeline;
   connect(bar, &timeline::TimelineBar::timeChanged, plots_, &timeline::JointPlots::setTimeS);
   connect(plots_, &timeline::JointPlots::timeClicked, bar, &timeline::TimelineBar::setTimeS);
-  connect(solids_, &QCheckBox::toggled, &work().presenter, &Presenter::setCollisionSolids);
+  connect(solids_, &QCheckBox::toggled, this, [this] { work().shell.showView(); });
   connect(&work().presenter, &Presenter::motionReady, this, &SimulatePage::showMotion);
   connect(resume_, &panels::ResumeBar::asked, this, &SimulatePage::resume);
   connect(bar, &timeline::TimelineBar::timeChanged, this, &SimulatePage::showResume);
@@ -84,8 +84,7 @@ void SimulatePage::resume() {
 
 void SimulatePage::retranslate() {
   solids_->setText(tr("Collision solids"));
-  solids_->setToolTip(tr("The arm as the solids that are checked for collisions, where it has "
-                         "meshes of its own"));
+  solids_->setToolTip(tr("Shows the solids that are checked for collisions over the arm"));
   showResume();
 }
 
@@ -104,6 +103,7 @@ void SimulatePage::showMotion() {
 
 void SimulatePage::draw(scene::ViewState& view) {
   drawCellAtWork(view, work());
+  view.collisionSolids = solids_->isChecked();
 }
 
 std::optional<Laid> SimulatePage::laid() const {

@@ -44,7 +44,7 @@ private:
   void goToTimeOf(std::size_t waypoint);
 
   timeline::JointPlots* plots_;
-  QCheckBox* solids_; // what of the arm is drawn
+  QCheckBox* solids_; // over the arm
   panels::ResumeBar* resume_;
   QWidget* side_;
 };

@@ -1,19 +1,15 @@
-// The proof beside a program: its hash is the file's, its places are lines of it, and the mesh is
-// of the beads.
+// The proof beside a program: its hash is the file's, its places are lines of it, and its page
+// agrees with its figures.
 #include "base/files.h"
 #include "base/sha256.h"
 #include "base/units.h"
-#include "box_request.h"
 #include "collision/growing_part.h"
-#include "geometry/formats/mesh_reader.h"
-#include "geometry/measures.h"
 #include "helpers/temporary_folder.h"
 #include "motion/margins.h"
+#include "pipeline/box_request.h"
 #include "pipeline/outputs.h"
-#include "pipeline/printed_mesh.h"
 #include "pipeline/proof.h"
 #include "pipeline/road.h"
-#include "process/bead_model.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -44,17 +40,82 @@ TEST(Proof, StandsBesideEachProgramThatPassed) {
     EXPECT_NEAR(proof["durationS"]["planned"].get<double>(), plan.job.report.motion.durationS,
                 1e-9);
     EXPECT_EQ(proof["jointLimits"].size(), 6u);
-    const auto lines = std::ranges::count(checked->program.files[0].text, '\n');
     for (const auto* place : {&proof["leastClearance"], &proof["singularity"]}) {
-      EXPECT_EQ((*place)["file"], file);
+      const auto of = std::ranges::find(checked->program.files,
+                                        (*place)["file"].get<std::string>(),
+                                        &plan::ProgramFile::name);
+      ASSERT_NE(of, checked->program.files.end()) << (*place)["file"];
       EXPECT_GT((*place)["line"].get<long>(), 0);
-      EXPECT_LE((*place)["line"].get<long>(), lines);
+      EXPECT_LE((*place)["line"].get<long>(), std::ranges::count(of->text, '\n'));
     }
+    EXPECT_GT(proof["massG"].get<double>(), 0.0);
+    EXPECT_EQ(proof["jointSpeeds"].size(), 6u);
+    for (const auto& joint : proof["jointSpeeds"])
+      EXPECT_LE(joint["shareOfLimit"].get<double>(), 1.05) << joint;
     const std::string page = base::readFile(folder / (file + ".proof.html"));
-    EXPECT_NE(page.find("<svg"), std::string::npos);
+    EXPECT_NE(page.find("Passed: this program prints"), std::string::npos);
     EXPECT_NE(page.find(proof["files"][0]["sha256"].get<std::string>()), std::string::npos);
+    EXPECT_EQ(base::readFile(folder / (file + ".proof.pdf")).substr(0, 5), "%PDF-");
   }
   EXPECT_TRUE(std::filesystem::exists(folder / "box.printed.stl"));
+}
+
+// The worst place of each margin that has one, in the part and in the program.
+TEST(Proof, AMarginNamesItsWorstPlace) {
+  PlanResult plan = test::boxPlan();
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), kCtx);
+  const auto proof = proofIn(folder.path(), plan.checked[0]->program.files[0].name);
+  const auto& gap = proof["worst"]["coveredFraction"];
+  ASSERT_TRUE(gap.contains("atMm"));
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_GT(gap["atMm"][k].get<double>(), k < 2 ? -12.0 : -1.0);
+    EXPECT_LT(gap["atMm"][k].get<double>(), k < 2 ? 12.0 : 9.0);
+  }
+  EXPECT_GE(gap["layer"].get<int>(), 1);
+  EXPECT_LE(gap["layer"].get<int>(), plan.job.report.layers.count);
+  EXPECT_GE(gap["atS"].get<double>(), 0.0);
+  EXPECT_LE(gap["atS"].get<double>(), plan.job.report.motion.durationS);
+  for (const auto& joint : proof["jointLimits"])
+    EXPECT_EQ(joint["atMm"].size(), 3u);
+}
+
+TEST(Proof, ARefusedProgramSaysSoFirst) {
+  PlanResult plan = test::boxPlan();
+  CheckedProgram refused = *plan.checked[0];
+  refused.passed = refused.verdict.passed = false;
+  refused.verdict.collisions = 2;
+  plan.checked = {std::make_shared<const CheckedProgram>(refused)};
+  plan.keepRefused = true;
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), kCtx);
+  const std::string name = "refused-" + refused.program.files[0].name;
+  const std::string page = base::readFile(folder / (name + ".proof.html"));
+  EXPECT_NE(page.find("Refused: do not run this program."), std::string::npos);
+  EXPECT_NE(page.find("Collisions: 2; none is allowed."), std::string::npos);
+  EXPECT_EQ(page.find("Passed:"), std::string::npos);
+  EXPECT_EQ(proofIn(folder.path(), name)["files"][0]["name"], name);
+}
+
+TEST(Proof, TheLegendHasTheColoursOfTheMap) {
+  Proof proof;
+  proof.fill = {1.0, Eigen::Vector3d::Zero(), {3, 2, 2}, {}};
+  proof.fill.filled = {1.0, 0.83, -1.0, 1.0, 0.83, -1.0, 0.75, 0.6, 0.1, 0.75, 0.6, 0.1};
+  const page::Sheet sheet = proofSheet(proof, base::Language());
+  ASSERT_EQ(sheet.maps.size(), 2u);
+  const page::CellMap& front = sheet.maps[0];
+  ASSERT_EQ(front.width, 3);
+  ASSERT_EQ(front.height, 2);
+  const auto label = [&](int row, int column) -> std::string {
+    const int swatch = front.swatch[static_cast<std::size_t>(row * 3 + column)];
+    return swatch < 0 ? "" : sheet.legend[static_cast<std::size_t>(swatch)].label;
+  };
+  EXPECT_EQ(label(1, 0), "90\u00a0% and more filled");
+  EXPECT_EQ(label(1, 1), "80 to 90\u00a0%");
+  EXPECT_EQ(label(1, 2), "");
+  EXPECT_EQ(label(0, 0), "70 to 80\u00a0%");
+  EXPECT_EQ(label(0, 1), "50 to 70\u00a0%");
+  EXPECT_EQ(label(0, 2), "less than 50\u00a0%");
 }
 
 TEST(Proof, NoneIsMadeWhereItIsNotWanted) {
@@ -111,37 +172,6 @@ TEST(Proof, TheFillMapSaysWhereNothingIs) {
   };
   EXPECT_GT(at(left, 1), 0.8);
   EXPECT_EQ(at(left, left.size.z() - 2), 0.0);
-}
-
-TEST(PrintedMesh, OneBeadIsItsTube) {
-  plan::ToolPlan plan;
-  for (const double x : {0.0, 4.0, 10.0}) {
-    plan.position.emplace_back(x, 0, 0.8);
-    plan.direction.emplace_back(0, 0, 1);
-    plan.widthMm.push_back(1.2f);
-    plan.heightMm.push_back(0.8f);
-    plan.speedMmPerS.push_back(20.0f);
-  }
-  plan.paths.push_back({0, 3, plan::PathKind::Wall, 0, 0, 0, false});
-  const collision::GrowingPart growing(plan, 0.2, kCtx);
-  const geometry::TriangleMesh mesh = outerBeads(plan, growing);
-  // 10 mm of the bead's section; the point between is left out.
-  EXPECT_NEAR(geometry::volume(mesh), 10.0 * process::beadArea(1.2f, 0.8f), 1e-6);
-  EXPECT_EQ(mesh.vertices.size(), 16u);
-  EXPECT_NEAR(geometry::bounds(mesh).min().z(), 0.0, 1e-6);
-  EXPECT_NEAR(geometry::bounds(mesh).max().z(), 0.8, 1e-6);
-}
-
-TEST(PrintedMesh, BeadsWithinAreLeftOut) {
-  const PlanResult& plan = test::boxPlan();
-  const plan::ToolPlan& whole = *plan.job.toolPlan;
-  const collision::GrowingPart growing(whole, collision::growingPitch(whole, *plan.process), kCtx);
-  const geometry::TriangleMesh mesh = outerBeads(whole, growing);
-  ASSERT_FALSE(mesh.empty());
-  EXPECT_LT(geometry::volume(mesh), 0.75 * plan.job.report.toolpath.materialMm3);
-  const Eigen::AlignedBox3d box = geometry::bounds(mesh);
-  EXPECT_NEAR(box.sizes().x(), 20.0, 1.2);
-  EXPECT_NEAR(box.sizes().z(), 8.0, 0.8);
 }
 
 } // namespace

@@ -1,0 +1,11 @@
+// How long something takes, in words.
+#pragma once
+
+#include "base/text.h"
+
+namespace voluta::base {
+
+// "12 s", "5 min 30 s", "2 h 29 min", rounded to the last unit.
+Message duration(double seconds);
+
+} // namespace voluta::base

@@ -1,0 +1,130 @@
+#include "collision/bead_sections.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::collision {
+
+using Eigen::Vector3d;
+
+namespace {
+constexpr double kCellMm = 2.0;
+
+double pointDistance(const Disc& disc, const Vector3d& point) {
+  const Vector3d r = point - disc.centre;
+  const double up = r.dot(disc.normal);
+  return std::hypot(up, std::max(0.0, (r - up * disc.normal).norm() - disc.radius));
+}
+
+// The least value of a convex function over [low, high], or the first found at or below `enough`.
+template <typename Value>
+double leastOf(const Value& value, double low, double high, double enough) {
+  constexpr int kSteps = 20; // 7e-5 of the range
+  constexpr double kGolden = 0.6180339887498949;
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+  double atA = value(a), atB = value(b);
+  double least = std::min({atA, atB, value(low), value(high)});
+  for (int k = 0; k < kSteps && least > enough; ++k) {
+    if (atA < atB) {
+      high = b;
+      b = a;
+      atB = atA;
+      a = high - kGolden * (high - low);
+      atA = value(a);
+    } else {
+      low = a;
+      a = b;
+      atA = atB;
+      b = low + kGolden * (high - low);
+      atB = value(b);
+    }
+    least = std::min({least, atA, atB});
+  }
+  return least;
+}
+
+Eigen::AlignedBox3d boxOf(const Disc& disc) {
+  const Vector3d across =
+      disc.radius * (1.0 - disc.normal.array().square()).max(0.0).sqrt().matrix();
+  return {disc.centre - across, disc.centre + across};
+}
+
+Eigen::AlignedBox3d boxOf(const BeadSection& bead) {
+  const Vector3d end = bead.start + bead.along;
+  const Vector3d reach = bead.halfFlat * bead.side.cwiseAbs() + Vector3d::Constant(bead.radius);
+  return {bead.start.cwiseMin(end) - reach, bead.start.cwiseMax(end) + reach};
+}
+
+bool isBeneath(const BeadSection& bead, const Disc& disc) {
+  const double start = (bead.start - disc.centre).dot(disc.normal);
+  return std::max(start, start + bead.along.dot(disc.normal)) +
+             bead.halfFlat * std::abs(bead.side.dot(disc.normal)) <
+         -bead.radius;
+}
+} // namespace
+
+BeadSection beadSection(const plan::ToolPlan& plan, std::size_t i) {
+  const auto middle = [&](std::size_t w) -> Vector3d {
+    return plan.position[w] - 0.5 * static_cast<double>(plan.heightMm[w]) * plan.direction[w];
+  };
+  const double height =
+      0.5 * (static_cast<double>(plan.heightMm[i]) + static_cast<double>(plan.heightMm[i + 1]));
+  const double width =
+      0.5 * (static_cast<double>(plan.widthMm[i]) + static_cast<double>(plan.widthMm[i + 1]));
+  BeadSection bead;
+  bead.start = middle(i);
+  bead.along = middle(i + 1) - bead.start;
+  bead.side = (plan.direction[i] + plan.direction[i + 1]).cross(bead.along);
+  bead.side = bead.side.norm() > 1e-9 ? Vector3d(bead.side.normalized())
+                                      : Vector3d(plan.direction[i].unitOrthogonal());
+  bead.halfFlat = 0.5 * std::max(0.0, width - height);
+  bead.radius = 0.5 * std::min(width, height);
+  return bead;
+}
+
+double discDistance(const Disc& disc, const BeadSection& bead) {
+  const double core = leastOf(
+      [&](double t) {
+        const Vector3d at = bead.start + t * bead.along;
+        return leastOf([&](double aside) { return pointDistance(disc, at + aside * bead.side); },
+                       -bead.halfFlat, bead.halfFlat, bead.radius);
+      },
+      0.0, 1.0, bead.radius);
+  return core - bead.radius;
+}
+
+BeadSections::BeadSections(const plan::ToolPlan& plan, const std::vector<std::uint32_t>& segments)
+    : laidAt_(segments), places_(plan.waypointCount()) {
+  for (std::size_t p = 0; p < plan.paths.size(); ++p) {
+    const plan::ToolPath& path = plan.paths[p];
+    double mm = 0.0;
+    for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+      if (i > path.first)
+        mm += (plan.position[i] - plan.position[i - 1]).norm();
+      places_[i] = {static_cast<std::uint32_t>(p), static_cast<float>(mm), 2.0f * plan.widthMm[i]};
+    }
+  }
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (std::uint32_t& segment : laidAt_) {
+    beads_.push_back(beadSection(plan, segment));
+    boxes.push_back(boxOf(beads_.back()));
+    ++segment;
+  }
+  near_ = geometry::BoxGrid(boxes, kCellMm);
+}
+
+bool BeadSections::isSoft(std::size_t waypoint, std::size_t before) const {
+  if (before >= places_.size())
+    return false;
+  const Place &laid = places_[waypoint], &now = places_[before];
+  return laid.path == now.path && now.mm - laid.mm <= now.softMm;
+}
+
+bool BeadSections::reachedBy(const Disc& disc, std::size_t before) const {
+  return near_.any(boxOf(disc), [&](std::uint32_t b) {
+    return laidAt_[b] < before && !isBeneath(beads_[b], disc) && !isSoft(laidAt_[b], before) &&
+           discDistance(disc, beads_[b]) <= 0.0;
+  });
+}
+
+} // namespace voluta::collision

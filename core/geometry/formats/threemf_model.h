@@ -1,0 +1,53 @@
+// A model part of a 3MF package, as data: objects, and what is built of them (3MF core
+// specification 1.3, production extension 1.1, beam lattice extension 1.2, slice extension 1.0).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::geometry {
+
+// A reference to an object, by a build item or a component.
+struct ThreemfUse {
+  std::string path, id; // path empty: in the same model part
+  Eigen::Affine3d parent_T_object = Eigen::Affine3d::Identity();
+  bool printable = true;
+};
+
+// In the order of the words in the specification.
+enum class ThreemfObjectType { Model, SolidSupport, Support, Surface, Other };
+
+struct ThreemfBeam {
+  std::array<long long, 2> ends{}; // vertices of the object
+  std::array<double, 2> radii{};   // at the ends, in the model's unit
+  std::array<bool, 2> round{};     // capped by a ball; false: flat
+};
+
+struct ThreemfObject {
+  ThreemfObjectType type = ThreemfObjectType::Model;
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<long long, 3>> triangles; // indices in range
+  std::vector<ThreemfUse> components;
+  std::vector<ThreemfBeam> beams;
+  std::map<long long, double> balls; // radius by vertex
+  bool lowResolution = false;        // slices are its shape, the mesh only stands for it
+  bool hasSlices = false;
+  bool hasClippedBeams = false;
+};
+
+struct ThreemfModel {
+  std::string unit = "millimeter";
+  std::map<std::string, ThreemfObject> objects;
+  std::vector<ThreemfUse> build;
+};
+
+// `where` names the model part in errors. Throws Error{UnreadableFile} with the line: not
+// well-formed, an attribute missing or not a number, an index out of range, an unknown object type,
+// an unknown extension that the model requires.
+ThreemfModel parseThreemfModel(std::string_view text, const std::string& where);
+
+} // namespace voluta::geometry

@@ -1,0 +1,84 @@
+#include "base/error.h"
+#include "geometry/append_mesh.h"
+#include "geometry/measures.h"
+#include "geometry/repair/open_surface.h"
+#include "geometry/repair/orientation.h"
+#include "geometry/repair/self_intersections.h"
+#include "geometry/repair/winding_union.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/alpha_wrap_3.h>
+
+#include "geometry/cgal_mesh.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace voluta::geometry {
+
+namespace {
+
+// Facets that a wrap may come to.
+constexpr double kMostFacets = 2e6;
+
+TriangleMesh wrapped(const TriangleMesh& sheets, double wallMm) {
+  // As fine as half the wall, so that rims come out round; both sides of the sheets in triangles of
+  // that size.
+  const double alpha = 0.5 * wallMm;
+  const double facets = 2.0 * area(sheets) / (0.43 * alpha * alpha);
+  if (facets > kMostFacets)
+    throw base::Error(
+        base::ErrorCode::UnusableInput,
+        base::message("a wall of {wall:.2f} is too thin for so large a surface: it would "
+                      "come to {facets:.2g} triangles"_text,
+                      base::mm(wallMm), base::number(facets)),
+        {}, "thicken the surface in a modelling program"_text);
+  std::vector<CgalKernel::Point_3> points;
+  for (const auto& v : sheets.vertices)
+    points.emplace_back(v.x(), v.y(), v.z());
+  std::vector<std::array<std::size_t, 3>> faces;
+  for (const auto& t : sheets.triangles)
+    faces.push_back({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                     static_cast<std::size_t>(t[2])});
+  CgalMesh wrap;
+  CGAL::alpha_wrap_3(points, faces, alpha, 0.5 * wallMm, wrap);
+  return fromCgal(wrap);
+}
+
+} // namespace
+
+TriangleMesh thickened(const TriangleMesh& mesh, double wallMm, const base::RunContext& ctx) {
+  base::require(wallMm > 0.0, "thickened: wallMm > 0");
+  const Components parts = components(mesh);
+  const std::vector<bool> closed = closedComponents(mesh, parts);
+  std::vector<double> volumes(closed.size(), 0.0), areas(closed.size(), 0.0);
+  const Eigen::Vector3d origin = bounds(mesh).center();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto c = static_cast<std::size_t>(parts.ofTriangle[t]);
+    const Eigen::Vector3d a = mesh.corner(t, 0) - origin, b = mesh.corner(t, 1) - origin,
+                          d = mesh.corner(t, 2) - origin;
+    volumes[c] += a.dot(b.cross(d)) / 6.0;
+    areas[c] += triangleArea(mesh, t);
+  }
+  std::vector<bool> isSolid(mesh.triangles.size()), isSheet(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto c = static_cast<std::size_t>(parts.ofTriangle[t]);
+    // A closed component without volume is a sheet with two sides.
+    isSolid[t] = closed[c] && std::abs(volumes[c]) > 1e-9 * areas[c] * std::sqrt(areas[c]);
+    isSheet[t] = !isSolid[t];
+  }
+  TriangleMesh solids = subMesh(mesh, isSolid);
+  const TriangleMesh sheets = subMesh(mesh, isSheet);
+  ctx.checkpoint();
+  if (!sheets.empty())
+    appendMesh(solids, wrapped(sheets, wallMm));
+  ctx.checkpoint();
+  const auto pairs = selfIntersections(solids, ctx);
+  if (pairs.empty())
+    return solids;
+  return windingUnion(solids, pairs, ctx).value_or(solids);
+}
+
+} // namespace voluta::geometry

@@ -1,0 +1,162 @@
+#include "geometry/repair/winding_union.h"
+
+#include "geometry/edges.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_query.h"
+#include "geometry/repair/arrangement.h"
+#include "geometry/repair/diagnosis.h"
+#include "geometry/repair/repair_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace voluta::geometry {
+
+using Eigen::Vector3d;
+
+namespace {
+
+// Facets that hang together over edges where just two meet bound the same two regions.
+std::vector<int> patchesOf(const Arrangement& arrangement) {
+  const std::vector<std::array<int, 3>>& facets = arrangement.facets.triangles;
+  UnionFind sets(facets.size());
+  const std::vector<HalfEdge> edges = sortedHalfEdges(arrangement.facets);
+  forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
+    if (end - begin != 2 || edges[begin].forward == edges[begin + 1].forward)
+      return;
+    const int a = edges[begin].triangle, b = edges[begin + 1].triangle;
+    if (arrangement.layers[static_cast<std::size_t>(a)] ==
+        arrangement.layers[static_cast<std::size_t>(b)])
+      sets.join(a, b);
+  });
+  std::vector<int> patch(facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    patch[f] = sets.find(static_cast<int>(f));
+  return patch;
+}
+
+// Finds the winding number in front of a patch from its largest facets.
+class PatchSides {
+public:
+  PatchSides(const Arrangement& arrangement, const TriangleMesh& mesh)
+      : arrangement_(arrangement), query_(mesh), reach_(1e-6 * bounds(mesh).diagonal().norm()) {}
+
+  struct Front {
+    int winding = 0;
+    bool isCertain = false; // false: other surfaces are too near to tell
+  };
+  // `facets`: the largest first.
+  Front front(const std::vector<int>& facets) const {
+    Front first;
+    for (std::size_t i = 0; i < std::min<std::size_t>(facets.size(), kTries); ++i) {
+      const auto f = static_cast<std::size_t>(facets[i]);
+      const TriangleMesh& mesh = arrangement_.facets;
+      const Vector3d centre = (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3.0;
+      const Vector3d out =
+          std::min(reach_, 1e-3 * std::sqrt(triangleArea(mesh, f))) * triangleNormal(mesh, f);
+      const int front = winding(centre + out), back = winding(centre - out);
+      if (back == front + arrangement_.layers[f])
+        return {front, true};
+      if (i == 0)
+        first.winding = front;
+    }
+    return first;
+  }
+
+  static constexpr std::size_t kTries = 5; // facets of a patch
+
+private:
+  int winding(const Vector3d& p) const {
+    return static_cast<int>(std::lround(query_.windingNumber(p)));
+  }
+
+  const Arrangement& arrangement_;
+  MeshQuery query_;
+  double reach_;
+};
+
+enum class Choice : signed char { Open, Drop, Keep };
+
+// Chooses patches that nobody could measure, so that as many kept facets run forward as backward
+// along each edge: where one patch at an edge is open, the others decide.
+void chooseByNeighbours(const Arrangement& arrangement, const std::vector<int>& patch,
+                        std::vector<Choice>& choices) {
+  const std::vector<HalfEdge> edges = sortedHalfEdges(arrangement.facets);
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
+      int open = -1, openBalance = 0, keptBalance = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const int at = patch[static_cast<std::size_t>(edges[i].triangle)];
+        const Choice choice = choices[static_cast<std::size_t>(at)];
+        const int way = edges[i].forward ? 1 : -1;
+        if (choice == Choice::Keep)
+          keptBalance += way;
+        if (choice != Choice::Open)
+          continue;
+        if (open >= 0 && open != at)
+          return;
+        open = at;
+        openBalance += way;
+      }
+      if (open < 0 || openBalance == 0)
+        return;
+      choices[static_cast<std::size_t>(open)] =
+          keptBalance == -openBalance ? Choice::Keep : Choice::Drop;
+      changed = true;
+    });
+  }
+}
+
+// Uncertain patches are chosen as they were measured; if that leaves gaps, by their neighbours.
+TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh& mesh,
+                              const base::RunContext& ctx) {
+  const TriangleMesh& all = arrangement.facets;
+  const std::vector<int> patch = patchesOf(arrangement);
+  std::map<int, std::vector<int>> facetsOf;
+  for (std::size_t f = 0; f < patch.size(); ++f)
+    facetsOf[patch[f]].push_back(static_cast<int>(f));
+  const PatchSides sides(arrangement, mesh);
+  std::vector<Choice> choices(patch.size(), Choice::Open), certain = choices; // by the patch
+  for (auto& [id, facets] : facetsOf) {
+    ctx.checkpoint();
+    const auto areaOf = [&](int f) { return triangleArea(all, static_cast<std::size_t>(f)); };
+    const auto few = std::min<std::ptrdiff_t>(PatchSides::kTries, std::ssize(facets));
+    std::partial_sort(facets.begin(), facets.begin() + few, facets.end(), [&](int a, int b) {
+      return std::pair(-areaOf(a), a) < std::pair(-areaOf(b), b);
+    });
+    const auto at = static_cast<std::size_t>(id);
+    const PatchSides::Front front = sides.front(facets);
+    choices[at] = front.winding < 1 && front.winding + arrangement.layers[at] >= 1 ? Choice::Keep
+                                                                                   : Choice::Drop;
+    if (front.isCertain)
+      certain[at] = choices[at];
+  }
+  const auto kept = [&](const std::vector<Choice>& chosen) {
+    std::vector<bool> keep(patch.size());
+    for (std::size_t f = 0; f < patch.size(); ++f)
+      keep[f] = chosen[static_cast<std::size_t>(patch[f])] == Choice::Keep;
+    return subMesh(all, keep);
+  };
+  TriangleMesh measured = kept(choices);
+  if (isWatertight(measured))
+    return measured;
+  chooseByNeighbours(arrangement, patch, certain);
+  return kept(certain);
+}
+
+} // namespace
+
+std::optional<TriangleMesh> windingUnion(const TriangleMesh& mesh,
+                                         const std::vector<std::pair<int, int>>& pairs,
+                                         const base::RunContext& ctx) {
+  const Arrangement arrangement = arrange(mesh, pairs, ctx);
+  TriangleMesh united = boundaryOfInside(arrangement, mesh, ctx);
+  if (!isWatertight(united))
+    return std::nullopt;
+  return united;
+}
+
+} // namespace voluta::geometry

@@ -1,0 +1,54 @@
+#include "pipeline/early_verdict.h"
+
+#include "geometry/measures.h"
+#include "plan/blocking_share.h"
+#include "plan/finding_kinds.h"
+#include "process/bead_model.h"
+#include "replay/verification.h"
+
+#include <cmath>
+
+namespace voluta::pipeline {
+
+namespace {
+
+// A replay lets a controller lay up to 5 % more or less than planned over a bead, and some of the
+// beads' length count as it is; it weighs against the part's volume or its cells', 2 % apart at
+// most.
+constexpr double kLeeway = 0.08;
+
+double partMaterial(const plan::ToolPlan& toolPlan) {
+  const auto section = [&](std::size_t i) {
+    return process::beadArea(static_cast<double>(toolPlan.widthMm[i]),
+                             static_cast<double>(toolPlan.heightMm[i]));
+  };
+  double mm3 = 0.0;
+  for (const plan::ToolPath& path : toolPlan.paths) {
+    if (path.kind == plan::PathKind::Support || plan::isWaste(path.kind))
+      continue;
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      mm3 += process::beadVolume(section(i - 1), section(i),
+                                 (toolPlan.position[i] - toolPlan.position[i - 1]).norm());
+  }
+  return mm3;
+}
+
+} // namespace
+
+std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
+                                            const geometry::TriangleMesh& part,
+                                            const process::Process& process) {
+  const double volume = std::abs(geometry::volume(part));
+  if (!(volume > 0.0))
+    return std::nullopt;
+  // What flows before each bead while the nozzle stands counts too.
+  const double standing =
+      static_cast<double>(toolPlan.paths.size()) * process.primeS * process.maxFlowMm3PerS / volume;
+  const double ratio = partMaterial(toolPlan) / volume;
+  const double slack = replay::ReplayThresholds{}.massTolerance + kLeeway;
+  if (ratio <= 1.0 + slack + plan::kBlockingShare && ratio + standing >= 1.0 - slack)
+    return std::nullopt;
+  return plan::makeFinding(plan::FindingKind::Mass, {{"share", base::percent(100.0 * ratio)}});
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,73 @@
+#include "pipeline/open_part.h"
+
+#include "geometry/repair/open_surface.h"
+#include "plan/finding_kinds.h"
+
+namespace voluta::pipeline {
+
+namespace {
+constexpr const char* kClose = "close";
+constexpr const char* kThicken = "thicken";
+constexpr double kWallBeads = 2.0;
+} // namespace
+
+base::ParameterTable openSurfaceParameters() {
+  return base::ParameterTable({
+      base::choiceParameter(
+          "openSurfaces", kRefuseOpenSurfaces,
+          {{kRefuseOpenSurfaces, "refuse"_text},
+           {kClose, "close"_text},
+           {kThicken, "thicken"_text}},
+          "Placement"_text, "Open surfaces"_text,
+          "What becomes of a part whose surface has wide rims or no thickness: it is refused, its "
+          "rims are closed with patches, or the surface becomes a wall two beads wide."_text,
+          true),
+  });
+}
+
+double openSurfaceWallMm(const process::Process& process) {
+  return kWallBeads * process.beadWidthMm;
+}
+
+OpenPart::OpenPart(const project::LoadedPart& loaded, const base::ParameterValues& values,
+                   const process::Process& process)
+    : loaded_(loaded), choice_(values.text("openSurfaces")), wallMm_(openSurfaceWallMm(process)) {}
+
+std::shared_ptr<const geometry::TriangleMesh> OpenPart::mesh(double scale,
+                                                             const base::RunContext& ctx) {
+  if (!loaded_.open || choice_ == kRefuseOpenSurfaces)
+    return loaded_.mesh;
+  if (mesh_ && (choice_ == kClose || scale == scale_))
+    return mesh_;
+  scale_ = scale;
+  mesh_ = choice_ == kClose ? project::closedMesh(loaded_, ctx)
+                            : std::make_shared<geometry::TriangleMesh>(
+                                  geometry::thickened(*loaded_.mesh, wallMm_ / scale, ctx));
+  return mesh_;
+}
+
+plan::Findings OpenPart::findings() const {
+  using plan::FindingKind;
+  if (!loaded_.open)
+    return {};
+  const geometry::OpenSurface& open = *loaded_.open;
+  if (choice_ == kThicken)
+    return {plan::makeFinding(FindingKind::SurfaceThickened, {{"wall", base::mm(wallMm_)}})};
+  const std::vector<plan::NamedValue> sheets{{"share", base::percent(100.0 * open.sheetShare)},
+                                             {"triangles", open.sheetTriangles}};
+  if (choice_ == kClose) {
+    plan::Findings findings;
+    if (open.hasOpenRims())
+      findings.push_back(plan::makeFinding(FindingKind::RimsClosed,
+                                           {{"share", base::percent(100.0 * open.capShare)}}));
+    if (open.isSheetModel())
+      findings.push_back(plan::makeFinding(FindingKind::SheetsLeftOut, sheets));
+    return findings;
+  }
+  if (open.isSheetModel())
+    return {plan::makeFinding(FindingKind::SheetModel, sheets)};
+  return {plan::makeFinding(FindingKind::OpenRims,
+                            {{"rims", open.rims}, {"width", base::mm(open.widestMm)}})};
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,304 @@
+// What a proof says to who runs the program and to who gets the part: verdict first, then each
+// margin as a sentence with its limit and its worst place.
+#include "base/duration.h"
+#include "pipeline/proof.h"
+#include "plan/finding.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace voluta::pipeline {
+
+namespace {
+
+using base::message;
+using page::Mark;
+
+base::Quantity share(double fraction) {
+  return base::percent(100.0 * fraction);
+}
+
+// The fill map's classes, fullest first: beads with round edges that touch fill nine tenths, and
+// the material that is pressed between them the rest. Colours that eyes of every kind tell apart,
+// none of them the red of what failed.
+struct FillClass {
+  double least; // share
+  page::Colour colour;
+};
+constexpr std::array<FillClass, 5> kFillClasses{{{0.90, {0x1f, 0x4e, 0x79}},
+                                                 {0.80, {0x5b, 0x8d, 0xb8}},
+                                                 {0.70, {0xa9, 0xc7, 0xde}},
+                                                 {0.50, {0xf3, 0xc7, 0x6b}},
+                                                 {0.00, {0xd9, 0x82, 0x2b}}}};
+
+int fillClassOf(double filled) {
+  const auto* found =
+      std::ranges::find_if(kFillClasses, [&](const FillClass& row) { return filled >= row.least; });
+  return static_cast<int>(
+      std::min<std::ptrdiff_t>(found - kFillClasses.begin(), std::ssize(kFillClasses) - 1));
+}
+
+// The mean along the view. `across`: the axis to the right; z is up.
+page::CellMap viewOf(const FillMap& fill, int across) {
+  const int along = 1 - across;
+  page::CellMap map{fill.size[across], fill.size.z(), {}, {}};
+  for (int k = map.height - 1; k >= 0; --k)
+    for (int i = 0; i < map.width; ++i) {
+      double sum = 0.0, count = 0.0;
+      for (int j = 0; j < fill.size[along]; ++j) {
+        Eigen::Vector3i cell(0, 0, k);
+        cell[across] = i;
+        cell[along] = j;
+        const double filled = fill.filled[static_cast<std::size_t>(
+            cell.x() + fill.size.x() * (cell.y() + fill.size.y() * k))];
+        if (filled >= 0.0) {
+          sum += filled;
+          count += 1.0;
+        }
+      }
+      map.swatch.push_back(count > 0.0 ? fillClassOf(sum / count) : page::CellMap::kNothing);
+    }
+  return map;
+}
+
+// No line ends between a number and its unit.
+std::string unbroken(std::string text) {
+  constexpr std::string_view kUnits[] = {" %", " mm", " g", " min", " h", " s", " cm"};
+  constexpr std::string_view kFixedSpace = "\u00a0";
+  for (const std::string_view unit : kUnits)
+    for (std::size_t at = text.find(unit); at != std::string::npos; at = text.find(unit, at + 1)) {
+      const std::size_t end = at + unit.size();
+      const bool ends =
+          end == text.size() || std::isalpha(static_cast<unsigned char>(text[end])) == 0;
+      if (at > 0 && std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0 && ends)
+        text.replace(at, 1, kFixedSpace);
+    }
+  return text;
+}
+
+class SheetMaker {
+public:
+  SheetMaker(const Proof& proof, const base::Language& language)
+      : proof_(proof), verdict_(proof.verdict), language_(language) {}
+
+  page::Sheet make() {
+    sheet_.title =
+        say(message("{part}: proof of the {format} program"_text, proof_.part, proof_.format));
+    sheet_.issued = say(message("Voluta {version}, {date}"_text, proof_.version, proof_.date));
+    facts();
+    sheet_.checksTitle = say("What was checked, and where it comes nearest to its limit"_text);
+    beadChecks();
+    programChecks();
+    motionChecks();
+    verdict();
+    maps();
+    files();
+    sheet_.footer =
+        say(message("Positions are mm in the work frame: from the middle of the platform's top, z "
+                    "out of it. The part as printed, as a solid: {file}"_text,
+                    proof_.printed));
+    return std::move(sheet_);
+  }
+
+private:
+  std::string say(const base::Message& what) const {
+    return unbroken(base::inWords(what, language_));
+  }
+
+  void fact(base::Text label, const base::Message& value) {
+    sheet_.facts.push_back({say(label), say(value)});
+  }
+  void check(Mark mark, const base::Message& sentence, const std::string& place = {}) {
+    sheet_.checks.push_back({mark, say(sentence), place});
+  }
+  void check(bool passed, const base::Message& sentence, const std::string& place = {}) {
+    check(passed ? Mark::Passed : Mark::Failed, sentence, place);
+  }
+
+  std::string place(const ProofPlace& at) const {
+    std::vector<std::string> parts;
+    if (at.at)
+      parts.push_back(say(message("at {place:.1f}"_text, plan::pointOf(*at.at))));
+    if (at.layer > 0)
+      parts.push_back(say(message("layer {layer}"_text, at.layer)));
+    if (at.atS >= 0.0)
+      parts.push_back(say(message("after {time}"_text, base::duration(at.atS))));
+    if (at.line > 0)
+      parts.push_back(say(message("line {line} of {file}"_text, at.line, at.file)));
+    return fmt::format("{}", fmt::join(parts, ", "));
+  }
+
+  void facts() {
+    const process::Process& p = proof_.process;
+    fact("Part"_text, message("{part}, {x:.1f#} x {y:.1f#} x {z:.1f}"_text, proof_.part,
+                              base::mm(proof_.sizeMm.x()), base::mm(proof_.sizeMm.y()),
+                              base::mm(proof_.sizeMm.z())));
+    fact("Robot"_text, message("{name}"_text, proof_.robot));
+    fact("Built in"_text, message("{layers} layer, {way}|{layers} layers, {way}"_plural,
+                                  proof_.layers, proof_.mode));
+    fact("Cell"_text, message("{name}"_text, proof_.cell));
+    fact("Print time"_text,
+         message("{time} on its controller"_text, base::duration(proof_.programS)));
+    fact("Tool"_text,
+         message("nozzle {nozzle}, bead {width#} x {height}"_text, base::mm(p.nozzleDiameterMm),
+                 base::mm(p.beadWidthMm), base::mm(p.layerHeightMm)));
+    fact("Mass"_text,
+         message("{mass:.1f} g, supports and waste included"_text, base::number(proof_.massG())));
+    fact("Material"_text,
+         message("{material}, {volume:.1f} cm3 at {density:.2f} g/cm3"_text, p.material,
+                 base::number(1e-3 * proof_.materialMm3), base::number(p.densityGPerCm3)));
+  }
+
+  void beadChecks() {
+    const project::ThresholdsReport& limits = verdict_.thresholds;
+    check(verdict_.coveredFraction >= limits.covered,
+          message("Fill: {share:.1f} of the part is filled; {limit:.0f} are required."_text,
+                  share(verdict_.coveredFraction), share(limits.covered)),
+          place(proof_.gap));
+    check(verdict_.overfillFraction <= limits.overfill,
+          message("Overfill: {share:.1f} of the part's volume lies outside it or found no room; at "
+                  "most {limit:.0f}."_text,
+                  share(verdict_.overfillFraction), share(limits.overfill)),
+          place(proof_.overfill));
+    check(
+        std::abs(verdict_.massRatio - 1.0) <= limits.mass,
+        message("Amount: {share:.1f} of the part's volume is laid; {least:.0f#} to {most:.0f} are "
+                "allowed."_text,
+                share(verdict_.massRatio), share(1.0 - limits.mass), share(1.0 + limits.mass)));
+    check(verdict_.unsupportedFraction <= limits.unsupported,
+          message("Unsupported: {share:.2f} of the bead length has nothing beneath it; at most "
+                  "{limit:.1f}."_text,
+                  share(verdict_.unsupportedFraction), share(limits.unsupported)),
+          place(proof_.unsupported));
+    check(Mark::Note,
+          message("Half-carried: {share:.1f} of the bead length lies on less than half its "
+                  "width."_text,
+                  share(verdict_.halfCarriedFraction)),
+          place(proof_.halfCarried));
+    const double bridge = proof_.process.bridgeMm;
+    check(verdict_.longestUnsupportedMm <= bridge ? Mark::Passed : Mark::Note,
+          message("Longest unsupported run: {length:.1f}; this material bridges {bridge:.1f}."_text,
+                  base::mm(verdict_.longestUnsupportedMm), base::mm(bridge)),
+          place(proof_.longestUnsupported));
+  }
+
+  void programChecks() {
+    const project::ThresholdsReport& limits = verdict_.thresholds;
+    check(verdict_.flowErrorFraction <= limits.flowError,
+          message("Bead section: wrong by more than 5 % over {share:.2f} of the printed length; at "
+                  "most {limit:.0f}."_text,
+                  share(verdict_.flowErrorFraction), share(limits.flowError)),
+          place(proof_.flowError));
+    check(verdict_.maxDeviationMm <= limits.deviationMm,
+          message("Path: the nozzle leaves its planned path by {way:.3f} at most; {limit:.2f} are "
+                  "allowed."_text,
+                  base::mm(verdict_.maxDeviationMm), base::mm(limits.deviationMm)),
+          place(proof_.deviation));
+    if (proof_.deviations > 0)
+      check(false, message("{places} place where the text is not what was planned|"
+                           "{places} places where the text is not what was planned"_plural,
+                           proof_.deviations));
+  }
+
+  void motionChecks() {
+    const project::ThresholdsReport& limits = verdict_.thresholds;
+    check(verdict_.collisions <= limits.collisions,
+          message("Collisions: {collisions}; none is allowed."_text, verdict_.collisions));
+    check(verdict_.collisions <= limits.collisions ? Mark::Passed : Mark::Note,
+          message("Closest approach of arm, plate and part: {way:.1f} apart."_text,
+                  base::mm(proof_.clearance.value)),
+          place(proof_.clearance.place));
+    check(verdict_.limitViolations <= limits.limitViolations,
+          message("Limits of joints, speeds and flow: {violations} violations; none is "
+                  "allowed."_text,
+                  verdict_.limitViolations));
+    jointChecks();
+    check(Mark::Note,
+          message("Singular poses: isotropy falls to {ratio:.3f} (0 is singular, 1 is even)."_text,
+                  base::number(proof_.isotropy.value)),
+          place(proof_.isotropy.place));
+  }
+
+  void jointChecks() {
+    if (proof_.joints.empty())
+      return;
+    // Degrees and mm side by side: near is near in either.
+    const auto nearest = std::ranges::min_element(
+        proof_.joints, {}, [](const Proof::Joint& joint) { return joint.margin.value; });
+    check(nearest->margin.value >= 0.0 ? Mark::Passed : Mark::Note,
+          message("Joint range: joint {name} comes nearest to its limit, {angle:.1f} from it."_text,
+                  nearest->name,
+                  nearest->slides ? base::mm(nearest->margin.value)
+                                  : base::degrees(nearest->margin.value)),
+          place(nearest->margin.place));
+    const auto fastest = std::ranges::max_element(
+        proof_.joints, {}, [](const Proof::Joint& joint) { return joint.speed.value; });
+    check(
+        fastest->speed.value <= 1.0 ? Mark::Passed : Mark::Note,
+        message("Joint speed: joint {name} comes nearest to its limit, at {share:.0f} of it."_text,
+                fastest->name, share(fastest->speed.value)),
+        place(fastest->speed.place));
+  }
+
+  void verdict() {
+    const auto failed = std::ranges::count(sheet_.checks, Mark::Failed, &page::Check::mark);
+    sheet_.verdictMark = verdict_.passed ? Mark::Passed : Mark::Failed;
+    if (verdict_.passed) {
+      sheet_.verdict = say("Passed: this program prints the part as planned."_text);
+      sheet_.verdictDetail = say("Voluta read the program back, ran it on a model of the robot and "
+                                 "its controller, and measured what it prints."_text);
+    } else {
+      sheet_.verdict = say("Refused: do not run this program."_text);
+      sheet_.verdictDetail = say(
+          message("Voluta read the program back, ran it on a model of the robot and its "
+                  "controller, and found {checks} check failed.|Voluta read the program back, "
+                  "ran it on a model of the robot and its controller, and found {checks} checks "
+                  "failed."_plural,
+                  failed));
+    }
+    if (proof_.foreign)
+      sheet_.verdictDetail += " " + say("It is for another controller than the cell's own."_text);
+    if (proof_.rest)
+      sheet_.verdictDetail += " " + say("It prints the rest of a part that was stopped."_text);
+  }
+
+  void maps() {
+    sheet_.mapsTitle =
+        say("How full the part is: the mean along the view, of beads with round edges"_text);
+    sheet_.maps = {viewOf(proof_.fill, 0), viewOf(proof_.fill, 1)};
+    sheet_.maps[0].caption = say("from the front (x to the right, z up)"_text);
+    sheet_.maps[1].caption = say("from the side (y to the right, z up)"_text);
+    for (std::size_t i = 0; i < kFillClasses.size(); ++i) {
+      const base::Quantity least = share(kFillClasses[i].least);
+      const base::Message label =
+          i == 0 ? message("{share:.0f} and more filled"_text, least)
+          : i + 1 == kFillClasses.size()
+              ? message("less than {share:.0f}"_text, share(kFillClasses[i - 1].least))
+              : message("{least:.0f#} to {most:.0f}"_text, least, share(kFillClasses[i - 1].least));
+      sheet_.legend.push_back({kFillClasses[i].colour, say(label)});
+    }
+  }
+
+  void files() {
+    sheet_.filesTitle = say("Program files, with the SHA-256 of each"_text);
+    for (const Proof::File& file : proof_.files)
+      sheet_.files.push_back(
+          {file.name, say(message("{bytes} bytes"_text, file.bytes)), file.sha256});
+  }
+
+  const Proof& proof_;
+  const project::ReplayReport& verdict_;
+  const base::Language& language_;
+  page::Sheet sheet_;
+};
+
+} // namespace
+
+page::Sheet proofSheet(const Proof& proof, const base::Language& language) {
+  return SheetMaker(proof, language).make();
+}
+
+} // namespace voluta::pipeline

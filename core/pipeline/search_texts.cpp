@@ -1,0 +1,45 @@
+#include "pipeline/search_texts.h"
+
+#include "base/error.h"
+#include "project/platform.h"
+
+#include <algorithm>
+
+namespace voluta::pipeline {
+
+namespace {
+
+base::Message valuesText(const project::ChosenReport& chosen) {
+  const base::Message platform = project::Platform(chosen.platform).shown();
+  const base::Quantity height = base::mm(chosen.layerHeightMm);
+  if (chosen.supports.empty())
+    return base::message("layer height {height}, platform: {platform}"_text, height, platform);
+  const base::Text supports = chosen.supports == "none" ? "none"_text : "auto"_text;
+  return base::message("layer height {height}, supports: {supports}, platform: {platform}"_text,
+                       height, supports, platform);
+}
+
+} // namespace
+
+base::Message tryingText(const WayInTurn& way) {
+  return base::message("Trying {way} ({number} of {count})"_text, way.name, way.number, way.count);
+}
+
+base::Message chosenText(const project::Report& report) {
+  base::require(!report.tried.empty(), "chosenText: a plan of mode auto");
+  const base::Message values = valuesText(report.chosen);
+  return std::ranges::any_of(report.tried, &project::TriedReport::passed)
+             ? base::message("Chosen: {way} ({values})"_text, report.chosen.name, values)
+             : base::message("Nothing passes; shown is the least bad: {way} ({values})"_text,
+                             report.chosen.name, values);
+}
+
+std::vector<base::Message> rejectedTexts(const project::Report& report) {
+  std::vector<base::Message> rejected;
+  for (const project::TriedReport& tried : report.tried)
+    if (!tried.taken)
+      rejected.push_back(base::message("{way}: {reason}"_text, tried.name, tried.reason));
+  return rejected;
+}
+
+} // namespace voluta::pipeline

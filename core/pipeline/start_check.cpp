@@ -1,0 +1,136 @@
+#include "pipeline/start_check.h"
+
+#include "base/key_text.h"
+#include "geometry/convex_polygon.h"
+#include "geometry/measures.h"
+#include "modes/mode_table.h"
+#include "pipeline/cell_reach.h"
+#include "pipeline/choices.h"
+#include "plan/finding_kinds.h"
+#include "reach/cell_check.h"
+#include "robot/cell.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::pipeline {
+
+namespace {
+
+using Eigen::Vector2d;
+using Polygon = std::vector<Vector2d>;
+
+constexpr double kStandingMm = 0.5; // a part's lowest points, as far as they count as its foot
+constexpr double kLeastMm = 3.0;    // about a foot that is a point or a line
+
+Polygon footOf(const geometry::TriangleMesh& part) {
+  const double lowest = geometry::bounds(part).min().z();
+  Polygon points;
+  for (const Eigen::Vector3d& v : part.vertices)
+    if (v.z() <= lowest + kStandingMm)
+      points.emplace_back(v.head<2>());
+  return geometry::convexPolygon(std::move(points));
+}
+
+Eigen::AlignedBox2d boxOf(const Polygon& polygon) {
+  Eigen::AlignedBox2d box;
+  for (const Vector2d& corner : polygon)
+    box.extend(corner);
+  return box;
+}
+
+// The largest scale at which the foot, middle over middle, is within the plate.
+double scaleWithin(const Polygon& foot, const Polygon& plate) {
+  const Vector2d footMiddle = boxOf(foot).center(), plateMiddle = boxOf(plate).center();
+  double scale = INFINITY;
+  for (std::size_t i = 0; i < plate.size(); ++i) {
+    const Vector2d side = plate[(i + 1) % plate.size()] - plate[i];
+    const Vector2d outwards = Vector2d(side.y(), -side.x()).normalized();
+    double reach = 0.0;
+    for (const Vector2d& corner : foot)
+      reach = std::max(reach, outwards.dot(corner - footMiddle));
+    if (reach > 0.0)
+      scale = std::min(scale, outwards.dot(plate[i] - plateMiddle) / reach);
+  }
+  return scale;
+}
+
+Polygon quarterTurned(Polygon polygon) {
+  for (Vector2d& corner : polygon)
+    corner = Vector2d(-corner.y(), corner.x());
+  return polygon;
+}
+
+// A platform that mode auto makes is no way out of it: whoever wants one larger than any plate says
+// so.
+bool isForCellPlates(const project::Choices& choices) {
+  return choices.platform.isOfCell() || (choices.automatic && !choices.platformStays);
+}
+
+// Without corners: the part stands on no plate.
+Polygon plateUnder(const modes::LoadStage& placed, const project::Choices& choices,
+                   const Polygon& foot) {
+  const project::Platform& platform = choices.platform;
+  if (modes::findMode(choices.mode).aroundRod || platform.isBody() ||
+      !platform.isFor(project::PlatformUse::Plate))
+    return {};
+  if (platform.isOfCell())
+    return placed.platform;
+  if (const std::optional<double> margin = platform.marginMm())
+    return geometry::convexPolygon(foot, std::max(*margin, kLeastMm));
+  return platform.plateAround({});
+}
+
+std::optional<plan::Finding> largerThanPlates(const Polygon& foot, const robot::Cell& cell,
+                                              double scaleNow) {
+  if (cell.plates().empty())
+    return std::nullopt;
+  const project::Platform largest(cell.plates().back());
+  const Polygon plate = largest.plateAround({});
+  const double fits = std::max(scaleWithin(foot, plate), scaleWithin(quarterTurned(foot), plate));
+  if (fits >= 1.0)
+    return std::nullopt;
+  // As it stands, so that nobody has to turn it; to a hundredth, downwards.
+  const double scale = std::floor(100.0 * scaleNow * scaleWithin(foot, plate)) / 100.0;
+  const Vector2d size = boxOf(foot).sizes();
+  return plan::makeFinding(plan::FindingKind::LargerThanPlates,
+                           {{"length", base::mm(size.maxCoeff())},
+                            {"width", base::mm(size.minCoeff())},
+                            {"plate", largest.shown()},
+                            {"scale", base::number(std::max(scale, 0.01))}});
+}
+
+} // namespace
+
+std::string startKey(const modes::LoadStage& placed, const project::Choices& choices,
+                     const process::Process& process) {
+  const Polygon foot = footOf(*placed.part);
+  return base::keyText(isForCellPlates(choices), placed.scale, foot,
+                       plateUnder(placed, choices, foot)) +
+         cellReachKey(choices, process.layerHeightMm);
+}
+
+std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
+                                             const project::Choices& choices,
+                                             const process::Process& process,
+                                             const base::RunContext& ctx) {
+  auto stage = std::make_shared<StartStage>();
+  const Polygon foot = footOf(*placed.part);
+  const Polygon plate = plateUnder(placed, choices, foot);
+  if (plate.empty())
+    return stage;
+  const robot::Cell cell = robot::loadCell(choices.cell, process, plate);
+  if (cell.rod())
+    return stage; // told by who looks for a plate there
+  const collision::Margins margins =
+      motionOptionsOf(parameterValues(choices), choices.seed).printing;
+  for (const reach::CellFault& fault : reach::printingFaults(cell, process, margins, ctx))
+    stage->findings.push_back(plan::makeFinding(plan::FindingKind::CellCannotPrint,
+                                                {{"fault", fault.what}, {"help", fault.remedy}}));
+  if (isForCellPlates(choices))
+    if (auto larger = largerThanPlates(foot, cell, placed.scale))
+      stage->findings.push_back(std::move(*larger));
+  return stage;
+}
+
+} // namespace voluta::pipeline

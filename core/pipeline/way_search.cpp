@@ -1,0 +1,177 @@
+#include "pipeline/way_search.h"
+
+#include "base/error.h"
+#include "base/outcome.h"
+#include "base/stopwatch.h"
+#include "modes/mode_table.h"
+#include "pipeline/automatic.h"
+#include "pipeline/one_way.h"
+#include "plan/finding_kinds.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace voluta::pipeline {
+
+namespace {
+
+constexpr double kLoaded = 0.02; // share of the time until the part is loaded
+
+class WaySearch {
+public:
+  WaySearch(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+            const PlanObservers& observers)
+      : request_(request), ctx_(ctx), cache_(cache ? cache : &own_), observers_(observers) {
+    if (!request_.loaded)
+      request_.loaded =
+          project::loadPart(request_.part, request_.choices.repair, ctx.sub(0, kLoaded));
+  }
+
+  PlanResult run() {
+    const std::vector<project::Choices> ways = automaticChoices(request_.choices);
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      if (needsNoSupports(ways[i]))
+        continue;
+      if (observers_.onWay)
+        observers_.onWay({nameOfWay(ways[i]), i + 1, ways.size()});
+      const auto begin = [&](std::size_t k) {
+        return kLoaded +
+               (1.0 - kLoaded) * static_cast<double>(k) / static_cast<double>(ways.size());
+      };
+      if (tryWay(ways[i], ctx_.sub(begin(i), begin(i + 1))))
+        return choose(*passed_);
+    }
+    if (passed_) {
+      if (observers_.onStage)
+        observers_.onStage(*passed_->result.job.reached, passed_->result);
+      return choose(*passed_);
+    }
+    if (!failed_)
+      throw *error_;
+    failed_->result = planWay(failed_->way, ctx_.quiet(), *failed_->stages, nullptr);
+    return choose(*failed_);
+  }
+
+private:
+  struct Candidate {
+    project::Choices way;
+    std::size_t tried = 0;              // its row of tried_
+    std::unique_ptr<StageCache> stages; // that it came to, to be planned to its end from there
+    PlanResult result = {};
+    project::Stage rejectedBy = {};
+  };
+
+  PlanResult planWay(const project::Choices& way, const base::RunContext& ctx, StageCache& stages,
+                     Trial* trial) {
+    PlanRequest one = request_;
+    one.choices = way;
+    return planOneWay(one, ctx, &stages, observers_, trial);
+  }
+
+  // Returns true where the search ends with this way.
+  bool tryWay(const project::Choices& way, const base::RunContext& ctx) {
+    project::TriedReport& row = tried_.emplace_back();
+    row.way = way.automaticWay;
+    row.name = nameOfWay(way);
+    row.mode = way.mode;
+    row.platform = way.platform.text();
+    if (modes::findMode(way.mode).cuts && !request_.loaded->remains.empty()) {
+      row.reason = "pieces are not cut out of a mesh with defects"_text;
+      return false;
+    }
+    Trial trial;
+    Candidate candidate{way, tried_.size() - 1, std::make_unique<StageCache>(1, cache_)};
+    auto outcome = base::outcomeOf([&] { return planWay(way, ctx, *candidate.stages, &trial); });
+    if (std::holds_alternative<base::Cancelled>(outcome))
+      throw base::Cancelled{};
+    if (const auto* error = std::get_if<base::Error>(&outcome)) {
+      row.reason = error->whole();
+      if (!error_)
+        error_ = *error;
+      return false;
+    }
+    candidate.result = std::move(std::get<PlanResult>(outcome));
+    row.stage = project::stageName(*candidate.result.job.reached);
+    noteLosses(candidate);
+    if (trial.rejection) {
+      row.reason = plan::reasonOf(trial.rejection->finding);
+      candidate.rejectedBy = plan::stageOf(trial.rejection->finding);
+      keepFailed(std::move(candidate));
+      return false;
+    }
+    row.passed = true;
+    candidate.stages.reset();
+    return keepPassed(std::move(candidate));
+  }
+
+  void keepFailed(Candidate candidate) {
+    candidate.result = {}; // its stages are kept
+    if (!failed_ || candidate.rejectedBy > failed_->rejectedBy)
+      failed_ = std::move(candidate);
+  }
+
+  // Returns true where no bead is unsupported over too much.
+  bool keepPassed(Candidate candidate) {
+    const plan::Findings& findings = candidate.result.job.report.findings;
+    const auto bridge =
+        std::ranges::find(findings, plan::FindingKind::LongBridge, &plan::Finding::kind);
+    const bool isBridged = bridge == findings.end();
+    if (!isBridged)
+      tried_[candidate.tried].reason = plan::reasonOf(*bridge);
+    if (isBridged || !passed_ || longestOf(candidate) < longestOf(*passed_))
+      passed_ = std::move(candidate);
+    return isBridged;
+  }
+  static double longestOf(const Candidate& candidate) {
+    return candidate.result.job.report.replay.longestUnsupportedMm;
+  }
+
+  // With supports, a way of which growth missed nothing without them is the same.
+  void noteLosses(const Candidate& candidate) {
+    const project::DecompositionReport& r = candidate.result.job.report.decomposition;
+    if (modes::findMode(candidate.way.mode).grows && r.voxels > 0 && r.missedVoxels == 0)
+      missedNothing_.push_back(withoutSupports(candidate.way));
+  }
+  bool needsNoSupports(const project::Choices& way) const {
+    const project::Choices choices = withoutSupports(way);
+    return std::ranges::any_of(missedNothing_, [&](const project::Choices& other) {
+      return other.mode == choices.mode && other.platform == choices.platform &&
+             other.parameters == choices.parameters;
+    });
+  }
+  static project::Choices withoutSupports(const project::Choices& way) {
+    project::Choices choices = byHand(way);
+    choices.parameters.erase("supports");
+    return choices;
+  }
+
+  PlanResult choose(Candidate& candidate) {
+    tried_[candidate.tried].taken = true;
+    PlanResult result = std::move(candidate.result);
+    result.job.report.tried = std::move(tried_);
+    result.job.report.timings.total = clock_.seconds();
+    return result;
+  }
+
+  base::Stopwatch clock_;
+  PlanRequest request_;
+  const base::RunContext& ctx_;
+  StageCache own_{1};
+  StageCache* cache_;
+  const PlanObservers& observers_;
+  std::vector<project::TriedReport> tried_;
+  std::optional<Candidate> passed_, failed_; // the best so far
+  std::vector<project::Choices> missedNothing_;
+  std::optional<base::Error> error_; // of the first way that could not be planned
+};
+
+} // namespace
+
+PlanResult planAutomatically(const PlanRequest& request, const base::RunContext& ctx,
+                             StageCache* cache, const PlanObservers& observers) {
+  return WaySearch(request, ctx, cache, observers).run();
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,56 @@
+#include "program/full_flow.h"
+
+#include "program/job_head.h"
+#include "program/text.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace voluta::program {
+
+namespace {
+
+constexpr std::string_view kBegins = "extruder", kFlow = "flow: ", kEquals = " = ",
+                           kUnit = " mm3/s";
+
+// "..., ATFULL = NUMBER mm3/s..."
+plan::StatedFact factIn(std::string_view text) {
+  plan::StatedFact fact;
+  fact.kind = plan::FactKind::FullFlow;
+  const std::size_t equals = text.find(kEquals);
+  if (equals == std::string_view::npos)
+    return fact;
+  const std::string_view before = text.substr(0, equals);
+  const std::size_t comma = before.rfind(", ");
+  fact.word = trimmed(comma == std::string_view::npos ? before : before.substr(comma + 1));
+  std::string_view rest = text.substr(equals + kEquals.size());
+  double mm3PerS = 0.0;
+  if (takeNumber(rest, mm3PerS) && rest.starts_with(kUnit))
+    fact.number = mm3PerS;
+  return fact;
+}
+
+} // namespace
+
+std::string fullFlowText(std::string_view atFull, const process::Process& process) {
+  return joined({atFull, kEquals, fixedText(process.maxFlowMm3PerS, 3), kUnit});
+}
+
+std::vector<plan::StatedFact> statedFullFlow(const std::vector<plan::ProgramFile>& files) {
+  std::vector<plan::StatedFact> facts;
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    LineReader lines(files[f].text);
+    for (std::string_view line; lines.number() < kHeadLines && lines.next(line);) {
+      const auto note = behindMark(line, kBegins);
+      const std::size_t flow = note ? note->find(kFlow) : std::string_view::npos;
+      if (flow == std::string_view::npos)
+        continue;
+      facts.push_back(factIn(note->substr(flow + kFlow.size())));
+      facts.back().file = static_cast<std::uint32_t>(f);
+      facts.back().line = static_cast<std::uint32_t>(lines.number());
+    }
+  }
+  return facts;
+}
+
+} // namespace voluta::program

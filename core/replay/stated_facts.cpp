@@ -1,0 +1,252 @@
+#include "replay/stated_facts.h"
+
+#include "plan/finding_kinds.h"
+#include "program/dialect.h"
+#include "program/filament.h"
+#include "program/full_flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace voluta::replay {
+
+namespace {
+
+using enum plan::FindingKind;
+using plan::FactKind, plan::StatedFact;
+
+constexpr double kSameFlow = 1e-3;      // by share: as a head writes it
+constexpr std::size_t kMostFlags = 100; // findings
+
+base::Message nameOf(FactKind kind) {
+  switch (kind) {
+  case FactKind::OperatorStop:
+    return "a stop that lasts until the operator goes on"_text;
+  case FactKind::NozzleHeat:
+    return "the temperature of the nozzle, °C"_text;
+  case FactKind::NozzleHeatWait:
+    return "a wait until the nozzle is hot"_text;
+  case FactKind::Home:
+    return "the drive to the reference"_text;
+  case FactKind::Millimetres:
+    return "millimetres as the unit of length"_text;
+  case FactKind::AbsolutePositions:
+    return "absolute positions"_text;
+  case FactKind::FilamentCount:
+    return "how amounts of filament are counted"_text;
+  case FactKind::FullFlow:
+    return "the full flow"_text;
+  case FactKind::FlowOutputRange:
+    return "the range of the flow output"_text;
+  case FactKind::TargetFrame:
+    return "the frame of the targets"_text;
+  case FactKind::MechanicalUnit:
+    return "the mechanical unit"_text;
+  case FactKind::OpenRounding:
+    return "the distances by which corners are rounded"_text;
+  case FactKind::PassingOutput:
+    break;
+  }
+  return "a trigger for the output"_text;
+}
+
+class Comparer {
+public:
+  Comparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
+           const Alignment& alignment, const robot::Cell& cell, const process::Process& process)
+      : program_(program), trajectory_(trajectory), alignment_(alignment), cell_(cell),
+        process_(process) {
+    const auto flows = std::ranges::find_if(
+        program.pauses, [](const plan::ProgramPause& p) { return p.volumeMm3 > 0.0; });
+    firstFlow_ = static_cast<std::size_t>(flows - program.pauses.begin());
+    firstBead_ = program.firstMotion;
+    while (firstBead_ < program.motions.size() && !program.motions[firstBead_].extruding)
+      ++firstBead_;
+  }
+
+  std::vector<TextFinding> compare() {
+    if (program_.firstMotion < program_.motions.size())
+      for (const FactKind kind : program_.neededFacts)
+        needed(kind);
+    for (const StatedFact& fact : program_.facts)
+      stated(fact);
+    postures();
+    return std::move(found_);
+  }
+
+private:
+  void add(plan::FindingKind kind, TextPlace place, std::vector<plan::NamedValue> values) {
+    TextFinding f;
+    f.finding = plan::makeFinding(kind, std::move(values));
+    f.finding.program = programLine(program_, place);
+    f.place = place;
+    found_.push_back(std::move(f));
+  }
+  static TextPlace placeOfFact(const StatedFact& fact) { return {fact.file + 1U, fact.line}; }
+  void missing(FactKind kind, TextPlace place) {
+    add(StatementMissing, place, {{"statement", nameOf(kind)}});
+  }
+  void changed(FactKind kind, TextPlace place, base::Value found, base::Value planned) {
+    add(StatementChanged, place,
+        {{"statement", nameOf(kind)},
+         {"found", std::move(found)},
+         {"planned", std::move(planned)}});
+  }
+
+  bool isBeforeMotion(const StatedFact& fact) const { return fact.before <= program_.firstMotion; }
+  bool isBeforeFlow(const StatedFact& fact) const {
+    return fact.before <= firstBead_ && fact.beforePause <= firstFlow_;
+  }
+  template <typename Fits> const StatedFact* first(FactKind kind, const Fits& fits) const {
+    const auto fact = std::ranges::find_if(
+        program_.facts, [&](const StatedFact& f) { return f.kind == kind && fits(f); });
+    return fact == program_.facts.end() ? nullptr : &*fact;
+  }
+
+  const StatedFact* driveHome() const {
+    return first(FactKind::Home, [](const StatedFact&) { return true; });
+  }
+
+  void needed(FactKind kind) {
+    const TextPlace firstMotion = placeOf(program_, program_.firstMotion);
+    switch (kind) {
+    case FactKind::OperatorStop:
+      operatorStop(firstMotion);
+      break;
+    case FactKind::NozzleHeat:
+      heat(firstMotion);
+      break;
+    case FactKind::NozzleHeatWait:
+      if (program::nozzleCelsius(process_.material) &&
+          !first(kind, [&](const StatedFact& f) { return isBeforeFlow(f); }))
+        missing(kind, firstMotion);
+      break;
+    default:
+      if (!first(kind, [&](const StatedFact& f) { return isBeforeMotion(f) && isBeforeFlow(f); }))
+        missing(kind, firstMotion);
+    }
+  }
+
+  // Before the machine moves at all.
+  void operatorStop(TextPlace firstMotion) {
+    const StatedFact* home = driveHome();
+    const auto inTime = [&](const StatedFact& f) {
+      return isBeforeMotion(f) && (!home || &f < home);
+    };
+    if (first(FactKind::OperatorStop,
+              [&](const StatedFact& f) { return inTime(f) && f.number > 0.0; }))
+      return;
+    const StatedFact* passing = first(FactKind::OperatorStop, inTime);
+    missing(FactKind::OperatorStop, passing                         ? placeOfFact(*passing)
+                                    : home && isBeforeMotion(*home) ? placeOfFact(*home)
+                                                                    : firstMotion);
+  }
+
+  void heat(TextPlace firstMotion) {
+    const std::optional<int> planned = program::nozzleCelsius(process_.material);
+    if (!planned)
+      return;
+    const auto isOn = [](const StatedFact& f) { return f.number > 0.0; };
+    // It heats up while the machine drives home.
+    const StatedFact* home = driveHome();
+    const auto inTime = [&](const StatedFact& f) {
+      return isOn(f) && isBeforeFlow(f) && (!home || &f < home);
+    };
+    if (!first(FactKind::NozzleHeat, inTime))
+      missing(FactKind::NozzleHeat, home ? placeOfFact(*home) : firstMotion);
+    const StatedFact* last = nullptr;
+    for (const StatedFact& fact : program_.facts)
+      if (fact.kind == FactKind::NozzleHeat && fact.before <= firstBead_)
+        last = &fact;
+    if (last && !isOn(*last))
+      changed(FactKind::NozzleHeat, placeOfFact(*last), base::number(last->number),
+              base::number(*planned));
+  }
+
+  void stated(const StatedFact& fact) {
+    const TextPlace place = placeOfFact(fact);
+    switch (fact.kind) {
+    case FactKind::FullFlow:
+      fullFlow(fact);
+      break;
+    case FactKind::FlowOutputRange:
+      if (fact.word != program::k0To10V)
+        changed(fact.kind, place, fact.word, program::k0To10V);
+      break;
+    case FactKind::MechanicalUnit:
+      unit(fact);
+      break;
+    case FactKind::OpenRounding:
+      missing(fact.kind, place);
+      break;
+    case FactKind::PassingOutput:
+      add(OutputPasses, place, {});
+      break;
+    default:
+      break;
+    }
+  }
+
+  void fullFlow(const StatedFact& fact) {
+    const std::string_view atFull = program::findDialect(program_.format).fullFlowAt;
+    const double planned = process_.maxFlowMm3PerS;
+    if (fact.word != atFull)
+      changed(fact.kind, placeOfFact(fact), fact.word, atFull);
+    else if (!(std::abs(fact.number - planned) <= kSameFlow * planned))
+      changed(fact.kind, placeOfFact(fact), base::Quantity{fact.number, base::Unit::Mm3PerS},
+              base::Quantity{planned, base::Unit::Mm3PerS});
+  }
+
+  void unit(const StatedFact& fact) {
+    const auto units = program::findDialect(program_.format).units;
+    if (!units)
+      return;
+    const std::vector<std::string> known = units(cell_);
+    if (std::ranges::find(known, fact.word) == known.end())
+      changed(fact.kind, placeOfFact(fact), fact.word, known.empty() ? "-" : known.back());
+  }
+
+  void postures() {
+    if (program_.postures.empty())
+      return;
+    const program::Dialect& dialect = program::findDialect(program_.format);
+    if (!dialect.posture)
+      return;
+    const bool foreign = program::isForeign(dialect, cell_);
+    std::size_t told = 0;
+    const auto text = [](const plan::ArmPosture& p) {
+      return "(" + std::to_string(p.structure) + "," + std::to_string(p.turns) + ")";
+    };
+    for (const plan::StatedPosture& stated : program_.postures) {
+      const std::size_t point = alignment_.pointOf[stated.motion];
+      if (point == kUnmatched || told == kMostFlags)
+        continue;
+      const plan::ArmPosture planned = dialect.posture(cell_, foreign, trajectory_.at(point));
+      if (planned == stated.posture)
+        continue;
+      ++told;
+      add(PostureChanged, placeOf(program_, stated.motion),
+          {{"found", text(stated.posture)}, {"planned", text(planned)}});
+    }
+  }
+
+  const plan::ReadProgram& program_;
+  const plan::Trajectory& trajectory_;
+  const Alignment& alignment_;
+  const robot::Cell& cell_;
+  const process::Process& process_;
+  std::size_t firstFlow_ = 0, firstBead_ = 0; // pause in which something flows; motion
+  std::vector<TextFinding> found_;
+};
+
+} // namespace
+
+std::vector<TextFinding> compareStatedFacts(const plan::ReadProgram& program,
+                                            const plan::Trajectory& trajectory,
+                                            const Alignment& alignment, const robot::Cell& cell,
+                                            const process::Process& process) {
+  return Comparer(program, trajectory, alignment, cell, process).compare();
+}
+
+} // namespace voluta::replay

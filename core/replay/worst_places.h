@@ -1,0 +1,20 @@
+// Where a replay found each of its figures at its worst.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace voluta::replay {
+
+// Positions in the work frame, mm. Empty where the figure is at its best or was not measured.
+struct WorstPlaces {
+  std::optional<Eigen::Vector3d> gap;                // most material missing
+  std::optional<Eigen::Vector3d> overfill;           // most material without room
+  std::optional<Eigen::Vector3d> unsupported;        // start of the longest unsupported run
+  std::optional<Eigen::Vector3d> halfCarried;        // start of the longest half-carried run
+  std::optional<Eigen::Vector3d> longestUnsupported; // start of longestUnsupportedMm
+  std::optional<Eigen::Vector3d> deviation;          // farthest from the planned path
+  std::optional<Eigen::Vector3d> flowError;          // section most wrong
+};
+
+} // namespace voluta::replay

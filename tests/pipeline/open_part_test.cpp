@@ -1,0 +1,109 @@
+// A surface that encloses nothing is planned on the user's word only.
+#include "geometry/measures.h"
+#include "geometry/repair/diagnosis.h"
+#include "helpers/shapes.h"
+#include "helpers/temporary_folder.h"
+#include "pipeline/open_part.h"
+#include "pipeline/remedies.h"
+#include "pipeline/road.h"
+#include "plan/finding_kinds.h"
+
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using pipeline::PlanRequest;
+using pipeline::PlanResult;
+using plan::FindingKind;
+using project::Stage;
+
+namespace {
+
+// A box without its top, and one of double-sided walls only.
+std::shared_ptr<const project::LoadedPart> cup(bool repair = true) {
+  geometry::TriangleMesh m = test::box({0, 0, 0}, {30, 30, 20});
+  m.triangles.erase(m.triangles.begin() + 2, m.triangles.begin() + 4);
+  return project::loadedFrom("cup.stl", std::make_shared<geometry::TriangleMesh>(std::move(m)), {},
+                             repair, {});
+}
+std::shared_ptr<const project::LoadedPart> sheet() {
+  geometry::TriangleMesh m;
+  m.vertices = {{0, 0, 0}, {30, 0, 0}, {30, 0, 20}, {0, 0, 20}};
+  m.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
+  return project::loadedFrom("sheet.stl", std::make_shared<geometry::TriangleMesh>(std::move(m)),
+                             {}, true, {});
+}
+
+PlanResult planned(std::shared_ptr<const project::LoadedPart> part, const std::string& choice,
+                   Stage until = Stage::Load) {
+  PlanRequest request;
+  request.loaded = std::move(part);
+  request.choices.mode = "flat";
+  request.choices.parameters = {{"openSurfaces", choice}};
+  request.until = until;
+  return pipeline::planPart(request, {});
+}
+
+const plan::Finding& first(const PlanResult& result) {
+  EXPECT_FALSE(result.job.report.findings.empty());
+  return result.job.report.findings.front();
+}
+
+TEST(OpenPart, IsRefusedFirstOfAll) {
+  for (const auto& [part, kind] :
+       {std::pair(cup(), FindingKind::OpenRims), std::pair(sheet(), FindingKind::SheetModel)}) {
+    const PlanResult result = planned(part, "refuse", Stage::Replay);
+    EXPECT_EQ(result.job.report.findings.size(), 1u);
+    EXPECT_EQ(first(result).kind, kind);
+    EXPECT_TRUE(first(result).blocking);
+    EXPECT_EQ(result.job.reached, Stage::Load) << "nothing is planned in silence";
+  }
+}
+
+TEST(OpenPart, IsClosedOnTheUsersWord) {
+  const PlanResult result = planned(cup(), "close");
+  EXPECT_EQ(first(result).kind, FindingKind::RimsClosed);
+  EXPECT_FALSE(first(result).blocking);
+  EXPECT_TRUE(result.job.report.model.watertight);
+  EXPECT_NEAR(result.job.report.model.volumeMm3, 30 * 30 * 20, 1e-6);
+}
+
+TEST(OpenPart, BecomesAWallOfTwoBeads) {
+  const PlanResult result = planned(cup(), "thicken");
+  EXPECT_EQ(first(result).kind, FindingKind::SurfaceThickened);
+  EXPECT_TRUE(result.job.report.model.watertight);
+  const double wall = pipeline::openSurfaceWallMm(*result.process);
+  EXPECT_NEAR(result.job.report.model.boundsMm.sizes().x(), 30.0 + wall, 0.05);
+  EXPECT_NEAR(result.job.report.model.volumeMm3, (900 + 4 * 600) * wall, 0.1 * 3300 * wall);
+}
+
+TEST(OpenPart, ItsRemediesLeadThere) {
+  const PlanResult refused = planned(cup(), "refuse");
+  const std::vector<pipeline::Offer> offers =
+      pipeline::remediesFor(first(refused), refused.job.choices);
+  ASSERT_EQ(offers.size(), 2u);
+  for (const pipeline::Offer& offer : offers) {
+    PlanRequest request;
+    request.loaded = cup();
+    request.choices = offer.choices;
+    request.until = Stage::Load;
+    const PlanResult result = pipeline::planPart(request, {});
+    EXPECT_FALSE(first(result).blocking) << offer.remedy->name;
+  }
+}
+
+TEST(OpenPart, AsItWasReadItIsNotJudged) {
+  EXPECT_FALSE(cup(false)->open);
+  EXPECT_TRUE(cup(true)->open);
+}
+
+TEST(OpenPart, IsStillOpenInItsProject) {
+  const PlanResult result = planned(cup(), "refuse");
+  const test::TemporaryFolder folder;
+  project::writeJob(folder / "cup.voluta", result.job);
+  const project::Job back = project::readJob(folder / "cup.voluta");
+  ASSERT_TRUE(back.loaded->open);
+  EXPECT_EQ(back.loaded->open->rims, 1u);
+  EXPECT_EQ(back.loaded->open->capShare, result.job.loaded->open->capShare);
+}
+
+} // namespace

@@ -1,0 +1,91 @@
+// A process brings its lengths: parts of wide beads are planned without further settings.
+#include "base/data_files.h"
+#include "base/error.h"
+#include "helpers/loaded_box.h"
+#include "pipeline/choices.h"
+#include "pipeline/road.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+
+namespace {
+
+// Pellets or paste through a nozzle as wide as the bead is high, a head in proportion.
+std::string wideProcess(double widthMm) {
+  const double height = 0.5 * widthMm;
+  return fmt::format(
+      R"({{"id": "wide", "label": "wide beads", "nozzleDiameterMm": {0},
+ "layerHeightMm": {{"default": {1}, "min": {2}, "max": {3}}},
+ "beadWidthMm": {{"default": {4}, "min": {5}, "max": {6}}},
+ "stepMm": {1}, "speedMmPerS": 20, "travelSpeedMmPerS": 100, "accelerationMmPerS2": 500,
+ "contactToleranceMm": {2}, "maxFlowMm3PerS": {7}, "primeS": 0.2, "material": "paste",
+ "densityGPerCm3": 2.0, "head": [[0, {1}], [{4}, {4}], [60, {8}], [110, {8}]]}})",
+      0.8 * widthMm, height, 0.5 * height, 1.25 * height, widthMm, 0.8 * widthMm, 1.6 * widthMm,
+      60.0 * widthMm * height, widthMm + 14.0);
+}
+
+project::Choices choicesOf(const std::string& process) {
+  project::Choices choices;
+  choices.process = process;
+  choices.mode = "flat";
+  return choices;
+}
+
+TEST(BeadDefaults, LengthsGoWithTheBead) {
+  const base::ParameterValues usual = parameterValues(choicesOf("fdm-1.0"));
+  const base::ParameterValues fine = parameterValues(choicesOf("fdm-0.35"));
+  const base::ParameterValues wide = parameterValues(choicesOf(wideProcess(8.0)));
+  for (const char* key : {"voxelMm", "cuspMm", "liftMm", "primeLengthMm"}) {
+    EXPECT_DOUBLE_EQ(fine.number(key), usual.number(key)) << key;
+    EXPECT_GT(wide.number(key), 3.0 * usual.number(key)) << key;
+  }
+  EXPECT_DOUBLE_EQ(usual.number("voxelMm"), 0.8);
+  EXPECT_DOUBLE_EQ(wide.number("voxelMm"), 4.0);
+  EXPECT_DOUBLE_EQ(wide.number("layerHeightMm"), 4.0);
+  EXPECT_DOUBLE_EQ(wide.number("beadWidthMm"), 8.0);
+}
+
+TEST(BeadDefaults, ASettingOfTheUsersStays) {
+  project::Choices choices = choicesOf(wideProcess(8.0));
+  choices.parameters["voxelMm"] = "0.8";
+  EXPECT_DOUBLE_EQ(parameterValues(choices).number("voxelMm"), 0.8);
+}
+
+class WideBeads : public testing::TestWithParam<double> {};
+
+TEST_P(WideBeads, ABoxPassesWithoutFurtherSettings) {
+  const double bead = GetParam();
+  PlanRequest request;
+  request.loaded = test::loadedBox({0, 0, 0}, {12.0 * bead, 10.0 * bead, 4.0 * bead});
+  request.choices.process = wideProcess(bead);
+  request.choices.automatic = true;
+  request.choices.formats = {"csv"};
+  const PlanResult plan = planPart(request, {});
+  for (const plan::Finding& finding : plan.job.report.findings)
+    EXPECT_FALSE(finding.blocking) << plan::englishReason(finding);
+  ASSERT_EQ(plan.checked.size(), 1u);
+  EXPECT_TRUE(plan.checked[0]->passed);
+  EXPECT_EQ(plan.job.report.layers.count, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, WideBeads, testing::Values(3.0, 8.0));
+
+TEST(InfillDensity, IsNotOfferedAndSaysWhy) {
+  EXPECT_EQ(offeredParameters().find("infillDensity"), nullptr);
+  project::Choices choices;
+  setParameters(choices, {"infillDensity=1"});
+  try {
+    setParameters(choices, {"infillDensity=0.4"});
+    FAIL();
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ErrorCode::Usage);
+    EXPECT_THAT(base::english(error.whole()),
+                testing::HasSubstr("infill density 0.4 cannot be printed yet"));
+  }
+}
+
+} // namespace

@@ -1,0 +1,165 @@
+// What a program states beside its motions, where it takes a scene or an extruder of its own to
+// show: names of units, triggers amid a bead, texts that heat, posture flags of MELFA's own arm,
+// waits that are planned. All else is among the mutations (stated_mutations.h).
+#include "plan/finding_kinds.h"
+#include "program/dialect.h"
+#include "program/extruder.h"
+#include "program/text_damage.h"
+#include "replay/scene.h"
+#include "replay/told.h"
+#include "replay/verification.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <regex>
+
+namespace voluta::replay {
+namespace {
+
+test::ProgramText write(const test::Scene& s, const std::string& format,
+                        std::string_view extruder = program::kOutputsExtruder) {
+  program::ProgramInput input{s.plan, s.trajectory, s.cell, s.process, "box"};
+  input.options.own[std::string(program::kExtruderOption)] = std::string(extruder);
+  return test::textOf(program::writeProgram(format, input));
+}
+
+Verification verify(const test::Scene& s, const test::ProgramText& text) {
+  return replayProgram(
+      {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+      ReplayThresholds{}, {});
+}
+
+// Replaces the pattern in all lines, or in the first that it is in; that one, 1-based.
+std::size_t replace(test::ProgramText& text, const std::string& pattern, const std::string& by,
+                    bool everywhere = true) {
+  const std::regex expression(pattern);
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < text.lines.size() && (everywhere || first == 0); ++i) {
+    const std::string now = std::regex_replace(text.lines[i], expression, by);
+    if (now != text.lines[i])
+      first = first == 0 ? i + 1 : first;
+    text.lines[i] = now;
+  }
+  return first;
+}
+
+void expectRefused(const Verification& v, const std::string& word, std::size_t line) {
+  EXPECT_FALSE(v.passed);
+  bool here = false;
+  for (std::size_t i = 0; i < v.findings.size(); ++i)
+    here = here || (voluta::plan::kindWord(v.findings[i]) == word && v.places[i].line == line);
+  EXPECT_TRUE(here) << word << " at line " << line << "\n" << told(v);
+}
+
+TEST(StatedFacts, AUnitOfAnotherNameIsFound) {
+  const test::Scene s = test::rodScene();
+  const struct {
+    const char *format, *pattern, *by, *at;
+  } cases[] = {{"rapid", "(ActUnit |\")rod\\b", "$1spindle", "ActUnit"},
+               {"krl", "MACHINE_DEF\\[2\\]", "MACHINE_DEF[3]", "MACHINE_DEF"},
+               {"krl", "MACHINE_DEF\\[2\\]\\.ROOT", "MACHINE_DEF[3].ROOT", "MACHINE_DEF"}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.by);
+    test::ProgramText text = write(s, c.format);
+    // KRL's ramps cost it the flow of these short rings; its text is the plan's.
+    ASSERT_EQ(verify(s, text).deviations, 0U) << told(verify(s, text));
+    ASSERT_GT(replace(text, c.pattern, c.by), 0U);
+    std::size_t line = 0;
+    for (std::size_t i = 0; i < text.lines.size() && line == 0; ++i)
+      if (std::regex_search(text.lines[i], std::regex(std::string("^ *[^ !;].*") + c.at)) ||
+          text.lines[i].find(std::string("    ") + c.at) == 0)
+        line = i + 1;
+    expectRefused(verify(s, text), "statementChanged", line);
+  }
+}
+
+// Its beads are slower in the middle, so that the flow changes where the arm does not stop.
+test::Scene changingFlow() {
+  test::Scene s = test::boxScene(1);
+  for (const plan::ToolPath& path : s.plan.paths)
+    for (std::size_t w = path.first; w < path.first + path.count; ++w)
+      if (w - path.first > path.count / 3 && w - path.first <= 2 * path.count / 3)
+        s.plan.speedMmPerS[w] *= 0.8f;
+  s.trajectory = test::walk(s.plan, s.cell, s.process);
+  return s;
+}
+
+TEST(StatedFacts, AnOutputWithoutItsTriggerIsFound) {
+  const test::Scene s = changingFlow();
+  for (const bool all : {false, true}) {
+    test::ProgramText rapid = write(s, "rapid");
+    ASSERT_TRUE(verify(s, rapid).passed) << told(verify(s, rapid));
+    const std::size_t at = replace(rapid, "TriggEquip tFlow,0\\\\Start,0\\\\AOp:=aoFlow,([0-9.]+);",
+                                   "SetAO aoFlow,$1;", all);
+    replace(rapid, "TriggL (.*),tFlow,", "MoveL $1,", all);
+    expectRefused(verify(s, rapid), "outputPasses", at);
+
+    test::ProgramText krl = write(s, "krl");
+    ASSERT_TRUE(verify(s, krl).passed) << told(verify(s, krl));
+    const std::size_t line = replace(krl, "TRIGGER WHEN DISTANCE=0 DELAY=0 DO ", "", all);
+    expectRefused(verify(s, krl), "outputPasses", line);
+  }
+}
+
+TEST(StatedFacts, AnExtruderByTextsHasToBeHeated) {
+  const test::Scene s = test::boxScene(1);
+  for (const char* format : {"urscript", "spel"}) {
+    SCOPED_TRACE(format);
+    test::ProgramText text = write(s, format, program::kCastelliExtruder);
+    ASSERT_TRUE(verify(s, text).passed) << told(verify(s, text));
+    test::ProgramText cold = text;
+    const std::size_t heat = replace(cold, "M210n", "M0n");
+    expectRefused(verify(s, cold), "statementChanged", heat);
+    text.lines.erase(text.lines.begin() + static_cast<std::ptrdiff_t>(heat - 1));
+    expectRefused(verify(s, text), "statementMissing",
+                  test::read(text, s.process).motions.front().line);
+  }
+}
+
+TEST(StatedFacts, FlagsAreThoseOfTheCellsOwnArm) {
+  const test::Scene s = test::boxScene(1, "rv2f-moving");
+  const test::ProgramText whole = write(s, "melfa");
+  const Verification sound = verify(s, whole);
+  ASSERT_TRUE(sound.passed) << told(sound);
+  const std::size_t line = test::read(whole, s.process).motions[8].line;
+  std::smatch flags;
+  const std::regex pattern("\\((\\d+),(\\d+)\\)");
+  ASSERT_TRUE(std::regex_search(whole.lines[line - 1], flags, pattern));
+  for (const std::string& other :
+       {"(" + std::to_string(std::stoi(flags[1]) ^ 4) + "," + flags[2].str() + ")",
+        "(" + flags[1].str() + ",1048576)"}) {
+    test::ProgramText text = whole;
+    text.lines[line - 1] = std::regex_replace(text.lines[line - 1], pattern, other);
+    expectRefused(verify(s, text), "postureChanged", line);
+  }
+}
+
+TEST(StatedFacts, WaitsThatThePlanHasAreNone) {
+  test::Scene s = test::boxScene(1);
+  s.process.retractMm = 2.0;
+  for (const char* format : {"gcode-extended", "gcode-bc"}) {
+    SCOPED_TRACE(format);
+    test::ProgramText text = write(s, format);
+    const Verification sound = verify(s, text);
+    ASSERT_TRUE(sound.passed) << told(sound);
+    const bool perMinute = std::string(format) == "gcode-extended";
+    const std::size_t line =
+        replace(text, "^(G1 E[-0-9.]+ F)" + std::string(perMinute ? "1800" : "900") + "$",
+                perMinute ? "$01120" : "$0160");
+    ASSERT_GT(line, 0U);
+    expectRefused(verify(s, text), "standsAmidPrint", line);
+  }
+}
+
+TEST(StatedFacts, AWaitThatHardlyLastsIsNone) {
+  const test::Scene s = test::boxScene(1);
+  test::ProgramText text = write(s, "gcode-extended");
+  const std::size_t line = test::read(text, s.process).motions[8].line;
+  text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(line), "G4 P50");
+  EXPECT_TRUE(verify(s, text).passed);
+  text.lines.insert(text.lines.begin() + static_cast<std::ptrdiff_t>(line), "G4 P100");
+  expectRefused(verify(s, text), "standsAmidPrint", line + 1);
+}
+
+} // namespace
+} // namespace voluta::replay

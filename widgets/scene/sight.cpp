@@ -1,0 +1,58 @@
+#include "scene/sight.h"
+
+#include "base/units.h"
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace voluta::scene {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kAround = 12;
+// A look at everything printed takes its time: the nearest directions, then some all around.
+constexpr std::size_t kNearest = 4, kAllAround = 6;
+
+std::vector<Vector3d> directionsFrom(const Vector3d& own) {
+  std::vector<Vector3d> all;
+  for (const double elevation : {10.0, 25.0, 45.0, 65.0})
+    for (int k = 0; k < kAround; ++k) {
+      const double up = base::degreesToRadians(elevation), around = base::kTurn * k / kAround;
+      all.emplace_back(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
+                       std::sin(up));
+    }
+  std::ranges::stable_sort(all, std::greater{}, [&](const Vector3d& d) { return d.dot(own); });
+  all.insert(all.begin(), own);
+  return all;
+}
+
+} // namespace
+
+bool Between::machine() const {
+  return platform || std::ranges::find(roles, true) != roles.end();
+}
+
+Sight clearSight(const Scene& scene, const Vector3d& placeInWork, double radiusMm) {
+  const Vector3d own = scene.towardsEye();
+  const auto sightFrom = [&](const Vector3d& towards, bool printed) {
+    return Sight{towards, scene.directionInWork(towards),
+                 scene.between(placeInWork, towards, radiusMm, printed)};
+  };
+  std::vector<Vector3d> clear;
+  for (const Vector3d& towards : directionsFrom(own))
+    if (!sightFrom(towards, false).hides.machine())
+      clear.push_back(towards);
+  const std::size_t step = clear.size() > kNearest + kAllAround
+                               ? (clear.size() - 1 - kNearest) / (kAllAround - 1)
+                               : 1;
+  for (std::size_t i = 0; i < clear.size(); i += i < kNearest ? 1 : step)
+    if (const Sight sight = sightFrom(clear[i], true); !sight.hides.printed)
+      return sight;
+  return sightFrom(clear.empty() ? own : clear.front(), true);
+}
+
+} // namespace voluta::scene
