@@ -53,8 +53,9 @@ using DecompositionFilter = std::function<bool(const plan::Findings&)>;
 // What can't be laid is given up, as little as possible, and stands in findings by group.
 //
 // `platform`: convex polygon on z = 0, mm, counter-clockwise, 3 corners or more. `known`: what
-// grow() makes of these voxels on it with headForLosses(options); null: it is grown here. Throws
-// Error{UnusableInput} when no voxel stands on the platform; Cancelled. Example:
+// grow() makes of these voxels on it with headForLosses(options); null: it is grown here.
+// Throws Error{UnusableInput} when no voxel stands on the platform; Cancelled.
+// Example:
 //   const std::vector<Eigen::Vector2d> plate = curved::platformFit(voxels, 0.0);
 //   const curved::Decomposition order = curved::decompose(voxels, plate, {}, ctx);
 Decomposition decompose(const voxel::SolidVoxels& voxels,
