@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/drawing_data.h"
-#include "scene/scene.h"
+#include "scene/hit.h"
 
 #include <Eigen/Geometry>
 #include <functional>

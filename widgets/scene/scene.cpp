@@ -7,10 +7,9 @@
 #include "scene/camera.h"
 #include "scene/cell_actors.h"
 #include "scene/colour_values.h"
-#include "scene/drawing_data.h"
+#include "scene/drawn.h"
 #include "scene/mesh_buffers.h"
 #include "scene/overlay.h"
-#include "scene/pick.h"
 #include "scene/piece_actors.h"
 #include "scene/piece_labels.h"
 #include "scene/platform_actors.h"
@@ -40,7 +39,6 @@ constexpr double kMarkerShare = 0.022;  // of the picture's height
 constexpr int kRingCorners = 48;
 constexpr double kChosenPathPixels = 3.0;
 constexpr double kFrontOpacity = 0.28;
-constexpr double kSolidOpacity = 0.5; // what is fainter is seen through
 
 // What the colours of a range actor were made for.
 struct ColourState {
@@ -77,24 +75,14 @@ std::vector<Stretch> everything(vtkPolyData* data) {
 
 } // namespace
 
-struct Scene::Impl {
+struct Scene::Impl : Drawn {
   vtkSmartPointer<vtkRenderer> renderer;
   Theme theme;
-  ViewState view;
   std::unique_ptr<Overlay> overlay;
   vtkNew<vtkCallbackCommand> beforeFrame;
   vtkNew<vtkPlane> section;
 
-  std::shared_ptr<const PartDrawing> part;
   Eigen::Affine3d moved_T_part = Eigen::Affine3d::Identity();
-  std::shared_ptr<const PlatformDrawing> platform;
-  std::shared_ptr<const VoxelDrawing> voxels, growth;
-  std::shared_ptr<const FrontDrawing> front;
-  std::shared_ptr<const LayersDrawing> layers;
-  std::shared_ptr<const PathsDrawing> paths;
-  std::shared_ptr<const PiecesDrawing> pieces;
-  std::shared_ptr<const ReachDrawing> reach;
-  std::shared_ptr<const CellDrawing> cell;
 
   vtkSmartPointer<vtkActor> partSurface, partEdges, chosenPath, frontSurface, frontEdges;
   // Each drawing keeps its buffers: changing between them uploads nothing.
@@ -109,8 +97,6 @@ struct Scene::Impl {
   // What the line of the chosen path was made for.
   std::pair<const void*, std::optional<std::size_t>> chosenPathOf;
   std::vector<Eigen::AlignedBox2d> covered;
-  Eigen::Isometry3d world_T_work = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Isometry3d> world_T_frame; // of the cell
 
   explicit Impl(const Theme& given) : theme(given) {
     registerVtkModules();
@@ -219,13 +205,6 @@ struct Scene::Impl {
     return actors;
   }
 
-  bool replaysGrowth() const { return view.growthStep && shows(view.voxels, growth.get()); }
-  const VoxelDrawing* shownVoxels() const {
-    return replaysGrowth() ? growth.get() : view.voxels ? voxels.get() : nullptr;
-  }
-
-  bool shows(bool wanted, const void* drawing) const { return wanted && drawing; }
-
   void showPart() {
     const bool on = shows(view.part, part.get()) && view.partOpacity > 0.0;
     partSurface->SetVisibility(on);
@@ -257,18 +236,6 @@ struct Scene::Impl {
     return (world_T_work.linear().transpose() * scene::towardsEye(renderer)).z() > 0.0;
   }
 
-  std::vector<Stretch> layerStretches() const {
-    std::vector<Stretch> shown;
-    const std::int32_t above = view.sectionOn ? -kNeverHidden : view.lastLayer;
-    const std::int32_t below = view.sectionOn ? -kNeverHidden : -view.firstLayer;
-    layers->bands.append(shown, view.firstLayer, view.lastLayer, -kNeverHidden);
-    layers->upper.append(shown, view.firstLayer, view.lastLayer, above);
-    // Fast frames from above do without the undersides of ledges.
-    if (!view.dragging || !seenFromAbove())
-      layers->lower.append(shown, view.firstLayer, view.lastLayer, below);
-    return shown;
-  }
-
   void showLayers() {
     const bool on = shows(view.layers, layers.get());
     slabs.actor->SetVisibility(on);
@@ -278,7 +245,8 @@ struct Scene::Impl {
     if (!(wanted == slabColours))
       setColours(slabs, coloursOf(layers->values, wanted.colourBy, 1));
     slabColours = wanted;
-    slabs.mapper->setStretches(layerStretches());
+    // Fast frames from above do without the undersides of ledges.
+    slabs.mapper->setStretches(layerStretches(!view.dragging || !seenFromAbove()));
     // Slabs are closed; only a section shows them from inside.
     slabs.actor->GetProperty()->SetBackfaceCulling(!view.sectionOn);
   }
@@ -397,86 +365,6 @@ struct Scene::Impl {
     renderer->ResetCameraClippingRange();
     pieceLabels->update(view, world_T_work);
     overlay->update();
-  }
-
-  bool isSeeThrough() const { return view.partOpacity < kSolidOpacity; }
-
-  // The part, voxels, pieces, layers and paths that are drawn. `solid`: not what is see-through.
-  std::optional<RayHit> nearestPrinted(const Ray& ray, bool solid) const {
-    const IsShown shown = [&](const Eigen::Vector3d& p) {
-      return !view.sectionOn || (p - view.sectionOrigin).dot(view.sectionNormal) <= 0.0;
-    };
-    std::optional<RayHit> best;
-    const auto consider = [&](const std::optional<RayHit>& hit) {
-      if (hit && (!best || hit->t < best->t))
-        best = hit;
-    };
-    if (shows(view.part, part.get()) && view.partOpacity > 0.0 && !(solid && isSeeThrough()))
-      consider(pickPart(*part, ray, shown));
-    if (replaysGrowth()) {
-      std::optional<RayHit> hit = pickVoxel(*growth, ray, 0, *view.growthStep - 1, shown);
-      if (hit)
-        hit->hit.layer = -1;
-      consider(hit);
-    } else if (const VoxelDrawing* drawing = shownVoxels();
-               drawing && !(solid && view.seeThrough)) {
-      consider(pickVoxel(*drawing, ray, view.firstLayer, view.lastLayer, shown));
-    }
-    if (shows(view.pieces, pieces.get()))
-      consider(pickPiece(*pieces, ray, pieceOffsets(*pieces, view.explodeMm), shown));
-    if (shows(view.layers, layers.get()))
-      consider(pickLayer(*layers, ray, layerStretches(), shown));
-    if (shows(view.paths, paths.get()))
-      consider(pickPath(*paths, ray, visibleBeads(*paths, view), shown));
-    return best;
-  }
-
-  std::vector<Eigen::Isometry3d> framesInWork() const {
-    std::vector<Eigen::Isometry3d> work_T_frame = world_T_frame;
-    for (Eigen::Isometry3d& pose : work_T_frame)
-      pose = world_T_work.inverse() * pose;
-    return work_T_frame;
-  }
-
-  bool isBodyShown(std::size_t body) const {
-    return view.roles[static_cast<std::size_t>(cell->cell.bodies()[body].role)];
-  }
-
-  std::optional<RayHit> nearest(const Ray& ray) const {
-    std::optional<RayHit> best = nearestPrinted(ray, false);
-    const auto consider = [&](const std::optional<RayHit>& hit) {
-      if (hit && (!best || hit->t < best->t))
-        best = hit;
-    };
-    if (shows(view.platform, platform.get()))
-      consider(pickPlatform(*platform, ray));
-    if (!shows(view.cell, cell.get()))
-      return best;
-    const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
-    for (std::size_t body = 0; body < cell->cell.bodies().size(); ++body)
-      if (isBodyShown(body))
-        consider(pickBody(*cell, body, work_T_frame, ray));
-    return best;
-  }
-
-  Between between(const Ray& ray, double lengthMm, bool printed) const {
-    const auto isOnTheWay = [&](const std::optional<RayHit>& hit) {
-      return hit && hit->t < lengthMm;
-    };
-    Between between;
-    between.printed = printed && isOnTheWay(nearestPrinted(ray, true));
-    between.platform =
-        shows(view.platform, platform.get()) && isOnTheWay(pickPlatform(*platform, ray));
-    if (!shows(view.cell, cell.get()))
-      return between;
-    const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
-    const auto& bodies = cell->cell.bodies();
-    for (std::size_t body = 0; body < bodies.size(); ++body) {
-      const auto role = static_cast<std::size_t>(bodies[body].role);
-      if (view.roles[role] && !between.roles[role])
-        between.roles[role] = isOnTheWay(pickBody(*cell, body, work_T_frame, ray));
-    }
-    return between;
   }
 
   // What the camera should see: in the world.

@@ -5,12 +5,11 @@
 #include "scene/camera.h"
 #include "scene/colouring.h"
 #include "scene/drawings.h"
-#include "scene/sight.h"
+#include "scene/hit.h"
 #include "scene/theme.h"
 #include "scene/view_state.h"
 
 #include <Eigen/Geometry>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,19 +17,6 @@
 class vtkRenderer;
 
 namespace voluta::scene {
-
-struct Hit {
-  enum class What { Part, Platform, Voxel, Layer, Path, Piece, Cell };
-  What what = What::Part;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // work frame, mm
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // unit, of the facet; zero for paths and cell
-  int layer = -1;                     // Voxel (not while growth is replayed), Layer, Path
-  std::size_t path = 0, waypoint = 0; // Path: indices in the ToolPlan
-  std::size_t patch = 0;              // Layer: index in the LayerStack
-  std::size_t voxel = 0;              // Voxel: cell of the grid
-  std::size_t piece = 0;              // Piece: its place in print order; `point` is on the part
-  std::size_t body = 0;               // Cell: index in Cell::bodies()
-};
 
 class Scene {
 public:

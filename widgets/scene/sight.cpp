@@ -1,7 +1,6 @@
 #include "scene/sight.h"
 
 #include "base/units.h"
-#include "scene/scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,10 +30,6 @@ std::vector<Vector3d> directionsFrom(const Vector3d& own) {
 }
 
 } // namespace
-
-bool Between::machine() const {
-  return platform || std::ranges::find(roles, true) != roles.end();
-}
 
 Sight clearSight(const Scene& scene, const Vector3d& placeInWork, double radiusMm) {
   const Vector3d own = scene.towardsEye();

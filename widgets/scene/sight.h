@@ -1,22 +1,11 @@
 // From where a place is seen, and what has to make room for that.
 #pragma once
 
-#include "robot/robot_model.h"
+#include "scene/scene.h"
 
 #include <Eigen/Core>
-#include <array>
 
 namespace voluta::scene {
-
-class Scene;
-
-// What a straight line from a place to an eye meets on its way, of what is drawn.
-struct Between {
-  bool printed = false;  // part, voxels, pieces, layers or paths; not what is see-through
-  bool platform = false; // the drawing of it
-  std::array<bool, robot::kBodyRoleCount> roles{}; // of the cell's bodies
-  bool machine() const;                            // the platform, or a body
-};
 
 struct Sight {
   Eigen::Vector3d towardsEye = Eigen::Vector3d::UnitX();       // world, unit

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "scene/sight.h"
 #include "viewer/camera_control.h"
 #include "viewer/gizmo.h"
 #include "viewer/vtk_view.h"

@@ -1,0 +1,112 @@
+#include "scene/drawn.h"
+
+#include "scene/visible_beads.h"
+
+#include <algorithm>
+
+namespace voluta::scene {
+
+namespace {
+constexpr double kSolidOpacity = 0.5; // what is fainter is seen through
+}
+
+bool Between::machine() const {
+  return platform || std::ranges::find(roles, true) != roles.end();
+}
+
+const VoxelDrawing* Drawn::shownVoxels() const {
+  return replaysGrowth() ? growth.get() : view.voxels ? voxels.get() : nullptr;
+}
+
+bool Drawn::isSeeThrough() const {
+  return view.partOpacity < kSolidOpacity;
+}
+
+std::vector<Stretch> Drawn::layerStretches(bool undersides) const {
+  std::vector<Stretch> shown;
+  const std::int32_t above = view.sectionOn ? -kNeverHidden : view.lastLayer;
+  const std::int32_t below = view.sectionOn ? -kNeverHidden : -view.firstLayer;
+  layers->bands.append(shown, view.firstLayer, view.lastLayer, -kNeverHidden);
+  layers->upper.append(shown, view.firstLayer, view.lastLayer, above);
+  if (undersides)
+    layers->lower.append(shown, view.firstLayer, view.lastLayer, below);
+  return shown;
+}
+
+std::optional<RayHit> Drawn::nearestPrinted(const Ray& ray, bool solid) const {
+  const IsShown shown = [&](const Eigen::Vector3d& p) {
+    return !view.sectionOn || (p - view.sectionOrigin).dot(view.sectionNormal) <= 0.0;
+  };
+  std::optional<RayHit> best;
+  const auto consider = [&](const std::optional<RayHit>& hit) {
+    if (hit && (!best || hit->t < best->t))
+      best = hit;
+  };
+  if (shows(view.part, part.get()) && view.partOpacity > 0.0 && !(solid && isSeeThrough()))
+    consider(pickPart(*part, ray, shown));
+  if (replaysGrowth()) {
+    std::optional<RayHit> hit = pickVoxel(*growth, ray, 0, *view.growthStep - 1, shown);
+    if (hit)
+      hit->hit.layer = -1;
+    consider(hit);
+  } else if (const VoxelDrawing* drawing = shownVoxels(); drawing && !(solid && view.seeThrough)) {
+    consider(pickVoxel(*drawing, ray, view.firstLayer, view.lastLayer, shown));
+  }
+  if (shows(view.pieces, pieces.get()))
+    consider(pickPiece(*pieces, ray, pieceOffsets(*pieces, view.explodeMm), shown));
+  if (shows(view.layers, layers.get()))
+    consider(pickLayer(*layers, ray, layerStretches(true), shown));
+  if (shows(view.paths, paths.get()))
+    consider(pickPath(*paths, ray, visibleBeads(*paths, view), shown));
+  return best;
+}
+
+std::vector<Eigen::Isometry3d> Drawn::framesInWork() const {
+  std::vector<Eigen::Isometry3d> work_T_frame = world_T_frame;
+  for (Eigen::Isometry3d& pose : work_T_frame)
+    pose = world_T_work.inverse() * pose;
+  return work_T_frame;
+}
+
+bool Drawn::isBodyShown(std::size_t body) const {
+  return view.roles[static_cast<std::size_t>(cell->cell.bodies()[body].role)];
+}
+
+std::optional<RayHit> Drawn::nearest(const Ray& ray) const {
+  std::optional<RayHit> best = nearestPrinted(ray, false);
+  const auto consider = [&](const std::optional<RayHit>& hit) {
+    if (hit && (!best || hit->t < best->t))
+      best = hit;
+  };
+  if (shows(view.platform, platform.get()))
+    consider(pickPlatform(*platform, ray));
+  if (!shows(view.cell, cell.get()))
+    return best;
+  const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
+  for (std::size_t body = 0; body < cell->cell.bodies().size(); ++body)
+    if (isBodyShown(body))
+      consider(pickBody(*cell, body, work_T_frame, ray));
+  return best;
+}
+
+Between Drawn::between(const Ray& ray, double lengthMm, bool printed) const {
+  const auto isOnTheWay = [&](const std::optional<RayHit>& hit) {
+    return hit && hit->t < lengthMm;
+  };
+  Between between;
+  between.printed = printed && isOnTheWay(nearestPrinted(ray, true));
+  between.platform =
+      shows(view.platform, platform.get()) && isOnTheWay(pickPlatform(*platform, ray));
+  if (!shows(view.cell, cell.get()))
+    return between;
+  const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
+  const auto& bodies = cell->cell.bodies();
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    const auto role = static_cast<std::size_t>(bodies[body].role);
+    if (view.roles[role] && !between.roles[role])
+      between.roles[role] = isOnTheWay(pickBody(*cell, body, work_T_frame, ray));
+  }
+  return between;
+}
+
+} // namespace voluta::scene

@@ -1,0 +1,52 @@
+// What a scene draws at present: its drawings under its view, what a ray meets of them and how.
+#pragma once
+
+#include "scene/drawing_data.h"
+#include "scene/drawings.h"
+#include "scene/hit.h"
+#include "scene/pick.h"
+#include "scene/view_state.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace voluta::scene {
+
+// A null drawing: not there.
+struct Drawn {
+  ViewState view;
+  std::shared_ptr<const PartDrawing> part;
+  std::shared_ptr<const PlatformDrawing> platform;
+  std::shared_ptr<const VoxelDrawing> voxels, growth;
+  std::shared_ptr<const FrontDrawing> front;
+  std::shared_ptr<const LayersDrawing> layers;
+  std::shared_ptr<const PathsDrawing> paths;
+  std::shared_ptr<const PiecesDrawing> pieces;
+  std::shared_ptr<const ReachDrawing> reach;
+  std::shared_ptr<const CellDrawing> cell;
+  Eigen::Isometry3d world_T_work = Eigen::Isometry3d::Identity();
+  std::vector<Eigen::Isometry3d> world_T_frame; // of the cell
+
+  bool shows(bool wanted, const void* drawing) const { return wanted && drawing; }
+  bool replaysGrowth() const { return view.growthStep && shows(view.voxels, growth.get()); }
+  const VoxelDrawing* shownVoxels() const;
+  bool isSeeThrough() const; // the part
+  bool isBodyShown(std::size_t body) const;
+  // Precondition: layers. `undersides`: also the faces that look down.
+  std::vector<Stretch> layerStretches(bool undersides) const;
+
+  // Rays are in the work frame. The nearest thing that is drawn.
+  std::optional<RayHit> nearest(const Ray& ray) const;
+  // What is met within `lengthMm`. `printed`: is material looked at too, which takes longer?
+  Between between(const Ray& ray, double lengthMm, bool printed) const;
+
+private:
+  // The part, voxels, pieces, layers and paths. `solid`: not what is see-through.
+  std::optional<RayHit> nearestPrinted(const Ray& ray, bool solid) const;
+  std::vector<Eigen::Isometry3d> framesInWork() const;
+};
+
+} // namespace voluta::scene
