@@ -1,6 +1,7 @@
 #include "plan/finding_kinds.h"
 
 #include "base/error.h"
+#include "plan/finding_cures.h"
 
 #include <algorithm>
 #include <array>
@@ -12,91 +13,7 @@ namespace {
 using enum FindingKind;
 using enum Stage;
 using enum Gravity;
-using enum RemedyId;
-
-constexpr std::array kForStopped{DropToPlate, ChooseWay};
-constexpr std::array kForShadowed{ShrinkPlatform, AddSupports, TurnPart};
-constexpr std::array kForUnreached{DropToPlate, AddSupports, TurnPart};
-constexpr std::array kForNoSupport{WidenPlatform, TurnPart, PrintFlat};
-constexpr std::array kForOverhang{AddSupports, TurnLeastRisky};
-constexpr std::array kForAir{AddSupports, TurnLeastRisky, ChooseWay};
-constexpr std::array kForAirOverGround{PrintOnPlate};
-constexpr std::array kTurn{TurnLeastRisky};
-constexpr std::array kPedestal{ShrinkPlatform};
-constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
-constexpr std::array kNarrow{NarrowVoxels};
-constexpr std::array kForUncovered{AdaptLayers, LowerLayers, FinerProcess, ChooseWay};
-constexpr std::array kForFill{LowerLayers, FinerProcess, ChooseWay};
-constexpr std::array kForUnsupported{AddSupports, TurnLeastRisky, PrintFlat, ChooseWay,
-                                     PrintOnPlate};
-constexpr std::array kForHanging{ChooseWay};
-constexpr std::array kForThin{ScaleUp, FinerProcess};
-constexpr std::array kForThinInReach{FinerProcess};
-constexpr std::array kForSlivers{FinerProcess, Enlarge};
-constexpr std::array kForNothing{FinerProcess, Enlarge};
-constexpr std::array kForGouge{FinerProcess, Enlarge, PrintFlat, ChooseWay};
-constexpr std::array kForTiny{UnitsMetres, UnitsInches};
-constexpr std::array kForHuge{ScaleToFit, UnitsMicrometres};
-constexpr std::array kForAdrift{CellPlate, CentrePart};
-constexpr std::array kForLying{StandBest};
-constexpr std::array kForRims{ThickenSurface, CloseRims};
-constexpr std::array kForSheets{ThickenSurface};
-constexpr std::array kForUpright{PrintFlat, UsualCell};
-constexpr std::array kForTooLarge{ScaleToReach, LargerCell, PrintFlat};
-constexpr std::array kForOutOfReach{ScaleToFit, Shrink, CentrePart, LargerCell, PrintFlat};
-constexpr std::array kForRod{ScaleToFit, Shrink};
-constexpr std::array kForUnconnected{MoreTurns, Shrink, PrintFlat};
-constexpr std::array kForHeadInPart{LowerLayers, FinerProcess, PrintFlat, ChooseWay};
-constexpr std::array kForHeadInPlatform{ShrinkPlatform, FinerProcess, PrintFlat, PrintOnPlate};
-constexpr std::array kForCollision{LessClearance, MoreTurns, Shrink, CentrePart};
-constexpr std::array kForReplayed{MoreClearance, Shrink, CentrePart};
-constexpr std::array kForLimits{MoreTurns, Shrink, CentrePart, PrintFlat};
-constexpr std::array kForFlow{LowerLayers, FinerProcess};
-constexpr std::array kForFlowErrors{LongerMotions};
-constexpr std::array kForBlends{LongerMotions};
-constexpr std::array kForDeviation{ShorterMotions};
-constexpr std::array kForHome{UsualCell};
-constexpr std::array kForCell{UsualProcess, UsualCell};
-constexpr std::array kForPlates{ScaleToPlate, LargerCell, MakePlatform};
-
-constexpr std::span<const RemedyId> kNoCures{};
-constexpr base::Text kOnlyWriteAgain =
-    "the program's text is not this plan's: nothing in the plan is to be changed"_text;
-constexpr base::Text kSaysItself = "the message says what would help"_text;
-constexpr base::Text kOldProject =
-    "kept as sentences in an older project: plan again for what can be done"_text;
-constexpr base::Text kOthersHelp = "the findings before this one have the remedies"_text;
-constexpr base::Text kFinest = "no process here has narrower beads"_text;
-constexpr base::Text kOtherBead = "the bead to go on from is chosen on the Simulate page"_text;
-constexpr base::Text kCellFile = "only the cell's own file can be changed: Edit, Edit cell"_text;
-
-constexpr base::Text kTurnOrShrink =
-    "turn the part, make the platform smaller or add supports"_text;
-constexpr base::Text kJoin = "a larger platform, supports, or join this piece to the part"_text;
-constexpr base::Text kBreakOff = "break it off after printing"_text;
-constexpr base::Text kNarrowTo = "a voxel width of at most {fits}"_text;
-constexpr base::Text kThicken = "thicken the wall to {least} or more"_text;
-constexpr base::Text kCutThere = "add supports (supports=auto), cut there, or use curved mode"_text;
-constexpr base::Text kTurnOrModes =
-    "turn the part (orient=leastRisky), add supports, or use planar or curved mode"_text;
-constexpr base::Text kTurnOrOther =
-    "turn the part (orient=leastRisky), or use planar or curved mode"_text;
-constexpr base::Text kFiner = "use a finer nozzle, or print the part larger"_text;
-constexpr base::Text kGentlerRod = "let the part rise from the rod at a gentler slope there"_text;
-constexpr base::Text kGentlerSurface =
-    "let the part rise from the surface at a gentler slope there"_text;
-constexpr base::Text kScaleOrTurn =
-    "scale the part down (--scale fit), turn it, or use a larger robot"_text;
-constexpr base::Text kMoreTurns =
-    "turn the part about the vertical, or try more turns (redundancySamples)"_text;
-constexpr base::Text kSlimmer = "use a slimmer print head or thinner layers"_text;
-constexpr base::Text kHigher = "use a smaller platform or place the part higher"_text;
-constexpr base::Text kAlongRod = "scale the part down, or move it along the rod"_text;
-constexpr base::Text kLessClearance =
-    "turn the part, use a smaller platform, or allow less clearance"_text;
-constexpr base::Text kTurnOrClearance = "turn the part, or allow less clearance"_text;
-constexpr base::Text kWriteAgain = "write the program again, or plan anew with this change"_text;
-constexpr base::Text kSlower = "slower there, or another place in the cell"_text;
+using namespace finding_cures;
 
 constexpr auto kRows = std::to_array<FindingRow>({
     {Verbatim, "verbatim", "", Load, Depends, "{reason}"_text, "{remedy}"_text, kNoCures,
