@@ -1,7 +1,9 @@
 // One plan: the stages of a chosen way of building in order, each taken from the cache or made.
 #pragma once
 
-#include "pipeline/road.h"
+#include "base/run_context.h"
+#include "pipeline/plan_result.h"
+#include "pipeline/stage_cache.h"
 
 #include <optional>
 

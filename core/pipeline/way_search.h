@@ -1,7 +1,9 @@
 // Mode auto: plans one way of building after the other (automatic.h) and chooses one of them.
 #pragma once
 
-#include "pipeline/road.h"
+#include "base/run_context.h"
+#include "pipeline/plan_result.h"
+#include "pipeline/stage_cache.h"
 
 namespace voluta::pipeline {
 
