@@ -6,6 +6,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/one_way.h"
+#include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
@@ -18,6 +19,12 @@ namespace voluta::pipeline {
 namespace {
 
 constexpr double kLoaded = 0.02; // share of the time until the part is loaded
+
+// Whether a finding is about the part as it was loaded, so that every way of building has it.
+bool concernsPartAlone(plan::FindingKind kind) {
+  using enum plan::FindingKind;
+  return kind == OpenRims || kind == SheetModel || kind == TinyPart || kind == HugePart;
+}
 
 class WaySearch {
 public:
@@ -42,6 +49,8 @@ public:
       };
       if (tryWay(ways[i], ctx_.sub(begin(i), begin(i + 1))))
         return choose(*passed_);
+      if (isPartRefused_)
+        break;
     }
     if (passed_) {
       if (observers_.onStage)
@@ -77,7 +86,7 @@ private:
     row.name = nameOfWay(way);
     row.mode = way.mode;
     row.platform = way.platform.text();
-    if (modes::findMode(way.mode).cuts && !request_.loaded->remains.empty()) {
+    if (modes::findMode(way.mode).cuts && !remainingDefects(*request_.loaded).empty()) {
       row.reason = "pieces are not cut out of a mesh with defects"_text;
       return false;
     }
@@ -98,6 +107,7 @@ private:
     if (trial.rejection) {
       row.reason = plan::reasonOf(trial.rejection->finding);
       candidate.rejectedBy = plan::stageOf(trial.rejection->finding);
+      isPartRefused_ = concernsPartAlone(trial.rejection->finding.kind);
       keepFailed(std::move(candidate));
       return false;
     }
@@ -164,6 +174,7 @@ private:
   std::vector<project::TriedReport> tried_;
   std::optional<Candidate> passed_, failed_; // the best so far
   std::vector<project::Choices> missedNothing_;
+  bool isPartRefused_ = false; // then no other way of building would pass
   std::optional<base::Error> error_; // of the first way that could not be planned
 };
 

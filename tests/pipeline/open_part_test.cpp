@@ -59,6 +59,15 @@ TEST(OpenPart, IsRefusedFirstOfAll) {
   }
 }
 
+TEST(OpenPart, ModeAutoRefusesItOnceForAllWays) {
+  PlanRequest request;
+  request.loaded = cup();
+  request.choices.automatic = true;
+  const PlanResult result = pipeline::planPart(request, {});
+  EXPECT_EQ(result.job.report.tried.size(), 1u);
+  EXPECT_EQ(first(result).kind, FindingKind::OpenRims);
+}
+
 TEST(OpenPart, IsClosedOnTheUsersWord) {
   const PlanResult result = planned(cup(), "close");
   EXPECT_EQ(first(result).kind, FindingKind::RimsClosed);
