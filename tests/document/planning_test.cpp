@@ -2,11 +2,14 @@
 
 #include "document/opening.h"
 #include "document/parts.h"
+#include "pipeline/remedies.h"
+#include "plan/finding_kinds.h"
 
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace voluta::document {
@@ -24,6 +27,18 @@ protected:
     ASSERT_TRUE(finished.wait(120000));
   }
   StageState state(Stage stage) { return document_.state(stage); }
+  // A box of 9 mm as text, without its lid but for the given triangles.
+  static QString writeBox(const QTemporaryDir& folder, const QByteArrayList& lid) {
+    QFile file(folder.filePath("box.off"));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("OFF\n8 " + QByteArray::number(10 + lid.size()) +
+               " 0\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n0 0 9\n9 0 9\n9 9 9\n0 9 9\n"
+               "3 0 2 1\n3 0 3 2\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+               "3 3 0 4\n3 3 4 7\n");
+    for (const QByteArray& triangle : lid)
+      file.write("3 " + triangle + "\n");
+    return file.fileName();
+  }
 
   Document document_;
   Planning planning_{document_};
@@ -219,24 +234,20 @@ TEST_F(PlanningTest, PlanningWaitsForTheRepair) {
 }
 
 TEST_F(PlanningTest, APartIsShownAsReadAndThenRepaired) {
-  // A box without its lid, as text.
+  // A box with one half of its lid twice.
   const QTemporaryDir folder;
-  QFile file(folder.filePath("open.off"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("OFF\n8 10 0\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n0 0 9\n9 0 9\n9 9 9\n0 9 9\n"
-             "3 0 2 1\n3 0 3 2\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n"
-             "3 3 4 7\n");
-  file.close();
+  const QString file = writeBox(folder, {"4 5 6", "4 6 7", "4 6 7"});
   Opening opening(document_, planning_);
   QSignalSpy opened(&opening, &Opening::opened), repaired(&opening, &Opening::repaired);
   std::size_t asRead = 0;
   QObject::connect(&opening, &Opening::opened, &document_,
                    [&] { asRead = document_.source()->mesh->triangles.size(); });
-  opening.open(file.fileName());
+  opening.open(file);
   ASSERT_TRUE(opened.wait(10000));
-  EXPECT_EQ(asRead, 10u);
+  EXPECT_EQ(asRead, 13u);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !repaired.isEmpty(); }, 10000));
   EXPECT_EQ(document_.source()->mesh->triangles.size(), 12u);
+  EXPECT_FALSE(document_.source()->open);
   EXPECT_TRUE(document_.sourceReady());
   EXPECT_EQ(document_.undoStack()->count(), 1) << "one edit, not two";
 
@@ -244,7 +255,33 @@ TEST_F(PlanningTest, APartIsShownAsReadAndThenRepaired) {
   choices.repair = false;
   document_.setChoices(choices, "Do not repair");
   ASSERT_TRUE(repaired.wait(10000));
-  EXPECT_EQ(document_.source()->mesh->triangles.size(), 10u);
+  EXPECT_EQ(document_.source()->mesh->triangles.size(), 13u);
+}
+
+TEST_F(PlanningTest, ABoxWithoutItsLidIsClosedOnTheUsersWordOnly) {
+  const QTemporaryDir folder;
+  Opening opening(document_, planning_);
+  QSignalSpy repaired(&opening, &Opening::repaired);
+  opening.open(writeBox(folder, {}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !repaired.isEmpty(); }, 10000));
+  EXPECT_EQ(document_.source()->mesh->triangles.size(), 10u) << "as it was read";
+  plan(Stage::Replay);
+  ASSERT_TRUE(document_.lastResult());
+  EXPECT_EQ(document_.lastResult()->job.reached, Stage::Load);
+  const plan::Finding asked = document_.lastResult()->job.report.findings.at(0);
+  EXPECT_EQ(asked.kind, plan::FindingKind::OpenRims);
+  EXPECT_TRUE(asked.blocking);
+
+  const auto offers = pipeline::remediesFor(asked, document_.choices());
+  const auto close = std::ranges::find(
+      offers, "closeRims", [](const pipeline::Offer& offer) { return offer.remedy->name; });
+  ASSERT_NE(close, offers.end());
+  document_.setChoices(close->choices, "Close the rims");
+  plan(Stage::Load);
+  EXPECT_EQ(document_.result(Stage::Load)->job.part->triangles.size(), 12u);
+  const plan::Finding told = document_.lastResult()->job.report.findings.at(0);
+  EXPECT_EQ(told.kind, plan::FindingKind::RimsClosed);
+  EXPECT_FALSE(told.blocking);
 }
 
 TEST_F(PlanningTest, AFileThatIsNoMeshIsToldInOneLine) {
