@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/text.h"
-#include "plan/finding_kinds.h"
+#include "plan/remedy_id.h"
 
 #include <array>
 #include <span>

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "plan/finding.h"
+#include "plan/remedy_id.h"
 #include "plan/stage.h"
 
 #include <cstdint>
@@ -165,46 +166,6 @@ enum class Gravity {
   Blocks,
   Tells,  // worth knowing
   Depends // on how much it is: whoever makes it decides
-};
-
-// What a button can do about a finding; how, is known to the pipeline.
-enum class RemedyId : std::uint8_t {
-  ThickenSurface,
-  CloseRims,
-  DropToPlate,
-  ShrinkPlatform,
-  MakePlatform,
-  CellPlate,
-  AddSupports,
-  WidenPlatform,
-  AdaptLayers,
-  LowerLayers,
-  MoreTurns,
-  LessClearance,
-  MoreClearance,
-  ShorterMotions,
-  LongerMotions,
-  TurnLeastRisky,
-  TurnPart,
-  StandBest,
-  NarrowVoxels,
-  ScaleUp,
-  FinerProcess,
-  UnitsMetres,
-  UnitsInches,
-  UnitsMicrometres,
-  ScaleToFit,
-  ScaleToReach,
-  ScaleToPlate,
-  Shrink,
-  Enlarge,
-  CentrePart,
-  UsualProcess,
-  UsualCell,
-  LargerCell,
-  PrintFlat,
-  ChooseWay,
-  PrintOnPlate
 };
 
 struct FindingRow {

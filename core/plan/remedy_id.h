@@ -1,0 +1,48 @@
+// The remedies that findings offer.
+#pragma once
+
+#include <cstdint>
+
+namespace voluta::plan {
+
+// What a button can do about a finding; how, is known to the pipeline.
+enum class RemedyId : std::uint8_t {
+  ThickenSurface,
+  CloseRims,
+  DropToPlate,
+  ShrinkPlatform,
+  MakePlatform,
+  CellPlate,
+  AddSupports,
+  WidenPlatform,
+  AdaptLayers,
+  LowerLayers,
+  MoreTurns,
+  LessClearance,
+  MoreClearance,
+  ShorterMotions,
+  LongerMotions,
+  TurnLeastRisky,
+  TurnPart,
+  StandBest,
+  NarrowVoxels,
+  ScaleUp,
+  FinerProcess,
+  UnitsMetres,
+  UnitsInches,
+  UnitsMicrometres,
+  ScaleToFit,
+  ScaleToReach,
+  ScaleToPlate,
+  Shrink,
+  Enlarge,
+  CentrePart,
+  UsualProcess,
+  UsualCell,
+  LargerCell,
+  PrintFlat,
+  ChooseWay,
+  PrintOnPlate
+};
+
+} // namespace voluta::plan
