@@ -93,7 +93,7 @@ TEST(Document, DirtyIsTheUndoStackNotBeingWhereItWasSaved) {
   QSignalSpy dirty(&document, &Document::dirtyChanged), settled(&document, &Document::settled);
   document.openPart(test::boxPart(), {}, true);
   EXPECT_TRUE(document.dirty());
-  document.saved("/tmp/a.voluta", document.revision());
+  document.saved("/tmp/a.voluta", document.revision(), document.snapshot());
   EXPECT_FALSE(document.dirty());
   EXPECT_EQ(document.name(), "a");
   EXPECT_EQ(settled.size(), 1);
@@ -109,7 +109,7 @@ TEST(Document, EditsDuringASaveStayUnsaved) {
   document.openPart(test::boxPart(), {}, true);
   const std::uint64_t revision = document.revision();
   test::setSeed(document, 5);
-  document.saved("/tmp/a.voluta", revision);
+  document.saved("/tmp/a.voluta", revision, document.snapshot());
   EXPECT_TRUE(document.dirty());
   EXPECT_EQ(document.projectFile(), "/tmp/a.voluta");
 }
@@ -119,7 +119,7 @@ TEST(Document, APartOpenedInASavedProjectBeginsAProjectOfItsOwn) {
   document.openPart(test::boxPart(), {}, true);
   document.setParameter("voxelMm", "1.5");
   document.setScale("0.5");
-  document.saved("/tmp/a.voluta", document.revision());
+  document.saved("/tmp/a.voluta", document.revision(), document.snapshot());
   QSignalSpy edited(&document, &Document::edited);
   document.openPart(test::boxPart(5.0, "other.stl"), "/tmp/other.stl", true);
   EXPECT_TRUE(document.projectFile().isEmpty()) << "a save would overwrite it";
@@ -175,10 +175,38 @@ TEST(Document, UnsavedWorkIsMoreThanAnOpenedPart) {
   EXPECT_FALSE(document.hasUnsavedWork());
   test::setSeed(document, 5);
   EXPECT_TRUE(document.hasUnsavedWork());
-  document.saved("/tmp/a.voluta", document.revision());
+  document.saved("/tmp/a.voluta", document.revision(), document.snapshot());
   EXPECT_FALSE(document.hasUnsavedWork());
   document.undoStack()->undo();
   EXPECT_TRUE(document.hasUnsavedWork());
+}
+
+TEST(Document, SettingsThatAnotherPartWouldTakeAwayAreUnsavedWork) {
+  Document document;
+  project::Choices start;
+  start.automatic = true;
+  document.startWith(start);
+  document.setParameter("walls", "5"); // meant for the part to come
+  document.openPart(test::boxPart(), "/tmp/box.stl", true);
+  EXPECT_TRUE(document.hasUnsavedWork());
+  document.openPart(test::boxPart(5.0, "other.stl"), "/tmp/other.stl", true);
+  EXPECT_FALSE(document.hasUnsavedWork());
+}
+
+TEST(Document, ACellThatCannotBeReadStaysForTheNextPart) {
+  Document document;
+  project::Choices start;
+  start.automatic = true;
+  document.startWith(start);
+  document.openPart(test::boxPart(), "/tmp/box.stl", true);
+  project::Choices own = document.choices();
+  own.cell = "a-cell-that-is-not-there";
+  own.formats = {"csv"};
+  document.setChoices(own, "own");
+  document.openPart(test::boxPart(5.0, "other.stl"), "/tmp/other.stl", true);
+  EXPECT_EQ(document.choices().cell, own.cell);
+  EXPECT_EQ(document.choices().formats, own.formats);
+  EXPECT_NE(document.unusable(), nullptr);
 }
 
 TEST(Document, TheRepairedPartReachesEveryEdit) {

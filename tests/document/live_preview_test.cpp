@@ -151,7 +151,8 @@ TEST_F(LivePreviewTest, ACancelGoesBackToTheLastResult) {
   planBox();
   const auto before = document_.result(Stage::Decompose);
   setPlatform("disc:30");
-  document_.showPreview({before->job.decomposition(), 0.8, document_.key(Stage::Load)});
+  document_.showPreview(
+      {before->job.decomposition(), 0.8, document_.key(Stage::Load), document_.source()->hash});
   live_.refresh();
   ASSERT_TRUE(live_.running());
   live_.cancel();

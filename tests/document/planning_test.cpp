@@ -108,6 +108,40 @@ TEST_F(PlanningTest, UndoBringsBackThePlanOfThePartBefore) {
   EXPECT_FALSE(document_.result(Stage::Layers));
 }
 
+TEST_F(PlanningTest, StagesOfAPartThatUndoHasTakenAwayAreIgnored) {
+  open();
+  plan(Stage::Layers);
+  const auto layers = document_.result(Stage::Layers), placed = document_.result(Stage::Load);
+  document_.openPart(test::boxPart(6.0, "small.stl"), {}, true);
+  planning_.plan(Stage::Layers);
+  QSignalSpy finished(&planning_, &Planning::finished),
+      changed(&document_, &Document::resultChanged);
+  document_.undoStack()->undo();
+  changed.clear();
+  ASSERT_TRUE(finished.wait(60000));
+  EXPECT_TRUE(changed.empty());
+  EXPECT_EQ(document_.result(Stage::Layers), layers);
+  EXPECT_EQ(document_.result(Stage::Load), placed);
+  EXPECT_TRUE(document_.upToDate(Stage::Layers));
+}
+
+TEST_F(PlanningTest, APlanAfterASaveIsUnsavedWork) {
+  open();
+  document_.saved("/tmp/a.voluta", document_.revision(), document_.snapshot());
+  EXPECT_FALSE(document_.hasUnsavedWork());
+  QSignalSpy dirty(&document_, &Document::dirtyChanged);
+  plan(Stage::Layers);
+  EXPECT_EQ(dirty.size(), 1);
+  EXPECT_TRUE(document_.hasUnsavedWork());
+  document_.saved("/tmp/a.voluta", document_.revision(), document_.snapshot());
+  EXPECT_FALSE(document_.dirty());
+  EXPECT_FALSE(document_.hasUnsavedWork());
+  // What is made from settings that were taken back again is in the file.
+  document_.setParameter("walls", "3");
+  document_.undoStack()->undo();
+  EXPECT_FALSE(document_.dirty());
+}
+
 TEST_F(PlanningTest, ACancelFreesTheWindowAndLeavesTheLastResult) {
   open();
   plan(Stage::Load);

@@ -1,5 +1,6 @@
 #include "document/document.h"
 
+#include "document/choices_compare.h"
 #include "document/mode_switch.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
@@ -10,7 +11,6 @@
 #include <QFileInfo>
 #include <QUndoCommand>
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace voluta::document {
@@ -20,16 +20,6 @@ using project::kStageCount;
 using project::Stage;
 
 namespace {
-bool sameChoices(const project::Choices& a, const project::Choices& b) {
-  const auto tied = [](const project::Choices& c) {
-    return std::tie(c.automatic, c.platformStays, c.automaticWay, c.mode, c.growth, c.platform,
-                    c.cell, c.process, c.scale, c.units, c.repair, c.formats, c.parameters, c.seed,
-                    c.placement.liftMm);
-  };
-  return tied(a) == tied(b) && a.placement.centreMm == b.placement.centreMm &&
-         a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
-}
-
 Stage stageAt(std::size_t index) {
   return static_cast<Stage>(index);
 }
@@ -38,7 +28,7 @@ Stage stageAt(std::size_t index) {
 Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
                   const pipeline::PlanResult& soFar) {
   return {std::move(decomposition), soFar.process->layerHeightMm,
-          soFar.job.stages[indexOf(Stage::Load)].key};
+          soFar.job.stages[indexOf(Stage::Load)].key, soFar.job.loaded->hash};
 }
 
 // Shared by all edits that refer to the same part, so that its repaired version reaches them all.
@@ -103,18 +93,29 @@ QString Document::name() const {
 }
 
 bool Document::dirty() const {
-  return unsaved_ || !undo_.isClean();
+  return unsaved_ || !undo_.isClean() || hasUnsavedPlan();
+}
+
+// Voxels do not count: a preview makes them unasked.
+bool Document::hasUnsavedPlan() const {
+  for (std::size_t s = indexOf(Stage::Layers); s < kStageCount; ++s)
+    if (upToDate(stageAt(s)) && shown_[s].key != savedKeys_[s])
+      return true;
+  return false;
 }
 
 bool Document::hasUnsavedWork() const {
-  if (!dirty())
-    return false;
   const bool plans = running_ && until_ > Stage::Load;
+  if (plans || unsaved_ || hasUnsavedPlan())
+    return true;
+  if (undo_.isClean())
+    return false;
   const auto last = lastResult();
-  if (plans || unsaved_ || !projectFile_.isEmpty() || (last && *last->job.reached > Stage::Load))
+  if (!projectFile_.isEmpty() || (last && *last->job.reached > Stage::Load))
     return true;
   const int edits = undo_.index();
-  return edits > 0 && !static_cast<const EditCommand*>(undo_.command(edits - 1))->opensPart();
+  return edits > 0 && (!static_cast<const EditCommand*>(undo_.command(edits - 1))->opensPart() ||
+                       (source_ && losesSettings(choices_, choicesOfNextPart({}))));
 }
 
 void Document::tellDirtyAndName() {
@@ -238,19 +239,18 @@ project::Choices Document::choicesOfNextPart(const QString& path) const {
   same.scale = usual.scale;
   if (!source_ || (!path.isEmpty() && path == source_->path))
     return same;
-  const project::Choices fresh = start_;
+  project::Choices next = start_;
   // A cell and a process that came along with the way of building go with it.
   const modes::Mode* mode = choices_.automatic ? nullptr : modes::modeNamed(choices_.mode);
-  if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != fresh.cell)
-    return fresh;
-  project::Choices next = fresh;
+  if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != start_.cell)
+    return next;
   next.cell = choices_.cell;
   next.process = choices_.process;
   next.formats = choices_.formats;
   try {
     return next.automatic ? pipeline::automaticChoices(next).front() : fitting(next);
   } catch (const base::Error&) {
-    return fresh; // no way of building goes with that cell
+    return next; // what is wrong with the cell, the plan reports
   }
 }
 
@@ -279,6 +279,7 @@ void Document::replaceAll(const project::Choices& choices, std::shared_ptr<Sourc
   source_ = std::move(source);
   sources_.assign(source_ ? 1 : 0, source_);
   projectFile_ = file;
+  savedKeys_ = {};
   unsaved_ = unsaved;
   ++revision_;
   refreshKeys();
@@ -307,6 +308,7 @@ void Document::openJob(const pipeline::PlanResult& opened, const QString& file, 
     const auto result = std::make_shared<const pipeline::PlanResult>(opened);
     for (std::size_t s = 0; s <= indexOf(*job.reached); ++s) {
       shown_[s] = {result, shownKey(*result, s, keys_)};
+      savedKeys_[s] = shown_[s].key;
       emit resultChanged(stageAt(s));
     }
   }
@@ -316,8 +318,9 @@ void Document::openJob(const pipeline::PlanResult& opened, const QString& file, 
     emit settled();
 }
 
-void Document::saved(const QString& file, std::uint64_t revision) {
+void Document::saved(const QString& file, std::uint64_t revision, const project::Job& written) {
   projectFile_ = file;
+  savedKeys_ = written.keys();
   if (revision == revision_) {
     unsaved_ = false;
     undo_.setClean();
@@ -450,7 +453,13 @@ void Document::planStarted(Stage until) {
   emit stateChanged();
 }
 
+bool Document::isOfSource(const pipeline::PlanResult& result) const {
+  return source_ && result.job.loaded && result.job.loaded->hash == source_->part->hash;
+}
+
 void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult> result) {
+  if (!isOfSource(*result))
+    return;
   takeWay(result->job.choices);
   const std::size_t done = indexOf(stage);
   const bool changed = shown_[done].key != shownKey(*result, done, runKeys_) ||
@@ -467,6 +476,7 @@ void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult
   else if (aheadBefore)
     emit previewChanged();
   emit stateChanged();
+  tellDirtyAndName();
 }
 
 void Document::takeWay(const project::Choices& planned) {
@@ -483,13 +493,14 @@ void Document::takeWay(const project::Choices& planned) {
 }
 
 void Document::planEnded(std::shared_ptr<const pipeline::PlanResult> result) {
-  if (result->job.reached)
+  if (result->job.reached && isOfSource(*result))
     for (std::size_t s = 0; s <= indexOf(*result->job.reached); ++s)
       shown_[s].result = result;
   endRun();
   if (until_ > Stage::Load)
     dropPreview();
   emit stateChanged();
+  tellDirtyAndName();
 }
 
 void Document::planCancelled() {
@@ -507,6 +518,7 @@ void Document::planCancelled() {
       emit resultChanged(stageAt(s));
   }
   emit stateChanged();
+  tellDirtyAndName();
 }
 
 void Document::endRun() {
@@ -524,6 +536,8 @@ Stage Document::planFailed(const base::Error& error) {
 }
 
 void Document::showPreview(Preview preview) {
+  if (!source_ || preview.partHash != source_->part->hash)
+    return;
   preview_ = std::move(preview);
   emit previewChanged();
   emit stateChanged();
@@ -538,6 +552,8 @@ void Document::dropPreview() {
 }
 
 void Document::previewDone(std::shared_ptr<const pipeline::PlanResult> result) {
+  if (!isOfSource(*result))
+    return;
   takeWay(result->job.choices);
   for (const Stage stage : {Stage::Load, Stage::Decompose}) {
     const std::string& key = result->job.stages[indexOf(stage)].key;

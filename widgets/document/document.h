@@ -39,6 +39,7 @@ struct Preview {
   std::shared_ptr<const curved::Decomposition> decomposition;
   double layerHeightMm = 0.0;
   std::string loadKey; // of how the part was placed
+  std::string partHash;
 };
 // `soFar` has its Load stage.
 Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
@@ -67,9 +68,10 @@ public:
   // For the title: the project's file name without folder and ending, else the part's (with "-rest"
   // where the print is taken up again), else "Untitled".
   QString name() const;
+  // Are there edits, or a plan, that the project's file does not have?
   bool dirty() const;
-  // Would another part or project take the place of work that no file has: a plan, or edits other
-  // than that this part was opened?
+  // Would another part or project take the place of work that no file has: a plan, also one that
+  // runs, or edits other than that this part was opened?
   bool hasUnsavedWork() const;
   QUndoStack* undoStack() { return &undo_; }
   // Counts every change of choices or source, undo and redo included.
@@ -105,8 +107,9 @@ public:
   // What readJob and resultOf made of a file; `file` empty: a project without a file of its own.
   // `unsaved`: counts as changed. Precondition: the job has a part.
   void openJob(const pipeline::PlanResult& opened, const QString& file, bool unsaved);
-  // After a save of `revision`: the file is the project's, and clean if nothing changed since.
-  void saved(const QString& file, std::uint64_t revision);
+  // After `written` was saved, a snapshot() of `revision`: the file is the project's, and clean if
+  // nothing changed since.
+  void saved(const QString& file, std::uint64_t revision, const project::Job& written);
 
   // ---- results
   // The plan that the data of a stage is shown from; null: none. Not always that of the choices:
@@ -140,7 +143,7 @@ public:
   // Of the present choices; none: no run has failed since they are what they are.
   const Failure* failure() const;
 
-  // Called by Planning.
+  // Called by Planning. Results of another part than the one on show are ignored.
   void planStarted(project::Stage until);
   void stageDone(project::Stage stage, std::shared_ptr<const pipeline::PlanResult> result);
   void planEnded(std::shared_ptr<const pipeline::PlanResult> result); // of all stages
@@ -204,6 +207,9 @@ private:
   // Of automatic choices: the way of building that a plan has come to. Nothing to be undone.
   void takeWay(const project::Choices& planned);
   void endRun();
+  bool hasUnsavedPlan() const;
+  // A run goes on for a moment after undo has brought back another part.
+  bool isOfSource(const pipeline::PlanResult& result) const;
   void tellDirtyAndName();
 
   project::Choices start_; // of a new project
@@ -213,7 +219,8 @@ private:
   std::weak_ptr<Source> left_;                 // the part before, with its results
   QString projectFile_;
   QUndoStack undo_;
-  bool unsaved_ = false; // changed in a way that the undo stack does not know of
+  bool unsaved_ = false;         // changed in a way that the undo stack does not know of
+  project::StageKeys savedKeys_; // of the results in the project's file
   bool wasDirty_ = false;
   QString lastName_;
   std::uint64_t revision_ = 0;

@@ -108,15 +108,14 @@ void Planning::start() {
 
 // How long it takes is known for the last way only: an earlier one may be the last that is planned,
 // or end at once.
-void Planning::noteProgress(const jobs::Progress& progress) {
-  progress_ = progress;
+void Planning::noteProgress(jobs::Progress progress) {
   if (way_) {
-    progress_.stage =
+    progress.stage =
         base::message("{trying}: {stage}"_text, pipeline::tryingText(*way_), progress.stage);
     if (!way_->isLast())
-      progress_.secondsLeft.reset();
+      progress.secondsLeft.reset();
   }
-  emit progressed(progress_);
+  emit progressed(progress);
 }
 
 void Planning::end(const base::Outcome<Result>& outcome) {

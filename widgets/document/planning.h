@@ -41,13 +41,12 @@ public:
 
   // Where the run under way, or the last one, ends.
   project::Stage until() const { return until_; }
-  // In mode auto with the way of building that is being tried.
-  const jobs::Progress& progress() const { return progress_; }
   // Kept results, to be seeded from an opened project; good for any thread.
   const std::shared_ptr<pipeline::StageCache>& cache() const { return cache_; }
 
 signals:
   void started(voluta::project::Stage until);
+  // In mode auto with the way of building that is being tried.
   void progressed(const voluta::jobs::Progress& progress);
   void stageDone(voluta::project::Stage stage);
   void finished();
@@ -59,13 +58,12 @@ private:
   void startRest();
   void noteEdit();
   void noteSource();
-  void noteProgress(const jobs::Progress& progress);
+  void noteProgress(jobs::Progress progress);
   void end(const base::Outcome<std::shared_ptr<const pipeline::PlanResult>>& outcome);
 
   Document& document_;
   std::shared_ptr<pipeline::StageCache> cache_;
   jobs::JobRunner runner_;
-  jobs::Progress progress_;
   std::optional<pipeline::WayInTurn> way_; // that mode auto is trying
   QTimer* startOver_;
   std::optional<project::Stage> waiting_; // for the repair

@@ -7,6 +7,8 @@
 
 #include <QFileInfo>
 #include <filesystem>
+#include <memory>
+#include <utility>
 
 namespace voluta::document {
 
@@ -29,16 +31,17 @@ void Saving::saveAs(const QString& file) {
 }
 
 void Saving::write(const QString& file) {
+  const auto job = std::make_shared<const project::Job>(document_.snapshot());
   runner_.run(
-      [file, job = document_.snapshot()](const base::RunContext&) {
-        project::writeJob(std::filesystem::path(file.toStdString()), job);
+      [file, job](const base::RunContext&) {
+        project::writeJob(std::filesystem::path(file.toStdString()), *job);
         return true;
       },
-      [this, file, revision = document_.revision()](const base::Outcome<bool>& outcome) {
+      [this, file, job, revision = document_.revision()](const base::Outcome<bool>& outcome) {
         if (const auto* error = std::get_if<base::Error>(&outcome)) {
           emit failed(file, language::words(error->whole()));
         } else {
-          document_.saved(file, revision);
+          document_.saved(file, revision, *job);
           emit saved(file);
         }
         if (next_)
