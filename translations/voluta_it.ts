@@ -6888,6 +6888,10 @@ previsto</translation>
         <translation>l&apos;intervallo dell&apos;uscita di portata</translation>
     </message>
     <message>
+        <source>the surface crosses itself: {share:.3g} of what it encloses faces inside out and counts as outside</source>
+        <translation>la superficie attraversa sé stessa: il {share:.3g} di ciò che racchiude è rovesciato e vale come esterno</translation>
+    </message>
+    <message>
         <source>the temperature of the nozzle, °C</source>
         <translation>la temperatura dell&apos;ugello, °C</translation>
     </message>

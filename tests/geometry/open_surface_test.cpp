@@ -112,10 +112,31 @@ TEST(SheetModel, NothingIsDroppedInSilence) {
   EXPECT_EQ(kept.open->sheetTriangles, sheets);
   EXPECT_EQ(kept.mesh.triangles.size(), m.triangles.size());
   EXPECT_THAT(firstLine(kept), HasSubstr("sheet model: "));
+  EXPECT_THAT(base::english(kept.repairs),
+              ::testing::Not(::testing::Contains(HasSubstr("duplicate triangle"))))
+      << "both sides of a sheet are no repeats";
   const RepairResult closed = repair(m, {}, OpenSurfaces::Close);
   EXPECT_EQ(closed.mesh.triangles.size(), 12u);
   EXPECT_THAT(base::english(closed.repairs),
               ::testing::Contains(HasSubstr("triangles of sheets without volume")));
+}
+
+TEST(SheetModel, WhatIsKeptIsNotToldToBeDropped) {
+  // A cup, open by its rim, and a stray sheet beside it.
+  TriangleMesh cup = test::box({0, 0, 0}, {50, 50, 50});
+  cup.triangles.erase(cup.triangles.begin() + 2, cup.triangles.begin() + 4); // top
+  TriangleMesh stray = doubleSided(flatSheet(2.0));
+  for (Vector3d& v : stray.vertices)
+    v += Vector3d(80, 0, 0);
+  test::append(cup, stray);
+  const RepairResult kept = repair(cup);
+  ASSERT_TRUE(kept.open);
+  EXPECT_FALSE(kept.open->isSheetModel());
+  EXPECT_EQ(kept.mesh.triangles.size(), cup.triangles.size());
+  EXPECT_THAT(base::english(kept.repairs),
+              ::testing::Not(::testing::Contains(HasSubstr("sheets without volume"))));
+  EXPECT_THAT(base::english(repair(cup, {}, OpenSurfaces::Close).repairs),
+              ::testing::Contains(HasSubstr("sheets without volume")));
 }
 
 TEST(SheetModel, ASheetAloneIsOne) {

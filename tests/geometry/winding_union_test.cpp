@@ -4,6 +4,7 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
 #include "geometry/repair/repair.h"
+#include "helpers/bow_tie.h"
 #include "helpers/shapes.h"
 
 #include <gmock/gmock.h>
@@ -130,6 +131,28 @@ TEST(WindingUnion, AThreadThatSweepsThroughItself) {
   EXPECT_THAT(base::english(united.repairs),
               ::testing::Contains(::testing::HasSubstr("component that cuts itself")));
   expectUnited(m, "thread");
+}
+
+TEST(WindingUnion, ALobeThatFacesInsideOutIsToldAndNotDropped) {
+  const TriangleMesh m = test::bowTie({0, 0, 0}, 20.0, 12.0, 8.0, 5.0);
+  const RepairResult result = repair(m);
+  EXPECT_EQ(result.mesh.triangles, m.triangles);
+  EXPECT_TRUE(result.repairs.empty());
+  EXPECT_THAT(base::english(result.remains),
+              ::testing::Contains(::testing::HasSubstr("30.8 % of what it encloses")));
+  // Two bodies that overlap do not hide it.
+  TriangleMesh more = test::box({0, 20, 0}, {20, 40, 20});
+  test::append(more, test::box({10, 30, 10}, {30, 50, 30}));
+  test::append(more, m);
+  EXPECT_THAT(base::english(repair(more).remains),
+              ::testing::Contains(::testing::HasSubstr("of what it encloses")));
+}
+
+TEST(WindingUnion, ASmallLoopGoes) {
+  const RepairResult result = repair(test::bowTie({0, 0, 0}, 20.0, 12.0, 0.6, 5.0));
+  EXPECT_TRUE(result.remains.empty());
+  EXPECT_EQ(result.diagnosis.selfIntersections.count, 0u);
+  EXPECT_NEAR(result.diagnosis.volumeMm3, 0.5 * 12.0 * (20.0 * 12.0 / 12.6) * 5.0, 1e-6);
 }
 
 TEST(WindingUnion, CavitiesStay) {

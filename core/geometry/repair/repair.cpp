@@ -32,6 +32,7 @@ public:
     assessSheets();
     ctx_.report(0.5, "repair: holes"_text);
     mendHoles();
+    noteSheets();
     turnShells();
     ctx_.report(0.7, "repair: self-intersections"_text);
     mendIntersections();
@@ -50,6 +51,8 @@ public:
     } else {
       result.remains = result.diagnosis.sentences();
     }
+    if (lost_)
+      result.remains.push_back(*lost_);
     return result;
   }
 
@@ -74,8 +77,8 @@ private:
     note(collapsed, "dropped {count} triangle without area|"
                     "dropped {count} triangles without area"_plural);
     if (open || found_.duplicateFaces.count > 0) {
-      const std::size_t doubled = dropDuplicateFaces(mesh_, sheets_) - sheets_.triangles.size();
-      note(doubled,
+      const std::size_t dropped = dropDuplicateFaces(mesh_, sheets_);
+      note(dropped - sheets_.triangles.size(),
            "dropped {count} duplicate triangle|dropped {count} duplicate triangles"_plural);
     }
     if (open) {
@@ -104,6 +107,10 @@ private:
     open_.sheetTriangles = sheets_.triangles.size();
     const double sheets = area(sheets_), all = sheets + area(mesh_);
     open_.sheetShare = all > 0.0 ? sheets / all : 0.0;
+  }
+
+  // Known when the rims have been assessed as well.
+  void noteSheets() {
     if (!keepsOpen())
       note(open_.sheetTriangles, "dropped {count} triangle of sheets without volume|"
                                  "dropped {count} triangles of sheets without volume"_plural);
@@ -172,13 +179,17 @@ private:
     const auto [overlapping, cutThemselves] = involved(united, pairs);
     std::size_t left = before;
     for (int round = 0; round < kRounds && left > 0; ++round) {
-      std::optional<TriangleMesh> next = windingUnion(united, pairs, ctx_);
+      std::optional<WindingUnion> next = windingUnion(united, pairs, ctx_);
       if (!next)
         break;
-      pairs = selfIntersections(*next, ctx_);
+      if (next->losesTooMuch()) { // the shape is in doubt
+        tellLost(next->lostShare());
+        break;
+      }
+      pairs = selfIntersections(next->mesh, ctx_);
       if (round > 0 && pairs.size() >= left)
         break;
-      united = std::move(*next);
+      united = std::move(next->mesh);
       left = pairs.size();
     }
     if (left == before)
@@ -189,6 +200,13 @@ private:
                       "united {count} overlapping components"_plural);
     note(cutThemselves, "removed the loops of {count} component that cuts itself|"
                         "removed the loops of {count} components that cut themselves"_plural);
+  }
+
+  void tellLost(double share) {
+    lost_ =
+        base::message("the surface crosses itself: {share:.3g} of what it encloses faces inside "
+                      "out and counts as outside"_text,
+                      base::percent(100.0 * share));
   }
 
   std::pair<TriangleMesh, TriangleMesh> closedAndOpen() const {
@@ -225,6 +243,7 @@ private:
   const base::RunContext& ctx_;
   OpenSurface open_;
   std::vector<base::Message> notes_;
+  std::optional<base::Message> lost_; // what uniting would have dropped
 };
 
 } // namespace

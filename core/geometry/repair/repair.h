@@ -31,7 +31,8 @@ struct RepairResult {
 // 3e-4 of the diagonal, never more than a third of a short edge), triangles without area, doubled
 // triangles and loose sheets dropped, T-junctions split, triangles turned to agree, non-manifold
 // edges separated, holes closed (Liepa 2003 as in CGAL), inside-out components turned (cavities
-// stay cavities), components that overlap or cut themselves united (winding_union.h).
+// stay cavities), components that overlap or cut themselves united (winding_union.h) unless that
+// would drop more than one part in a hundred of what they enclose.
 // A mesh that is clean comes back unchanged. One that cannot be made watertight comes back as far
 // as it was mended, with diagnosis.watertight false; the winding number still tells its inside.
 // With OpenSurfaces::Keep, rims at which the surface ends and sheets stay as they are where they

@@ -78,7 +78,8 @@ TriangleMesh thickened(const TriangleMesh& mesh, double wallMm, const base::RunC
   const auto pairs = selfIntersections(solids, ctx);
   if (pairs.empty())
     return solids;
-  return windingUnion(solids, pairs, ctx).value_or(solids);
+  std::optional<WindingUnion> united = windingUnion(solids, pairs, ctx);
+  return united && !united->losesTooMuch() ? std::move(united->mesh) : std::move(solids);
 }
 
 } // namespace voluta::geometry

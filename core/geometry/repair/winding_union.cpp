@@ -110,8 +110,20 @@ void chooseByNeighbours(const Arrangement& arrangement, const std::vector<int>& 
   }
 }
 
+// Of the tetrahedra between the facets and a point.
+double volumeBelow(const TriangleMesh& mesh, const std::vector<int>& facets, const Vector3d& from) {
+  double sum = 0.0;
+  for (const int f : facets) {
+    const auto t = static_cast<std::size_t>(f);
+    const Vector3d a = mesh.corner(t, 0) - from, b = mesh.corner(t, 1) - from,
+                   c = mesh.corner(t, 2) - from;
+    sum += a.dot(b.cross(c)) / 6.0;
+  }
+  return sum;
+}
+
 // Uncertain patches are chosen as they were measured; if that leaves gaps, by their neighbours.
-TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh& mesh,
+WindingUnion boundaryOfInside(const Arrangement& arrangement, const TriangleMesh& mesh,
                               const base::RunContext& ctx) {
   const TriangleMesh& all = arrangement.facets;
   const std::vector<int> patch = patchesOf(arrangement);
@@ -119,6 +131,8 @@ TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh
   for (std::size_t f = 0; f < patch.size(); ++f)
     facetsOf[patch[f]].push_back(static_cast<int>(f));
   const PatchSides sides(arrangement, mesh);
+  const Vector3d middle = bounds(mesh).center();
+  double insideOut = 0.0; // by the divergence theorem, over the boundary of those points
   std::vector<Choice> choices(patch.size(), Choice::Open), certain = choices; // by the patch
   for (auto& [id, facets] : facetsOf) {
     ctx.checkpoint();
@@ -133,6 +147,9 @@ TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh
                                                                                    : Choice::Drop;
     if (front.isCertain)
       certain[at] = choices[at];
+    const int back = front.winding + arrangement.layers[at];
+    if ((front.winding < 0) != (back < 0))
+      insideOut += (back < 0 ? 1.0 : -1.0) * volumeBelow(all, facets, middle);
   }
   const auto kept = [&](const std::vector<Choice>& chosen) {
     std::vector<bool> keep(patch.size());
@@ -142,19 +159,24 @@ TriangleMesh boundaryOfInside(const Arrangement& arrangement, const TriangleMesh
   };
   TriangleMesh measured = kept(choices);
   if (isWatertight(measured))
-    return measured;
+    return {std::move(measured), insideOut};
   chooseByNeighbours(arrangement, patch, certain);
-  return kept(certain);
+  return {kept(certain), insideOut};
 }
 
 } // namespace
 
-std::optional<TriangleMesh> windingUnion(const TriangleMesh& mesh,
+double WindingUnion::lostShare() const {
+  const double all = insideOutMm3 + volume(mesh);
+  return all > 0.0 ? insideOutMm3 / all : 0.0;
+}
+
+std::optional<WindingUnion> windingUnion(const TriangleMesh& mesh,
                                          const std::vector<std::pair<int, int>>& pairs,
                                          const base::RunContext& ctx) {
   const Arrangement arrangement = arrange(mesh, pairs, ctx);
-  TriangleMesh united = boundaryOfInside(arrangement, mesh, ctx);
-  if (!isWatertight(united))
+  WindingUnion united = boundaryOfInside(arrangement, mesh, ctx);
+  if (!isWatertight(united.mesh))
     return std::nullopt;
   return united;
 }

@@ -10,6 +10,20 @@
 
 namespace voluta::geometry {
 
+struct WindingUnion {
+  TriangleMesh mesh;
+  double insideOutMm3 = 0.0; // volume of the points with a winding number below 0, which it loses
+
+  // Of all that was enclosed.
+  double lostShare() const;
+  bool losesTooMuch() const { return lostShare() > kMostLost; }
+
+private:
+  // Loops of offset surfaces are below it, lobes of a part are not: as much as may be left out of a
+  // surface unasked (open_surface.h).
+  static constexpr double kMostLost = 0.01;
+};
+
 // Returns the boundary of the points with a winding number of 1 or more: overlapping shells are
 // united, loops of a surface that crosses itself go, cavities stay. Triangles are split along their
 // intersections with exact constructions, the pieces chosen by winding numbers (Zhou 2016), and
@@ -17,7 +31,7 @@ namespace voluta::geometry {
 // `pairs`: selfIntersections() of the mesh.
 // Returns nothing if the pieces do not make a closed surface. Throws Cancelled.
 // Precondition: a watertight mesh.
-std::optional<TriangleMesh> windingUnion(const TriangleMesh& mesh,
+std::optional<WindingUnion> windingUnion(const TriangleMesh& mesh,
                                          const std::vector<std::pair<int, int>>& pairs,
                                          const base::RunContext& ctx);
 
