@@ -1,16 +1,15 @@
 // URScript for Universal Robots controllers (docs/programs.md; URScript manual).
 //
 // Written: one function with a set-up (set_tcp with the cell's flange_T_moved, set_payload, the
-// output's domain), the trajectory and an end, then its call unless it
-// is for a port (urscriptForm). Metres, radians, seconds. Per point one line:
+// output's domain), the trajectory and an end, then its call unless it is for a port
+// (urscriptForm). Metres, radians, seconds. Per point one line:
 //   Print, Linear  movel(p[x,y,z,rx,ry,rz], a=, t=, r=): pose of the TCP in Base; between two poses
 //                  the controller moves the TCP straight and turns it the shortest way. t rules
 //                  over v and a, for way and turn alike (a speed would leave the turn to a limit of
 //                  the controller's own); a is what ramps and blends ask for. v= where no time is
 //                  known.
 //   Joint          movej([q...], a=, v=), a the cell's travelAcceleration, v of the leading joint
-//   at
-//                  which it takes as long as planned from rest to rest;
+//                  at which it takes as long as planned from rest to rest;
 //                  movej(p[...]) in a program for another maker's robot. The first point is always
 //                  a movej, at kStartRadPerS, behind a popup that asks the operator.
 // The extruder is on while standard digital output 0 is, with a flow of (standard analogue output

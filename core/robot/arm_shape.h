@@ -8,8 +8,8 @@
 //     fromMm, axis        the line that it is lofted along, in the frame: a point, a direction
 //     turnedMm            round solids: a list of [along the line, radius]
 //     sectionsMm          others: a list of [along the line, [[x, y, radius], ...]], hulls of
-//     discs,
-//                         counter-clockwise; x is `across`, y completes the right-handed frame
+//                         discs, counter-clockwise; x is `across`, y completes the right-handed
+//                         frame
 //     across              needed with sectionsMm: a direction, not along the axis
 //     roundMm             radius of its edges; 2 where it is not given
 //     count, about        optional: so many of them, evenly about that axis ([x, y, z]) through the
