@@ -1,5 +1,6 @@
 #include "base/markup.h"
 #include "page/sheet.h"
+#include "page/valid_text.h"
 
 #include <fmt/format.h>
 #include <string_view>
@@ -158,17 +159,18 @@ std::string hex(Colour colour) {
 
 std::string html(const Sheet& sheet) {
   const std::string title = escapedMarkup(sheet.title);
-  return fmt::format("<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\">"
-                     "<meta name=\"viewport\" content=\"width=device-width\">"
-                     "<title>{}</title>\n<style>{}</style></head><body>\n",
-                     escapedMarkup(sheet.language), title, style()) +
-         fmt::format("<header><h1>{}</h1><div class=\"issued\">{}</div></header>\n", title,
-                     escapedMarkup(sheet.issued)) +
-         fmt::format("<div class=\"verdict {}\"><b>{}</b>{}</div>\n",
-                     sheet.verdictMark == Mark::Failed ? "failed" : "passed",
-                     escapedMarkup(sheet.verdict), escapedMarkup(sheet.verdictDetail)) +
-         pictures(sheet) + facts(sheet) + checks(sheet) + maps(sheet) + files(sheet) +
-         fmt::format("<footer>{}</footer>\n</body></html>\n", escapedMarkup(sheet.footer));
+  return validText(
+      fmt::format("<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\">"
+                  "<meta name=\"viewport\" content=\"width=device-width\">"
+                  "<title>{}</title>\n<style>{}</style></head><body>\n",
+                  escapedMarkup(sheet.language), title, style()) +
+      fmt::format("<header><h1>{}</h1><div class=\"issued\">{}</div></header>\n", title,
+                  escapedMarkup(sheet.issued)) +
+      fmt::format("<div class=\"verdict {}\"><b>{}</b>{}</div>\n",
+                  sheet.verdictMark == Mark::Failed ? "failed" : "passed",
+                  escapedMarkup(sheet.verdict), escapedMarkup(sheet.verdictDetail)) +
+      pictures(sheet) + facts(sheet) + checks(sheet) + maps(sheet) + files(sheet) +
+      fmt::format("<footer>{}</footer>\n</body></html>\n", escapedMarkup(sheet.footer)));
 }
 
 } // namespace voluta::page

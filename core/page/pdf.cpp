@@ -2,6 +2,7 @@
 // window system is needed.
 #include "base/error.h"
 #include "page/sheet.h"
+#include "page/valid_text.h"
 
 #include <algorithm>
 #include <cairo-pdf.h>
@@ -56,7 +57,8 @@ public:
       : sheet_(sheet), surface_(cairo_pdf_surface_create_for_stream(
                            append, &bytes_, kWidth * kPointsPerMm, kHeight * kPointsPerMm)),
         cairo_(cairo_create(surface_.get())) {
-    cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE, sheet.title.c_str());
+    cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE,
+                                   validText(sheet.title).c_str());
     cairo_scale(cairo_.get(), kPointsPerMm, kPointsPerMm);
   }
 
@@ -83,8 +85,9 @@ public:
 
 private:
   // Returns the height that the text takes; draws it at y_, `x` from the left margin.
-  double text(const std::string& words, double x, double width, const TextStyle& style,
+  double text(const std::string& bytes, double x, double width, const TextStyle& style,
               bool draw = true) {
+    const std::string words = validText(bytes); // of other bytes cairo makes no file
     cairo_save(cairo_.get());
     cairo_translate(cairo_.get(), kMargin + x, y_);
     cairo_scale(cairo_.get(), 1.0 / kPointsPerMm, 1.0 / kPointsPerMm); // glyphs are set in points

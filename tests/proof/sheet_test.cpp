@@ -52,6 +52,20 @@ TEST(Sheet, TextIsNoMarkup) {
   EXPECT_EQ(page.find("<b>.stl"), std::string::npos);
 }
 
+// A file of an old system is named in Latin-1.
+TEST(Sheet, BytesThatAreNoTextDoNotStopIt) {
+  Sheet sheet = sample();
+  sheet.title = "Zahnr\344d.stl: proof";
+  sheet.facts[0].value = "Zahnr\344d.stl";
+  sheet.files[0].name = "Zahnr\344d.script";
+  EXPECT_EQ(pdf(sheet).substr(0, 5), "%PDF-");
+  const std::string page = html(sheet);
+  EXPECT_NE(page.find("<h1>Zahnr\xef\xbf\xbd"
+                      "d.stl: proof</h1>"),
+            std::string::npos);
+  EXPECT_EQ(page.find('\344'), std::string::npos);
+}
+
 // Nothing is fetched from elsewhere.
 TEST(Sheet, ThePageStandsAlone) {
   Sheet sheet = sample();
