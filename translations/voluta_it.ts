@@ -6190,6 +6190,10 @@ mm³</translation>
         <translation>Quantità: si depone il {share:.1f} del volume del pezzo; ammesso da {least:.0f#} a {most:.0f}.</translation>
     </message>
     <message>
+        <source>Arm, joints and their limits: not checked, as the program says where the nozzle is and not where the arm is.</source>
+        <translation>Braccio, giunti e loro limiti: non verificati, perché il programma dice dov&apos;è l&apos;ugello e non dov&apos;è il braccio.</translation>
+    </message>
+    <message>
         <source>As large as the cell&apos;s largest plate carries</source>
         <translation>Grande quanto porta il piatto più grande della cella</translation>
     </message>
@@ -6220,6 +6224,10 @@ mm³</translation>
     <message>
         <source>Closest approach of arm, plate and part: {way:.1f} apart.</source>
         <translation>Distanza minima fra braccio, piatto e pezzo: {way:.1f}.</translation>
+    </message>
+    <message>
+        <source>Collisions of head, plate and part: {collisions}; none is allowed.</source>
+        <translation>Collisioni di testa, piatto e pezzo: {collisions}; nessuna è ammessa.</translation>
     </message>
     <message>
         <source>Collisions: {collisions}; none is allowed.</source>
@@ -6288,6 +6296,10 @@ mm³</translation>
     <message>
         <source>Keep more clearance</source>
         <translation>Tieni più distanza</translation>
+    </message>
+    <message>
+        <source>Limits of flow and blends: {violations} violations; none is allowed.</source>
+        <translation>Limiti di portata e raccordi: {violations} violazioni; nessuna è ammessa.</translation>
     </message>
     <message>
         <source>Limits of joints, speeds and flow: {violations} violations; none is allowed.</source>
@@ -6458,6 +6470,17 @@ previsto</translation>
     <message>
         <source>Use the usual process</source>
         <translation>Usa il processo abituale</translation>
+    </message>
+    <message numerus="yes">
+        <source>Voluta read the program back, moved the nozzle along it without an arm, and found {checks} checks failed.</source>
+        <translation>
+            <numerusform>Voluta ha riletto il programma, ha mosso l&apos;ugello lungo di esso senza un braccio e {checks} verifica non è superata.</numerusform>
+            <numerusform>Voluta ha riletto il programma, ha mosso l&apos;ugello lungo di esso senza un braccio e {checks} verifiche non sono superate.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Voluta read the program back, moved the nozzle along it without an arm, and measured what it prints.</source>
+        <translation>Voluta ha riletto il programma, ha mosso l&apos;ugello lungo di esso senza un braccio e ha misurato ciò che stampa.</translation>
     </message>
     <message numerus="yes">
         <source>Voluta read the program back, ran it on a model of the robot and its controller, and found {checks} checks failed.</source>

@@ -161,7 +161,9 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.programS = checked.verdict.controllerDurationS;
   proof.materialMm3 = measured.trajectory.extrudedMm3.back();
   const Places places(result, checked);
-  putMargins(proof, result, measured, places);
+  proof.armChecked = checked.armChecked;
+  if (proof.armChecked)
+    putMargins(proof, result, measured, places);
   proof.gap = places.near(checked.worst.gap);
   proof.overfill = places.near(checked.worst.overfill);
   proof.unsupported = places.near(checked.worst.unsupported);
@@ -267,36 +269,39 @@ std::string proofJson(const Proof& proof) {
     speed["joint"] = joint.name;
     speeds.push_back(std::move(speed));
   }
-  std::string text = Json{
-      {"part", proof.part},
-      {"format", proof.format},
-      {"foreign", proof.foreign},
-      {"date", proof.date},
-      {"voluta", proof.version},
-      {"robot", proof.robot},
-      {"cell", proof.cell},
-      {"process", proof.process.id},
-      {"files", std::move(files)},
-      {"durationS", {{"planned", proof.plannedS}, {"program", proof.programS}}},
-      {"material", proof.process.material},
-      {"materialMm3", proof.materialMm3},
-      {"massG", proof.massG()},
-      {"replay", replayJson(proof)},
-      {"worst",
-       {{"coveredFraction", placeJson(proof.gap)},
-        {"overfillFraction", placeJson(proof.overfill)},
-        {"unsupportedFraction", placeJson(proof.unsupported)},
-        {"halfCarriedFraction", placeJson(proof.halfCarried)},
-        {"longestUnsupportedMm", placeJson(proof.longestUnsupported)},
-        {"maxDeviationMm", placeJson(proof.deviation)},
-        {"flowErrorFraction", placeJson(proof.flowError)}}},
-      {"leastClearance", valueJson(proof.clearance, "mm")},
-      {"jointLimits", std::move(joints)},
-      {"jointSpeeds", std::move(speeds)},
-      {"singularity", valueJson(proof.isotropy, "isotropy")},
-      {"fillMap", fillJson(proof.fill)},
-      {"printedMesh",
-       proof.printed}}.dump(1, ' ', false, Json::error_handler_t::replace);
+  Json json{{"part", proof.part},
+            {"format", proof.format},
+            {"foreign", proof.foreign},
+            {"date", proof.date},
+            {"voluta", proof.version},
+            {"robot", proof.robot},
+            {"cell", proof.cell},
+            {"process", proof.process.id},
+            {"files", std::move(files)},
+            {"durationS", {{"planned", proof.plannedS}, {"program", proof.programS}}},
+            {"material", proof.process.material},
+            {"materialMm3", proof.materialMm3},
+            {"massG", proof.massG()},
+            {"replay", replayJson(proof)},
+            {"armChecked", proof.armChecked},
+            {"worst",
+             {{"coveredFraction", placeJson(proof.gap)},
+              {"overfillFraction", placeJson(proof.overfill)},
+              {"unsupportedFraction", placeJson(proof.unsupported)},
+              {"halfCarriedFraction", placeJson(proof.halfCarried)},
+              {"longestUnsupportedMm", placeJson(proof.longestUnsupported)},
+              {"maxDeviationMm", placeJson(proof.deviation)},
+              {"flowErrorFraction", placeJson(proof.flowError)}}},
+            {"leastClearance", valueJson(proof.clearance, "mm")},
+            {"jointLimits", std::move(joints)},
+            {"jointSpeeds", std::move(speeds)},
+            {"singularity", valueJson(proof.isotropy, "isotropy")},
+            {"fillMap", fillJson(proof.fill)},
+            {"printedMesh", proof.printed}};
+  if (!proof.armChecked)
+    for (const char* key : {"leastClearance", "jointLimits", "jointSpeeds", "singularity"})
+      json.erase(key);
+  std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace);
   const std::string mark = std::string("\"") + kFilled + "\"";
   return text.replace(text.rfind(mark), mark.size(), filledJson(proof.fill)) + "\n";
 }

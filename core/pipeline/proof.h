@@ -51,6 +51,9 @@ struct Proof {
   std::size_t deviations = 0;            // places where the text is not what was planned
   double plannedS = 0.0, programS = 0.0; // how long: by the plan, and as the program is run
   double materialMm3 = 0.0;
+  // Of a program that says where the nozzle is and not where the arm is, nothing of an arm was
+  // checked: clearance, joints and isotropy are then empty.
+  bool armChecked = false;
   ProofValue clearance; // of arm, plate and part, mm; the head's to plate and part left out
   struct Joint {
     std::string name;

@@ -204,6 +204,26 @@ private:
   }
 
   void motionChecks() {
+    if (proof_.armChecked)
+      armChecks();
+    else
+      nozzleChecks();
+  }
+
+  // Of a program that says where the nozzle is, not where the arm is.
+  void nozzleChecks() {
+    const project::ThresholdsReport& limits = verdict_.thresholds;
+    check(verdict_.collisions <= limits.collisions,
+          message("Collisions of head, plate and part: {collisions}; none is allowed."_text,
+                  verdict_.collisions));
+    check(verdict_.limitViolations <= limits.limitViolations,
+          message("Limits of flow and blends: {violations} violations; none is allowed."_text,
+                  verdict_.limitViolations));
+    check(Mark::Note, "Arm, joints and their limits: not checked, as the program says where the "
+                      "nozzle is and not where the arm is."_text);
+  }
+
+  void armChecks() {
     const project::ThresholdsReport& limits = verdict_.thresholds;
     check(verdict_.collisions <= limits.collisions,
           message("Collisions: {collisions}; none is allowed."_text, verdict_.collisions));
@@ -243,22 +263,31 @@ private:
         place(fastest->speed.place));
   }
 
+  base::Message howItWasMeasured() const {
+    return proof_.armChecked
+               ? "Voluta read the program back, ran it on a model of the robot and its "
+                 "controller, and measured what it prints."_text
+               : "Voluta read the program back, moved the nozzle along it without an arm, and "
+                 "measured what it prints."_text;
+  }
+  base::Message howItFailed(std::ptrdiff_t checks) const {
+    const base::Text failed =
+        proof_.armChecked
+            ? "Voluta read the program back, ran it on a model of the robot and its controller, "
+              "and found {checks} check failed.|Voluta read the program back, ran it on a model "
+              "of the robot and its controller, and found {checks} checks failed."_plural
+            : "Voluta read the program back, moved the nozzle along it without an arm, and found "
+              "{checks} check failed.|Voluta read the program back, moved the nozzle along it "
+              "without an arm, and found {checks} checks failed."_plural;
+    return {failed, {checks}};
+  }
+
   void verdict() {
     const auto failed = std::ranges::count(sheet_.checks, Mark::Failed, &page::Check::mark);
     sheet_.verdictMark = verdict_.passed ? Mark::Passed : Mark::Failed;
-    if (verdict_.passed) {
-      sheet_.verdict = say("Passed: this program prints the part as planned."_text);
-      sheet_.verdictDetail = say("Voluta read the program back, ran it on a model of the robot and "
-                                 "its controller, and measured what it prints."_text);
-    } else {
-      sheet_.verdict = say("Refused: do not run this program."_text);
-      sheet_.verdictDetail = say(
-          message("Voluta read the program back, ran it on a model of the robot and its "
-                  "controller, and found {checks} check failed.|Voluta read the program back, "
-                  "ran it on a model of the robot and its controller, and found {checks} checks "
-                  "failed."_plural,
-                  failed));
-    }
+    sheet_.verdict = say(verdict_.passed ? "Passed: this program prints the part as planned."_text
+                                         : "Refused: do not run this program."_text);
+    sheet_.verdictDetail = say(verdict_.passed ? howItWasMeasured() : howItFailed(failed));
     if (proof_.foreign)
       sheet_.verdictDetail += " " + say("It is for another controller than the cell's own."_text);
     if (proof_.rest)

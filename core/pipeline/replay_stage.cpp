@@ -165,6 +165,7 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   checked->verdict = replayReport(verdict);
   checked->worst = verdict.worst;
   checked->deviations = verdict.deviations;
+  checked->armChecked = verdict.armChecked;
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);
   checked->slow = slowSpans(said.trajectory, verdict.pointOf, verdict.motionS);

@@ -72,6 +72,7 @@ struct CheckedProgram {
   project::Timings timings;
   replay::WorstPlaces worst;
   std::size_t deviations = 0; // places where the text is not what was planned
+  bool armChecked = false;    // replay::Verification's
 };
 
 // The line of each point of the trajectory that `program` was written from. A point whose motion is
@@ -79,7 +80,7 @@ struct CheckedProgram {
 std::vector<TextLine> linesOfPoints(const CheckedProgram& program,
                                     const plan::Trajectory& trajectory);
 
-// The loaded part turned, scaled and put where it is to lie. A voxel object's cells are voxelMm
+// The loaded part turned, scaled and put where it is to lie. A voxel object's cells are unitMm()
 // times the scale wide and stay as they are where it is turned by quarter turns and lifted by whole
 // cells; elsewhere its surface is cut into new cells, which is told. Throws Error{Usage}: the
 // scale; Cancelled.
@@ -110,8 +111,10 @@ platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
                                         const project::Choices& choices);
 // What of the choices it is made from, as text. Throws Error{Usage}: a parameter.
 std::string plannedPlatformKey(const project::Choices& choices);
-// Defects that could not be mended, as findings.
+// Defects that could not be mended, as findings. Of an open part none: loadStage() tells what
+// becomes of it.
 plan::Findings remainingDefects(const project::LoadedPart& loaded);
+plan::Findings defectFindings(const std::vector<base::Message>& remains);
 
 struct MadeToolpaths {
   std::shared_ptr<const ToolpathStage> stage;

@@ -39,10 +39,12 @@ TEST(Proof, StandsBesideEachProgramThatPassed) {
     EXPECT_EQ(proof["replay"]["passed"], true);
     EXPECT_NEAR(proof["durationS"]["planned"].get<double>(), plan.job.report.motion.durationS,
                 1e-9);
+    EXPECT_EQ(proof["armChecked"], checked->program.format != "gcode-extended");
+    if (!checked->armChecked)
+      continue; // below
     EXPECT_EQ(proof["jointLimits"].size(), 6u);
     for (const auto* place : {&proof["leastClearance"], &proof["singularity"]}) {
-      const auto of = std::ranges::find(checked->program.files,
-                                        (*place)["file"].get<std::string>(),
+      const auto of = std::ranges::find(checked->program.files, (*place)["file"].get<std::string>(),
                                         &plan::ProgramFile::name);
       ASSERT_NE(of, checked->program.files.end()) << (*place)["file"];
       EXPECT_GT((*place)["line"].get<long>(), 0);
@@ -58,6 +60,33 @@ TEST(Proof, StandsBesideEachProgramThatPassed) {
     EXPECT_EQ(base::readFile(folder / (file + ".proof.pdf")).substr(0, 5), "%PDF-");
   }
   EXPECT_TRUE(std::filesystem::exists(folder / "box.printed.stl"));
+}
+
+// G-code says where the nozzle is: nothing is claimed of an arm.
+TEST(Proof, ClaimsNothingOfAnArmThatWasNotChecked) {
+  PlanResult plan = test::boxPlan();
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), kCtx);
+  const auto pageOf = [&](const char* format) {
+    const auto checked = std::ranges::find_if(
+        plan.checked, [&](const auto& program) { return program->program.format == format; });
+    return base::readFile(folder / (proofName(**checked) + ".html"));
+  };
+  const std::string robot = pageOf("urscript"), gcode = pageOf("gcode-extended");
+  for (const char* claim : {"on a model of the robot", "Closest approach of arm", "Joint range",
+                            "Joint speed", "Singular poses", "Limits of joints"}) {
+    EXPECT_NE(robot.find(claim), std::string::npos) << claim;
+    EXPECT_EQ(gcode.find(claim), std::string::npos) << claim;
+  }
+  for (const char* said : {"without an arm", "Collisions of head, plate and part: 0",
+                           "Arm, joints and their limits: not checked"}) {
+    EXPECT_EQ(robot.find(said), std::string::npos) << said;
+    EXPECT_NE(gcode.find(said), std::string::npos) << said;
+  }
+  const auto figures = proofIn(folder.path(), "box.gcode");
+  for (const char* key : {"leastClearance", "jointLimits", "jointSpeeds", "singularity"})
+    EXPECT_FALSE(figures.contains(key)) << key;
+  EXPECT_GT(figures["massG"].get<double>(), 0.0);
 }
 
 // The worst place of each margin that has one, in the part and in the program.
