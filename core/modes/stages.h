@@ -27,7 +27,7 @@ struct LoadStage {
   std::shared_ptr<const voxel::SolidVoxels> voxels; // its cells, placed like `part`
   std::vector<Eigen::Vector2d> platform; // hull of its own platform cells, work frame; empty where
                                          // it was tipped over
-  project::ModelReport report;           // but for what names the file and its repairs
+  project::ModelReport report;           // but for the file's name and notes
   plan::Findings findings;               // of the placement
   project::Timings timings;
 };

@@ -143,6 +143,15 @@ private:
             .layerHeightMm = process_->layerHeightMm};
   }
 
+  // What was mended when the part was loaded and then to close it, each once.
+  std::vector<base::Message> allRepairs(const modes::LoadStage& placed) const {
+    std::vector<base::Message> all = loaded_->notes;
+    for (const base::Message& repair : placed.report.repairs)
+      if (std::ranges::find(all, repair) == all.end())
+        all.push_back(repair);
+    return all;
+  }
+
   bool load() {
     placed_ = taken<modes::LoadStage>(
         [&] { return loadStage(*loaded_, choices_, *process_, span(project::Stage::Load)); });
@@ -153,7 +162,7 @@ private:
     job().part = stage->part;
     report().model = stage->report;
     report().model.file = loaded_->name;
-    report().model.repairs = loaded_->notes;
+    report().model.repairs = allRepairs(*stage);
     project::Timings timings = stage->timings;
     timings.load = loaded_->readS;
     timings.repair = loaded_->repairS;
@@ -201,7 +210,7 @@ private:
   // Most edits of a decomposition leave the voxels as they are.
   std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx) {
     return taken<modes::PartVoxels>(
-        placedPartKey(*loaded_, *placed_, choices_) + base::keyText(voxelMm), "voxels",
+        placedPartKey(*loaded_, *placed_, modeChoices()) + base::keyText(voxelMm), "voxels",
         [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
   }
 

@@ -1,7 +1,11 @@
 #include "pipeline/open_part.h"
 
+#include "base/key_text.h"
 #include "geometry/repair/open_surface.h"
+#include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
+
+#include <utility>
 
 namespace voluta::pipeline {
 
@@ -29,6 +33,12 @@ double openSurfaceWallMm(const process::Process& process) {
   return kWallBeads * process.beadWidthMm;
 }
 
+std::string openSurfacesKey(const base::ParameterValues& values, const process::Process& process) {
+  const std::string choice = values.text("openSurfaces");
+  return choice == kRefuseOpenSurfaces ? std::string()
+                                       : base::keyText(choice, openSurfaceWallMm(process));
+}
+
 OpenPart::OpenPart(const project::LoadedPart& loaded, const base::ParameterValues& values,
                    const process::Process& process)
     : loaded_(loaded), choice_(values.text("openSurfaces")), wallMm_(openSurfaceWallMm(process)) {}
@@ -39,17 +49,35 @@ std::shared_ptr<const geometry::TriangleMesh> OpenPart::mesh(double scale,
     return loaded_.mesh;
   if (mesh_ && (choice_ == kClose || scale == scale_))
     return mesh_;
-  scale_ = scale;
-  mesh_ = choice_ == kClose ? project::closedMesh(loaded_, ctx)
-                            : std::make_shared<geometry::TriangleMesh>(
-                                  geometry::thickened(*loaded_.mesh, wallMm_ / scale, ctx));
+  make(scale, ctx);
   return mesh_;
 }
 
+void OpenPart::make(double scale, const base::RunContext& ctx) {
+  scale_ = scale;
+  if (choice_ == kClose) {
+    geometry::RepairResult closed = project::closedPart(loaded_, ctx);
+    repairs_ = std::move(closed.repairs);
+    remains_ = std::move(closed.remains);
+    mesh_ = std::make_shared<geometry::TriangleMesh>(std::move(closed.mesh));
+    return;
+  }
+  geometry::TriangleMesh wall = geometry::thickened(*loaded_.mesh, wallMm_ / scale, ctx);
+  remains_ = geometry::diagnose(wall, ctx).sentences();
+  mesh_ = std::make_shared<geometry::TriangleMesh>(std::move(wall));
+}
+
 plan::Findings OpenPart::findings() const {
-  using plan::FindingKind;
   if (!loaded_.open)
     return {};
+  plan::Findings findings = doneFindings();
+  const plan::Findings defects = defectFindings(remains_);
+  findings.insert(findings.end(), defects.begin(), defects.end());
+  return findings;
+}
+
+plan::Findings OpenPart::doneFindings() const {
+  using plan::FindingKind;
   const geometry::OpenSurface& open = *loaded_.open;
   if (choice_ == kThicken)
     return {plan::makeFinding(FindingKind::SurfaceThickened, {{"wall", base::mm(wallMm_)}})};

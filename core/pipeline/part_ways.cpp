@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
+#include "pipeline/open_part.h"
 #include "plan/finding_kinds.h"
 #include "project/turn_text.h"
 
@@ -55,10 +56,12 @@ std::vector<placement::Way> partWays(const modes::LoadStage& placed,
 
 std::string partWaysKey(const project::LoadedPart& loaded, double scale,
                         const project::Choices& choices, const process::Process& p) {
+  const base::ParameterValues values = parameterValues(choices);
   return base::keyText(loaded.hash, choices.repair, scale * unitMm(loaded, choices),
-                       parameterValues(choices).number("overhangAngle"), p.layerHeightMm,
-                       p.beadWidthMm, p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2,
-                       p.maxFlowMm3PerS, p.primeS);
+                       values.number("overhangAngle"), p.layerHeightMm, p.beadWidthMm,
+                       p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2, p.maxFlowMm3PerS,
+                       p.primeS) +
+         openSurfacesKey(values, p);
 }
 
 geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed) {

@@ -146,7 +146,6 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
                                                                         : std::nullopt;
   place(given ? *given
               : placementByHandOrMode(*loaded.mesh, scaleFor(choices.placement) * unit, in));
-  stage->findings = shape.findings();
   if (values.text("orient") != "none") {
     TurnedPart turned = turnedPart(*stage->part, choices.placement, turnPlan(choices, values),
                                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),
@@ -159,6 +158,10 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
     placeCells(loaded, stage->scale * unit, stage->placement, ctx, *stage);
   if (choices.platform.isOfCell())
     stage->platform = cellPlate(fittingCell(choices, process), *stage->part, plateNeeds(values));
+  // First of all, and of the mesh that was placed last.
+  const plan::Findings open = shape.findings();
+  stage->findings.insert(stage->findings.begin(), open.begin(), open.end());
+  stage->report.repairs = shape.repairs();
   stage->report.scale = stage->scale;
   stage->report.triangles = stage->part->triangles.size();
   stage->report.watertight = geometry::isWatertight(*stage->part);
@@ -188,10 +191,12 @@ std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
 }
 
 plan::Findings remainingDefects(const project::LoadedPart& loaded) {
+  return loaded.open ? plan::Findings() : defectFindings(loaded.remains);
+}
+
+plan::Findings defectFindings(const std::vector<base::Message>& remains) {
   plan::Findings findings;
-  if (loaded.open)
-    return findings; // loadStage() reports it
-  for (const base::Message& defect : loaded.remains)
+  for (const base::Message& defect : remains)
     findings.push_back(plan::makeFinding(plan::FindingKind::MeshDefect, {{"defect", defect}}));
   return findings;
 }

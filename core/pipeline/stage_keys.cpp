@@ -52,8 +52,7 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
                                    c.placement.centreMm, c.placement.liftMm);
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
-  if (const std::string open = in.values.text("openSurfaces"); open != kRefuseOpenSurfaces)
-    text += base::keyText(open, openSurfaceWallMm(in.process));
+  text += openSurfacesKey(in.values, in.process);
   text += base::keyText(turnPlan(c, in.values));
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n";
@@ -118,11 +117,12 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
 }
 
 std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
-                          const project::Choices& choices) {
+                          const modes::ModeChoices& in) {
   const geometry::Placement& at = placed.placement;
-  return base::keyText(loaded.hash, isMended(loaded, choices),
-                       placed.scale * unitMm(loaded, choices), at.rotation.coeffs(), at.centreMm,
-                       at.liftMm);
+  return base::keyText(loaded.hash, isMended(loaded, in.choices),
+                       placed.scale * unitMm(loaded, in.choices), at.rotation.coeffs(), at.centreMm,
+                       at.liftMm) +
+         openSurfacesKey(in.values, in.process);
 }
 
 std::string programKey(const project::StageKeys& keys, const std::string& partName,

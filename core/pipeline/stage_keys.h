@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "modes/from_options.h"
 #include "modes/stages.h"
 #include "process/process.h"
 #include "program/program_options.h"
@@ -21,7 +22,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
 // What decides about a placed part, as text: nothing of a platform, so that ways of building share
 // what is made of the part alone.
 std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
-                          const project::Choices& choices);
+                          const modes::ModeChoices& in);
 
 // The key of one program of the Replay stage.
 std::string programKey(const project::StageKeys& keys, const std::string& partName,

@@ -79,6 +79,23 @@ private:
     return planOneWay(one, ctx, &stages, observers_, trial);
   }
 
+  // Defects that are left in the mesh which this way would build. Of a part that cannot be placed
+  // there are none: the way itself says why.
+  bool hasDefects(const project::Choices& way) {
+    if (!request_.loaded->open)
+      return !remainingDefects(*request_.loaded).empty();
+    PlanRequest start = request_;
+    start.choices = way;
+    start.until = project::Stage::Load;
+    const auto outcome =
+        base::outcomeOf([&] { return planOneWay(start, ctx_.quiet(), cache_, PlanObservers()); });
+    if (std::holds_alternative<base::Cancelled>(outcome))
+      throw base::Cancelled{};
+    const auto* placed = std::get_if<PlanResult>(&outcome);
+    return placed && std::ranges::find(placed->job.report.findings, plan::FindingKind::MeshDefect,
+                                       &plan::Finding::kind) != placed->job.report.findings.end();
+  }
+
   // Returns true where the search ends with this way.
   bool tryWay(const project::Choices& way, const base::RunContext& ctx) {
     project::TriedReport& row = tried_.emplace_back();
@@ -86,7 +103,7 @@ private:
     row.name = nameOfWay(way);
     row.mode = way.mode;
     row.platform = way.platform.text();
-    if (modes::findMode(way.mode).cuts && !remainingDefects(*request_.loaded).empty()) {
+    if (modes::findMode(way.mode).cuts && hasDefects(way)) {
       row.reason = "pieces are not cut out of a mesh with defects"_text;
       return false;
     }
@@ -174,7 +191,7 @@ private:
   std::vector<project::TriedReport> tried_;
   std::optional<Candidate> passed_, failed_; // the best so far
   std::vector<project::Choices> missedNothing_;
-  bool isPartRefused_ = false; // then no other way of building would pass
+  bool isPartRefused_ = false;       // then no other way of building would pass
   std::optional<base::Error> error_; // of the first way that could not be planned
 };
 

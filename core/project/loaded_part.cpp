@@ -8,7 +8,6 @@
 #include "build3mf/build_reader.h"
 #include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_reader.h"
-#include "geometry/repair/repair.h"
 #include "project/content_hash.h"
 #include "samples/sample_part.h"
 #include "voxel/voxel_text.h"
@@ -128,12 +127,8 @@ std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
   return mended(std::move(part), ctx);
 }
 
-std::shared_ptr<const geometry::TriangleMesh> closedMesh(const LoadedPart& part,
-                                                         const base::RunContext& ctx) {
-  if (!part.open)
-    return part.mesh;
-  return std::make_shared<geometry::TriangleMesh>(
-      geometry::repair(*part.source, ctx, geometry::OpenSurfaces::Close).mesh);
+geometry::RepairResult closedPart(const LoadedPart& part, const base::RunContext& ctx) {
+  return geometry::repair(*part.source, ctx, geometry::OpenSurfaces::Close);
 }
 
 std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,

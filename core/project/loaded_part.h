@@ -5,6 +5,7 @@
 #include "geometry/placement.h"
 #include "geometry/repair/diagnosis.h"
 #include "geometry/repair/open_surface.h"
+#include "geometry/repair/repair.h"
 #include "geometry/triangle_mesh.h"
 #include "plan/tool_plan.h"
 #include "voxel/voxel_object.h"
@@ -27,16 +28,16 @@ struct LoadedPart {
   // null: none. In the work frame's already where `inWorkFrame`.
   std::shared_ptr<const plan::ToolPlan> toolPaths;
   bool inWorkFrame = false;
-  bool repair = true;                   // was mending asked for
-  std::vector<base::Message> readNotes; // what reading left out, a sentence each
-  std::vector<base::Message> notes;     // all that was found and mended, readNotes among them
-  std::vector<base::Message> remains;   // what could not be mended, a sentence each
-  geometry::Diagnosis found;            // of `source`, before any repair
+  bool repair = true;                        // was mending asked for
+  std::vector<base::Message> readNotes;      // what reading left out, a sentence each
+  std::vector<base::Message> notes;          // all that was found and mended, readNotes among them
+  std::vector<base::Message> remains;        // what could not be mended, a sentence each
+  geometry::Diagnosis found;                 // of `source`, before any repair
   std::optional<geometry::OpenSurface> open; // of `mesh`, where mending left it open
-  geometry::UnitGuess units;            // of `mesh`
-  std::string hash;                     // of the content of `source` or `cells`, and of
-                                        // `toolPaths`, hexadecimal
-  double readS = 0.0, repairS = 0.0;    // wall seconds it took
+  geometry::UnitGuess units;                 // of `mesh`
+  std::string hash;                          // of the content of `source` or `cells`, and of
+                                             // `toolPaths`, hexadecimal
+  double readS = 0.0, repairS = 0.0;         // wall seconds it took
 };
 
 // Parts that the program makes itself, to be named "sample:NAME".
@@ -55,10 +56,9 @@ std::string hashOf(const LoadedPart& part);
 std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
                                            const base::RunContext& ctx);
 
-// The part's mesh with every rim closed and without sheets, where mending left it open; else
-// LoadedPart::mesh. Throws Error{UnusableInput}: nothing but sheets. Throws Cancelled.
-std::shared_ptr<const geometry::TriangleMesh> closedMesh(const LoadedPart& part,
-                                                         const base::RunContext& ctx);
+// A part that mending left open, mended anew: with every rim closed and without sheets.
+// Throws Error{UnusableInput}: nothing but sheets. Throws Cancelled.
+geometry::RepairResult closedPart(const LoadedPart& part, const base::RunContext& ctx);
 
 // A part from a mesh at hand, e.g. of a project file. Throws as loadPart does.
 std::shared_ptr<const LoadedPart> loadedFrom(std::string name,

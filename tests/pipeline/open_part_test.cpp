@@ -1,6 +1,7 @@
 // A surface that encloses nothing is planned on the user's word only.
 #include "geometry/measures.h"
 #include "geometry/repair/diagnosis.h"
+#include "helpers/bow_tie.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/open_part.h"
@@ -8,6 +9,8 @@
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
 
+#include <algorithm>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 using namespace voluta;
@@ -83,6 +86,64 @@ TEST(OpenPart, BecomesAWallOfTwoBeads) {
   const double wall = pipeline::openSurfaceWallMm(*result.process);
   EXPECT_NEAR(result.job.report.model.boundsMm.sizes().x(), 30.0 + wall, 0.05);
   EXPECT_NEAR(result.job.report.model.volumeMm3, (900 + 4 * 600) * wall, 0.1 * 3300 * wall);
+}
+
+// The cup, and beside it something that hangs in the air.
+std::shared_ptr<const project::LoadedPart> cupBeside(const geometry::TriangleMesh& other) {
+  geometry::TriangleMesh m = *cup()->source;
+  test::append(m, other);
+  return project::loadedFrom("both.stl", std::make_shared<geometry::TriangleMesh>(std::move(m)), {},
+                             true, {});
+}
+// Of which closing the cup does not make a solid.
+std::shared_ptr<const project::LoadedPart> cupAndBowTie() {
+  return cupBeside(test::bowTie({40, 0, 15}, 20.0, 12.0, 8.0, 20.0));
+}
+
+TEST(OpenPart, WhatClosingMendsAndWhatItLeavesIsTold) {
+  const PlanResult closed = planned(cup(), "close");
+  EXPECT_THAT(base::english(closed.job.report.model.repairs),
+              ::testing::Contains(::testing::HasSubstr("closed 1 hole")));
+  EXPECT_EQ(closed.job.report.findings.size(), 1u) << "no defect is left";
+  for (const char* choice : {"close", "thicken"}) {
+    const PlanResult result = planned(cupAndBowTie(), choice);
+    const plan::Findings& all = result.job.report.findings;
+    EXPECT_GT(std::ranges::count(all, FindingKind::MeshDefect, &plan::Finding::kind), 0) << choice;
+    EXPECT_NE(first(result).kind, FindingKind::MeshDefect) << choice;
+  }
+}
+
+TEST(OpenPart, ModeAutoCutsNoPiecesOutOfItsDefects) {
+  const auto reasonOfPieces = [](std::shared_ptr<const project::LoadedPart> part) {
+    PlanRequest request;
+    request.loaded = std::move(part);
+    request.choices.automatic = true;
+    request.choices.parameters = {{"openSurfaces", "close"}};
+    request.until = Stage::Decompose;
+    for (const project::TriedReport& row : pipeline::planPart(request, {}).job.report.tried)
+      if (row.mode == "planar")
+        return base::english(row.reason);
+    return std::string("not tried");
+  };
+  EXPECT_THAT(reasonOfPieces(cupAndBowTie()), ::testing::HasSubstr("mesh with defects"));
+  EXPECT_THAT(reasonOfPieces(cupBeside(test::box({40, -6, 15}, {60, 6, 35}))),
+              ::testing::Not(::testing::AnyOf(::testing::HasSubstr("mesh with defects"),
+                                              ::testing::Eq("not tried"))));
+}
+
+TEST(OpenPart, ItsVoxelsAreOfTheMeshAsChosen) {
+  pipeline::StageCache cache;
+  const auto voxels = [](const char* choice, pipeline::StageCache* kept) {
+    PlanRequest request;
+    request.loaded = cup();
+    request.choices.mode = "curved";
+    request.choices.parameters = {{"openSurfaces", choice}};
+    request.until = Stage::Decompose;
+    return pipeline::planPart(request, {}, kept).job.report.decomposition.voxels;
+  };
+  const std::size_t wall = voxels("thicken", &cache), solid = voxels("close", &cache);
+  EXPECT_EQ(solid, voxels("close", nullptr));
+  EXPECT_GT(solid, wall + 1000);
 }
 
 TEST(OpenPart, ItsRemediesLeadThere) {

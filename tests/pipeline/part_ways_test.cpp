@@ -113,6 +113,13 @@ TEST(PartWays, TheirKeyHasAllThatTheyAreMadeFrom) {
   choices.units = "in";
   EXPECT_NE(keyOf(1.0, choices, {}), key);
   choices.units = "mm";
+  choices.parameters["openSurfaces"] = "thicken";
+  const std::string thick = keyOf(1.0, choices, {});
+  EXPECT_NE(thick, key);
+  choices.parameters["openSurfaces"] = "close";
+  EXPECT_NE(keyOf(1.0, choices, {}), key);
+  EXPECT_NE(keyOf(1.0, choices, {}), thick);
+  choices.parameters.clear();
   choices.parameters["walls"] = "1";
   choices.platform = project::Platform("disc:90");
   EXPECT_EQ(keyOf(1.0, choices, {}), key);
