@@ -228,8 +228,14 @@ process::Process chosenProcess(const project::Choices& choices,
 }
 
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {
-  return loaded.cells ? parameterValues(choices).number("voxelMm")
-                      : project::lengthUnit(choices.units).mm;
+  constexpr const char* kWidth = "voxelMm";
+  if (!loaded.cells)
+    return project::lengthUnit(choices.units).mm;
+  // A part is as large with any process and in any mode.
+  base::ParameterValues values(allParameters());
+  if (const auto own = choices.parameters.find(kWidth); own != choices.parameters.end())
+    values.set(kWidth, own->second);
+  return values.number(kWidth);
 }
 
 robot::Cell fittingCell(const project::Choices& choices, const process::Process& process) {

@@ -47,8 +47,9 @@ void requireOptionsApply(const project::Choices& choices,
 process::Process chosenProcess(const project::Choices& choices,
                                const base::ParameterValues& values);
 
-// Millimetres that a unit of length of the loaded part's mesh stands for at scale 1: voxelMm for
-// a voxel object, else 1. Throws Error{Usage}: the parameters.
+// Millimetres that a unit of length of the loaded part's mesh stands for at scale 1. For a voxel
+// object the user's voxelMm, else its default without what a mode or a process make of it.
+// Throws Error{Usage}: the parameters.
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices);
 
 // modes::cellOnAnyPlatform. Throws Error{Usage} also where the mode needs a rod and the cell has

@@ -1,4 +1,5 @@
 // Parts that come as cells, and what is said of cells that would not do.
+#include "base/data_files.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "geometry/measures.h"
@@ -13,6 +14,7 @@
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 using namespace voluta;
 using namespace voluta::modes;
@@ -65,6 +67,15 @@ void expectBox(const std::vector<Eigen::Vector2d>& polygon, double x0, double y0
   EXPECT_NEAR(box.min().y(), y0, 1e-9);
   EXPECT_NEAR(box.max().x(), x1, 1e-9);
   EXPECT_NEAR(box.max().y(), y1, 1e-9);
+}
+
+// A process of the user's own with layers as high.
+std::string ofHeight(double mm) {
+  auto json = nlohmann::ordered_json::parse(
+      base::readFile(base::resourceFolder() / "processes" / "fdm-1.0.json"));
+  json["id"] = "high";
+  json["layerHeightMm"] = {{"default", mm}, {"min", 0.5 * mm}, {"max", 1.25 * mm}};
+  return json.dump();
 }
 
 std::string errorOf(const PlanRequest& request) {
@@ -131,6 +142,16 @@ TEST(VoxelPart, ScaleAndVoxelWidthBothWidenTheCells) {
   EXPECT_DOUBLE_EQ(placed->voxels->grid.pitch, 1.0);
   EXPECT_NEAR(geometry::volume(*placed->part), 4.0, 1e-9);
   expectBox(placed->platform, -2, -0.5, 3, 0.5);
+}
+
+TEST(VoxelPart, IsAsLargeWithAnyProcess) {
+  Choices choices;
+  choices.process = ofHeight(3.2);
+  ASSERT_DOUBLE_EQ(parameterValues(choices).number("voxelMm"), 3.2) << "for meshes";
+  EXPECT_DOUBLE_EQ(unitMm(*ell(), choices), 0.8);
+  EXPECT_NEAR(geometry::volume(*placedEll(choices)->part), 4 * 0.8 * 0.8 * 0.8, 1e-9);
+  choices.parameters["voxelMm"] = "2";
+  EXPECT_DOUBLE_EQ(unitMm(*ell(), choices), 2.0) << "the user's own";
 }
 
 TEST(VoxelPart, QuarterTurnsAndMovesKeepItsCells) {
@@ -256,7 +277,7 @@ TEST(BadVoxels, APartThatDoesNotTouchThePlatformIsToldSo) {
 TEST(BadVoxels, AWidthThatNeedsMoreMemoryThanThereIsNamesOneThatFits) {
   PlanRequest request = requestFor(
       loadedFrom("big.stl",
-                 std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {900, 900, 900})),
+                 std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {150, 150, 1900})),
                  {}, true, {}),
       Stage::Decompose);
   request.choices.parameters["voxelMm"] = "0.1";
