@@ -16,9 +16,23 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kRoomMm = 3.0;     // about what stands on a plate
-constexpr double kStandingMm = 0.5; // a part's lowest points, as far as they count as its foot
+constexpr double kStandingMm = 0.5; // above a part's lowest point
 
 } // namespace
+
+std::vector<Vector2d> footOf(const geometry::TriangleMesh& part) {
+  const double lowest = geometry::bounds(part).min().z();
+  std::vector<Vector2d> points;
+  for (const Eigen::Vector3d& v : part.vertices)
+    if (v.z() <= lowest + kStandingMm)
+      points.emplace_back(v.head<2>());
+  return geometry::convexPolygon(std::move(points));
+}
+
+std::vector<Vector2d> largestPlate(const robot::Cell& cell) {
+  return cell.plates().empty() ? std::vector<Vector2d>()
+                               : project::Platform(cell.plates().back()).plateAround({});
+}
 
 PlateNeeds plateNeeds(const base::ParameterValues& values) {
   const std::string prime = values.text("prime");
@@ -34,11 +48,12 @@ std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::Triangl
     throw base::Error(base::ErrorCode::Usage,
                       base::message("cell {cell} comes without plates"_text, cell.id()), {},
                       "give --platform disc:DIAMETER, or another platform"_text);
-  const double lowest = geometry::bounds(part).min().z();
   std::vector<Vector2d> points;
-  for (const Eigen::Vector3d& v : part.vertices)
-    if (needs.supports || v.z() <= lowest + kStandingMm)
+  if (needs.supports)
+    for (const Eigen::Vector3d& v : part.vertices)
       points.emplace_back(v.head<2>());
+  else
+    points = footOf(part);
   points = geometry::convexPolygon(std::move(points), kRoomMm);
   std::vector<Vector2d> plate, carrying;
   for (const std::string& text : cell.plates()) {

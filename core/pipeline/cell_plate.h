@@ -10,6 +10,11 @@
 
 namespace voluta::pipeline {
 
+// Hull of a placed part's lowest points, as far as they count as what it stands on.
+std::vector<Eigen::Vector2d> footOf(const geometry::TriangleMesh& part);
+// Corners of the largest of the cell's plates; none where it comes without.
+std::vector<Eigen::Vector2d> largestPlate(const robot::Cell& cell);
+
 // What stands on the plate beside the part's foot.
 struct PlateNeeds {
   bool supports = false;    // under all of the part

@@ -5,6 +5,7 @@
 #include "geometry/convex_polygon.h"
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
+#include "pipeline/cell_plate.h"
 
 #include <Eigen/Geometry>
 #include <tuple>
@@ -15,12 +16,6 @@ namespace voluta::pipeline {
 namespace {
 
 using Polygon = std::vector<Eigen::Vector2d>;
-
-// Empty without plates.
-Polygon largestPlate(const robot::Cell& cell) {
-  return cell.plates().empty() ? Polygon()
-                               : project::Platform(cell.plates().back()).plateAround({});
-}
 
 // Longer side, mm.
 double lengthMm(const Polygon& plate) {

@@ -71,16 +71,18 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
   return {thin};
 }
 
+double scaleWithin(double most) {
+  constexpr double kSame = 1e-9;
+  const double digits = std::pow(10.0, 2.0 - std::floor(std::log10(most)));
+  return std::floor(most * digits + kSame) / digits;
+}
+
 plan::Finding tooLargeFinding(const motion::TooLarge& told, std::optional<double> scale) {
   std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * told.share)}};
   if (!told.size || !scale)
     return plan::makeFinding(plan::FindingKind::MuchOutOfReach, std::move(values));
   values.push_back({"size", base::percent(100.0 * *told.size)});
-  // To three digits, downwards: rounding up would leave it too large.
-  constexpr double kSame = 1e-9;
-  const double wanted = *scale * *told.size;
-  const double digits = std::pow(10.0, 2.0 - std::floor(std::log10(wanted)));
-  values.push_back({"scale", base::number(std::floor(wanted * digits + kSame) / digits)});
+  values.push_back({"scale", base::number(scaleWithin(*scale * *told.size))});
   return plan::makeFinding(plan::FindingKind::TooLarge, std::move(values));
 }
 

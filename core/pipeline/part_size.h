@@ -22,6 +22,9 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
                             const std::function<double()>& reach, const process::Process& process,
                             const base::RunContext& ctx);
 
+// A scale to offer: to three digits, downwards, as more than `most` would leave the part too large.
+double scaleWithin(double most);
+
 // That the robot gets to too little of a part that stands at `scale`, and the scale at which it
 // would get to it; nullopt: the part has no other.
 plan::Finding tooLargeFinding(const motion::TooLarge& told, std::optional<double> scale);

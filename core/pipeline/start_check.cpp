@@ -2,10 +2,11 @@
 
 #include "base/key_text.h"
 #include "geometry/convex_polygon.h"
-#include "geometry/measures.h"
 #include "modes/mode_table.h"
+#include "pipeline/cell_plate.h"
 #include "pipeline/cell_reach.h"
 #include "pipeline/choices.h"
+#include "pipeline/part_size.h"
 #include "plan/finding_kinds.h"
 #include "reach/cell_check.h"
 #include "robot/cell.h"
@@ -20,17 +21,7 @@ namespace {
 using Eigen::Vector2d;
 using Polygon = std::vector<Vector2d>;
 
-constexpr double kStandingMm = 0.5; // a part's lowest points, as far as they count as its foot
-constexpr double kLeastMm = 3.0;    // about a foot that is a point or a line
-
-Polygon footOf(const geometry::TriangleMesh& part) {
-  const double lowest = geometry::bounds(part).min().z();
-  Polygon points;
-  for (const Eigen::Vector3d& v : part.vertices)
-    if (v.z() <= lowest + kStandingMm)
-      points.emplace_back(v.head<2>());
-  return geometry::convexPolygon(std::move(points));
-}
+constexpr double kLeastMm = 3.0; // about a foot that is a point or a line
 
 Eigen::AlignedBox2d boxOf(const Polygon& polygon) {
   Eigen::AlignedBox2d box;
@@ -40,7 +31,7 @@ Eigen::AlignedBox2d boxOf(const Polygon& polygon) {
 }
 
 // The largest scale at which the foot, middle over middle, is within the plate.
-double scaleWithin(const Polygon& foot, const Polygon& plate) {
+double shareWithin(const Polygon& foot, const Polygon& plate) {
   const Vector2d footMiddle = boxOf(foot).center(), plateMiddle = boxOf(plate).center();
   double scale = INFINITY;
   for (std::size_t i = 0; i < plate.size(); ++i) {
@@ -83,21 +74,20 @@ Polygon plateUnder(const modes::LoadStage& placed, const project::Choices& choic
 
 std::optional<plan::Finding> largerThanPlates(const Polygon& foot, const robot::Cell& cell,
                                               double scaleNow) {
-  if (cell.plates().empty())
+  const Polygon plate = largestPlate(cell);
+  if (plate.empty())
     return std::nullopt;
-  const project::Platform largest(cell.plates().back());
-  const Polygon plate = largest.plateAround({});
-  const double fits = std::max(scaleWithin(foot, plate), scaleWithin(quarterTurned(foot), plate));
+  const double fits = std::max(shareWithin(foot, plate), shareWithin(quarterTurned(foot), plate));
   if (fits >= 1.0)
     return std::nullopt;
-  // As it stands, so that nobody has to turn it; to a hundredth, downwards.
-  const double scale = std::floor(100.0 * scaleNow * scaleWithin(foot, plate)) / 100.0;
+  // As it stands, so that nobody has to turn it.
+  const double scale = scaleWithin(scaleNow * shareWithin(foot, plate));
   const Vector2d size = boxOf(foot).sizes();
   return plan::makeFinding(plan::FindingKind::LargerThanPlates,
                            {{"length", base::mm(size.maxCoeff())},
                             {"width", base::mm(size.minCoeff())},
-                            {"plate", largest.shown()},
-                            {"scale", base::number(std::max(scale, 0.01))}});
+                            {"plate", project::Platform(cell.plates().back()).shown()},
+                            {"scale", base::number(scale)}});
 }
 
 } // namespace

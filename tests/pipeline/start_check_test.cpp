@@ -92,6 +92,28 @@ TEST_F(StartCheck, APartLargerThanEveryPlate) {
   }
 }
 
+// Drawn in thousandths of a millimetre.
+TEST_F(StartCheck, OffersAScaleThatIsSmallerHoweverSmallThatIs) {
+  pipeline::PlanRequest request = requestOf(test::box({0, 0, 0}, {60000, 60000, 4000}), false);
+  request.choices.scale = "0.005";
+  expectTold(request, FindingKind::LargerThanPlates);
+  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  const plan::Finding* told = findingOf(result, FindingKind::LargerThanPlates);
+  ASSERT_NE(told, nullptr);
+  const auto offers = pipeline::remediesFor(*told, request.choices);
+  const auto smaller = std::ranges::find(offers, plan::RemedyId::ScaleToPlate,
+                                         [](const pipeline::Offer& o) { return o.remedy->id; });
+  ASSERT_NE(smaller, offers.end());
+  const double scale = project::parsedScale(smaller->choices.scale);
+  EXPECT_LT(scale, 0.005);
+  request.choices.scale = smaller->choices.scale;
+  request.until = project::Stage::Load;
+  const double width = pipeline::planPart(request, {}).job.report.model.boundsMm.sizes().x();
+  request.choices.scale = base::formatParameter(1.01 * scale);
+  EXPECT_NE(findingOf(pipeline::planPart(request, {}), FindingKind::LargerThanPlates), nullptr)
+      << width << " mm: a hundredth larger no plate carries it";
+}
+
 TEST_F(StartCheck, IsPassedByWhatFitsSomehow) {
   const auto told = [](const pipeline::PlanRequest& given) {
     pipeline::PlanRequest request = given;
