@@ -4431,6 +4431,10 @@ mm³</translation>
         <translation>indicare --program</translation>
     </message>
     <message>
+        <source>give --program, a file from {first} to {last}</source>
+        <translation>indicare --program, un file da {first} a {last}</translation>
+    </message>
+    <message>
         <source>give the process that the tool-paths were made for</source>
         <translation>indicare il processo per cui i percorsi sono stati fatti</translation>
     </message>
@@ -4461,6 +4465,10 @@ mm³</translation>
     <message>
         <source>leave scale and units as they are, or give givenToolPaths=false</source>
         <translation>lasciare scala e unità come sono, o dare givenToolPaths=false</translation>
+    </message>
+    <message>
+        <source>line {line} may be of any of {count} files</source>
+        <translation>la riga {line} può essere di uno qualsiasi di {count} file</translation>
     </message>
     <message>
         <source>lines end in two ways, from here on another</source>

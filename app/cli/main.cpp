@@ -232,8 +232,9 @@ void addResume(CLI::App& app, Parsed& parsed, int threads) {
   CLI::Option* line =
       where->add_option("--at", values->line, "begin where this line of the program moves from");
   where->require_option(1);
-  resume->add_option("--program", request.program,
-                     "file that --at is a line of (the job's first program, beside it)");
+  resume->add_option(
+      "--program", request.program,
+      "file that --at is a line of (the job's first program, where that is one file)");
   resume->add_option("-o", values->options.folder, "folder for job, report and programs")
       ->required();
   resume->add_option("--format", request.formats, "program format (those of the job)")

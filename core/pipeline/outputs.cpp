@@ -9,6 +9,7 @@
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
 #include "pipeline/pedestal.h"
+#include "pipeline/program_files.h"
 #include "pipeline/proof.h"
 #include "planar/given_cuts.h"
 #include "toolpath/vtp_writer.h"
@@ -55,7 +56,7 @@ void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
 } // namespace
 
 std::string writtenName(const CheckedProgram& program, const plan::ProgramFile& file) {
-  return (program.passed ? "" : "refused-") + file.name;
+  return program.passed ? file.name : std::string(kRefusedPrefix) + file.name;
 }
 
 namespace {

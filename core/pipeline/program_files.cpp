@@ -4,35 +4,84 @@
 #include "base/files.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace voluta::pipeline {
 
 namespace {
-// `program` and the files beside it that it goes on in, each once.
-std::vector<plan::ProgramFile> filesOf(const std::filesystem::path& program,
-                                       const program::Dialect& dialect, std::string text) {
-  std::vector<plan::ProgramFile> files{{program.filename().string(), std::move(text)}};
-  for (std::size_t i = 0; i < files.size(); ++i)
-    for (const std::string& name : program::goesOnIn(dialect, files[i].text)) {
-      const bool known = std::any_of(files.begin(), files.end(),
-                                     [&](const plan::ProgramFile& f) { return f.name == name; });
-      if (!known && !name.empty() && name == std::filesystem::path(name).filename())
-        files.push_back({name, base::readFile(program.parent_path() / name)});
-    }
-  return files;
-}
-} // namespace
 
-FoundProgram findProgram(const std::filesystem::path& program) {
-  return findProgram(program, base::readFile(program));
+namespace fs = std::filesystem;
+
+// A folder as the files of one program see it.
+class Folder {
+public:
+  explicit Folder(const fs::path& file) : folder_(file.parent_path()) {
+    const std::string name = file.filename().string();
+    refused_ = name.starts_with(kRefusedPrefix);
+  }
+  // Where the file lies that a program's text calls by this name.
+  fs::path pathOf(const std::string& name) const {
+    const fs::path refused = folder_ / (std::string(kRefusedPrefix) + name);
+    return refused_ && fs::exists(refused) ? refused : folder_ / name;
+  }
+
+private:
+  fs::path folder_;
+  bool refused_ = false;
+};
+
+// The first file of the program that `file` is of; nothing where none of these has it, or where the
+// first is not there.
+std::optional<std::string> firstOf(const fs::path& file,
+                                   const std::vector<project::ProgramReport>& written,
+                                   const Folder& folder) {
+  const auto is = [&](const std::string& name) { return folder.pathOf(name) == file; };
+  for (const project::ProgramReport& program : written)
+    if (std::ranges::any_of(program.files, is) && fs::exists(folder.pathOf(program.files.front())))
+      return program.files.front();
+  return std::nullopt;
 }
 
-FoundProgram findProgram(const std::filesystem::path& program, std::string text) {
-  const program::Dialect* dialect = program::detectDialect(program.filename().string(), text);
+struct Read {
+  std::vector<plan::ProgramFile> files;
+  std::vector<fs::path> paths;
+
+  void add(const std::string& name, const fs::path& path) {
+    files.push_back({name, base::readFile(path)});
+    paths.push_back(path);
+  }
+};
+
+// A file and all that it goes on in, each once.
+FoundProgram programFrom(const std::string& name, const fs::path& path, const fs::path& named,
+                         const Folder& folder) {
+  Read read;
+  read.add(name, path);
+  const program::Dialect* dialect =
+      program::detectDialect(path.filename().string(), read.files.front().text);
   if (!dialect)
     throw base::Error(base::ErrorCode::UnusableInput, "not a program in any known format"_text,
-                      program.string(), "see: list formats"_text);
-  return {dialect, filesOf(program, *dialect, std::move(text))};
+                      path.string(), "see: list formats"_text);
+  for (std::size_t i = 0; i < read.files.size(); ++i)
+    for (const std::string& next : program::goesOnIn(*dialect, read.files[i].text))
+      if (!next.empty() && next == fs::path(next).filename() &&
+          std::ranges::find(read.files, next, &plan::ProgramFile::name) == read.files.end())
+        read.add(next, folder.pathOf(next));
+  const auto at = std::ranges::find(read.paths, named) - read.paths.begin();
+  return {dialect, std::move(read.files), static_cast<std::size_t>(at)};
+}
+
+} // namespace
+
+FoundProgram findProgram(const fs::path& file, const std::vector<project::ProgramReport>& written) {
+  const Folder folder(file);
+  if (const std::optional<std::string> first = firstOf(file, written, folder)) {
+    FoundProgram whole = programFrom(*first, folder.pathOf(*first), file, folder);
+    if (whole.named < whole.files.size())
+      return whole; // else what lies there does not go on in the file
+  }
+  return programFrom(file.filename().string(), file, file, folder);
 }
 
 } // namespace voluta::pipeline

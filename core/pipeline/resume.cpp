@@ -29,47 +29,60 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-// The file that a line is of, and the one that its program begins with: the job knows its programs.
-struct ProgramPlace {
-  std::filesystem::path first;
-  std::string file;
-};
-
-ProgramPlace placeOf(const ResumeRequest& request, const project::Job& job) {
+// The file that a line is of: the one that is given, or one of the job's first program.
+std::filesystem::path fileOfLine(const ResumeRequest& request, const project::Job& job) {
+  if (!request.program.empty())
+    return request.program;
   const auto& programs = job.report.programs;
-  if (request.program.empty()) {
-    if (programs.empty() || programs.front().files.empty())
-      throw Error(ErrorCode::Usage, "the job has no program that a line could be of"_text, {},
-                  "give --program"_text);
-    const std::string& file = programs.front().files.front();
-    return {request.job.parent_path() / file, file};
-  }
-  const std::string file = request.program.filename().string();
-  for (const project::ProgramReport& program : programs)
-    if (std::find(program.files.begin(), program.files.end(), file) != program.files.end())
-      return {request.program.parent_path() / program.files.front(), file};
-  return {request.program, file};
+  if (programs.empty() || programs.front().files.empty())
+    throw Error(ErrorCode::Usage, "the job has no program that a line could be of"_text, {},
+                "give --program"_text);
+  return request.job.parent_path() / programs.front().files.front();
+}
+
+// Files with motions, in the order in which they are run.
+std::vector<std::size_t> filesWithMotions(const plan::ReadProgram& read) {
+  std::vector<std::size_t> files;
+  for (const plan::ProgramMotion& m : read.motions)
+    if (std::ranges::find(files, m.file) == files.end())
+      files.push_back(m.file);
+  return files;
+}
+
+// The motion that stands at a line or after it. Where no file is given, of the only one that has
+// motions: in another the same line is another place of the part.
+std::size_t motionAt(const ResumeRequest& request, const FoundProgram& found,
+                     const plan::ReadProgram& read) {
+  const std::vector<std::size_t> moving = filesWithMotions(read);
+  base::Message remedy;
+  if (moving.size() > 1)
+    remedy = base::message("give --program, a file from {first} to {last}"_text,
+                           found.files[moving.front()].name, found.files[moving.back()].name);
+  if (request.program.empty() && moving.size() > 1)
+    throw Error(ErrorCode::Usage,
+                base::message("line {line} may be of any of {count} files"_text, *request.line,
+                              moving.size()),
+                found.files.front().name, std::move(remedy));
+  const std::size_t file =
+      request.program.empty() && !moving.empty() ? moving.front() : found.named;
+  const auto motion = std::ranges::find_if(read.motions, [&](const plan::ProgramMotion& m) {
+    return m.file == file && m.line >= *request.line;
+  });
+  if (motion == read.motions.end())
+    throw Error(ErrorCode::Usage,
+                base::message("no motion stands at line {line} or after it"_text, *request.line),
+                found.files[file].name, std::move(remedy));
+  return static_cast<std::size_t>(motion - read.motions.begin());
 }
 
 // The point of the job's trajectory from which the motion of a line leads on.
 std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
                         const base::RunContext& ctx) {
-  const ProgramPlace place = placeOf(request, job);
-  const FoundProgram found = findProgram(place.first);
-  const auto file = std::find_if(found.files.begin(), found.files.end(),
-                                 [&](const plan::ProgramFile& f) { return f.name == place.file; });
-  const auto index = static_cast<std::size_t>(file - found.files.begin());
+  const FoundProgram found = findProgram(fileOfLine(request, job), job.report.programs);
   const process::Process process = chosenProcess(job.choices, parameterValues(job.choices));
   const plan::ReadProgram read =
       program::readProgram(std::string(found.dialect->id), found.files, process, ctx);
-  const auto motion =
-      std::find_if(read.motions.begin(), read.motions.end(), [&](const plan::ProgramMotion& m) {
-        return m.file == index && m.line >= *request.line;
-      });
-  if (motion == read.motions.end())
-    throw Error(ErrorCode::Usage,
-                base::message("no motion stands at line {line} or after it"_text, *request.line),
-                place.file);
+  std::size_t at = motionAt(request, found, read);
   const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.platform);
   const plan::Trajectory rest =
       motion::partOf(*job.trajectory, job.resumedAt, job.trajectory->pointCount());
@@ -80,9 +93,9 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
       replay::alignProgram(read, path, replay::plannedNozzle(*points.trajectory, cell, ctx),
                            *points.trajectory, cell, ctx);
   if (!alignment.deviations.empty() || alignment.gaveUp)
-    throw Error(ErrorCode::UnusableInput, "not a program of this job"_text, place.file);
+    throw Error(ErrorCode::UnusableInput, "not a program of this job"_text,
+                found.files[found.named].name);
   // A piece of a joint motion has no point of its own: the one that it leads to.
-  auto at = static_cast<std::size_t>(motion - read.motions.begin());
   while (alignment.pointOf[at] == replay::kUnmatched)
     ++at;
   // Of those that one motion stands for, the last.

@@ -19,8 +19,8 @@ struct ResumeRequest {
   // of `program`: what it moves away from is where the print goes on; of a line that lays nothing
   // the next that does.
   std::optional<std::size_t> bead, line;
-  // A file of a program of the job, the first one's or any other. Empty: the first program's first
-  // file, beside the job.
+  // The file that the line is of, of any program of the job. Empty: of the first program, beside
+  // the job, the only file that has motions.
   std::filesystem::path program;
   std::vector<std::string> formats; // empty: the job's
 };
@@ -37,8 +37,8 @@ struct ResumeResult {
 // replayed behind what was printed before, so that the verdict is on the whole part. Where no way
 // leads there, that is a finding, and there are no programs.
 // Throws Error{UnreadableFile}: the job, the program. Throws Error{UnusableInput}: no motion in the
-// job, not its program, nothing left to print. Throws Error{Usage}: no such bead or line, a format
-// that is not known; Cancelled.
+// job, not its program, nothing left to print. Throws Error{Usage}: no such bead or line, a line
+// that may be of several files, a format that is not known; Cancelled.
 ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx);
 // The same for a job at hand, from a point of its trajectory (motion::resumePoint).
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,

@@ -1,5 +1,4 @@
 #include "base/error.h"
-#include "base/files.h"
 #include "base/staged_folder.h"
 #include "pipeline/choices.h"
 #include "pipeline/program_files.h"
@@ -61,8 +60,7 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   base::require(planned.part && planned.toolPlan && planned.trajectory,
                 "verifyProgram: a job with its motion");
   base::finishStaged(std::filesystem::absolute(program).parent_path());
-  std::string text = base::readFile(program);
-  const FoundProgram found = findProgram(program, std::move(text));
+  const FoundProgram found = findProgram(program, planned.report.programs);
   const std::string format(found.dialect->id);
   const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));
   const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.platform);

@@ -259,14 +259,31 @@ TEST_F(CommandLine, OneAndTwoThreadsPlanTheSame) {
 
 TEST_F(CommandLine, APrintIsTakenUpAgain) {
   const std::string first = (folder_ / "first").string(), rest = (folder_ / "rest").string();
-  ASSERT_EQ(run({"plan", smallBox(), "-o", first, "--mode", "flat", "--format", "urscript"}).code,
+  ASSERT_EQ(run({"plan", smallBox(), "-o", first, "--mode", "flat", "--format", "urscript", "--set",
+                 "motionsPerFile=2000"})
+                .code,
             0);
   const std::string job = first + "/job.voluta";
+  // A program in several files, of which any may be named.
+  for (const char* name : {"/box.script", "/print_box_1.script", "/print_box_2.script"})
+    EXPECT_EQ(run({"verify", first + name, "--job", job}).code, 0) << name;
   const Ended ended = run({"resume", job, "--bead", "3", "-o", rest});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_NE(ended.out.find("from bead 3 of "), std::string::npos) << ended.out;
   EXPECT_EQ(run({"verify", rest + "/box_rest.script", "--job", rest + "/job.voluta"}).code, 0);
-  EXPECT_EQ(run({"resume", job, "--at", "100", "-o", rest}).code, 0);
+  std::set<std::string> places;
+  for (const char* name : {"/print_box_1.script", "/print_box_2.script"}) {
+    const Ended byLine =
+        run({"resume", job, "--at", "1000", "--program", first + name, "-o", rest});
+    EXPECT_EQ(byLine.code, 0) << byLine.err;
+    places.insert(byLine.out.substr(0, byLine.out.find(',')));
+  }
+  EXPECT_EQ(places.size(), 2u) << *places.begin();
+  expectOneLine(run({"resume", job, "--at", "1000", "-o", rest}), 2,
+                {"line 1000", "--program", "print_box_1.script"});
+  expectOneLine(run({"resume", job, "--at", "99999999", "--program", first + "/print_box_1.script",
+                     "-o", rest}),
+                2, {"99999999", "print_box_1.script"});
   expectOneLine(run({"resume", job, "--bead", "0", "-o", rest}), 2, {"no bead 0"});
   expectOneLine(run({"resume", job, "-o", rest}), 2, {});
   expectOneLine(run({"resume", job, "--at", "99999999", "-o", rest}), 2, {"99999999"});

@@ -10,8 +10,10 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 
 using namespace voluta;
 using namespace voluta::pipeline;
@@ -93,23 +95,55 @@ TEST(Resume, WithinABeadTheArmIsChecked) {
     ASSERT_LE(resumed.timeS[i - 1], resumed.timeS[i]);
 }
 
+// The line of the motion to a bead's second waypoint begins at that bead: in each file of a program
+// that is cut, and there only where the file is named.
 TEST(Resume, ByBeadAndByLineFromDisk) {
-  PlanResult whole = test::boxPlan();
+  PlanRequest cut = test::boxRequest({{"motionsPerFile", "1500"}});
+  cut.choices.mode = "flat";
+  cut.choices.formats = {"urscript", "gcode-extended", "csv"};
+  PlanResult whole = planPart(cut, kCtx);
   const test::TemporaryFolder folder;
   writeOutputs(whole, folder.path(), kCtx);
   ResumeRequest request;
   request.job = folder / "job.voluta";
-  request.bead = 5;
   request.formats = {"csv"};
+  const std::size_t beads = whole.job.toolPlan->paths.size();
+  ResumeResult byLine;
+  for (const auto& checked : whole.checked) {
+    const auto& files = checked->program.files;
+    const auto lines = linesOfPoints(*checked, *whole.job.trajectory);
+    std::set<std::size_t> tried;
+    for (const std::size_t bead : {beads, beads / 2, std::size_t{5}}) {
+      const auto point =
+          motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, bead - 1);
+      ASSERT_TRUE(point);
+      const TextLine line = lines[*point + 1];
+      tried.insert(line.file);
+      request.line = line.line;
+      request.program = folder / files[line.file].name;
+      byLine = resumePrint(request, kCtx);
+      EXPECT_EQ(byLine.bead, bead) << request.program;
+      EXPECT_EQ(byLine.waypoint, whole.job.trajectory->waypoint[*point]) << request.program;
+    }
+    EXPECT_EQ(tried.size(), files.size() > 1 ? 3u : 1u) << checked->program.format;
+  }
+  request.bead = 5;
+  request.line.reset();
   const ResumeResult byBead = resumePrint(request, kCtx);
   EXPECT_EQ(byBead.bead, 5u);
-  // The line of the motion to that bead's second waypoint begins there.
-  const auto point = motion::resumePointOfPath(*whole.job.trajectory, *whole.job.toolPlan, 4);
-  const auto lines = linesOfPoints(*whole.checked[0], *whole.job.trajectory);
+  EXPECT_EQ(byBead.waypoint, byLine.waypoint);
+  // Without a file the line may be any file's.
   request.bead.reset();
-  request.line = lines[*point + 1].line;
-  const ResumeResult byLine = resumePrint(request, kCtx);
-  EXPECT_EQ(byLine.waypoint, byBead.waypoint);
+  request.program.clear();
+  request.line = 100;
+  try {
+    resumePrint(request, kCtx);
+    ADD_FAILURE() << "whose line?";
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ErrorCode::Usage);
+    for (const char* word : {"line 100", "--program", "print_box_1.script"})
+      EXPECT_THAT(base::english(error.whole()), testing::HasSubstr(word));
+  }
   // The rest is verified from disk, and taken up again itself.
   PlanResult rest = byLine.plan;
   const test::TemporaryFolder second;
@@ -124,6 +158,21 @@ TEST(Resume, ByBeadAndByLineFromDisk) {
   const ResumeResult third = resumePrint(request, kCtx);
   EXPECT_EQ(third.bead, 9u);
   EXPECT_TRUE(third.plan.checked[0]->passed);
+}
+
+// Of a program in one file the line is enough.
+TEST(Resume, ByLineOfTheOnlyFile) {
+  PlanRequest whole = test::boxRequest({{"motionsPerFile", "1000000"}});
+  whole.choices.mode = "flat";
+  whole.choices.formats = {"urscript"};
+  PlanResult plan = planPart(whole, kCtx);
+  const test::TemporaryFolder folder;
+  writeOutputs(plan, folder.path(), kCtx);
+  const auto point = motion::resumePointOfPath(*plan.job.trajectory, *plan.job.toolPlan, 4);
+  ResumeRequest request;
+  request.job = folder / "job.voluta";
+  request.line = linesOfPoints(*plan.checked[0], *plan.job.trajectory)[*point + 1].line;
+  EXPECT_EQ(resumePrint(request, kCtx).bead, 5u);
 }
 
 TEST(Resume, WithoutAWayThereThatIsTold) {

@@ -12,11 +12,13 @@
 #include "plan/finding_kinds.h"
 #include "program/job_head.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 using namespace voluta;
@@ -121,19 +123,58 @@ TEST_F(PlannedBox, AnotherFormatOnlyWritesThatFormat) {
   EXPECT_EQ(second.checked[1], first_->checked[0]);
 }
 
+void writeProgram(const plan::Program& program, const std::filesystem::path& folder,
+                  const std::string& prefix = {}) {
+  for (const plan::ProgramFile& file : program.files)
+    base::writeFile(folder / (prefix + file.name), file.text);
+}
+
 TEST_F(PlannedBox, AProgramIsVerifiedWithAllItsFiles) {
   PlanRequest request = boxRequest();
   request.choices.formats = {"rapid"};
   const PlanResult planned = planPart(request, context(), cache_);
   const test::TemporaryFolder folder;
   writeJob(folder / "job.voluta", planned.job);
-  for (const plan::ProgramFile& file : planned.checked.at(0)->program.files)
-    base::writeFile(folder / file.name, file.text);
+  writeProgram(planned.checked.at(0)->program, folder.path());
   const std::string list = planned.checked[0]->program.files.back().name;
   ASSERT_TRUE(list.ends_with(".pgf"));
   EXPECT_TRUE(verifyProgram(folder / list, folder / "job.voluta", context()).replay.passed);
   std::filesystem::remove(folder / planned.checked[0]->program.files.front().name);
   EXPECT_THROW(verifyProgram(folder / list, folder / "job.voluta", context()), base::Error);
+}
+
+// Of a program in several files any may be named, and all are replayed; those of a refused one bear
+// a prefix on the disk.
+TEST_F(PlannedBox, AProgramInSeveralFilesIsFoundByAnyOfThem) {
+  for (const char* form : {"node", "port"}) {
+    PlanRequest request = boxRequest({{"motionsPerFile", "1500"}, {"urscriptForm", form}});
+    request.choices.formats = {"urscript"};
+    const PlanResult planned = planPart(request, context(), cache_);
+    const plan::Program& program = planned.checked.at(0)->program;
+    ASSERT_GT(program.files.size(), 3u);
+    for (const char* prefix : {"", "refused-"}) {
+      const test::TemporaryFolder folder;
+      writeProgram(program, folder.path(), prefix);
+      for (const plan::ProgramFile& file : program.files)
+        EXPECT_TRUE(
+            verifyProgram(folder / (prefix + file.name), planned.job, context()).replay.passed)
+            << form << " " << prefix << file.name;
+      // Each of them counts.
+      const std::filesystem::path last = folder / (prefix + program.files.back().name);
+      std::string text = base::readFile(last);
+      const std::size_t at = text.find("movel(p[", text.size() / 2) + 10;
+      text[at] = text[at] == '1' ? '2' : '1';
+      base::writeFile(last, text);
+      EXPECT_FALSE(
+          verifyProgram(folder / (prefix + program.files.front().name), planned.job, context())
+              .replay.passed)
+          << form << " " << prefix;
+      std::filesystem::remove(last);
+      EXPECT_THROW(
+          verifyProgram(folder / (prefix + program.files.front().name), planned.job, context()),
+          base::Error);
+    }
+  }
 }
 
 // Findings of a program on disk, over the box's job.
@@ -179,8 +220,10 @@ TEST_F(PlannedBox, AProgramOfAnotherJobSaysWhich) {
 
 TEST_F(PlannedBox, AHeadThatLiesIsWorthKnowing) {
   const test::TemporaryFolder folder;
+  writeProgram(first_->checked.at(0)->program, folder.path());
   plan::ProgramFile file = first_->checked.at(0)->program.files.front();
   const std::size_t at = file.text.find(", job ") + 6;
+  ASSERT_GE(at, 6u);
   file.text[at] = file.text[at] == '0' ? '1' : '0';
   base::writeFile(folder / file.name, file.text);
   const VerifyResult result = verified(folder / file.name, first_->job);
@@ -192,6 +235,7 @@ TEST_F(PlannedBox, AHeadThatLiesIsWorthKnowing) {
 
 TEST_F(PlannedBox, WhatIsNoProgramIsToldInOneLine) {
   const test::TemporaryFolder folder;
+  writeProgram(first_->checked.at(0)->program, folder.path());
   const std::string text = first_->checked.at(0)->program.files.front().text;
   const struct {
     std::string text;
@@ -274,14 +318,23 @@ TEST_F(PlannedBox, EveryPointHasItsLine) {
   for (const auto& checked : first_->checked) {
     const std::vector<TextLine> lines = linesOfPoints(*checked, t);
     ASSERT_EQ(lines.size(), t.pointCount()) << checked->program.format;
+    const auto& files = checked->program.files;
+    std::set<std::uint32_t> moving;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      ASSERT_EQ(lines[i].file, 0u);
-      // Pieces of a joint motion are one line.
+      ASSERT_LT(lines[i].file, files.size());
+      moving.insert(lines[i].file);
+      // Pieces of a joint motion are one line. Files are run in their order, each from its first
+      // line on.
       const bool piece =
           i > 1 && t.move[i] == plan::MoveKind::Joint && t.move[i - 1] == plan::MoveKind::Joint;
-      ASSERT_GT(lines[i].line + (piece ? 1u : 0u), i == 0 ? 0u : lines[i - 1].line)
+      const bool sameFile = i > 0 && lines[i].file == lines[i - 1].file;
+      ASSERT_TRUE(i == 0 || sameFile || lines[i].file == lines[i - 1].file + 1u);
+      ASSERT_GT(lines[i].line + (sameFile && piece ? 1u : 0u), sameFile ? lines[i - 1].line : 0u)
           << checked->program.format;
+      ASSERT_LE(lines[i].line, std::ranges::count(files[lines[i].file].text, '\n'));
     }
+    // All but the file that calls the others.
+    EXPECT_EQ(moving.size(), std::max<std::size_t>(1, files.size() - 1)) << checked->program.format;
   }
   // The joint table says time and first joint in each line.
   const CheckedProgram& csv = *first_->checked[2];
