@@ -4,7 +4,6 @@
 #include "base/key_text.h"
 #include "base/memory.h"
 #include "base/stopwatch.h"
-#include "geometry/measures.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/avoided.h"
@@ -14,6 +13,7 @@
 #include "pipeline/part_motion.h"
 #include "pipeline/part_size.h"
 #include "pipeline/part_ways.h"
+#include "pipeline/pedestal.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/start_check.h"
@@ -22,7 +22,6 @@
 #include "program/dialect.h"
 #include "program/extruder.h"
 #include "replay/verification.h"
-#include "robot/plate.h"
 
 #include <algorithm>
 #include <array>
@@ -37,12 +36,6 @@ namespace {
 constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44, 0.6, 1.0};
 
 constexpr int kRounds = 6; // of moving without what the replay found
-
-// Is the platform's own place, the work frame's z, beneath the part's box?
-bool coversAxis(const geometry::TriangleMesh& part) {
-  const Eigen::AlignedBox3d box = geometry::bounds(part);
-  return (box.min().head<2>().array() <= 0.0).all() && (box.max().head<2>().array() >= 0.0).all();
-}
 
 // One plan: its stages in order, each taken from the cache or made.
 class OneWay {
@@ -243,10 +236,7 @@ private:
                                program::programOptions(values_));
     }
     plan::Findings findings = decomposed_->findings;
-    // A pedestal is made for the part and has a foot as far as its stem; but not for one beside its
-    // place.
-    const bool madeBeneath = choices_.platform.marginMm() && coversAxis(*job().part);
-    if (const double gap = robot::platformGapMm(*result_.cell); gap > 0.0 && !madeBeneath)
+    if (const double gap = adriftMm(choices_.platform, *job().part, *result_.cell); gap > 0.0)
       findings.insert(findings.begin(), plan::makeFinding(plan::FindingKind::PlatformAdrift,
                                                           {{"distance", base::mm(gap)}}));
     return done(project::Stage::Decompose, findings, decomposed_->timings);

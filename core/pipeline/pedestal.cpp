@@ -2,6 +2,7 @@
 
 #include "geometry/append_mesh.h"
 #include "geometry/formats/mesh_reader.h"
+#include "geometry/measures.h"
 #include "geometry/mesh_boolean.h"
 #include "robot/plate.h"
 
@@ -40,7 +41,18 @@ geometry::TriangleMesh meshOf(const robot::Prism& prism) {
   return mesh;
 }
 
+// Is the platform's own place, the work frame's z, beneath the part's box?
+bool coversAxis(const geometry::TriangleMesh& part) {
+  const Eigen::AlignedBox3d box = geometry::bounds(part);
+  return (box.min().head<2>().array() <= 0.0).all() && (box.max().head<2>().array() >= 0.0).all();
+}
+
 } // namespace
+
+double adriftMm(const project::Platform& platform, const geometry::TriangleMesh& part,
+                const robot::Cell& cell) {
+  return platform.marginMm() && coversAxis(part) ? 0.0 : robot::platformGapMm(cell);
+}
 
 std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan) {
   const project::Job& job = plan.job;

@@ -14,4 +14,10 @@ namespace voluta::pipeline {
 // platform is not made for the part, or not known yet.
 std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan);
 
+// How far the cell's platform lies beside what carries it, so that it would float, mm. 0: it is
+// carried; as a pedestal is that is made beneath the part, which has a foot as far as its stem.
+// A part that stands beside its place has none. `part`: placed.
+double adriftMm(const project::Platform& platform, const geometry::TriangleMesh& part,
+                const robot::Cell& cell);
+
 } // namespace voluta::pipeline

@@ -2,11 +2,13 @@
 
 #include "base/key_text.h"
 #include "geometry/convex_polygon.h"
+#include "geometry/measures.h"
 #include "modes/mode_table.h"
 #include "pipeline/cell_plate.h"
 #include "pipeline/cell_reach.h"
 #include "pipeline/choices.h"
 #include "pipeline/part_size.h"
+#include "pipeline/pedestal.h"
 #include "plan/finding_kinds.h"
 #include "reach/cell_check.h"
 #include "robot/cell.h"
@@ -95,8 +97,10 @@ std::optional<plan::Finding> largerThanPlates(const Polygon& foot, const robot::
 std::string startKey(const modes::LoadStage& placed, const project::Choices& choices,
                      const process::Process& process) {
   const Polygon foot = footOf(*placed.part);
+  const Eigen::AlignedBox3d box = geometry::bounds(*placed.part);
   return base::keyText(isForCellPlates(choices), placed.scale, foot,
-                       plateUnder(placed, choices, foot)) +
+                       plateUnder(placed, choices, foot), Vector2d(box.min().head<2>()),
+                       Vector2d(box.max().head<2>())) +
          cellReachKey(choices, process.layerHeightMm);
 }
 
@@ -112,6 +116,8 @@ std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
   const robot::Cell cell = robot::loadCell(choices.cell, process, plate);
   if (cell.rod())
     return stage; // told by who looks for a plate there
+  if (adriftMm(choices.platform, *placed.part, cell) > 0.0)
+    return stage; // told by who makes the platform: nothing is the matter with the cell
   const collision::Margins margins =
       motionOptionsOf(parameterValues(choices), choices.seed).printing;
   for (const reach::CellFault& fault : reach::printingFaults(cell, process, margins, ctx))
