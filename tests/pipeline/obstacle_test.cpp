@@ -86,15 +86,28 @@ TEST_F(Obstacle, FromAMeshesFileIsPassedBy) {
   EXPECT_EQ(report.replay.collisions, 0u);
 }
 
-// A shelf over the plate: nothing is printed below it, and it is named.
+bool names(const pipeline::PlanResult& result, const std::string& body) {
+  return std::ranges::any_of(result.job.report.findings, [&](const plan::Finding& f) {
+    return f.blocking && base::english(plan::factOf(f)).find(body) != std::string::npos;
+  });
+}
+
+// A shelf over all of the plate is told before anything is planned.
+TEST_F(Obstacle, FromAMeshesFileIsNamedWhereNothingCanBePrinted) {
+  const pipeline::PlanResult result =
+      planned(cellWith("covered", test::box({450, -150, 190}, {750, 150, 210})));
+  EXPECT_EQ(result.job.reached, project::Stage::Load);
+  EXPECT_FALSE(pipeline::nothingBlocks(result.job.report));
+  EXPECT_TRUE(names(result, "obstacle"));
+}
+
+// A shelf over a side of the plate: nothing is printed below it, and it is named.
 TEST_F(Obstacle, FromAMeshesFileIsNamedWhereItIsInTheWay) {
   const pipeline::PlanResult result =
-      planned(cellWith("shelved", test::box({450, -150, 190}, {750, 150, 210})));
+      planned(cellWith("shelved", test::box({450, 20, 190}, {750, 150, 210})));
   EXPECT_GT(result.job.report.motion.collisions, 0u);
   EXPECT_FALSE(result.job.report.replay.passed);
-  EXPECT_TRUE(std::ranges::any_of(result.job.report.findings, [](const plan::Finding& f) {
-    return base::english(plan::factOf(f)).find("obstacle") != std::string::npos;
-  }));
+  EXPECT_TRUE(names(result, "obstacle"));
 }
 
 } // namespace
