@@ -30,8 +30,8 @@ std::string startKey(const modes::LoadStage& placed, const project::Choices& cho
 // - LargerThanPlates: the part is to stand on the cell's plate, or mode auto may choose its
 //   platform, and its foot is larger than the largest of the cell's plates, turned by a right angle
 //   too.
-// Nothing is checked around a rod, on a body, or on a platform that would float (pedestal.h). Throws
-// Error{Usage}: names, parameters; Cancelled.
+// Nothing is checked around a rod, on a body, or on a platform that would float (pedestal.h).
+// Throws Error{Usage}: names, parameters; Cancelled.
 std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
                                              const project::Choices& choices,
                                              const process::Process& process,
