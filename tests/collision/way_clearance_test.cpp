@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "process/process.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -31,51 +32,108 @@ plan::ToolPlan tower() {
   return plan;
 }
 
-class WayClearances : public testing::TestWithParam<const char*> {};
+constexpr double kCap = 200.0;
+constexpr int kSamples = 300;
+
+// A cell with the tower on its plate, and what is nearest to what in it.
+struct Scene {
+  explicit Scene(const char* id)
+      : process(process::loadProcess("fdm-1.0")),
+        cell(robot::loadCell(id, process, {{-60, -60}, {60, -60}, {60, 60}, {-60, 60}})),
+        collision(cell, process), plan(tower()), part(plan, 0.45, {}), ways(collision, part),
+        before(plan.waypointCount()) {}
+
+  double clearanceAt(const JointVector& q) const {
+    collision::CellCollision::Frames frames;
+    cell.framePoses(q, frames);
+    return collision.clearanceToPart(frames, part, before, collision.clearance(frames, kCap));
+  }
+  double leastSampled(const JointVector& from, const JointVector& to) const {
+    double least = std::min(clearanceAt(from), clearanceAt(to));
+    for (int k = 1; k < kSamples; ++k)
+      least = std::min(least, clearanceAt(from + static_cast<double>(k) / kSamples * (to - from)));
+    return least;
+  }
+  // How the clearance grows with each joint of the arm.
+  JointVector growthAt(const JointVector& q) const {
+    constexpr double kStep = 1e-4;
+    JointVector growth = JointVector::Zero(q.size());
+    for (Eigen::Index j = 0; j < cell.armDof(); ++j) {
+      JointVector less = q, more = q;
+      less[j] -= kStep;
+      more[j] += kStep;
+      growth[j] = (clearanceAt(more) - clearanceAt(less)) / (2.0 * kStep);
+    }
+    return growth;
+  }
+
+  const process::Process process;
+  const robot::Cell cell;
+  const collision::CellCollision collision;
+  const plan::ToolPlan plan;
+  const collision::GrowingPart part;
+  const collision::WayClearance ways;
+  const std::size_t before;
+};
+
+class WayClearances : public testing::TestWithParam<const char*> {
+protected:
+  JointVector random(double reach) {
+    JointVector q = JointVector::Zero(scene_.cell.home().size());
+    for (Eigen::Index j = 0; j < scene_.cell.armDof(); ++j)
+      q[j] = reach * share_(engine_);
+    return q;
+  }
+  void expectKept(const JointVector& from, const JointVector& to, double reach) {
+    const double ends = std::min(scene_.clearanceAt(from), scene_.clearanceAt(to));
+    const double least = scene_.leastSampled(from, to);
+    if (least <= 0.5)
+      return; // met: there is no clearance to be told
+    ++told_;
+    between_ += least < ends - 0.1;
+    const double reported = scene_.ways.along(from, to, scene_.before, ends);
+    EXPECT_LE(reported, least + 1e-6) << GetParam() << " " << told_;
+    // Samples are no closer to the truth than what moves between them.
+    EXPECT_GE(reported, least - collision::kWayExactMm - 0.5 * reach) << GetParam() << " " << told_;
+  }
+
+  const Scene scene_{GetParam()};
+  std::mt19937 engine_{7};
+  std::uniform_real_distribution<double> share_{-1.0, 1.0};
+  int told_ = 0, between_ = 0; // motions, and those whose least distance is at neither end
+};
 
 } // namespace
 
 // What is reported is kept all along the way, and by no more than it says too little.
 TEST_P(WayClearances, NothingComesCloserOnTheWay) {
-  const process::Process process = process::loadProcess("fdm-1.0");
-  const robot::Cell cell =
-      robot::loadCell(GetParam(), process, {{-60, -60}, {60, -60}, {60, 60}, {-60, 60}});
-  const collision::CellCollision collision(cell, process);
-  const plan::ToolPlan plan = tower();
-  const collision::GrowingPart part(plan, 0.45, {});
-  const collision::WayClearance ways(collision, part);
-  const std::size_t before = plan.waypointCount();
-  constexpr double kCap = 200.0;
-  const auto at = [&](const JointVector& q) {
-    collision::CellCollision::Frames frames;
-    cell.framePoses(q, frames);
-    return collision.clearanceToPart(frames, part, before, collision.clearance(frames, kCap));
-  };
-  std::mt19937 engine(7);
-  std::uniform_real_distribution<double> share(-1.0, 1.0);
-  int between = 0;
-  for (int n = 0; n < 90; ++n) {
+  for (int n = 0; n < 60; ++n) {
     const double reach = n % 3 == 0 ? 0.3 : n % 3 == 1 ? 1.5 : 3.0; // rad
-    JointVector from = cell.home(), to;
-    for (Eigen::Index j = 0; j < cell.armDof(); ++j)
-      from[j] += 0.5 * share(engine);
-    to = from;
-    for (Eigen::Index j = 0; j < cell.armDof(); ++j)
-      to[j] += reach * share(engine);
-    const double ends = std::min(at(from), at(to));
-    double least = ends;
-    constexpr int kSamples = 300;
-    for (int k = 1; k < kSamples; ++k)
-      least = std::min(least, at(from + static_cast<double>(k) / kSamples * (to - from)));
-    if (least <= 0.5)
-      continue; // met: there is no clearance to be told
-    between += least < ends - 0.01;
-    const double reported = ways.along(from, to, before, ends);
-    EXPECT_LE(reported, least + 1e-6) << GetParam() << " " << n;
-    // Samples are no closer to the truth than what moves between them.
-    EXPECT_GE(reported, least - collision::kWayExactMm - 0.5 * reach) << GetParam() << " " << n;
+    const JointVector from = scene_.cell.home() + random(0.5);
+    expectKept(from, from + random(reach), reach);
   }
-  EXPECT_GT(between, 0) << "motions whose least distance is at neither end";
+  EXPECT_GT(told_, 10);
+}
+
+// Motions that pass by something: in their middle the clearance neither grows nor falls, and at
+// both ends it is greater.
+TEST_P(WayClearances, NothingComesCloserWhereSomethingIsPassed) {
+  constexpr int kMotions = 20, kAttempts = 20000;
+  for (int n = 0; n < kAttempts && told_ < kMotions; ++n) {
+    const double reach = n % 2 == 0 ? 0.2 : 0.6; // rad
+    const JointVector middle = scene_.cell.home() + random(0.7);
+    const JointVector growth = scene_.growthAt(middle);
+    JointVector step = random(reach);
+    if (growth.norm() < 1.0)
+      continue; // what is nearest does not move
+    step -= growth.dot(step) / growth.squaredNorm() * growth;
+    const JointVector from = middle - step, to = middle + step;
+    if (std::min(scene_.clearanceAt(from), scene_.clearanceAt(to)) >
+        scene_.clearanceAt(middle) + 0.2)
+      expectKept(from, to, 2.0 * reach);
+  }
+  EXPECT_EQ(told_, kMotions);
+  EXPECT_EQ(between_, told_);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, WayClearances,
