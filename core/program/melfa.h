@@ -45,6 +45,8 @@ inline constexpr std::size_t kMelfaMotionsPerFile = 6500; // of five steps at mo
 
 std::vector<base::ParameterSpec> melfaOptions(); // motionsPerFile
 
+// What the controller takes where a target has no flags (CR750, 4.4.12; on some machines others).
+inline constexpr plan::ArmPosture kMelfaUsualPosture{.structure = 7, .turns = 0};
 // The flags of a target: structure (4 right, 2 above, 1 not flipped), and whole turns, 4 bits an
 // axis. `joints`: of the arm and what is behind it; of a foreign arm nothing is known of them.
 plan::ArmPosture melfaPosture(const robot::Cell& cell, bool foreign, const double* joints);

@@ -378,20 +378,23 @@ private:
         !straightKind(word, coordinates, joints) || !behindTarget(scanner, code))
       return;
     way(m);
-    statePosture(target);
+    if (!joints)
+      statePosture(target);
     out_.motionByOutputs(std::move(m));
   }
   // Of the motion that comes next.
   void statePosture(const ScriptValue& target) {
     constexpr double kBits = 4294967296.0; // 32
-    if (target.flags.size() != 2)
-      return;
     const auto bits = [](double flag) {
-      return static_cast<std::uint32_t>(
-          static_cast<std::int64_t>(std::fmod(flag, kBits)) & 0xffffffff);
+      return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::fmod(flag, kBits)) &
+                                        0xffffffff);
     };
-    out_.program().postures.push_back(
-        {out_.program().motions.size(), {bits(target.flags[0]), bits(target.flags[1])}});
+    plan::ArmPosture posture = kMelfaUsualPosture;
+    if (!target.flags.empty())
+      posture.structure = bits(target.flags[0]);
+    if (target.flags.size() > 1)
+      posture.turns = bits(target.flags[1]);
+    out_.program().postures.push_back({out_.program().motions.size(), posture});
   }
 
   bool jointTarget(const ScriptValue& target, plan::ProgramMotion& m) {

@@ -51,8 +51,7 @@ private:
   }
 
   std::string flags(std::size_t i) const {
-    const plan::ArmPosture posture =
-        melfaPosture(in_.cell, program_.foreign, in_.trajectory.at(i));
+    const plan::ArmPosture posture = melfaPosture(in_.cell, program_.foreign, in_.trajectory.at(i));
     return joined(
         {"(", std::to_string(posture.structure), ",", std::to_string(posture.turns), ")"});
   }
@@ -213,7 +212,7 @@ private:
 plan::ArmPosture melfaPosture(const robot::Cell& cell, bool foreign, const double* joints) {
   constexpr int kAxes = 6;
   if (foreign || cell.armDof() != kAxes)
-    return {.structure = 7, .turns = 0};
+    return kMelfaUsualPosture;
   const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(joints, kAxes);
   const ArmBranch arm = armBranch(cell.robot(), q);
   plan::ArmPosture posture;

@@ -57,8 +57,7 @@ void ProgramBuilder::turn(bool on) {
 }
 
 void ProgramBuilder::send(std::string_view text) {
-  if (std::vector<plan::FactKind>& needed = program_.neededFacts; needed.empty())
-    needed.push_back(plan::FactKind::NozzleHeat);
+  need(plan::FactKind::NozzleHeat);
   const auto command = readCastelli(text);
   if (!command) {
     defect(base::message("'{text}' is no text that the extruder takes"_text, text.substr(0, 40)));
@@ -150,6 +149,12 @@ void ProgramBuilder::pause(double seconds, double volumeMm3, double drawnMm) {
   if (volumeMm3 > 0.0)
     places_.material();
   program_.pauses.push_back({file, line, program_.motions.size(), seconds, volumeMm3, drawnMm});
+}
+
+void ProgramBuilder::need(plan::FactKind kind) {
+  std::vector<plan::FactKind>& needed = program_.neededFacts;
+  if (std::ranges::find(needed, kind) == needed.end())
+    needed.push_back(kind);
 }
 
 void ProgramBuilder::state(plan::FactKind kind, double number, std::string_view word) {

@@ -55,6 +55,9 @@ public:
   bool word(std::span<const KnownWord> table, std::string_view word);
   // One that the reader knows better.
   void wordAt(std::string_view word, std::uint8_t places);
+  // What this program does needs a statement of that kind, beside those that all of its language
+  // need (Dialect::states).
+  void need(plan::FactKind kind);
   // A statement that the replay compares with the plan's needs. Filled in: where it stands.
   void state(plan::FactKind kind, double number = 0.0, std::string_view word = {});
   // An output of the extruder's is set, and not as a trigger of the next motion.

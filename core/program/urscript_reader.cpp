@@ -456,6 +456,8 @@ private:
       defect("an analogue output outside 0..1"_text);
       return;
     }
+    if (value > 0.0)
+      out_.need(plan::FactKind::FlowOutputRange);
     out_.flow(value);
   }
   void sendText(const Call& call) {
