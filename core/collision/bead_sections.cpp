@@ -113,16 +113,16 @@ BeadSections::BeadSections(const plan::ToolPlan& plan, const std::vector<std::ui
   near_ = geometry::BoxGrid(boxes, kCellMm);
 }
 
-bool BeadSections::isSoft(std::size_t waypoint, std::size_t before) const {
-  if (before >= places_.size())
+bool BeadSections::isSoft(std::size_t waypoint, std::size_t printing) const {
+  if (printing >= places_.size())
     return false;
-  const Place &laid = places_[waypoint], &now = places_[before];
+  const Place &laid = places_[waypoint], &now = places_[printing];
   return laid.path == now.path && now.mm - laid.mm <= now.softMm;
 }
 
-bool BeadSections::reachedBy(const Disc& disc, std::size_t before) const {
+bool BeadSections::reachedBy(const Disc& disc, std::size_t printing) const {
   return near_.any(boxOf(disc), [&](std::uint32_t b) {
-    return laidAt_[b] < before && !isBeneath(beads_[b], disc) && !isSoft(laidAt_[b], before) &&
+    return laidAt_[b] < printing && !isBeneath(beads_[b], disc) && !isSoft(laidAt_[b], printing) &&
            discDistance(disc, beads_[b]) <= 0.0;
   });
 }

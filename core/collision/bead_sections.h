@@ -31,10 +31,10 @@ public:
   // `segments`: the first waypoints of those that stay where they are laid, ascending.
   BeadSections(const plan::ToolPlan& plan, const std::vector<std::uint32_t>& segments);
 
-  // Does the disc reach into a bead that is laid at a waypoint index < `before`? What the path that
-  // is printed there laid over its last two widths is soft and does not count. `normal` points away
-  // from the beads.
-  bool reachedBy(const Disc& disc, std::size_t before) const;
+  // Does the disc reach into a bead that is laid before the head is at waypoint `printing`? What
+  // the path that is printed there laid over its last two widths is soft and does not count.
+  // `normal` points away from the beads.
+  bool reachedBy(const Disc& disc, std::size_t printing) const;
 
 private:
   struct Place {
@@ -42,7 +42,7 @@ private:
     float mm = 0.0f; // along it
     float softMm = 0.0f;
   };
-  bool isSoft(std::size_t waypoint, std::size_t before) const;
+  bool isSoft(std::size_t waypoint, std::size_t printing) const;
 
   std::vector<BeadSection> beads_;
   std::vector<std::uint32_t> laidAt_; // a bead: the waypoint that it leads to

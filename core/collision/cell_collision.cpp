@@ -257,8 +257,9 @@ std::optional<Contact> CellCollision::bodiesAndPart(const Frames& base_T_frame,
 }
 
 bool CellCollision::headTouchesPart(const Isometry3d& work_T_tool, const GrowingPart& part,
-                                    std::size_t before, double marginMm) const {
-  return part.headTouches(*revolvedHead_, work_T_tool, marginMm, before);
+                                    std::size_t before, double marginMm,
+                                    std::optional<std::size_t> printing) const {
+  return part.headTouches(*revolvedHead_, work_T_tool, marginMm, before, printing);
 }
 
 bool CellCollision::touchesPlatform(const Assembly& assembly, const Isometry3d& work_T_assembly,

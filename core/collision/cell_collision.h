@@ -57,9 +57,10 @@ public:
 
   // The eroded head, grown by marginMm less half a cell of the part's grid (nearer the grid cannot
   // tell), against the part. The head is round, so this depends on tip and axis alone, not on the
-  // joints.
+  // joints. `before` and `printing` as in GrowingPart::headTouches.
   bool headTouchesPart(const Eigen::Isometry3d& work_T_tool, const GrowingPart& part,
-                       std::size_t before, double marginMm) const;
+                       std::size_t before, double marginMm,
+                       std::optional<std::size_t> printing = std::nullopt) const;
   // The eroded head against the plate and what carries it.
   bool headTouchesPlatform(const Eigen::Isometry3d& work_T_tool, double marginMm) const;
   // What holds the head, and stands fast in the tool frame, against the plate, what carries it and

@@ -295,12 +295,13 @@ bool GrowingPart::touches(const robot::Shape& shape, const Eigen::Isometry3d& wo
 }
 
 bool GrowingPart::headTouches(const Revolved& head, const Eigen::Isometry3d& work_T_head,
-                              double marginMm, std::size_t before) const {
+                              double marginMm, std::size_t before,
+                              std::optional<std::size_t> printing) const {
   const std::uint32_t moment = momentOf(before);
   return beads_->touches(head, work_T_head, marginMm - 0.5 * beads_->grid().pitch, moment) ||
          ground_->touches(head, work_T_head, marginMm - 0.5 * ground_->grid().pitch, moment) ||
          sections_->reachedBy(head.underside(work_T_head, std::min(marginMm, kUndersideMm)),
-                              moment);
+                              printing.value_or(before));
 }
 
 Eigen::AlignedBox3d GrowingPart::bounds() const {

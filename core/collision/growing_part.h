@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace voluta::base {
 class RunContext;
@@ -63,9 +64,11 @@ public:
                std::size_t before) const;
   // The same, but what lies in the solid by less than half a cell does not count: nearer the grids
   // cannot tell. For the head, which is meant to be there. Its flat underside is held against the
-  // beads' sections besides, with a margin of at most kUndersideMm.
+  // beads' sections besides, with a margin of at most kUndersideMm. These know by themselves what
+  // is soft: `printing` is the waypoint that the head is at or on the way to, `before` where it is
+  // not given; for the cells the caller leaves that out by a `before` that lies behind it.
   bool headTouches(const Revolved& head, const Eigen::Isometry3d& work_T_head, double marginMm,
-                   std::size_t before) const;
+                   std::size_t before, std::optional<std::size_t> printing = std::nullopt) const;
 
   // A box that holds the centres of all its cells and of the ground's; empty where there are none.
   Eigen::AlignedBox3d bounds() const;

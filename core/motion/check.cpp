@@ -111,7 +111,8 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
   const auto headInPart = [&](const collision::CellCollision::Frames& frames, std::size_t i,
                               bool atWork) -> std::optional<collision::Contact> {
     const std::size_t before = atWork ? headBefore[next[i]] : next[i];
-    if (scene.collision.headTouchesPart(toolOf(frames), scene.part, before, margins.headMm))
+    if (scene.collision.headTouchesPart(toolOf(frames), scene.part, before, margins.headMm,
+                                        next[i]))
       for (const int b : scene.cell.bodiesAgainstPart())
         if (scene.cell.bodies()[static_cast<std::size_t>(b)].role == robot::BodyRole::Head)
           return collision::Contact{b, collision::kPrintedPart};

@@ -64,7 +64,7 @@ std::vector<Refusal> headRefusals(const MotionScene& scene, const std::vector<st
       const Eigen::Isometry3d pose =
           toolPose(plan.position[i], carried(uprightTool(), plan.direction[i]));
       const double margin = scene.options.printing.headMm;
-      if (scene.collision.headTouchesPart(pose, scene.part, before[i], margin))
+      if (scene.collision.headTouchesPart(pose, scene.part, before[i], margin, i))
         refusals[i] = Refusal::HeadPart;
       else if (scene.collision.headTouchesPlatform(pose, margin))
         refusals[i] = Refusal::HeadPlatform;

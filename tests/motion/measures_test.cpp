@@ -2,6 +2,7 @@
 // nozzle bends off its way, what is soft, what surrounds, what joints cost, the last look.
 #include "base/run_context.h"
 #include "base/units.h"
+#include "collision/way_clearance.h"
 #include "motion/check.h"
 #include "motion/external_axes.h"
 #include "motion/head_refusals.h"
@@ -12,6 +13,7 @@
 #include "motion/sample_plans.h"
 #include "motion/sequence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -226,6 +228,23 @@ TEST(HeadRefusals, TellWhatTheHeadItselfWouldMeet) {
   EXPECT_NE(refusals[into], motion::Refusal::None);
 }
 
+// What a path laid more than two widths ago is hard: the nozzle that comes back to it, too low,
+// would plough through.
+TEST(HeadRefusals, TwoWidthsAreSoftAndNoMore) {
+  for (const double x : {8.2, 9.2}) { // 2.8 and 1.8 mm of way from what lies there
+    plan::ToolPlan plan;
+    std::vector<Vector3d> points;
+    for (int i = 0; i <= 10; ++i)
+      points.emplace_back(i, 0.0, 0.8);
+    points.emplace_back(x, 0.0, 0.2);
+    test::appendPath(plan, points, std::vector<Vector3d>(12, Vector3d::UnitZ()), 0);
+    Scene s(plan);
+    const auto refusals = motion::headRefusals(s.scene, motion::headBefore(s.plan), {});
+    EXPECT_EQ(refusals[11] == motion::Refusal::HeadPart, x < 9.0) << x;
+    EXPECT_EQ(refusals[10], motion::Refusal::None);
+  }
+}
+
 // A rod is printed on within its length and room, and no further.
 TEST(HeadRefusals, NothingIsPrintedBeyondTheRod) {
   const robot::Cell cell = cellOf("lathe");
@@ -333,6 +352,43 @@ TEST(JointCosts, TurningBackIsCheaperThanAnotherBranch) {
   EXPECT_NEAR(cost(2.0, 1.9) - 3.9, 2 * beyond, 1e-12) << "of the joint that goes furthest";
 }
 
+namespace {
+constexpr double kFinelyMm = 0.02;
+
+// The least clearance on the motion to a point, or `least` where that is less: at most kFinelyMm
+// above the true one. From place to place on the way as far as nothing can have come nearer.
+double finelyOnTheWayTo(std::size_t point, const plan::Trajectory& t, const Scene& s,
+                        std::size_t before, double least) {
+  constexpr double kFarthestMm = 1500.0; // of a point from a joint's axis
+  constexpr double kBent = 1.5, kNearRad = 0.3, kAllMm = 100.0;
+  const JointVector from = Eigen::Map<const Eigen::VectorXd>(t.at(point - 1), t.dof);
+  const JointVector to = Eigen::Map<const Eigen::VectorXd>(t.at(point), t.dof);
+  const bool straight =
+      t.move[point] == plan::MoveKind::Linear || t.move[point] == plan::MoveKind::Wipe;
+  const Isometry3d start = s.cell.work_T_tool(from), end = s.cell.work_T_tool(to);
+  const double wayMm = kBent * kFarthestMm * (to - from).cwiseAbs().sum();
+  JointVector q = from, solved;
+  std::vector<JointVector> scratch;
+  collision::CellCollision::Frames frames;
+  for (double share = 0.0; share < 1.0;) {
+    if (straight) {
+      const Vector3d tip = start.translation() + share * (end.translation() - start.translation());
+      const Quaterniond turn = Quaterniond(start.linear()).slerp(share, Quaterniond(end.linear()));
+      EXPECT_TRUE(motion::solveNear(s.cell, tip, turn, q, kNearRad, scratch, solved));
+      q = solved;
+    } else {
+      q = from + share * (to - from);
+    }
+    s.cell.framePoses(q, frames);
+    const double clear =
+        s.collision.clearanceToPart(frames, s.part, before, s.collision.clearance(frames, kAllMm));
+    least = std::min(least, clear);
+    share += (clear - least + kFinelyMm) / std::max(wayMm, kFinelyMm);
+  }
+  return least;
+}
+} // namespace
+
 // A finished motion is clear; with a point of it moved into what is printed it is not, there.
 TEST(LastLook, TellsWhereSomethingMeetsAndHowNearTheRestComes) {
   Scene s(test::cylinder(10.0, 4));
@@ -341,12 +397,14 @@ TEST(LastLook, TellsWhereSomethingMeetsAndHowNearTheRestComes) {
   const std::vector<std::size_t> before = motion::headBefore(s.plan);
   const motion::TrajectoryCheck sound = motion::checkTrajectory(t, s.scene, before, 100.0, {});
   EXPECT_TRUE(sound.collisions.empty());
-  // The least clearance, point by point.
+  // The least clearance, point by point and then between them.
   double least = 100.0;
   std::size_t at = 0, next = s.plan.waypointCount();
+  std::vector<std::size_t> nexts(t.pointCount());
   collision::CellCollision::Frames frames;
   for (std::size_t i = t.pointCount(); i-- > 0;) {
     next = t.waypoint[i] != plan::kNoWaypoint ? t.waypoint[i] : next;
+    nexts[i] = next;
     s.cell.framePoses(Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof), frames);
     const double clear =
         s.collision.clearanceToPart(frames, s.part, next, s.collision.clearance(frames, 100.0));
@@ -356,9 +414,15 @@ TEST(LastLook, TellsWhereSomethingMeetsAndHowNearTheRestComes) {
     }
   }
   EXPECT_LT(least, 100.0);
-  EXPECT_LE(sound.minClearanceMm, least + 1e-6);
-  EXPECT_GE(sound.minClearanceMm, least - 1.0) << "points are a millimetre apart";
+  double finely = least;
+  for (std::size_t i = 1; i < t.pointCount(); ++i)
+    finely = finelyOnTheWayTo(i, t, s, nexts[i], finely);
+  EXPECT_LE(sound.minClearanceMm, finely + 1e-6);
+  EXPECT_GE(sound.minClearanceMm, finely - collision::kWayExactMm - kFinelyMm);
   EXPECT_LE(sound.closestPoint, at + 1);
+  ASSERT_GE(sound.closestPoint + 1, std::max<std::size_t>(at, 2));
+  EXPECT_LE(finelyOnTheWayTo(sound.closestPoint, t, s, nexts[sound.closestPoint], 100.0),
+            sound.minClearanceMm + collision::kWayExactMm + kFinelyMm);
   EXPECT_NEAR(motion::checkTrajectory(t, s.scene, before, 0.5 * least, {}).minClearanceMm,
               0.5 * least, 1e-12);
 
