@@ -76,7 +76,7 @@ double WayClearance::along(const JointVector& from, const JointVector& to, std::
     leastMm = alongPiece(last, next, before, leastMm, detour);
     last = next;
   }
-  return leastMm;
+  return std::max(0.0, leastMm);
 }
 
 WayClearance::Speeds WayClearance::speedsAt(const JointVector& q, const JointVector& step) const {

@@ -20,9 +20,10 @@ public:
   // The joints go from `from` to `to`, with everything in place that is filled before waypoint
   // `before`. Returns `leastMm` if all pairs (CellCollision::clearancePairs) keep that far apart
   // all the way; else a distance that none of them comes closer than, at most kWayExactMm below
-  // the true one. Between two poses a pair comes no closer than half of what its distances there
-  // leave over the way that its points go at most; where that does not tell, the way is halved.
-  // `detour`: how much further the joints may go than evenly from one to the other, as a factor.
+  // the true one and not below 0. Between two poses a pair comes no closer than half of what its
+  // distances there leave over the way that its points go at most; where that does not tell, the
+  // way is halved. `detour`: how much further the joints may go than evenly from one to the other,
+  // as a factor.
   double along(const robot::JointVector& from, const robot::JointVector& to, std::size_t before,
                double leastMm, double detour = 1.0) const;
 
