@@ -29,6 +29,7 @@ bool wordsOf(std::string_view rest, GcodeWords& words) {
       continue;
     }
     std::optional<double>* slot = nullptr;
+    const std::string_view from = rest;
     char c = rest.front();
     if (c == 'n' && rest.size() > 1 && rest[1] >= 'X' && rest[1] <= 'Z') {
       slot = &words.direction[static_cast<std::size_t>(rest[1] - 'X')];
@@ -41,16 +42,19 @@ bool wordsOf(std::string_view rest, GcodeWords& words) {
       slot = &words[c];
       rest.remove_prefix(1);
     }
+    const std::string_view letters = from.substr(0, from.size() - rest.size());
     double value = 0.0;
     // Blanks may stand between a letter and its number, and between words, but need not.
     if (const std::string_view behind = trimmed(rest);
         !behind.empty() &&
         std::string_view("+-.0123456789").find(behind.front()) != std::string_view::npos)
       rest = behind;
-    // Words with nothing behind the letter (G28 X) count as 0; given twice: which one holds?
     const bool bare = rest.empty() || rest.front() == ' ' || isCapital(rest.front());
     if (!bare && !takeDecimal(rest, value))
       return false;
+    if (bare && words.bare.empty())
+      words.bare = letters;
+    // Given twice: which one holds?
     if (slot->has_value() || std::abs(value) > 1e9)
       return false;
     *slot = value;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace voluta::program {
@@ -19,12 +20,13 @@ struct GcodeWords {
     return std::any_of(letters.begin(), letters.end(),
                        [&](char c) { return (*this)[c].has_value(); });
   }
+  std::string bare; // the first letters without a number, which then counts as 0; empty: none
   bool anyDirection() const { return direction[0] || direction[1] || direction[2]; }
 };
 
 // Of a line without its `;` comment and checksum; small letters and ( ) comments too, with or
 // without blanks (G1X10E5 is X10 E5: numbers have no exponent). A letter without a number counts as
-// 0. false: not understood, or a word given twice.
+// 0 (GcodeWords::bare). false: not understood, or a word given twice.
 bool wordsOf(std::string_view line, GcodeWords& words);
 
 enum class GcodeKind {

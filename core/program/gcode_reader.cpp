@@ -10,6 +10,15 @@ namespace voluta::program {
 
 using enum plan::FactKind;
 
+namespace {
+// Commands of axes that a letter alone names (G28 X): homes, the bed, motors.
+bool namesAxes(GcodeWords& w) {
+  if (w['G'])
+    return *w['G'] == 28.0 || *w['G'] == 29.0;
+  return w['M'] && (*w['M'] == 17.0 || *w['M'] == 18.0 || *w['M'] == 84.0);
+}
+} // namespace
+
 GcodeReader::GcodeReader(std::string_view format, const process::Process& process,
                          const base::RunContext& ctx)
     : out_(format, process), process_(process), ctx_(ctx) {
@@ -83,6 +92,10 @@ void GcodeReader::execute(GcodeWords& w) {
   w['N'].reset();
   if (w['G'] && w['M']) {
     defect("two commands in one line"_text);
+    return;
+  }
+  if (!w.bare.empty() && !namesAxes(w)) {
+    defect(base::message("the letter {letter} has no number"_text, w.bare));
     return;
   }
   if (w['G'])

@@ -266,6 +266,14 @@ TEST(GcodeReader, namesWhatItCannotTake) {
       {"G1 X1 nX0.1 nY0 nZ0.9\n", "length"},
       {"G1 X1 nX0 nZ1\n", "nX, nY and nZ"},
       {"G1 X1 F0\n", "speed"},
+      {"G1 X10 YF1200\n", "letter Y"},
+      {"G1 X10 Y F1200\n", "letter Y"},
+      {"G0 X10 Y\n", "letter Y"},
+      {"G X10 Y2\n", "letter G"},
+      {"G1 X1 nX nY0 nZ1\n", "letter nX"},
+      {"G92 E\n", "letter E"},
+      {"G4 S\n", "letter S"},
+      {"M104 S\n", "letter S"},
       {"G1 X1..2\n", "not understood"},
       {"G1 X1 X2\n", "not understood"},
       {"G2 X1 I3\n", "not known"},
@@ -285,6 +293,11 @@ TEST(GcodeReader, namesWhatItCannotTake) {
                       std::string("G0 X0 Y0 Z0 F600\n") + c.line + "M104 S0\nM84\n; end\n"),
                  2, c.part);
   }
+  for (const std::string home : {"G28 X Y", "G28XYZ", "g28 w"})
+    for (const std::string off : {"M84", "M84 X Y", "M18E"})
+      EXPECT_TRUE(read("gcode-extended", home + "\nG0 X0 Y0 Z0 F600\nM104 S0\n" + off + "\n; end\n")
+                      .defects.empty())
+          << home << " " << off;
   expectDefect(read("gcode-extended", "G1 X1 Y2 F600\nM104 S0\nM84\n; end\n"), 1, "X, Y and Z");
   expectDefect(read("gcode-extended", "G0 X1 Y2 Z3\nM104 S0\nM84\n; end\n"), 1, "before any speed");
 }
