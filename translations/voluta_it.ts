@@ -1918,6 +1918,10 @@ mm³</translation>
         <translation>tralasciato: {what}</translation>
     </message>
     <message>
+        <source>left to the controller</source>
+        <translation>lasciate al controllore</translation>
+    </message>
+    <message>
         <source>lengths taken as mm: the unit &apos;{unit}&apos; is not known</source>
         <translation>lunghezze prese come mm: l&apos;unità &apos;{unit}&apos; non è nota</translation>
     </message>
@@ -2328,6 +2332,14 @@ mm³</translation>
         <translation>sul piatto</translation>
     </message>
     <message>
+        <source>one that ends by itself or is skipped</source>
+        <translation>uno che finisce da solo o viene saltato</translation>
+    </message>
+    <message>
+        <source>one that the operator ends</source>
+        <translation>uno che finisce l&apos;operatore</translation>
+    </message>
+    <message>
         <source>only three-dimensional OFF files can be read</source>
         <translation>si possono leggere solo file OFF tridimensionali</translation>
     </message>
@@ -2662,6 +2674,10 @@ mm³</translation>
         </translation>
     </message>
     <message>
+        <source>stated</source>
+        <translation>dichiarate</translation>
+    </message>
+    <message>
         <source>step</source>
         <translation>passo</translation>
     </message>
@@ -2848,6 +2864,10 @@ mm³</translation>
     <message>
         <source>the job holds no {result}</source>
         <translation>il progetto non contiene {result}</translation>
+    </message>
+    <message>
+        <source>the letter {letter} has no number</source>
+        <translation>la lettera {letter} è senza numero</translation>
     </message>
     <message>
         <source>the line &apos;# end&apos; is missing: the file was cut short</source>
@@ -6250,8 +6270,8 @@ mm³</translation>
         <translation>Toppe piane sui bordi: il pezzo diventa solido</translation>
     </message>
     <message>
-        <source>G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; 0: as few turns as the beads allow.</source>
-        <translation>G-code con B e C: oltre tanti giri da un lato C torna indietro di giri interi durante uno spostamento; 0: i giri più pochi che i cordoni permettono.</translation>
+        <source>G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; 0: as few turns as the beads allow where the table goes back, one where its count does.</source>
+        <translation>G-code con B e C: oltre tanti giri da un lato C torna indietro di giri interi durante uno spostamento; 0: i giri più pochi che i cordoni permettono dove torna indietro la tavola, uno dove lo fa il suo conteggio.</translation>
     </message>
     <message>
         <source>G-code with B and C: the table is wound back amid a travel, with the nozzle above all that it lifts. Of a table that turns without end the count alone may go back: it stays where it is.</source>

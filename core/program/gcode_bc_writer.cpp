@@ -333,7 +333,7 @@ base::ParameterSpec tableTurns() {
   return base::numberParameter(
       "tableTurns", "", 0.0, 0.0, 1000.0, "Programs"_text, "turns until C goes back"_text,
       "G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; "
-      "0: as few turns as the beads allow."_text);
+      "0: as few turns as the beads allow where the table goes back, one where its count does."_text);
 }
 
 base::ParameterSpec tableUnwind() {

@@ -59,9 +59,11 @@ void walkTrajectory(const ProgramInput& input, const Walk& walk, Speller& spelle
 // motion has a travel that lifts it so far.
 inline constexpr double kClearMm = 10.0;
 
-// Returns where files of at most `most` motions begin (0: one file). Files are cut behind the lift
-// of a travel: the last one of kClearMm or more in the second half of a file; else the highest, up
-// to a tenth or 100 motions beyond `most`; without any travel at a bead's point.
+// Returns where files begin that are to have at most `most` motions (0: one file). Files are cut
+// behind the lift of a travel: the last one of kClearMm or more in the second half of a file; else
+// the highest. Where none is found in time a file goes on beyond `most`, by a tenth of it or 100
+// motions, whichever is more, to the first travel or the program's end; without any it is cut there
+// at a bead's point.
 std::vector<std::size_t> cutsOf(const ProgramInput& input, std::size_t most);
 
 } // namespace voluta::program
