@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
@@ -23,6 +24,11 @@ NumberFormat numberFormat(std::string_view format) {
   if (format.front() == '.')
     std::from_chars(format.data() + 1, format.data() + format.size() - 1, f.digits);
   return f;
+}
+
+// 0 for what would be written as -0.0.
+double withoutIdleSign(double number, const NumberFormat& f) {
+  return f.letter == 'f' && std::abs(number) < 0.5 * std::pow(10.0, -f.digits) ? 0.0 : number;
 }
 
 class Writer {
@@ -60,16 +66,19 @@ private:
     return std::nullopt;
   }
 
+  std::string number(double value, const NumberFormat& f) const {
+    return language_.number(withoutIdleSign(value, f), f.letter, f.digits);
+  }
   std::string written(const std::string& name, const PlaceMark&) const { return name; }
   std::string written(long long whole, const PlaceMark&) const { return language_.whole(whole); }
   std::string written(const Quantity& q, const PlaceMark& mark) const {
     const NumberFormat f = numberFormat(mark.format);
-    const std::string number = language_.number(q.number, f.letter, f.digits);
+    const std::string number = this->number(q.number, f);
     return mark.bare ? number : language_.withUnit(number, q.unit);
   }
   std::string written(const Point& p, const PlaceMark& mark) const {
     const NumberFormat f = numberFormat(mark.format);
-    const auto part = [&](double x) { return language_.number(x, f.letter, f.digits); };
+    const auto part = [&](double x) { return number(x, f); };
     return fmt::format("({})", language_.list({part(p.x), part(p.y), part(p.z)}));
   }
   std::string written(Text word, const PlaceMark&) const {

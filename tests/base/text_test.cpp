@@ -27,6 +27,10 @@ TEST(Text, NumbersAreWrittenAsThePlaceSays) {
       "12.3 mm2 of 1235, 4.00 %, 45 degrees");
   EXPECT_EQ(english(message("at {place:.1f}"_text, base::Point{1.0, -2.25, 0.04})),
             "at (1.0, -2.2, 0.0)");
+  EXPECT_EQ(english(message("x {x:.1f} y {y:.1f} at {place:.0f}"_text, base::number(-0.04),
+                            base::number(-0.06), base::Point{-0.4, -0.6, -0.0})),
+            "x 0.0 y -0.1 at (0, -1, 0)")
+      << "what is rounded to nothing has no sign";
 }
 
 TEST(Text, TheFirstWholeNumberDecidesAboutTheForm) {
