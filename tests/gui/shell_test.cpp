@@ -3,13 +3,16 @@
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "plan/finding_kinds.h"
+#include "robot/cell_draft.h"
 #include "timeline/timeline_bar.h"
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
@@ -19,6 +22,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 #include <QUndoStack>
 
 namespace voluta::test {
@@ -175,6 +179,32 @@ TEST_F(WindowTest, AFindingIsShownByThePageThatShowsItBest) {
   EXPECT_EQ(shownFor("replay", 1.5), Page::Simulate);
   EXPECT_EQ(shownFor("decompose", {}), Page::Layers);
   EXPECT_EQ(shownFor("load", {}), Page::Prepare);
+}
+
+// A project that was made with `--cell FILE.json` holds the file's whole text.
+TEST_F(WindowTest, ACellThatGoesWithTheProjectIsShownByItsName) {
+  openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
+  project::Choices choices = document().choices();
+  choices.cell = robot::draftOfCell("ur5-fixed").named("bench-two", "Bench two").text();
+  document().setChoices(choices, "cell");
+  ASSERT_TRUE(planned(Stage::Load));
+  EXPECT_EQ(find<QLabel>("statusCell")->text(), "bench-two");
+  const auto expectWords = [](const QString& shown) {
+    EXPECT_FALSE(shown.contains('{')) << shown.left(80).toStdString();
+  };
+  bool named = false;
+  for (QTreeWidgetItemIterator at(find<QTreeWidget>("tree")); *at; ++at)
+    for (int column = 0; column < (*at)->columnCount(); ++column) {
+      named |= (*at)->text(column) == "bench-two";
+      expectWords((*at)->text(column));
+      expectWords((*at)->toolTip(column));
+    }
+  EXPECT_TRUE(named);
+  for (const QLabel* label : window().findChildren<QLabel*>())
+    expectWords(label->text());
+  EXPECT_EQ(find<QComboBox>("cell")->currentText(), "bench-two");
+  document().undoStack()->undo();
+  EXPECT_EQ(find<QLabel>("statusCell")->text(), "ur5-fixed");
 }
 
 } // namespace

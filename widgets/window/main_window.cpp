@@ -1,5 +1,6 @@
 #include "window/main_window.h"
 
+#include "base/data_files.h"
 #include "forms/tab_order.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
@@ -291,10 +292,11 @@ void MainWindow::showObjects() {
              : QString();
   tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), {});
   tree_->setText(SceneItem::Platform, {}, language::words(c.platform.shown()));
-  tree_->setText(SceneItem::Cell, {}, QString::fromStdString(c.cell));
+  const QString cell = QString::fromStdString(base::dataName(c.cell)); // of a text its id alone
+  tree_->setText(SceneItem::Cell, {}, cell);
   tree_->setText(SceneItem::Plate, modes::findMode(c.mode).aroundRod ? tr("Rod") : QString(), {});
   status_->setPart(size);
-  status_->setCell(QString::fromStdString(c.cell));
+  status_->setCell(cell);
 }
 
 void MainWindow::plan(Stage until) {

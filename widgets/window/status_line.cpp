@@ -37,6 +37,7 @@ StatusLine::StatusLine(QWidget* parent)
   // A long sentence is cut, with its whole in the tool tip: it must not widen the window.
   stage_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   bar_->setObjectName("statusProgress");
+  cell_->setObjectName("statusCell");
   bar_->hide();
   addWidget(stage_, 1);
   addWidget(bar_);
