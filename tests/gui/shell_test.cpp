@@ -162,6 +162,63 @@ TEST_F(WindowTest, CommandsCanBeUsedWhereTheyMeanSomething) {
   EXPECT_EQ(window().viewport().tool(), viewer::Tool::None);
 }
 
+// A key of theirs must not work what is not in sight.
+TEST_F(WindowTest, TheTimeLineIsWorkedWhereItIsSeen) {
+  openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  auto* bar = find<timeline::TimelineBar>("timeline");
+  const auto usable = [&](const char* id) {
+    choosePage(id);
+    const bool play = find<QAction>("play")->isEnabled();
+    for (const char* step : {"nextMove", "previousMove", "nextLayer", "previousLayer"})
+      EXPECT_EQ(find<QAction>(step)->isEnabled(), play) << step;
+    EXPECT_EQ(bar->isVisible(), play) << id;
+    return play;
+  };
+  EXPECT_FALSE(usable(Page::Prepare));
+  window().viewport().setFocus();
+  QTest::keyClick(&window().viewport(), Qt::Key_Space);
+  EXPECT_FALSE(bar->playing());
+  EXPECT_TRUE(usable(Page::Layers));
+  EXPECT_TRUE(usable(Page::Export));
+  EXPECT_FALSE(usable(Page::Compare));
+  EXPECT_TRUE(usable(Page::Simulate));
+  bar->setTimeS(0.0);
+  window().viewport().setFocus();
+  QTest::keyClick(&window().viewport(), Qt::Key_Space);
+  EXPECT_TRUE(bar->playing());
+  choosePage(Page::Prepare);
+  EXPECT_FALSE(bar->playing()) << "nothing stops it there";
+}
+
+TEST_F(WindowTest, HomeShowsEverythingWhereThereIsAPicture) {
+  openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
+  int frames = 0;
+  QObject::connect(&window().viewport(), &viewer::Viewport::cameraMoved, &window(),
+                   [&] { ++frames; });
+  choosePage(Page::Compare);
+  frames = 0;
+  for (const char* id : {"frameAll", "viewTop", "toggleSection"})
+    EXPECT_FALSE(find<QAction>(id)->isEnabled()) << id;
+  QTest::keyClick(&window(), Qt::Key_Home);
+  EXPECT_EQ(frames, 0);
+  choosePage(Page::Prepare);
+  EXPECT_TRUE(find<QAction>("frameAll")->isEnabled());
+  frames = 0;
+  QTest::keyClick(&window(), Qt::Key_Home);
+  EXPECT_GT(frames, 0);
+  // Home is the way to the first entry of a list.
+  auto* processes = find<QComboBox>("process");
+  ASSERT_GT(processes->count(), 1);
+  processes->setCurrentIndex(processes->count() - 1);
+  processes->setFocus(Qt::MouseFocusReason);
+  frames = 0;
+  QTest::keyClick(processes, Qt::Key_Home);
+  EXPECT_EQ(processes->currentIndex(), 0);
+  EXPECT_EQ(frames, 0);
+}
+
 TEST_F(WindowTest, AFindingIsShownByThePageThatShowsItBest) {
   openPart(writePart("plinth.stl", box({0, 0, 0}, {9, 9, 5})));
   const auto shownFor = [&](const char* stage, std::optional<double> whenS) {

@@ -14,6 +14,7 @@
 #include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QTableView>
 #include <QTextEdit>
 
 namespace voluta::window {
@@ -47,7 +48,8 @@ bool SharedKeys::keeps(const QWidget& widget, int key) const {
   case Qt::Key_Space:
     return byTab_ && &widget != &picture_;
   case Qt::Key_Home:
-    return hasPlaceToGo(widget) || (byTab_ && &widget != &picture_);
+    return hasPlaceToGo(widget) || isAny<QComboBox, QTableView>(widget) ||
+           (byTab_ && &widget != &picture_);
   default:
     return hasPlaceToGo(widget) || isAny<QAbstractScrollArea, QComboBox>(widget);
   }

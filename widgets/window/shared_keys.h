@@ -1,8 +1,8 @@
 // Keys that commands of the window share with widgets: Space plays and ticks a box, Home shows
 // everything and goes to a list's first row, PgUp is the next layer and scrolls. After a click they
 // are the command's. A widget that was reached by the Tab key has Space and Home to itself, so that
-// the window can be used without a mouse. Text and sliders always keep their keys, and what scrolls
-// keeps PgUp and PgDown.
+// the window can be used without a mouse. Text and sliders always keep their keys, combo boxes and
+// tables keep Home, and what scrolls keeps PgUp and PgDown.
 #pragma once
 
 #include <QObject>

@@ -25,7 +25,12 @@ QString translated(const char* text) {
   return QCoreApplication::translate("Commands", text);
 }
 
-std::vector<Command> sideCommands(viewer::Viewport& viewport) {
+// Another page has something else in its place.
+std::function<bool()> whereShown(const PictureArea& area) {
+  return [&area] { return !area.isHidden(); };
+}
+
+std::vector<Command> sideCommands(PictureArea& area) {
   struct Side {
     const char *id, *text, *keys;
     Eigen::Vector3d from;
@@ -47,7 +52,8 @@ std::vector<Command> sideCommands(viewer::Viewport& viewport) {
                         side.text,
                         QT_TRANSLATE_NOOP("Commands", "Look from there"),
                         {QKeySequence(side.keys)},
-                        [&viewport, from = side.from] { viewport.viewFrom(from); }});
+                        [&area, from = side.from] { area.viewport().viewFrom(from); },
+                        whereShown(area)});
   return commands;
 }
 } // namespace
@@ -117,11 +123,11 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
                                  QT_TRANSLATE_NOOP("Commands", "Everything in sight"),
                                  {QKeySequence("Home")},
                                  [&area] { area.viewport().frameAll(); },
-                                 {},
+                                 whereShown(area),
                                  {},
                                  "frame",
                                  BarGroup::View}};
-  for (Command& side : sideCommands(area.viewport()))
+  for (Command& side : sideCommands(area))
     commands.push_back(std::move(side));
   commands.push_back({"toggleSection",
                       "viewMenu",
@@ -134,7 +140,7 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
                         look.section = !look.section;
                         picture.setLook(look);
                       },
-                      {},
+                      whereShown(area),
                       {},
                       "section",
                       BarGroup::View});
@@ -167,6 +173,7 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
 }
 
 std::vector<Command> timelineCommands(timeline::TimelineBar& bar) {
+  const auto shown = [&bar] { return !bar.isHidden(); };
   return {
       {"play",
        "runMenu",
@@ -174,35 +181,40 @@ std::vector<Command> timelineCommands(timeline::TimelineBar& bar) {
        QT_TRANSLATE_NOOP("Commands", "Play or pause"),
        QT_TRANSLATE_NOOP("Commands", "Runs the time-line"),
        {QKeySequence("Space")},
-       [&bar] { bar.togglePlay(); }},
+       [&bar] { bar.togglePlay(); },
+       shown},
       {"nextMove",
        "runMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "Next move"),
        QT_TRANSLATE_NOOP("Commands", "One move on"),
        {QKeySequence(".")},
-       [&bar] { bar.nextMove(); }},
+       [&bar] { bar.nextMove(); },
+       shown},
       {"previousMove",
        "runMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "Previous move"),
        QT_TRANSLATE_NOOP("Commands", "One move back"),
        {QKeySequence(",")},
-       [&bar] { bar.previousMove(); }},
+       [&bar] { bar.previousMove(); },
+       shown},
       {"nextLayer",
        "runMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "Next layer"),
        QT_TRANSLATE_NOOP("Commands", "One layer on"),
        {QKeySequence("PgUp")},
-       [&bar] { bar.nextLayer(); }},
+       [&bar] { bar.nextLayer(); },
+       shown},
       {"previousLayer",
        "runMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "Previous layer"),
        QT_TRANSLATE_NOOP("Commands", "One layer back"),
        {QKeySequence("PgDown")},
-       [&bar] { bar.previousLayer(); }},
+       [&bar] { bar.previousLayer(); },
+       shown},
   };
 }
 

@@ -176,6 +176,8 @@ void PageStack::show(Page& page) {
   const PageLayout layout = page.layout();
   workspace_.layers.setVisible(layout.layerSlider);
   workspace_.timeline.setVisible(layout.timeline.has_value());
+  if (!layout.timeline)
+    workspace_.timeline.pause(); // no key stops what is not seen
   workspace_.timeline.setMode(layout.timeline.value_or(timeline::BarMode::Time));
   page.enter();
   showView();
