@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace voluta::scene {
@@ -41,13 +42,17 @@ Sight clearSight(const Scene& scene, const Vector3d& placeInWork, double radiusM
   for (const Vector3d& towards : directionsFrom(own))
     if (!sightFrom(towards, false).hides.machine())
       clear.push_back(towards);
-  const std::size_t step = clear.size() > kNearest + kAllAround
-                               ? (clear.size() - 1 - kNearest) / (kAllAround - 1)
-                               : 1;
-  for (std::size_t i = 0; i < clear.size(); i += i < kNearest ? 1 : step)
-    if (const Sight sight = sightFrom(clear[i], true); !sight.hides.printed)
+  const std::size_t step =
+      clear.size() > kNearest + kAllAround ? (clear.size() - 1 - kNearest) / (kAllAround - 1) : 1;
+  std::optional<Sight> nearest;
+  for (std::size_t i = 0; i < clear.size(); i += i < kNearest ? 1 : step) {
+    const Sight sight = sightFrom(clear[i], true);
+    if (!sight.hides.printed)
       return sight;
-  return sightFrom(clear.empty() ? own : clear.front(), true);
+    if (!nearest)
+      nearest = sight;
+  }
+  return nearest ? *nearest : sightFrom(own, true);
 }
 
 } // namespace voluta::scene
