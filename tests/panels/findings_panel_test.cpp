@@ -84,6 +84,30 @@ TEST(FindingsPanel, RemediesAreButtonsOfTheChosenFinding) {
   EXPECT_EQ(button("remedy_turn"), nullptr);
 }
 
+// To answer takes its time: every cell there is may be read for it.
+TEST(FindingsPanel, RemediesAreAskedForOnceAChange) {
+  panels::FindingsPanel panel;
+  int asked = 0;
+  panel.setRemedies([&](const plan::Finding&) {
+    ++asked;
+    return std::vector<panels::RemedyButton>{{"turn", "Turn it", ""}};
+  });
+  panel.setFindings(some());
+  EXPECT_EQ(asked, 0) << "nothing is chosen";
+  auto* list = panel.findChild<QListView*>("list");
+  list->setCurrentIndex(list->model()->index(2, 0));
+  EXPECT_EQ(asked, 1);
+  panel.setPlanned(true);
+  panel.setUnchecked({plan::Stage::Replay});
+  EXPECT_EQ(asked, 1) << "nothing of the finding";
+  panel.setFindings(some());
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(list->currentIndex().row(), 2);
+  panel.setFindings({});
+  EXPECT_EQ(asked, 2);
+  EXPECT_FALSE(panel.findChild<QWidget*>("actions")->isVisibleTo(&panel));
+}
+
 TEST(FindingsPanel, ClickEnterAndButtonTellWhichFinding) {
   panels::FindingsPanel panel;
   panel.resize(300, 500);

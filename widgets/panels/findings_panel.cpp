@@ -152,6 +152,7 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   connect(blockedOnly_, &QToolButton::toggled, this, [this](bool only) {
     model_->setBlockedOnly(only);
     showState();
+    showCurrent();
   });
 
   list_ = new QListView(this);
@@ -231,13 +232,14 @@ void FindingsPanel::setFindings(const plan::Findings& findings, const plan::Find
   const std::optional<plan::Finding> chosen =
       current.isValid() ? std::optional(model_->finding(current.row())) : std::nullopt;
   model_->setFindings(findings, before);
+  showState();
   if (chosen)
     for (int row = 0; row < model_->rowCount(); ++row)
       if (plan::reasonOf(model_->finding(row)) == plan::reasonOf(*chosen)) {
-        list_->setCurrentIndex(model_->index(row));
-        break;
+        list_->setCurrentIndex(model_->index(row)); // shows it
+        return;
       }
-  showState();
+  showCurrent();
 }
 
 void FindingsPanel::setRemedies(RemedySource remedies) {
@@ -402,7 +404,7 @@ void FindingsPanel::showState() {
                   : unchecked_.size() < kBeyondLoad
                       ? tr("No problems found so far.") + QLatin1Char('\n') + unchecked
                       : unchecked);
-  showCurrent();
+  arrange();
 }
 
 void FindingsPanel::retranslate() {
@@ -412,6 +414,7 @@ void FindingsPanel::retranslate() {
   list_->setAccessibleName(tr("Findings"));
   model_->retranslate();
   showState();
+  showCurrent();
 }
 
 void FindingsPanel::changeEvent(QEvent* event) {

@@ -43,7 +43,8 @@ public:
   // Stages that have not looked at the choices as they are now.
   void setUnchecked(const std::vector<plan::Stage>& stages);
   void setBlockedOnly(bool only);
-  // Says what can be done about a finding; none, as at first: nothing.
+  // Says what can be done about a finding; none, as at first: nothing. Asked again with each
+  // setFindings(): the answer may depend on more than the finding.
   void setRemedies(RemedySource remedies);
   QSize minimumSizeHint() const override;
 

@@ -21,6 +21,7 @@ FindingsPresenter::FindingsPresenter(document::Document& document, document::Pla
     : document_(document), planning_(planning), live_(live), panel_(panel), timeline_(timeline) {
   panel_.setRemedies([this](const plan::Finding& finding) { return remediesOf(finding); });
   connect(&panel_, &panels::FindingsPanel::remedyChosen, this, &FindingsPresenter::apply);
+  connect(&document, &document::Document::choicesChanged, this, [this] { offered_.reset(); });
   connect(&document, &document::Document::resultChanged, this, &FindingsPresenter::show);
   connect(&document, &document::Document::previewChanged, this, &FindingsPresenter::show);
   connect(&document, &document::Document::edited, this, &FindingsPresenter::show);
@@ -54,10 +55,16 @@ plan::Findings FindingsPresenter::stopped() const {
   return findings;
 }
 
-std::vector<panels::RemedyButton>
-FindingsPresenter::remediesOf(const plan::Finding& finding) const {
+const std::vector<pipeline::Offer>& FindingsPresenter::offersFor(const plan::Finding& finding) {
+  if (!offered_ || offered_->kind != finding.kind || offered_->values != finding.values)
+    offered_ =
+        Offered{finding.kind, finding.values, pipeline::remediesFor(finding, document_.choices())};
+  return offered_->offers;
+}
+
+std::vector<panels::RemedyButton> FindingsPresenter::remediesOf(const plan::Finding& finding) {
   std::vector<panels::RemedyButton> buttons;
-  for (const pipeline::Offer& offer : pipeline::remediesFor(finding, document_.choices())) {
+  for (const pipeline::Offer& offer : offersFor(finding)) {
     const std::string_view id = offer.remedy->name;
     buttons.push_back({QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())),
                        language::words(offer.label), language::words(offer.remedy->help)});
@@ -66,7 +73,9 @@ FindingsPresenter::remediesOf(const plan::Finding& finding) const {
 }
 
 void FindingsPresenter::apply(const plan::Finding& finding, const QString& remedy) {
-  for (const pipeline::Offer& offer : pipeline::remediesFor(finding, document_.choices())) {
+  // A copy: an edit asks for those of other choices.
+  const std::vector<pipeline::Offer> offers = offersFor(finding);
+  for (const pipeline::Offer& offer : offers) {
     if (remedy.toStdString() != offer.remedy->name)
       continue;
     document_.setChoices(offer.choices, language::words(offer.label));

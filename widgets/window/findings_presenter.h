@@ -2,9 +2,11 @@
 #pragma once
 
 #include "panels/findings_panel.h"
+#include "pipeline/remedies.h"
 #include "plan/finding.h"
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 namespace voluta::document {
@@ -31,7 +33,9 @@ private:
   void show();
   // The error that a run ended in, where it did.
   plan::Findings stopped() const;
-  std::vector<panels::RemedyButton> remediesOf(const plan::Finding& finding) const;
+  // Reads every cell: once for a finding, until the choices change.
+  const std::vector<pipeline::Offer>& offersFor(const plan::Finding& finding);
+  std::vector<panels::RemedyButton> remediesOf(const plan::Finding& finding);
   void apply(const plan::Finding& finding, const QString& remedy);
 
   document::Document& document_;
@@ -39,6 +43,12 @@ private:
   document::LivePreview& live_;
   panels::FindingsPanel& panel_;
   timeline::TimelineBar& timeline_;
+  struct Offered {
+    plan::FindingKind kind{};
+    std::vector<plan::NamedValue> values;
+    std::vector<pipeline::Offer> offers;
+  };
+  std::optional<Offered> offered_; // last, with the present choices
 };
 
 } // namespace voluta::window
