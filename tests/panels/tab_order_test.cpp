@@ -2,13 +2,18 @@
 
 #include "forms/choices_form.h"
 #include "forms/parameter_form.h"
+#include "panels/findings_panel.h"
 #include "panels/placement_panel.h"
 #include "pipeline/choices.h"
+#include "plan/finding_kinds.h"
 
 #include <QLabel>
+#include <QListView>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QTest>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace voluta;
@@ -60,6 +65,39 @@ TEST(TabOrder, GoesThroughThePlacementAsItIsRead) {
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
   forms::tabInReadingOrder({&panel});
   expectReadingOrder(&panel);
+}
+
+// Its buttons come and go with the finding that is chosen.
+TEST(TabOrder, GoesThroughTheRemediesOfAFindingBeforeWhatComesNext) {
+  QWidget window;
+  auto* column = new QVBoxLayout(&window);
+  auto* findings = new panels::FindingsPanel;
+  auto* next = new panels::PlacementPanel;
+  column->addWidget(findings);
+  column->addWidget(next);
+  window.resize(260, 900); // one button a line
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  forms::tabInReadingOrder({findings, next});
+  findings->setRemedies([](const plan::Finding& finding) {
+    std::vector<panels::RemedyButton> buttons{{"turn", "Turn the part", ""}};
+    if (plan::englishReason(finding) == "b")
+      buttons.push_back({"prop", "Prop it up", ""});
+    return buttons;
+  });
+  findings->setFindings({plan::verbatimFinding(plan::Stage::Layers, "sample", "a", "Do it."),
+                         plan::verbatimFinding(plan::Stage::Layers, "sample", "b", "Do it.")});
+  auto* list = findings->findChild<QListView*>("list");
+  for (const int row : {0, 1, 0}) {
+    list->setCurrentIndex(list->model()->index(row, 0));
+    QTest::qWait(20);
+    const std::vector<QWidget*> order = tabbed(&window);
+    const auto place = [&](const char* name) {
+      return std::ranges::find(order, QString(name), &QWidget::objectName) - order.begin();
+    };
+    EXPECT_EQ(place("remedy_turn"), place("list") + 1) << "row " << row;
+    expectReadingOrder(&window);
+  }
 }
 
 TEST(TabOrder, GoesFromOneToTheNext) {

@@ -343,6 +343,11 @@ void FindingsPanel::arrange() {
   const int columns = 2 * widest + buttons_->spacing() <= wide ? 2 : 1;
   for (std::size_t i = 0; i < all.size(); ++i)
     buttons_->addWidget(all[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+  QWidget* before = detailsArea_;
+  for (QPushButton* button : all) {
+    setTabOrder(before, button); // a new button comes last in the window else
+    before = button;
+  }
   const int row = heightOfRows(1) - heightOfRows(0);
   const int room = height() - heightBesideList() - heightOfRows(0);
   const int rows = std::clamp(room / row, kLeastRows, kAmpleRows);
