@@ -317,6 +317,31 @@ TEST(ChoicesForm, ANoticeHasOneLineAndAButton) {
   EXPECT_TRUE(button->isHidden());
 }
 
+// Where an entry has help of its own it is told, else where own cells are kept.
+TEST(ChoicesForm, TheTipSaysWhereOwnCellsAreKept) {
+  forms::ChoicesForm form;
+  forms::ChoiceLists lists;
+  lists.modes = {{"curved", "Curved layers", "All around"}, {"planar", "Planar pieces", ""}};
+  lists.cells = {{"ur5-fixed", "", ""}, {"lathe", "", "With a rod"}};
+  form.setLists(lists);
+  form.setTexts({"curved", "auto", "cell", "ur5-fixed", "fdm-1.0"});
+  auto* cell = form.findChild<QComboBox*>("cell");
+  auto* mode = form.findChild<QComboBox*>("mode");
+  const QString own = cell->toolTip();
+  EXPECT_TRUE(own.startsWith("Your own cells")) << qPrintable(own);
+  EXPECT_EQ(mode->toolTip(), "All around");
+  QTest::keyClick(cell, Qt::Key_Down);
+  EXPECT_EQ(cell->toolTip(), "With a rod");
+  QTest::keyClick(cell, Qt::Key_Up);
+  EXPECT_EQ(cell->toolTip(), own);
+  form.setTexts({"planar", "auto", "cell", "lathe", "fdm-1.0"});
+  EXPECT_EQ(cell->toolTip(), "With a rod");
+  EXPECT_EQ(mode->toolTip(), QString());
+  QEvent another(QEvent::LanguageChange);
+  QApplication::sendEvent(&form, &another);
+  EXPECT_EQ(cell->toolTip(), "With a rod");
+}
+
 TEST(ChoicesForm, TellsFieldAndTextAndIsQuietWhenSet) {
   forms::ChoicesForm form;
   QSignalSpy changed(&form, &forms::ChoicesForm::changed);

@@ -48,10 +48,10 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(4);
   grid->setColumnStretch(1, 1);
-  mode_ = addCombo(QStringLiteral("mode"), 0);
-  growth_ = addCombo(QStringLiteral("growth"), 1);
-  cell_ = addCombo(QStringLiteral("cell"), 3);
-  process_ = addCombo(QStringLiteral("process"), 4);
+  addCombo(mode_, QStringLiteral("mode"), 0);
+  addCombo(growth_, QStringLiteral("growth"), 1);
+  addCombo(cell_, QStringLiteral("cell"), 3);
+  addCombo(process_, QStringLiteral("process"), 4);
 
   platformLabel_ = new QLabel(this);
   platform_ = new PlatformEditor(this);
@@ -114,8 +114,7 @@ void ChoicesForm::choosePlatformFile() {
   platform_->chooseFile();
 }
 
-ChoicesForm::Row ChoicesForm::addCombo(const QString& field, int at) {
-  Row row;
+void ChoicesForm::addCombo(Row& row, const QString& field, int at) {
   row.label = new QLabel(this);
   row.combo = makeCombo(this);
   row.combo->setObjectName(field);
@@ -123,11 +122,15 @@ ChoicesForm::Row ChoicesForm::addCombo(const QString& field, int at) {
   auto* grid = static_cast<QGridLayout*>(layout());
   grid->addWidget(row.label, at, 0);
   grid->addWidget(row.combo, at, 1);
-  connect(row.combo, &QComboBox::currentIndexChanged, this, [this, field, combo = row.combo] {
-    combo->setToolTip(combo->currentData(Qt::ToolTipRole).toString());
-    emit changed(field, combo->currentData().toString());
+  connect(row.combo, &QComboBox::currentIndexChanged, this, [this, field, &row] {
+    showTip(row);
+    emit changed(field, row.combo->currentData().toString());
   });
-  return row;
+}
+
+void ChoicesForm::showTip(const Row& row) {
+  const QString help = row.combo->currentData(Qt::ToolTipRole).toString();
+  row.combo->setToolTip(help.isEmpty() ? row.tip : help);
 }
 
 void ChoicesForm::setLists(const ChoiceLists& lists) {
@@ -143,6 +146,8 @@ void ChoicesForm::setTexts(const ChoiceTexts& texts) {
   choose(growth_.combo, texts.growth);
   choose(cell_.combo, texts.cell);
   choose(process_.combo, texts.process);
+  for (const Row* row : {&mode_, &growth_, &cell_, &process_})
+    showTip(*row);
   if (const auto at = platforms_.find(texts.mode); at != platforms_.end())
     platform_->setUses(at->second);
   platform_->setText(texts.platform);
@@ -161,8 +166,10 @@ void ChoicesForm::retranslate() {
     return QDir::toNativeSeparators(
         QString::fromStdString((base::userDataFolder() / folder).string()));
   };
-  cell_.combo->setToolTip(tr("Your own cells are JSON files in %1").arg(own("cells")));
-  process_.combo->setToolTip(tr("Your own processes are JSON files in %1").arg(own("processes")));
+  cell_.tip = tr("Your own cells are JSON files in %1").arg(own("cells"));
+  process_.tip = tr("Your own processes are JSON files in %1").arg(own("processes"));
+  for (const Row* row : {&mode_, &growth_, &cell_, &process_})
+    showTip(*row);
   seedLabel_->setText(tr("Seed"));
   seed_->setToolTip(tr("Another seed may find other ways through the air; the same seed always "
                        "gives the same result."));

@@ -63,8 +63,10 @@ private:
   struct Row {
     QLabel* label = nullptr;
     QComboBox* combo = nullptr;
+    QString tip; // where the entry that is chosen has none
   };
-  Row addCombo(const QString& field, int at);
+  void addCombo(Row& row, const QString& field, int at);
+  static void showTip(const Row& row);
   void retranslate();
 
   Row mode_, growth_, cell_, process_;
