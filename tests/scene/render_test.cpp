@@ -12,7 +12,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <memory>
 #include <sys/wait.h>
+#include <thread>
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
@@ -185,6 +187,34 @@ TEST(Render, SamePictureTwice) {
   scene.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
   const scene::Image first = picture(scene, {});
   EXPECT_EQ(first.rgb, picture(scene, {}).rgb);
+}
+
+// All pictures of a process are drawn on one display, and one that is done leaves it to the others.
+TEST(Render, PicturesAreDrawnSideBySide) {
+  scene::Scene first(scene::lightTheme()), second(scene::lightTheme());
+  for (scene::Scene* scene : {&first, &second})
+    scene->setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
+  const scene::Image alone = picture(first, {});
+  auto ended = std::make_unique<scene::OffscreenTarget>();
+  scene::OffscreenTarget target;
+  ended.reset();
+  second.setView({});
+  const scene::Image after = target.imageOf(
+      second, 320, 200, [&] { second.standardView(scene::StandardView::Isometric); });
+  EXPECT_EQ(after.rgb, alone.rgb);
+
+  constexpr int kPictures = 6;
+  int same = 0;
+  std::thread other([&] {
+    for (int i = 0; i < kPictures; ++i)
+      same += picture(first, {}).rgb == alone.rgb;
+  });
+  scene::Scene third(scene::lightTheme());
+  third.setPart(scene::drawPart(test::sphere({0, 0, 20}, 20)));
+  for (int i = 0; i < kPictures; ++i)
+    EXPECT_EQ(picture(third, {}).rgb, alone.rgb) << i;
+  other.join();
+  EXPECT_EQ(same, kPictures);
 }
 
 TEST(Render, MissedVoxelsShineThroughAndNothingElseIsRed) {

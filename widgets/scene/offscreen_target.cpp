@@ -54,17 +54,27 @@ public:
 };
 vtkStandardNewMacro(EglWindow);
 
-// Surfaceless: there is nothing to draw on but framebuffers of one's own.
-class EglContext {
-public:
-  EglContext() {
+// Surfaceless: there is nothing to draw on but framebuffers of one's own. EGL gives the whole
+// process one such display, so that nobody may end it while others draw: it stays until the
+// process ends.
+EGLDisplay surfacelessDisplay() {
+  static const EGLDisplay kDisplay = [] {
     const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (platformDisplay == nullptr)
       noOpenGl("EGL lacks platform displays"_text);
-    display_ = platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
+    const EGLDisplay display =
+        platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
       noOpenGl("EGL cannot start"_text);
+    return display;
+  }();
+  return kDisplay;
+}
+
+class EglContext {
+public:
+  EglContext() {
     // Any kind of surface: none is made.
     const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
@@ -79,15 +89,12 @@ public:
     if (eglBindAPI(EGL_OPENGL_API) && eglChooseConfig(display_, wanted, &config, 1, &found) &&
         found > 0)
       context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
-    if (context_ == EGL_NO_CONTEXT) {
-      eglTerminate(display_);
+    if (context_ == EGL_NO_CONTEXT)
       noOpenGl("no context can be made"_text);
-    }
   }
   ~EglContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
-    eglTerminate(display_);
   }
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
@@ -98,7 +105,7 @@ public:
   }
 
 private:
-  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLDisplay display_ = surfacelessDisplay();
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
