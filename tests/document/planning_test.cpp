@@ -318,6 +318,20 @@ TEST_F(PlanningTest, ABoxWithoutItsLidIsClosedOnTheUsersWordOnly) {
   EXPECT_FALSE(told.blocking);
 }
 
+TEST(ProgressOfWay, TellsHowLongItTakesForTheLastWayOnly) {
+  jobs::Progress progress;
+  progress.stage = "Layers"_text;
+  progress.fraction = 0.25;
+  progress.secondsLeft = 7.0;
+  for (const std::size_t number : {1, 2, 3}) {
+    const jobs::Progress told = progressOfWay(progress, {"pieces"_text, number, 3});
+    EXPECT_EQ(base::english(told.stage),
+              "Trying pieces (" + std::to_string(number) + " of 3): Layers");
+    EXPECT_EQ(told.fraction, 0.25);
+    EXPECT_EQ(told.secondsLeft, number == 3 ? std::optional(7.0) : std::nullopt) << number;
+  }
+}
+
 TEST_F(PlanningTest, AFileThatIsNoMeshIsToldInOneLine) {
   const QTemporaryDir folder;
   QFile file(folder.filePath("letter.stl"));

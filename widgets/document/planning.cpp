@@ -17,6 +17,14 @@ constexpr int kStartOverMs = 300;
 using Result = std::shared_ptr<const pipeline::PlanResult>;
 } // namespace
 
+jobs::Progress progressOfWay(jobs::Progress progress, const pipeline::WayInTurn& way) {
+  progress.stage =
+      base::message("{trying}: {stage}"_text, pipeline::tryingText(way), progress.stage);
+  if (!way.isLast())
+    progress.secondsLeft.reset();
+  return progress;
+}
+
 Planning::Planning(Document& document, QObject* parent)
     : QObject(parent), document_(document), cache_(std::make_shared<pipeline::StageCache>()),
       startOver_(new QTimer(this)) {
@@ -106,16 +114,8 @@ void Planning::start() {
   emit started(until_);
 }
 
-// How long it takes is known for the last way only: an earlier one may be the last that is planned,
-// or end at once.
-void Planning::noteProgress(jobs::Progress progress) {
-  if (way_) {
-    progress.stage =
-        base::message("{trying}: {stage}"_text, pipeline::tryingText(*way_), progress.stage);
-    if (!way_->isLast())
-      progress.secondsLeft.reset();
-  }
-  emit progressed(progress);
+void Planning::noteProgress(const jobs::Progress& progress) {
+  emit progressed(way_ ? progressOfWay(progress, *way_) : progress);
 }
 
 void Planning::end(const base::Outcome<Result>& outcome) {

@@ -19,6 +19,10 @@ namespace voluta::document {
 
 class Document;
 
+// What is told while mode auto tries `way`: its name too, and how long it takes for the last way
+// only. An earlier one may be the last that is planned, or end at once.
+jobs::Progress progressOfWay(jobs::Progress progress, const pipeline::WayInTurn& way);
+
 // Results stay on show, marked out of date, until newer ones replace them; a cancel or an error
 // leaves the last ones. Only what changed is computed again.
 class Planning : public QObject {
@@ -58,7 +62,7 @@ private:
   void startRest();
   void noteEdit();
   void noteSource();
-  void noteProgress(jobs::Progress progress);
+  void noteProgress(const jobs::Progress& progress);
   void end(const base::Outcome<std::shared_ptr<const pipeline::PlanResult>>& outcome);
 
   Document& document_;
