@@ -40,6 +40,8 @@ HeadShape readHead(const JsonNode& list) {
   }
   if (head.sections.size() < 2)
     list.fail("must have two sections at least"_text);
+  if (!(head.sections.back().zMm > 0.0))
+    list.fail("does not rise from z = 0"_text);
   return head;
 }
 } // namespace

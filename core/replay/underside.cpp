@@ -49,7 +49,10 @@ RoundedQuad solidOf(const BeadPiece& piece, double widthMaxMm) {
 
 Underside::Underside(const process::HeadShape& head, const std::vector<BeadPiece>& pieces,
                      double widthMaxMm)
-    : upMm_(head.sections.front().zMm), radiusMm_(head.sections.front().radiusMm) {
+    : upMm_(head.sections.front().zMm) {
+  for (const process::HeadSection& section : head.sections)
+    if (section.zMm <= upMm_) // a step has several
+      radiusMm_ = std::max(radiusMm_, section.radiusMm);
   std::vector<Eigen::AlignedBox3d> boxes;
   pieces_.reserve(pieces.size());
   boxes.reserve(pieces.size());

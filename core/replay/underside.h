@@ -19,7 +19,8 @@ RoundedQuad solidOf(const BeadPiece& piece, double widthMaxMm);
 
 class Underside {
 public:
-  // `head`: less the contact tolerance (process::erodedHead); its first section is the underside.
+  // `head`: less the contact tolerance (process::erodedHead); the widest of its sections
+  // at the first height is the underside.
   // Keeps what it needs of the pieces.
   Underside(const process::HeadShape& head, const std::vector<BeadPiece>& pieces,
             double widthMaxMm);
@@ -36,7 +37,7 @@ private:
     std::uint32_t run;
     float runMm;
   };
-  double upMm_, radiusMm_; // of the disc
+  double upMm_, radiusMm_ = 0.0; // of the disc
   std::vector<Piece> pieces_;
   geometry::BoxGrid near_;
 };

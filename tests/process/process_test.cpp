@@ -115,6 +115,9 @@ TEST_F(Processes, whatMakesNoSenseIsRefusedWithFileAndKey) {
   expectRefused("\"max\": 1.2", "\"max\": 1.2, \"mid\": 1", "beadWidthMm.mid");
   expectRefused("[12.0, 6.0]", "[12.0, -6.0]", "head[1][1]");
   expectRefused("[12.0, 10.0]", "[11.0, 10.0]", "head[2]");
+  expectRefused(
+      "[[0.0, 0.5], [12.0, 6.0], [12.0, 10.0], [45.0, 10.0], [45.0, 22.0], [110.0, 22.0]]",
+      "[[0.0, 0.5], [0.0, 6.0]]", "head");
 }
 
 } // namespace

@@ -87,6 +87,19 @@ TEST(Underside, IsFoundAsDeepAsProgramsAreWritten) {
     }
 }
 
+// A step at the tip: the wider of two sections there is what reaches.
+TEST(Underside, OfAStepIsTheWiderSection) {
+  const std::vector<BeadPiece> bead = beadAlongX();
+  const process::HeadShape stepped{{{0.4, 0.5}, {0.4, 3.0}, {12.4, 5.6}}},
+      usual{{{0.4, 0.5}, {12.4, 5.6}}};
+  Moment all;
+  all.before = 20;
+  // Beside the bead, its axis 2 mm from it, and 0.1 mm below its top.
+  const Vector3d tip(9.5, 2.0, kHeight - 0.1 - 0.4);
+  EXPECT_TRUE(Underside(stepped, bead, 6.0).touched(tip, Vector3d::UnitZ(), all));
+  EXPECT_FALSE(Underside(usual, bead, 6.0).touched(tip, Vector3d::UnitZ(), all));
+}
+
 // A bead that got less material than planned keeps its bottom.
 TEST(Underside, ABeadLowerThanPlannedLiesWhereItWasToLie) {
   std::vector<BeadPiece> pieces = beadAlongX();
