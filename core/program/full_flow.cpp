@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace voluta::program {
 
@@ -13,13 +14,13 @@ namespace {
 constexpr std::string_view kBegins = "extruder", kFlow = "flow: ", kEquals = " = ",
                            kUnit = " mm3/s";
 
-// "..., ATFULL = NUMBER mm3/s..."
-plan::StatedFact factIn(std::string_view text) {
+// "..., ATFULL = NUMBER mm3/s..."; nullopt: a remark of another form.
+std::optional<plan::StatedFact> factIn(std::string_view text) {
   plan::StatedFact fact;
   fact.kind = plan::FactKind::FullFlow;
   const std::size_t equals = text.find(kEquals);
   if (equals == std::string_view::npos)
-    return fact;
+    return std::nullopt;
   const std::string_view before = text.substr(0, equals);
   const std::size_t comma = before.rfind(", ");
   fact.word = trimmed(comma == std::string_view::npos ? before : before.substr(comma + 1));
@@ -45,7 +46,10 @@ std::vector<plan::StatedFact> statedFullFlow(const std::vector<plan::ProgramFile
       const std::size_t flow = note ? note->find(kFlow) : std::string_view::npos;
       if (flow == std::string_view::npos)
         continue;
-      facts.push_back(factIn(note->substr(flow + kFlow.size())));
+      std::optional<plan::StatedFact> fact = factIn(note->substr(flow + kFlow.size()));
+      if (!fact)
+        continue;
+      facts.push_back(std::move(*fact));
       facts.back().file = static_cast<std::uint32_t>(f);
       facts.back().line = static_cast<std::uint32_t>(lines.number());
     }

@@ -18,8 +18,8 @@ inline constexpr std::string_view k0To10V = "0 to 10 V";
 // "1 = 40 mm3/s"; `atFull`: the output's greatest value (Dialect::fullFlowAt).
 std::string fullFlowText(std::string_view atFull, const process::Process& process);
 
-// What the heads of the files say of it: remarks that begin with "extruder" and have "flow: ".
-// Number 0: not understood.
+// What the heads of the files say of it: remarks that begin with "extruder" and have "flow: " and,
+// behind it, " = ". Number 0: not understood.
 std::vector<plan::StatedFact> statedFullFlow(const std::vector<plan::ProgramFile>& files);
 
 } // namespace voluta::program

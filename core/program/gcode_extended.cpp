@@ -102,7 +102,9 @@ bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::siz
   // E is 0 before the prime, not behind it.
   if (lines[i] == "G92 E0")
     return lines[i - 1].find("prime") == std::string::npos;
-  return lines[i].starts_with("M117") || primes(lines, i);
+  // M109 heats too.
+  const bool heatsEarly = lines[i].starts_with("M104 S") && lines[i] != "M104 S0";
+  return heatsEarly || lines[i].starts_with("M117") || primes(lines, i);
 }
 
 } // namespace voluta::program

@@ -16,7 +16,8 @@ namespace {
 using enum plan::FindingKind;
 using plan::FactKind, plan::StatedFact;
 
-constexpr double kSameFlow = 1e-3;      // by share: as a head writes it
+constexpr double kSameFlow = 1e-3;      // by share
+constexpr double kRoundedFlow = 5e-4;   // mm3/s: a head writes three decimals
 constexpr std::size_t kMostFlags = 100; // findings
 
 base::Message nameOf(FactKind kind) {
@@ -104,10 +105,6 @@ private:
     return fact == program_.facts.end() ? nullptr : &*fact;
   }
 
-  const StatedFact* driveHome() const {
-    return first(FactKind::Home, [](const StatedFact&) { return true; });
-  }
-
   void needed(FactKind kind) {
     const TextPlace firstMotion = placeOf(program_, program_.firstMotion);
     switch (kind) {
@@ -130,17 +127,19 @@ private:
 
   // Before the machine moves at all.
   void operatorStop(TextPlace firstMotion) {
-    const StatedFact* home = driveHome();
+    const StatedFact* home = first(FactKind::Home, [](const StatedFact&) { return true; });
     const auto inTime = [&](const StatedFact& f) {
       return isBeforeMotion(f) && (!home || &f < home);
     };
     if (first(FactKind::OperatorStop,
               [&](const StatedFact& f) { return inTime(f) && f.number > 0.0; }))
       return;
-    const StatedFact* passing = first(FactKind::OperatorStop, inTime);
-    missing(FactKind::OperatorStop, passing                         ? placeOfFact(*passing)
-                                    : home && isBeforeMotion(*home) ? placeOfFact(*home)
-                                                                    : firstMotion);
+    if (const StatedFact* passing = first(FactKind::OperatorStop, inTime))
+      changed(FactKind::OperatorStop, placeOfFact(*passing),
+              "one that ends by itself or is skipped"_text, "one that the operator ends"_text);
+    else
+      missing(FactKind::OperatorStop,
+              home && isBeforeMotion(*home) ? placeOfFact(*home) : firstMotion);
   }
 
   void heat(TextPlace firstMotion) {
@@ -148,13 +147,9 @@ private:
     if (!planned)
       return;
     const auto isOn = [](const StatedFact& f) { return f.number > 0.0; };
-    // It heats up while the machine drives home.
-    const StatedFact* home = driveHome();
-    const auto inTime = [&](const StatedFact& f) {
-      return isOn(f) && isBeforeFlow(f) && (!home || &f < home);
-    };
-    if (!first(FactKind::NozzleHeat, inTime))
-      missing(FactKind::NozzleHeat, home ? placeOfFact(*home) : firstMotion);
+    if (!first(FactKind::NozzleHeat,
+               [&](const StatedFact& f) { return isOn(f) && isBeforeFlow(f); }))
+      missing(FactKind::NozzleHeat, firstMotion);
     const StatedFact* last = nullptr;
     for (const StatedFact& fact : program_.facts)
       if (fact.kind == FactKind::NozzleHeat && fact.before <= firstBead_)
@@ -178,7 +173,7 @@ private:
       unit(fact);
       break;
     case FactKind::OpenRounding:
-      missing(fact.kind, place);
+      changed(fact.kind, place, "left to the controller"_text, "stated"_text);
       break;
     case FactKind::PassingOutput:
       add(OutputPasses, place, {});
@@ -190,10 +185,12 @@ private:
 
   void fullFlow(const StatedFact& fact) {
     const std::string_view atFull = program::findDialect(program_.format).fullFlowAt;
+    if (atFull.empty()) // no output carries its flow
+      return;
     const double planned = process_.maxFlowMm3PerS;
     if (fact.word != atFull)
       changed(fact.kind, placeOfFact(fact), fact.word, atFull);
-    else if (!(std::abs(fact.number - planned) <= kSameFlow * planned))
+    else if (!(std::abs(fact.number - planned) <= kSameFlow * planned + kRoundedFlow))
       changed(fact.kind, placeOfFact(fact), base::Quantity{fact.number, base::Unit::Mm3PerS},
               base::Quantity{planned, base::Unit::Mm3PerS});
   }

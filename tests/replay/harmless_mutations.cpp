@@ -39,6 +39,13 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
          s.text.lines.insert(s.text.lines.begin() + at(line), ended(s, remark + "room 12"));
          return line;
        }});
+  all.push_back({"a remark in the head on the extruder",
+                 [=](Subject& s, std::size_t, std::mt19937_64&) -> Line {
+                   const std::size_t line = s.read.motions.front().line;
+                   s.text.lines.insert(s.text.lines.begin() + at(line),
+                                       ended(s, remark + "extruder flow: 95 %"));
+                   return line;
+                 }});
   all.push_back(
       {"a remark says more", [](Subject& s, std::size_t, std::mt19937_64& random) -> Line {
          std::vector<std::size_t> remarks;
@@ -146,6 +153,17 @@ std::vector<Mutation> harmlessMutations(const std::string& format) {
   } else if (format.starts_with("gcode")) {
     all.push_back(swapped("G21", "G90"));
     all.push_back(swapped("G90", "M82"));
+    // As slicers write it: it drives home cold.
+    all.push_back(swapped("M104 S", "G28"));
+    all.push_back(
+        {"no heat but the wait for it", [](Subject& s, std::size_t, std::mt19937_64&) -> Line {
+           for (std::size_t line = 1; line <= s.text.lines.size(); ++line)
+             if (s.text.lines[line - 1].starts_with("M104 S")) {
+               s.text.lines.erase(s.text.lines.begin() + at(line));
+               return line;
+             }
+           return std::nullopt;
+         }});
   } else if (format == "tmscript") {
     all.push_back(swapped("ChangeBase", "ChangeTCP"));
   }

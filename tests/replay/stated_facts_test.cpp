@@ -1,11 +1,14 @@
 // What a program states beside its motions, where it takes a scene or an extruder of its own to
 // show: names of units, triggers amid a bead, texts that heat, posture flags of MELFA's own arm,
 // waits that are planned. All else is among the mutations (stated_mutations.h).
+#include "base/units.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
+#include "program/full_flow.h"
 #include "program/text_damage.h"
 #include "replay/scene.h"
+#include "replay/stated_facts.h"
 #include "replay/told.h"
 #include "replay/verification.h"
 
@@ -132,6 +135,83 @@ TEST(StatedFacts, FlagsAreThoseOfTheCellsOwnArm) {
     text.lines[line - 1] = std::regex_replace(text.lines[line - 1], pattern, other);
     expectRefused(verify(s, text), "postureChanged", line);
   }
+}
+
+// The same poses of the arm's other wrist.
+void turnWristOver(plan::Trajectory& t) {
+  const double first4 = t.joints[3], first6 = t.joints[5];
+  for (std::size_t i = 0; i < t.pointCount(); ++i) {
+    double* q = t.joints.data() + i * static_cast<std::size_t>(t.dof);
+    q[3] += first4 > 0.0 ? -base::kPi : base::kPi;
+    q[4] = -q[4];
+    q[5] += first6 > 0.0 ? -base::kPi : base::kPi;
+  }
+}
+
+// Without flags the controller takes (7,0), with one alone no turns.
+TEST(StatedFacts, FlagsThatAreLeftOutAreThoseThatTheControllerTakes) {
+  for (const bool turned : {false, true}) {
+    test::Scene s = test::boxScene(1, "rv2f-moving");
+    if (turned)
+      turnWristOver(s.trajectory);
+    const test::ProgramText whole = write(s, "melfa");
+    ASSERT_TRUE(verify(s, whole).passed) << told(verify(s, whole));
+    const std::size_t line = test::read(whole, s.process).motions[8].line;
+    const std::regex pattern("\\)\\((\\d+),(\\d+)\\)");
+    std::smatch flags;
+    ASSERT_TRUE(std::regex_search(whole.lines[line - 1], flags, pattern));
+    ASSERT_EQ(flags[1], turned ? "6" : "7");
+    ASSERT_EQ(flags[2] == "0", !turned); // axis 4 is half a turn further
+    for (const std::string some : {"", "(7)", "(6)"}) {
+      test::ProgramText text = whole;
+      text.lines[line - 1] = std::regex_replace(text.lines[line - 1], pattern, ")" + some);
+      if (!turned && some != "(6)")
+        EXPECT_TRUE(verify(s, text).passed) << some << told(verify(s, text));
+      else
+        expectRefused(verify(s, text), "postureChanged", line);
+    }
+  }
+}
+
+// What a head writes of any full flow is what the process has.
+TEST(StatedFacts, AFullFlowMayBeRounded) {
+  test::Scene s = test::boxScene(1);
+  for (const double flow : {0.2344, 0.0126, 1.9995, 40.0}) {
+    s.process.maxFlowMm3PerS = flow;
+    const auto findings = [&](const std::string& text) {
+      plan::ReadProgram read;
+      read.format = "urscript";
+      read.facts = program::statedFullFlow(
+          {{"a.script", "# extruder on: DO 0; flow: AO 0, " + text + "\n"}});
+      EXPECT_EQ(read.facts.size(), 1U);
+      return compareStatedFacts(read, s.trajectory, {}, s.cell, s.process);
+    };
+    EXPECT_TRUE(findings(program::fullFlowText("1", s.process)).empty()) << flow;
+    EXPECT_FALSE(findings("1 = " + std::to_string(1.01 * flow + 0.001) + " mm3/s").empty()) << flow;
+    EXPECT_FALSE(findings("1 = 7 mm3/min").empty());
+  }
+}
+
+// Of a stop that ends by itself, and of corners without distances, the line itself is wrong.
+TEST(StatedFacts, WhatALineSaysWronglyIsChangedAndNotMissing) {
+  const test::Scene s = test::boxScene(1);
+  test::ProgramText gcode = write(s, "gcode-extended");
+  const std::size_t stop = replace(gcode, "^M0$", "M0 P100");
+  expectRefused(verify(s, gcode), "statementChanged", stop);
+  test::ProgramText melfa = write(s, "melfa");
+  const std::size_t rounding = replace(melfa, "Cnt 1,[0-9.,]+", "Cnt 1", false);
+  expectRefused(verify(s, melfa), "statementChanged", rounding);
+}
+
+// The range of an output that carries no flow is the user's own matter.
+TEST(StatedFacts, ARangeIsNeededWhereTheOutputCarriesTheFlow) {
+  const test::Scene s = test::boxScene(1);
+  test::ProgramText text = write(s, "urscript");
+  const std::size_t line = replace(text, "^ *set_analog_outputdomain.*$", "");
+  ASSERT_GT(line, 0U);
+  expectRefused(verify(s, text), "statementMissing", test::read(text, s.process).motions[0].line);
+  const test::ProgramText sent = write(s, "urscript", program::kCastelliExtruder);
+  EXPECT_TRUE(verify(s, sent).passed) << told(verify(s, sent));
 }
 
 TEST(StatedFacts, WaitsThatThePlanHasAreNone) {

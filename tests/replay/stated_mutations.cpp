@@ -178,7 +178,6 @@ void stops(std::vector<Mutation>& all, const std::string& format) {
 
 void gcode(std::vector<Mutation>& all, const std::string& format) {
   all.push_back(erasedAll("no heat", "^M10[49] S[1-9]"));
-  all.push_back(erasedAll("no heat before the drive home", "^M104 S[1-9]"));
   all.push_back(erasedAll("no wait for the heat", "^M109"));
   for (const char* word : {"G28", "G21", "G90", "M82"})
     all.push_back(erasedAll(std::string("no ") + word, "^" + std::string(word) + "$"));
@@ -254,6 +253,9 @@ void urscript(std::vector<Mutation>& all) {
                                                  "$1" + std::string(word) + "(");
                      return line;
                    }});
+  all.push_back(erasedAll("no range of the flow output", "set_analog_outputdomain"));
+  all.push_back(movedBehindFirstMotion("the range of the flow output is too late",
+                                       "set_analog_outputdomain"));
   all.push_back(replacedInHead("another range of the flow output",
                                "set_analog_outputdomain\\(0,1\\)", "set_analog_outputdomain(0,0)"));
 }
