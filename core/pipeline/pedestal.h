@@ -1,7 +1,8 @@
 // The pedestal that a part stands on with platform fit, as files for whoever makes it.
 #pragma once
 
-#include "pipeline/road.h"
+#include "geometry/triangle_mesh.h"
+#include "pipeline/plan_result.h"
 #include "plan/program.h"
 
 #include <vector>

@@ -181,6 +181,15 @@ TEST(Document, UnsavedWorkIsMoreThanAnOpenedPart) {
   EXPECT_TRUE(document.hasUnsavedWork());
 }
 
+TEST(Document, SettingsForAPartToComeAreKeptAndNotAskedAbout) {
+  Document document;
+  document.setParameter("walls", "5");
+  EXPECT_TRUE(document.dirty());
+  EXPECT_FALSE(document.hasUnsavedWork());
+  document.openPart(test::boxPart(), "/tmp/box.stl", true);
+  EXPECT_EQ(document.choices().parameters.at("walls"), "5");
+}
+
 TEST(Document, SettingsThatAnotherPartWouldTakeAwayAreUnsavedWork) {
   Document document;
   project::Choices start;

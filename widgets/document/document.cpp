@@ -25,12 +25,6 @@ Stage stageAt(std::size_t index) {
 }
 } // namespace
 
-Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
-                  const pipeline::PlanResult& soFar) {
-  return {std::move(decomposition), soFar.process->layerHeightMm,
-          soFar.job.stages[indexOf(Stage::Load)].key, soFar.job.loaded->hash};
-}
-
 // Shared by all edits that refer to the same part, so that its repaired version reaches them all.
 struct Document::Source {
   std::shared_ptr<const project::LoadedPart> part;
@@ -114,8 +108,10 @@ bool Document::hasUnsavedWork() const {
   if (!projectFile_.isEmpty() || (last && *last->job.reached > Stage::Load))
     return true;
   const int edits = undo_.index();
-  return edits > 0 && (!static_cast<const EditCommand*>(undo_.command(edits - 1))->opensPart() ||
-                       (source_ && losesSettings(choices_, choicesOfNextPart({}))));
+  // Without a part there are settings at most, and the first one keeps them.
+  return source_ && edits > 0 &&
+         (!static_cast<const EditCommand*>(undo_.command(edits - 1))->opensPart() ||
+          losesSettings(choices_, choicesOfNextPart({})));
 }
 
 void Document::tellDirtyAndName() {

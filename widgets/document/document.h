@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "document/preview.h"
 #include "pipeline/road.h"
 #include "project/job.h"
 #include "project/loaded_part.h"
@@ -33,17 +34,6 @@ struct Failure {
   project::Stage stage;
   base::Error error;
 };
-
-// Voxels of a decomposition that is still being made.
-struct Preview {
-  std::shared_ptr<const curved::Decomposition> decomposition;
-  double layerHeightMm = 0.0;
-  std::string loadKey; // of how the part was placed
-  std::string partHash;
-};
-// `soFar` has its Load stage.
-Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
-                  const pipeline::PlanResult& soFar);
 
 // Edits are commands on undoStack(), each with a name; undo brings back choices and part. Results
 // are kept by what they were made from: those of the part on show, and those of the part that was

@@ -1,0 +1,13 @@
+#include "document/preview.h"
+
+#include <utility>
+
+namespace voluta::document {
+
+Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
+                  const pipeline::PlanResult& soFar) {
+  return {std::move(decomposition), soFar.process->layerHeightMm,
+          soFar.job.stages[project::indexOf(project::Stage::Load)].key, soFar.job.loaded->hash};
+}
+
+} // namespace voluta::document
