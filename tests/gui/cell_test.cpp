@@ -217,6 +217,20 @@ TEST_F(CellTest, TheMachineIsDrawnOnPrepare) {
   EXPECT_LT(framed, 1000.0);
 }
 
+// While an edit places the part anew the machine stays as it stands, its plate included.
+TEST_F(CellTest, ThePlateStaysWhileThePartIsPlacedAnew) {
+  openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
+  choosePage(Page::Prepare);
+  ASSERT_TRUE(reachKnown());
+  const QImage before = picture();
+  document().setScale("1.1");
+  window().planning().cancel();
+  ASSERT_FALSE(document().upToDate(Stage::Load));
+  ASSERT_TRUE(waitFor([&] { return !window().presenter().busy(); }));
+  EXPECT_LT(differingShare(before, picture()), 0.001);
+  keepPicture(window(), "prepare-placed-anew");
+}
+
 // An arm with meshes of its own: a box in place of its forearm, which its solids are far from.
 class DrawnArmTest : public CellTest {
 protected:

@@ -171,11 +171,21 @@ void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
       [this](auto&& made) { swapCell(CellOf::Plan, made); });
 }
 
+// What the plate of the chosen cell is chosen for: the part as it was placed last. While an edit
+// places it anew the plate stays; null: nothing was placed in that cell.
+std::shared_ptr<const pipeline::PlanResult> PartPresenter::placedForCell() const {
+  const auto placed = document_.result(Stage::Load);
+  const project::Choices& now = document_.choices();
+  const bool sameCell =
+      placed && placed->job.choices.cell == now.cell && placed->job.choices.mode == now.mode;
+  return sameCell || document_.upToDate(Stage::Load) ? placed : nullptr;
+}
+
 // The machine is on show before anything is planned. A cell that cannot be read is not drawn: the
 // plan says what is wrong with it.
 void PartPresenter::drawChosenCell() {
   const project::Choices& choices = document_.choices();
-  const auto placed = document_.upToDate(Stage::Load) ? document_.result(Stage::Load) : nullptr;
+  const auto placed = placedForCell();
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> wanted;
   try {
     wanted = {pipeline::cellReachKey(choices, 0.0) + pipeline::plannedPlatformKey(choices),

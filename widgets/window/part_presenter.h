@@ -47,6 +47,7 @@ private:
   void swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing,
                     const Eigen::Vector3d& sizeMm);
   void drawCell(const std::shared_ptr<const robot::Cell>& cell);
+  std::shared_ptr<const pipeline::PlanResult> placedForCell() const;
   void drawChosenCell();
   void swapCell(CellOf which, std::shared_ptr<const scene::CellDrawing> drawing);
 
