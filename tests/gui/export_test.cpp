@@ -11,7 +11,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
@@ -23,7 +22,6 @@
 #include <QSpinBox>
 #include <QTest>
 #include <QUndoStack>
-#include <QUrl>
 
 namespace voluta::test {
 namespace {
@@ -319,19 +317,6 @@ TEST_F(ExportTest, AProgramFromDiskIsJudgedByThePlanOnShow) {
       waitFor([&] { return !window().findChild<QAction*>("verifyProgram")->isEnabled(); }, 5000));
 }
 
-// What QDesktopServices is asked to open.
-class OpenedUrls : public QObject {
-  Q_OBJECT
-
-public:
-  OpenedUrls() { QDesktopServices::setUrlHandler("file", this, "take"); }
-  ~OpenedUrls() override { QDesktopServices::unsetUrlHandler("file"); }
-  QStringList paths;
-
-public slots:
-  void take(const QUrl& url) { paths << url.toLocalFile(); }
-};
-
 // The proof and its folder are a click away once they are written.
 TEST_F(ExportTest, TheProofIsOpenedFromTheResult) {
   planPlinth();
@@ -347,18 +332,16 @@ TEST_F(ExportTest, TheProofIsOpenedFromTheResult) {
   ASSERT_TRUE(waitFor([&] { return open->isVisible(); }, 60000));
   EXPECT_TRUE(panel()->findChild<QLabel*>("written")->text().contains("handover"));
   keepPicture(window(), "export_written");
-  const OpenedUrls opened;
   QTest::mouseClick(open, Qt::LeftButton);
   QTest::mouseClick(show, Qt::LeftButton);
-  ASSERT_EQ(opened.paths.size(), 2);
-  EXPECT_TRUE(opened.paths[0].endsWith(".script.proof.pdf")) << opened.paths[0].toStdString();
-  QFile proof(opened.paths[0]);
+  const QStringList& opened = given_.files();
+  ASSERT_EQ(opened.size(), 2);
+  EXPECT_TRUE(opened[0].endsWith(".script.proof.pdf")) << opened[0].toStdString();
+  QFile proof(opened[0]);
   ASSERT_TRUE(proof.open(QIODevice::ReadOnly));
   EXPECT_TRUE(proof.readAll().startsWith("%PDF-"));
-  EXPECT_EQ(QDir(opened.paths[1]), QDir(path("handover")));
+  EXPECT_EQ(QDir(opened[1]), QDir(path("handover")));
 }
 
 } // namespace
 } // namespace voluta::test
-
-#include "export_test.moc"
