@@ -69,6 +69,14 @@ protected:
     QTest::keyClick(preview(), Qt::Key_Down);
     return preview()->currentLine();
   }
+  // Presses Export; the files come later.
+  void exportInto(const QString& path) {
+    auto* folder = panel()->findChild<QLineEdit*>("folder");
+    folder->setFocus();
+    folder->selectAll();
+    QTest::keyClicks(folder, path);
+    QTest::mouseClick(button(panel(), "export"), Qt::LeftButton);
+  }
   QPushButton* button(QWidget* in, const char* name) {
     auto* found = in->findChild<QPushButton*>(name);
     EXPECT_NE(found, nullptr) << name;
@@ -324,11 +332,7 @@ TEST_F(ExportTest, TheProofIsOpenedFromTheResult) {
   auto* show = panel()->findChild<QPushButton*>("showFolder");
   ASSERT_TRUE(open && show);
   EXPECT_FALSE(open->isVisible());
-  auto* folder = panel()->findChild<QLineEdit*>("folder");
-  folder->setFocus();
-  folder->selectAll();
-  QTest::keyClicks(folder, path("handover"));
-  QTest::mouseClick(button(panel(), "export"), Qt::LeftButton);
+  exportInto(path("handover"));
   ASSERT_TRUE(waitFor([&] { return open->isVisible(); }, 60000));
   EXPECT_TRUE(panel()->findChild<QLabel*>("written")->text().contains("handover"));
   keepPicture(window(), "export_written");
@@ -341,6 +345,35 @@ TEST_F(ExportTest, TheProofIsOpenedFromTheResult) {
   ASSERT_TRUE(proof.open(QIODevice::ReadOnly));
   EXPECT_TRUE(proof.readAll().startsWith("%PDF-"));
   EXPECT_EQ(QDir(opened[1]), QDir(path("handover")));
+}
+
+// Beside another plan, part or project they would be taken for its files.
+TEST_F(ExportTest, WhatWasWrittenIsToldBesideItsOwnPlanOnly) {
+  planPlinth();
+  auto* written = panel()->findChild<QLabel*>("written");
+  const auto exported = [&](const char* folder) {
+    exportInto(path(folder));
+    return waitFor([&] { return written->isVisible(); }, 60000);
+  };
+  ASSERT_TRUE(exported("first"));
+  choosePage(Page::Simulate);
+  choosePage(Page::Export);
+  EXPECT_TRUE(written->isVisible()) << "the same plan";
+  chooseFormat("urscript");
+  auto* form = qobject_cast<QComboBox*>(option("urscriptForm")->editor());
+  form->setFocus();
+  QTest::keyClick(form, Qt::Key_Down);
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  EXPECT_EQ(page(), Page::Export);
+  EXPECT_FALSE(written->isVisible()) << "another plan";
+  ASSERT_TRUE(exported("second"));
+  EXPECT_TRUE(written->text().contains("second"));
+  answerBox("unsavedBox", QMessageBox::DestructiveRole);
+  window().open(writePart("other.stl", box({0, 0, 0}, {12.0, 8.0, 4.0})));
+  ASSERT_TRUE(waitFor([&] { return document().name() == "other"; }, 10000));
+  choosePage(Page::Export);
+  EXPECT_FALSE(written->isVisible()) << "another part";
 }
 
 } // namespace

@@ -119,8 +119,9 @@ void ExportPage::listenToRuns() {
             if (!leftOut_.isEmpty())
               text += tr("; refused and not written: %1").arg(leftOut_.join(", "));
             work().shell.say(text);
+            written_ = text;
             writtenTo_ = folder;
-            panel_->setWritten(text, !proof_.isEmpty());
+            showWritten();
           });
   connect(&exporting_, &document::Exporting::failed, this, [this](const QString& message) {
     work().shell.tell(tr("Nothing is exported"), message);
@@ -185,7 +186,15 @@ void ExportPage::show() {
     panel_->setFolder(part.isFile() ? part.absolutePath() : QDir::homePath());
   }
   panel_->setBlockedReason(whyNot());
+  showWritten();
   showPreview();
+}
+
+// The files are of one plan: beside another one they would be taken for its own.
+void ExportPage::showWritten() {
+  const auto exported = exported_.lock();
+  const bool shown = exported && exported == work().document.result(Stage::Replay);
+  panel_->setWritten(shown ? written_ : QString(), !proof_.isEmpty());
 }
 
 std::vector<panels::ExportFormat> ExportPage::formats() const {
@@ -370,7 +379,9 @@ void ExportPage::write(const Order& order) {
   const QStringList there = document::Exporting::inTheWay(order.folder, *result, programs);
   if (!there.isEmpty() && !mayReplace(order.folder, there))
     return;
-  panel_->setWritten({}, false);
+  exported_ = result;
+  written_.clear();
+  showWritten();
   proof_ = result->proofs ? proofToOpen(programs, panel_->previewFormat()) : QString();
   exporting_.write(
       order.folder, result, programs,

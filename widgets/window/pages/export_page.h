@@ -6,6 +6,7 @@
 #include "window/pages/page.h"
 
 #include <QStringList>
+#include <memory>
 
 namespace voluta::panels {
 class ExportPanel;
@@ -43,6 +44,7 @@ private:
   void listenToPanel();
   void listenToRuns();
   void show();
+  void showWritten();
   std::vector<panels::ExportFormat> formats() const;
   QStringList chosenFormats() const;
   QString whyNot() const;
@@ -66,9 +68,12 @@ private:
   QWidget* side_;
   ProgramPreview* preview_;
   document::Exporting exporting_;
-  QString proof_;                // of the last export: file name; empty: none
+  // Of the last export.
+  std::weak_ptr<const pipeline::PlanResult> exported_;
+  QString written_;              // what it wrote, in words; empty: nothing yet
   QString writtenTo_;            // its folder
-  QStringList leftOut_;          // refused formats of the last order
+  QString proof_;                // file name; empty: none
+  QStringList leftOut_;          // its refused formats
   std::optional<Order> pending_; // waits for its programs to be planned
 };
 
