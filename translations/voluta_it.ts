@@ -8789,6 +8789,14 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>; respinti e non scritti: %1</translation>
     </message>
     <message>
+        <source>; the proofs have no pictures: %1</source>
+        <translation>; le prove non hanno immagini: %1</translation>
+    </message>
+    <message>
+        <source>The files are being written.</source>
+        <translation>I file sono in scrittura.</translation>
+    </message>
+    <message>
         <source>Nothing is exported</source>
         <translation>Niente è stato esportato</translation>
     </message>

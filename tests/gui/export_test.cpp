@@ -347,6 +347,19 @@ TEST_F(ExportTest, TheProofIsOpenedFromTheResult) {
   EXPECT_EQ(QDir(opened[1]), QDir(path("handover")));
 }
 
+TEST_F(ExportTest, OneExportAfterTheOther) {
+  planPlinth();
+  auto* write = button(panel(), "export");
+  ASSERT_TRUE(write->isEnabled());
+  exportInto(path("handover"));
+  EXPECT_FALSE(write->isEnabled());
+  EXPECT_EQ(panel()->findChild<QLabel*>("reason")->text(), "The files are being written.");
+  ASSERT_TRUE(waitFor([&] { return write->isEnabled(); }, 60000));
+  EXPECT_TRUE(panel()->findChild<QLabel*>("written")->isVisible());
+  EXPECT_FALSE(panel()->findChild<QLabel*>("written")->text().contains("no pictures"));
+  EXPECT_TRUE(panel()->findChild<QLabel*>("reason")->text().isEmpty());
+}
+
 // Beside another plan, part or project they would be taken for its files.
 TEST_F(ExportTest, WhatWasWrittenIsToldBesideItsOwnPlanOnly) {
   planPlinth();

@@ -320,6 +320,7 @@ TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
   answerBox("", QMessageBox::DestructiveRole); // the refused ones too
   exportInto(path("out"));
   ASSERT_TRUE(waitFor([&] { return !QDir(path("out")).isEmpty(); }, 10000));
+  ASSERT_TRUE(waitFor([&] { return exportButton()->isEnabled(); }, 10000)) << "one at a time";
   const QDir out(path("out"));
   const QStringList names = out.entryList(QDir::Files);
   EXPECT_TRUE(names.contains("report.json"));

@@ -211,20 +211,24 @@ scene::Image jobPicture(const project::Job& job, const PictureOptions& options) 
   return renderer.picture(view);
 }
 
-std::vector<std::string> proofPictures(const project::Job& job) {
+std::vector<std::string> drawProofPictures(const project::Job& job) {
   if (!job.part || !job.toolPlan)
     return {};
   PictureOptions options;
   options.width = 1000;
   options.height = 560;
   options.legend = false;
+  Renderer part(options, job), printed(options, job);
+  part.showPart();
+  printed.showPaths();
+  printed.inMaterialColour();
+  return {scene::pngBytes(part.picture(scene::StandardView::Isometric)),
+          scene::pngBytes(printed.picture(scene::StandardView::Isometric))};
+}
+
+std::vector<std::string> proofPictures(const project::Job& job) {
   try {
-    Renderer part(options, job), printed(options, job);
-    part.showPart();
-    printed.showPaths();
-    printed.inMaterialColour();
-    return {scene::pngBytes(part.picture(scene::StandardView::Isometric)),
-            scene::pngBytes(printed.picture(scene::StandardView::Isometric))};
+    return drawProofPictures(job);
   } catch (const base::Error&) {
     return {}; // a proof is of use without pictures
   }

@@ -30,8 +30,10 @@ scene::Image jobPicture(const project::Job& job, const PictureOptions& options);
 // Throws Error{Usage} for names that there are not, before a job is read.
 void checkNames(const PictureOptions& options);
 
-// PNGs of the part and of the part as printed, in the colour of its material; none where the
-// machine draws none or the job has no tool-paths. Good for any thread.
+// PNGs of the part and of the part as printed, in the colour of its material; none where the job
+// has no tool-paths. Throws Error{UnusableInput} where the machine draws none. Good for any thread.
+std::vector<std::string> drawProofPictures(const project::Job& job);
+// The same, none where the machine draws none.
 std::vector<std::string> proofPictures(const project::Job& job);
 
 // What shows most of how the job is built: its paths, else layers, voxels, pieces, the part.

@@ -1,5 +1,6 @@
 #include "window/pages/export_page.h"
 
+#include "base/error.h"
 #include "document/document.h"
 #include "document/planning.h"
 #include "language/window_language.h"
@@ -118,12 +119,17 @@ void ExportPage::listenToRuns() {
             QString text = tr("Files written to %1: %2").arg(folder).arg(files);
             if (!leftOut_.isEmpty())
               text += tr("; refused and not written: %1").arg(leftOut_.join(", "));
+            if (*noPictures_)
+              text += tr("; the proofs have no pictures: %1").arg(language::words(**noPictures_));
             work().shell.say(text);
             written_ = text;
             writtenTo_ = folder;
-            showWritten();
+            writing_ = false;
+            show();
           });
   connect(&exporting_, &document::Exporting::failed, this, [this](const QString& message) {
+    writing_ = false;
+    show();
     work().shell.tell(tr("Nothing is exported"), message);
   });
   document::Planning* planning = &work().planning;
@@ -260,6 +266,8 @@ QString ExportPage::whyNot() const {
     return tr("Open a part first.");
   if (work().planning.running())
     return tr("Planning is under way.");
+  if (writing_)
+    return tr("The files are being written.");
   if (!result)
     return tr("Nothing is planned yet. Press Plan.");
   if (result->checked.empty())
@@ -381,11 +389,21 @@ void ExportPage::write(const Order& order) {
     return;
   exported_ = result;
   written_.clear();
-  showWritten();
   proof_ = result->proofs ? proofToOpen(programs, panel_->previewFormat()) : QString();
-  exporting_.write(
-      order.folder, result, programs,
-      {language::windowLanguage(), language::windowLanguageCode(), pictures::proofPictures});
+  const auto noPictures = std::make_shared<std::optional<base::Message>>();
+  noPictures_ = noPictures;
+  const auto draw = [noPictures](const project::Job& job) -> std::vector<std::string> {
+    try {
+      return pictures::drawProofPictures(job);
+    } catch (const base::Error& error) { // a proof is of use without pictures
+      *noPictures = error.whole();
+      return {};
+    }
+  };
+  writing_ = true;
+  exporting_.write(order.folder, result, programs,
+                   {language::windowLanguage(), language::windowLanguageCode(), draw});
+  show();
 }
 
 bool ExportPage::mayReplace(const QString& folder, const QStringList& names) {

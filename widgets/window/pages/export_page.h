@@ -7,6 +7,7 @@
 
 #include <QStringList>
 #include <memory>
+#include <optional>
 
 namespace voluta::panels {
 class ExportPanel;
@@ -70,10 +71,13 @@ private:
   document::Exporting exporting_;
   // Of the last export.
   std::weak_ptr<const pipeline::PlanResult> exported_;
-  QString written_;              // what it wrote, in words; empty: nothing yet
-  QString writtenTo_;            // its folder
-  QString proof_;                // file name; empty: none
-  QStringList leftOut_;          // its refused formats
+  QString written_;     // what it wrote, in words; empty: nothing yet
+  QString writtenTo_;   // its folder
+  QString proof_;       // file name; empty: none
+  QStringList leftOut_; // its refused formats
+  // Why its proofs have no pictures; filled in while they are written.
+  std::shared_ptr<const std::optional<base::Message>> noPictures_;
+  bool writing_ = false;
   std::optional<Order> pending_; // waits for its programs to be planned
 };
 
