@@ -7,6 +7,7 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/pedestal.h"
+#include "pipeline/road.h"
 #include "plan/finding_kinds.h"
 #include "robot/plate.h"
 
