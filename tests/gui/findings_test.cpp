@@ -4,6 +4,7 @@
 #include "panels/findings_panel.h"
 #include "plan/finding_kinds.h"
 #include "timeline/timeline_bar.h"
+#include "viewer/camera_control.h"
 
 #include <QAction>
 #include <QLabel>
@@ -48,6 +49,12 @@ protected:
   vtkCamera* camera() { return window().viewport().scene().renderer()->GetActiveCamera(); }
   Eigen::Vector3d eye() { return Eigen::Vector3d(camera()->GetPosition()); }
   double eyeDistance() { return camera()->GetDistance(); }
+  // Is the place, in the frame that stands still, within the viewport?
+  bool isSeen(const Eigen::Vector3d& place) {
+    viewer::Viewport& viewport = window().viewport();
+    const Eigen::Vector3d at = viewer::CameraControl(viewport.scene().renderer()).project(place);
+    return viewport.rect().contains(viewport.fromDisplay({at.x(), at.y()}).toPoint());
+  }
 
   // Is the place in the picture, with nothing before it? What is cut away or left out is not there.
   scene::Between before(const Eigen::Vector3d& place) {
@@ -159,8 +166,10 @@ TEST_F(FindingsTest, AnotherPlateIsSeenWholeUnlessTheCameraIsTheUsers) {
   choose("disc:60");
   const double near = eyeDistance();
   choose("disc:240");
-  const double far = eyeDistance();
-  EXPECT_GT(far, 1.5 * near) << "a larger plate needs room";
+  EXPECT_GT(eyeDistance(), 1.2 * near) << "a larger plate needs room";
+  for (const Eigen::Vector3d& rim : {Eigen::Vector3d(120, 0, 0), Eigen::Vector3d(-120, 0, 0),
+                                     Eigen::Vector3d(0, 120, 0), Eigen::Vector3d(0, -120, 0)})
+    EXPECT_TRUE(isSeen(rim)) << rim.transpose();
   keepPicture(window(), "plate-240");
   choose("disc:60");
   EXPECT_NEAR(eyeDistance(), near, 0.05 * near);

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kMargin = 1.06;
 constexpr double kMostAway = 1.5, kAwayStep = 1.04; // to keep clear of what covers the picture
+// Of a machine about a print, on every side: shares of the largest edge of either's box.
+constexpr double kRoomOfPrint = 3.0, kRoomOfMachine = 0.3;
 
 double halfViewAngle(vtkCamera* camera) {
   return camera->GetViewAngle() * base::kPi / 360.0;
@@ -34,7 +36,7 @@ double aspectOf(vtkRenderer* renderer) {
 
 std::vector<Vector3d> cornersOf(const Eigen::AlignedBox3d& box) {
   std::vector<Vector3d> corners;
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < 8 && !box.isEmpty(); ++i)
     corners.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
   return corners;
 }
@@ -143,13 +145,18 @@ void lookFrom(vtkRenderer* renderer, StandardView view) {
 
 void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
               const std::vector<Eigen::AlignedBox2d>& covered) {
+  frameBox(renderer, box, covered, box);
+}
+
+void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
+              const std::vector<Eigen::AlignedBox2d>& covered, const Eigen::AlignedBox3d& inside) {
   if (box.isEmpty())
     return;
   const double bounds[6] = {box.min().x(), box.max().x(), box.min().y(),
                             box.max().y(), box.min().z(), box.max().z()};
   renderer->ResetCamera(bounds);
   // VTK frames the box's ball, which leaves a wide margin.
-  const std::vector<Vector3d> corners = cornersOf(box);
+  const std::vector<Vector3d> corners = cornersOf(inside);
   for (double away = 1.0; away < kMostAway; away *= kAwayStep) {
     closeIn(renderer, box, away);
     const Lens lens(renderer);
@@ -161,6 +168,16 @@ void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
       break;
   }
   renderer->ResetCameraClippingRange();
+}
+
+Eigen::AlignedBox3d printInMachine(const Eigen::AlignedBox3d& print,
+                                   const Eigen::AlignedBox3d& machine) {
+  if (print.isEmpty() || machine.isEmpty())
+    return print.merged(machine);
+  const double room = std::max(kRoomOfPrint * print.sizes().maxCoeff(),
+                               kRoomOfMachine * machine.sizes().maxCoeff());
+  const Vector3d low = print.min().array() - room, high = print.max().array() + room;
+  return print.merged(machine.intersection(Eigen::AlignedBox3d(low, high)));
 }
 
 double lookingDistance(vtkRenderer* renderer, double radiusMm) {

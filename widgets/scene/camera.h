@@ -18,6 +18,13 @@ void lookFrom(vtkRenderer* renderer, StandardView view);
 // is seen somewhat smaller, beside that. Nothing happens with an empty box.
 void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
               const std::vector<Eigen::AlignedBox2d>& covered = {});
+// The same, where only `inside`, which is a part of the box, keeps clear of what covers a corner.
+void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
+              const std::vector<Eigen::AlignedBox2d>& covered, const Eigen::AlignedBox3d& inside);
+// The box of what is printed, and of its machine as much as it takes to know the machine, so that
+// the print stays large enough to work on.
+Eigen::AlignedBox3d printInMachine(const Eigen::AlignedBox3d& print,
+                                   const Eigen::AlignedBox3d& machine);
 // Moves the camera along its view so that a ball about `target` fills the picture's height.
 // radiusMm > 0.
 void lookAt(vtkRenderer* renderer, const Eigen::Vector3d& target, double radiusMm);

@@ -367,8 +367,8 @@ struct Scene::Impl : Drawn {
     overlay->update();
   }
 
-  // What the camera should see: in the world.
-  Eigen::AlignedBox3d visibleBox() const {
+  // What is seen without the cell: in the world.
+  Eigen::AlignedBox3d printedBox() const {
     Eigen::AlignedBox3d box;
     const auto extend = [&](const Eigen::AlignedBox3d& inWork) {
       for (int corner = 0; corner < 8 && !inWork.isEmpty(); ++corner)
@@ -392,9 +392,17 @@ struct Scene::Impl : Drawn {
       extend(platform->box);
     if (platformActors->showsRod() && !view.cell)
       extend(platformActors->rodBeside(box));
-    if (shows(view.cell && view.cellFramed, cell.get()))
-      box.extend(cellActors->box());
     return box;
+  }
+
+  void frameAll() const {
+    const Eigen::AlignedBox3d printed = printedBox();
+    if (!shows(view.cell, cell.get()))
+      frameBox(renderer, printed, covered);
+    else if (view.cellFramed)
+      frameBox(renderer, printed.merged(cellActors->box()), covered);
+    else
+      frameBox(renderer, printInMachine(printed, cellActors->box()), covered, printed);
   }
 };
 
@@ -507,7 +515,7 @@ void Scene::setCovered(std::vector<Eigen::AlignedBox2d> covered) {
 }
 
 void Scene::frameAll() {
-  frameBox(impl_->renderer, impl_->visibleBox(), impl_->covered);
+  impl_->frameAll();
 }
 
 void Scene::standardView(StandardView view) {

@@ -29,7 +29,8 @@ struct ViewState {
   bool partBeyond = false; // the part in the colour of what is out of reach
   std::array<bool, robot::kBodyRoleCount> roles{true, true, true, true, true}; // of the cell's
                                                                                // bodies, if `cell`
-  bool cellFramed = true;       // frameAll() sees all of the cell that is shown
+  bool cellFramed = true; // frameAll() sees all of the cell that is shown; else what of it stands
+                          // about what is printed
   bool collisionSolids = false; // over the cell: the solids that are checked, seen through
 
   World world = World::Work;

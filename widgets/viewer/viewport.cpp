@@ -65,7 +65,7 @@ Viewport::Viewport(const scene::Theme& theme, QWidget* parent)
   connect(cube_, &ViewCube::viewFrom, this, &Viewport::viewFrom);
   connect(cube_, &ViewCube::orbit, this, [this](double dx, double dy) {
     camera_.orbit(dx, dy);
-    moved();
+    turned();
   });
   settle_.setSingleShot(true);
   settle_.setInterval(kSettleMs);
@@ -144,6 +144,8 @@ void Viewport::layOut() {
 void Viewport::resizeEvent(QResizeEvent* event) {
   VtkView::resizeEvent(event);
   layOut();
+  if (!usersCamera_)
+    frameAll();
 }
 
 void Viewport::beforeFrame() {
@@ -153,6 +155,10 @@ void Viewport::beforeFrame() {
 
 void Viewport::moved() {
   usersCamera_ = true;
+  turned();
+}
+
+void Viewport::turned() {
   scene_.cameraMoved();
   settle_.start();
   applyDetail();
@@ -172,13 +178,16 @@ void Viewport::frameAll() {
     }
   scene_.setCovered(std::move(covered));
   scene_.frameAll();
-  moved();
+  turned();
   usersCamera_ = false;
 }
 
 void Viewport::viewFrom(const Eigen::Vector3d& towardsEye) {
   camera_.viewFrom(towardsEye);
-  moved();
+  if (usersCamera_)
+    turned();
+  else
+    frameAll();
 }
 
 void Viewport::lookAt(const Eigen::Vector3d& pointInWork, double radiusMm) {
@@ -257,11 +266,13 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const bool shift = event->modifiers() & Qt::ShiftModifier;
   moving_ = button_ != Qt::LeftButton || shift;
   turning_ = !moving_;
-  if (turning_)
+  if (turning_) {
     camera_.orbit(ratio * d.x(), -ratio * d.y());
-  else
+    turned();
+  } else {
     camera_.pan(ratio * d.x(), -ratio * d.y());
-  moved();
+    moved();
+  }
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
@@ -317,10 +328,12 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     break;
   case Qt::Key_Plus:
     camera_.zoom(kWheelFactor, middle.x(), middle.y());
-    break;
+    moved();
+    return;
   case Qt::Key_Minus:
     camera_.zoom(1.0 / kWheelFactor, middle.x(), middle.y());
-    break;
+    moved();
+    return;
   case Qt::Key_Escape:
     setTool(Tool::None);
     return;
@@ -328,7 +341,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     VtkView::keyPressEvent(event);
     return;
   }
-  moved();
+  turned();
 }
 
 void Viewport::leaveEvent(QEvent* event) {

@@ -41,7 +41,8 @@ public:
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
   // As lookAt(), from where the place is seen best; says what hides it there all the same.
   scene::Sight lookAtClearly(const Eigen::Vector3d& pointInWork, double radiusMm);
-  // Has the user put the camera where it is, since frameAll()?
+  // Has the user moved the camera nearer, farther or aside since frameAll()? Until then it frames
+  // all from every side and in every size of the viewport.
   bool isCameraTheUsers() const { return usersCamera_; }
   // Something other than the camera is being dragged: less detail, faster frames.
   void setDragging(bool on);
@@ -74,7 +75,8 @@ protected:
 private:
   class Overlay;
 
-  void moved();
+  void moved();  // the camera, so that it no longer frames all
+  void turned(); // the camera, about what it looks at
   void layOut();
   void applyDetail();
   std::optional<scene::Hit> hitAt(const QPointF& place) const;

@@ -85,7 +85,8 @@ struct PageInfo {
 struct PageLayout {
   bool layerSlider = false;
   std::optional<timeline::BarMode> timeline = {}; // none: no bar under the viewport
-  bool inCell = false; // the picture is of the robot's cell, not of the part alone
+  bool inCell = false;    // the picture is of the robot's cell, not of the part alone
+  bool aboutPart = false; // the picture is of the part and what stands about it
 };
 
 // What is done with the mouse in the viewport while its page is on show.

@@ -103,7 +103,13 @@ void PageStack::listenToPresenter() {
       workspace_.viewport.frameAll();
   });
   connect(presenter, &Presenter::platformDrawn, this, &PageStack::keepPlatformInView);
-  connect(presenter, &Presenter::cellDrawn, this, &PageStack::showView);
+  connect(presenter, &Presenter::cellDrawn, this, [this] {
+    showView();
+    const std::string& cell = workspace_.document.choices().cell;
+    if (std::exchange(cell_, cell) != cell && page_->layout().aboutPart &&
+        !workspace_.viewport.isCameraTheUsers())
+      workspace_.viewport.frameAll();
+  });
   connect(presenter, &Presenter::motionReady, this, [this] {
     workspace_.timeline.setClock(workspace_.presenter.clock());
     showView();
@@ -181,7 +187,9 @@ void PageStack::show(Page& page) {
   workspace_.timeline.setMode(layout.timeline.value_or(timeline::BarMode::Time));
   page.enter();
   showView();
-  if (std::exchange(inCell_, layout.inCell) != layout.inCell)
+  const bool other = std::exchange(inCell_, layout.inCell) != layout.inCell;
+  const bool wider = std::exchange(aboutPart_, layout.aboutPart) != layout.aboutPart;
+  if (other || (wider && !workspace_.viewport.isCameraTheUsers()))
     workspace_.viewport.frameAll();
   showStates();
 }

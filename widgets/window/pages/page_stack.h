@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace voluta::window {
@@ -68,7 +69,8 @@ private:
   QStackedWidget *sides_, *centres_;
   std::vector<std::unique_ptr<Page>> pages_;
   Page* page_ = nullptr;
-  bool inCell_ = false;
+  bool inCell_ = false, aboutPart_ = false; // the picture that the camera frames
+  std::string cell_;                        // drawn last
   scene::World world_ = scene::World::Work;
   Eigen::Vector3d platformSizeMm_ = Eigen::Vector3d::Zero(); // as drawn last
 };

@@ -27,6 +27,7 @@ public:
   explicit PreparePage(const Workspace& workspace);
 
   QWidget* side() override;
+  PageLayout layout() const override { return {.aboutPart = true}; }
   std::vector<Command> commands() override;
   std::vector<ViewportInput*> inputs() override;
   std::vector<project::Stage> stages() const override { return {project::Stage::Load}; }
