@@ -121,7 +121,7 @@ TEST(Render, CheckedSolidsLieOverTheArmWhereAskedFor) {
   EXPECT_EQ(arm.rgb, picture(scene, view).rgb);
 }
 
-TEST(Render, AViewThatDoesNotFrameTheCellStaysWithThePart) {
+TEST(Render, AViewThatDoesNotFrameTheCellShowsThePartInIt) {
   const std::vector<Eigen::Vector2d> plate{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
   const robot::Cell cell = robot::loadCell("ur5-moving", process::loadProcess("fdm-1.0"), plate);
   scene::Scene scene(scene::lightTheme());
@@ -134,9 +134,62 @@ TEST(Render, AViewThatDoesNotFrameTheCellStaysWithThePart) {
   scene::ViewState view;
   const double part = distance(view);
   view.cell = true;
-  EXPECT_GT(distance(view), 4.0 * part);
+  const double all = distance(view);
+  EXPECT_GT(all, 4.0 * part);
   view.cellFramed = false;
-  EXPECT_NEAR(distance(view), part, 1e-6 * part);
+  EXPECT_LT(distance(view), 0.8 * all);
+  EXPECT_GT(distance(view), 2.0 * part);
+}
+
+// Of a part that is cut open the underside is seen from inside, and the plate not through it.
+TEST(Render, ThePlateOfACellDoesNotFlickerThroughThePart) {
+  const std::vector<Eigen::Vector2d> plate{{-60, -60}, {60, -60}, {60, 60}, {-60, 60}};
+  const robot::Cell cell = robot::loadCell("ur5-moving", process::loadProcess("fdm-1.0"), plate);
+  scene::Scene scene(scene::lightTheme());
+  scene.setPart(scene::drawPart(test::box({-40, -40, 0}, {40, 40, 20})));
+  scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
+  scene::ViewState view;
+  view.cell = true;
+  view.cellFramed = false;
+  view.roles = {};
+  view.sectionOn = true;
+  view.sectionNormal = -Eigen::Vector3d::UnitY();
+  scene.setView(view);
+  scene::OffscreenTarget target;
+  const auto taken = [&](bool part, bool platform) {
+    view.part = part;
+    view.roles[static_cast<std::size_t>(robot::BodyRole::Platform)] = platform;
+    return target.imageOf(scene, 320, 200, [&] {
+      scene.setView(view);
+      scene.lookAt({0, 20, 10}, 60.0);
+    });
+  };
+  const scene::Image nothing = taken(false, false), part = taken(true, false),
+                     both = taken(true, true);
+  int seen = 0, hidden = 0;
+  for (int y = 0; y < part.height; ++y)
+    for (int x = 0; x < part.width; ++x) {
+      if (at(part, x, y).b == at(nothing, x, y).b)
+        continue;
+      ++seen;
+      hidden += std::abs(at(both, x, y).b - at(part, x, y).b) > 8; // beige inside, grey plate
+    }
+  EXPECT_GT(seen, 5000);
+  EXPECT_LT(hidden, 0.02 * seen); // at its edges
+}
+
+TEST(Camera, APrintIsFramedWithWhatStandsAboutIt) {
+  using Eigen::Vector3d;
+  const auto sizes = [](const Eigen::AlignedBox3d& box) { return box.sizes().transpose().eval(); };
+  const Eigen::AlignedBox3d machine(Vector3d(-800, -100, -200), Vector3d(200, 100, 800));
+  const auto cube = [](double edge) {
+    return Eigen::AlignedBox3d(Vector3d(-edge, -edge, 0) / 2, Vector3d(edge, edge, 2 * edge) / 2);
+  };
+  // A third of the machine about a small print, three of its own lengths about a larger one.
+  EXPECT_EQ(sizes(scene::printInMachine(cube(10), machine)), Eigen::RowVector3d(505, 200, 510));
+  EXPECT_EQ(sizes(scene::printInMachine(cube(200), machine)), Eigen::RowVector3d(900, 200, 1000));
+  EXPECT_EQ(sizes(scene::printInMachine(cube(10), {})), Eigen::RowVector3d(10, 10, 10));
+  EXPECT_EQ(sizes(scene::printInMachine({}, machine)), sizes(machine));
 }
 
 TEST(Render, ARodIsSeenToTurnInItsCell) {

@@ -76,13 +76,17 @@ std::vector<CellPiece> drawnArm(const robot::Cell& cell, const robot::ArmLook& l
   return pieces;
 }
 
-// A stem is drawn as it looks, all else of a platform as it is checked.
+// A stem is drawn as it looks, all else of a platform as it is checked, but for its top.
 std::vector<robot::Shape> plainShapes(const robot::Cell& cell, const Body& body) {
   std::vector<robot::Shape> shapes = body.shapes;
-  if (body.role == robot::BodyRole::Platform && !cell.rod())
-    std::erase_if(shapes, [](const robot::Shape& shape) {
-      return std::holds_alternative<robot::Frustum>(shape);
-    });
+  if (body.role != robot::BodyRole::Platform || cell.rod())
+    return shapes;
+  std::erase_if(shapes, [](const robot::Shape& shape) {
+    return std::holds_alternative<robot::Frustum>(shape);
+  });
+  for (robot::Shape& shape : shapes)
+    if (auto* prism = std::get_if<robot::Prism>(&shape))
+      prism->zMax = std::min(prism->zMax, kPlateTopMm);
   return shapes;
 }
 

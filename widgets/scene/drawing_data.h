@@ -12,6 +12,10 @@
 
 namespace voluta::scene {
 
+// The part stands on z = 0; the top of a plate is drawn just below, so that it does not flicker
+// through the part's underside.
+inline constexpr double kPlateTopMm = -0.05;
+
 struct PartDrawing {
   geometry::TriangleMesh mesh;
   vtkSmartPointer<vtkPolyData> surface, edges;

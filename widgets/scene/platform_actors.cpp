@@ -43,9 +43,9 @@ void PlatformActors::setTheme(const Theme& theme) {
 }
 
 void PlatformActors::pose(const Eigen::Isometry3d& world_T_work) {
-  for (vtkActor* actor :
-       {plate_.Get(), rod_.Get(), base_.Get(), outline_.Get(), grid_.Get(), reach_.Get()})
+  for (vtkActor* actor : {plate_.Get(), rod_.Get(), outline_.Get(), grid_.Get(), reach_.Get()})
     setPose(actor, world_T_work);
+  setPose(base_, world_T_work * Eigen::Translation3d(0.0, 0.0, kPlateTopMm));
 }
 
 void PlatformActors::show(const ViewState& view, bool byCell) {

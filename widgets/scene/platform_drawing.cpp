@@ -12,9 +12,7 @@ namespace {
 
 constexpr double kGridMm = 10.0;
 constexpr double kPlateMm = 2.0;
-// The part stands on z = 0; the plate's top lies just below, so that it does not flicker through
-// the part's underside.
-constexpr double kTopMm = -0.05, kGroundMm = kTopMm - kPlateMm;
+constexpr double kTopMm = kPlateTopMm, kGroundMm = kTopMm - kPlateMm;
 
 constexpr double kChordMm = 0.02;
 constexpr double kLineOverRodMm = 0.05;
