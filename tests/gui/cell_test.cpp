@@ -5,9 +5,12 @@
 #include "helpers/shapes.h"
 #include "panels/object_tree.h"
 #include "panels/reach_panel.h"
+#include "pipeline/cell_reach.h"
+#include "pipeline/choices.h"
 #include "robot/cell_draft.h"
 #include "robot/link_meshes.h"
 #include "robot/urdf_arms.h"
+#include "viewer/camera_control.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -20,8 +23,7 @@
 #include <QTabWidget>
 #include <QTest>
 #include <QTimer>
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
+#include <QWheelEvent>
 
 namespace voluta::test {
 namespace {
@@ -57,6 +59,21 @@ protected:
       return document().upToDate(Stage::Load) && !window().planning().running() &&
              !window().presenter().busy() && !reach()->isLooking();
     });
+  }
+  // Where a place is in the viewport; in the frame that stands still.
+  QPoint onScreen(const Eigen::Vector3d& place) {
+    const viewer::CameraControl camera(window().viewport().scene().renderer());
+    const Eigen::Vector3d display = camera.project(place);
+    return window().viewport().fromDisplay({display.x(), display.y()}).toPoint();
+  }
+  bool isSeen(const Eigen::Vector3d& place) {
+    return window().viewport().rect().contains(onScreen(place));
+  }
+  Eigen::Vector3d nozzleAtHome() {
+    const project::Choices& choices = document().choices();
+    const robot::Cell cell = pipeline::cellToMap(
+        choices, pipeline::chosenProcess(choices, pipeline::parameterValues(choices)));
+    return cell.work_T_tool(cell.home()).translation();
   }
   QString reachText() { return reach()->findChild<QLabel*>("reachState")->text(); }
   void click(QAbstractButton* button) {
@@ -196,15 +213,16 @@ TEST_F(CellTest, TheMachineIsDrawnOnPrepare) {
   ASSERT_TRUE(reachKnown());
   const QImage ur5 = picture();
   keepPicture(window(), "prepare-ur5");
-  const double framed = window().viewport().scene().renderer()->GetActiveCamera()->GetDistance();
   auto* cells = find<QComboBox>("cell");
   cells->setCurrentIndex(cells->findData("kr6-r900-moving"));
   emit cells->activated(cells->currentIndex());
   ASSERT_TRUE(reachKnown());
   const QImage kr6 = picture();
   keepPicture(window(), "prepare-kr6");
-  EXPECT_GT(differingShare(ur5, kr6), 0.02);
-  EXPECT_GT(orangeShare(kr6), orangeShare(ur5) + 0.005) << "KUKA's orange";
+  EXPECT_GT(differingShare(ur5, kr6), 0.1);
+  EXPECT_GT(orangeShare(kr6), orangeShare(ur5) + 0.05) << "KUKA's orange";
+  EXPECT_TRUE(isSeen({0.0, 0.0, 0.0}));
+  EXPECT_TRUE(isSeen(nozzleAtHome()));
 
   auto* tree = find<panels::ObjectTree>("tree");
   tree->setFocus();
@@ -213,8 +231,37 @@ TEST_F(CellTest, TheMachineIsDrawnOnPrepare) {
   EXPECT_LT(orangeShare(picture()), 0.001);
   QTest::keyClick(tree, Qt::Key_Space);
   EXPECT_LT(differingShare(kr6, picture()), 0.001);
-  // The part stays as large as without the machine.
-  EXPECT_LT(framed, 1000.0);
+}
+
+// Beside the machine the part is large enough to be worked on, and layers have the picture to
+// themselves, unless the user has put the camera where it is.
+TEST_F(CellTest, ThePartIsLargeBesideTheMachineAndLargerWithoutIt) {
+  openPart(writePart("cube.stl", box({0, 0, 0}, {100.0, 100.0, 100.0})));
+  ASSERT_TRUE(reachKnown());
+  picture();
+  keepPicture(window(), "prepare-cube");
+  // From its nearest corner to the farthest one.
+  const auto heightOfPart = [&] {
+    return onScreen({50, -50, 0}).y() - onScreen({-50, 50, 100}).y();
+  };
+  const int besideMachine = heightOfPart(), height = window().viewport().height();
+  EXPECT_TRUE(isSeen(nozzleAtHome()));
+  EXPECT_GT(besideMachine, height / 8);
+  choosePage(Page::Layers);
+  picture();
+  EXPECT_GT(heightOfPart(), 2 * besideMachine);
+  choosePage(Page::Prepare);
+  picture();
+  EXPECT_NEAR(heightOfPart(), besideMachine, 0.1 * besideMachine);
+
+  viewer::Viewport& viewport = window().viewport();
+  QWheelEvent wheel(viewport.rect().center(), viewport.mapToGlobal(viewport.rect().center()), {},
+                    {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&viewport, &wheel);
+  const int nearer = heightOfPart();
+  EXPECT_GT(nearer, besideMachine);
+  choosePage(Page::Layers);
+  EXPECT_NEAR(heightOfPart(), nearer, 0.1 * nearer);
 }
 
 // While an edit places the part anew the machine stays as it stands, its plate included.
