@@ -2,13 +2,17 @@
 // nothing of the part before is left in settings, picture and sliders.
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
+#include "timeline/joint_plots.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
 
 #include <QAction>
+#include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QTest>
+#include <QToolButton>
 #include <QUndoStack>
 
 namespace voluta::test {
@@ -27,8 +31,13 @@ protected:
   void drop(const QString& file) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file)});
+    // Qt hands a drop on to the widget that has taken the drag, and to no other.
+    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window(), &enter);
+    ASSERT_TRUE(enter.isAccepted());
     QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window(), &event);
+    EXPECT_TRUE(event.isAccepted());
   }
   bool shows(const QString& name) {
     return waitFor([&] {
@@ -57,7 +66,8 @@ TEST_F(PartChangeTest, AMeshOntoAnUnsavedPlanAsksAndUndoBringsThePlanBack) {
   const int pathLayers = window().presenter().pathLayers();
   answerBox("unsavedBox", QMessageBox::RejectRole);
   drop(other());
-  QTest::qWait(1500); // the box comes and is answered
+  ASSERT_TRUE(waitFor([&] { return answeredBoxes() == 1; }, 5000));
+  QTest::qWait(500); // what was not cancelled would come now
   EXPECT_EQ(document().name(), "plinth") << "cancelled";
   EXPECT_EQ(document().result(Stage::Replay), plan);
 
@@ -68,6 +78,8 @@ TEST_F(PartChangeTest, AMeshOntoAnUnsavedPlanAsksAndUndoBringsThePlanBack) {
   EXPECT_EQ(window().presenter().clock(), nullptr);
   EXPECT_EQ(bar().clock(), nullptr);
 
+  window().activateWindow(); // there may be no window manager to do it after a dialog
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window()));
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(shows("plinth"));
   EXPECT_TRUE(document().upToDate(Stage::Replay));
@@ -138,6 +150,11 @@ TEST_F(PartChangeTest, ANewProjectLeavesNothingOfThePartBefore) {
   ASSERT_TRUE(waitFor([&] { return !window().presenter().busy(); }));
   choosePage(Page::Simulate);
   EXPECT_LT(differingShare(empty, picture()), 0.01);
+  for (const QToolButton* button :
+       find<timeline::JointPlots>("plots")->findChildren<QToolButton*>())
+    EXPECT_FALSE(button->isVisible() && button->text().startsWith('J'))
+        << button->text().toStdString() << ", a joint of the arm before";
+  EXPECT_EQ(find<QLabel>("statusStage")->text(), QString());
   keepPicture(window(), "new_project");
 }
 

@@ -119,7 +119,7 @@ void WindowTest::choosePage(const char* page) {
 
 void WindowTest::answerBox(const char* name, QMessageBox::ButtonRole role) {
   auto* timer = new QTimer(window_.get());
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, name, role] {
+  QObject::connect(timer, &QTimer::timeout, timer, [this, timer, name, role] {
     for (QWidget* widget : QApplication::topLevelWidgets()) {
       auto* box = qobject_cast<QMessageBox*>(widget);
       if (!box || !box->isVisible() || (*name && box->objectName() != name))
@@ -128,6 +128,7 @@ void WindowTest::answerBox(const char* name, QMessageBox::ButtonRole role) {
         if (box->buttonRole(button) == role) {
           timer->deleteLater();
           timer->stop();
+          ++answeredBoxes_;
           QTest::mouseClick(button, Qt::LeftButton);
           return;
         }
@@ -153,6 +154,8 @@ void WindowTest::answerFileDialog(const QString& file) {
 }
 
 QImage WindowTest::picture() {
+  // A camera that has just moved shows less detail for a moment.
+  EXPECT_TRUE(waitFor([&] { return !window().viewport().view().dragging; }, 10000));
   int frames = 0;
   const auto counting = QObject::connect(&window().viewport(), &viewer::VtkView::framePainted,
                                          &window(), [&] { ++frames; });

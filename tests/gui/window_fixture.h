@@ -71,9 +71,10 @@ protected:
   QString page() const { return window_->pages().page().id(); }
   // Once a box of that name ("": any) is up, clicks its button of that role.
   void answerBox(const char* name, QMessageBox::ButtonRole role);
+  int answeredBoxes() const { return answeredBoxes_; }
   // Once a file dialog is up, enters the file.
   void answerFileDialog(const QString& file);
-  // The viewport as shown, after a frame.
+  // The viewport as shown, after a frame in full detail.
   QImage picture();
   template <typename T> T* find(const char* name) {
     auto* found = window_->findChild<T*>(name);
@@ -84,6 +85,9 @@ protected:
   QTemporaryDir folder_;
   GivenFiles given_;
   std::unique_ptr<window::MainWindow> window_;
+
+private:
+  int answeredBoxes_ = 0;
 };
 
 // For who wants to see it: VOLUTA_TEST_PICTURES names a folder.

@@ -154,6 +154,8 @@ void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajector
   retranslate();
   if (!trajectory || trajectory->pointCount() == 0) {
     runner_->cancel();
+    for (QToolButton* button : jointButtons_)
+      button->hide();
     refresh();
     return;
   }
@@ -209,6 +211,8 @@ void JointPlots::makeJointButtons() {
     }
     retranslate();
   }
+  for (QToolButton* button : jointButtons_)
+    button->show();
   colourJointButtons();
 }
 

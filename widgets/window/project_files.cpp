@@ -238,6 +238,7 @@ void ProjectFiles::newProject() {
     planning_.cancel();
     opening_.cancel();
     document_.clear();
+    emit said({}); // how the last run went
     emit cleared();
   });
 }
