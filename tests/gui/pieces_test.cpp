@@ -116,7 +116,9 @@ TEST_F(PiecesTest, TreeAndViewportShowTheSamePieces) {
   QTest::mouseClick(find<QCheckBox>("basePlanes"), Qt::LeftButton, {}, {8, 8});
   EXPECT_TRUE(view().basePlanes);
   EXPECT_GT(differingShare(apart, picture()), 0.001);
+  explode->setFocus(); // the box has it
   QTest::keyClick(explode, Qt::Key_Home);
+  EXPECT_EQ(view().explodeMm, 0.0);
   QTest::mouseClick(find<QCheckBox>("basePlanes"), Qt::LeftButton, {}, {8, 8});
 
   const QImage plain = picture();
@@ -345,6 +347,7 @@ TEST_F(PiecesTest, ARootIsPickedOnThePartWhereTheSchemeAsksForOne) {
 TEST_F(PiecesTest, AProjectOfPiecesOpensWithoutVoxels) {
   planTee();
   project::writeJob(path("tee.voluta").toStdString(), document().snapshot());
+  answerBox("unsavedBox", QMessageBox::DestructiveRole);
   window().open("sample:vase");
   ASSERT_TRUE(waitFor([&] { return document().source()->name == "vase.stl"; }));
   ASSERT_TRUE(waitFor([&] { return !window().presenter().hasPieces(); }));
