@@ -143,6 +143,30 @@ TEST_F(ExportTest, AFormatThatCannotSayTheJobIsNotOffered) {
   EXPECT_FALSE(why->isVisible());
 }
 
+// What is unticked is not ticked again by a new plan, the last one included.
+TEST_F(ExportTest, NoFormatIsTickedOnceAllAreTakenOff) {
+  planPlinth();
+  const auto tick = [&](const char* id, Qt::CheckState state) {
+    for (int i = 0; i < formats()->topLevelItemCount(); ++i)
+      if (auto* item = formats()->topLevelItem(i); item->data(0, Qt::UserRole).toString() == id)
+        item->setCheckState(0, state);
+  };
+  const QStringList before = panel()->checkedFormats();
+  ASSERT_FALSE(before.isEmpty());
+  for (const QString& id : before)
+    tick(id.toUtf8().constData(), Qt::Unchecked);
+  document().setParameter("walls", "3");
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  choosePage(Page::Export);
+  EXPECT_TRUE(panel()->checkedFormats().isEmpty())
+      << panel()->checkedFormats().join(' ').toStdString();
+  EXPECT_EQ(panel()->findChild<QLabel*>("reason")->text(), "Choose at least one format.");
+  tick("urscript", Qt::Checked);
+  EXPECT_EQ(panel()->checkedFormats(), QStringList("urscript"));
+  EXPECT_EQ(document().choices().formats, std::vector<std::string>{"urscript"});
+}
+
 TEST_F(ExportTest, WindingAndReadersAreOptionsOfTheirFormats) {
   planPlinth();
   chooseFormat("gcode-bc");

@@ -114,6 +114,8 @@ void ExportPage::listenToPanel() {
 void ExportPage::listenToRuns() {
   connect(&work().document, &document::Document::resultChanged, this, &ExportPage::show);
   connect(&work().document, &document::Document::edited, this, &ExportPage::show);
+  connect(&work().document, &document::Document::sourceChanged, this,
+          [this] { takenOff_.clear(); });
   connect(&exporting_, &document::Exporting::written, this,
           [this](const QString& folder, int files) {
             QString text = tr("Files written to %1: %2").arg(folder).arg(files);
@@ -256,7 +258,7 @@ QStringList ExportPage::chosenFormats() const {
   QStringList chosen;
   for (const std::string& id : ids)
     chosen << QString::fromStdString(id);
-  return chosen;
+  return chosen == takenOff_ ? QStringList() : chosen;
 }
 
 QString ExportPage::whyNot() const {
@@ -343,8 +345,9 @@ void ExportPage::goToLine(int file, qulonglong line) {
 // No format at all is not a choice: an empty list stands for the cell's usual formats. The panel
 // asks for one.
 void ExportPage::setFormats(const QStringList& ids) {
+  takenOff_ = ids.isEmpty() ? chosenFormats() : QStringList();
   if (ids.isEmpty())
-    return;
+    return; // the choices would name the cell's own
   project::Choices c = work().document.choices();
   c.formats.clear();
   for (const QString& id : ids)
