@@ -20,6 +20,8 @@
 #include <QResizeEvent>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -138,17 +140,46 @@ protected:
 };
 } // namespace
 
+// In a narrow panel the number stands for the words: the icon says what is counted.
+class FindingsPanel::CountButton : public QToolButton {
+public:
+  explicit CountButton(QWidget* parent) : QToolButton(parent) {
+    setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  }
+  void setCount(const QString& words, const QString& number) {
+    number_ = number;
+    setText(words);
+  }
+  QSize minimumSizeHint() const override {
+    const int less =
+        fontMetrics().horizontalAdvance(text()) - fontMetrics().horizontalAdvance(number_);
+    return sizeHint() - QSize(less, 0);
+  }
+
+protected:
+  void paintEvent(QPaintEvent*) override {
+    QStyleOptionToolButton option;
+    initStyleOption(&option);
+    if (width() < sizeHint().width())
+      option.text = number_;
+    QStylePainter(this).drawComplexControl(QStyle::CC_ToolButton, option);
+  }
+
+private:
+  QString number_;
+};
+
 FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   model_ = new FindingsModel(this);
   title_ = new QLabel(this);
   QFont bold = title_->font();
   bold.setBold(true);
   title_->setFont(bold);
-  blockedOnly_ = new QToolButton(this);
+  blockedOnly_ = new CountButton(this);
   blockedOnly_->setObjectName(QStringLiteral("blockedOnly"));
   blockedOnly_->setCheckable(true);
   blockedOnly_->setIcon(forms::icon(forms::Icon::Blocked));
-  blockedOnly_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(blockedOnly_, &QToolButton::toggled, this, [this](bool only) {
     model_->setBlockedOnly(only);
     showState();
@@ -395,7 +426,8 @@ void FindingsPanel::showState() {
       tr("%1 blocked, %2 worth knowing")
           .arg(count(model_->blocking()), count(model_->total() - model_->blocking())));
   blockedOnly_->setEnabled(model_->total() > 0);
-  blockedOnly_->setText(tr("Blocked (%1)").arg(count(model_->blocking())));
+  blockedOnly_->setCount(tr("Blocked (%1)").arg(count(model_->blocking())),
+                         count(model_->blocking()));
   if (model_->rowCount() > 0)
     pages_->setCurrentWidget(list_);
   else

@@ -15,7 +15,6 @@ class QListView;
 class QPushButton;
 class QScrollArea;
 class QStackedWidget;
-class QToolButton;
 
 namespace voluta::panels {
 
@@ -59,6 +58,8 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  class CountButton;
+
   void activateCurrent();
   void showCurrent();
   void showRemedies(const plan::Finding& finding);
@@ -74,7 +75,7 @@ private:
   FindingsModel* model_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* notChecked_ = nullptr;
-  QToolButton* blockedOnly_ = nullptr;
+  CountButton* blockedOnly_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   QListView* list_ = nullptr;
   QLabel* empty_ = nullptr;

@@ -36,6 +36,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace voluta::window {
 
@@ -278,6 +279,8 @@ void MainWindow::showStates() {
   commands_->refresh();
   summary_->setText(runs_.summary());
   pageDock_->setWindowTitle(pages_->page().title());
+  if (std::exchange(pageShown_, &pages_->page()) != &pages_->page())
+    QTimer::singleShot(0, this, &MainWindow::fitPageDock); // layouts know what is new only later
 }
 
 void MainWindow::showObjects() {
@@ -343,13 +346,18 @@ void MainWindow::retranslate() {
   commands_->retranslate();
   showObjects();
   pages_->showStates();
-  // Longer words get room, where there is some; the layouts know of them only later.
   QTimer::singleShot(0, this, [this] {
     fitToolBar();
-    if (const int wide = std::min(neededWidth(*pages_->sides()), width() / kMostPanelShare);
-        wide > pageDock_->width())
-      resizeDocks({pageDock_}, {wide}, Qt::Horizontal);
+    fitPageDock();
   });
+}
+
+// Longer words and what a small window has squeezed get room, where there is some; until another
+// page is on show the width is the user's.
+void MainWindow::fitPageDock() {
+  if (const int wide = std::min(neededWidth(*pages_->sides()), width() / kMostPanelShare);
+      wide > pageDock_->width())
+    resizeDocks({pageDock_}, {wide}, Qt::Horizontal);
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -364,6 +372,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   if (commands_->toolBar())
     fitToolBar();
+  QTimer::singleShot(0, this, &MainWindow::fitPageDock);
 }
 
 // What starts and stops a run is never where it has to be looked for.

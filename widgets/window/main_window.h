@@ -73,6 +73,7 @@ private:
   void tell(const QString& title, const QString& message);
   void retranslate();
   void fitToolBar();
+  void fitPageDock();
 
   QDockWidget *partDock_ = nullptr, *findingsDock_ = nullptr, *pageDock_ = nullptr;
   document::Document document_;
@@ -94,6 +95,7 @@ private:
   std::unique_ptr<FindingsPresenter> findingsPresenter_;
   std::unique_ptr<PageStack> pages_;
   CommandTable* commands_;
+  const Page* pageShown_ = nullptr;
   bool closing_ = false;
 };
 
