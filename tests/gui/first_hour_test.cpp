@@ -319,8 +319,8 @@ TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
   QDir().mkpath(path("out"));
   answerBox("", QMessageBox::DestructiveRole); // the refused ones too
   exportInto(path("out"));
-  ASSERT_TRUE(waitFor([&] { return !QDir(path("out")).isEmpty(); }, 10000));
-  ASSERT_TRUE(waitFor([&] { return exportButton()->isEnabled(); }, 10000)) << "one at a time";
+  ASSERT_TRUE(waitFor([&] { return !QDir(path("out")).isEmpty(); }));
+  ASSERT_TRUE(waitFor([&] { return exportButton()->isEnabled(); })) << "one at a time";
   const QDir out(path("out"));
   const QStringList names = out.entryList(QDir::Files);
   EXPECT_TRUE(names.contains("report.json"));
@@ -362,7 +362,7 @@ TEST_F(FirstHourTest, ExportAsksBeforeItReplacesAndLeavesAReport) {
   again(QMessageBox::RejectRole);
   EXPECT_EQ(bytesOf(out.filePath("report.json")), "mine");
   again(QMessageBox::DestructiveRole);
-  EXPECT_TRUE(waitFor([&] { return bytesOf(out.filePath("report.json")) != "mine"; }, 5000));
+  EXPECT_TRUE(waitFor([&] { return bytesOf(out.filePath("report.json")) != "mine"; }));
   // What would run on a robot comes first.
   const auto programs = document().result(Stage::Replay)->checked;
   const QString first = asked.section('\n', 0, 0);

@@ -100,6 +100,7 @@ TEST_F(PreviewTest, TheGrowthListInWordsStartsAPreviewOnThePageOfTheEdit) {
   auto* growth = find<QComboBox>("growth");
   EXPECT_EQ(growth->count(), 6);
   EXPECT_NE(growth->currentText(), "auto") << "plain words";
+  window().viewport().lookAt({0, 0, 5}, 15.0); // at the part, which is small beside the machine
   const QImage before = picture();
   growth->setFocus();
   QTest::keyClick(growth, Qt::Key_End); // greedy

@@ -211,12 +211,10 @@ TEST_F(WindowTest, RefusedProgramsAreWrittenOnlyOnTheUsersWord) {
   answerBox("", QMessageBox::DestructiveRole);
   QTest::mouseClick(button, Qt::LeftButton);
   // While the set moves in, a note says so.
-  ASSERT_TRUE(waitFor(
-      [&] {
-        const QStringList names = QDir(path("out")).entryList(QDir::Files);
-        return names.contains("report.json") && names.filter("UNFINISHED").isEmpty();
-      },
-      10000));
+  ASSERT_TRUE(waitFor([&] {
+    const QStringList names = QDir(path("out")).entryList(QDir::Files);
+    return names.contains("report.json") && names.filter("UNFINISHED").isEmpty();
+  }));
   const QStringList names = QDir(path("out")).entryList(QDir::Files);
   for (const QString& name : names)
     EXPECT_TRUE(name.startsWith("refused-") || name.startsWith("small") ||
@@ -332,6 +330,7 @@ protected:
       if (area->isVisible() && area->widget() && !area->widget()->visibleRegion().isEmpty()) {
         EXPECT_LE(area->widget()->width(), area->viewport()->width()) << page;
       }
+    keepPicture(window(), (std::string("narrow-") + page).c_str());
   }
 
 private:
