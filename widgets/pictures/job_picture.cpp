@@ -3,12 +3,14 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "curved/peeling_field.h"
+#include "geometry/measures.h"
 #include "modes/planar_modes.h"
 #include "pipeline/choices.h"
 #include "robot/arm_look.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <utility>
 
 namespace voluta::pictures {
@@ -102,13 +104,24 @@ public:
   void inMaterialColour() { view_.materialColour = true; }
 
   scene::Image picture(scene::StandardView view) {
-    scene_.setView(view_);
-    scene::OffscreenTarget target;
-    return target.imageOf(scene_, options_.width, options_.height,
-                          [&] { scene_.standardView(view); });
+    return pictureFrom([&] { scene_.standardView(view); });
+  }
+  // However large the plate is. Precondition: the job has its part.
+  scene::Image pictureOfThePart() {
+    return pictureFrom([&] {
+      scene_.standardView(scene::StandardView::Isometric);
+      const Eigen::AlignedBox3d box = geometry::bounds(*job_.part);
+      scene_.lookAt(box.center(), 0.5 * box.diagonal().norm());
+    });
   }
 
 private:
+  scene::Image pictureFrom(const std::function<void()>& placeCamera) {
+    scene_.setView(view_);
+    scene::OffscreenTarget target;
+    return target.imageOf(scene_, options_.width, options_.height, placeCamera);
+  }
+
   template <typename T>
   const std::shared_ptr<const T>& need(const std::shared_ptr<const T>& result, base::Text what) {
     if (!result)
@@ -222,8 +235,7 @@ std::vector<std::string> drawProofPictures(const project::Job& job) {
   part.showPart();
   printed.showPaths();
   printed.inMaterialColour();
-  return {scene::pngBytes(part.picture(scene::StandardView::Isometric)),
-          scene::pngBytes(printed.picture(scene::StandardView::Isometric))};
+  return {scene::pngBytes(part.pictureOfThePart()), scene::pngBytes(printed.pictureOfThePart())};
 }
 
 std::vector<std::string> proofPictures(const project::Job& job) {
