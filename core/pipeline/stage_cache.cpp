@@ -1,6 +1,9 @@
 #include "pipeline/stage_cache.h"
 
 #include "modes/mode_table.h"
+#include "pipeline/automatic.h"
+#include "pipeline/cell_plate.h"
+#include "pipeline/choices.h"
 #include "pipeline/stages.h"
 #include "project/job.h"
 
@@ -76,6 +79,12 @@ std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job) {
   load->scale = job.scale;
   load->placement = job.placement.value_or(job.choices.placement);
   load->part = job.part;
+  if (job.part && job.choices.platform.isOfCell()) {
+    const project::Choices choices = byHand(job.choices);
+    const base::ParameterValues values = parameterValues(choices);
+    load->platform = cellPlate(fittingCell(choices, chosenProcess(choices, values)), *job.part,
+                               plateNeeds(values));
+  }
   return load;
 }
 

@@ -57,7 +57,8 @@ private:
       shelves_;
 };
 
-// What a job read from disk holds of its first stage: not the cells of a voxel object.
+// What a job read from disk holds of its first stage, and the plate of its cell: not the cells of a
+// voxel object. Throws Error{Usage, UnreadableFile, UnusableInput} where its cell cannot be read.
 std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job);
 // Puts what a job read from disk holds into the cache, so that a plan of the same choices makes
 // only what is not in the file (the programs).

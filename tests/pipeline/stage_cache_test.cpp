@@ -1,6 +1,7 @@
 #include "pipeline/stage_cache.h"
 
 #include "base/error.h"
+#include "pipeline/box_request.h"
 #include "pipeline/stages.h"
 
 #include <gtest/gtest.h>
@@ -70,6 +71,23 @@ TEST(StageCache, WhatOneBehindItHasIsItsOwnToo) {
   EXPECT_EQ(cache.find<LayersStage>("a"), a) << "asked for, and so its own";
   cache.keep<LayersStage>("c", b);
   EXPECT_EQ(behind.find<LayersStage>("c"), b);
+}
+
+// What a reopened project is planned from has the cell's plate, as its first plan had.
+TEST(StageCache, AJobFromDiskStandsOnTheSamePlateOfItsCell) {
+  pipeline::PlanRequest request = test::boxRequest();
+  request.choices.automatic = true;
+  request.until = project::Stage::Layers;
+  const pipeline::PlanResult first = pipeline::planPart(request, {});
+  ASSERT_TRUE(first.job.choices.platform.isOfCell());
+  const pipeline::PlanResult reopened = pipeline::resultOf(first.job);
+  ASSERT_FALSE(reopened.placed->platform.empty());
+  EXPECT_EQ(reopened.placed->platform, first.placed->platform);
+  StageCache cache;
+  pipeline::seedCache(cache, first.job);
+  request.choices = first.job.choices;
+  request.choices.parameters["voxelMm"] = "1";
+  EXPECT_TRUE(pipeline::nothingBlocks(pipeline::planPart(request, {}, &cache).job.report));
 }
 
 TEST(StageCache, SeveralThreadsMayUseIt) {
