@@ -11,6 +11,15 @@
 
 namespace voluta::replay {
 
+std::size_t firstBeadOf(const plan::ReadProgram& program) {
+  const auto& motions = program.motions;
+  const auto begin =
+      motions.begin() + static_cast<std::ptrdiff_t>(std::min(program.firstMotion, motions.size()));
+  return static_cast<std::size_t>(
+      std::find_if(begin, motions.end(), [](const plan::ProgramMotion& m) { return m.extruding; }) -
+      motions.begin());
+}
+
 namespace {
 
 using enum plan::FindingKind;
@@ -25,16 +34,6 @@ constexpr double kNozzleMm = 0.05, kNozzleRad = 0.01;
 constexpr double kHarder = 1.5;
 // Writers let the speed change within half the motion.
 constexpr double kHalf = 2.0;
-
-// The text's own first motion that extrudes; count: there is none.
-std::size_t firstBeadOf(const plan::ReadProgram& program) {
-  const auto& motions = program.motions;
-  const auto begin =
-      motions.begin() + static_cast<std::ptrdiff_t>(std::min(program.firstMotion, motions.size()));
-  return static_cast<std::size_t>(
-      std::find_if(begin, motions.end(), [](const plan::ProgramMotion& m) { return m.extruding; }) -
-      motions.begin());
-}
 
 class Judge {
 public:
@@ -58,11 +57,7 @@ public:
 
 private:
   void add(plan::FindingKind kind, TextPlace place, std::vector<plan::NamedValue> values) {
-    TextFinding f;
-    f.finding = plan::makeFinding(kind, std::move(values));
-    f.finding.program = programLine(program_, place);
-    f.place = place;
-    found_.push_back(std::move(f));
+    found_.push_back(textFinding(program_, kind, place, std::move(values)));
   }
   static TextPlace placeOfPause(const plan::ProgramPause& p) { return {p.file + 1, p.line}; }
 

@@ -9,9 +9,14 @@
 #include "replay/executed_path.h"
 #include "robot/cell.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace voluta::replay {
+
+// Returns the first motion that extrudes, program.motions.size() where none does. Not of the
+// motions before program.firstMotion, which are no text of its own.
+std::size_t firstBeadOf(const plan::ReadProgram& program);
 
 // What the plan has flow out before its first bead: a usual bead's flow for the process' time, at
 // most the extruder's full flow. 0 where nothing is printed, and where a bead of its own fills the

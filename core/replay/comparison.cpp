@@ -27,11 +27,7 @@ public:
 
   void add(plan::FindingKind kind, TextPlace place, std::vector<plan::NamedValue> values = {},
            std::size_t count = 1) {
-    TextFinding f;
-    f.finding = plan::makeFinding(kind, std::move(values), std::nullopt, count);
-    f.finding.program = programLine(program_, place);
-    f.place = place;
-    findings_.push_back(std::move(f));
+    findings_.push_back(textFinding(program_, kind, place, std::move(values), count));
   }
   void atMotion(plan::FindingKind kind, std::size_t motion,
                 std::vector<plan::NamedValue> values = {}, std::size_t count = 1) {
@@ -242,6 +238,15 @@ plan::ProgramLine programLine(TextPlace place, TextPlace lastMotion) {
 plan::ProgramLine programLine(const plan::ReadProgram& program, TextPlace place) {
   return programLine(place, program.motions.empty() ? TextPlace{}
                                                     : placeOf(program, program.motions.size() - 1));
+}
+
+TextFinding textFinding(const plan::ReadProgram& program, plan::FindingKind kind, TextPlace place,
+                        std::vector<plan::NamedValue> values, std::size_t count) {
+  TextFinding f;
+  f.finding = plan::makeFinding(kind, std::move(values), std::nullopt, count);
+  f.finding.program = programLine(program, place);
+  f.place = place;
+  return f;
 }
 
 std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,

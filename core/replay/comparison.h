@@ -45,6 +45,10 @@ struct TextFinding {
 // them.
 plan::ProgramLine programLine(TextPlace place, TextPlace lastMotion);
 plan::ProgramLine programLine(const plan::ReadProgram& program, TextPlace place);
+
+// Returns a finding at a place of the program's text.
+TextFinding textFinding(const plan::ReadProgram& program, plan::FindingKind kind, TextPlace place,
+                        std::vector<plan::NamedValue> values, std::size_t count = 1);
 TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion);
 
 struct ComparisonOptions {

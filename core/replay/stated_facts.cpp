@@ -4,6 +4,7 @@
 #include "program/dialect.h"
 #include "program/filament.h"
 #include "program/full_flow.h"
+#include "replay/beside_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,9 +62,7 @@ public:
     const auto flows = std::ranges::find_if(
         program.pauses, [](const plan::ProgramPause& p) { return p.volumeMm3 > 0.0; });
     firstFlow_ = static_cast<std::size_t>(flows - program.pauses.begin());
-    firstBead_ = program.firstMotion;
-    while (firstBead_ < program.motions.size() && !program.motions[firstBead_].extruding)
-      ++firstBead_;
+    firstBead_ = firstBeadOf(program);
   }
 
   std::vector<TextFinding> compare() {
@@ -78,11 +77,7 @@ public:
 
 private:
   void add(plan::FindingKind kind, TextPlace place, std::vector<plan::NamedValue> values) {
-    TextFinding f;
-    f.finding = plan::makeFinding(kind, std::move(values));
-    f.finding.program = programLine(program_, place);
-    f.place = place;
-    found_.push_back(std::move(f));
+    found_.push_back(textFinding(program_, kind, place, std::move(values)));
   }
   static TextPlace placeOfFact(const StatedFact& fact) { return {fact.file + 1U, fact.line}; }
   void missing(FactKind kind, TextPlace place) {
