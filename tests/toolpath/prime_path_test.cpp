@@ -74,10 +74,8 @@ TEST(PrimePath, whereThePlateHasNoRoomItIsInTheAirBesideIt) {
   EXPECT_GT(air.corners.front().x(), 30.0);
 }
 
-TEST(PrimePath, isTheFirstOfThePlanAndWaste) {
-  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
-  const process::Process process = process::loadProcess("fdm-1.0");
-  const robot::Cell cell = robot::loadCell("ur5-moving", process, square(200));
+// One path of four waypoints.
+plan::ToolPlan onePath() {
   plan::ToolPlan plan;
   plan.position = corners(40);
   plan.direction.assign(4, Vector3d::UnitZ());
@@ -85,6 +83,14 @@ TEST(PrimePath, isTheFirstOfThePlanAndWaste) {
   plan.heightMm.assign(4, 0.8f);
   plan.speedMmPerS.assign(4, 20.0f);
   plan.paths.push_back({.first = 0, .count = 4});
+  return plan;
+}
+
+TEST(PrimePath, isTheFirstOfThePlanAndWaste) {
+  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+  const process::Process process = process::loadProcess("fdm-1.0");
+  const robot::Cell cell = robot::loadCell("ur5-moving", process, square(200));
+  plan::ToolPlan plan = onePath();
   ToolpathOptions options;
   addPrimePath(plan, cell, process, options);
   EXPECT_FALSE(plan.primes());
@@ -106,13 +112,7 @@ TEST(PrimePath, isTheFirstOfThePlanAndWaste) {
 TEST(PrimePath, tellsWhereItFalls) {
   setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
   const process::Process process = process::loadProcess("fdm-1.0");
-  plan::ToolPlan plan;
-  plan.position = corners(40);
-  plan.direction.assign(4, Vector3d::UnitZ());
-  plan.widthMm.assign(4, 1.2f);
-  plan.heightMm.assign(4, 0.8f);
-  plan.speedMmPerS.assign(4, 20.0f);
-  plan.paths.push_back({.first = 0, .count = 4});
+  const plan::ToolPlan plan = onePath();
   ToolpathOptions options;
   options.prime = "line";
   for (const double sideMm : {200.0, 42.0}) {

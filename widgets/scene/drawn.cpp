@@ -8,7 +8,12 @@ namespace voluta::scene {
 
 namespace {
 constexpr double kSolidOpacity = 0.5; // what is fainter is seen through
+
+void keepNearest(std::optional<RayHit>& best, const std::optional<RayHit>& hit) {
+  if (hit && (!best || hit->t < best->t))
+    best = hit;
 }
+} // namespace
 
 bool Between::machine() const {
   return platform || std::ranges::find(roles, true) != roles.end();
@@ -38,26 +43,22 @@ std::optional<RayHit> Drawn::nearestPrinted(const Ray& ray, bool solid) const {
     return !view.sectionOn || (p - view.sectionOrigin).dot(view.sectionNormal) <= 0.0;
   };
   std::optional<RayHit> best;
-  const auto consider = [&](const std::optional<RayHit>& hit) {
-    if (hit && (!best || hit->t < best->t))
-      best = hit;
-  };
   if (shows(view.part, part.get()) && view.partOpacity > 0.0 && !(solid && isSeeThrough()))
-    consider(pickPart(*part, ray, shown));
+    keepNearest(best, pickPart(*part, ray, shown));
   if (replaysGrowth()) {
     std::optional<RayHit> hit = pickVoxel(*growth, ray, 0, *view.growthStep - 1, shown);
     if (hit)
       hit->hit.layer = -1;
-    consider(hit);
+    keepNearest(best, hit);
   } else if (const VoxelDrawing* drawing = shownVoxels(); drawing && !(solid && view.seeThrough)) {
-    consider(pickVoxel(*drawing, ray, view.firstLayer, view.lastLayer, shown));
+    keepNearest(best, pickVoxel(*drawing, ray, view.firstLayer, view.lastLayer, shown));
   }
   if (shows(view.pieces, pieces.get()))
-    consider(pickPiece(*pieces, ray, pieceOffsets(*pieces, view.explodeMm), shown));
+    keepNearest(best, pickPiece(*pieces, ray, pieceOffsets(*pieces, view.explodeMm), shown));
   if (shows(view.layers, layers.get()))
-    consider(pickLayer(*layers, ray, layerStretches(true), shown));
+    keepNearest(best, pickLayer(*layers, ray, layerStretches(true), shown));
   if (shows(view.paths, paths.get()))
-    consider(pickPath(*paths, ray, visibleBeads(*paths, view), shown));
+    keepNearest(best, pickPath(*paths, ray, visibleBeads(*paths, view), shown));
   return best;
 }
 
@@ -74,18 +75,14 @@ bool Drawn::isBodyShown(std::size_t body) const {
 
 std::optional<RayHit> Drawn::nearest(const Ray& ray) const {
   std::optional<RayHit> best = nearestPrinted(ray, false);
-  const auto consider = [&](const std::optional<RayHit>& hit) {
-    if (hit && (!best || hit->t < best->t))
-      best = hit;
-  };
   if (shows(view.platform, platform.get()))
-    consider(pickPlatform(*platform, ray));
+    keepNearest(best, pickPlatform(*platform, ray));
   if (!shows(view.cell, cell.get()))
     return best;
   const std::vector<Eigen::Isometry3d> work_T_frame = framesInWork();
   for (std::size_t body = 0; body < cell->cell.bodies().size(); ++body)
     if (isBodyShown(body))
-      consider(pickBody(*cell, body, work_T_frame, ray));
+      keepNearest(best, pickBody(*cell, body, work_T_frame, ray));
   return best;
 }
 
