@@ -26,7 +26,7 @@ inline constexpr std::array kNarrow{NarrowVoxels};
 inline constexpr std::array kForUncovered{AdaptLayers, LowerLayers, FinerProcess, ChooseWay};
 inline constexpr std::array kForFill{LowerLayers, FinerProcess, ChooseWay};
 inline constexpr std::array kForUnsupported{AddSupports, TurnLeastRisky, PrintFlat, ChooseWay,
-                                     PrintOnPlate};
+                                            PrintOnPlate};
 inline constexpr std::array kForHanging{ChooseWay};
 inline constexpr std::array kForThin{ScaleUp, FinerProcess};
 inline constexpr std::array kForThinInReach{FinerProcess};
@@ -45,7 +45,8 @@ inline constexpr std::array kForOutOfReach{ScaleToFit, Shrink, CentrePart, Large
 inline constexpr std::array kForRod{ScaleToFit, Shrink};
 inline constexpr std::array kForUnconnected{MoreTurns, Shrink, PrintFlat};
 inline constexpr std::array kForHeadInPart{LowerLayers, FinerProcess, PrintFlat, ChooseWay};
-inline constexpr std::array kForHeadInPlatform{ShrinkPlatform, FinerProcess, PrintFlat, PrintOnPlate};
+inline constexpr std::array kForHeadInPlatform{ShrinkPlatform, FinerProcess, PrintFlat,
+                                               PrintOnPlate};
 inline constexpr std::array kForCollision{LessClearance, MoreTurns, Shrink, CentrePart};
 inline constexpr std::array kForReplayed{MoreClearance, Shrink, CentrePart};
 inline constexpr std::array kForLimits{MoreTurns, Shrink, CentrePart, PrintFlat};
@@ -65,22 +66,27 @@ inline constexpr base::Text kOldProject =
     "kept as sentences in an older project: plan again for what can be done"_text;
 inline constexpr base::Text kOthersHelp = "the findings before this one have the remedies"_text;
 inline constexpr base::Text kFinest = "no process here has narrower beads"_text;
-inline constexpr base::Text kOtherBead = "the bead to go on from is chosen on the Simulate page"_text;
-inline constexpr base::Text kCellFile = "only the cell's own file can be changed: Edit, Edit cell"_text;
+inline constexpr base::Text kOtherBead =
+    "the bead to go on from is chosen on the Simulate page"_text;
+inline constexpr base::Text kCellFile =
+    "only the cell's own file can be changed: Edit, Edit cell"_text;
 
 inline constexpr base::Text kTurnOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
-inline constexpr base::Text kJoin = "a larger platform, supports, or join this piece to the part"_text;
+inline constexpr base::Text kJoin =
+    "a larger platform, supports, or join this piece to the part"_text;
 inline constexpr base::Text kBreakOff = "break it off after printing"_text;
 inline constexpr base::Text kNarrowTo = "a voxel width of at most {fits}"_text;
 inline constexpr base::Text kThicken = "thicken the wall to {least} or more"_text;
-inline constexpr base::Text kCutThere = "add supports (supports=auto), cut there, or use curved mode"_text;
+inline constexpr base::Text kCutThere =
+    "add supports (supports=auto), cut there, or use curved mode"_text;
 inline constexpr base::Text kTurnOrModes =
     "turn the part (orient=leastRisky), add supports, or use planar or curved mode"_text;
 inline constexpr base::Text kTurnOrOther =
     "turn the part (orient=leastRisky), or use planar or curved mode"_text;
 inline constexpr base::Text kFiner = "use a finer nozzle, or print the part larger"_text;
-inline constexpr base::Text kGentlerRod = "let the part rise from the rod at a gentler slope there"_text;
+inline constexpr base::Text kGentlerRod =
+    "let the part rise from the rod at a gentler slope there"_text;
 inline constexpr base::Text kGentlerSurface =
     "let the part rise from the surface at a gentler slope there"_text;
 inline constexpr base::Text kScaleOrTurn =
@@ -93,7 +99,8 @@ inline constexpr base::Text kAlongRod = "scale the part down, or move it along t
 inline constexpr base::Text kLessClearance =
     "turn the part, use a smaller platform, or allow less clearance"_text;
 inline constexpr base::Text kTurnOrClearance = "turn the part, or allow less clearance"_text;
-inline constexpr base::Text kWriteAgain = "write the program again, or plan anew with this change"_text;
+inline constexpr base::Text kWriteAgain =
+    "write the program again, or plan anew with this change"_text;
 inline constexpr base::Text kSlower = "slower there, or another place in the cell"_text;
 
 } // namespace voluta::plan::finding_cures
