@@ -3,7 +3,7 @@
 #include "base/number_list.h"
 #include "cli/commands.h"
 #include "pipeline/cell_check.h"
-#include "robot/measured_json.h"
+#include "robot/measured/measured_json.h"
 
 #include <fmt/format.h>
 #include <optional>
@@ -42,7 +42,7 @@ ExitCode cellCheckCommand(const CheckCellOptions& options) {
                                        : process::loadProcess(options.process);
   const pipeline::CheckedCell checked = pipeline::checkedCell(
       base::readFile(file), file.stem().string(), process, options.partKg, {});
-  for (const reach::CellFault& fault : checked.faults)
+  for (const cells::CellFault& fault : checked.faults)
     fmt::print("{}\n", fault.remedy.empty() ? base::english(fault.what)
                                             : fmt::format("{} ({})", base::english(fault.what),
                                                           base::english(fault.remedy)));

@@ -8,7 +8,7 @@
 #include "pipeline/compare_figures.h"
 #include "pipeline/resume.h"
 #include "pipeline/road.h"
-#include "robot/urdf_reader.h"
+#include "robot/urdf/urdf_reader.h"
 
 #include <filesystem>
 #include <functional>
@@ -90,7 +90,7 @@ struct ImportRobotOptions {
 // and how to plan with it.
 ExitCode importRobotCommand(const ImportRobotOptions& options);
 
-// A table of points or poses that were measured (robot/measured_json.h).
+// A table of points or poses that were measured (robot/measured/measured_json.h).
 struct MeasuredOptions {
   std::filesystem::path table;
   std::string robot; // poses as its joints; empty: as poses

@@ -1,10 +1,10 @@
 #include "base/data_files.h"
+#include "cells/arm_import.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "process/process.h"
 #include "program/dialect.h"
 #include "project/choices.h"
-#include "setup/arm_import.h"
 
 #include <fmt/format.h>
 
@@ -47,14 +47,14 @@ ExitCode importRobotCommand(const ImportRobotOptions& asked) {
   const process::Process process = process::loadProcess(project::Choices().process);
   const auto import = endedWith(runInterruptibly(
       [&](const base::RunContext& ctx) {
-        return setup::importArm(asked.urdf, asked.options, nozzle, process, ctx);
+        return cells::importArm(asked.urdf, asked.options, nozzle, process, ctx);
       },
       asked.threads, {}, [] {}));
   if (!import) {
     fmt::print(stderr, "cancelled; nothing was written\n");
     return kCancelled;
   }
-  const setup::ImportedFiles files = setup::writeImport(*import, folder);
+  const cells::ImportedFiles files = cells::writeImport(*import, folder);
   const robot::RobotModel& robot = import->arm.model;
   fmt::print("robot {} {}\n", robot.id, files.robot.string());
   fmt::print("cell {} {}\n", import->layout.cell.id, files.cell.string());

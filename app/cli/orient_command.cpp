@@ -30,7 +30,7 @@ struct Found {
 };
 
 Found waysOf(const pipeline::PlanRequest& request, const base::RunContext& ctx) {
-  const project::Choices choices = pipeline::byHand(request.choices);
+  const project::Choices choices = pipeline::resolved(request.choices);
   pipeline::checkChoices(choices);
   const process::Process process =
       pipeline::chosenProcess(choices, pipeline::parameterValues(choices));

@@ -1,10 +1,10 @@
 #include "base/data_files.h"
 #include "base/units.h"
+#include "cells/nozzle_place.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pipeline/cell_reach.h"
 #include "pipeline/choices.h"
-#include "reach/nozzle_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json jsonOf(const reach::ReachMap& map, const std::string& cell) {
+Json jsonOf(const cells::ReachMap& map, const std::string& cell) {
   Json tilts = Json::array(), points = Json::array();
   const double highest = map.grid().heightsMm.back();
   for (std::size_t tilt = 0; tilt < map.grid().tiltsRad.size(); ++tilt)
@@ -39,7 +39,7 @@ Json jsonOf(const reach::ReachMap& map, const std::string& cell) {
 }
 
 // Tenths of the poses over each point, the plate seen from above, x to the right; * for all.
-void drawMap(const reach::ReachMap& map) {
+void drawMap(const cells::ReachMap& map) {
   Eigen::Vector2i low = map.lattice().front(), high = low;
   for (const Eigen::Vector2i& at : map.lattice()) {
     low = low.cwiseMin(at);
@@ -60,7 +60,7 @@ void drawMap(const reach::ReachMap& map) {
     fmt::print("  {}\n", row.substr(0, row.find_last_not_of(' ') + 1));
 }
 
-void say(const reach::ReachMap& map, const std::string& cell) {
+void say(const cells::ReachMap& map, const std::string& cell) {
   fmt::print("{}: {} points every {:g} mm, heights {:g} to {:g} mm; poses reached by tilt:\n", cell,
              map.points().size(), map.grid().spacingMm, map.grid().heightsMm.front(),
              map.grid().heightsMm.back());
@@ -95,13 +95,13 @@ ExitCode cellNozzleCommand(const ReachOptions& options) {
     throw base::Error(base::ErrorCode::Usage,
                       base::message("in cell {cell} the nozzle goes with the arm"_text, cell.id()),
                       {}, "take a cell whose nozzle stands still"_text);
-  reach::NozzleSearch search;
+  cells::NozzleSearch search;
   search.flange_T_work = cell.flange_T_moved();
-  const auto frames = reach::reachableFrames(cell.robot(), search);
-  const reach::NozzlePlace place = reach::bestNozzlePlace(frames, search.stepMm, search.boxSteps);
+  const auto frames = cells::reachableFrames(cell.robot(), search);
+  const cells::NozzlePlace place = cells::bestNozzlePlace(frames, search.stepMm, search.boxSteps);
   const Eigen::Vector3d now = cell.base_T_fixed().translation();
   const Eigen::Vector3d box = search.stepMm * search.boxSteps.cast<double>();
-  const std::size_t framesNow = reach::framesInBox(frames, now, box);
+  const std::size_t framesNow = cells::framesInBox(frames, now, box);
   if (options.json)
     fmt::print("{}\n", Json{{"cell", cell.id()},
                             {"samples", search.samples},

@@ -1,5 +1,5 @@
 #include "cli/commands.h"
-#include "robot/robot_json_output.h"
+#include "robot/cell/robot_json_output.h"
 #include "robot/robot_model.h"
 
 #include <charconv>

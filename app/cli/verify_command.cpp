@@ -25,7 +25,7 @@ ExitCode verifyCommand(const VerifyOptions& options) {
              result.replay.limitViolations, result.replay.maxDeviationMm);
   const plan::Finding* first = nullptr;
   for (const plan::Finding& f : result.findings) {
-    fmt::print("{}: {}\n", plan::kindWord(f), plan::englishReason(f));
+    fmt::print("{}: {}\n", plan::reportId(f), plan::englishReason(f));
     if (f.blocking && !first)
       first = &f;
   }

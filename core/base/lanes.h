@@ -12,12 +12,12 @@ using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
 using Ints = std::int32_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
 
 // Of four numbers side by side in memory, which need not be aligned.
-template <typename Four, typename T> Four fourAt(const T* first) {
+template <typename Four, typename T> Four load(const T* first) {
   Four four;
   std::memcpy(&four, first, sizeof(four));
   return four;
 }
-template <typename Four, typename T> void storeFour(const Four& four, T* first) {
+template <typename Four, typename T> void store(const Four& four, T* first) {
   std::memcpy(first, &four, sizeof(four));
 }
 
@@ -28,10 +28,10 @@ inline Floats floatsOf(Ints v) {
 inline Ints intsOf(Floats v) {
   return __builtin_convertvector(v, Ints);
 }
-inline Floats leastOf(Floats a, Floats b) {
+inline Floats min(Floats a, Floats b) {
   return a < b ? a : b;
 }
-inline Floats greatestOf(Floats a, Floats b) {
+inline Floats max(Floats a, Floats b) {
   return a < b ? b : a;
 }
 inline Floats absOf(Floats v) {

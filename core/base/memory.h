@@ -19,7 +19,7 @@ double peakResidentMb();
 void returnFreedMemory();
 
 // Empties them and gives back what they hold, which `= {}` does not.
-template <typename... Ts> void letGo(std::vector<Ts>&... vectors) {
+template <typename... Ts> void freeStorage(std::vector<Ts>&... vectors) {
   (std::vector<Ts>().swap(vectors), ...);
 }
 

@@ -39,8 +39,8 @@ void parallelChunks(const RunContext& ctx, std::size_t count, std::size_t grain,
       std::rethrow_exception(e);
 }
 
-void parallelTold(const RunContext& ctx, std::size_t count, double share, const Text& phase,
-                  const std::function<void(std::size_t)>& body) {
+void parallelWithProgress(const RunContext& ctx, std::size_t count, double share, const Text& phase,
+                          const std::function<void(std::size_t)>& body) {
   const std::thread::id teller = std::this_thread::get_id();
   std::atomic<std::size_t> finished = 0;
   ctx.report(0.0, phase);

@@ -19,8 +19,8 @@ void parallelChunks(const RunContext& ctx, std::size_t count, std::size_t grain,
 // Calls body(index) for each of [0, count) the same way, one by one, and tells ctx how many are
 // done, as up to `share` of its work in the phase `phase`: from the calling thread, which takes
 // part.
-void parallelTold(const RunContext& ctx, std::size_t count, double share, const Text& phase,
-                  const std::function<void(std::size_t index)>& body);
+void parallelWithProgress(const RunContext& ctx, std::size_t count, double share, const Text& phase,
+                          const std::function<void(std::size_t index)>& body);
 
 // Sum of body(begin, end) over the chunks, added in chunk order: the same for any thread count.
 template <typename T>

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kRowsAChunk = 256;
 } // namespace
 
-FillTimes::FillTimes(const voxel::VoxelGrid& grid, Leads leads, const base::RunContext& ctx)
+FillTimes::FillTimes(const voxel::VoxelGrid& grid, ReversedTimes leads, const base::RunContext& ctx)
     : grid_(grid), leads_(std::move(leads)) {
   base::require(leads_.size() == grid_.cellCount(), "a time for each cell");
   if (leads_.empty())
@@ -33,14 +33,14 @@ FillTimes::FillTimes(const voxel::VoxelGrid& grid, Leads leads, const base::RunC
   });
   for (std::size_t z = rows - 1; z-- > 0;)
     fromUp_[z] = std::min(fromUp_[z], fromUp_[z + 1]);
-  const Leads* below = &leads_;
+  const ReversedTimes* below = &leads_;
   Vector3i belowSize = grid_.size;
   while (belowSize.maxCoeff() > 1) {
     Level level;
     level.size = (belowSize.array() + 1) / 2;
-    level.most =
-        Leads(static_cast<std::size_t>(level.size.x()) * static_cast<std::size_t>(level.size.y()) *
-              static_cast<std::size_t>(level.size.z()));
+    level.most = ReversedTimes(static_cast<std::size_t>(level.size.x()) *
+                               static_cast<std::size_t>(level.size.y()) *
+                               static_cast<std::size_t>(level.size.z()));
     const auto nx = static_cast<std::size_t>(level.size.x());
     const auto ny = static_cast<std::size_t>(level.size.y());
     const auto mx = static_cast<std::size_t>(belowSize.x());
@@ -142,7 +142,7 @@ private:
 } // namespace
 
 std::uint32_t FillTimes::leastAt(int level, const Vector3i& block) const {
-  const auto at = [&](const Vector3i& size, const Leads& most) {
+  const auto at = [&](const Vector3i& size, const ReversedTimes& most) {
     if (block.x() >= size.x() || block.y() >= size.y() || block.z() >= size.z())
       return kNever;
     return kNever -

@@ -23,11 +23,11 @@ public:
 
   FillTimes() = default;
   // Of each cell how long before kNever it is filled; 0: it stays empty, and takes no memory.
-  using Leads = base::ZeroedArray<std::uint32_t>;
+  using ReversedTimes = base::ZeroedArray<std::uint32_t>;
   static constexpr std::uint32_t leadOf(std::uint32_t moment) { return kNever - moment; }
 
   // Throws Cancelled.
-  FillTimes(const voxel::VoxelGrid& grid, Leads leads, const base::RunContext& ctx);
+  FillTimes(const voxel::VoxelGrid& grid, ReversedTimes leads, const base::RunContext& ctx);
 
   const voxel::VoxelGrid& grid() const { return grid_; }
   std::uint32_t filledAt(std::size_t cell) const { return kNever - leads_[cell]; }
@@ -62,11 +62,11 @@ private:
   double topBefore(std::uint32_t before) const;
 
   voxel::VoxelGrid grid_;
-  Leads leads_;
+  ReversedTimes leads_;
   std::vector<std::uint32_t> fromUp_; // of each z: least moment there or higher
   struct Level {
     Eigen::Vector3i size;
-    Leads most; // of a block of 2^level cells: of what is filled first
+    ReversedTimes most; // of a block of 2^level cells: of what is filled first
   };
   std::vector<Level> pyramid_;
 };

@@ -32,7 +32,7 @@ constexpr double kRodChordMm = 0.01;
 std::vector<std::uint32_t> segmentsOf(const plan::ToolPlan& plan) {
   std::vector<std::uint32_t> segments;
   segments.reserve(plan.waypointCount());
-  const bool falls = plan.primeFalls();
+  const bool falls = plan.isPrimeInAir();
   for (const plan::ToolPath& path : plan.paths) {
     base::require(path.first + path.count <= plan.waypointCount(), "paths inside the plan");
     if (falls && &path == &plan.paths.front())
@@ -104,7 +104,7 @@ void raise(std::uint32_t& cell, std::uint32_t value) {
 
 // Fills the cells of a segment, which lie in the box, but those that are filled before it.
 void deposit(const BeadSolid& bead, const CellBox& box, std::uint32_t segment,
-             const voxel::VoxelGrid& grid, FillTimes::Leads& leads) {
+             const voxel::VoxelGrid& grid, FillTimes::ReversedTimes& leads) {
   const auto& [low, high] = box;
   const std::uint32_t lead = FillTimes::leadOf(segment + 1);
   for (int k = low.z(); k <= high.z(); ++k)
@@ -199,7 +199,7 @@ std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& plat
     else
       voxel::fillOpen(solid, caps, grid, inside, ctx);
   }
-  FillTimes::Leads leads(inside.size());
+  FillTimes::ReversedTimes leads(inside.size());
   for (std::size_t c = 0; c < inside.size(); ++c)
     if (inside[c] != 0)
       leads[c] = FillTimes::leadOf(kFromTheStart);
@@ -213,7 +213,7 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, double pitchMm, const base:
   requireArrays(plan);
   const std::vector<std::uint32_t> segments = segmentsOf(plan);
   const voxel::VoxelGrid grid = gridAround(plan, segments, pitchMm, ctx);
-  FillTimes::Leads leads(grid.cellCount());
+  FillTimes::ReversedTimes leads(grid.cellCount());
   base::parallelChunks(ctx, segments.size(), kSegmentsAChunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t s = b; s < e; ++s) {
       const BeadSolid bead(plan, segments[s]);
@@ -242,7 +242,7 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other,
 
   const voxel::VoxelGrid& there = other.grid();
   const voxel::VoxelGrid grid = gridAround(plan, segments, there.pitch, ctx);
-  FillTimes::Leads leads(grid.cellCount());
+  FillTimes::ReversedTimes leads(grid.cellCount());
   Emptied emptied(grid);
   // Both origins are whole multiples of the pitch.
   const Vector3i shift =

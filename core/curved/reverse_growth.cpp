@@ -71,7 +71,7 @@ private:
                 "growth"_text);
   }
 
-  bool isWanted() const { return !options_.needless || !options_.needless->cancelled(); }
+  bool isWanted() const { return !options_.superseded || !options_.superseded->cancelled(); }
 
   void lowerLevels() {
     float highest = 0.0f;

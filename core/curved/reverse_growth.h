@@ -32,7 +32,7 @@ struct PeelOptions {
   const process::HeadShape* head = nullptr;
   int runs = 12; // peelAll(): at most
   // Once it is cancelled what is peeled is not wanted any more: as if nothing could go on.
-  std::optional<base::CancelToken> needless;
+  std::optional<base::CancelToken> superseded;
 };
 
 struct Peeling {

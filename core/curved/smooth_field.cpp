@@ -113,7 +113,7 @@ public:
       FieldScore score;
       Peeling grown;
       const base::CancelToken ends;
-      peelOptions.needless = ends;
+      peelOptions.superseded = ends;
       const auto judge = [&] {
         score = scoreField(graph_, field, fit_.normals(), limits_, front.head, deep, ctx);
         const bool good = score.inaccessible <= kAccessible && score.within >= kWithin &&

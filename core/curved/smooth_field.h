@@ -10,7 +10,8 @@
 
 namespace voluta::curved {
 
-// Least rise of a field, per cell, from a voxel to one it carries: withoutPits() takes out what is less.
+// Least rise of a field, per cell, from a voxel to one it carries: withoutPits() takes out what is
+// less.
 inline constexpr float kPitSlope = 0.15f;
 
 struct SmoothField {

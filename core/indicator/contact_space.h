@@ -3,8 +3,8 @@
 #pragma once
 
 #include "plan/tool_plan.h"
-#include "robot/arm_twists.h"
 #include "robot/cell.h"
+#include "robot/kinematics/arm_twists.h"
 
 #include <cstddef>
 #include <cstdint>

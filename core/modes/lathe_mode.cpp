@@ -183,7 +183,7 @@ std::shared_ptr<const DecomposeStage> decompose(const LathePlan& plan, const Dec
   const substrate::RodSurface rod = surfaceOf(stage->platform);
   const auto left =
       std::make_shared<geometry::TriangleMesh>(substrate::partAroundRod(*input.placed.part, rod));
-  stage->result = project::LessGround{left};
+  stage->result = project::ReducedPlatform{left};
   ctx.checkpoint();
   const substrate::LatheOptions options = plan.options();
   const substrate::Overhang overhang = substrate::latheOverhang(*left, rod, options, plan.overhang);

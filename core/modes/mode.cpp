@@ -4,12 +4,12 @@
 
 namespace voluta::modes {
 
-Companions usualOnPlate() {
+Defaults usualOnPlate() {
   const project::Choices first;
   return {first.cell, first.process, first.platform};
 }
 
-bool Mode::asksFor(std::string_view parameter) const {
+bool Mode::requiresParameter(std::string_view parameter) const {
   return std::find(parameters.begin(), parameters.end(), parameter) != parameters.end();
 }
 

@@ -40,12 +40,12 @@ struct DecomposeInput {
 };
 
 // What a mode is printed with unless something else is chosen.
-struct Companions {
+struct Defaults {
   std::string cell, process;
   project::Platform platform;
 };
 // As Choices begin.
-Companions usualOnPlate();
+Defaults usualOnPlate();
 
 struct Mode {
   std::string_view id;
@@ -65,7 +65,7 @@ struct Mode {
   // What it takes a platform as, the usual way first.
   std::vector<project::PlatformUse> platforms = {project::PlatformUse::Plate};
   bool aroundRod = false; // does it need a cell with a rod
-  Companions usual = usualOnPlate();
+  Defaults usual = usualOnPlate();
   // Where a part lies that nobody has placed, for geometry::place with this scale. Nothing: as
   // geometry::Placement's defaults.
   FromOptions<geometry::Placement(const geometry::TriangleMesh&, double scale)> place = {};
@@ -78,7 +78,7 @@ struct Mode {
   // Parameters whose default is another one in this mode, as text.
   std::vector<std::pair<std::string_view, std::string_view>> defaults = {};
 
-  bool asksFor(std::string_view parameter) const;
+  bool requiresParameter(std::string_view parameter) const;
 };
 
 // Statistics as the report has them.

@@ -47,7 +47,7 @@ bool takesParameter(const Mode& mode, std::string_view key) {
     return true;
   if (key == "orient") // a mode that lays parts itself does not turn them
     return !mode.place;
-  return !modeParameters().find(key) || mode.asksFor(key);
+  return !modeParameters().find(key) || mode.requiresParameter(key);
 }
 
 } // namespace voluta::modes

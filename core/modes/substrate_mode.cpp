@@ -190,7 +190,7 @@ decompose(const SurfacePlan& plan, const DecomposeInput& input, const base::RunC
   auto stage = std::make_shared<DecomposeStage>();
   const substrate::SubstrateOptions options = substrateOptions(plan);
   stage->platform = platformOf(plan.ground, input.placed);
-  project::LessGround less;
+  project::ReducedPlatform less;
   if (stage->platform.mesh)
     less.part = std::make_shared<geometry::TriangleMesh>(
         substrate::partOnBody(*input.placed.part, *stage->platform.mesh));

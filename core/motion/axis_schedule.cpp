@@ -4,9 +4,9 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/units.h"
-#include "motion/even_turns.h"
 #include "motion/external_axes.h"
 #include "motion/nozzle_frame.h"
+#include "motion/smoothing/even_turns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,11 +9,11 @@
 #include "motion/external_axes.h"
 #include "motion/head_refusals.h"
 #include "motion/jerk.h"
+#include "motion/ladder/path_planner.h"
+#include "motion/ladder/size_in_reach.h"
 #include "motion/nozzle_frame.h"
-#include "motion/path_planner.h"
 #include "motion/refusal_findings.h"
 #include "motion/sequence.h"
-#include "motion/size_in_reach.h"
 #include "motion/timed_points.h"
 #include "motion/timing.h"
 #include "plan/blocking_share.h"
@@ -182,7 +182,7 @@ private:
 
   // The waypoints on the way to which the finished motion meets something. One that follows the
   // last is not among them.
-  std::vector<std::size_t> metAt() const {
+  std::vector<std::size_t> collidingWaypoints() const {
     std::vector<std::size_t> waypoints;
     for (const TrajectoryCollision& c : check_.collisions)
       if (const std::size_t w = plan::waypointAhead(result_.trajectory, c.point);
@@ -221,7 +221,7 @@ private:
   MotionResult joined(const base::RunContext& ctx) {
     join(ctx);
     for (int round = 0; round < kRounds; ++round) {
-      const std::vector<std::size_t> paths = avoid(metAt());
+      const std::vector<std::size_t> paths = avoid(collidingWaypoints());
       if (paths.empty())
         break;
       for (const std::size_t p : paths)
@@ -245,7 +245,7 @@ private:
       runs.insert(runs.end(), way.runs.begin(), way.runs.end());
     ConnectedRuns connected =
         connectRuns(scene_, std::move(runs), home_, planner_, transfers_, ctx.sub(0.0, 0.5));
-    lost_ = std::move(connected.lost);
+    skipped_ = std::move(connected.skipped);
     refusedAgain_ = std::move(connected.refused);
     result_.times.transfer += watch.seconds();
 
@@ -358,7 +358,7 @@ private:
         ++s.unreachable;
       else
         ++s.collisions;
-    for (const LostPiece& piece : lost_)
+    for (const SkippedPiece& piece : skipped_)
       s.collisions += piece.waypoints.size();
     s.collisions += check_.collisions.size();
     const double planned = materialOf(plan_);
@@ -382,7 +382,7 @@ private:
                             {{"first", collision_.nameOf(homeMeets_->first)},
                              {"second", collision_.nameOf(homeMeets_->second)}}));
     for (const bool caught : {false, true})
-      addLost(caught, [&](const LostPiece& first, std::size_t waypoints, std::size_t pieces) {
+      addLost(caught, [&](const SkippedPiece& first, std::size_t waypoints, std::size_t pieces) {
         const std::size_t w = first.waypoints.front();
         add(caught ? plan::FindingKind::NoWayFrom : plan::FindingKind::NoWayTo, w, timeOf[w],
             waypoints, {{"place", placeOf(scene_, w)}, {"pieces", pieces}});
@@ -417,9 +417,9 @@ private:
   }
 
   template <typename Add> void addLost(bool caught, const Add& add) const {
-    const LostPiece* first = nullptr;
+    const SkippedPiece* first = nullptr;
     std::size_t waypoints = 0, pieces = 0;
-    for (const LostPiece& piece : lost_)
+    for (const SkippedPiece& piece : skipped_)
       if (piece.caught == caught) {
         first = first ? first : &piece;
         waypoints += piece.waypoints.size();
@@ -442,7 +442,7 @@ private:
   std::vector<Refusal> refusals_; // of waypoints, before any path is planned
   std::vector<PathWay> ways_;     // a path
   std::optional<collision::Contact> homeMeets_;
-  std::vector<LostPiece> lost_;       // for want of a way
+  std::vector<SkippedPiece> skipped_; // for want of a way
   std::vector<Refused> refusedAgain_; // where runs were planned again to be come to
   TrajectoryCheck check_;
   MotionResult result_;

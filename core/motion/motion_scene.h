@@ -6,8 +6,8 @@
 #include "motion/motion_options.h"
 #include "motion/run.h"
 #include "plan/tool_plan.h"
-#include "robot/arm_twists.h"
 #include "robot/cell.h"
+#include "robot/kinematics/arm_twists.h"
 
 #include <vector>
 

@@ -7,7 +7,7 @@
 #include "motion/motion_scene.h"
 #include "motion/sequence.h"
 #include "motion/timed_points.h"
-#include "motion/transfer.h"
+#include "motion/transfers/transfer.h"
 #include "plan/waypoints.h"
 
 #include <algorithm>
@@ -136,7 +136,7 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   const std::size_t waypoint = t.waypoint[point];
   const auto path = static_cast<std::size_t>(plan::pathOf(plan, waypoint) - plan.paths.data());
   // All of the path is in it, also what the cut run has laid.
-  const Surround surround = surroundsOf(plan)[path + 1];
+  const PrintedBounds surround = printedBoundsOf(plan)[path + 1];
   const collision::CellCollision collision(cell, process);
   const MotionScene scene{plan, cell, collision, part, options, leversOf(plan, cell)};
   const RobotState start = stateAt(cell, jointsAt(t, point));

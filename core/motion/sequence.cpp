@@ -25,7 +25,7 @@ public:
   Connector(const MotionScene& scene, PathPlanner& paths, KnownTransfers& known,
             const RobotState& home, const base::RunContext& ctx)
       : scene_(scene), paths_(paths), known_(known), home_(home), ctx_(ctx), usual_(scene),
-        thorough_(scene, kThorough), surrounds_(surroundsOf(scene.plan)) {}
+        thorough_(scene, kThorough), bounds_(printedBoundsOf(scene.plan)) {}
 
   ConnectedRuns connect(std::vector<Run> runs) {
     std::vector<std::optional<Transfer>> ahead(runs.size());
@@ -45,11 +45,11 @@ public:
         take(std::move(runs[r]), std::move(ahead[r]));
       }
     }
-    while (!kept().empty() && !parked_ && !park(afterLast(), surrounds_.back()))
-      if (!retreat(afterLast(), surrounds_.back()))
+    while (!kept().empty() && !wayHome_ && !retreatHome(afterLast(), bounds_.back()))
+      if (!retreat(afterLast(), bounds_.back()))
         dropLast();
-    if (parked_)
-      result_.sequence.ways.push_back(std::move(*parked_));
+    if (wayHome_)
+      result_.sequence.ways.push_back(std::move(*wayHome_));
     return std::move(result_);
   }
 
@@ -64,14 +64,14 @@ private:
   // plan, which is of use where that is the last kept one, whole.
   void take(Run run, std::optional<Transfer> ahead) {
     const std::size_t before = run.points.front().next;
-    const Surround& surround = surrounds_[run.path];
+    const PrintedBounds& surround = bounds_[run.path];
     std::optional<Transfer> way;
-    if (!kept().empty() && !parked_) {
+    if (!kept().empty() && !wayHome_) {
       way = lastIsWhole_ ? std::move(ahead) : between(kept().back(), run);
       // What is not printed may be taken for printed: `before` counts it.
-      if (!way && !park(before, surround) && !retreat(before, surround) &&
-          !park(afterLast(), surround)) {
-        lose(run, 0, run.points.size(), true);
+      if (!way && !retreatHome(before, surround) && !retreat(before, surround) &&
+          !retreatHome(afterLast(), surround)) {
+        skipPath(run, 0, run.points.size(), true);
         lastIsWhole_ = false;
         return;
       }
@@ -83,7 +83,7 @@ private:
     if (!way)
       way = fromHome(run, surround);
     if (!way) {
-      lose(run, 0, run.points.size(), false);
+      skipPath(run, 0, run.points.size(), false);
       lastIsWhole_ = false;
       return;
     }
@@ -101,8 +101,8 @@ private:
     const Lift lift = high ? Lift::High : hop ? Lift::Hop : Lift::Usual;
     const auto from = [&](const RobotState& state) {
       return known_.of(high ? Way::BetweenHigh : Way::Between, state, first.at, last.next,
-                       first.next, surrounds_[b.path], [&] {
-                         return usual_.plan(state, first.at, lift, first.next, surrounds_[b.path],
+                       first.next, bounds_[b.path], [&] {
+                         return usual_.plan(state, first.at, lift, first.next, bounds_[b.path],
                                             scene_.options.seed + first.next, ctx_);
                        });
     };
@@ -122,17 +122,17 @@ private:
   }
 
   // Where the last kept run ends, the arm goes home: is there a way?
-  bool park(std::size_t before, const Surround& surround) {
+  bool retreatHome(std::size_t before, const PrintedBounds& surround) {
     const RunPoint& end = kept().back().points.back();
     for (const TransferPlanner* planner : {&usual_, &thorough_})
-      if ((parked_ = leave(*planner, end, rest(), before, surround)))
+      if ((wayHome_ = leave(*planner, end, rest(), before, surround)))
         return true;
     return false;
   }
 
   std::optional<Transfer> leave(const TransferPlanner& planner, const RunPoint& end,
                                 const RobotState& rest, std::size_t before,
-                                const Surround& surround) {
+                                const PrintedBounds& surround) {
     return known_.of(&planner == &usual_ ? Way::Leave : Way::LeaveThoroughly, end.at, rest,
                      end.next, before, surround, [&] {
                        return planner.leave(end.at, rest, before, surround,
@@ -142,7 +142,7 @@ private:
 
   // There was none: the last kept run ends sooner, or is not printed, or some before it neither.
   // False: that helps nothing, and all is as it was.
-  bool retreat(std::size_t before, const Surround& surround) {
+  bool retreat(std::size_t before, const PrintedBounds& surround) {
     constexpr std::size_t kMostRuns = 3;
     for (std::size_t runs = 0; runs < std::min(kMostRuns, kept().size()); ++runs) {
       const Run& run = kept()[kept().size() - 1 - runs];
@@ -162,7 +162,7 @@ private:
         for (std::size_t k = 0; k < runs; ++k)
           dropLast();
         cutLast(count);
-        parked_ = std::move(way);
+        wayHome_ = std::move(way);
         lastIsWhole_ = false;
         return true;
       }
@@ -171,7 +171,7 @@ private:
   }
 
   void dropLast() {
-    lose(kept().back(), 0, kept().back().points.size(), true);
+    skipPath(kept().back(), 0, kept().back().points.size(), true);
     kept().pop_back();
     result_.sequence.ways.pop_back();
     lastIsWhole_ = false;
@@ -181,14 +181,14 @@ private:
     Run& run = kept().back();
     if (count == run.points.size())
       return;
-    lose(run, count, run.points.size(), true);
+    skipPath(run, count, run.points.size(), true);
     run.points.resize(count);
     run.ladder = jointsOf(run.points);
   }
 
   // From where the arm rests to a point of the run.
   std::optional<Transfer> approach(const TransferPlanner& planner, const Run& run, std::size_t at,
-                                   const Surround& surround) {
+                                   const PrintedBounds& surround) {
     const RunPoint& start = run.points[at];
     const RobotState from = rest();
     return known_.of(&planner == &usual_ ? Way::Approach : Way::ApproachThoroughly, from, start.at,
@@ -200,10 +200,10 @@ private:
 
   // The way begins where the arm has been brought to rest.
   void setOut(Transfer& way) {
-    if (!parked_)
+    if (!wayHome_)
       return;
-    way.points.insert(way.points.begin(), parked_->points.begin(), parked_->points.end());
-    parked_.reset();
+    way.points.insert(way.points.begin(), wayHome_->points.begin(), wayHome_->points.end());
+    wayHome_.reset();
   }
 
   // The run's waypoints planned again, to follow on `from`.
@@ -216,7 +216,7 @@ private:
 
   // The run as it is printed coming from where the arm rests: in another branch of the arm, or
   // turned otherwise. False: that helps nothing.
-  bool inAnotherBranch(const Run& run, const Surround& surround) {
+  bool inAnotherBranch(const Run& run, const PrintedBounds& surround) {
     const std::size_t refusedBefore = result_.refused.size();
     std::vector<Run> runs = planned(run, rest());
     if (!runs.empty())
@@ -236,7 +236,7 @@ private:
 
   // From where the arm rests to the run's start, looked for harder, or as near to that as it comes;
   // what comes before is lost then.
-  std::optional<Transfer> fromHome(Run& run, const Surround& surround) {
+  std::optional<Transfer> fromHome(Run& run, const PrintedBounds& surround) {
     const std::size_t n = run.points.size();
     std::optional<Transfer> way = approach(thorough_, run, 0, surround);
     std::size_t first = 0;
@@ -250,7 +250,7 @@ private:
     if (!way)
       return std::nullopt;
     if (first > 0) {
-      lose(run, 0, first, false);
+      skipPath(run, 0, first, false);
       run.points.erase(run.points.begin(), run.points.begin() + static_cast<std::ptrdiff_t>(first));
       run.ladder = jointsOf(run.points);
     }
@@ -258,14 +258,14 @@ private:
     return way;
   }
 
-  void lose(const Run& run, std::size_t from, std::size_t to, bool caught) {
-    LostPiece piece;
+  void skipPath(const Run& run, std::size_t from, std::size_t to, bool caught) {
+    SkippedPiece piece;
     piece.caught = caught;
     for (std::size_t i = from; i < to; ++i)
       if (run.points[i].waypoint != plan::kNoWaypoint)
         piece.waypoints.push_back(run.points[i].waypoint);
     if (!piece.waypoints.empty())
-      result_.lost.push_back(std::move(piece));
+      result_.skipped.push_back(std::move(piece));
   }
 
   const MotionScene& scene_;
@@ -274,17 +274,17 @@ private:
   const RobotState& home_;
   const base::RunContext& ctx_;
   TransferPlanner usual_, thorough_;
-  std::vector<Surround> surrounds_;
+  std::vector<PrintedBounds> bounds_;
   ConnectedRuns result_;
-  std::optional<Transfer> parked_; // the way home from the last kept run, once it was needed
-  bool lastIsWhole_ = false;       // the last kept run is the last one that was taken, uncut
-  bool otherBranch_ = false;       // a run was planned again: those after it do not follow on it
+  std::optional<Transfer> wayHome_; // the way home from the last kept run, once it was needed
+  bool lastIsWhole_ = false;        // the last kept run is the last one that was taken, uncut
+  bool otherBranch_ = false;        // a run was planned again: those after it do not follow on it
 };
 
 } // namespace
 
-std::vector<Surround> surroundsOf(const plan::ToolPlan& plan) {
-  std::vector<Surround> balls;
+std::vector<PrintedBounds> printedBoundsOf(const plan::ToolPlan& plan) {
+  std::vector<PrintedBounds> balls;
   Vector3d low = Vector3d::Zero(), high = Vector3d::Zero(); // the platform's middle
   for (const plan::ToolPath& path : plan.paths) {
     balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});

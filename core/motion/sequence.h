@@ -1,12 +1,12 @@
 // Runs in order, with the ways between them: from home to the first one, on from each, home again.
 #pragma once
 
-#include "motion/known_transfers.h"
+#include "motion/ladder/path_planner.h"
 #include "motion/motion_scene.h"
-#include "motion/path_planner.h"
 #include "motion/refusal.h"
 #include "motion/run.h"
-#include "motion/transfer.h"
+#include "motion/transfers/known_transfers.h"
+#include "motion/transfers/transfer.h"
 
 #include <cstddef>
 #include <vector>
@@ -23,19 +23,19 @@ struct Sequence {
 };
 
 // Waypoints of one run that no way leads to, or none away from.
-struct LostPiece {
+struct SkippedPiece {
   std::vector<std::size_t> waypoints; // ascending
   bool caught = false;                // the arm would not get away from where they end
 };
 
 struct ConnectedRuns {
   Sequence sequence;
-  std::vector<LostPiece> lost;
+  std::vector<SkippedPiece> skipped;
   std::vector<Refused> refused; // where runs were planned again
 };
 
 // Balls around what is printed before each path; one more: around everything.
-std::vector<Surround> surroundsOf(const plan::ToolPlan& plan);
+std::vector<PrintedBounds> printedBoundsOf(const plan::ToolPlan& plan);
 
 // The state that the joints are.
 RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);

@@ -3,7 +3,7 @@
 
 #include "motion/run.h"
 #include "motion/timing.h"
-#include "motion/transfer.h"
+#include "motion/transfers/transfer.h"
 #include "robot/cell.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plan/trajectory.h"
-#include "robot/joint_kind.h"
+#include "robot/kinematics/joint_kind.h"
 
 #include <string>
 #include <vector>

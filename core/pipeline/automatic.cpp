@@ -90,7 +90,7 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     if (mode.aroundRod != rod || (!mode.upright && !cell.tilts()) ||
         !way.platform.isForAnyOf(mode.platforms))
       return;
-    project::Choices hand = byHand(way);
+    project::Choices hand = resolved(way);
     if (std::ranges::any_of(hands, [&](const project::Choices& other) {
           return other.mode == hand.mode && other.platform == hand.platform &&
                  other.parameters == hand.parameters;
@@ -123,7 +123,7 @@ project::Choices wayOrFirst(const project::Choices& choices) {
   return automaticChoices(choices).front();
 }
 
-project::Choices byHand(project::Choices choices) {
+project::Choices resolved(project::Choices choices) {
   if (!choices.automatic)
     return choices;
   choices.automatic = false;
@@ -139,14 +139,14 @@ std::map<std::string, std::string> parametersOfWay(project::Choices choices) {
   if (!choices.automatic)
     return {};
   choices.parameters.clear();
-  return byHand(std::move(choices)).parameters;
+  return resolved(std::move(choices)).parameters;
 }
 
 base::Message nameOfWay(const project::Choices& choices) {
   const AutomaticWay* way = choices.automatic ? wayOf(choices) : nullptr;
   if (!way)
     return modes::findMode(choices.mode).label;
-  const bool supported = support::supportsWanted(parameterValues(byHand(choices)));
+  const bool supported = support::supportsWanted(parameterValues(resolved(choices)));
   const base::Text name = supported ? way->nameWithSupports : way->name;
   if (!lowers(choices))
     return name;

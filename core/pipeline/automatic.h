@@ -39,9 +39,9 @@ project::Choices wayOrFirst(const project::Choices& choices);
 
 // As somebody would choose by hand what automatic choices, with the mode of one of the ways, come
 // to: with the way's parameters. Others as they are.
-project::Choices byHand(project::Choices choices);
+project::Choices resolved(project::Choices choices);
 
-// Returns what byHand() would set if the user had changed no parameter. Empty for other choices.
+// Returns what resolved() would set if the user had changed no parameter. Empty for other choices.
 std::map<std::string, std::string> parametersOfWay(project::Choices choices);
 
 // Returns the name of the way, e.g. "flat layers with supports"; for choices by hand, the mode's.

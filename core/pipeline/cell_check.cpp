@@ -24,7 +24,7 @@ CheckedCell checkedCell(const std::string& text, const std::string& id,
   CheckedCell checked;
   try {
     checked.cell = std::make_shared<const robot::Cell>(cellOfText(text, id, process));
-    checked.faults = reach::cellFaults(*checked.cell, process, partKg, ctx);
+    checked.faults = cells::cellFaults(*checked.cell, process, partKg, ctx);
   } catch (const base::Error& error) {
     checked.faults.push_back({error.message(), error.remedy()});
   }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "cells/cell_check.h"
 #include "process/process.h"
-#include "reach/cell_check.h"
 
 #include <memory>
 #include <string>
@@ -18,10 +18,10 @@ robot::Cell cellOfText(const std::string& text, const std::string& id,
 
 struct CheckedCell {
   std::shared_ptr<const robot::Cell> cell; // null: it cannot be read
-  std::vector<reach::CellFault> faults;    // why not, or what it cannot do
+  std::vector<cells::CellFault> faults;    // why not, or what it cannot do
 };
 
-// The cell of that text, and its faults. `partKg` as reach::cellFaults(). Throws Cancelled.
+// The cell of that text, and its faults. `partKg` as cells::cellFaults(). Throws Cancelled.
 CheckedCell checkedCell(const std::string& text, const std::string& id,
                         const process::Process& process, double partKg,
                         const base::RunContext& ctx);

@@ -31,12 +31,12 @@ robot::Cell cellToMap(const project::Choices& choices, const process::Process& p
   return robot::loadCell(choices.cell, process, plateToMap(choices, any));
 }
 
-reach::ReachMap cellReach(const project::Choices& choices, double heightMm,
+cells::ReachMap cellReach(const project::Choices& choices, double heightMm,
                           const base::RunContext& ctx) {
   const base::ParameterValues values = parameterValues(choices);
   const process::Process process = chosenProcess(choices, values);
   const robot::Cell cell = cellToMap(choices, process);
-  return reach::reachMap(cell, process, reach::usualGrid(cell, process, heightMm),
+  return cells::reachMap(cell, process, cells::usualGrid(cell, process, heightMm),
                          motionOptionsOf(values, choices.seed).printing, ctx);
 }
 
@@ -60,9 +60,9 @@ Eigen::Vector2d middleOf(const geometry::TriangleMesh& part) {
   return geometry::bounds(part).center().head<2>();
 }
 
-reach::Standing standingOf(const geometry::TriangleMesh& part) {
+cells::Standing standingOf(const geometry::TriangleMesh& part) {
   const Eigen::Vector2d middle = middleOf(part);
-  reach::Standing standing;
+  cells::Standing standing;
   for (const Eigen::Vector3d& v : part.vertices) {
     standing.radiusMm = std::max(standing.radiusMm, (v.head<2>() - middle).norm());
     standing.heightMm = std::max(standing.heightMm, v.z());

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "base/run_context.h"
+#include "cells/best_place.h"
+#include "cells/reach_map.h"
 #include "geometry/triangle_mesh.h"
 #include "process/process.h"
 #include "project/choices.h"
-#include "reach/best_place.h"
-#include "reach/reach_map.h"
 
 #include <string>
 
@@ -22,14 +22,14 @@ robot::Cell cellToMap(const project::Choices& choices, const process::Process& p
 
 // The cell's map from the first layer up to heightMm, tilts up to kMappedTiltRad, with the
 // clearances that a motion keeps. Throws Error{Usage}: names, parameters, no plate; Cancelled.
-reach::ReachMap cellReach(const project::Choices& choices, double heightMm,
+cells::ReachMap cellReach(const project::Choices& choices, double heightMm,
                           const base::RunContext& ctx);
 // What it is made from, as text. Throws as cellReach().
 std::string cellReachKey(const project::Choices& choices, double heightMm);
 
 // A part (placed, mm, not empty) as a cylinder about the middle of its bounding box, and where that
 // stands.
-reach::Standing standingOf(const geometry::TriangleMesh& part);
+cells::Standing standingOf(const geometry::TriangleMesh& part);
 Eigen::Vector2d middleOf(const geometry::TriangleMesh& part);
 
 } // namespace voluta::pipeline

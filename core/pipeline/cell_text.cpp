@@ -3,8 +3,8 @@
 #include "base/data_files.h"
 #include "base/json_node.h"
 #include "project/content_hash.h"
+#include "robot/cell/robot_reader.h"
 #include "robot/planning_text.h"
-#include "robot/robot_reader.h"
 
 #include <fmt/format.h>
 

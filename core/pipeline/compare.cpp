@@ -17,8 +17,8 @@ namespace {
 
 // Does this choice go into the mode's decomposition?
 template <typename T>
-bool asksFor(const modes::Mode& mode, const modes::ModeChoices& in, T project::Choices::*choice,
-             const std::vector<T>& trials) {
+bool requiresParameter(const modes::Mode& mode, const modes::ModeChoices& in,
+                       T project::Choices::*choice, const std::vector<T>& trials) {
   std::set<std::string> keys;
   for (const T& trial : trials) {
     project::Choices choices = in.choices;
@@ -91,7 +91,7 @@ std::vector<Combination> combinations(const CompareOptions& options) {
         Combination row{id, growth, platform};
         if (!mode.grows)
           row.growth.reset();
-        if (!asksFor(mode, in, &project::Choices::platform, usualPlatforms(mode)))
+        if (!requiresParameter(mode, in, &project::Choices::platform, usualPlatforms(mode)))
           row.platform = platforms.front();
         if (std::find(all.begin(), all.end(), row) == all.end())
           all.push_back(row);

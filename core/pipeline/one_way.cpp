@@ -38,11 +38,11 @@ constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44,
 constexpr int kRounds = 6; // of moving without what the replay found
 
 // One plan: its stages in order, each taken from the cache or made.
-class OneWay {
+class StageRunner {
 public:
-  OneWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
-         const PlanObservers& observers, Trial* trial)
-      : trial_(trial), choices_(byHand(request.choices)), until_(request.until), ctx_(ctx),
+  StageRunner(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+              const PlanObservers& observers, Trial* trial)
+      : trial_(trial), choices_(resolved(request.choices)), until_(request.until), ctx_(ctx),
         cache_(cache), observers_(observers), values_(parameterValues(choices_)),
         mode_(modes::findMode(choices_.mode)),
         process_(std::make_shared<process::Process>(chosenProcess(choices_, values_))) {
@@ -79,7 +79,8 @@ private:
   project::Report& report() { return result_.job.report; }
 
   template <typename T, typename Make>
-  std::shared_ptr<const T> taken(const std::string& key, const std::string& slot, Make make) {
+  std::shared_ptr<const T> cachedOrMade(const std::string& key, const std::string& slot,
+                                        Make make) {
     std::shared_ptr<const T> stage = cache_ ? cache_->find<T>(key, slot) : nullptr;
     if (stage)
       return stage;
@@ -89,8 +90,8 @@ private:
       cache_->keep<T>(key, stage, slot);
     return stage;
   }
-  template <typename T, typename Make> std::shared_ptr<const T> taken(Make make) {
-    return taken<T>(keys_[project::indexOf(T::kStage)], {}, make);
+  template <typename T, typename Make> std::shared_ptr<const T> cachedOrMade(Make make) {
+    return cachedOrMade<T>(keys_[project::indexOf(T::kStage)], {}, make);
   }
 
   // A stage's share of what this plan comes to.
@@ -132,7 +133,8 @@ private:
             .name = nameOfWay(given),
             .mode = choices_.mode,
             .platform = choices_.platform.text(),
-            .supports = mode_.asksFor("supports") ? values_.text("supports") : std::string(),
+            .supports =
+                mode_.requiresParameter("supports") ? values_.text("supports") : std::string(),
             .layerHeightMm = process_->layerHeightMm};
   }
 
@@ -146,7 +148,7 @@ private:
   }
 
   bool load() {
-    placed_ = taken<modes::LoadStage>(
+    placed_ = cachedOrMade<modes::LoadStage>(
         [&] { return loadStage(*loaded_, choices_, *process_, span(project::Stage::Load)); });
     const auto& stage = placed_;
     result_.placed = stage;
@@ -162,15 +164,15 @@ private:
     // Nothing is measured on a surface that encloses nothing.
     if (std::ranges::any_of(stage->findings, &plan::Finding::blocking))
       return done(project::Stage::Load, stage->findings, timings) && false;
-    const auto size =
-        taken<SizeStage>(keys_[project::indexOf(project::Stage::Load)] +
-                             base::keyText(choices_.cell, process_->id, process_->beadWidthMinMm),
-                         "size", [&] {
-                           return sizeStage(*loaded_, *placed_, choices_, *process_,
-                                            span(project::Stage::Load).quiet());
-                         });
+    const auto size = cachedOrMade<SizeStage>(
+        keys_[project::indexOf(project::Stage::Load)] +
+            base::keyText(choices_.cell, process_->id, process_->beadWidthMinMm),
+        "size", [&] {
+          return sizeStage(*loaded_, *placed_, choices_, *process_,
+                           span(project::Stage::Load).quiet());
+        });
     const auto stand =
-        taken<StandStage>(standKey(*loaded_, *placed_, choices_, *process_), "stand", [&] {
+        cachedOrMade<StandStage>(standKey(*loaded_, *placed_, choices_, *process_), "stand", [&] {
           return standStage(*placed_, choices_, *process_, span(project::Stage::Load).quiet());
         });
     // What was drawn in other units is no part to plan.
@@ -190,11 +192,11 @@ private:
   // With the choices as they were given: in mode auto the platform may be the user's or not.
   plan::Findings startFindings() {
     const project::Choices& given = job().choices;
-    return taken<StartStage>(startKey(*placed_, given, *process_), "start",
-                             [&] {
-                               return startStage(*placed_, given, *process_,
-                                                 span(project::Stage::Load).quiet());
-                             })
+    return cachedOrMade<StartStage>(startKey(*placed_, given, *process_), "start",
+                                    [&] {
+                                      return startStage(*placed_, given, *process_,
+                                                        span(project::Stage::Load).quiet());
+                                    })
         ->findings;
   }
 
@@ -202,13 +204,13 @@ private:
 
   // Most edits of a decomposition leave the voxels as they are.
   std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx) {
-    return taken<modes::PartVoxels>(
+    return cachedOrMade<modes::PartVoxels>(
         placedPartKey(*loaded_, *placed_, modeChoices()) + base::keyText(voxelMm), "voxels",
         [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
   }
 
   bool decompose() {
-    decomposed_ = taken<modes::DecomposeStage>([&] {
+    decomposed_ = cachedOrMade<modes::DecomposeStage>([&] {
       modes::DecomposeInput in{*placed_, [&](double voxelMm, const base::RunContext& ctx) {
                                  return voxels(voxelMm, ctx);
                                }};
@@ -243,7 +245,7 @@ private:
   }
 
   bool layers() {
-    const auto stage = taken<modes::LayersStage>([&] {
+    const auto stage = cachedOrMade<modes::LayersStage>([&] {
       if (given_)
         return layersOfGiven(*loaded_->toolPaths);
       return mode_.layers(modeChoices(), *decomposed_, job().printed(),
@@ -257,7 +259,7 @@ private:
   }
 
   bool toolpath() {
-    const auto stage = taken<ToolpathStage>([&] {
+    const auto stage = cachedOrMade<ToolpathStage>([&] {
       if (given_)
         return givenToolpathStage(*loaded_, *placed_, *process_, span(project::Stage::Toolpath));
       MadeToolpaths made =
@@ -278,7 +280,7 @@ private:
   }
 
   bool motion() {
-    motion_ = taken<MotionStage>([&] { return moved(span(project::Stage::Motion)); });
+    motion_ = cachedOrMade<MotionStage>([&] { return moved(span(project::Stage::Motion)); });
     return motionDone();
   }
 
@@ -314,7 +316,7 @@ private:
   }
 
   // The motion without these waypoints too, at which a replay found that something meets.
-  bool moveWithout(const std::vector<std::size_t>& met) {
+  bool replanSkipping(const std::vector<std::size_t>& met) {
     const std::size_t told = job().stages[project::indexOf(project::Stage::Motion)].findings;
     report().findings.resize(report().findings.size() - told);
     const base::RunContext ctx = span(project::Stage::Replay).quiet();
@@ -335,7 +337,7 @@ private:
       for (const auto& checked : result_.checked)
         std::ranges::copy(metIn(*checked), std::back_inserter(found));
       const std::vector<std::size_t> met = avoided.next(*result_.job.toolPlan, found);
-      if (met.empty() || round == kRounds || isHopeless() || !moveWithout(met))
+      if (met.empty() || round == kRounds || isHopeless() || !replanSkipping(met))
         break;
     }
     keepFresh();
@@ -356,7 +358,8 @@ private:
   // In a trial: a program fails by other figures than by what meets, which no other motion mends.
   bool isHopeless() const {
     return trial_ && std::ranges::any_of(result_.checked, [this](const auto& checked) {
-             return decides(*checked) && checked->failed.size() > (checked->metAt.empty() ? 0 : 1);
+             return decides(*checked) &&
+                    checked->failed.size() > (checked->collidingWaypoints.empty() ? 0 : 1);
            });
   }
   bool decides(const CheckedProgram& checked) const {
@@ -368,9 +371,9 @@ private:
   std::vector<std::size_t> metIn(const CheckedProgram& checked) const {
     constexpr double kHereAndThere = 0.002; // of the waypoints
     const auto waypoints = static_cast<double>(result_.job.toolPlan->waypointCount());
-    return decides(checked) ||
-                   static_cast<double>(checked.metAt.size()) <= kHereAndThere * waypoints
-               ? checked.metAt
+    return decides(checked) || static_cast<double>(checked.collidingWaypoints.size()) <=
+                                   kHereAndThere * waypoints
+               ? checked.collidingWaypoints
                : std::vector<std::size_t>();
   }
 
@@ -398,7 +401,7 @@ private:
       };
       // What is kept was written for the motion before.
       result_.checked.push_back(
-          fresh_ ? make() : taken<CheckedProgram>(keyOf(formats[i]), formats[i], make));
+          fresh_ ? make() : cachedOrMade<CheckedProgram>(keyOf(formats[i]), formats[i], make));
     }
   }
 
@@ -442,7 +445,7 @@ private:
 
 PlanResult planOneWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
                       const PlanObservers& observers, Trial* trial) {
-  return OneWay(request, ctx, cache, observers, trial).run();
+  return StageRunner(request, ctx, cache, observers, trial).run();
 }
 
 } // namespace voluta::pipeline

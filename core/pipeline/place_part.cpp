@@ -15,7 +15,7 @@
 #include "pipeline/stages.h"
 #include "pipeline/turned_part.h"
 #include "plan/finding_kinds.h"
-#include "robot/reachable_ball.h"
+#include "robot/kinematics/reachable_ball.h"
 #include "voxel/solid_voxels.h"
 #include "voxel/voxel_object.h"
 

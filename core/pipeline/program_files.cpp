@@ -64,7 +64,7 @@ FoundProgram programFrom(const std::string& name, const fs::path& path, const fs
     throw base::Error(base::ErrorCode::UnusableInput, "not a program in any known format"_text,
                       path.string(), "see: list formats"_text);
   for (std::size_t i = 0; i < read.files.size(); ++i)
-    for (const std::string& next : program::goesOnIn(*dialect, read.files[i].text))
+    for (const std::string& next : program::continuationFiles(*dialect, read.files[i].text))
       if (!next.empty() && next == fs::path(next).filename() &&
           std::ranges::find(read.files, next, &plan::ProgramFile::name) == read.files.end())
         read.add(next, folder.pathOf(next));

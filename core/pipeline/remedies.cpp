@@ -35,7 +35,7 @@ std::optional<project::Choices> withParameter(const project::Choices& choices,
   if (!spec || !takes(choices, key))
     return std::nullopt;
   // In mode auto the way that was taken has values of its own.
-  const std::map<std::string, std::string> taken = byHand(choices).parameters;
+  const std::map<std::string, std::string> taken = resolved(choices).parameters;
   const auto chosen = taken.find(key);
   const std::string now =
       chosen == taken.end() ? base::formatParameter(spec->defaultValue) : chosen->second;
@@ -169,7 +169,7 @@ Edited cellPlate(const plan::Finding&, const project::Choices& choices) {
 std::optional<project::Choices> adaptLayers(const plan::Finding&, const project::Choices& choices) {
   constexpr const char* kAdaptive = "adaptiveLayers";
   const modes::Mode* mode = modes::modeNamed(choices.mode);
-  if (!mode || !mode->asksFor(kAdaptive))
+  if (!mode || !mode->requiresParameter(kAdaptive))
     return std::nullopt;
   return withParameter(choices, kAdaptive, "true");
 }
@@ -365,7 +365,7 @@ Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
   if (std::ranges::any_of(automaticWays(),
                           [&](const AutomaticWay& way) { return way.mode == choices.mode; }))
     return std::nullopt;
-  const modes::Companions usual = modes::usualOnPlate();
+  const modes::Defaults usual = modes::usualOnPlate();
   project::Choices changed = choices;
   changed.automatic = true;
   changed.platformStays = false;
@@ -457,11 +457,12 @@ std::span<const Remedy> remedies() {
   return kRemedies;
 }
 
-std::vector<Offer> remediesFor(const plan::Finding& finding, const project::Choices& choices) {
-  const std::span<const plan::RemedyId> cures = plan::rowOf(finding.kind).cures;
-  std::vector<Offer> offers;
+std::vector<RemedyAction> remediesFor(const plan::Finding& finding,
+                                      const project::Choices& choices) {
+  const std::span<const plan::RemedyId> remedies = plan::rowOf(finding.kind).remedies;
+  std::vector<RemedyAction> offers;
   for (const Remedy& remedy : remedies()) {
-    if (std::find(cures.begin(), cures.end(), remedy.id) == cures.end())
+    if (std::find(remedies.begin(), remedies.end(), remedy.id) == remedies.end())
       continue;
     // Choices that cannot be planned as they are (a value beyond the process) leave some nothing to
     // go by.

@@ -25,12 +25,13 @@ struct Remedy {
 // One row a RemedyId, in the order they are offered: what changes least of the part first.
 std::span<const Remedy> remedies();
 
-struct Offer {
+struct RemedyAction {
   const Remedy* remedy = nullptr;
   base::Message label;
   project::Choices choices;
 };
 // What can be done about a finding of a plan with these choices.
-std::vector<Offer> remediesFor(const plan::Finding& finding, const project::Choices& choices);
+std::vector<RemedyAction> remediesFor(const plan::Finding& finding,
+                                      const project::Choices& choices);
 
 } // namespace voluta::pipeline

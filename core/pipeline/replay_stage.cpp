@@ -171,7 +171,7 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   checked->slow = slowSpans(said.trajectory, verdict.pointOf, verdict.motionS);
   // Of a text that is not what was planned, its motions are not the plan's.
   if (verdict.deviations == 0)
-    checked->metAt = std::move(verdict.metAt);
+    checked->collidingWaypoints = std::move(verdict.collidingWaypoints);
   checked->maxDeviationMm = verdict.maxDeviationMm;
   checked->maxDeviationRad = verdict.maxDeviationRad;
   // Lines are of this program's text, and there are several programs.

@@ -44,7 +44,7 @@ project::StageKeys stageKeys(const PlanRequest& request) {
   checkChoices(request.choices);
   const bool given = takesGivenPaths(*request.loaded, parameterValues(request.choices));
   const project::Choices choices =
-      byHand(given ? choicesForGivenPaths(request.choices) : wayOrFirst(request.choices));
+      resolved(given ? choicesForGivenPaths(request.choices) : wayOrFirst(request.choices));
   const base::ParameterValues values = parameterValues(choices);
   return keysOf(*request.loaded, choices, values, chosenProcess(choices, values));
 }

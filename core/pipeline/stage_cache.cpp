@@ -80,7 +80,7 @@ std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job) {
   load->placement = job.placement.value_or(job.choices.placement);
   load->part = job.part;
   if (job.part && job.choices.platform.isOfCell()) {
-    const project::Choices choices = byHand(job.choices);
+    const project::Choices choices = resolved(job.choices);
     const base::ParameterValues values = parameterValues(choices);
     load->platform = cellPlate(fittingCell(choices, chosenProcess(choices, values)), *job.part,
                                plateNeeds(values));

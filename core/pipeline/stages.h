@@ -64,8 +64,8 @@ struct CheckedProgram {
   plan::Findings findings;            // of this format
   std::vector<TextLine> findingLines; // of each finding
   bool passed = false;
-  std::vector<base::Message> failed; // the thresholds that were not kept
-  std::vector<std::size_t> metAt;    // as Verification::metAt
+  std::vector<base::Message> failed;           // the thresholds that were not kept
+  std::vector<std::size_t> collidingWaypoints; // as Verification::collidingWaypoints
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
   std::vector<SlowSpan> slow;       // of its controller
   std::vector<TextLine> pointLines; // of each point of the trajectory; line 0: it has none

@@ -1,6 +1,7 @@
 #include "pipeline/start_check.h"
 
 #include "base/key_text.h"
+#include "cells/cell_check.h"
 #include "geometry/convex_polygon.h"
 #include "geometry/measures.h"
 #include "modes/mode_table.h"
@@ -10,7 +11,6 @@
 #include "pipeline/part_size.h"
 #include "pipeline/pedestal.h"
 #include "plan/finding_kinds.h"
-#include "reach/cell_check.h"
 #include "robot/cell.h"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
     return stage; // told by who makes the platform: nothing is the matter with the cell
   const collision::Margins margins =
       motionOptionsOf(parameterValues(choices), choices.seed).printing;
-  for (const reach::CellFault& fault : reach::printingFaults(cell, process, margins, ctx))
+  for (const cells::CellFault& fault : cells::printingFaults(cell, process, margins, ctx))
     stage->findings.push_back(plan::makeFinding(plan::FindingKind::CellCannotPrint,
                                                 {{"fault", fault.what}, {"help", fault.remedy}}));
   if (isForCellPlates(choices))

@@ -26,7 +26,7 @@ std::string startKey(const modes::LoadStage& placed, const project::Choices& cho
 
 // Blocking findings, none where the plan may succeed:
 // - CellCannotPrint: at rest two bodies of the cell meet, or the head gets to no place over the
-//   plate (reach::printingFaults());
+//   plate (cells::printingFaults());
 // - LargerThanPlates: the part is to stand on the cell's plate, or mode auto may choose its
 //   platform, and its foot is larger than the largest of the cell's plates, turned by a right angle
 //   too.

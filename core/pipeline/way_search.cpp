@@ -169,7 +169,7 @@ private:
     });
   }
   static project::Choices withoutSupports(const project::Choices& way) {
-    project::Choices choices = byHand(way);
+    project::Choices choices = resolved(way);
     choices.parameters.erase("supports");
     return choices;
   }

@@ -53,7 +53,7 @@ Finding makeFinding(FindingKind kind, std::vector<NamedValue> values,
   finding.values = std::move(values);
   finding.where = where;
   finding.count = count;
-  finding.blocking = row.gravity != Gravity::Tells;
+  finding.blocking = row.severity != Severity::Info;
   checkValues(row, finding);
   return finding;
 }

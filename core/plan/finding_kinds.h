@@ -162,20 +162,20 @@ enum class FindingKind : std::uint8_t {
   ForeignRefused,
 };
 
-enum class Gravity {
-  Blocks,
-  Tells,  // worth knowing
-  Depends // on how much it is: whoever makes it decides
+enum class Severity {
+  Error,
+  Info,    // worth knowing, never blocks
+  ByAmount // the stage that reports it decides by how much it is
 };
 
 struct FindingRow {
   FindingKind kind;
-  std::string_view id;   // unique, camelCase; in project files
-  std::string_view word; // in report.json; several facts may have one
+  std::string_view id;       // unique, camelCase; in project files
+  std::string_view reportId; // `kind` in report.json; several kinds may share one
   Stage stage;
-  Gravity gravity;
+  Severity severity;
   base::Text reason, remedy; // with places for the same values
-  std::span<const RemedyId> cures = {};
+  std::span<const RemedyId> remedies = {};
   // Why there may be no button: nothing that the program can carry out helps. Every kind that can
   // block has this or cures that are offered in every mode (tests/pipeline/remedies_test.cpp).
   base::Text whyNoRemedy = {};
@@ -188,7 +188,7 @@ const FindingRow* rowWithId(std::string_view id);
 
 // As report.json has them. Of Verbatim and Stopped: what they were made with.
 Stage stageOf(const Finding& finding);
-std::string kindWord(const Finding& finding);
+std::string reportId(const Finding& finding);
 
 // Values of kind Verbatim; Stopped has the stage too.
 inline constexpr std::string_view kVerbatimStage = "stage", kVerbatimKind = "kind",

@@ -86,7 +86,7 @@ struct ProgramPause {
   std::size_t before = 0;         // the motion that follows; motions.size(): none
   double durationS = 0.0;
   double volumeMm3 = 0.0; // flows meanwhile
-  double drawnMm = 0.0;           // filament that is drawn back or returned meanwhile
+  double drawnMm = 0.0;   // filament that is drawn back or returned meanwhile
 };
 
 // What the program says that the arm carries.
@@ -123,8 +123,8 @@ struct ReadProgram {
   std::vector<StatedFact> facts;       // in order
   std::vector<FactKind> neededFacts;   // what a program of this language states before it moves
   std::vector<StatedPosture> postures; // of motions, where the text gives them; in order
-  TimeModel time;        // of the dialect
-  bool complete = false; // its end sequence was found
+  TimeModel time;                      // of the dialect
+  bool complete = false;               // its end sequence was found
   std::vector<ProgramDefect> defects;
 };
 

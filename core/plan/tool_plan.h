@@ -39,7 +39,7 @@ struct ToolPlan {
   bool primes() const { return !paths.empty() && isWaste(paths.front().kind); }
   // Is that bead laid in the air over the plate? Nothing is there yet that could hold it: it falls,
   // and is no part of what grows.
-  bool primeFalls() const {
+  bool isPrimeInAir() const {
     constexpr double kOnMm = 0.01;
     return primes() && position[paths.front().first].z() >
                            static_cast<double>(heightMm[paths.front().first]) + kOnMm;

@@ -4,32 +4,32 @@
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "geometry/directions.h"
+#include "program/common/language_words.h"
+#include "program/common/motion_targets.h"
+#include "program/common/text.h"
+#include "program/common/text_files.h"
 #include "program/extruder.h"
-#include "program/extruder_axis.h"
-#include "program/extruder_stream.h"
 #include "program/full_flow.h"
-#include "program/gcode_bc.h"
-#include "program/gcode_extended.h"
-#include "program/gcode_plain.h"
-#include "program/joint_rows.h"
-#include "program/joint_table.h"
-#include "program/krl.h"
-#include "program/krl_eki.h"
-#include "program/language_words.h"
-#include "program/melfa.h"
-#include "program/melfa_datalink.h"
-#include "program/melfa_stream.h"
-#include "program/motion_targets.h"
-#include "program/mxt_packets.h"
-#include "program/rapid.h"
-#include "program/rapid_motions.h"
-#include "program/rapid_tokens.h"
-#include "program/spelplus.h"
-#include "program/text.h"
-#include "program/text_files.h"
-#include "program/tmscript.h"
-#include "program/urscript.h"
-#include "program/urscript_stream.h"
+#include "program/gcode/extruder_axis.h"
+#include "program/gcode/gcode_bc.h"
+#include "program/gcode/gcode_extended.h"
+#include "program/gcode/gcode_plain.h"
+#include "program/krl/krl.h"
+#include "program/krl/krl_eki.h"
+#include "program/melfa/melfa.h"
+#include "program/melfa/melfa_datalink.h"
+#include "program/melfa/melfa_stream.h"
+#include "program/melfa/mxt_packets.h"
+#include "program/rapid/rapid.h"
+#include "program/rapid/rapid_motions.h"
+#include "program/rapid/rapid_tokens.h"
+#include "program/spel/spelplus.h"
+#include "program/stream/extruder_stream.h"
+#include "program/stream/joint_rows.h"
+#include "program/stream/joint_table.h"
+#include "program/stream/urscript_stream.h"
+#include "program/tmscript/tmscript.h"
+#include "program/urscript/urscript.h"
 
 #include <algorithm>
 #include <iterator>
@@ -79,7 +79,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "script",
        .controller = "urscript",
        .needsJoints = false,
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
@@ -90,7 +90,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeUrscript,
        .read = readUrscript,
        .looksLike = looksLikeUrscript,
-       .goesOnIn = filesOfUrscript,
+       .continuationFiles = filesOfUrscript,
        .isWord = isUrscriptWord,
        .remark = "#",
        .mayBeMissing = mayBeMissingInUrscript},
@@ -100,7 +100,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "urscript",
        .needsJoints = true,
        .beadsByJoints = true,
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        // Every row says its time.
        .time = {},
        // Every row says its flow. A stream of filament counts motions, of which a row may be a
@@ -110,7 +110,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeUrscriptStream,
        .read = readUrscriptStream,
        .looksLike = looksLikeUrscriptStream,
-       .goesOnIn = filesOfUrscriptStream,
+       .continuationFiles = filesOfUrscriptStream,
        .remark = "#",
        .mayBeMissing = isWaitingRow},
       {.id = "gcode-extended",
@@ -127,7 +127,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeExtendedGcode,
        .read = readExtendedGcode,
        .looksLike = looksLikeExtendedGcode,
-       .goesOnIn = filesOfExtendedGcode,
+       .continuationFiles = filesOfExtendedGcode,
        .remark = ";",
        .mayBeMissing = mayBeMissingInExtendedGcode},
       {.id = "gcode-bc",
@@ -136,7 +136,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "gcode-bc",
        .needsJoints = false,
        .saysJointMotions = false,
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        // Every motion says its time.
        .time = {},
        .options = tableGcodeOptions,
@@ -152,7 +152,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "gcode",
        .needsJoints = false,
        .saysJointMotions = false,
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        .tiltsNozzle = false,
        // As extended G-code's.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
@@ -181,7 +181,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeRapid,
        .read = readRapid,
        .looksLike = looksLikeRapid,
-       .goesOnIn = filesOfRapid,
+       .continuationFiles = filesOfRapid,
        .isWord = isRapidWord,
        .remark = "!",
        .mayBeMissing = mayBeMissingInRapid},
@@ -200,7 +200,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeKrl,
        .read = readKrl,
        .looksLike = looksLikeKrl,
-       .goesOnIn = filesOfKrl,
+       .continuationFiles = filesOfKrl,
        .isWord = isKrlWord,
        .remark = ";",
        .mayBeMissing = mayBeMissingInKrl},
@@ -208,7 +208,7 @@ const std::vector<Dialect>& dialects() {
        .label = "Lines by EthernetKRL (KUKA, with receiver and sender)"_text,
        .extension = "eki",
        .controller = "krl",
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        .time = kKrlTime,
        .merge = kKrlMerge,
        // Every line says its flow.
@@ -217,7 +217,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeKrlEki,
        .read = readKrlEki,
        .looksLike = looksLikeKrlEki,
-       .goesOnIn = filesOfKrlEki,
+       .continuationFiles = filesOfKrlEki,
        .remark = "#",
        .mayBeMissing = mayBeMissingInKrlEki},
       {.id = "spel",
@@ -225,7 +225,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "prg",
        .controller = "spel",
        .needsJoints = false,
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        // What any of its arms takes.
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
@@ -238,7 +238,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeSpelplus,
        .read = readSpelplus,
        .looksLike = looksLikeSpelplus,
-       .goesOnIn = filesOfSpelplus,
+       .continuationFiles = filesOfSpelplus,
        .isWord = isSpelplusWord,
        .remark = "'",
        .mayBeMissing = mayBeMissingInSpelplus},
@@ -246,7 +246,7 @@ const std::vector<Dialect>& dialects() {
        .label = "MELFA-BASIC V (Mitsubishi)"_text,
        .extension = "prg",
        .controller = "melfa",
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        .time = kMelfaTime,
        .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
@@ -258,7 +258,7 @@ const std::vector<Dialect>& dialects() {
        .write = writeMelfa,
        .read = readMelfa,
        .looksLike = looksLikeMelfa,
-       .goesOnIn = filesOfMelfa,
+       .continuationFiles = filesOfMelfa,
        .remark = "'",
        .mayBeMissing = mayBeMissingInMelfa},
       {.id = "melfa-stream",
@@ -267,7 +267,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "melfa",
        .needsJoints = true,
        .beadsByJoints = true,
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        // Every row says its time.
        .time = {},
        // Every row says its flow. A stream of filament counts motions, of which a row may be a
@@ -278,15 +278,15 @@ const std::vector<Dialect>& dialects() {
        .write = writeMelfaStream,
        .read = readMelfaStream,
        .looksLike = looksLikeMelfaStream,
-       .goesOnIn = filesOfMelfaStream,
-       .isNoText = isMxtPackets,
+       .continuationFiles = filesOfMelfaStream,
+       .isBinary = isMxtPackets,
        .remark = "#",
        .mayBeMissing = isWaitingRow},
       {.id = "melfa-datalink",
        .label = "Lines by data link (MELFA-BASIC V, with receiver and sender)"_text,
        .extension = "lines",
        .controller = "melfa",
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        .time = kMelfaTime,
        .merge = kMelfaMerge,
        // Every line says its flow.
@@ -295,14 +295,14 @@ const std::vector<Dialect>& dialects() {
        .write = writeMelfaDatalink,
        .read = readMelfaDatalink,
        .looksLike = looksLikeMelfaDatalink,
-       .goesOnIn = filesOfMelfaDatalink,
+       .continuationFiles = filesOfMelfaDatalink,
        .remark = "#",
        .mayBeMissing = mayBeMissingInMelfaDatalink},
       {.id = "tmscript",
        .label = "TMscript (Techman)"_text,
        .extension = "tmscript",
        .controller = "tmscript",
-       .turnsRods = false,
+       .supportsExternalAxes = false,
        // Points say their times; Line and PTP their ramps. What is not known of a queue's pace.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder},
@@ -405,11 +405,11 @@ bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
 }
 
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
-  if (dialect.turnsRods || cell.externalAxes().empty())
+  if (dialect.supportsExternalAxes || cell.externalAxes().empty())
     return;
   std::string others;
   for (const Dialect& other : dialects())
-    if (other.turnsRods)
+    if (other.supportsExternalAxes)
       others += joined({others.empty() ? "" : ", ", other.id});
   throw base::Error(
       base::ErrorCode::Usage,
@@ -533,9 +533,9 @@ plan::ReadProgram readWithStream(const Dialect& dialect,
 }
 } // namespace
 
-std::vector<std::string> goesOnIn(const Dialect& dialect, std::string_view text) {
+std::vector<std::string> continuationFiles(const Dialect& dialect, std::string_view text) {
   std::vector<std::string> files =
-      dialect.goesOnIn ? dialect.goesOnIn(text) : std::vector<std::string>();
+      dialect.continuationFiles ? dialect.continuationFiles(text) : std::vector<std::string>();
   if (std::string stream = streamOf(text); !stream.empty())
     files.push_back(std::move(stream));
   return files;
@@ -546,10 +546,10 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
   const Dialect& dialect = findDialect(id);
   plan::ReadProgram program;
   program.format = dialect.id;
-  if (!tellNoTexts(files, program.defects, dialect.isNoText)) {
+  if (!tellNoTexts(files, program.defects, dialect.isBinary)) {
     program = readWithStream(dialect, files, process, ctx);
     if (program.defects.empty())
-      tellMixedLineEnds(files, program.defects, dialect.isNoText);
+      tellMixedLineEnds(files, program.defects, dialect.isBinary);
     if (program.defects.empty())
       tellLongLines(files, {dialect.longestLine, dialect.longestText, dialect.remark},
                     program.defects);

@@ -1,13 +1,13 @@
 // The registry of program formats: one row a dialect, each with its writer and its reader
 // (docs/design.md, Programs). A new dialect is a file and a row.
 //
-// Common to all writers: they spell one walk over the trajectory (program/walk.h); the same input
-// gives the same bytes; one motion a line; one program motion for each Trajectory point, in order,
-// so that a verifier can match them one to one, and before it the pieces of a joint motion that a
-// dialect cannot say. What the start, prime and end sequences add are
-// outputs and waits, never motions with a target. A target that is read back is within 0.001 mm at
-// the nozzle and 1e-5 rad of the trajectory's, a motion's volume within 0.1 % (of motions that lay
-// 0.05 mm3 or more), its time within kFlowBand.
+// Common to all writers: they spell one walk over the trajectory (program/common/walk.h); the same
+// input gives the same bytes; one motion a line; one program motion for each Trajectory point, in
+// order, so that a verifier can match them one to one, and before it the pieces of a joint motion
+// that a dialect cannot say. What the start, prime and end sequences add are outputs and waits,
+// never motions with a target. A target that is read back is within 0.001 mm at the nozzle and 1e-5
+// rad of the trajectory's, a motion's volume within 0.1 % (of motions that lay 0.05 mm3 or more),
+// its time within kFlowBand.
 #pragma once
 
 #include "base/error.h"
@@ -15,9 +15,9 @@
 #include "base/text.h"
 #include "plan/program.h"
 #include "plan/stated_facts.h"
+#include "program/common/text.h"
 #include "program/merged_points.h"
 #include "program/program_input.h"
-#include "program/text.h"
 
 #include <Eigen/Core>
 #include <optional>
@@ -31,16 +31,16 @@ namespace voluta::program {
 struct Dialect {
   std::string_view id;
   base::Text label;
-  std::string_view extension;   // without the dot
-  std::string_view controller;  // RobotModel::controller it is native to; empty: any robot's
-  bool needsJoints = false;     // its targets are joint values, so it is bound to the cell's robot
+  std::string_view extension;  // without the dot
+  std::string_view controller; // RobotModel::controller it is native to; empty: any robot's
+  bool needsJoints = false;    // its targets are joint values, so it is bound to the cell's robot
   // It goes straight nowhere: beads are joints at a steady speed between points, too.
   bool beadsByJoints = false;
-  bool saysJointMotions = true; // else they come in straight pieces (joint_pieces.h)
-  bool turnsRods = true;        // can it say where an external axis is, or what is on the part
-  bool tiltsNozzle = true;      // can it say another direction than the plate's normal
-  plan::TimeModel time = {};    // of its controller; readProgram hands it on
-  MergeLimits merge = {};       // of printing motions that its controller can plan in time
+  bool saysJointMotions = true;     // else they come in straight pieces (joint_pieces.h)
+  bool supportsExternalAxes = true; // can it say where an external axis is, or what is on the part
+  bool tiltsNozzle = true;          // can it say another direction than the plate's normal
+  plan::TimeModel time = {};        // of its controller; readProgram hands it on
+  MergeLimits merge = {};           // of printing motions that its controller can plan in time
   // Ids of program::extruders() that it has words for; empty: its motions tell amounts themselves.
   std::vector<std::string_view> extruders = {};
   bool forAnyCell = false; // written beside the cell's own where the user chooses no formats
@@ -68,9 +68,9 @@ struct Dialect {
   bool (*looksLike)(std::string_view text) = nullptr;
   // Names of the files, next to it, that a file of a program goes on in; nullptr: a dialect whose
   // files stand alone.
-  std::vector<std::string> (*goesOnIn)(std::string_view text) = nullptr;
+  std::vector<std::string> (*continuationFiles)(std::string_view text) = nullptr;
   // Is a file of a program no text, but what the dialect's reader knows? nullptr: all are texts.
-  bool (*isNoText)(std::string_view bytes) = nullptr;
+  bool (*isBinary)(std::string_view bytes) = nullptr;
   // Is this a word of the language, which nothing in a program may be called by? nullptr: programs
   // of this dialect name nothing.
   bool (*isWord)(std::string_view name) = nullptr;
@@ -89,9 +89,9 @@ const Dialect& findDialect(std::string_view id);
 // of its name. nullptr: none.
 const Dialect* detectDialect(std::string_view fileName, std::string_view text);
 
-// Names of the files, next to it, that a file of a program goes on in: Dialect::goesOnIn, and a
-// stream of filament.
-std::vector<std::string> goesOnIn(const Dialect& dialect, std::string_view text);
+// Names of the files, next to it, that a file of a program goes on in: Dialect::continuationFiles,
+// and a stream of filament.
+std::vector<std::string> continuationFiles(const Dialect& dialect, std::string_view text);
 
 // A dialect's options; all rows', each once; and what was chosen of the latter. The last throws
 // nothing when `values` are over a table with programParameters().

@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "program/castelli_serial.h"
-#include "program/extruder_axis.h"
+#include "program/common/text.h"
 #include "program/filament.h"
-#include "program/text.h"
+#include "program/gcode/castelli_serial.h"
+#include "program/gcode/extruder_axis.h"
 
 #include <algorithm>
 

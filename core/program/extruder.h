@@ -23,8 +23,8 @@ namespace voluta::program {
 struct Extruder {
   std::string_view id;
   base::Text label;
-  // Said to it by texts that the program sends (Speller::send): the text of a flow, mm3/s, 0 stops
-  // it. nullptr: it is told by outputs.
+  // Said to it by texts that the program sends (ProgramEmitter::send): the text of a flow, mm3/s, 0
+  // stops it. nullptr: it is told by outputs.
   std::string (*text)(double mm3PerS) = nullptr;
   // The flow, mm3/s, that its words say for one that is wanted. nullptr: as the dialect's analogue
   // output has it.

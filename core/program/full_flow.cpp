@@ -1,7 +1,7 @@
 #include "program/full_flow.h"
 
+#include "program/common/text.h"
 #include "program/job_head.h"
-#include "program/text.h"
 
 #include <cstdint>
 #include <optional>

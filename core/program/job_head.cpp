@@ -1,10 +1,10 @@
 #include "program/job_head.h"
 
 #include "base/units.h"
+#include "program/common/motion_targets.h"
+#include "program/common/text.h"
 #include "program/extruder.h"
-#include "program/extruder_stream.h"
-#include "program/motion_targets.h"
-#include "program/text.h"
+#include "program/stream/extruder_stream.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 #include "program/merged_points.h"
 
-#include "program/blend.h"
-#include "program/motion_targets.h"
+#include "program/common/blend.h"
+#include "program/common/motion_targets.h"
 
 #include <algorithm>
 #include <cmath>

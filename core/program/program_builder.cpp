@@ -1,7 +1,7 @@
 #include "program/program_builder.h"
 
-#include "program/castelli_serial.h"
 #include "program/filament.h"
+#include "program/gcode/castelli_serial.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,10 @@
 
 #include "plan/program.h"
 #include "process/process.h"
-#include "program/extruder_outputs.h"
+#include "program/common/extruder_outputs.h"
+#include "program/common/known_words.h"
+#include "program/common/text.h"
 #include "program/filament.h"
-#include "program/known_words.h"
-#include "program/text.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -45,8 +45,8 @@ public:
   void pauseByOutputs(double seconds);
   void pause(double seconds, double volumeMm3, double drawnMm = 0.0);
 
-  // The extruder as an axis that goes with the arm (program/extruder_axis.h): it is where it counts
-  // as 0; during a motion, or while the arm stands, it goes on to `mm` of filament.
+  // The extruder as an axis that goes with the arm (program/gcode/extruder_axis.h): it is where it
+  // counts as 0; during a motion, or while the arm stands, it goes on to `mm` of filament.
   void zeroAxis();
   void motionByAxis(plan::ProgramMotion motion, double mm);
   void pauseByAxis(double seconds, double mm);

@@ -26,8 +26,8 @@ struct Choices {
   std::string scale = "1";  // a number or "fit"
   std::string units = "mm"; // of a mesh's file: length_unit.h
   geometry::Placement placement;
-  bool repair = true;               // false: the mesh as it was read
-  std::vector<std::string> formats; // empty: the cell's controller, gcode-extended
+  bool repair = true;                            // false: the mesh as it was read
+  std::vector<std::string> formats;              // empty: the cell's controller, gcode-extended
   std::map<std::string, std::string> parameters; // changed ones, as text
   int seed = 1;
 };

@@ -3,7 +3,7 @@
 namespace voluta::project {
 
 const geometry::TriangleMesh& Job::printed() const {
-  const auto* less = std::get_if<LessGround>(&result);
+  const auto* less = std::get_if<ReducedPlatform>(&result);
   return less && less->part ? *less->part : *part;
 }
 

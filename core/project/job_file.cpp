@@ -381,7 +381,7 @@ Job readFrame(const Frame& frame, const std::string& where) {
   job.platform = getPlatform(blocks);
   if (hasMesh(blocks, "lessPlatform"))
     job.result =
-        LessGround{std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"))};
+        ReducedPlatform{std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"))};
   if (holds("planned"))
     job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
   if (const int dof = header.at("dof").get<int>(); dof > 0)
@@ -438,7 +438,7 @@ void JobFile::add(const Job& job) {
   if (job.part)
     addMesh(blocks, "part", *job.part);
   addPlatform(blocks, job.platform);
-  if (const auto* less = std::get_if<LessGround>(&job.result); less && less->part)
+  if (const auto* less = std::get_if<ReducedPlatform>(&job.result); less && less->part)
     addMesh(blocks, "lessPlatform", *less->part);
   if (const Voxels voxels = job.decomposition())
     addDecomposition(blocks, *voxels);

@@ -9,7 +9,7 @@
 #include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_reader.h"
 #include "project/content_hash.h"
-#include "samples/sample_part.h"
+#include "project/sample_part.h"
 #include "voxel/voxel_text.h"
 
 #include <algorithm>
@@ -142,7 +142,7 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
       throw base::Error(base::ErrorCode::Usage, base::message("unknown sample '{name}'"_text, name),
                         {}, base::didYouMean(name, sampleNames()));
     loaded.name = name + ".stl";
-    loaded.source = std::make_shared<geometry::TriangleMesh>(samples::samplePart());
+    loaded.source = std::make_shared<geometry::TriangleMesh>(project::samplePart());
   } else if (geometry::isForeign(part)) {
     loaded.name = std::filesystem::path(part).filename().string();
     geometry::MeshFile file = geometry::readForeign(part, geometry::ForeignFrame::Upright);

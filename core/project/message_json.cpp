@@ -144,7 +144,7 @@ Json findingJson(const plan::Finding& f) {
       addPlain(values, std::string(value.name), value.value);
   const auto fits = values.find("fitsMm");
   return Json{{"stage", plan::stageName(plan::stageOf(f))},
-              {"kind", plan::kindWord(f)},
+              {"kind", plan::reportId(f)},
               {"where", f.where ? pointJson(*f.where) : Json()},
               {"when", f.whenS ? Json(*f.whenS) : Json()},
               {"count", f.count},

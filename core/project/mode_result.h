@@ -12,13 +12,13 @@ namespace voluta::project {
 
 // Levels over a ground: what of the part is laid on it, where the ground takes some of it; null:
 // all.
-struct LessGround {
+struct ReducedPlatform {
   std::shared_ptr<const geometry::TriangleMesh> part;
 };
 using Voxels = std::shared_ptr<const curved::Decomposition>;       // ranks and a field; not null
 using Pieces = std::shared_ptr<const planar::PlanarDecomposition>; // not null
 
-using ModeResult = std::variant<LessGround, Voxels, Pieces>;
+using ModeResult = std::variant<ReducedPlatform, Voxels, Pieces>;
 enum class ResultKind { OnGround, InVoxels, InPieces }; // in the order of the variant
 
 inline ResultKind kindOf(const ModeResult& result) {

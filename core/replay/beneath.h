@@ -39,7 +39,7 @@ private:
   const GroundProbe& ground_;
   Eigen::Vector3d tip_, up_, side_; // side_: unit, up x way
   double height_, width_;
-  Moment moment_;
+  PrintState moment_;
 };
 
 } // namespace voluta::replay

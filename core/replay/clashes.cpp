@@ -109,7 +109,7 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidP
       for (std::size_t s = path.firstSample[m]; s < path.firstSample[m + 1]; ++s) {
         // The pieces of a motion are its samples' intervals.
         p = std::min<std::size_t>(firstPiece[m] + (s - path.firstSample[m]) + 1, firstPiece[m + 1]);
-        Moment moment;
+        PrintState moment;
         if (p > 0) {
           const LaidPiece& last = pieces[p - 1];
           moment = {static_cast<std::uint32_t>(p), last.run, last.runMm, last.recentMm};
@@ -214,7 +214,7 @@ public:
     }
   }
 
-  void step(const robot::JointVector& q, std::size_t sample, const Moment& moment,
+  void step(const robot::JointVector& q, std::size_t sample, const PrintState& moment,
             std::vector<Touch>& touches) {
     frames_.clear();
     cell_.framePoses(q, frames_);
@@ -294,7 +294,7 @@ private:
 
   // Distance to the solid round the cells; within it, 0 if a cell is touched that is there and else
   // kAskAgainMm.
-  double cellsDistance(int a, const Cells& cells, const Moment& moment, Vector3d& where) const {
+  double cellsDistance(int a, const Cells& cells, const PrintState& moment, Vector3d& where) const {
     const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(a)];
     const Isometry3d& base_T_work = frames_[static_cast<std::size_t>(cell_.workFrame())];
     double nearest = 1e9;
@@ -372,7 +372,7 @@ std::vector<Clash> armClashes(const ExecutedPath& path,
         continue;
       const robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(
           path.armJoints.data() + s * static_cast<std::size_t>(path.dof), path.dof);
-      Moment moment;
+      PrintState moment;
       moment.before = firstPiece[path.armMotion[s]];
       follower.step(q, s, moment, chunks[begin / kGrain]);
     }

@@ -31,7 +31,7 @@ public:
   }
   void atMotion(plan::FindingKind kind, std::size_t motion,
                 std::vector<plan::NamedValue> values = {}, std::size_t count = 1) {
-    const std::string_view word = plan::rowOf(kind).word;
+    const std::string_view word = plan::rowOf(kind).reportId;
     for (std::size_t k = open_.size(); k-- > 0;)
       if (open_[k].word == word && open_[k].motion + 1 == motion && count == 1) {
         open_[k].motion = motion;

@@ -175,12 +175,11 @@ private:
             ((column + base::fractionOf(kR1 * row + kR2)) / static_cast<float>(nw) - 0.5f) * across;
         // Beyond the last line is none.
         const Floats share =
-            column < static_cast<float>(nw) ? base::greatestOf(none, 1.0f + x * widens) : none;
+            column < static_cast<float>(nw) ? base::max(none, 1.0f + x * widens) : none;
         const Floats depth =
             (row + base::fractionOf(kR1 * column + kR2 * row)) / static_cast<float>(nh);
         const Floats below = 1.0f - filled + depth * filled; // the tip, in heights
-        const Floats off = depth * height - half,
-                     end = base::greatestOf(none, base::absOf(x) - flat);
+        const Floats off = depth * height - half, end = base::max(none, base::absOf(x) - flat);
         const Floats rectangle = base::absOf(x) <= halfWidth ? share : none;
         const Floats bead = end * end + off * off <= half * half ? share : none;
         Lines lines;

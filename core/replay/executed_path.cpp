@@ -359,7 +359,7 @@ private:
     path_.armFraction.reserve(states);
     const auto append = [](auto& to, auto& from) {
       to.insert(to.end(), from.begin(), from.end());
-      base::letGo(from);
+      base::freeStorage(from);
     };
     for (ArmWalk& walk : parts) {
       append(path_.armJoints, walk.joints);

@@ -30,7 +30,7 @@ public:
   GroundCells(const geometry::TriangleMesh& mesh, double pitchMm, const base::RunContext& ctx);
   const PrintedPart& part() const { return *part_; }
   // The moment from which on all of it is there.
-  static Moment always() { return {.before = 1}; }
+  static PrintState always() { return {.before = 1}; }
 
 private:
   BeadGrid cells_;

@@ -18,14 +18,15 @@ constexpr double kRoundingMm = 1e-9;
 } // namespace
 
 bool HeadFollower::isNear(const Vector3d& tip, const Vector3d& direction,
-                          const Moment& moment) const {
+                          const PrintState& moment) const {
   const Vector3d way = tip - tip_;
   return moment.before <= before_ && way.squaredNorm() <= kWayMm * kWayMm &&
          std::abs(way.dot(direction)) <= kAlongMm &&
          (direction - direction_).squaredNorm() <= kTurn * kTurn;
 }
 
-void HeadFollower::gather(const Vector3d& tip, const Vector3d& direction, const Moment& moment) {
+void HeadFollower::gather(const Vector3d& tip, const Vector3d& direction,
+                          const PrintState& moment) {
   tip_ = tip;
   direction_ = direction;
   before_ = moment.before + std::min(kPieces, kNeverFilled - moment.before);
@@ -48,7 +49,7 @@ void HeadFollower::gather(const Vector3d& tip, const Vector3d& direction, const 
 }
 
 std::optional<Vector3d> HeadFollower::touched(const Vector3d& tip, const Vector3d& direction,
-                                              const Moment& moment) {
+                                              const PrintState& moment) {
   if (!isNear(tip, direction, moment))
     gather(tip, direction, moment);
   // Nearly all that is asked for lies below the tip. A block's reach is that of its corners; along

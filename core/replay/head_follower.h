@@ -20,13 +20,14 @@ public:
 
   // The centre of a printed cell that the head holds; of several the first in the part's order,
   // whatever was asked before. Work frame, mm; `direction`: unit, from the tip into the head.
-  std::optional<Eigen::Vector3d> touched(const Eigen::Vector3d& tip,
-                                         const Eigen::Vector3d& direction, const Moment& moment);
+  std::optional<Eigen::Vector3d>
+  touched(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction, const PrintState& moment);
 
 private:
   bool isNear(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
-              const Moment& moment) const;
-  void gather(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction, const Moment& moment);
+              const PrintState& moment) const;
+  void gather(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
+              const PrintState& moment);
 
   const HeadSolid& head_;
   const PrintedPart& part_;

@@ -31,8 +31,8 @@ template <typename F> void alongLines(const Lines& lines, const Eigen::Vector3i&
   for (std::size_t k = 0; k < 3; ++k) {
     const Floats first = none + kInside,
                  last = none + (static_cast<float>(size[static_cast<int>(k)]) - kInside);
-    const Floats from = base::leastOf(base::greatestOf(lines.from[k], first), last),
-                 to = base::leastOf(base::greatestOf(lines.to[k], first), last), way = to - from;
+    const Floats from = base::min(base::max(lines.from[k], first), last),
+                 to = base::min(base::max(lines.to[k], first), last), way = to - from;
     const Ints at = base::intsOf(from), back = way < 0.0f;
     cell += strides[k] * at;
     stride[k] = back ? Ints{} - strides[k] : Ints{} + strides[k];
@@ -42,7 +42,7 @@ template <typename F> void alongLines(const Lines& lines, const Eigen::Vector3i&
   }
   Floats done = none;
   for (;;) {
-    const Floats least = base::leastOf(base::leastOf(next[0], next[1]), next[2]);
+    const Floats least = base::min(base::min(next[0], next[1]), next[2]);
     const Ints goesOn = least < 1.0f;
     const Floats end = goesOn ? least : none + 1.0f;
     f(cell, end - done);

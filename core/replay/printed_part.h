@@ -15,7 +15,7 @@ namespace voluta::replay {
 // What lies there when the nozzle is at some place of the program: cells filled by pieces before
 // `before`, without those that the same bead filled over its last `recentMm` (soft material under
 // the nozzle).
-struct Moment {
+struct PrintState {
   std::uint32_t before = 0;
   std::uint32_t run = kNeverFilled;
   float runMm = 0.0f, recentMm = 0.0f;
@@ -28,7 +28,7 @@ public:
 
   const voxel::VoxelGrid& grid() const { return beads_.grid; }
 
-  bool printed(std::size_t cell, const Moment& moment) const {
+  bool printed(std::size_t cell, const PrintState& moment) const {
     const std::uint32_t by = beads_.filledBy(cell);
     if (by >= moment.before)
       return false;
@@ -36,14 +36,14 @@ public:
     return piece.run != moment.run || moment.runMm - piece.runMm > moment.recentMm;
   }
   // The piece that filled the cell a point is in, kNeverFilled where that is not printed.
-  std::uint32_t pieceAt(const Eigen::Vector3d& point, const Moment& moment) const {
+  std::uint32_t pieceAt(const Eigen::Vector3d& point, const PrintState& moment) const {
     const Eigen::Vector3i c = beads_.grid.cellOf(point);
     if (!beads_.grid.contains(c.x(), c.y(), c.z()))
       return kNeverFilled;
     const std::size_t cell = beads_.grid.index(c.x(), c.y(), c.z());
     return printed(cell, moment) ? beads_.filledBy(cell) : kNeverFilled;
   }
-  bool printedAt(const Eigen::Vector3d& point, const Moment& moment) const {
+  bool printedAt(const Eigen::Vector3d& point, const PrintState& moment) const {
     return pieceAt(point, moment) != kNeverFilled;
   }
 
@@ -52,7 +52,7 @@ public:
   // reach 0 whether the point is in it. The solid lies in the ball of `radius` round `centre`.
   template <typename Within>
   std::optional<std::size_t> firstWithin(const Eigen::Vector3d& centre, double radius,
-                                         const Moment& moment, const Within& within) const {
+                                         const PrintState& moment, const Within& within) const {
     const Eigen::Vector3d r = Eigen::Vector3d::Constant(radius);
     std::optional<std::size_t> found;
     visitBlocks(
@@ -87,7 +87,7 @@ public:
   double blockReach() const { return reachOf(0); }
   // As firstWithin(), among the cells of one block.
   template <typename Within>
-  std::optional<std::size_t> firstIn(const Block& block, const Moment& moment,
+  std::optional<std::size_t> firstIn(const Block& block, const PrintState& moment,
                                      const Within& within) const {
     if (levels_.front().least[block.index] >= moment.before)
       return std::nullopt;

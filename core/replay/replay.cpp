@@ -48,10 +48,10 @@ public:
       run.volumeMm3.push_back(motionVolume(in_.program, *path_, m));
     base::returnFreedMemory();
     compare(run);
-    weigh(run);
-    const Told times = toldBy([&] { tellTimes(run); });
-    const Told limits = toldBy([&] { tellLimits(run); });
-    base::letGo(in_.program.motions);
+    computeMassRatio(run);
+    const CollectedFindings times = collect([&] { tellTimes(run); });
+    const CollectedFindings limits = collect([&] { tellLimits(run); });
+    base::freeStorage(in_.program.motions);
     base::returnFreedMemory();
     JudgedRun mine = judgeRun(std::move(run), in_, limits_, judged, ctx_.sub(0.1, 1.0));
     path_ = &mine.run.path;
@@ -60,7 +60,7 @@ public:
     tellClashes(mine);
     tell(limits);
     conclude();
-    judged.push_back(std::make_shared<const JudgedRun>(toLend(std::move(mine))));
+    judged.push_back(std::make_shared<const JudgedRun>(strippedForReuse(std::move(mine))));
     base::returnFreedMemory();
     out_.motionS = std::move(seconds_);
     ctx_.report(1.0, "replayed"_text);
@@ -81,18 +81,18 @@ private:
     base::require(in_.platform.known(), "replay: the platform is known");
   }
 
-  struct Told {
+  struct CollectedFindings {
     plan::Findings findings;
     std::vector<TextPlace> places; // of each
   };
   // What `find` adds, kept apart: to be told in its turn.
-  template <typename Find> Told toldBy(const Find& find) {
-    Told before{std::exchange(out_.findings, {}), std::exchange(out_.places, {})};
+  template <typename Find> CollectedFindings collect(const Find& find) {
+    CollectedFindings before{std::exchange(out_.findings, {}), std::exchange(out_.places, {})};
     find();
     return {std::exchange(out_.findings, std::move(before.findings)),
             std::exchange(out_.places, std::move(before.places))};
   }
-  void tell(const Told& told) {
+  void tell(const CollectedFindings& told) {
     out_.findings.insert(out_.findings.end(), told.findings.begin(), told.findings.end());
     out_.places.insert(out_.places.end(), told.places.begin(), told.places.end());
   }
@@ -151,7 +151,7 @@ private:
   }
 
   // The material that the text lays.
-  void weigh(const Run& run) {
+  void computeMassRatio(const Run& run) {
     const std::vector<double> volume = flowingMm3(in_.program, seconds_);
     for (std::size_t m = 0; m < volume.size(); ++m)
       (run.knowledge[m].ofPart ? out_.depositedMm3 : out_.supportMm3) += volume[m];

@@ -53,7 +53,7 @@ public:
     }
     findClashes(known);
     gatherMet();
-    base::letGo(out_.run.path.armJoints, out_.run.path.armMotion, out_.run.path.armFraction);
+    base::freeStorage(out_.run.path.armJoints, out_.run.path.armMotion, out_.run.path.armFraction);
     return std::move(out_);
   }
 
@@ -126,7 +126,7 @@ private:
     // What is met is asked for fillers alone.
     laid->beads.fill = {};
     laid->beads.otherFill = {};
-    base::letGo(laid->beads.pieceExcessMm3);
+    base::freeStorage(laid->beads.pieceExcessMm3);
     return laid;
   }
 
@@ -311,7 +311,7 @@ private:
             if (const std::size_t w = plan::waypointAhead(in_.trajectory, out_.run.pointOf[m]);
                 w != plan::kNoWaypoint)
               waypoints.insert(w);
-    out_.figures.metAt.assign(waypoints.begin(), waypoints.end());
+    out_.figures.collidingWaypoints.assign(waypoints.begin(), waypoints.end());
   }
 
   const ReplayInput& in_;
@@ -330,10 +330,11 @@ JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& th
   return RunJudge(std::move(run), input, thresholds, ctx).judge(judged);
 }
 
-JudgedRun toLend(JudgedRun run) {
+JudgedRun strippedForReuse(JudgedRun run) {
   ExecutedPath& path = run.run.path;
-  base::letGo(path.targetTip, path.targetDirection, path.commandedMm, path.turnRad, path.cornerRad,
-              path.durationS, path.violations, run.run.pointOf, run.run.knowledge);
+  base::freeStorage(path.targetTip, path.targetDirection, path.commandedMm, path.turnRad,
+                    path.cornerRad, path.durationS, path.violations, run.run.pointOf,
+                    run.run.knowledge);
   return run;
 }
 

@@ -53,7 +53,7 @@ struct LaidBeads {
 struct JudgedRun {
   Run run;
   std::shared_ptr<const LaidBeads> laid;
-  RunFigures figures;             // collisions and metAt of the clashes below
+  RunFigures figures;             // collisions and collidingWaypoints of the clashes below
   std::vector<BeadFinding> beads; // by the thresholds that it was judged with
   std::vector<Clash> head, arm;   // in no order
 };
@@ -69,7 +69,7 @@ JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& th
                    const JudgedRuns& judged, const base::RunContext& ctx);
 
 // What a run that is told of is kept as.
-JudgedRun toLend(JudgedRun run);
+JudgedRun strippedForReuse(JudgedRun run);
 
 // How far a motion of one run is from the motion of another to the same point of the plan.
 struct Apart {

@@ -64,7 +64,7 @@ Underside::Underside(const process::HeadShape& head, const std::vector<BeadPiece
 }
 
 std::optional<Vector3d> Underside::touched(const Vector3d& tip, const Vector3d& direction,
-                                           const Moment& moment) const {
+                                           const PrintState& moment) const {
   const FlatDisc disc{tip + upMm_ * direction, direction, radiusMm_};
   std::optional<Vector3d> where;
   near_.any(boxOf(disc), [&](std::uint32_t p) {

@@ -28,8 +28,9 @@ public:
   // Returns a place of a piece that the underside reaches into, none if it reaches into none of
   // what is laid at that moment and no longer soft. Work frame; `direction`: unit, from the tip
   // into the head.
-  std::optional<Eigen::Vector3d>
-  touched(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction, const Moment& moment) const;
+  std::optional<Eigen::Vector3d> touched(const Eigen::Vector3d& tip,
+                                         const Eigen::Vector3d& direction,
+                                         const PrintState& moment) const;
 
 private:
   struct Piece {

@@ -73,7 +73,7 @@ struct RunFigures {
   std::size_t collisions = 0; // contacts; one that lasts over consecutive samples counts once
 
   // Waypoints of the plan, ascending, on the way to which something meets.
-  std::vector<std::size_t> metAt;
+  std::vector<std::size_t> collidingWaypoints;
 
   double partVolumeMm3 = 0.0, beadLengthMm = 0.0;
   double pitchMm = 0.0; // of the grid of beads

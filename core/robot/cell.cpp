@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/json_node.h"
-#include "robot/robot_reader.h"
+#include "robot/cell/robot_reader.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -10,7 +10,7 @@
 
 #include "platform/platform_solid.h"
 #include "process/process.h"
-#include "robot/external_axis.h"
+#include "robot/cell/external_axis.h"
 #include "robot/robot_model.h"
 
 #include <Eigen/Geometry>
@@ -36,7 +36,7 @@ struct CellRod {
 
 class Cell {
 public:
-  // The file's keys are described in robot/cell_reader.cpp.
+  // The file's keys are described in robot/cell/cell_reader.cpp.
   // Throws Error{UnreadableFile, UnusableInput} naming file and key. The head's solid comes from
   // the process. A cell without a rod has the platform's plate on its own stem; a cell with one has
   // the platform's rod, or its own where the platform has none. Throws Error{UnusableInput} where

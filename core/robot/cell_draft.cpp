@@ -5,10 +5,10 @@
 #include "base/files.h"
 #include "base/json_node.h"
 #include "base/units.h"
-#include "robot/json_output.h"
-#include "robot/json_pose.h"
-#include "robot/shape_moves.h"
-#include "robot/shape_reader.h"
+#include "robot/cell/json_output.h"
+#include "robot/cell/json_pose.h"
+#include "robot/cell/shape_reader.h"
+#include "robot/shape/shape_moves.h"
 
 #include <algorithm>
 #include <functional>

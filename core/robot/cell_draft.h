@@ -1,6 +1,7 @@
-// A cell's file while it is edited (its keys: robot/cell_reader.cpp). A value: every edit gives
-// another one, so that what was before can be kept. It need not be a cell that works, nor one that
-// can be read: Cell::readText() says what is wrong with it. What no edit touches stays as it is.
+// A cell's file while it is edited (its keys: robot/cell/cell_reader.cpp). A value: every edit
+// gives another one, so that what was before can be kept. It need not be a cell that works, nor one
+// that can be read: Cell::readText() says what is wrong with it. What no edit touches stays as it
+// is.
 #pragma once
 
 #include "robot/cell.h"

@@ -32,7 +32,7 @@ void NozzleTurns::at(double turn, std::vector<JointVector>& solutions) const {
     const Eigen::Isometry3d flange = arm.flange(q);
     const bool isThere = (flange.translation() - base_T_flange.translation()).norm() < kSameMm &&
                          (flange.linear() - base_T_flange.linear()).norm() < kSameRad;
-    if (!isThere && !arm.goOn(base_T_flange, q))
+    if (!isThere && !arm.solveNear(base_T_flange, q))
       return true;
     for (double& angle : q)
       angle = wrappedAngle(angle);

@@ -58,7 +58,7 @@ std::optional<JointVector> nextBranch(const RobotModel& robot,
   if (robot.kinematics->isFast())
     return std::nullopt;
   JointVector q = near.head(robot.dof());
-  if (!robot.kinematics->goOn(base_T_flange, q) ||
+  if (!robot.kinematics->solveNear(base_T_flange, q) ||
       largestTurn(q - near.head(robot.dof()), robot.limits) > mostRad)
     return std::nullopt;
   for (int i = 0; i < robot.dof(); ++i) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/body.h"
-#include "robot/joint_kind.h"
+#include "robot/kinematics/joint_kind.h"
 
 #include <Eigen/Geometry>
 #include <filesystem>
@@ -59,7 +59,7 @@ public:
   // Newton's steps from q to where the flange is as wanted: the branch that goes on from q, which
   // costs as little as a fast inverse. False, and q is as it was: they do not come there, or this
   // arm has no need of them. Joints may have left (-pi, pi].
-  virtual bool goOn(const Eigen::Isometry3d& /*base_T_flange*/, JointVector& /*q*/) const {
+  virtual bool solveNear(const Eigen::Isometry3d& /*base_T_flange*/, JointVector& /*q*/) const {
     return false;
   }
 };
@@ -83,7 +83,7 @@ struct RobotModel {
   int dof() const { return kinematics->dof(); }
 };
 
-// The file's keys are described in robot/robot_reader.cpp.
+// The file's keys are described in robot/cell/robot_reader.cpp.
 // Throws Error{UnreadableFile, UnusableInput} naming file and key.
 RobotModel readRobot(const std::filesystem::path& file);
 std::vector<std::string> robotIds();

@@ -9,10 +9,10 @@
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
-#include "toolpath/braced.h"
-#include "toolpath/bridges.h"
-#include "toolpath/drawn_in.h"
-#include "toolpath/head_clearance.h"
+#include "toolpath/unsupported/bridges.h"
+#include "toolpath/unsupported/head_clearance.h"
+#include "toolpath/unsupported/inset_walls.h"
+#include "toolpath/unsupported/tilt_unsupported.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -59,7 +59,7 @@ public:
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
   }
 
-  // `drawsIn`: what would hang is laid aside first (drawn_in.h).
+  // `drawsIn`: what would hang is laid aside first (inset_walls.h).
   // `part`: the plan's beads; null: they are deposited here.
   OrientResult run(bool drawsIn, std::shared_ptr<const collision::GrowingPart> part) {
     if (!part) {
@@ -123,8 +123,10 @@ private:
 
   // What would hang, drawn in, or else braced against what then lies beside it.
   void hold(const collision::GrowingPart& part) {
-    std::vector<char> hanging = hangingWaypoints(plan_, part, o_.platform, ctx_, kWellCarried);
-    const std::vector<Vector3d> moves = drawnIn(plan_, hanging, part, o_.platform, process_, ctx_);
+    std::vector<char> hanging =
+        unsupportedWaypoints(plan_, part, o_.platform, ctx_, kMinSupportedSamples);
+    const std::vector<Vector3d> moves =
+        insetUnsupportedWalls(plan_, hanging, part, o_.platform, process_, ctx_);
     for (std::size_t i = 0; i < moves.size(); ++i) {
       middle_[i] += moves[i];
       moved_[i] = !moves[i].isZero();
@@ -133,14 +135,15 @@ private:
     if (!canBrace(plan_, hanging, process_))
       return;
     if (std::ranges::find(moved_, 1) == moved_.end()) {
-      leant_ = braced(plan_, hanging, part, o_.platform, process_, ctx_);
+      leant_ = tiltUnsupportedBeads(plan_, hanging, part, o_.platform, process_, ctx_);
       return;
     }
     ToolPlan drawn = plan_;
     for (std::size_t i = 0; i < moves.size(); ++i)
       drawn.position[i] += moves[i];
-    leant_ = braced(drawn, hanging, *collision::regrown(drawn, part, plan_, process_, ctx_),
-                    o_.platform, process_, ctx_);
+    leant_ = tiltUnsupportedBeads(drawn, hanging,
+                                  *collision::regrown(drawn, part, plan_, process_, ctx_),
+                                  o_.platform, process_, ctx_);
   }
 
   std::optional<Vector3d> firstClear(const collision::GrowingPart& part, std::size_t i,
@@ -307,7 +310,7 @@ private:
         r.maxTurnDeg = std::max(
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
     ctx_.report(0.8, "directions"_text);
-    r.hanging = hangingWaypoints(p, part, o_.platform, ctx_);
+    r.hanging = unsupportedWaypoints(p, part, o_.platform, ctx_);
     std::vector<double> marginMm(p.waypointCount(), 0.0);
     for (const plan::ToolPath& path : p.paths)
       if (mayMiss_ && mayMiss_(path))

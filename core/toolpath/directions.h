@@ -39,8 +39,8 @@ struct OrientResult {
 // must, else towards whatever nearby clears, up to 75 degrees from its own; low-passes along the
 // path where neighbours differ by more than smoothBeyondDeg (Dai 3.5.2) unless that gouges;
 // subdivides steps that turn more than turnLimitDeg. Walls that would hang are laid a little aside
-// (drawn_in.h); else the middle of each bead stays where it is: tip = middle + 1/2 height x
-// direction. What hangs all the same leans where its neighbour then holds it (braced.h), unless the
+// (inset_walls.h); else the middle of each bead stays where it is: tip = middle + 1/2 height x
+// direction. What hangs all the same leans where its neighbour then holds it (tilt_unsupported.h), unless the
 // plan is upright throughout: then it stays so. Gone over up to four times while less and less
 // gouges.
 // Before it is gone over again, paths that mayMiss lose the waypoints that gouge.

@@ -1,6 +1,6 @@
 #include "toolpath/options.h"
 
-#include "toolpath/infill.h"
+#include "toolpath/infill/infill.h"
 
 namespace voluta::toolpath {
 
@@ -53,7 +53,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.infillAngleDeg = values.number("infillAngle");
   o.infillTurnDeg = values.number("infillTurn");
   o.windingAngleDeg = values.number("windingAngle");
-  o.underlay = values.text("underlay") != "none";
+  o.rimSupports = values.text("underlay") != "none";
   o.prime = values.text("prime");
   o.primeLengthMm = values.number("primeLengthMm");
   return o;

@@ -20,14 +20,14 @@ struct ToolpathOptions {
   double edgeMm = 0.6;           // patches are refined to edges of this length for planning
   double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
   double smoothBeyondDeg = 10.0; // Dai 3.5.2
-  bool underlay = true;          // beads of support under rims just over the plate (underlay.h)
-  std::string prime = "none";    // line, skirt or none (prime_path.h)
+  bool rimSupports = true;    // beads of support under rims just over the plate (rim_supports.h)
+  std::string prime = "none"; // line, skirt or none (prime_path.h)
   double primeLengthMm = 30.0;
   // What of it is no plate is there before the part, work frame; the plate is the cell's.
   platform::PlatformSolid platform;
 };
 
-// Keys walls, infill, infillDensity, infillAngle, infillTurn, windingAngle, underlay, prime,
+// Keys walls, infill, infillDensity, infillAngle, infillTurn, windingAngle, addRimSupports, prime,
 // primeLengthMm.
 base::ParameterTable toolpathParameters();
 // Precondition: the table holds the keys above. The other fields keep their defaults: stepMm is

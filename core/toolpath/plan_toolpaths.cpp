@@ -9,11 +9,11 @@
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
-#include "toolpath/bead_tip.h"
-#include "toolpath/bridges.h"
-#include "toolpath/carried_walls.h"
 #include "toolpath/directions.h"
-#include "toolpath/underlay.h"
+#include "toolpath/unsupported/bead_tip.h"
+#include "toolpath/unsupported/bridges.h"
+#include "toolpath/unsupported/rim_supports.h"
+#include "toolpath/unsupported/supported_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +131,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
       carriedWallWidths(stack, process, ctx.quiet());
   std::vector<PatchCover> covers(stack.patches.size());
   const base::RunContext silent = ctx.quiet();
-  base::parallelTold(ctx, covers.size(), 0.6, "tool-paths"_text, [&](std::size_t i) {
+  base::parallelWithProgress(ctx, covers.size(), 0.6, "tool-paths"_text, [&](std::size_t i) {
     covers[i] = coverPatch(stack.patches[i], process, options, silent, wallWidths[i]);
   });
   Assembled assembled = assemble(stack, covers, process);
@@ -143,13 +143,14 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                                     assembled.plan.paths.front().count, Vector3d::UnitZ());
   std::optional<plan::Finding> told;
   std::shared_ptr<const collision::GrowingPart> grown;
-  if (options.underlay) {
-    UnderlaidPlan under = underlay(std::move(assembled.plan), std::move(assembled.clearDirection),
-                                   options.platform, cell, process, silent);
+  if (options.rimSupports) {
+    RimSupportedPlan under =
+        addRimSupports(std::move(assembled.plan), std::move(assembled.clearDirection),
+                       options.platform, cell, process, silent);
     assembled.plan = std::move(under.plan);
     assembled.clearDirection = std::move(under.clearDirection);
     grown = std::move(under.grown);
-    r.statistics.underlayMm3 = under.volumeMm3;
+    r.statistics.rimSupportMm3 = under.volumeMm3;
     if (under.underlaid > 0)
       told = plan::makeFinding(plan::FindingKind::RimSupports,
                                {{"volume", base::mm3(under.volumeMm3)}, {"paths", under.underlaid}},

@@ -7,7 +7,7 @@
 #include "plan/tool_plan.h"
 #include "process/process.h"
 #include "robot/cell.h"
-#include "toolpath/cover_patch.h"
+#include "toolpath/coverage/cover_patch.h"
 #include "toolpath/options.h"
 
 #include <Eigen/Core>
@@ -28,7 +28,8 @@ struct ToolpathStatistics { // report.json "toolpath"
   double coveredFraction = 0.0, overlapFraction = 0.0; // of the patches' area (coverage.h)
   std::size_t gouges = 0;
   double maxTurnDeg = 0.0, materialMm3 = 0.0;
-  double underlayMm3 = 0.0;    // of beads under what hangs low (underlay.h), in materialMm3 as well
+  double rimSupportMm3 =
+      0.0; // of beads under what hangs low (rim_supports.h), in materialMm3 as well
   double layerVolumeMm3 = 0.0; // area x thickness of all patches: what materialMm3 should be
 };
 

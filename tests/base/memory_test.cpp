@@ -8,7 +8,7 @@ using namespace voluta;
 TEST(Memory, WhatIsLetGoHoldsNothing) {
   std::vector<double> numbers(1000, 1.0);
   std::vector<int> others(7, 2);
-  base::letGo(numbers, others);
+  base::freeStorage(numbers, others);
   EXPECT_EQ(numbers.capacity(), 0u);
   EXPECT_EQ(others.capacity(), 0u);
 }

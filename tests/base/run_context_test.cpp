@@ -79,7 +79,7 @@ TEST(Parallel, WhatIsDoneIsToldByTheThreadThatWaits) {
       told.push_back(f);
     });
     std::vector<int> times(200, 0);
-    parallelTold(ctx, times.size(), 0.6, "a"_text, [&](std::size_t i) { ++times[i]; });
+    parallelWithProgress(ctx, times.size(), 0.6, "a"_text, [&](std::size_t i) { ++times[i]; });
     EXPECT_EQ(times, std::vector<int>(200, 1));
     ASSERT_FALSE(told.empty());
     EXPECT_EQ(told.front(), 0.0);
@@ -88,11 +88,11 @@ TEST(Parallel, WhatIsDoneIsToldByTheThreadThatWaits) {
     if (threads == 1) {
       EXPECT_EQ(told.size(), 201u);
     }
-    EXPECT_THROW(parallelTold(ctx, 9, 1.0, "b"_text,
-                              [](std::size_t i) {
-                                if (i == 4)
-                                  throw std::runtime_error("five");
-                              }),
+    EXPECT_THROW(parallelWithProgress(ctx, 9, 1.0, "b"_text,
+                                      [](std::size_t i) {
+                                        if (i == 4)
+                                          throw std::runtime_error("five");
+                                      }),
                  std::runtime_error);
   }
 }

@@ -6,9 +6,9 @@
 #include "geometry/mesh_query.h"
 #include "geometry/placement.h"
 #include "process/process.h"
+#include "project/sample_part.h"
 #include "robot/cell.h"
 #include "robot/robot_model.h"
-#include "samples/sample_part.h"
 #include "toolpath/plan_toolpaths.h"
 #include "voxel/solid_voxels.h"
 
@@ -19,7 +19,7 @@ namespace {
 using namespace voluta;
 
 geometry::TriangleMesh part() {
-  return geometry::placeOnPlate(samples::samplePart(), 1.0);
+  return geometry::placeOnPlate(project::samplePart(), 1.0);
 }
 
 curved::Decomposition decomposed(const geometry::TriangleMesh& mesh) {

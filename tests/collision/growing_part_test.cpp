@@ -127,18 +127,18 @@ TEST(GrowingPart, APrimeThatFallsIsNoPartOfIt) {
   addPath(plan, {{-10, -24, 10}, {10, -24, 10}}, Vector3d::UnitZ());
   addPath(plan, {{-10, 0, 0.8}, {10, 0, 0.8}}, Vector3d::UnitZ());
   plan.paths[0].kind = plan::PathKind::Skirt;
-  EXPECT_TRUE(plan.primeFalls());
+  EXPECT_TRUE(plan.isPrimeInAir());
   GrowingPart part(plan, 0.3, {});
   EXPECT_FALSE(part.holds({0, -24, 9.6}, plan.waypointCount()));
   EXPECT_TRUE(part.holds({0, 0, 0.4}, plan.waypointCount()));
 
   std::swap(plan.paths[0].kind, plan.paths[1].kind);
-  EXPECT_FALSE(plan.primeFalls());
+  EXPECT_FALSE(plan.isPrimeInAir());
   EXPECT_TRUE(GrowingPart(plan, 0.3, {}).holds({0, -24, 9.6}, plan.waypointCount()));
 
   plan.paths[0].kind = plan::PathKind::Skirt;
   plan.position[0].z() = plan.position[1].z() = 0.8;
-  EXPECT_FALSE(plan.primeFalls());
+  EXPECT_FALSE(plan.isPrimeInAir());
   EXPECT_TRUE(GrowingPart(plan, 0.3, {}).holds({0, -24, 0.4}, plan.waypointCount()));
 }
 

@@ -145,7 +145,7 @@ TEST(Decompose, PiecesWithoutContactAreTold) {
     EXPECT_EQ(d.unreachedVoxels, 4u * 6u * 6u);
     EXPECT_EQ(d.shadowedVoxels, 0u);
     ASSERT_EQ(d.findings.size(), 1u);
-    EXPECT_EQ(voluta::plan::kindWord(d.findings[0]), "unreachedVoxels");
+    EXPECT_EQ(voluta::plan::reportId(d.findings[0]), "unreachedVoxels");
     ASSERT_TRUE(d.findings[0].where.has_value());
     EXPECT_NEAR(d.findings[0].where->x(), 10.0, 1.0);
     EXPECT_FALSE(voluta::plan::englishRemedy(d.findings[0]).empty());
@@ -162,7 +162,7 @@ TEST(Decompose, AHookThatHangsDownBesideItsStemIsShadowed) {
   expectValid(d, part);
   EXPECT_GT(d.shadowedVoxels, 0u);
   ASSERT_FALSE(d.findings.empty());
-  EXPECT_EQ(voluta::plan::kindWord(d.findings[0]), "shadowedVoxels");
+  EXPECT_EQ(voluta::plan::reportId(d.findings[0]), "shadowedVoxels");
   EXPECT_NE(voluta::plan::englishReason(d.findings[0]).find("facet between"), std::string::npos);
   std::size_t shadowed = 0, cascade = 0;
   for (std::size_t c = 0; c < d.rank.size(); ++c) {

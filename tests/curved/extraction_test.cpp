@@ -224,7 +224,7 @@ TEST(CurvedLayers, TellsWhatBeginsInTheAir) {
   const auto result = curved::curvedLayers(d, part, {}, {});
   EXPECT_EQ(result.unsupportedPatches, 1u);
   ASSERT_EQ(result.findings.size(), 1u);
-  EXPECT_EQ(voluta::plan::kindWord(result.findings[0]), "unsupportedPatches");
+  EXPECT_EQ(voluta::plan::reportId(result.findings[0]), "unsupportedPatches");
   EXPECT_NEAR(result.findings[0].where->x(), 10.0, 5.0);
   EXPECT_NEAR(result.findings[0].where->z(), 8.4, 0.8);
   std::set<int> groups;

@@ -148,7 +148,7 @@ int main(int argc, char** argv) try {
       }
     }
     for (const plan::Finding& f : d.findings)
-      std::printf("  finding %s: %s\n", voluta::plan::kindWord(f).c_str(),
+      std::printf("  finding %s: %s\n", voluta::plan::reportId(f).c_str(),
                   voluta::plan::englishReason(f).c_str());
     if (!vti.empty())
       std::ofstream(vti, std::ios::binary) << curved::voxelsVti(d);

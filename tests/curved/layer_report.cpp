@@ -184,7 +184,7 @@ int main(int argc, char** argv) try {
     }
     triangleQuality(r.stack);
     for (const auto& f : r.findings)
-      std::printf("  %s: %s at %.1f %.1f %.1f\n", voluta::plan::kindWord(f).c_str(),
+      std::printf("  %s: %s at %.1f %.1f %.1f\n", voluta::plan::reportId(f).c_str(),
                   voluta::plan::englishReason(f).c_str(), f.where->x(), f.where->y(), f.where->z());
     std::fflush(stdout);
     if (!vtp.empty())

@@ -308,7 +308,7 @@ TEST_F(PlanningTest, ABoxWithoutItsLidIsClosedOnTheUsersWordOnly) {
 
   const auto offers = pipeline::remediesFor(asked, document_.choices());
   const auto close = std::ranges::find(
-      offers, "closeRims", [](const pipeline::Offer& offer) { return offer.remedy->name; });
+      offers, "closeRims", [](const pipeline::RemedyAction& offer) { return offer.remedy->name; });
   ASSERT_NE(close, offers.end());
   document_.setChoices(close->choices, "Close the rims");
   plan(Stage::Load);

@@ -65,7 +65,7 @@ std::vector<std::string> fuzz::seeds() {
   for (const robot::Cell& cell : cells) {
     const plan::Trajectory trajectory = sampleTrajectory(!cell.externalAxes().empty());
     for (const program::Dialect& dialect : program::dialects()) {
-      if ((!dialect.turnsRods && !cell.externalAxes().empty()) ||
+      if ((!dialect.supportsExternalAxes && !cell.externalAxes().empty()) ||
           (dialect.needsJoints && program::isForeign(dialect, cell)))
         continue;
       plan::Trajectory said = trajectory;

@@ -1,7 +1,7 @@
 // Robots described in URDF.
 #include "fuzz_target.h"
 
-#include "robot/urdf_reader.h"
+#include "robot/urdf/urdf_reader.h"
 
 #include <sstream>
 

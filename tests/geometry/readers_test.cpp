@@ -5,7 +5,7 @@
 #include "geometry/placement.h"
 #include "helpers/models.h"
 #include "helpers/shapes.h"
-#include "samples/sample_part.h"
+#include "project/sample_part.h"
 
 #include <cstring>
 #include <filesystem>
@@ -136,7 +136,7 @@ TEST(Readers, BinaryHeaderMayBeginWithSolid) {
 }
 
 TEST(Readers, ShortOfAFewFacetsIsTold) {
-  const TriangleMesh m = samples::samplePart();
+  const TriangleMesh m = project::samplePart();
   const std::string bytes = geometry::writeStl(m);
   const auto file = readMesh(bytes.substr(0, bytes.size() - 130), "s.stl");
   EXPECT_EQ(file.mesh.triangles.size(), m.triangles.size() - 3);
@@ -146,7 +146,7 @@ TEST(Readers, ShortOfAFewFacetsIsTold) {
 }
 
 TEST(Readers, BadCoordinatesAreLeftOutOrRefused) {
-  const TriangleMesh m = samples::samplePart();
+  const TriangleMesh m = project::samplePart();
   std::string bytes = geometry::writeStl(m);
   const float bad = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(bytes.data() + 84 + 50 * 7 + 16, &bad, sizeof bad);

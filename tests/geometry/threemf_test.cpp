@@ -205,7 +205,8 @@ std::string latticeOf(const std::string& attributes, const std::string& beams,
   return "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"10\" "
          "y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"20\"/></vertices><triangles/>"
          "<b:beamlattice radius=\"1\" minlength=\"0.01\" " +
-         attributes + "><b:beams>" + beams + "</b:beams>" + more + "</b:beamlattice></mesh></object>";
+         attributes + "><b:beams>" + beams + "</b:beams>" + more +
+         "</b:beamlattice></mesh></object>";
 }
 
 TEST(ThreeMf, SlicesAreRefusedUnlessTheMeshIsTheShape) {
@@ -229,8 +230,7 @@ TEST(ThreeMf, BeamsAreRoundBars) {
   };
   constexpr double kPi = base::kPi;
   EXPECT_NEAR(volumeOf(latticeOf("cap=\"butt\"", "<b:beam v1=\"0\" v2=\"1\"/>")), kPi * 10, 1e-9);
-  EXPECT_NEAR(volumeOf(latticeOf("cap=\"butt\"",
-                                 "<b:beam v1=\"0\" v2=\"2\" r1=\"2\" r2=\"1\"/>")),
+  EXPECT_NEAR(volumeOf(latticeOf("cap=\"butt\"", "<b:beam v1=\"0\" v2=\"2\" r1=\"2\" r2=\"1\"/>")),
               kPi / 3 * 20 * (4 + 2 + 1), 1e-9);
   // Shells that overlap count twice before they are united.
   EXPECT_NEAR(volumeOf(latticeOf("", "<b:beam v1=\"0\" v2=\"1\" cap1=\"butt\"/>")),
@@ -245,10 +245,10 @@ TEST(ThreeMf, BeamsAreRoundBars) {
 }
 
 TEST(ThreeMf, ALatticeBecomesOneSolid) {
-  const MeshFile file = readMesh(
-      package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"1\"/><b:beam v1=\"0\" v2=\"2\"/>"),
-                          "b")),
-      "part.3mf");
+  const MeshFile file =
+      readMesh(package3mf(extended(
+                   latticeOf("", "<b:beam v1=\"0\" v2=\"1\"/><b:beam v1=\"0\" v2=\"2\"/>"), "b")),
+               "part.3mf");
   EXPECT_THAT(base::english(file.repairs),
               ::testing::ElementsAre(HasSubstr("turned 2 beams of a lattice into round bars")));
   const RepairResult united = repair(file.mesh);
@@ -257,19 +257,19 @@ TEST(ThreeMf, ALatticeBecomesOneSolid) {
   EXPECT_TRUE(united.diagnosis.watertight);
   // Two cylinders that overlap in a quarter of Steinmetz's solid, half a ball at either end, and a
   // quarter of one at the corner.
-  EXPECT_NEAR(united.diagnosis.volumeMm3,
-              base::kPi * 30 - 4.0 / 3.0 + base::kPi * 4.0 / 3.0 * 1.25, 0.3);
+  EXPECT_NEAR(united.diagnosis.volumeMm3, base::kPi * 30 - 4.0 / 3.0 + base::kPi * 4.0 / 3.0 * 1.25,
+              0.3);
 }
 
 TEST(ThreeMf, BeamsThatCannotBeReadAreNamed) {
-  EXPECT_THAT(messageOf(package3mf(extended(
-                  latticeOf("clippingmode=\"inside\" clippingmesh=\"9\"",
-                            "<b:beam v1=\"0\" v2=\"1\"/>")))),
+  EXPECT_THAT(messageOf(package3mf(extended(latticeOf("clippingmode=\"inside\" clippingmesh=\"9\"",
+                                                      "<b:beam v1=\"0\" v2=\"1\"/>")))),
               HasSubstr("object '1' has a beam lattice that a mesh clips"));
   EXPECT_THAT(messageOf(package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"8\"/>")))),
               HasSubstr("a beam to vertex 8, which is not there"));
-  EXPECT_THAT(messageOf(package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"1\" r1=\"0\"/>")))),
-              HasSubstr("a beam without a radius"));
+  EXPECT_THAT(
+      messageOf(package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"1\" r1=\"0\"/>")))),
+      HasSubstr("a beam without a radius"));
 }
 
 TEST(ThreeMf, AnUnknownExtensionThatItRequiresIsNamed) {

@@ -2,13 +2,13 @@
 #include "base/data_files.h"
 #include "base/files.h"
 #include "base/units.h"
+#include "cells/arm_import.h"
 #include "geometry/formats/mesh_reader.h"
 #include "gui/cell_fixture.h"
 #include "helpers/shapes.h"
 #include "robot/cell.h"
 #include "robot/cell_draft.h"
 #include "robot/urdf_arms.h"
-#include "setup/arm_import.h"
 #include "viewer/viewport.h"
 
 #include <QCheckBox>
@@ -262,10 +262,10 @@ TEST_F(CellEditorTest, AnImportedArmLooksLikeItsMeshes) {
                   }));
   robot::UrdfOptions options;
   options.id = "boxy";
-  const setup::ArmImport import =
-      setup::importArm(path("arm.urdf").toStdString(), options, robot::Mount::Flange,
+  const cells::ArmImport import =
+      cells::importArm(path("arm.urdf").toStdString(), options, robot::Mount::Flange,
                        process::loadProcess("fdm-1.0"), base::RunContext{});
-  setup::writeImport(import, base::userDataFolder());
+  cells::writeImport(import, base::userDataFolder());
   project::Choices choices = document().choices();
   choices.cell = "boxy-moving";
   document().setChoices(choices, "cell");

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gui/window_fixture.h"
-#include "window/cell_editor.h"
+#include "window/cell/cell_editor.h"
 
 #include <QDoubleSpinBox>
 #include <QLabel>

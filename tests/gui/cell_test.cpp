@@ -8,7 +8,7 @@
 #include "pipeline/cell_reach.h"
 #include "pipeline/choices.h"
 #include "robot/cell_draft.h"
-#include "robot/link_meshes.h"
+#include "robot/urdf/link_meshes.h"
 #include "robot/urdf_arms.h"
 #include "viewer/camera_control.h"
 

@@ -6,8 +6,8 @@
 #include "helpers/lathe_parts.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
-#include "window/unrolled_canvas.h"
-#include "window/unrolled_view.h"
+#include "window/unrolled/unrolled_canvas.h"
+#include "window/unrolled/unrolled_view.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -218,7 +218,7 @@ TEST_F(PreviewTest, AThinWallOffersTheWidthThatHoldsIt) {
   QTest::mouseClick(remedy("narrowVoxels"), Qt::LeftButton);
   ASSERT_TRUE(previewed());
   for (const auto& finding : document().presentResult()->job.report.findings)
-    EXPECT_NE(voluta::plan::kindWord(finding), "thinWalls");
+    EXPECT_NE(voluta::plan::reportId(finding), "thinWalls");
 }
 
 // From an edit to the picture, for a part of one's own: VOLUTA_GUI_PART names a mesh,

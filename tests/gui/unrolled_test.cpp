@@ -1,10 +1,10 @@
 // A layer around an axis laid flat: lengths as on the layer, the seam in both pictures, the same
 // path chosen by the mouse.
 #include "base/units.h"
-#include "window/unrolled_canvas.h"
-#include "window/unrolled_layer.h"
-#include "window/unrolled_picture.h"
-#include "window/unrolled_view.h"
+#include "window/unrolled/unrolled_canvas.h"
+#include "window/unrolled/unrolled_layer.h"
+#include "window/unrolled/unrolled_picture.h"
+#include "window/unrolled/unrolled_view.h"
 
 #include <QLabel>
 #include <QSignalSpy>

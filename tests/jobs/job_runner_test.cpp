@@ -73,7 +73,7 @@ TEST(JobRunner, ErrorsAreOutcomes) {
 // for it would wait for ever.
 TEST(JobRunner, CancelIsDoneAtOnceEvenIfTheWorkIsNot) {
   struct Hanging {
-    std::binary_semaphore begun{0}, letGo{0};
+    std::binary_semaphore begun{0}, freeStorage{0};
     std::atomic<bool> ended{false};
   };
   JobRunner runner;
@@ -83,7 +83,7 @@ TEST(JobRunner, CancelIsDoneAtOnceEvenIfTheWorkIsNot) {
   runner.run(
       [work](const RunContext&) {
         work->begun.release();
-        work->letGo.acquire();
+        work->freeStorage.acquire();
         work->ended = true;
         return 1;
       },
@@ -96,7 +96,7 @@ TEST(JobRunner, CancelIsDoneAtOnceEvenIfTheWorkIsNot) {
   EXPECT_FALSE(runner.running());
   EXPECT_TRUE(cancelled);
   EXPECT_FALSE(work->ended);
-  work->letGo.release();
+  work->freeStorage.release();
   ASSERT_TRUE(QTest::qWaitFor([&] { return work->ended.load(); }, kPatienceMs));
   QTest::qWait(50);
   EXPECT_EQ(outcomes, 1) << "the late result is dropped";

@@ -1,6 +1,6 @@
 #include "motion/jerk.h"
 
-#include "motion/banded_solver.h"
+#include "motion/smoothing/banded_solver.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

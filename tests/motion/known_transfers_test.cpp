@@ -1,4 +1,4 @@
-#include "motion/known_transfers.h"
+#include "motion/transfers/known_transfers.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ TEST(KnownTransfers, AreLookedForOnce) {
     return std::optional(transfer);
   };
   const RobotState a = stateWith(0.1), b = stateWith(0.2);
-  const Surround ball{Eigen::Vector3d(1, 2, 3), 4.0};
+  const PrintedBounds ball{Eigen::Vector3d(1, 2, 3), 4.0};
   for (int i = 0; i < 3; ++i) {
     const auto transfer = known.of(Way::Between, a, b, 1, 2, ball, found);
     ASSERT_TRUE(transfer);

@@ -1,4 +1,4 @@
-#include "motion/ladder.h"
+#include "motion/ladder/ladder.h"
 
 #include "base/units.h"
 

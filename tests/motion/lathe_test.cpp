@@ -369,7 +369,7 @@ TEST(Lathe, PartMustNotGrowIntoWhatHoldsTheRod) {
   });
   ASSERT_FALSE(w.result.findings.empty());
   const plan::Finding& finding = w.result.findings.front();
-  EXPECT_EQ(voluta::plan::kindWord(finding), "collision");
+  EXPECT_EQ(voluta::plan::reportId(finding), "collision");
   EXPECT_NE(voluta::plan::englishReason(finding).find("rest would meet printed part"),
             std::string::npos)
       << voluta::plan::englishReason(finding);
@@ -390,7 +390,7 @@ TEST(Lathe, BeyondWhatTheCellPrintsIsNamed) {
   const Wound w(plan);
   ASSERT_EQ(w.result.findings.size(), 1u);
   const plan::Finding& finding = w.result.findings.front();
-  EXPECT_EQ(voluta::plan::kindWord(finding), "beyondRod");
+  EXPECT_EQ(voluta::plan::reportId(finding), "beyondRod");
   EXPECT_NE(voluta::plan::englishReason(finding).find(
                 "50 mm from the rod's axis and 100 mm from its middle"),
             std::string::npos);

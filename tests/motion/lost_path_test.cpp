@@ -39,7 +39,7 @@ protected:
     grid.pitch = 1.0;
     grid.size = {60, 60, 6};
     grid.origin = {-30.0, -30.0, kLow};
-    collision::FillTimes::Leads leads(grid.cellCount());
+    collision::FillTimes::ReversedTimes leads(grid.cellCount());
     for (std::size_t c = 0; c < leads.size(); ++c) {
       const Eigen::Vector3i at = grid.cell(c);
       const double r = grid.centre(at.x(), at.y(), at.z()).head<2>().norm();

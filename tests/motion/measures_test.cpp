@@ -6,7 +6,7 @@
 #include "motion/check.h"
 #include "motion/external_axes.h"
 #include "motion/head_refusals.h"
-#include "motion/joint_costs.h"
+#include "motion/ladder/joint_costs.h"
 #include "motion/motion.h"
 #include "motion/motion_scene.h"
 #include "motion/nozzle_frame.h"
@@ -297,7 +297,7 @@ TEST(Surrounds, HoldAllThatIsPrintedBefore) {
   const std::vector<Vector3d> up(2, Vector3d::UnitZ());
   test::appendPath(plan, {{2, -4, 1}, {6, 8, 1}}, up, 0);
   test::appendPath(plan, {{-10, 0, 5}, {3, 3, 7}}, up, 1);
-  const std::vector<motion::Surround> balls = motion::surroundsOf(plan);
+  const std::vector<motion::PrintedBounds> balls = motion::printedBoundsOf(plan);
   ASSERT_EQ(balls.size(), 3u);
   EXPECT_EQ(balls[0].radius, 0.0);
   EXPECT_LT((balls[1].centre - Vector3d(3, 2, 0.5)).norm(), 1e-12);

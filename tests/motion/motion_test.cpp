@@ -41,7 +41,7 @@ struct Planned {
               << "\n  times ik " << t.ik << ", graph " << t.graph << ", collision " << t.collision
               << ", transfer " << t.transfer << ", jerk " << t.jerk << "\n";
     for (const auto& f : result.findings)
-      std::cout << "  " << plan::kindWord(f) << " x" << f.count << ": "
+      std::cout << "  " << plan::reportId(f) << " x" << f.count << ": "
                 << voluta::plan::englishReason(f) << "\n";
   }
 };
@@ -259,7 +259,7 @@ TEST(Motion, OutOfReachIsNamed) {
   ASSERT_EQ(result.skipped.size(), 20u);
   EXPECT_EQ(result.skipped.front(), first);
   ASSERT_EQ(result.findings.size(), 1u);
-  EXPECT_EQ(plan::kindWord(result.findings.front()), "unreachable");
+  EXPECT_EQ(plan::reportId(result.findings.front()), "unreachable");
   EXPECT_EQ(result.findings.front().count, 20u);
   ASSERT_TRUE(result.findings.front().where);
   EXPECT_NEAR(result.findings.front().where->z(), 1500, 1e-9);
@@ -275,7 +275,7 @@ TEST(Motion, HeadInThePlateIsNamed) {
   const collision::GrowingPart part(plan, 0.5, {});
   const auto result = motion::MotionPlanner(plan, cell, process, part, {}).plan({});
   ASSERT_FALSE(result.findings.empty());
-  EXPECT_EQ(plan::kindWord(result.findings.front()), "collision");
+  EXPECT_EQ(plan::reportId(result.findings.front()), "collision");
   EXPECT_GE(result.statistics.collisions, 5u);
   EXPECT_FALSE(result.skipped.empty());
 }
@@ -296,7 +296,7 @@ TEST(Motion, FewPlacesAreLeftOutAndTold) {
   ASSERT_GE(result.findings.size(), 2u);
   for (const auto& f : result.findings)
     EXPECT_FALSE(f.blocking) << plan::englishReason(f);
-  EXPECT_EQ(plan::kindWord(result.findings.back()), "leftOut");
+  EXPECT_EQ(plan::reportId(result.findings.back()), "leftOut");
 }
 
 TEST(Motion, WhatIsToBeAvoidedIsNotPrinted) {
@@ -309,7 +309,7 @@ TEST(Motion, WhatIsToBeAvoidedIsNotPrinted) {
   EXPECT_TRUE(planner.plan({}).skipped.empty());
   const auto result = planner.planWithout(avoided, {});
   EXPECT_EQ(result.skipped, avoided);
-  EXPECT_EQ(plan::kindWord(result.findings.front()), "collision");
+  EXPECT_EQ(plan::reportId(result.findings.front()), "collision");
   EXPECT_EQ(result.statistics.waypoints, plan.waypointCount() - avoided.size());
 
   // Those of earlier calls stay away.

@@ -1,9 +1,9 @@
 // The ladder over one path: where its rungs are, what its ways cost, and how they begin.
-#include "motion/path_ladder.h"
+#include "motion/ladder/path_ladder.h"
 
 #include "base/run_context.h"
 #include "base/units.h"
-#include "motion/joint_costs.h"
+#include "motion/ladder/joint_costs.h"
 #include "motion/motion_scene.h"
 #include "motion/nozzle_frame.h"
 #include "motion/sample_plans.h"

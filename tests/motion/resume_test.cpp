@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kNone = plan::kNoWaypoint;
 
 // Two beads and a wipe by hand: J L w0 P(divided) w1 P w2 W L L w3 P w4 L.
-plan::Trajectory byHand() {
+plan::Trajectory resolved() {
   plan::Trajectory t;
   t.dof = 2;
   const auto add = [&](MoveKind move, std::size_t waypoint) {
@@ -92,7 +92,7 @@ protected:
 } // namespace
 
 TEST(ResumePoint, IsAWaypointFromWhichPrintingGoesOn) {
-  const plan::Trajectory t = byHand();
+  const plan::Trajectory t = resolved();
   const std::size_t wanted[] = {1, 1, 1, 3, 7, 7, 7, 7};
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_EQ(motion::resumePoint(t, i), wanted[i]) << i;
@@ -102,7 +102,7 @@ TEST(ResumePoint, IsAWaypointFromWhichPrintingGoesOn) {
 }
 
 TEST(ResumePoint, OfABeadIsItsBeginning) {
-  const plan::Trajectory t = byHand();
+  const plan::Trajectory t = resolved();
   const std::size_t wanted[] = {1, 1, 1, 1, 7, 7, 7, 7};
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_EQ(motion::resumePointOfBead(t, i), wanted[i]) << i;
@@ -111,7 +111,7 @@ TEST(ResumePoint, OfABeadIsItsBeginning) {
 
 TEST(ResumePoint, OfAPathIsWhereItsFirstPrintedBeadBegins) {
   const plan::ToolPlan plan = twoPaths();
-  plan::Trajectory t = byHand();
+  plan::Trajectory t = resolved();
   EXPECT_EQ(motion::resumePointOfPath(t, plan, 0), 1u);
   EXPECT_EQ(motion::resumePointOfPath(t, plan, 1), 7u);
   EXPECT_THROW(motion::resumePointOfPath(t, plan, 2), base::Error);
@@ -123,7 +123,7 @@ TEST(ResumePoint, OfAPathIsWhereItsFirstPrintedBeadBegins) {
 }
 
 TEST(PartOf, CountsTimeAndMaterialFromItsOwnStart) {
-  const plan::Trajectory t = byHand();
+  const plan::Trajectory t = resolved();
   for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>(0, 10), {3, 9}, {4, 5}}) {
     const plan::Trajectory part = motion::partOf(t, first, last);
     ASSERT_EQ(part.pointCount(), last - first);

@@ -1,10 +1,10 @@
 // Motions of an arm that is not six turning axes: four, one of which slides, the nozzle upright.
-#include "motion/joint_costs.h"
+#include "motion/ladder/joint_costs.h"
 #include "motion/margins.h"
 #include "motion/motion.h"
-#include "motion/rrt_connect.h"
 #include "motion/sample_plans.h"
 #include "motion/timing.h"
+#include "motion/transfers/rrt_connect.h"
 #include "plan/finding_kinds.h"
 
 #include "base/run_context.h"

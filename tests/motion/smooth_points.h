@@ -3,7 +3,7 @@
 
 #include "base/run_context.h"
 #include "motion/run.h"
-#include "motion/smooth_turns.h"
+#include "motion/smoothing/smooth_turns.h"
 #include "robot/cell.h"
 
 #include <algorithm>

@@ -1,15 +1,15 @@
-#include "motion/smooth_turns.h"
+#include "motion/smoothing/smooth_turns.h"
 
 #include "base/run_context.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
-#include "motion/divided_step.h"
+#include "motion/ladder/divided_step.h"
 #include "motion/motion_scene.h"
 #include "motion/nozzle_frame.h"
 #include "motion/sample_plans.h"
 #include "motion/sequence.h"
 #include "motion/smooth_points.h"
-#include "motion/smooth_run.h"
+#include "motion/smoothing/smooth_run.h"
 #include "motion/timed_points.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "motion/timing.h"
 
 #include "base/units.h"
-#include "motion/even_turns.h"
 #include "motion/jerk.h"
+#include "motion/smoothing/even_turns.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Ways between beads of a ring that is half printed: their shape, and that they are clear.
-#include "motion/transfer.h"
+#include "motion/transfers/transfer.h"
 
 #include "base/run_context.h"
 #include "base/units.h"
@@ -16,8 +16,8 @@ using namespace voluta;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using motion::Lift;
+using motion::PrintedBounds;
 using motion::RobotState;
-using motion::Surround;
 using motion::Transfer;
 using motion::TransferKind;
 using motion::TransferPoint;
@@ -201,7 +201,7 @@ TEST(TransferLifts, AreNoHigherThanTheyHaveToBe) {
 // Where directions lean apart by more than a quarter circle: out of the ball, and round it.
 TEST_F(Transfers, AroundTheBallWhereDirectionsAreFarApart) {
   const Vector3d middle(0, 0, 4);
-  const Surround ball{middle, 14.0};
+  const PrintedBounds ball{middle, 14.0};
   const std::size_t before = plan_.paths[9].first;
   const RobotState from = state({12.0, 0.0, 40.0}, 0.85, cell_.home(), before);
   const RobotState to = state({-12.0, 0.0, 40.0}, -0.85, from.q, before);
@@ -238,7 +238,7 @@ TEST_F(Transfers, AnApproachComesDownFromOutsideTheBall) {
     const RobotState start = state({10.0, 0.0, 2.4}, lean, cell_.home(), before);
     for (const double radius : {12.0, 55.0, 70.0}) {
       SCOPED_TRACE(radius);
-      const Surround ball{{1.0, 2.0, 3.0}, radius};
+      const PrintedBounds ball{{1.0, 2.0, 3.0}, radius};
       // |start + h d - centre| = radius + 5, by halving.
       double low = 0.0, high = 300.0;
       for (int k = 0; k < 60; ++k) {

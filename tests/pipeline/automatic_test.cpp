@@ -17,7 +17,7 @@
 
 using namespace voluta;
 using pipeline::automaticChoices;
-using pipeline::byHand;
+using pipeline::resolved;
 
 namespace {
 
@@ -57,7 +57,7 @@ void expectConsistent(const pipeline::PlanResult& result) {
   EXPECT_EQ(chosen.platform, taken->platform);
   EXPECT_EQ(chosen.mode, report.decomposition.mode);
   EXPECT_EQ(chosen.way, result.job.choices.automaticWay);
-  const project::Choices hand = byHand(result.job.choices);
+  const project::Choices hand = resolved(result.job.choices);
   EXPECT_EQ(chosen.mode, hand.mode);
   EXPECT_EQ(chosen.platform, hand.platform.text());
   EXPECT_EQ(chosen.supports, pipeline::parameterValues(hand).text("supports"));
@@ -89,7 +89,7 @@ TEST(Automatic, AnArmThatStaysUprightGetsLevelLayersAtOnce) {
   const auto ways = automaticChoices(choices);
   ASSERT_EQ(ways.size(), 2u);
   EXPECT_EQ(ways[0].automaticWay, "flat");
-  EXPECT_EQ(byHand(ways[0]).parameters.at("supports"), "auto");
+  EXPECT_EQ(resolved(ways[0]).parameters.at("supports"), "auto");
   EXPECT_EQ(ways[1].automaticWay, "flat-low");
   choices.cell = "rv2f-moving";
   EXPECT_EQ(automaticChoices(choices).front().mode, "curved");
@@ -103,12 +103,12 @@ TEST(Automatic, ProjectsNameAWayWhateverIsPutBeforeIt) {
   choices.mode = "flat";
   choices.platform = project::Platform("cell");
   choices.automaticWay = "flat-low";
-  EXPECT_TRUE(byHand(choices).parameters.contains("layerHeightMm"));
+  EXPECT_TRUE(resolved(choices).parameters.contains("layerHeightMm"));
   choices.automaticWay = "flat";
-  EXPECT_FALSE(byHand(choices).parameters.contains("layerHeightMm"));
+  EXPECT_FALSE(resolved(choices).parameters.contains("layerHeightMm"));
   choices.automaticWay = "gone"; // the first that has this mode and platform
-  EXPECT_FALSE(byHand(choices).parameters.contains("layerHeightMm"));
-  EXPECT_EQ(byHand(choices).parameters.at("supports"), "auto");
+  EXPECT_FALSE(resolved(choices).parameters.contains("layerHeightMm"));
+  EXPECT_EQ(resolved(choices).parameters.at("supports"), "auto");
 }
 
 TEST(Automatic, WhatWasPlannedByHandIsNotWhatItWouldBegin) {
@@ -162,7 +162,7 @@ TEST(Automatic, WhatTheUserHasChangedIsNotChangedByAWay) {
   choices.parameters["supports"] = "none";
   for (project::Choices way : automaticChoices(choices)) {
     EXPECT_EQ(way.parameters, choices.parameters);
-    const project::Choices hand = pipeline::byHand(way);
+    const project::Choices hand = pipeline::resolved(way);
     EXPECT_FALSE(hand.automatic);
     EXPECT_EQ(hand.parameters.at("supports"), "none");
   }
@@ -172,7 +172,7 @@ TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
   std::vector<std::string> heights;
   for (const project::Choices& way : automaticChoices(automatic()))
     if (way.mode == "flat") {
-      const project::Choices hand = pipeline::byHand(way);
+      const project::Choices hand = pipeline::resolved(way);
       EXPECT_EQ(hand.parameters.at("supports"), "auto");
       heights.push_back(hand.parameters.contains("layerHeightMm")
                             ? hand.parameters.at("layerHeightMm")
@@ -191,7 +191,7 @@ TEST(Automatic, NoTwoWaysComeToTheSame) {
   const auto differ = [](const std::vector<project::Choices>& ways) {
     for (std::size_t i = 0; i < ways.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
-        const project::Choices a = pipeline::byHand(ways[i]), b = pipeline::byHand(ways[k]);
+        const project::Choices a = pipeline::resolved(ways[i]), b = pipeline::resolved(ways[k]);
         if (a.mode == b.mode && a.platform == b.platform && a.parameters == b.parameters)
           return false;
       }
@@ -252,7 +252,7 @@ TEST(Automatic, WaysAreNamedByWhatTheyDo) {
   none.parameters["supports"] = "none";
   for (const project::Choices& way : automaticChoices(none))
     EXPECT_EQ(base::english(pipeline::nameOfWay(way)).find("supports"), std::string::npos);
-  EXPECT_EQ(base::english(pipeline::nameOfWay(byHand(none))), "Curved layers");
+  EXPECT_EQ(base::english(pipeline::nameOfWay(resolved(none))), "Curved layers");
   EXPECT_EQ(base::english(pipeline::tryingText({"pieces"_text, 2, 4})), "Trying pieces (2 of 4)");
 }
 
@@ -365,7 +365,7 @@ TEST(Automatic, WhereAllHangTheOneThatHangsLeastIsTaken) {
   // By hand both: none of them hangs less.
   for (const project::Choices& way : automaticChoices(request.choices)) {
     pipeline::PlanRequest one = request;
-    one.choices = byHand(way);
+    one.choices = resolved(way);
     EXPECT_GE(pipeline::planPart(one, {}).job.report.replay.longestUnsupportedMm,
               report.replay.longestUnsupportedMm);
   }

@@ -18,7 +18,7 @@
 #include "replay/coverage.h"
 #include "replay/ground.h"
 #include "replay/printed_part.h"
-#include "toolpath/bridges.h"
+#include "toolpath/unsupported/bridges.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -114,7 +114,8 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
 
   // What the tool-paths' own stage takes for hanging.
   const collision::GrowingPart growing(plan, collision::growingPitch(plan, process), ctx);
-  const std::vector<char> hanging = toolpath::hangingWaypoints(plan, growing, job.platform, ctx);
+  const std::vector<char> hanging =
+      toolpath::unsupportedWaypoints(plan, growing, job.platform, ctx);
   std::vector<Found> under(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e; ++p)

@@ -1,10 +1,10 @@
 // From an arm's URDF to a program that passed its replay.
 #include "base/files.h"
 #include "box_request.h"
+#include "cells/arm_import.h"
 #include "helpers/temporary_folder.h"
 #include "robot/urdf_arms.h"
 #include "robot/urdf_text.h"
-#include "setup/arm_import.h"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,10 @@ TEST_P(ImportedArm, PrintsABox) {
                               urdf = folder / std::filesystem::path("arm.urdf");
   setenv("VOLUTA_DATA", data.c_str(), 1);
   base::writeFile(urdf, GetParam().second);
-  const setup::ArmImport import =
-      setup::importArm(urdf, {.tip = {}, .base = {}, .id = GetParam().first}, robot::Mount::Flange,
+  const cells::ArmImport import =
+      cells::importArm(urdf, {.tip = {}, .base = {}, .id = GetParam().first}, robot::Mount::Flange,
                        process::loadProcess("fdm-1.0"), base::RunContext());
-  setup::writeImport(import, data);
+  cells::writeImport(import, data);
   pipeline::PlanRequest request = test::boxRequest();
   request.loaded = test::loadedBox({-6, -6, 0}, {6, 6, 4});
   request.choices.mode = "flat";

@@ -57,7 +57,7 @@ TriangleMesh shortened(const std::vector<Eigen::Vector2d>& section) {
 void expectPrinted(const PlanResult& planned, const std::string& name) {
   const Report& r = planned.job.report;
   for (const plan::Finding& f : r.findings)
-    EXPECT_FALSE(f.blocking) << name << ": " << plan::kindWord(f) << ": "
+    EXPECT_FALSE(f.blocking) << name << ": " << plan::reportId(f) << ": "
                              << voluta::plan::englishReason(f);
   EXPECT_TRUE(nothingBlocks(r)) << name;
   EXPECT_TRUE(r.replay.passed) << name;
@@ -175,7 +175,7 @@ TEST(LatheRoad, CandelabrumIsPlannedOrSaysWhyNot) {
   }
   EXPECT_TRUE(std::any_of(
       planned.job.report.findings.begin(), planned.job.report.findings.end(),
-      [](const plan::Finding& f) { return voluta::plan::kindWord(f) == "overhang" && f.where; }));
+      [](const plan::Finding& f) { return voluta::plan::reportId(f) == "overhang" && f.where; }));
 }
 
 void expectRefusal(const PlanRequest& request, base::ErrorCode code, const std::string& what) {
@@ -231,7 +231,7 @@ TEST(LatheRoad, APartBeyondTheCellsRadiusIsAFinding) {
   const PlanResult planned = planPart(request, context());
   const plan::Findings& findings = planned.job.report.findings;
   const auto found = std::find_if(findings.begin(), findings.end(), [](const plan::Finding& f) {
-    return voluta::plan::kindWord(f) == "beyondCell";
+    return voluta::plan::reportId(f) == "beyondCell";
   });
   ASSERT_NE(found, findings.end());
   EXPECT_TRUE(found->blocking);

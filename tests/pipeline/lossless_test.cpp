@@ -55,7 +55,7 @@ PlanResult planned(const std::map<std::string, std::string>& parameters, Stage u
 std::size_t countOf(const Report& report, const std::string& kind) {
   return static_cast<std::size_t>(
       std::count_if(report.findings.begin(), report.findings.end(),
-                    [&](const auto& f) { return voluta::plan::kindWord(f) == kind; }));
+                    [&](const auto& f) { return voluta::plan::reportId(f) == kind; }));
 }
 
 TEST(Lossless, WithoutSupportsTheToothIsMissed) {

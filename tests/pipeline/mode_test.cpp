@@ -104,7 +104,7 @@ TEST(Modes, EveryParameterMeansSomethingToOne) {
   for (const base::ParameterSpec& spec : table.specs()) {
     bool asked = false;
     for (const Mode& mode : modes::modeTable())
-      asked = asked || mode.asksFor(spec.key);
+      asked = asked || mode.requiresParameter(spec.key);
     EXPECT_TRUE(asked) << spec.key;
   }
 }
@@ -138,7 +138,7 @@ TEST(Modes, GrowthCountsWhereTheyGrow) {
 TEST(Modes, ResultsAreWhatTheRowSays) {
   for (const Mode& mode : modes::modeTable()) {
     pipeline::PlanRequest request = requestFor(mode);
-    if (mode.asksFor("rodAxis"))
+    if (mode.requiresParameter("rodAxis"))
       request.choices.parameters["rodAxis"] = "x"; // a box has no clear one
     const pipeline::PlanResult result =
         pipeline::planPart(request, base::RunContext(base::CancelToken(), 2));

@@ -1,12 +1,12 @@
 // From an obstacle's file to a plan that keeps off it, or says that it is in the way.
 #include "base/files.h"
 #include "box_request.h"
+#include "cells/obstacle_file.h"
 #include "geometry/formats/mesh_reader.h"
 #include "helpers/temporary_folder.h"
 #include "plan/finding.h"
 #include "replay/distances.h"
 #include "robot/cell_draft.h"
-#include "setup/obstacle_file.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ protected:
     const std::filesystem::path file = folder_ / "obstacle.stl";
     base::writeFile(file, geometry::writeStl(mesh));
     const std::vector<robot::Shape> solids =
-        setup::obstacleOfFile(file, 1.0, base::RunContext()).solids;
+        cells::obstacleOfFile(file, 1.0, base::RunContext()).solids;
     const robot::CellDraft draft = robot::draftOfCell(kCell).named(id, id).withSolids(
         "obstacle", Isometry3d::Identity(), solids);
     std::filesystem::create_directories(folder_ / "data/cells");

@@ -148,10 +148,10 @@ TEST(OpenPart, ItsVoxelsAreOfTheMeshAsChosen) {
 
 TEST(OpenPart, ItsRemediesLeadThere) {
   const PlanResult refused = planned(cup(), "refuse");
-  const std::vector<pipeline::Offer> offers =
+  const std::vector<pipeline::RemedyAction> offers =
       pipeline::remediesFor(first(refused), refused.job.choices);
   ASSERT_EQ(offers.size(), 2u);
-  for (const pipeline::Offer& offer : offers) {
+  for (const pipeline::RemedyAction& offer : offers) {
     PlanRequest request;
     request.loaded = cup();
     request.choices = offer.choices;

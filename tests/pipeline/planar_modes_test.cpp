@@ -65,8 +65,8 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
   EXPECT_GT(d.missedVoxels, 1000u);
   std::size_t overhangs = 0, misses = 0;
   for (const plan::Finding& f : result.job.report.findings) {
-    overhangs += voluta::plan::kindWord(f) == "overhang" ? 1 : 0;
-    misses += voluta::plan::kindWord(f) == "uniformMisses" ? f.count : 0;
+    overhangs += voluta::plan::reportId(f) == "overhang" ? 1 : 0;
+    misses += voluta::plan::reportId(f) == "uniformMisses" ? f.count : 0;
   }
   EXPECT_EQ(overhangs, 2u);
   EXPECT_EQ(misses, d.missedVoxels);
@@ -106,7 +106,7 @@ TEST(FlatMode, LayersLieWhereTheUserSays) {
   const PlanResult result = planPart(flat, context());
   EXPECT_EQ(result.job.report.layers.count, 2);
   EXPECT_NEAR(result.job.report.layers.areaMm2, 360.0 + 180.0, 1e-6);
-  EXPECT_EQ(plan::kindWord(result.job.report.findings.back()), "planeMisses");
+  EXPECT_EQ(plan::reportId(result.job.report.findings.back()), "planeMisses");
   PlanRequest wrong = request("flat");
   wrong.choices.parameters["layerPlanes"] = (folder / "none.json").string();
   EXPECT_THROW(planPart(wrong, context()), base::Error);

@@ -83,7 +83,7 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
   std::set<std::string_view> names;
   std::set<RemedyId> offered;
   for (const plan::FindingRow& row : plan::findingRows())
-    offered.insert(row.cures.begin(), row.cures.end());
+    offered.insert(row.remedies.begin(), row.remedies.end());
   for (const Remedy& remedy : remedies()) {
     EXPECT_TRUE(names.insert(remedy.name).second) << remedy.name << " stands twice";
     EXPECT_FALSE(remedy.label.empty() || remedy.help.empty()) << remedy.name;
@@ -92,7 +92,7 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
   EXPECT_TRUE(offered.empty()) << "findings name a cure that nobody knows";
   for (const plan::FindingRow& row : plan::findingRows())
     for (const Remedy& remedy : remedies()) {
-      if (std::find(row.cures.begin(), row.cures.end(), remedy.id) == row.cures.end())
+      if (std::find(row.remedies.begin(), row.remedies.end(), remedy.id) == row.remedies.end())
         continue;
       const plan::Finding finding = findingOf(row.kind);
       const Choices choices = choicesFor(remedy.id);
@@ -127,7 +127,7 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
   choices.placement.liftMm = 2.0;
   const auto idsFor = [&](FindingKind kind) {
     std::set<RemedyId> ids;
-    for (const Offer& offer : remediesFor(findingOf(kind), choices))
+    for (const RemedyAction& offer : remediesFor(findingOf(kind), choices))
       ids.insert(offer.remedy->id);
     return ids;
   };
@@ -195,9 +195,9 @@ bool arises(const plan::FindingRow& row, const Choices& choices) {
 TEST(Remedies, WhatBlocksHasAButtonInEveryModeOrSaysWhyThereIsNone) {
   const std::vector<Choices> all = everyMode();
   for (const plan::FindingRow& row : plan::findingRows()) {
-    if (row.gravity == plan::Gravity::Tells)
+    if (row.severity == plan::Severity::Info)
       continue;
-    EXPECT_FALSE(row.cures.empty() && row.whyNoRemedy.empty()) << row.id;
+    EXPECT_FALSE(row.remedies.empty() && row.whyNoRemedy.empty()) << row.id;
     for (const Choices& choices : all) {
       if (!arises(row, choices) || !row.whyNoRemedy.empty())
         continue;
@@ -210,7 +210,7 @@ TEST(Remedies, WhatBlocksHasAButtonInEveryModeOrSaysWhyThereIsNone) {
 TEST(Remedies, WhatAButtonDoesCanBePlannedInEveryMode) {
   for (const plan::FindingRow& row : plan::findingRows())
     for (const Choices& choices : everyMode())
-      for (const Offer& offer : remediesFor(findingOf(row.kind), choices)) {
+      for (const RemedyAction& offer : remediesFor(findingOf(row.kind), choices)) {
         if (!arises(row, choices))
           continue;
         SCOPED_TRACE(std::string(row.id) + " in mode " + choices.mode + ": " +
@@ -228,7 +228,7 @@ TEST(Remedies, APlatformThatAButtonChoseStaysInModeAuto) {
   Choices choices;
   choices.automatic = true;
   choices.platform = project::Platform("cell");
-  for (const Offer& offer : remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
+  for (const RemedyAction& offer : remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
     if (offer.remedy->id == RemedyId::ShrinkPlatform) {
       for (const Choices& way : automaticChoices(offer.choices))
         EXPECT_EQ(way.platform.text(), "fit:0");
@@ -241,7 +241,7 @@ TEST(Remedies, ChoicesThatCannotBePlannedLeaveTheOtherButtons) {
   Choices choices;
   choices.parameters["layerHeightMm"] = "9"; // beyond the process
   std::set<RemedyId> ids;
-  for (const Offer& offer : remediesFor(findingOf(FindingKind::Uncovered), choices))
+  for (const RemedyAction& offer : remediesFor(findingOf(FindingKind::Uncovered), choices))
     ids.insert(offer.remedy->id);
   EXPECT_FALSE(ids.contains(RemedyId::LowerLayers));
   EXPECT_TRUE(ids.contains(RemedyId::ChooseWay));
@@ -262,7 +262,8 @@ TEST(Remedies, TheContactAreaIsAsSmallAsAPlatformGets) {
   Choices choices;
   for (const char* platform : {"fit", "fit:0"}) {
     choices.platform = project::Platform(platform);
-    for (const Offer& offer : remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
+    for (const RemedyAction& offer :
+         remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
       EXPECT_NE(offer.remedy->id, RemedyId::ShrinkPlatform) << platform;
   }
   choices.platform = project::Platform("fit:20");
@@ -277,7 +278,7 @@ TEST(Remedies, APartOutOfReachIsScaledToWhereTheRobotGets) {
     const plan::Finding finding = tooLargeFinding({0.4, size}, scale);
     EXPECT_EQ(finding.kind, FindingKind::TooLarge);
     EXPECT_TRUE(finding.blocking);
-    const std::vector<Offer> offers = remediesFor(finding, Choices());
+    const std::vector<RemedyAction> offers = remediesFor(finding, Choices());
     EXPECT_GE(offers.size(), 1u);
     return offers.empty() ? std::string() : offers.front().choices.scale;
   };

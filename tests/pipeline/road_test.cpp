@@ -414,7 +414,7 @@ TEST(Load, WithoutRepairTheMeshIsAsItWasRead) {
   EXPECT_EQ(raw.job.part->triangles.size(), 11u);
   EXPECT_FALSE(raw.job.report.model.watertight);
   ASSERT_FALSE(raw.job.report.findings.empty());
-  EXPECT_EQ(voluta::plan::kindWord(raw.job.report.findings[0]), "meshDefect");
+  EXPECT_EQ(voluta::plan::reportId(raw.job.report.findings[0]), "meshDefect");
   EXPECT_FALSE(raw.job.loaded->repair);
   EXPECT_EQ(raw.job.loaded->mesh, source) << "no copy";
   // And back.

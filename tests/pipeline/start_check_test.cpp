@@ -41,7 +41,7 @@ void expectTold(const pipeline::PlanRequest& request, FindingKind kind) {
   ASSERT_NE(finding, nullptr);
   const auto offers = pipeline::remediesFor(*finding, request.choices);
   EXPECT_FALSE(offers.empty());
-  for (const pipeline::Offer& offer : offers) {
+  for (const pipeline::RemedyAction& offer : offers) {
     pipeline::PlanRequest cured = request;
     cured.choices = offer.choices;
     cured.choices.automatic = false; // the way does not matter here
@@ -101,8 +101,9 @@ TEST_F(StartCheck, OffersAScaleThatIsSmallerHoweverSmallThatIs) {
   const plan::Finding* told = findingOf(result, FindingKind::LargerThanPlates);
   ASSERT_NE(told, nullptr);
   const auto offers = pipeline::remediesFor(*told, request.choices);
-  const auto smaller = std::ranges::find(offers, plan::RemedyId::ScaleToPlate,
-                                         [](const pipeline::Offer& o) { return o.remedy->id; });
+  const auto smaller =
+      std::ranges::find(offers, plan::RemedyId::ScaleToPlate,
+                        [](const pipeline::RemedyAction& o) { return o.remedy->id; });
   ASSERT_NE(smaller, offers.end());
   const double scale = project::parsedScale(smaller->choices.scale);
   EXPECT_LT(scale, 0.005);

@@ -181,7 +181,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   choices.placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
   const auto turned = placedEll(choices);
   ASSERT_EQ(turned->findings.size(), 1u);
-  EXPECT_EQ(voluta::plan::kindWord(turned->findings[0]), "newCells");
+  EXPECT_EQ(voluta::plan::reportId(turned->findings[0]), "newCells");
   EXPECT_THAT(voluta::plan::englishReason(turned->findings[0]), HasSubstr("quarter turns"));
   EXPECT_FALSE(turned->findings[0].blocking);
   EXPECT_GT(turned->voxels->count, 4u);
@@ -200,7 +200,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   request.choices = choices;
   const Report report = planPart(request, {}).job.report;
   EXPECT_EQ(std::count_if(report.findings.begin(), report.findings.end(),
-                          [](const auto& f) { return voluta::plan::kindWord(f) == "newCells"; }),
+                          [](const auto& f) { return voluta::plan::reportId(f) == "newCells"; }),
             1);
 }
 
@@ -293,7 +293,7 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
   const plan::Findings found = thinWallFindings(mesh, 0.8, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(plan::stageOf(found[0]), plan::Stage::Decompose);
-  EXPECT_EQ(voluta::plan::kindWord(found[0]), "thinWalls");
+  EXPECT_EQ(voluta::plan::reportId(found[0]), "thinWalls");
   EXPECT_FALSE(found[0].blocking);
   ASSERT_TRUE(found[0].where);
   EXPECT_NEAR(found[0].where->x(), 2.2, 0.21);
@@ -306,7 +306,7 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
                  Stage::Decompose);
   const Report report = planPart(request, {}).job.report;
   EXPECT_EQ(std::count_if(report.findings.begin(), report.findings.end(),
-                          [](const auto& f) { return voluta::plan::kindWord(f) == "thinWalls"; }),
+                          [](const auto& f) { return voluta::plan::reportId(f) == "thinWalls"; }),
             1);
 
   geometry::TriangleMesh many = test::box({0, 0, 0}, {1, 1, 1});

@@ -62,7 +62,7 @@ TEST(FindingKinds, EveryKindHasSentencesAndAnIdOfItsOwn) {
     if (row.kind == FindingKind::Verbatim || row.kind == FindingKind::Stopped)
       continue;
     EXPECT_FALSE(row.remedy.empty()) << row.id;
-    EXPECT_FALSE(row.word.empty()) << row.id;
+    EXPECT_FALSE(row.reportId.empty()) << row.id;
     EXPECT_EQ(&rowOf(row.kind), &row);
     EXPECT_EQ(rowWithId(row.id), &row);
   }
@@ -84,7 +84,7 @@ TEST(FindingKinds, ValuesAreThoseOfTheSentences) {
     const std::vector<NamedValue> values = sampleValues(row);
     Finding finding;
     ASSERT_NO_THROW(finding = makeFinding(row.kind, values)) << row.id;
-    EXPECT_EQ(finding.blocking, row.gravity != Gravity::Tells) << row.id;
+    EXPECT_EQ(finding.blocking, row.severity != Severity::Info) << row.id;
     for (const std::string& text : {englishReason(finding), englishRemedy(finding)})
       EXPECT_EQ(text.find('{'), std::string::npos) << row.id << ": " << text;
     std::vector<NamedValue> more = values;
@@ -128,7 +128,7 @@ TEST(Findings, TheSameFactInAnotherFormatIsOne) {
 TEST(Findings, OfBeforeThereWereValuesStayAsTheyWere) {
   const Finding f = verbatimFinding(Stage::Replay, "limit", "the arm {cannot} reach", "");
   EXPECT_EQ(englishReason(f), "the arm {cannot} reach");
-  EXPECT_EQ(kindWord(f), "limit");
+  EXPECT_EQ(reportId(f), "limit");
   EXPECT_EQ(stageOf(f), Stage::Replay);
   const Finding stopped = stoppedFinding(Stage::Layers, "out of memory"_text);
   EXPECT_EQ(stageOf(stopped), Stage::Layers);

@@ -290,7 +290,7 @@ TEST(Slicing, APieceAlongItsOwnBase) {
   // It hangs in the air where it is.
   EXPECT_EQ(sliced.unsupportedPatches, 1u);
   ASSERT_FALSE(sliced.findings.empty());
-  EXPECT_EQ(plan::kindWord(sliced.findings.back()), "beginsInAir");
+  EXPECT_EQ(plan::reportId(sliced.findings.back()), "beginsInAir");
 }
 
 TEST(Slicing, WhatIsTooNarrowForABeadIsTold) {
@@ -300,7 +300,7 @@ TEST(Slicing, WhatIsTooNarrowForABeadIsTold) {
   EXPECT_EQ(sliced.slivers, 10u);
   EXPECT_NEAR(sliced.sliverVolumeMm3, 16.0, 1e-6);
   ASSERT_EQ(sliced.findings.size(), 1u);
-  EXPECT_EQ(plan::kindWord(sliced.findings.front()), "slivers");
+  EXPECT_EQ(plan::reportId(sliced.findings.front()), "slivers");
 }
 
 // Two blocks in one mesh, one reaching into the other: their sections cross.
@@ -432,7 +432,7 @@ TEST(UserPlanes, AQuadrilateralCutsWithinItsCorners) {
   EXPECT_NEAR(geometry::area(sliced.stack.patches[1].surface), 120.0, 1e-6);
   EXPECT_NEAR(volumeOf(sliced), 320.0, 1e-6);
   ASSERT_EQ(sliced.findings.size(), 1u);
-  EXPECT_EQ(voluta::plan::kindWord(sliced.findings[0]), "planeMisses");
+  EXPECT_EQ(voluta::plan::reportId(sliced.findings[0]), "planeMisses");
 }
 
 } // namespace

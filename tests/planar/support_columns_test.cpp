@@ -109,7 +109,7 @@ TEST(Supports, WithoutAFootingTheyAreToldAndLeftOut) {
   const SliceResult sliced = slicePieces({pieceOf(gallows())}, supported(12), {});
   EXPECT_TRUE(supportsOf(sliced).empty());
   ASSERT_EQ(sliced.findings.size(), 1u);
-  EXPECT_EQ(plan::kindWord(sliced.findings.front()), "unheldOverhang");
+  EXPECT_EQ(plan::reportId(sliced.findings.front()), "unheldOverhang");
   EXPECT_NEAR(sliced.findings.front().where->z(), 16.4, 0.41);
 }
 
@@ -131,7 +131,7 @@ TEST(Supports, AColumnStandsOnASteepSlope) {
   const auto supports = supportsOf(sliced);
   ASSERT_GT(supports.size(), 40u);
   for (const plan::Finding& f : sliced.findings)
-    EXPECT_NE(plan::kindWord(f), "unheldOverhang");
+    EXPECT_NE(plan::reportId(f), "unheldOverhang");
   const auto slopeAt = [](double z) { return z < 25.0 ? 28.0 - 18.0 * z / 25.0 : 10.0; };
   for (const layers::Patch* patch : supports) {
     const Eigen::AlignedBox3d box = geometry::bounds(patch->surface);
@@ -167,7 +167,7 @@ TEST(Supports, ColumnsStandOnRandomSlopes) {
                                      10.0);
     const SliceResult sliced = slicePieces({pieceOf(crane)}, supported(110), {});
     for (const plan::Finding& f : sliced.findings)
-      EXPECT_NE(plan::kindWord(f), "unheldOverhang")
+      EXPECT_NE(plan::reportId(f), "unheldOverhang")
           << seed << ": " << voluta::plan::englishReason(f);
     double top = 0.0, reach = 0.0;
     for (const layers::Patch* patch : supportsOf(sliced)) {

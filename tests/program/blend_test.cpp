@@ -1,7 +1,7 @@
 // Blends and rotation vectors against closed forms.
 #include "base/units.h"
-#include "program/blend.h"
-#include "program/rotation_vector.h"
+#include "program/common/blend.h"
+#include "program/common/rotation_vector.h"
 
 #include <gtest/gtest.h>
 #include <random>

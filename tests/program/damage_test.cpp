@@ -29,7 +29,7 @@ protected:
 
   static std::vector<Dialect> ofThisCell() {
     std::vector<Dialect> all = dialects();
-    std::erase_if(all, [](const Dialect& d) { return GetParam() && !d.turnsRods; });
+    std::erase_if(all, [](const Dialect& d) { return GetParam() && !d.supportsExternalAxes; });
     return all;
   }
   // Does the replay find fault with what the program states beside its motions?

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "program/dialect.h"
-#include "program/melfa_datalink.h"
+#include "program/melfa/melfa_datalink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -299,7 +299,7 @@ TEST_F(Datalink, TheTakingProgramMovesAsTheReaderSays) {
 TEST_F(Datalink, NamesWhatStandsBeside) {
   const plan::Program p = program(true);
   ASSERT_EQ(p.files.size(), 3u);
-  EXPECT_EQ(goesOnIn(findDialect("melfa-datalink"), p.files[0].text),
+  EXPECT_EQ(continuationFiles(findDialect("melfa-datalink"), p.files[0].text),
             (std::vector<std::string>{p.files[1].name, p.files[2].name}));
   EXPECT_LE(p.files[1].name.size(), 16u) << "a controller's names hold 12 characters";
   for (const std::string& line : linesOf(p.files[1].text))

@@ -2,13 +2,13 @@
 #include "read_programs.h"
 
 #include "base/error.h"
+#include "program/common/language_words.h"
+#include "program/common/tcp_motions.h"
+#include "program/common/text_files.h"
 #include "program/dialect.h"
-#include "program/extruder_axis.h"
+#include "program/gcode/extruder_axis.h"
 #include "program/job_head.h"
-#include "program/language_words.h"
-#include "program/tcp_motions.h"
 #include "program/text_damage.h"
-#include "program/text_files.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -122,7 +122,7 @@ TEST_F(Dialects, readBackEveryTarget) {
 
 TEST_F(Dialects, thatAreForAnyCellTurnItsRod) {
   for (const Dialect& d : dialects())
-    EXPECT_TRUE(d.turnsRods || !d.forAnyCell) << d.id;
+    EXPECT_TRUE(d.supportsExternalAxes || !d.forAnyCell) << d.id;
 }
 
 TEST_F(Dialects, readBackEveryTargetOnARod) {
@@ -130,7 +130,7 @@ TEST_F(Dialects, readBackEveryTargetOnARod) {
   appendRandomOnRod(5, 2000);
   for (const Dialect& d : dialects()) {
     SCOPED_TRACE(d.id);
-    if (!d.turnsRods) {
+    if (!d.supportsExternalAxes) {
       EXPECT_THROW(writeProgram(d.id, input()), base::Error);
       continue;
     }

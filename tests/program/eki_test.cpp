@@ -3,7 +3,7 @@
 #include "program_fixture.h"
 
 #include "program/dialect.h"
-#include "program/krl_eki.h"
+#include "program/krl/krl_eki.h"
 
 #include <algorithm>
 #include <cmath>
@@ -385,7 +385,7 @@ TEST_F(Eki, NamesWhatStandsBeside) {
   std::vector<std::string> names;
   for (std::size_t f = 1; f < p.files.size(); ++f)
     names.push_back(p.files[f].name);
-  EXPECT_EQ(goesOnIn(findDialect("krl-eki"), p.files[0].text), names);
+  EXPECT_EQ(continuationFiles(findDialect("krl-eki"), p.files[0].text), names);
   EXPECT_EQ(names[0], "print_part_1_eki.src");
   EXPECT_NE(p.files[1].text.find("\r\nDEF print_part_1_eki ( )\r\n"), std::string::npos);
   EXPECT_NE(p.files[1].text.find("EKI_Init(\"print_part_1_eki\")"), std::string::npos);

@@ -3,14 +3,14 @@
 
 #include "base/error.h"
 #include "process/bead_model.h"
-#include "program/castelli_serial.h"
+#include "program/common/motion_targets.h"
+#include "program/common/tcp_motions.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
-#include "program/extruder_axis.h"
-#include "program/extruder_stream.h"
 #include "program/filament.h"
-#include "program/motion_targets.h"
-#include "program/tcp_motions.h"
+#include "program/gcode/castelli_serial.h"
+#include "program/gcode/extruder_axis.h"
+#include "program/stream/extruder_stream.h"
 
 #include <algorithm>
 #include <regex>
@@ -213,7 +213,7 @@ TEST_F(Extruders, streamSaysTimesAndFilamentFromTheOutputOn) {
                                        "on 1\n1 0.200000 1.36808\noff 1\n"
                                        "on 2\n3 0.050000 0.20788\n4 0.100000 0.41575\noff 4\n"
                                        "end\n");
-  EXPECT_EQ(goesOnIn(findDialect("melfa"), program.files.front().text),
+  EXPECT_EQ(continuationFiles(findDialect("melfa"), program.files.front().text),
             std::vector<std::string>{"part_1_e.txt"});
 }
 

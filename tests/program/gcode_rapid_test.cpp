@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "program/dialect.h"
-#include "program/gcode_rapid.h"
+#include "program/gcode/gcode_rapid.h"
 #include "program/makers_grammars.h"
 #include "program/rapid_interpreter.h"
 
@@ -45,7 +45,7 @@ TEST_F(GcodeRapid, StandsBesideWhereItIsAskedFor) {
   const plan::Program p = program();
   ASSERT_EQ(p.files.size(), 2u);
   EXPECT_EQ(p.files[1].name, "part_1_gcode.mod");
-  EXPECT_EQ(goesOnIn(findDialect("gcode-extended"), p.files[0].text),
+  EXPECT_EQ(continuationFiles(findDialect("gcode-extended"), p.files[0].text),
             std::vector<std::string>{p.files[1].name});
   EXPECT_EQ(writeProgram("gcode-extended", input()).files.size(), 1u);
   const plan::ReadProgram back = read(p);

@@ -3,10 +3,10 @@
 #include "program_fixture.h"
 
 #include "base/units.h"
+#include "program/common/euler_angles.h"
+#include "program/common/language_words.h"
 #include "program/dialect.h"
-#include "program/euler_angles.h"
-#include "program/krl.h"
-#include "program/language_words.h"
+#include "program/krl/krl.h"
 
 #include <algorithm>
 

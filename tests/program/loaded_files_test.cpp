@@ -2,10 +2,10 @@
 // and editors leave them.
 #include "program_fixture.h"
 
-#include "program/motion_targets.h"
-#include "program/rapid.h"
-#include "program/urscript.h"
-#include "program/walk.h"
+#include "program/common/motion_targets.h"
+#include "program/common/walk.h"
+#include "program/rapid/rapid.h"
+#include "program/urscript/urscript.h"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST_F(LoadedFiles, TheLastLineMayHaveNoEnd) {
     const plan::ReadProgram whole = readProgram(d.id, program.files, process_);
     EXPECT_TRUE(whole.complete);
     for (plan::ProgramFile& file : program.files)
-      if (!d.isNoText || !d.isNoText(file.text))
+      if (!d.isBinary || !d.isBinary(file.text))
         file.text.erase(file.text.find_last_not_of("\r\n") + 1);
     const plan::ReadProgram back = readProgram(d.id, program.files, process_);
     for (const plan::ProgramDefect& defect : back.defects)

@@ -3,7 +3,7 @@
 
 #include "program/dialect.h"
 #include "program/extruder.h"
-#include "program/extruder_axis.h"
+#include "program/gcode/extruder_axis.h"
 #include "program/makers_grammars.h"
 
 #include <algorithm>

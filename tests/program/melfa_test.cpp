@@ -2,9 +2,9 @@
 #include "program_defects.h"
 #include "program_fixture.h"
 
+#include "program/common/euler_angles.h"
 #include "program/dialect.h"
-#include "program/euler_angles.h"
-#include "program/melfa.h"
+#include "program/melfa/melfa.h"
 
 #include <sstream>
 

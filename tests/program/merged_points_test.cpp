@@ -2,8 +2,8 @@
 #include "program_fixture.h"
 
 #include "base/units.h"
+#include "program/common/motion_targets.h"
 #include "program/dialect.h"
-#include "program/motion_targets.h"
 
 namespace voluta::program {
 namespace {

@@ -58,7 +58,7 @@ TEST_F(Positioner, isNotSaidWhereNoAxisCanBe) {
   usePositioner();
   appendRandomOnPositioner(3, 60);
   for (const Dialect& d : dialects())
-    if (!d.turnsRods) {
+    if (!d.supportsExternalAxes) {
       EXPECT_THROW(writeProgram(d.id, input()), base::Error) << d.id;
     }
 }

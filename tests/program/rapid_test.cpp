@@ -4,7 +4,7 @@
 
 #include "base/units.h"
 #include "program/dialect.h"
-#include "program/rapid.h"
+#include "program/rapid/rapid.h"
 
 #include <sstream>
 
@@ -301,10 +301,10 @@ TEST_F(Rapid, isCutIntoModulesThatComeBackInOrder) {
       EXPECT_EQ(back.motions[i - 1].blendMm, 0.0);
     }
   const Dialect& rapid = findDialect("rapid");
-  EXPECT_EQ(rapid.goesOnIn(program.files[0].text),
+  EXPECT_EQ(rapid.continuationFiles(program.files[0].text),
             (std::vector<std::string>{"part_1_1.mod", "part_1_2.mod", "part_1_3.mod"}));
-  EXPECT_EQ(rapid.goesOnIn(program.files[5].text), std::vector<std::string>{"part_1.mod"});
-  EXPECT_TRUE(rapid.goesOnIn(program.files[1].text).empty());
+  EXPECT_EQ(rapid.continuationFiles(program.files[5].text), std::vector<std::string>{"part_1.mod"});
+  EXPECT_TRUE(rapid.continuationFiles(program.files[1].text).empty());
   std::vector<plan::ProgramFile> files = program.files;
   std::swap(files[1], files[2]);
   EXPECT_FALSE(read(files).complete);

@@ -3,9 +3,9 @@
 #include "program_fixture.h"
 
 #include "base/units.h"
+#include "program/common/language_words.h"
 #include "program/dialect.h"
-#include "program/language_words.h"
-#include "program/spelplus.h"
+#include "program/spel/spelplus.h"
 
 #include <algorithm>
 
@@ -158,8 +158,7 @@ TEST_F(Spelplus, longProgramsAreCalledFileByFile) {
 // Corners are rounded by no more than the other dialects round them.
 TEST_F(Spelplus, cornersStayWithinTheirBlends) {
   appendRandom(6, 2000);
-  const plan::ReadProgram ours =
-      readProgram("spel", writeProgram("spel", input()).files, process_);
+  const plan::ReadProgram ours = readProgram("spel", writeProgram("spel", input()).files, process_);
   const plan::ReadProgram krl = readProgram("krl", writeProgram("krl", input()).files, process_);
   ASSERT_EQ(ours.motions.size(), krl.motions.size());
   std::size_t rounded = 0;

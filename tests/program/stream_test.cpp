@@ -3,8 +3,8 @@
 
 #include "base/error.h"
 #include "program/dialect.h"
-#include "program/mxt_packets.h"
-#include "program/urscript_stream_texts.h"
+#include "program/melfa/mxt_packets.h"
+#include "program/stream/urscript_stream_texts.h"
 
 #include <algorithm>
 #include <bit>
@@ -108,7 +108,7 @@ TEST_F(Streams, AreReadWithWhatStandsBeside) {
     EXPECT_TRUE(back.complete && back.defects.empty()) << id;
     EXPECT_TRUE(back.beadsByJoints);
     // The rows' head names every file beside them.
-    std::vector<std::string> named = goesOnIn(findDialect(id), p.files[0].text), beside;
+    std::vector<std::string> named = continuationFiles(findDialect(id), p.files[0].text), beside;
     for (std::size_t f = 1; f < p.files.size(); ++f)
       beside.push_back(p.files[f].name);
     EXPECT_EQ(named, beside) << id;

@@ -3,9 +3,9 @@
 
 #include "base/error.h"
 #include "program/dialect.h"
-#include "program/gcode_bc.h"
+#include "program/gcode/gcode_bc.h"
+#include "program/gcode/tilting_table.h"
 #include "program/program_defects.h"
-#include "program/tilting_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "base/error.h"
 #include "program/dialect.h"
-#include "program/gcode_bc.h"
-#include "program/table_winding.h"
+#include "program/gcode/gcode_bc.h"
+#include "program/gcode/table_winding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "program/text_damage.h"
 
+#include "program/common/text.h"
 #include "program/dialect.h"
-#include "program/text.h"
-#include "program/tmscript_frames.h"
+#include "program/tmscript/tmscript_frames.h"
 
 #include <algorithm>
 #include <cmath>

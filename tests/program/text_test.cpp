@@ -1,5 +1,5 @@
+#include "program/common/text.h"
 #include "program/dialect.h"
-#include "program/text.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

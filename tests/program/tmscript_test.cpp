@@ -3,9 +3,9 @@
 #include "program_fixture.h"
 
 #include "program/dialect.h"
-#include "program/pvt_velocities.h"
-#include "program/tmscript.h"
-#include "program/tmscript_frames.h"
+#include "program/stream/pvt_velocities.h"
+#include "program/tmscript/tmscript.h"
+#include "program/tmscript/tmscript_frames.h"
 
 namespace voluta::program {
 namespace {

@@ -163,7 +163,7 @@ TEST_F(Track, isNotSaidWhereNoAxisCanBe) {
   useTrack();
   appendRandomOnTrack(3, 60);
   for (const Dialect& d : dialects())
-    if (!d.turnsRods) {
+    if (!d.supportsExternalAxes) {
       EXPECT_THROW(writeProgram(d.id, input()), base::Error) << d.id;
     }
 }

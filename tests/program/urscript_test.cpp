@@ -1,8 +1,8 @@
 // URScript: both forms, times, flow, blends, cuts.
 #include "read_programs.h"
 
+#include "program/common/tcp_motions.h"
 #include "program/dialect.h"
-#include "program/tcp_motions.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

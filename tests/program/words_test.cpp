@@ -4,14 +4,14 @@
 // Functions and Data types; the RepRap wiki's list of G-codes; KUKA, instructions of the KSS manual
 // for system integrators; Epson, SPEL+ Language Reference.
 #include "program/dialect.h"
-#include "program/gcode_reader.h"
-#include "program/krl.h"
-#include "program/melfa.h"
-#include "program/rapid.h"
-#include "program/spelplus.h"
-#include "program/tmscript.h"
-#include "program/tmscript_frames.h"
-#include "program/urscript.h"
+#include "program/gcode/gcode_reader.h"
+#include "program/krl/krl.h"
+#include "program/melfa/melfa.h"
+#include "program/rapid/rapid.h"
+#include "program/spel/spelplus.h"
+#include "program/tmscript/tmscript.h"
+#include "program/tmscript/tmscript_frames.h"
+#include "program/urscript/urscript.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

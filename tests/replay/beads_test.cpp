@@ -61,9 +61,9 @@ TEST(Depositor, AStraightWallHasItsHandCalculatedVolume) {
   for (int k = 1; k <= 10; ++k)
     addBead(pieces, {{0.13, 0.07, 0.8 * k}, {50.13, 0.07, 0.8 * k}}, 1.2, 0.8);
   const BeadGrid beads = lay(pieces, {-3, -3, -1}, {54, 3, 10});
-  const double byHand = 10 * 50.0 * (1.2 * 0.8 - (1 - pi / 4) * 0.64);
-  EXPECT_NEAR(filled(beads), byHand, 0.01 * byHand);
-  EXPECT_NEAR(beads.excessMm3, 0.0, 0.001 * byHand);
+  const double resolved = 10 * 50.0 * (1.2 * 0.8 - (1 - pi / 4) * 0.64);
+  EXPECT_NEAR(filled(beads), resolved, 0.01 * resolved);
+  EXPECT_NEAR(beads.excessMm3, 0.0, 0.001 * resolved);
   // In its envelope, but for cells that reach out of it.
   double outside = 0.0;
   for (std::size_t c = 0; c < beads.fill.size(); ++c) {
@@ -73,7 +73,7 @@ TEST(Depositor, AStraightWallHasItsHandCalculatedVolume) {
         p.x() > 50.3)
       outside += beads.fill[c];
   }
-  EXPECT_LT(outside * std::pow(kPitch, 3), 0.002 * byHand);
+  EXPECT_LT(outside * std::pow(kPitch, 3), 0.002 * resolved);
 }
 
 TEST(Depositor, ANarrowBendLeavesNoWedgesOpen) {
@@ -112,9 +112,9 @@ TEST(Depositor, ACylinderOfTwentyRings) {
     addBead(pieces, ring, 1.4, 0.8);
   }
   const BeadGrid beads = lay(pieces, {-18, -18, -1}, {18, 18, 18});
-  const double byHand = 20 * 2 * pi * radius * process::beadArea(1.4, 0.8);
-  EXPECT_NEAR(filled(beads), byHand, 0.01 * byHand);
-  EXPECT_LT(beads.excessMm3, 0.002 * byHand);
+  const double resolved = 20 * 2 * pi * radius * process::beadArea(1.4, 0.8);
+  EXPECT_NEAR(filled(beads), resolved, 0.01 * resolved);
+  EXPECT_LT(beads.excessMm3, 0.002 * resolved);
 }
 
 // Lines at the hatch that the bead model gives fill a box without gaps.

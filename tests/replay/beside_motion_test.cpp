@@ -43,7 +43,7 @@ void insertAmid(test::ProgramText& text, const std::string& line, std::size_t& a
 
 bool toldAt(const Verification& v, const std::string& word, std::size_t line) {
   for (std::size_t i = 0; i < v.findings.size(); ++i)
-    if (voluta::plan::kindWord(v.findings[i]) == word && v.places[i].line + 1 >= line &&
+    if (voluta::plan::reportId(v.findings[i]) == word && v.places[i].line + 1 >= line &&
         v.places[i].line <= line + 1)
       return true;
   return false;

@@ -77,7 +77,7 @@ struct Job {
   }
   // Several kinds may share a word.
   static std::string tellOf(FindingKind kind, std::size_t line, std::size_t count) {
-    return std::string(plan::rowOf(kind).word) + '/' + std::to_string(static_cast<int>(kind)) +
+    return std::string(plan::rowOf(kind).reportId) + '/' + std::to_string(static_cast<int>(kind)) +
            " line " + std::to_string(line) + " x" + std::to_string(count);
   }
 };

@@ -2,7 +2,7 @@
 // mutation_test.cpp): the undamaged one passes, harm is refused at its line.
 #include "program/dialect.h"
 #include "program/extruder.h"
-#include "program/extruder_stream.h"
+#include "program/stream/extruder_stream.h"
 #include "replay/scene.h"
 #include "replay/told.h"
 #include "replay/verification.h"

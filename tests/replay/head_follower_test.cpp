@@ -50,8 +50,8 @@ TEST(HeadFollower, FindsWhatEachPlaceByItselfTells) {
         tip += 0.3 * randomVector(random).cwiseProduct(Vector3d(1, 1, 0.2));
       direction = (direction + 0.01 * randomVector(random)).normalized();
       const double below = tip.z() / 16.0 + 0.04 * (u(random) - 0.7);
-      const Moment moment{static_cast<std::uint32_t>(std::clamp(below, 0.0, 1.0) * 4000),
-                          static_cast<std::uint32_t>(40 * below), 50.0f, 30.0f};
+      const PrintState moment{static_cast<std::uint32_t>(std::clamp(below, 0.0, 1.0) * 4000),
+                              static_cast<std::uint32_t>(40 * below), 50.0f, 30.0f};
       const auto within = [&](const Vector3d& q, double reach) {
         const double z = (q - tip).dot(direction);
         return solid->distance({(q - tip - z * direction).norm(), 0.0, z}) <= reach;

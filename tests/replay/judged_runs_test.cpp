@@ -59,9 +59,8 @@ TEST(JudgedRuns, TheSameBeadsAreLent) {
 }
 
 TEST(JudgedRuns, AWayBetweenBeadsMayBeAnother) {
-  EXPECT_TRUE(isLent([](plan::ReadProgram& p) {
-    p.motions[middleOf(p, false)].position.z() += 2.0;
-  }));
+  EXPECT_TRUE(
+      isLent([](plan::ReadProgram& p) { p.motions[middleOf(p, false)].position.z() += 2.0; }));
 }
 
 TEST(JudgedRuns, OtherMaterialIsNot) {

@@ -49,9 +49,8 @@ protected:
   }
   Verification verify(const std::vector<plan::ProgramFile>& files) const {
     const test::Scene& s = scene();
-    return replayProgram(
-        {read(files), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-        ReplayThresholds{}, {});
+    return replayProgram({read(files), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+                         ReplayThresholds{}, {});
   }
   // Is one of these files, or a line of them, what the first finding tells?
   bool named(const Verification& v, const std::vector<std::size_t>& files) const {

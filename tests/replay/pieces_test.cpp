@@ -170,7 +170,7 @@ TEST(PrintedPart, FindsWhatIsPrintedByThenInABall) {
   for (std::size_t c = 0; c < beads.grid.cellCount(); ++c)
     beads.filler[c] = u(random) < 0.03 ? 1 + static_cast<std::uint32_t>(u(random) * 40) : 0;
   const PrintedPart printed(beads, pieces);
-  const auto there = [&](std::size_t cell, const Moment& moment) {
+  const auto there = [&](std::size_t cell, const PrintState& moment) {
     if (beads.filler[cell] == 0)
       return false;
     const std::uint32_t by = beads.filler[cell] - 1;
@@ -180,9 +180,9 @@ TEST(PrintedPart, FindsWhatIsPrintedByThenInABall) {
   };
   int found = 0, none = 0;
   for (int round = 0; round < 600; ++round) {
-    const Moment moment{static_cast<std::uint32_t>(u(random) * 41),
-                        static_cast<std::uint32_t>(u(random) * 4),
-                        static_cast<float>(10 * u(random)), static_cast<float>(4 * u(random))};
+    const PrintState moment{static_cast<std::uint32_t>(u(random) * 41),
+                            static_cast<std::uint32_t>(u(random) * 4),
+                            static_cast<float>(10 * u(random)), static_cast<float>(4 * u(random))};
     const Vector3d centre(-5 + 16 * u(random), 11 * u(random), -2 + 8 * u(random));
     const double radius = 0.2 + 2.0 * u(random);
     const auto cell =

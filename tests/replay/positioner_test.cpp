@@ -97,7 +97,7 @@ TEST(Positioner, AnAxisElsewhereIsFound) {
     const Verification v = replayed(scene(), program);
     EXPECT_FALSE(v.passed);
     EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
-      return plan::kindWord(f) == "externalAxisMoved";
+      return plan::reportId(f) == "externalAxisMoved";
     })) << told(v);
   }
 }

@@ -275,7 +275,7 @@ Verification replayPlan(const test::Scene& s, const std::string& format = "csv")
 
 bool hasKind(const Verification& v, const std::string& kind) {
   return std::any_of(v.findings.begin(), v.findings.end(),
-                     [&](const plan::Finding& f) { return voluta::plan::kindWord(f) == kind; });
+                     [&](const plan::Finding& f) { return voluta::plan::reportId(f) == kind; });
 }
 
 TEST(Replay, AHeadDrivenIntoThePrintCollides) {
@@ -299,7 +299,7 @@ TEST(Replay, ATipBelowThePlateCollides) {
   s.trajectory = test::walk(s.plan, s.cell, s.process, 6.0);
   const Verification v = replayPlan(s);
   EXPECT_TRUE(std::any_of(v.findings.begin(), v.findings.end(), [](const plan::Finding& f) {
-    return voluta::plan::kindWord(f) == "collision" &&
+    return voluta::plan::reportId(f) == "collision" &&
            voluta::plan::englishReason(f).find("platform") != std::string::npos;
   })) << told(v);
 }

@@ -62,7 +62,7 @@ Verification replayed(const test::Scene& s, const plan::ReadProgram& program) {
 
 bool tells(const Verification& v, const std::string& kind, const std::string& words = "") {
   return std::any_of(v.findings.begin(), v.findings.end(), [&](const plan::Finding& f) {
-    return voluta::plan::kindWord(f) == kind &&
+    return voluta::plan::reportId(f) == kind &&
            voluta::plan::englishReason(f).find(words) != std::string::npos;
   });
 }
@@ -160,7 +160,7 @@ TEST(Rod, ATransferOfTheRodTakesItsTimeInEveryDialect) {
   }
   int tried = 0;
   for (const program::Dialect& dialect : program::dialects()) {
-    if (!dialect.turnsRods)
+    if (!dialect.supportsExternalAxes)
       continue;
     const plan::Program program =
         program::writeProgram(dialect.id, {s.plan, t, s.cell, s.process, "tube"});
@@ -192,7 +192,7 @@ TEST(Rod, RapidWithTheRodOneStepOffOrADotMovedIsFound) {
     EXPECT_FALSE(v.passed);
     const auto found =
         std::find_if(v.findings.begin(), v.findings.end(), [](const plan::Finding& finding) {
-          return voluta::plan::kindWord(finding) == "externalAxisMoved";
+          return voluta::plan::reportId(finding) == "externalAxisMoved";
         });
     ASSERT_NE(found, v.findings.end()) << told(v);
     EXPECT_EQ(v.places[static_cast<std::size_t>(found - v.findings.begin())].line, line);
@@ -230,7 +230,7 @@ TEST(Rod, OneStepOffItsPlanIsFound) {
   const Verification v = replayed(s, program);
   EXPECT_FALSE(v.passed);
   ASSERT_EQ(v.deviations, 1u) << told(v);
-  EXPECT_EQ(voluta::plan::kindWord(v.findings[0]), "externalAxisMoved");
+  EXPECT_EQ(voluta::plan::reportId(v.findings[0]), "externalAxisMoved");
   EXPECT_EQ(v.places[0].line, 101u);
 }
 

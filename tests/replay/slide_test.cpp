@@ -104,7 +104,7 @@ TEST_P(Slide, AMillimetreAsideIsFound) {
     EXPECT_FALSE(v.passed) << format;
     EXPECT_TRUE(std::any_of(
         v.findings.begin(), v.findings.end(),
-        [](const plan::Finding& f) { return plan::kindWord(f) == "externalAxisMoved"; }))
+        [](const plan::Finding& f) { return plan::reportId(f) == "externalAxisMoved"; }))
         << format << told(v);
   }
 }

@@ -50,7 +50,7 @@ void expectRefused(const Verification& v, const std::string& word, std::size_t l
   EXPECT_FALSE(v.passed);
   bool here = false;
   for (std::size_t i = 0; i < v.findings.size(); ++i)
-    here = here || (voluta::plan::kindWord(v.findings[i]) == word && v.places[i].line == line);
+    here = here || (voluta::plan::reportId(v.findings[i]) == word && v.places[i].line == line);
   EXPECT_TRUE(here) << word << " at line " << line << "\n" << told(v);
 }
 

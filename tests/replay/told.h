@@ -11,7 +11,7 @@ namespace voluta::replay {
 inline std::string told(const Verification& v) {
   std::string all;
   for (const auto& f : v.findings)
-    all += plan::kindWord(f) + ": " + voluta::plan::englishReason(f) + "\n";
+    all += plan::reportId(f) + ": " + voluta::plan::englishReason(f) + "\n";
   for (const auto& r : v.results)
     all += r.name + " " + std::to_string(r.value) + (r.passed ? "" : " FAILED") + "\n";
   return all;

@@ -64,7 +64,7 @@ TEST(Underside, ComesAsNearToABeadAsItsRim) {
 TEST(Underside, IsFoundAsDeepAsProgramsAreWritten) {
   const process::HeadShape head{{{0.4, 0.5}, {12.4, 5.6}}}; // less the tolerance
   const Underside underside(head, beadAlongX(), 6.0);
-  Moment all;
+  PrintState all;
   all.before = 20;
   for (const double angle : {0.0, 0.1, 0.3})
     for (const double deep : {-0.1, -0.02, 0.03, 0.1}) {
@@ -74,10 +74,10 @@ TEST(Underside, IsFoundAsDeepAsProgramsAreWritten) {
       const Vector3d tip = centre - 0.4 * direction;
       EXPECT_EQ(underside.touched(tip, direction, all).has_value(), deep > 0.0)
           << angle << " " << deep;
-      Moment none = all;
+      PrintState none = all;
       none.before = 0;
       EXPECT_FALSE(underside.touched(tip, direction, none));
-      Moment soft = all; // of the same bead, 1.5 mm on
+      PrintState soft = all; // of the same bead, 1.5 mm on
       soft.run = 1;
       soft.runMm = 11.0f;
       soft.recentMm = 2.4f;
@@ -92,7 +92,7 @@ TEST(Underside, OfAStepIsTheWiderSection) {
   const std::vector<BeadPiece> bead = beadAlongX();
   const process::HeadShape stepped{{{0.4, 0.5}, {0.4, 3.0}, {12.4, 5.6}}},
       usual{{{0.4, 0.5}, {12.4, 5.6}}};
-  Moment all;
+  PrintState all;
   all.before = 20;
   // Beside the bead, its axis 2 mm from it, and 0.1 mm below its top.
   const Vector3d tip(9.5, 2.0, kHeight - 0.1 - 0.4);

@@ -8,12 +8,12 @@
 #include "base/json_node.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
-#include "robot/arm_look.h"
-#include "robot/default_shape.h"
-#include "robot/loft.h"
 #include "robot/planning_text.h"
 #include "robot/robot_model.h"
-#include "robot/tool_shape.h"
+#include "robot/shape/arm_look.h"
+#include "robot/shape/default_shape.h"
+#include "robot/shape/loft.h"
+#include "robot/shape/tool_shape.h"
 
 #include <gmock/gmock.h>
 #include <map>

@@ -2,7 +2,7 @@
 // forward kinematics, and followed to poses near by.
 #include "resource_fixture.h"
 
-#include "robot/arm_twists.h"
+#include "robot/kinematics/arm_twists.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,17 +1,17 @@
 // Where what stands still in a cell should be: the fixed nozzle, or the plate of a nozzle that the
 // arm carries. For each place tried, the share of printing poses that some branch and some turn
-// about the nozzle reaches with all bodies clear (setup/cell_score.h); for places that are named
+// about the nozzle reaches with all bodies clear (cells/cell_score.h); for places that are named
 // also where the arm rests there.
 //   cell_search CELL [RADIUS] [ROW...]   CELL: a cell's id; RADIUS of the poses' ball, mm (65);
 //                                        ROW = x,y,z,stem (mm), stem: length of the plate's on the
 //                                        flange, else unused; none: a grid.
 #include "base/files.h"
 #include "base/units.h"
+#include "cells/arm_facts.h"
+#include "cells/cell_score.h"
+#include "cells/rest_pose.h"
 #include "process/process.h"
 #include "robot/cell.h"
-#include "setup/arm_facts.h"
-#include "setup/cell_score.h"
-#include "setup/rest_pose.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -51,10 +51,10 @@ robot::Cell cellAt(json cell, const Place& place, const std::filesystem::path& f
   }
   const auto file = folder / (cell["id"].get<std::string>() + ".json");
   std::ofstream(file) << cell.dump();
-  return robot::Cell::read(file, process::loadProcess("fdm-1.0"), setup::smallPlate());
+  return robot::Cell::read(file, process::loadProcess("fdm-1.0"), cells::smallPlate());
 }
 
-void printRow(const Place& place, const setup::CellScore& score) {
+void printRow(const Place& place, const cells::CellScore& score) {
   std::printf("%5.0f %5.0f %5.0f %5.0f  %6.2f  ", place.x, place.y, place.z, place.stem,
               100.0 * score.share());
   for (std::size_t tilt = 0; tilt < score.poses.size(); ++tilt)
@@ -64,7 +64,7 @@ void printRow(const Place& place, const setup::CellScore& score) {
 }
 
 void printHome(const robot::Cell& cell, const process::Process& process) {
-  const auto rest = setup::restPose(cell, process, setup::armFacts(cell.robot()).reachMm);
+  const auto rest = cells::restPose(cell, process, cells::armFacts(cell.robot()).reachMm);
   if (!rest)
     return void(std::printf("no rest\n"));
   std::printf("rest (%.1f mm clear, %.3f from singular), %.0f mm above the plate:", rest->clearMm,
@@ -141,12 +141,12 @@ int main(int argc, char** argv) {
   const base::RunContext ctx(base::CancelToken(),
                              static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   const process::Process process = process::loadProcess("fdm-1.0");
-  setup::PosePattern pattern;
+  cells::PosePattern pattern;
   pattern.radiusMm = radius;
   std::printf("    x     y     z  stem  clear%%  at tilt  0     30     60     90    120\n");
   for (const Place& place : places) {
     const robot::Cell cell = cellAt(shipped, place, folder);
-    printRow(place, setup::scoreOf(cell, process, pattern, ctx));
+    printRow(place, cells::scoreOf(cell, process, pattern, ctx));
     if (asked)
       printHome(cell, process);
   }

@@ -8,7 +8,7 @@
 #include "helpers/temporary_folder.h"
 #include "process/process.h"
 #include "robot/cell.h"
-#include "robot/reachable_ball.h"
+#include "robot/kinematics/reachable_ball.h"
 
 #include <algorithm>
 #include <fstream>

@@ -4,7 +4,7 @@
 #include "joints_in_degrees.h"
 #include "resource_fixture.h"
 
-#include "robot/chain_kinematics.h"
+#include "robot/kinematics/chain_kinematics.h"
 
 #include <gmock/gmock.h>
 

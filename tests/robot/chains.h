@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/units.h"
-#include "robot/serial_chain.h"
+#include "robot/kinematics/serial_chain.h"
 
 #include <array>
 #include <random>

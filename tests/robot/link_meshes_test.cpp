@@ -1,5 +1,5 @@
 // What an imported arm looks like: the meshes of its description, in the frames of its bodies.
-#include "robot/link_meshes.h"
+#include "robot/urdf/link_meshes.h"
 
 #include "base/files.h"
 #include "geometry/formats/mesh_reader.h"

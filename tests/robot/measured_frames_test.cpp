@@ -1,5 +1,5 @@
 // Frames and tips that are known, measured with noise that is known.
-#include "robot/measured_frames.h"
+#include "robot/measured/measured_frames.h"
 
 #include "base/error.h"
 #include "base/units.h"

@@ -1,5 +1,5 @@
 // What is said of measured points.
-#include "robot/measured_words.h"
+#include "robot/measured/measured_words.h"
 
 #include "base/units.h"
 

@@ -6,9 +6,9 @@
 #include "base/files.h"
 #include "base/units.h"
 #include "helpers/temporary_folder.h"
-#include "robot/cell_file_writer.h"
+#include "robot/cell/cell_file_writer.h"
 #include "robot/nozzle_turns.h"
-#include "robot/urdf_reader.h"
+#include "robot/urdf/urdf_reader.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "resource_fixture.h"
 
 #include "base/units.h"
-#include "robot/opw_kinematics.h"
+#include "robot/kinematics/opw_kinematics.h"
 #include "robot/robot_model.h"
 
 #include <gmock/gmock.h>

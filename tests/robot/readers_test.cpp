@@ -7,7 +7,7 @@
 #include "helpers/temporary_folder.h"
 #include "process/process.h"
 #include "robot/cell.h"
-#include "robot/robot_json_output.h"
+#include "robot/cell/robot_json_output.h"
 
 #include <filesystem>
 #include <fstream>

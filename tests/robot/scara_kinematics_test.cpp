@@ -5,9 +5,9 @@
 #include "base/units.h"
 #include "process/process.h"
 #include "robot/cell.h"
-#include "robot/joint_reading.h"
-#include "robot/robot_json_output.h"
-#include "robot/scara_kinematics.h"
+#include "robot/cell/joint_reading.h"
+#include "robot/cell/robot_json_output.h"
+#include "robot/kinematics/scara_kinematics.h"
 
 #include <cmath>
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Meshes as simple solids: all of the mesh is in one of them, and not much else.
-#include "robot/solid_pieces.h"
+#include "robot/urdf/solid_pieces.h"
 
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"

@@ -3,8 +3,8 @@
 #include "resource_fixture.h"
 
 #include "base/units.h"
+#include "robot/kinematics/ur_kinematics.h"
 #include "robot/robot_model.h"
-#include "robot/ur_kinematics.h"
 
 #include <gmock/gmock.h>
 #include <random>

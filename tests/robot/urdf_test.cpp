@@ -7,12 +7,12 @@
 #include "base/error.h"
 #include "geometry/formats/mesh_reader.h"
 #include "helpers/temporary_folder.h"
-#include "robot/capsule_fit.h"
-#include "robot/chain_kinematics.h"
-#include "robot/robot_file_writer.h"
-#include "robot/urdf_chain.h"
-#include "robot/urdf_reader.h"
-#include "robot/urdf_shapes.h"
+#include "robot/cell/robot_file_writer.h"
+#include "robot/kinematics/chain_kinematics.h"
+#include "robot/shape/capsule_fit.h"
+#include "robot/urdf/urdf_chain.h"
+#include "robot/urdf/urdf_reader.h"
+#include "robot/urdf/urdf_shapes.h"
 
 #include <fstream>
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 #include "base/files.h"
 #include "pipeline/choices.h"
 #include "process/process.h"
-#include "robot/arm_look.h"
+#include "robot/shape/arm_look.h"
 #include "scene/offscreen_target.h"
 #include "scene/scene.h"
 

@@ -1,7 +1,7 @@
 #include "scene/offscreen_target.h"
 
 #include "helpers/shapes.h"
-#include "robot/arm_look.h"
+#include "robot/shape/arm_look.h"
 
 #include <gtest/gtest.h>
 

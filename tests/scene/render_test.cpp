@@ -4,7 +4,7 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "project/job.h"
-#include "robot/arm_look.h"
+#include "robot/shape/arm_look.h"
 #include "scene/offscreen_target.h"
 
 #include <algorithm>

@@ -140,7 +140,7 @@ TEST(LatheLayers, OverhangIsToldWithItsPlace) {
   EXPECT_GT(std::abs(found.worstAt.x()), 3.0);
   const auto finding = substrate::overhangFinding(found, {}, substrate::GroundKind::Rod);
   ASSERT_TRUE(finding);
-  EXPECT_EQ(voluta::plan::kindWord(*finding), "overhang");
+  EXPECT_EQ(voluta::plan::reportId(*finding), "overhang");
   EXPECT_FALSE(finding->blocking);
   EXPECT_EQ(finding->where, found.worstAt);
   EXPECT_FALSE(substrate::overhangFinding({}, {}, substrate::GroundKind::Rod));

@@ -92,7 +92,7 @@ TEST(Supports, AShadowedToothGetsOneStraightColumn) {
   expectMaskIsColumns(s, part);
   expectWhole(s, curved::platformFit(part, 0.0));
   ASSERT_EQ(s.findings.size(), 1u);
-  EXPECT_EQ(voluta::plan::kindWord(s.findings[0]), "supportColumn");
+  EXPECT_EQ(voluta::plan::reportId(s.findings[0]), "supportColumn");
   EXPECT_FALSE(s.findings[0].blocking);
 }
 
@@ -163,7 +163,7 @@ TEST(Supports, WhatNoColumnReachesIsTold) {
   EXPECT_EQ(s.missedAfter, s.missedBefore);
   EXPECT_TRUE(s.columns.empty());
   ASSERT_EQ(s.findings.size(), 1u);
-  EXPECT_EQ(voluta::plan::kindWord(s.findings[0]), "noSupport");
+  EXPECT_EQ(voluta::plan::reportId(s.findings[0]), "noSupport");
   EXPECT_TRUE(s.findings[0].blocking);
   EXPECT_EQ(s.findings[0].count, s.missedBefore);
 }

@@ -1,5 +1,5 @@
 // Beads that hang, and how fast they are laid.
-#include "toolpath/bridges.h"
+#include "toolpath/unsupported/bridges.h"
 
 #include "base/run_context.h"
 #include "straight_beads.h"
@@ -16,7 +16,7 @@ std::vector<char> hangingOf(const plan::ToolPlan& plan, const platform::Platform
   const double pitch = collision::growingPitch(plan, kProcess);
   const base::RunContext ctx;
   const collision::GrowingPart part(plan, pitch, ctx, collision::groundCells(platform, pitch, ctx));
-  return toolpath::hangingWaypoints(plan, part, platform, ctx);
+  return toolpath::unsupportedWaypoints(plan, part, platform, ctx);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "toolpath/carried_walls.h"
+#include "toolpath/unsupported/supported_walls.h"
 
 #include "base/run_context.h"
 #include "base/units.h"

@@ -2,8 +2,8 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "process/bead_model.h"
-#include "toolpath/cover_patch.h"
-#include "toolpath/infill.h"
+#include "toolpath/coverage/cover_patch.h"
+#include "toolpath/infill/infill.h"
 #include "toolpath/painter.h"
 #include "toolpath/shapes.h"
 
@@ -154,7 +154,7 @@ TEST(CoverPatch, EveryRowOfTheTableFills) {
     SCOPED_TRACE(std::string(kind.id));
     toolpath::ToolpathOptions o;
     o.infill = kind.id;
-    if (kind.isWound) {
+    if (kind.needsChart) {
       // A disc has no axis: one line says what would do.
       try {
         cover(patch, o);

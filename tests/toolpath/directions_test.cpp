@@ -5,9 +5,9 @@
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
-#include "toolpath/head_clearance.h"
 #include "toolpath/plan_toolpaths.h"
 #include "toolpath/shapes.h"
+#include "toolpath/unsupported/head_clearance.h"
 #include "toolpath/vtp_writer.h"
 
 #include <Eigen/Geometry>
@@ -146,11 +146,11 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   const process::Process process = testProcess();
   toolpath::ToolpathOptions o;
   o.platform = test::circle(60);
-  o.underlay = false;
+  o.rimSupports = false;
   const auto r = toolpath::planToolpaths(stack, testCell(60), process, o, base::RunContext{});
   EXPECT_EQ(r.statistics.gouges, 0u);
   for (const plan::Finding& f : r.findings)
-    EXPECT_EQ(plan::kindWord(f), "braced"); // the dome's caps reach out
+    EXPECT_EQ(plan::reportId(f), "braced"); // the dome's caps reach out
 
   // By brute force over the cells' centres: none filled earlier is inside the head, and no point of
   // the head is below the plate's top.
@@ -261,7 +261,7 @@ TEST(PlanToolpaths, NoRoomForTheHeadIsAFinding) {
   const auto r = toolpath::planToolpaths(stack, testCell(), testProcess(), {}, base::RunContext{});
   EXPECT_GT(r.statistics.gouges, 0u);
   ASSERT_EQ(r.findings.size(), 1u);
-  EXPECT_EQ(voluta::plan::kindWord(r.findings[0]), "gouge");
+  EXPECT_EQ(voluta::plan::reportId(r.findings[0]), "gouge");
   ASSERT_TRUE(r.findings[0].where);
   EXPECT_LT(r.findings[0].where->head<2>().norm(), 2.5);
   EXPECT_NEAR(r.findings[0].where->z(), 0.8, 0.5);

@@ -1,9 +1,9 @@
 // Walls that would hang and are laid a little aside.
-#include "toolpath/drawn_in.h"
+#include "toolpath/unsupported/inset_walls.h"
 
 #include "base/run_context.h"
 #include "straight_beads.h"
-#include "toolpath/bridges.h"
+#include "toolpath/unsupported/bridges.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -24,15 +24,15 @@ Drawn drawn(plan::ToolPlan plan) {
   const double pitch = collision::growingPitch(plan, kProcess);
   const auto ground = collision::groundCells(kPlate, pitch, ctx);
   const auto hanging = [&](const collision::GrowingPart& part) {
-    const auto marks = toolpath::hangingWaypoints(plan, part, kPlate, ctx);
+    const auto marks = toolpath::unsupportedWaypoints(plan, part, kPlate, ctx);
     return static_cast<std::size_t>(std::ranges::count(marks, 1));
   };
   Drawn result;
   const collision::GrowingPart part(plan, pitch, ctx, ground);
   result.before = hanging(part);
-  result.moves = toolpath::drawnIn(
-      plan, toolpath::hangingWaypoints(plan, part, kPlate, ctx, toolpath::kWellCarried), part,
-      kPlate, kProcess, ctx);
+  result.moves = toolpath::insetUnsupportedWalls(
+      plan, toolpath::unsupportedWaypoints(plan, part, kPlate, ctx, toolpath::kMinSupportedSamples),
+      part, kPlate, kProcess, ctx);
   for (std::size_t i = 0; i < result.moves.size(); ++i)
     plan.position[i] += result.moves[i];
   result.after = hanging(collision::GrowingPart(plan, pitch, ctx, ground));

@@ -1,6 +1,6 @@
 #include "base/units.h"
-#include "toolpath/curve_tools.h"
-#include "toolpath/infill.h"
+#include "toolpath/infill/curve_tools.h"
+#include "toolpath/infill/infill.h"
 #include "toolpath/shapes.h"
 #include "toolpath/surface_fields.h"
 

@@ -4,7 +4,7 @@
 
 #include "layers/layer_stack.h"
 #include "process/bead_model.h"
-#include "toolpath/cover_patch.h"
+#include "toolpath/coverage/cover_patch.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "base/units.h"
-#include "toolpath/cells.h"
-#include "toolpath/coverage.h"
-#include "toolpath/plane_samples.h"
+#include "toolpath/coverage/coverage.h"
+#include "toolpath/coverage/plane_samples.h"
+#include "toolpath/coverage/voronoi_shares.h"
 #include "toolpath/shapes.h"
 #include "toolpath/surface_fields.h"
 
@@ -181,7 +181,7 @@ TEST(PlaneSamples, AreSharedOutToTheNearestCurve) {
     for (std::size_t k = 0; wide && k < curves.size(); ++k)
       extras.emplace_back(k % 3 == 0 ? curves[k].points.size() : 0, 0.3);
     constexpr double kReach = 1.8;
-    const toolpath::Cells cells = shareOut(*samples, curves, kReach, extras);
+    const toolpath::VoronoiShares cells = assignToNearestCurve(*samples, curves, kReach, extras);
     std::vector<std::vector<double>> expected;
     for (const SurfaceCurve& c : curves)
       expected.emplace_back(c.points.size() - 1, 0.0);
@@ -237,7 +237,7 @@ TEST(PlaneSamples, AreSharedOutBetweenBeadsThatNarrow) {
     for (std::size_t i = 0; i < curves[k].points.size(); ++i)
       extras[k].push_back(0.2 + 0.2 * std::sin(0.9 * static_cast<double>(i)));
   constexpr double kReach = 1.8;
-  const toolpath::Cells cells = shareOut(*samples, curves, kReach, extras);
+  const toolpath::VoronoiShares cells = assignToNearestCurve(*samples, curves, kReach, extras);
   std::vector<std::vector<double>> expected;
   for (const SurfaceCurve& c : curves)
     expected.emplace_back(c.points.size() - 1, 0.0);
@@ -275,8 +275,9 @@ TEST(PlaneSamples, AreSharedOutAsASurfaceIs) {
   const auto samples = PlaneSamples::of(s, 0.01);
   ASSERT_TRUE(samples);
   const std::vector<SurfaceCurve> curves = lines(4);
-  const toolpath::Cells plane = shareOut(*samples, curves, 1.8),
-                        surface = shareOut(toolpath::SampleGrid(s, 0.004), curves, 1.8);
+  const toolpath::VoronoiShares plane = assignToNearestCurve(*samples, curves, 1.8),
+                                surface = assignToNearestCurve(toolpath::SampleGrid(s, 0.004),
+                                                               curves, 1.8);
   EXPECT_NEAR(plane.orphanMm2, surface.orphanMm2, 0.01 * s.areaMm2);
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const auto &a = plane.share[k], &b = surface.share[k];

@@ -120,7 +120,7 @@ TEST(PrimePath, tellsWhereItFalls) {
     const auto told = addPrimePath(primed, robot::loadCell("ur5-moving", process, square(sideMm)),
                                    process, options);
     EXPECT_EQ(primed.paths[0].kind, plan::PathKind::Prime);
-    EXPECT_EQ(told.has_value(), primed.primeFalls()) << sideMm;
+    EXPECT_EQ(told.has_value(), primed.isPrimeInAir()) << sideMm;
     EXPECT_EQ(told.has_value(), sideMm < 100.0);
     if (told) {
       EXPECT_EQ(told->kind, plan::FindingKind::PrimeFalls);

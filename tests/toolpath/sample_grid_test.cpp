@@ -1,7 +1,7 @@
 // Samples of a bent surface: what is found near a segment, and what is given to curves.
-#include "toolpath/sample_grid.h"
+#include "toolpath/coverage/sample_grid.h"
 
-#include "toolpath/cells.h"
+#include "toolpath/coverage/voronoi_shares.h"
 #include "toolpath/shapes.h"
 
 #include <algorithm>
@@ -103,7 +103,7 @@ TEST(SampleGrid, AreSharedOutToTheNearestCurve) {
     curves.push_back(curve);
   }
   constexpr double kReach = 1.8;
-  const toolpath::Cells cells = shareOut(grid, curves, kReach);
+  const toolpath::VoronoiShares cells = assignToNearestCurve(grid, curves, kReach);
   std::vector<double> expected(curves.size(), 0.0), got(curves.size(), 0.0);
   double orphan = 0.0, off = 0.0;
   std::vector<std::vector<double>> bySegment;

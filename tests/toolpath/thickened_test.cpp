@@ -1,10 +1,10 @@
 // Beads that would hang a little over what is printed, laid thicker.
-#include "toolpath/thickened.h"
+#include "toolpath/unsupported/thicken_unsupported.h"
 
 #include "base/run_context.h"
 #include "process/bead_model.h"
 #include "straight_beads.h"
-#include "toolpath/bridges.h"
+#include "toolpath/unsupported/bridges.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ struct Laid {
 
 Laid thickened(plan::ToolPlan plan) {
   const collision::GrowingPart part(plan, collision::growingPitch(plan, kProcess), {});
-  std::vector<char> hanging = toolpath::hangingWaypoints(plan, part, kPlate, {});
-  toolpath::thickenHanging(plan, hanging, part, kProcess);
+  std::vector<char> hanging = toolpath::unsupportedWaypoints(plan, part, kPlate, {});
+  toolpath::thickenUnsupported(plan, hanging, part, kProcess);
   return {std::move(plan), std::move(hanging)};
 }
 

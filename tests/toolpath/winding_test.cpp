@@ -5,10 +5,10 @@
 #include "helpers/rod_level.h"
 #include "layers/patches.h"
 #include "process/bead_model.h"
-#include "toolpath/cover_patch.h"
-#include "toolpath/curve_tools.h"
-#include "toolpath/infill.h"
-#include "toolpath/periodic_isolines.h"
+#include "toolpath/coverage/cover_patch.h"
+#include "toolpath/infill/curve_tools.h"
+#include "toolpath/infill/infill.h"
+#include "toolpath/infill/periodic_isolines.h"
 #include "toolpath/surface_fields.h"
 
 #include <algorithm>

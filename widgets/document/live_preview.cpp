@@ -28,13 +28,13 @@ LivePreview::LivePreview(Document& document, Planning& planning, QObject* parent
       stop();
   });
   // The first stage was still being planned when the pause was over.
-  const auto goOn = [this] {
+  const auto solveNear = [this] {
     if (due_)
       start();
   };
-  connect(&planning_, &Planning::finished, this, goOn);
-  connect(&planning_, &Planning::cancelled, this, goOn);
-  connect(&planning_, &Planning::failed, this, goOn);
+  connect(&planning_, &Planning::finished, this, solveNear);
+  connect(&planning_, &Planning::cancelled, this, solveNear);
+  connect(&planning_, &Planning::failed, this, solveNear);
 }
 
 LivePreview::~LivePreview() = default;

@@ -46,8 +46,8 @@ Choices ModeSwitch::switched(const Choices& now, const std::string& mode) {
   if (from.aroundRod != to.aroundRod) {
     companions_[from.aroundRod] = {now.cell, now.process, now.placement};
     const auto kept = companions_.find(to.aroundRod);
-    const Companions with =
-        kept == companions_.end() ? Companions{to.usual.cell, to.usual.process, {}} : kept->second;
+    const Defaults with =
+        kept == companions_.end() ? Defaults{to.usual.cell, to.usual.process, {}} : kept->second;
     next.cell = with.cell;
     next.process = with.process;
     next.placement = with.placement;

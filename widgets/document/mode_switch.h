@@ -22,11 +22,11 @@ public:
   project::Choices automatic(const project::Choices& now);
 
 private:
-  struct Companions {
+  struct Defaults {
     std::string cell, process;
     geometry::Placement placement;
   };
-  std::map<bool, Companions> companions_;              // by Mode::aroundRod
+  std::map<bool, Defaults> companions_;                // by Mode::aroundRod
   std::map<std::string, project::Platform> platforms_; // by mode
 };
 

@@ -6,7 +6,7 @@
 #include "geometry/measures.h"
 #include "modes/planar_modes.h"
 #include "pipeline/choices.h"
-#include "robot/arm_look.h"
+#include "robot/shape/arm_look.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "base/error.h"
-#include "robot/arm_look.h"
-#include "robot/tool_shape.h"
+#include "robot/shape/arm_look.h"
+#include "robot/shape/tool_shape.h"
 #include "scene/drawing_data.h"
 #include "scene/shape_mesh.h"
 #include "scene/surface.h"

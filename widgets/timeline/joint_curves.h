@@ -3,7 +3,7 @@
 
 #include "base/run_context.h"
 #include "plan/trajectory.h"
-#include "robot/joint_kind.h"
+#include "robot/kinematics/joint_kind.h"
 #include "timeline/curve_pyramid.h"
 
 #include <QList>

@@ -13,7 +13,7 @@
 #include "window/pages/page_stack.h"
 #include "window/picture.h"
 #include "window/picture_area.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 #include "window/project_files.h"
 #include "window/runs.h"
 #include "window/theme.h"

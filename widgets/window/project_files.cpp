@@ -5,7 +5,7 @@
 #include "document/planning.h"
 #include "document/recovery.h"
 #include "forms/discard.h"
-#include "window/arm_import_dialog.h"
+#include "window/cell/arm_import_dialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

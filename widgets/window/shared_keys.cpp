@@ -3,7 +3,7 @@
 #include "panels/text_preview.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
-#include "window/unrolled_canvas.h"
+#include "window/unrolled/unrolled_canvas.h"
 
 #include <QAbstractScrollArea>
 #include <QAbstractSlider>

@@ -7,7 +7,7 @@
 #include "window/legend_view.h"
 #include "window/picture.h"
 #include "window/picture_area.h"
-#include "window/unrolled_dock.h"
+#include "window/unrolled/unrolled_dock.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>

@@ -187,7 +187,7 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
 
   std::vector<layers::PatchesOfLevel> made(levels.size());
   const base::RunContext silent = ctx.quiet();
-  base::parallelTold(ctx, levels.size(), 0.7, "slicing"_text, [&](std::size_t i) {
+  base::parallelWithProgress(ctx, levels.size(), 0.7, "slicing"_text, [&](std::size_t i) {
     const Level& level = levels[i];
     const double middle = pieces[level.piece].base.offsetMm + 0.5 * (level.low + level.high);
     LevelSurface surface = atOrNear(

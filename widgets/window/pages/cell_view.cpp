@@ -2,7 +2,7 @@
 
 #include "document/document.h"
 #include "panels/object_tree.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 
 namespace voluta::window {
 

@@ -15,7 +15,7 @@
 #include "program/dialect.h"
 #include "window/pages/cell_view.h"
 #include "window/pages/resumable.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 #include "window/program_preview.h"
 #include "window/verify_dialog.h"
 

@@ -78,7 +78,7 @@ private:
   // Why its proofs have no pictures; filled in while they are written.
   std::shared_ptr<const std::optional<base::Message>> noPictures_;
   bool writing_ = false;
-  QStringList takenOff_; // what the choices name, where the user has unticked all of it
+  QStringList takenOff_;         // what the choices name, where the user has unticked all of it
   std::optional<Order> pending_; // waits for its programs to be planned
 };
 

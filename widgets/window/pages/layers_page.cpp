@@ -7,7 +7,7 @@
 #include "plan/finding_kinds.h"
 #include "timeline/layer_range_slider.h"
 #include "window/picture.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 #include "window/spacing_view.h"
 
 #include <QScrollArea>

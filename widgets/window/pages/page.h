@@ -11,7 +11,7 @@
 #include "viewer/viewport.h"
 #include "window/commands.h"
 #include "window/page_state.h"
-#include "window/unrolled_dock.h"
+#include "window/unrolled/unrolled_dock.h"
 
 #include <QObject>
 #include <QString>

@@ -9,7 +9,7 @@
 #include "window/pages/page_table.h"
 #include "window/picture.h"
 #include "window/picture_badge.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,8 +3,8 @@
 #include "document/document.h"
 #include "geometry/placement.h"
 #include "modes/mode_table.h"
-#include "window/presenter.h"
-#include "window/touch_dialog.h"
+#include "window/cell/touch_dialog.h"
+#include "window/presenters/presenter.h"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include "plan/finding_kinds.h"
 #include "scene/camera.h"
 #include "window/picture.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 
 #include <algorithm>
 #include <cmath>

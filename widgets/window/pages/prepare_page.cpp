@@ -14,12 +14,12 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "robot/cell_draft.h"
-#include "window/cell_editor.h"
+#include "window/cell/cell_editor.h"
 #include "window/mesh_summary.h"
 #include "window/pages/cell_view.h"
 #include "window/pages/reach_view.h"
 #include "window/pages/stand_chooser.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 
 #include <QScrollArea>
 #include <QTabWidget>

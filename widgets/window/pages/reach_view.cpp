@@ -5,7 +5,7 @@
 #include "modes/mode_table.h"
 #include "window/background.h"
 #include "window/pages/part_handles.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ double mappedHeight(double heightMm) {
 } // namespace
 
 struct ReachView::Found {
-  std::shared_ptr<const reach::ReachMap> map; // null: the cell cannot be mapped
+  std::shared_ptr<const cells::ReachMap> map; // null: the cell cannot be mapped
   std::shared_ptr<const scene::ReachDrawing> drawing;
 };
 
@@ -94,7 +94,7 @@ void ReachView::look(const std::string& key, double heightMm) {
         Found found;
         try {
           found.map =
-              std::make_shared<const reach::ReachMap>(pipeline::cellReach(choices, heightMm, ctx));
+              std::make_shared<const cells::ReachMap>(pipeline::cellReach(choices, heightMm, ctx));
         } catch (const base::Error&) {
           return found;
         }
@@ -117,15 +117,15 @@ void ReachView::take(Found&& found) {
   work_.shell.showView();
 }
 
-std::optional<reach::Place> ReachView::placeNow() const {
+std::optional<cells::Place> ReachView::placeNow() const {
   if (!map_ || !standing_ || map_->points().empty())
     return std::nullopt;
-  return reach::placeAt(*map_, *standing_, middle_);
+  return cells::placeAt(*map_, *standing_, middle_);
 }
 
 void ReachView::showReach() {
-  const std::optional<reach::Place> now = placeNow();
-  best_ = now ? std::optional(reach::bestPlace(*map_, *standing_)) : std::nullopt;
+  const std::optional<cells::Place> now = placeNow();
+  best_ = now ? std::optional(cells::bestPlace(*map_, *standing_)) : std::nullopt;
   setBeyond(now && !now->good());
   if (!now) {
     panel_->setReach(std::nullopt);
@@ -161,7 +161,7 @@ void ReachView::draw(scene::ViewState& view) const {
 void ReachView::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
   if (!map_ || !standing_ || finished)
     return;
-  setBeyond(!reach::placeAt(*map_, *standing_, middle_ + change.moveMm.head<2>()).good());
+  setBeyond(!cells::placeAt(*map_, *standing_, middle_ + change.moveMm.head<2>()).good());
 }
 
 void ReachView::move() {

@@ -40,17 +40,17 @@ private:
   void setBeyond(bool beyond);
   void move();
   // Of the part as it is placed now; none: no part on a plate, or no map of it yet.
-  std::optional<reach::Place> placeNow() const;
+  std::optional<cells::Place> placeNow() const;
 
   const Workspace& work_;
   const PartHandles& handles_;
   panels::ReachPanel* panel_;
   jobs::JobRunner runner_;
   std::string key_; // of the map that was looked for last
-  std::shared_ptr<const reach::ReachMap> map_;
-  std::optional<reach::Standing> standing_; // of the part on show
+  std::shared_ptr<const cells::ReachMap> map_;
+  std::optional<cells::Standing> standing_; // of the part on show
   Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
-  std::optional<reach::Place> best_;
+  std::optional<cells::Place> best_;
   bool mapShown_ = false, beyond_ = false;
 };
 

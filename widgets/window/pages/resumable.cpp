@@ -3,7 +3,7 @@
 #include "document/document.h"
 #include "document/planning.h"
 #include "plan/waypoints.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 
 #include <QCoreApplication>
 

@@ -10,7 +10,7 @@
 #include "timeline/layer_range_slider.h"
 #include "window/pages/cell_view.h"
 #include "window/pages/resumable.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>

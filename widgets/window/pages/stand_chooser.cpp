@@ -7,7 +7,7 @@
 #include "pipeline/part_ways.h"
 #include "window/background.h"
 #include "window/pages/part_handles.h"
-#include "window/presenter.h"
+#include "window/presenters/presenter.h"
 
 #include <cmath>
 #include <utility>

@@ -1,0 +1,207 @@
+#include "cells/cell_check.h"
+
+#include "base/units.h"
+#include "cells/reach_map.h"
+#include "robot/plate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace voluta::cells {
+
+namespace {
+
+using collision::CellCollision;
+using collision::Contact;
+using robot::BodyRole;
+
+using Frames = std::vector<Eigen::Isometry3d>;
+
+Frames framesAtRest(const robot::Cell& cell) {
+  Frames frames;
+  cell.framePoses(cell.home(), frames);
+  return frames;
+}
+
+// With the nozzle's z against the plate's.
+Eigen::Isometry3d upright(const Eigen::Vector3d& tip, double turn) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = tip;
+  pose.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+                  Eigen::Vector3d(1, -1, -1).asDiagonal();
+  return pose;
+}
+
+double headMm(const process::Process& process) {
+  return process.head.sections.empty() ? 0.0 : process.head.sections.back().zMm;
+}
+
+void checkNozzle(const robot::Cell& cell, const process::Process& process, const Frames& frames,
+                 std::vector<CellFault>& faults) {
+  const Eigen::Isometry3d& tool = frames[static_cast<std::size_t>(cell.toolFrame())];
+  for (const robot::Body& body : cell.bodies()) {
+    if (body.role != BodyRole::Link && body.role != BodyRole::Obstacle)
+      continue;
+    const Eigen::Isometry3d frame_T_base =
+        frames[static_cast<std::size_t>(body.frame)].inverse(Eigen::Isometry);
+    for (const double height : {0.0, 0.5 * headMm(process)}) {
+      const Eigen::Vector3d at = frame_T_base * (tool * Eigen::Vector3d(0, 0, -height));
+      if (std::ranges::none_of(body.shapes, [&](const robot::Shape& shape) {
+            return collision::signedDistance(shape, at) < 0.0;
+          }))
+        continue;
+      faults.push_back({base::message("the nozzle is inside {body}"_text, robot::nameOf(body)),
+                        "move the nozzle's frame"_text});
+      return;
+    }
+  }
+}
+
+void checkRest(const CellCollision& collision, const Frames& frames,
+               std::vector<CellFault>& faults) {
+  if (const auto contact = collision.bodies(frames, {}))
+    faults.push_back(
+        {base::message("at rest {first} meets {second}"_text, collision.nameOf(contact->first),
+                       collision.nameOf(contact->second)),
+         "move one of them, or let the arm rest otherwise"_text});
+}
+
+// Lattice of 5 x 5 over the plate's box, as far as it is on the plate.
+ReachGrid coarseGrid(const robot::Prism& plate, const process::Process& process) {
+  constexpr double kAcross = 5.0;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& corner : plate.polygon)
+    box.extend(corner);
+  ReachGrid grid;
+  grid.spacingMm = box.sizes().maxCoeff() / kAcross;
+  grid.heightsMm = {process.layerHeightMm};
+  grid.tiltsRad = {0.0};
+  grid.azimuths = 1;
+  grid.turns = 12;
+  return grid;
+}
+
+// What meets most often where the arm gets to, of the ways to each place the one that turns the
+// joints least from rest. None: it gets nowhere.
+std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& collision,
+                                const collision::Margins& margins, const ReachMap& map,
+                                const base::RunContext& ctx) {
+  std::map<std::pair<int, int>, int> times;
+  std::vector<robot::JointVector> solutions;
+  Frames frames;
+  for (const Eigen::Vector2d& at : map.points()) {
+    ctx.checkpoint();
+    double least = INFINITY;
+    robot::JointVector nearest;
+    for (const robot::JointVector& axes : axisPlaces(cell, map.grid().axisPlaces))
+      for (int turn = 0; turn < map.grid().turns; ++turn) {
+        robot::JointVector near = cell.home();
+        near.tail(axes.size()) = axes;
+        cell.inverse(upright({at.x(), at.y(), map.grid().heightsMm.front()},
+                             base::kTurn * turn / map.grid().turns),
+                     near, solutions);
+        for (const robot::JointVector& q : solutions)
+          if (const double turned = robot::asTurns(q - cell.home(), cell.limits()).norm();
+              turned < least) {
+            least = turned;
+            nearest = q;
+          }
+      }
+    if (nearest.size() == 0)
+      continue;
+    cell.framePoses(nearest, frames);
+    if (const auto contact = collision.bodies(frames, margins))
+      ++times[{contact->first, contact->second}];
+  }
+  if (times.empty())
+    return std::nullopt;
+  const auto most =
+      std::ranges::max_element(times, {}, [](const auto& entry) { return entry.second; });
+  return Contact{most->first.first, most->first.second};
+}
+
+void checkPlate(const robot::Cell& cell, const process::Process& process,
+                const CellCollision& collision, const collision::Margins& margins,
+                const base::RunContext& ctx, std::vector<CellFault>& faults) {
+  const robot::Prism* plate = robot::plateOf(cell);
+  if (!plate)
+    return;
+  const ReachMap map = reachMap(cell, process, coarseGrid(*plate, process), margins, ctx);
+  if (map.shareOfTilt(0) > 0.0)
+    return;
+  if (const auto contact = inTheWay(cell, collision, margins, map, ctx))
+    faults.push_back(
+        {base::message("wherever the nozzle gets to the plate, {first} meets {second}"_text,
+                       collision.nameOf(contact->first), collision.nameOf(contact->second)),
+         "move one of them, or make the stem or the nozzle longer"_text});
+  else
+    faults.push_back({"the plate is out of the arm's reach"_text,
+                      "bring plate and nozzle nearer to the arm"_text});
+}
+
+void checkLoad(const robot::Cell& cell, double partKg, std::vector<CellFault>& faults) {
+  const double carried =
+      cell.carriedKg() + (cell.nozzleMount() == robot::Mount::World ? partKg : 0.0);
+  if (const std::optional<double>& most = cell.robot().payloadKg; most && carried > *most)
+    faults.push_back(
+        {base::message("the flange carries {carried:.3g} kg, the robot {most:.3g} kg"_text,
+                       base::number(carried), base::number(*most)),
+         "make it lighter, or take a stronger robot"_text});
+}
+
+} // namespace
+
+std::vector<CellFault> cellFaults(const robot::Cell& cell, const process::Process& process,
+                                  double partKg, const base::RunContext& ctx) {
+  const CellCollision collision(cell, process);
+  const Frames frames = framesAtRest(cell);
+  std::vector<CellFault> faults;
+  checkNozzle(cell, process, frames, faults);
+  checkRest(collision, frames, faults);
+  checkPlate(cell, process, collision, {}, ctx, faults);
+  checkLoad(cell, partKg, faults);
+  return faults;
+}
+
+std::vector<CellFault> printingFaults(const robot::Cell& cell, const process::Process& process,
+                                      const collision::Margins& margins,
+                                      const base::RunContext& ctx) {
+  const CellCollision collision(cell, process);
+  std::vector<CellFault> faults;
+  checkRest(collision, framesAtRest(cell), faults);
+  checkPlate(cell, process, collision, margins, ctx, faults);
+  return faults;
+}
+
+std::optional<robot::JointVector> clearestRest(const robot::Cell& cell,
+                                               const process::Process& process) {
+  constexpr double kHighestMm = 180.0, kLowestMm = 20.0, kStepMm = 20.0, kEnoughMm = 20.0;
+  constexpr int kTurns = 16;
+  const CellCollision collision(cell, process);
+  const collision::Margins margins;
+  std::vector<robot::JointVector> solutions;
+  Frames frames;
+  std::optional<robot::JointVector> best;
+  std::tuple<double, double, double> bestRank;
+  robot::JointVector zero = robot::JointVector::Zero(cell.dof());
+  for (double height = kHighestMm; height >= kLowestMm; height -= kStepMm)
+    for (int turn = 0; turn < kTurns; ++turn) {
+      cell.inverse(upright({0, 0, height}, base::kTurn * turn / kTurns), zero, solutions);
+      for (const robot::JointVector& q : solutions) {
+        cell.framePoses(q, frames);
+        if (collision.bodies(frames, margins))
+          continue;
+        const std::tuple rank(std::floor(collision.clearance(frames, kEnoughMm)), height,
+                              -robot::asTurns(q, cell.limits()).norm());
+        if (!best || rank > bestRank) {
+          best = q;
+          bestRank = rank;
+        }
+      }
+    }
+  return best;
+}
+
+} // namespace voluta::cells

@@ -1,0 +1,29 @@
+#include "cells/obstacle_file.h"
+
+#include "base/error.h"
+#include "geometry/formats/foreign_reader.h"
+#include "geometry/measures.h"
+#include "robot/urdf/solid_pieces.h"
+
+namespace voluta::cells {
+
+ObstacleSolids obstacleOfFile(const std::filesystem::path& file, double mmPerUnit,
+                              const base::RunContext& ctx) {
+  constexpr int kMostPieces = 16;
+  base::require(mmPerUnit > 0.0, "a unit has a length");
+  geometry::TriangleMesh mesh;
+  if (geometry::isForeign(file)) {
+    mesh = geometry::readForeign(file, geometry::ForeignFrame::Upright).mesh;
+  } else {
+    mesh = geometry::readMesh(file).mesh;
+    for (Eigen::Vector3d& p : mesh.vertices)
+      p *= mmPerUnit;
+  }
+  const double longest = geometry::bounds(mesh).sizes().maxCoeff();
+  if (!(longest > 0.0))
+    throw base::Error(base::ErrorCode::UnusableInput, "all of the mesh is one point"_text,
+                      file.string());
+  return {robot::solidPieces(mesh, kMostPieces, ctx), longest};
+}
+
+} // namespace voluta::cells

@@ -1,0 +1,288 @@
+#include "motion/ladder/ladder.h"
+
+#include "base/error.h"
+#include "base/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace voluta::motion {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// As std::round, without a call.
+double rounded(double x) {
+  return static_cast<double>(static_cast<long>(x + (x < 0.0 ? -0.5 : 0.5)));
+}
+
+// L1 step of the joints that have limits here from `from` to the representative of `to` nearest to
+// it; infinite where a joint's step is larger than maxStep or its limits are left, and where the
+// sum is no less than `most`.
+double step(const double* from, const robot::JointVector& to,
+            const std::vector<robot::JointLimits>& limits, double maxStep, double most) {
+  double sum = 0.0;
+  const auto count = static_cast<Eigen::Index>(limits.size());
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const auto& limit = limits[static_cast<std::size_t>(j)];
+    double d = robot::asTurn(limit.kind, to[j] - from[j]);
+    if (std::abs(d) > maxStep) {
+      // Most candidates of another branch end here: no whole turn brings them nearer.
+      if (limit.kind == robot::JointKind::Sliding || std::abs(d) < base::kTurn - maxStep)
+        return kInfinity;
+      d -= base::kTurn * rounded(d / base::kTurn);
+      if (std::abs(d) > maxStep)
+        return kInfinity;
+      const double q = from[j] + d;
+      if (q < limit.min || q > limit.max)
+        return kInfinity;
+    }
+    sum += std::abs(d);
+    if (sum >= most)
+      return kInfinity;
+  }
+  return sum;
+}
+
+robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVector to,
+                                const std::vector<robot::JointLimits>& limits, double maxStep) {
+  for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(limits.size()); ++j) {
+    const double d = to[j] - from[j];
+    const bool turns = limits[static_cast<std::size_t>(j)].kind == robot::JointKind::Turning;
+    if (turns && std::abs(d) > maxStep)
+      to[j] = from[j] + d - base::kTurn * rounded(d / base::kTurn);
+  }
+  return to;
+}
+
+// Where the first turning joints are, in sectors of a circle, a bit each: of two nodes most are of
+// different branches, and these tell it at once.
+class Sectors {
+public:
+  explicit Sectors(const std::vector<robot::JointLimits>& limits) {
+    for (std::size_t j = 0; j < std::min(limits.size(), kJoints); ++j)
+      turns_[j] = limits[j].kind == robot::JointKind::Turning;
+  }
+
+  std::uint64_t of(const double* q) const {
+    std::uint64_t bits = 0;
+    for (std::size_t j = 0; j < kJoints; ++j)
+      if (turns_[j])
+        bits |= std::uint64_t{1} << (kCount * j + sectorAt(q[j]) % kCount);
+    return bits;
+  }
+  // All that a step of at most maxStepRad may lead to; joints that slide may be anywhere.
+  std::uint64_t within(const double* q, double maxStepRad) const {
+    constexpr double kRounding = 1e-9;
+    constexpr std::uint64_t kAll = (std::uint64_t{1} << kCount) - 1;
+    const double reach = maxStepRad + kRounding;
+    std::uint64_t bits = 0;
+    for (std::size_t j = 0; j < kJoints; ++j)
+      if (turns_[j]) {
+        const std::uint64_t low = sectorAt(q[j] - reach), high = sectorAt(q[j] + reach);
+        const std::uint64_t row =
+            high - low >= kCount ? kAll : (kAll >> (kCount - 1 - (high - low))) << low % kCount;
+        bits |= ((row | row >> kCount) & kAll) << (kCount * j);
+      }
+    return bits;
+  }
+
+private:
+  static constexpr std::size_t kJoints = 6;
+  static constexpr std::uint64_t kCount = 10; // a turn
+  // Counted on over turns, from far below any joint's range.
+  static std::uint64_t sectorAt(double q) {
+    constexpr double kTurns = 1 << 10;
+    return static_cast<std::uint64_t>((q / base::kTurn + kTurns) * static_cast<double>(kCount));
+  }
+
+  std::array<bool, kJoints> turns_{};
+};
+
+// The reached nodes of the rung before, those of one sample side by side, the cheapest first: what
+// the search through them reads lies together, and it ends where the rest costs too much already.
+class Reached {
+public:
+  Reached(int samples, const std::vector<robot::JointLimits>& limits)
+      : sectors_(limits), joints_(limits.size()), first_(static_cast<std::size_t>(samples) + 1, 0) {
+  }
+
+  struct Node {
+    int index, aside, side;
+    double cost;
+    std::uint64_t sectors;
+  };
+
+  // `q` as `rung`: joints by whole turns as they were reached.
+  void take(const Rung& rung, const std::vector<robot::JointVector>& q,
+            const std::vector<double>& cost) {
+    std::fill(first_.begin(), first_.end(), 0);
+    const auto slot = [&](std::size_t n) { return static_cast<std::size_t>(rung[n].sample); };
+    for (std::size_t n = 0; n < rung.size(); ++n)
+      if (cost[n] < kInfinity)
+        ++first_[slot(n) + 1];
+    for (std::size_t s = 1; s < first_.size(); ++s)
+      first_[s] += first_[s - 1];
+    nodes_.resize(first_.back());
+    q_.resize(first_.back() * joints_);
+    fill_.assign(first_.begin(), first_.end() - 1);
+    for (std::size_t n = 0; n < rung.size(); ++n)
+      if (cost[n] < kInfinity) {
+        std::size_t at = fill_[slot(n)]++;
+        for (; at > first_[slot(n)] && nodes_[at - 1].cost > cost[n]; --at)
+          nodes_[at] = nodes_[at - 1];
+        nodes_[at] = {static_cast<int>(n), rung[n].aside, rung[n].side, cost[n],
+                      sectors_.of(rung[n].q.data())};
+      }
+    for (std::size_t at = 0; at < nodes_.size(); ++at)
+      std::copy_n(q[static_cast<std::size_t>(nodes_[at].index)].data(), joints_,
+                  q_.begin() + static_cast<std::ptrdiff_t>(at * joints_));
+  }
+  // Places of the nodes of a sample: from begin to end.
+  std::size_t begin(int sample) const { return first_[static_cast<std::size_t>(sample)]; }
+  std::size_t end(int sample) const { return first_[static_cast<std::size_t>(sample) + 1]; }
+  const Node& node(std::size_t at) const { return nodes_[at]; }
+  const double* joints(std::size_t at) const { return q_.data() + at * joints_; }
+  const Sectors& sectors() const { return sectors_; }
+
+private:
+  Sectors sectors_;
+  std::size_t joints_;
+  std::vector<std::size_t> first_, fill_; // per sample
+  std::vector<Node> nodes_;
+  std::vector<double> q_;
+};
+
+// The cost of the cheapest way to a node, and the node of the rung before that it comes by; -1:
+// there is none that costs at most `most`.
+std::pair<double, int> leastWay(const LadderNode& node, const Reached& reached,
+                                const std::vector<robot::JointLimits>& limits,
+                                const LadderOptions& options, double maxStepRad, double most) {
+  // All turns are neighbours where the window spans the circle.
+  const int reach = std::min(options.window, (options.samples - 1) / 2);
+  double least = std::nextafter(most, kInfinity);
+  int parent = -1;
+  std::uint64_t near = 0; // sectors within a step: known once one is asked for
+  // The nearest turns first: what they cost bounds the search through the others.
+  for (int turn = 0; turn <= 2 * reach; ++turn) {
+    const int k = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
+    int sample = node.sample + k;
+    sample += sample < 0 ? options.samples : sample >= options.samples ? -options.samples : 0;
+    const std::size_t end = reached.end(sample);
+    std::size_t m = reached.begin(sample);
+    if (m < end && near == 0)
+      near = reached.sectors().within(node.q.data(), maxStepRad);
+    for (; m < end; ++m) {
+      const Reached::Node& from = reached.node(m);
+      const double soFar = from.cost + node.cost;
+      if (soFar >= least)
+        break;
+      if ((from.sectors & ~near) != 0 || std::abs(from.aside - node.aside) > options.asideWindow ||
+          from.side * node.side < 0)
+        continue;
+      const double total =
+          soFar + step(reached.joints(m), node.q, limits, maxStepRad, least - soFar);
+      if (total < least) {
+        least = total;
+        parent = from.index;
+      }
+    }
+  }
+  return {parent < 0 ? kInfinity : least, parent};
+}
+
+// Leaves the cheapest `count`, and those that cost as little as the last of them.
+void keepCheapest(std::vector<double>& cost, std::size_t count, std::vector<double>& scratch) {
+  if (cost.size() <= count)
+    return;
+  scratch = cost;
+  const auto last = scratch.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+  std::nth_element(scratch.begin(), last, scratch.end());
+  for (double& c : cost)
+    if (c > *last)
+      c = kInfinity;
+}
+
+// As shortestWay(), through nodes to which a way costs at most `most`, and of a rung the `beam`
+// cheapest.
+LadderWay sweep(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
+                const std::vector<robot::JointLimits>& limits, const LadderOptions& options,
+                double most, std::size_t beam) {
+  LadderWay way;
+  std::vector<std::vector<int>> parent(rungs.size());
+  std::vector<double> cost, lastCost, scratch;
+  std::vector<robot::JointVector> here, before;
+  Reached reached(options.samples, limits);
+  for (std::size_t r = 0; r < rungs.size(); ++r) {
+    const Rung& rung = rungs[r];
+    cost.assign(rung.size(), kInfinity);
+    parent[r].assign(rung.size(), -1);
+    for (std::size_t n = 0; n < rung.size(); ++n) {
+      if (rung[n].blocked)
+        continue;
+      if (r > 0)
+        std::tie(cost[n], parent[r][n]) =
+            leastWay(rung[n], reached, limits, options, options.maxStepRad[r], most);
+      else if (const double start = starts[n].cost + rung[n].cost; start <= most)
+        cost[n] = start;
+    }
+    keepCheapest(cost, beam, scratch);
+    if (std::ranges::none_of(cost, [](double c) { return c < kInfinity; }))
+      break;
+    here.resize(rung.size());
+    for (std::size_t n = 0; n < rung.size(); ++n)
+      if (cost[n] < kInfinity)
+        here[n] = r == 0 ? starts[n].q
+                         : nearestTurns(before[static_cast<std::size_t>(parent[r][n])], rung[n].q,
+                                        limits, options.maxStepRad[r]);
+    way.reached = r + 1;
+    before.swap(here);
+    lastCost.swap(cost);
+    reached.take(rung, before, lastCost);
+  }
+  if (way.reached == 0)
+    return way;
+
+  const auto best = std::ranges::min_element(lastCost);
+  way.cost = *best;
+  way.node.resize(way.reached);
+  way.q.resize(way.reached);
+  int n = static_cast<int>(best - lastCost.begin());
+  for (std::size_t r = way.reached; r-- > 0;) {
+    way.node[r] = n;
+    n = parent[r][static_cast<std::size_t>(n)];
+  }
+  way.q[0] = starts[static_cast<std::size_t>(way.node[0])].q;
+  for (std::size_t r = 1; r < way.reached; ++r)
+    way.q[r] = nearestTurns(way.q[r - 1], rungs[r][static_cast<std::size_t>(way.node[r])].q, limits,
+                            options.maxStepRad[r]);
+  return way;
+}
+
+} // namespace
+
+LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
+                      const std::vector<robot::JointLimits>& limits, const LadderOptions& options) {
+  if (rungs.empty())
+    return {};
+  base::require(starts.size() == rungs.front().size(), "a start for each first node");
+  base::require(options.maxStepRad.size() == rungs.size(), "a largest step for each rung");
+
+  // What a way through few nodes costs, no cheapest one costs more than: nodes that cost more need
+  // no look.
+  constexpr std::size_t kBeam = 16, kAll = std::numeric_limits<std::size_t>::max();
+  const LadderWay quick = sweep(rungs, starts, limits, options, kInfinity, kBeam);
+  if (quick.reached < rungs.size())
+    return sweep(rungs, starts, limits, options, kInfinity, kAll);
+  LadderWay way = sweep(rungs, starts, limits, options, quick.cost, kAll);
+  // The cheapest way to a node may have wound a joint up to its limit, where another goes on.
+  return way.reached < rungs.size() ? quick : way;
+}
+
+} // namespace voluta::motion

@@ -1,0 +1,376 @@
+#include "motion/ladder/path_planner.h"
+
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "base/stopwatch.h"
+#include "motion/external_axes.h"
+#include "motion/ladder/divided_step.h"
+#include "motion/ladder/joint_costs.h"
+#include "motion/nozzle_frame.h"
+#include "motion/smoothing/even_turns.h"
+#include "motion/smoothing/smooth_run.h"
+#include "motion/timed_points.h"
+#include "process/bead_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::motion {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using robot::JointVector;
+
+namespace {
+
+constexpr int kTries = 40; // of blocking what failed and searching again
+constexpr int kSeeks = 2;  // of a clearer way
+constexpr int kTriesBeforeJudgingAll = 6;
+constexpr double kEvening = 200.0; // waves under about 24 waypoints go
+constexpr std::size_t kCheckChunk = 16;
+
+// A waypoint that a run fails at, or on the way to.
+struct Failed {
+  std::size_t waypoint;
+  bool passes; // a singular pose, and else nothing
+};
+
+// What is left to plan of a path: as much of it as can be joined becomes a run.
+class Stretch {
+public:
+  Stretch(const RunSmoothing& smoothing, std::size_t path, std::size_t first, std::size_t count,
+          const RobotState& from, const base::RunContext& ctx, PathTimes& times)
+      : smoothing_(smoothing), scene_(smoothing.scene), ctx_(ctx), times_(times), first_(first),
+        ladder_(scene_, first, count, from, ctx, times), count_(ladder_.followed()) {
+    run_.path = path;
+  }
+
+  // Appends a run, or what is refused; returns how many waypoints that deals with (>= 1).
+  std::size_t plan(std::vector<Run>& runs, std::vector<Refused>& refused);
+
+private:
+  // A way that does not join all rungs: finds more of it, or settles for less. False: there is
+  // none, and nothing more to try.
+  bool goFurther(const LadderWay& way);
+  std::size_t refuseStart(const LadderWay& way, std::vector<Refused>& refused);
+  // Fills run_ along a way over all rungs. Returns what fails; none: it is good.
+  std::vector<Failed> follow(const LadderWay& way);
+  // Of a run that meets nothing; its ends stay.
+  void smooth();
+  // Has the head, lifted from there as little as for the shortest travel, room to travel?
+  bool headTravels(const RobotState& state, std::size_t before) const;
+  // Can both ends be left? Where not, their nodes are blocked: false asks for another way.
+  bool endsLift();
+  // Settles for what comes before the first failure. False: that is nothing.
+  bool settle(std::size_t failed);
+  // Judges the rungs about each failure; where the way's own nodes stay clear, looks closer.
+  void lookCloser(const LadderWay& way, const std::vector<Failed>& failed, bool judgeAll);
+
+  // The points of waypoints [first, first + course.turn.size()), divided where the nozzle would
+  // bend off its way. False: at waypoint failedAt the joints cannot follow.
+  bool fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
+            std::size_t& failedAt) const;
+  std::vector<Failed> failures(const std::vector<RunPoint>& points) const;
+
+  const RunSmoothing& smoothing_;
+  const MotionScene& scene_;
+  const base::RunContext& ctx_;
+  PathTimes& times_;
+  std::size_t first_;
+  PathLadder ladder_;
+  std::size_t count_;
+  Run run_;
+  std::vector<RunPoint> laid_; // run_ with the turns that the ladder gave
+  bool wantsLift_ = true;      // from both ends
+};
+
+bool Stretch::fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
+                   std::size_t& failedAt) const {
+  const plan::ToolPlan& plan = scene_.plan;
+  points.clear();
+  points.reserve(course.turn.size()); // most steps are not divided
+  std::vector<JointVector> scratch;
+  const auto toolAt = [&](std::size_t i) {
+    return turned(ladder_.toolAt(i), course.turn[i - first_]);
+  };
+  const auto axesTo = [&](std::size_t i) { return ladder_.axesAt(i, course.aside[i - first_]); };
+  JointVector q;
+  // The first solution may differ from the ladder's where turns were evened out.
+  if (!solveNear(scene_.cell, plan.position[first_], toolAt(first_), start, kRungStepRad, scratch,
+                 q)) {
+    failedAt = first_;
+    return false;
+  }
+  points.push_back(
+      {{plan.position[first_], toolAt(first_), q, axesTo(first_)}, first_, first_, 0.0, 0.0});
+  for (std::size_t i = first_ + 1; i < first_ + course.turn.size(); ++i) {
+    const Quaterniond from = toolAt(i - 1), to = toolAt(i);
+    const Vector3d a = plan.position[i - 1], b = plan.position[i];
+    const int n = scene_.divisions(a, b, angleBetween(from, to));
+    const double volume =
+        process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
+                            process::beadArea(plan.widthMm[i], plan.heightMm[i]), (b - a).norm());
+    const RunPoint next{
+        {b, to, {}, axesTo(i)}, i, i, volume, static_cast<double>(plan.speedMmPerS[i])};
+    if (!appendDivided(scene_, next, n, points)) {
+      failedAt = i;
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<Failed> Stretch::failures(const std::vector<RunPoint>& points) const {
+  enum : char { kSound, kPasses, kMeets };
+  std::vector<char> bad(points.size(), kSound);
+  base::parallelChunks(ctx_, points.size(), kCheckChunk, [&](std::size_t b, std::size_t e) {
+    for (std::size_t p = b; p < e; ++p)
+      if (ladder_.contactAt(points[p].at.q, points[p].next))
+        bad[p] = kMeets;
+      else if (p > 0 && !scene_.goesStraight(points[p - 1].at, points[p].at))
+        bad[p] = kPasses;
+  });
+  std::vector<Failed> failed;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (bad[p] != kSound) {
+      if (failed.empty() || failed.back().waypoint != points[p].next)
+        failed.push_back({points[p].next, true});
+      failed.back().passes = failed.back().passes && bad[p] == kPasses;
+    }
+  return failed;
+}
+
+bool Stretch::goFurther(const LadderWay& way) {
+  if (ladder_.widen(way.reached, ctx_))
+    return true;
+  // Better a run that is hard to leave than none.
+  if (wantsLift_ && ladder_.allowUnliftable()) {
+    wantsLift_ = false;
+    return true;
+  }
+  if (way.reached == 0)
+    return false;
+  if (ladder_.refine(way.reached, ctx_))
+    return true;
+  if (way.reached == 1)
+    return false;
+  // Nothing further is joined: what is, is printed, and the rest begins anew.
+  ladder_.keepUpTo(way.reached - 1, ctx_);
+  count_ = ladder_.waypointOf(way.reached - 1) - first_ + 1;
+  return true;
+}
+
+std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& refused) {
+  if (way.reached == 0) {
+    if (ladder_.movesPart())
+      return ladder_.refuseBlocked(ctx_, refused);
+    ladder_.judge({0}, ctx_); // for the reason
+  }
+  refused.push_back(ladder_.refusalOf(0));
+  return 1;
+}
+
+std::vector<Failed> Stretch::follow(const LadderWay& way) {
+  base::Stopwatch watch;
+  const Course course = ladder_.courseOf(way);
+  // On a rod it often need not turn at all.
+  const bool uneven =
+      !ladder_.movesPart() || std::any_of(course.turn.begin(), course.turn.end(),
+                                          [&](double t) { return t != course.turn.front(); });
+  const bool evens = uneven && scene_.options.smoothing == TurnMethod::Evened;
+  bool followed = false, even = false;
+  std::size_t failedAt = 0;
+  base::parallelChunks(ctx_, evens ? 2 : 1, 1, [&](std::size_t which, std::size_t) {
+    if (which == 0) {
+      followed = fill(course, way.q.front(), laid_, failedAt);
+    } else {
+      std::size_t anywhere = 0;
+      even =
+          fill({evened(course.turn, kEvening), course.aside}, way.q.front(), run_.points, anywhere);
+    }
+  });
+  times_.ik += watch.seconds();
+  if (!followed)
+    return {{failedAt, false}};
+  watch = base::Stopwatch();
+  std::vector<Failed> failed;
+  if (!even || !failures(run_.points).empty()) {
+    run_.points = laid_;
+    failed = failures(run_.points);
+  }
+  times_.collision += watch.seconds();
+  return failed;
+}
+
+void Stretch::smooth() {
+  if (scene_.options.smoothing != TurnMethod::WholePath || scene_.options.turn != NozzleTurn::Free)
+    return;
+  SmoothedRun smoothed = smoothRun(
+      smoothing_, laid_,
+      [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
+      [&](const RobotState& state, bool last) {
+        const std::size_t before = first_ + (last ? count_ : 0);
+        return ladder_.liftable(state, before) && headTravels(state, before);
+      },
+      ctx_);
+  // Turns that take the arm past a singular pose are no smoother.
+  bool straight = true;
+  for (std::size_t p = 1; p < smoothed.points.size() && straight; ++p)
+    straight = scene_.goesStraight(smoothed.points[p - 1].at, smoothed.points[p].at);
+  if (straight) {
+    run_.points = std::move(smoothed.points);
+    laid_ = std::move(smoothed.before);
+  }
+  times_.jerk += smoothed.smoothS;
+  times_.collision += smoothed.checkS;
+}
+
+bool Stretch::headTravels(const RobotState& state, std::size_t before) const {
+  const MotionOptions& options = scene_.options;
+  for (const double height : {options.hopLiftMm, options.liftMm}) {
+    const Eigen::Isometry3d lifted = toolPose(state.tip + height * state.direction(), state.tool);
+    if (scene_.collision.headTouchesPart(lifted, scene_.part, before, options.travelling.headMm) ||
+        scene_.collision.headTouchesPlatform(lifted, options.travelling.headMm))
+      return false;
+  }
+  return true;
+}
+
+bool Stretch::endsLift() {
+  const std::size_t last = ladder_.size() - 1;
+  const RunPoint &start = run_.points.front(), &end = run_.points.back();
+  bool startHeld = false, endHeld = false;
+  base::parallelChunks(ctx_, 2, 1, [&](std::size_t which, std::size_t) {
+    if (which == 0)
+      startHeld = !ladder_.wasLifted(0) && !ladder_.liftable(start.at, start.next);
+    else
+      endHeld = !ladder_.wasLifted(last) && !ladder_.liftable(end.at, end.next + 1);
+  });
+  if (startHeld)
+    ladder_.blockUnliftable(0, first_, ctx_);
+  if (endHeld)
+    ladder_.blockUnliftable(last, first_ + count_, ctx_);
+  return !startHeld && !endHeld;
+}
+
+bool Stretch::settle(std::size_t failed) {
+  if (failed < first_ + 2)
+    return false;
+  count_ = failed - first_;
+  ladder_.setRungs(count_, ctx_);
+  return true;
+}
+
+void Stretch::lookCloser(const LadderWay& way, const std::vector<Failed>& failed, bool judgeAll) {
+  std::vector<std::size_t> about;
+  if (judgeAll) {
+    for (std::size_t r = 0; r < ladder_.size(); ++r)
+      about.push_back(r);
+  } else {
+    for (const Failed& f : failed) {
+      const std::size_t r = ladder_.rungAt(f.waypoint);
+      if (f.passes)
+        continue; // that shows between rungs, at none
+      for (std::size_t k = r < 2 ? 0 : r - 2; k < std::min(r + 2, ladder_.size()); ++k)
+        about.push_back(k);
+    }
+  }
+  ladder_.judge(about, ctx_);
+  std::vector<std::size_t> between;
+  for (const auto& [w, passes] : failed) {
+    const std::size_t r = ladder_.rungAt(w);
+    if (passes)
+      ladder_.keepJacobianSigns(r);
+    LadderNode& here = ladder_.node(r, way.node[r]);
+    if (r > 0) {
+      const LadderNode& last = ladder_.node(r - 1, way.node[r - 1]);
+      if (last.blocked || last.side * here.side < 0)
+        continue;
+    }
+    if (here.blocked)
+      continue;
+    if (r > 0 && ladder_.waypointOf(r) - ladder_.waypointOf(r - 1) > 1)
+      between.push_back(w);
+    else
+      here.blocked = true; // clear itself, but not on the way to it
+  }
+  for (const std::size_t w : between)
+    ladder_.refine(ladder_.rungAt(w), ctx_);
+}
+
+std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused) {
+  if (count_ == 0) {
+    refused.push_back({first_, Refusal::Unreachable, {}});
+    return 1;
+  }
+  ladder_.setRungs(count_, ctx_);
+  int seeks = 0;
+  for (int tries = 0;; ++tries) {
+    ctx_.checkpoint();
+    const base::Stopwatch watch;
+    const LadderWay way = ladder_.bestWay(ctx_);
+    times_.graph += watch.seconds();
+
+    if (way.reached < ladder_.size()) {
+      if (goFurther(way))
+        continue;
+      return refuseStart(way, refused);
+    }
+    if (count_ < 2) {
+      refused.push_back(ladder_.refusalOf(0));
+      return 1;
+    }
+    // Before it is followed, which costs more than to look at its rungs.
+    if (seeks < kSeeks && ladder_.seekClearance(way, ctx_)) {
+      ++seeks;
+      continue;
+    }
+    const std::vector<Failed> failed = follow(way);
+    if (failed.empty()) {
+      if (wantsLift_ && !endsLift())
+        continue;
+      smooth();
+      run_.ladder = jointsOf(laid_);
+      runs.push_back(std::move(run_));
+      return count_;
+    }
+    if (tries < kTries) {
+      lookCloser(way, failed, tries - seeks >= kTriesBeforeJudgingAll);
+      continue;
+    }
+    if (!settle(failed.front().waypoint)) {
+      refused.push_back({first_, Refusal::NoConnection, {}});
+      return 1;
+    }
+    tries = 0;
+  }
+}
+
+} // namespace
+
+void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
+                       const RobotState& from, const base::RunContext& ctx, std::vector<Run>& runs,
+                       std::vector<Refused>& refused) {
+  RobotState last = from;
+  const RunSmoothing smoothing{scene_, scene_.twists, limits_};
+  std::size_t done = 0;
+  while (done < count) {
+    ctx.checkpoint();
+    const std::size_t runsBefore = runs.size(), refusedBefore = refused.size();
+    const std::size_t step =
+        Stretch(smoothing, path, first + done, count - done, last, ctx, times_).plan(runs, refused);
+    // Where the run before ended is printed, whether or not it goes on from there.
+    if (refused.size() > refusedBefore && !runs.empty() &&
+        refused[refusedBefore].waypoint == runs.back().points.back().waypoint)
+      refused.erase(refused.begin() + static_cast<std::ptrdiff_t>(refusedBefore));
+    done += step;
+    if (runs.size() > runsBefore) {
+      last = runs.back().points.back().at;
+      // The next run begins where this one ended, so that nothing stays unprinted between them.
+      if (done < count)
+        --done;
+    }
+  }
+}
+
+} // namespace voluta::motion

@@ -1,0 +1,47 @@
+// Transfers that were looked for before, found or not.
+#pragma once
+
+#include "motion/run.h"
+#include "motion/transfers/transfer.h"
+
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+namespace voluta::motion {
+
+// Where a motion is connected a second time, most of its ways are the same as before, and those
+// that are not to be found take longest. Safe to be asked by several threads.
+class KnownTransfers {
+public:
+  enum class Way { Between, BetweenHigh, Leave, LeaveThoroughly, Approach, ApproachThoroughly };
+
+  // What `find()` comes to, which must depend on nothing but the way, the states at its ends, the
+  // waypoints there (what is printed by then, the seed) and what is about.
+  template <typename Find>
+  std::optional<Transfer> of(Way way, const RobotState& from, const RobotState& to,
+                             std::size_t fromWaypoint, std::size_t toWaypoint,
+                             const PrintedBounds& surround, Find&& find) {
+    const std::string key = keyOf(way, from, to, fromWaypoint, toWaypoint, surround);
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto known = known_.find(key); known != known_.end())
+        return known->second;
+    }
+    std::optional<Transfer> transfer = find();
+    const std::lock_guard lock(mutex_);
+    return known_.emplace(key, std::move(transfer)).first->second;
+  }
+
+private:
+  static std::string keyOf(Way way, const RobotState& from, const RobotState& to,
+                           std::size_t fromWaypoint, std::size_t toWaypoint,
+                           const PrintedBounds& surround);
+
+  std::mutex mutex_;
+  std::unordered_map<std::string, std::optional<Transfer>> known_;
+};
+
+} // namespace voluta::motion

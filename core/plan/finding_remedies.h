@@ -1,0 +1,106 @@
+// What the rows of finding_kinds.cpp share: the remedies that each kind of finding offers, why some
+// have none, and help texts.
+#pragma once
+
+#include "base/text.h"
+#include "plan/remedy_id.h"
+
+#include <array>
+#include <span>
+
+namespace voluta::plan::finding_remedies {
+
+using enum RemedyId;
+
+inline constexpr std::array kForStopped{DropToPlate, ChooseWay};
+inline constexpr std::array kForShadowed{ShrinkPlatform, AddSupports, TurnPart};
+inline constexpr std::array kForUnreached{DropToPlate, AddSupports, TurnPart};
+inline constexpr std::array kForNoSupport{WidenPlatform, TurnPart, PrintFlat};
+inline constexpr std::array kForOverhang{AddSupports, TurnLeastRisky};
+inline constexpr std::array kForAir{AddSupports, TurnLeastRisky, ChooseWay};
+inline constexpr std::array kForAirOverGround{PrintOnPlate};
+inline constexpr std::array kTurn{TurnLeastRisky};
+inline constexpr std::array kPedestal{ShrinkPlatform};
+inline constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
+inline constexpr std::array kNarrow{NarrowVoxels};
+inline constexpr std::array kForUncovered{AdaptLayers, LowerLayers, FinerProcess, ChooseWay};
+inline constexpr std::array kForFill{LowerLayers, FinerProcess, ChooseWay};
+inline constexpr std::array kForUnsupported{AddSupports, TurnLeastRisky, PrintFlat, ChooseWay,
+                                            PrintOnPlate};
+inline constexpr std::array kForHanging{ChooseWay};
+inline constexpr std::array kForThin{ScaleUp, FinerProcess};
+inline constexpr std::array kForThinInReach{FinerProcess};
+inline constexpr std::array kForSlivers{FinerProcess, Enlarge};
+inline constexpr std::array kForNothing{FinerProcess, Enlarge};
+inline constexpr std::array kForGouge{FinerProcess, Enlarge, PrintFlat, ChooseWay};
+inline constexpr std::array kForTiny{UnitsMetres, UnitsInches};
+inline constexpr std::array kForHuge{ScaleToFit, UnitsMicrometres};
+inline constexpr std::array kForAdrift{CellPlate, CentrePart};
+inline constexpr std::array kForLying{StandBest};
+inline constexpr std::array kForRims{ThickenSurface, CloseRims};
+inline constexpr std::array kForSheets{ThickenSurface};
+inline constexpr std::array kForUpright{PrintFlat, UsualCell};
+inline constexpr std::array kForTooLarge{ScaleToReach, LargerCell, PrintFlat};
+inline constexpr std::array kForOutOfReach{ScaleToFit, Shrink, CentrePart, LargerCell, PrintFlat};
+inline constexpr std::array kForRod{ScaleToFit, Shrink};
+inline constexpr std::array kForUnconnected{MoreTurns, Shrink, PrintFlat};
+inline constexpr std::array kForHeadInPart{LowerLayers, FinerProcess, PrintFlat, ChooseWay};
+inline constexpr std::array kForHeadInPlatform{ShrinkPlatform, FinerProcess, PrintFlat,
+                                               PrintOnPlate};
+inline constexpr std::array kForCollision{LessClearance, MoreTurns, Shrink, CentrePart};
+inline constexpr std::array kForReplayed{MoreClearance, Shrink, CentrePart};
+inline constexpr std::array kForLimits{MoreTurns, Shrink, CentrePart, PrintFlat};
+inline constexpr std::array kForFlow{LowerLayers, FinerProcess};
+inline constexpr std::array kForFlowErrors{LongerMotions};
+inline constexpr std::array kForBlends{LongerMotions};
+inline constexpr std::array kForDeviation{ShorterMotions};
+inline constexpr std::array kForHome{UsualCell};
+inline constexpr std::array kForCell{UsualProcess, UsualCell};
+inline constexpr std::array kForPlates{ScaleToPlate, LargerCell, MakePlatform};
+
+inline constexpr std::span<const RemedyId> kNoRemedies{};
+inline constexpr base::Text kOnlyWriteAgain =
+    "the program's text is not this plan's: nothing in the plan is to be changed"_text;
+inline constexpr base::Text kSaysItself = "the message says what would help"_text;
+inline constexpr base::Text kOldProject =
+    "kept as sentences in an older project: plan again for what can be done"_text;
+inline constexpr base::Text kOthersHelp = "the findings before this one have the remedies"_text;
+inline constexpr base::Text kFinest = "no process here has narrower beads"_text;
+inline constexpr base::Text kOtherBead =
+    "the bead to go on from is chosen on the Simulate page"_text;
+inline constexpr base::Text kCellFile =
+    "only the cell's own file can be changed: Edit, Edit cell"_text;
+
+inline constexpr base::Text kTurnOrShrink =
+    "turn the part, make the platform smaller or add supports"_text;
+inline constexpr base::Text kJoin =
+    "a larger platform, supports, or join this piece to the part"_text;
+inline constexpr base::Text kBreakOff = "break it off after printing"_text;
+inline constexpr base::Text kNarrowTo = "a voxel width of at most {fits}"_text;
+inline constexpr base::Text kThicken = "thicken the wall to {least} or more"_text;
+inline constexpr base::Text kCutThere =
+    "add supports (supports=auto), cut there, or use curved mode"_text;
+inline constexpr base::Text kTurnOrModes =
+    "turn the part (orient=leastRisky), add supports, or use planar or curved mode"_text;
+inline constexpr base::Text kTurnOrOther =
+    "turn the part (orient=leastRisky), or use planar or curved mode"_text;
+inline constexpr base::Text kFiner = "use a finer nozzle, or print the part larger"_text;
+inline constexpr base::Text kGentlerRod =
+    "let the part rise from the rod at a gentler slope there"_text;
+inline constexpr base::Text kGentlerSurface =
+    "let the part rise from the surface at a gentler slope there"_text;
+inline constexpr base::Text kScaleOrTurn =
+    "scale the part down (--scale fit), turn it, or use a larger robot"_text;
+inline constexpr base::Text kMoreTurns =
+    "turn the part about the vertical, or try more turns (redundancySamples)"_text;
+inline constexpr base::Text kSlimmer = "use a slimmer print head or thinner layers"_text;
+inline constexpr base::Text kHigher = "use a smaller platform or place the part higher"_text;
+inline constexpr base::Text kAlongRod = "scale the part down, or move it along the rod"_text;
+inline constexpr base::Text kLessClearance =
+    "turn the part, use a smaller platform, or allow less clearance"_text;
+inline constexpr base::Text kTurnOrClearance = "turn the part, or allow less clearance"_text;
+inline constexpr base::Text kWriteAgain =
+    "write the program again, or plan anew with this change"_text;
+inline constexpr base::Text kSlower = "slower there, or another place in the cell"_text;
+
+} // namespace voluta::plan::finding_remedies

@@ -1,0 +1,87 @@
+#include "program/common/straight_pieces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+
+namespace voluta::program {
+
+namespace {
+
+using Eigen::Isometry3d, Eigen::Quaterniond, Eigen::Vector3d;
+
+constexpr int kMostPieces = 256;
+constexpr double kNextRad = 0.2; // further from one piece to the next is another branch
+
+class Way {
+public:
+  Way(const robot::Cell& cell, const robot::JointVector& a, const robot::JointVector& b)
+      : cell_(cell), a_(a), b_(b), from_(cell.work_T_tool(a)), to_(cell.work_T_tool(b)) {}
+
+  std::vector<robot::JointVector> inPieces(double mostMm) {
+    for (int pieces = 1; pieces <= kMostPieces; pieces *= 2) {
+      std::vector<robot::JointVector> way;
+      // A long way in few pieces is as far from one to the next as another branch is.
+      bool leads = true;
+      for (int k = 1; k < pieces && leads; ++k) {
+        const auto q = at(static_cast<double>(k) / pieces, way.empty() ? a_ : way.back());
+        leads = q.has_value();
+        if (leads)
+          way.push_back(*q);
+      }
+      if (leads && isNear(way, mostMm))
+        return way;
+    }
+    return {};
+  }
+
+private:
+  std::optional<robot::JointVector> at(double share, const robot::JointVector& before) {
+    Isometry3d pose(Quaterniond(from_.linear()).slerp(share, Quaterniond(to_.linear())));
+    pose.pretranslate(
+        Vector3d(from_.translation() + share * (to_.translation() - from_.translation())));
+    cell_.inverse(pose, before, solutions_);
+    const robot::JointVector* best = nullptr;
+    double least = kNextRad;
+    for (const robot::JointVector& q : solutions_)
+      if (const double away = (q - before).cwiseAbs().maxCoeff(); away < least) {
+        least = away;
+        best = &q;
+      }
+    return best ? std::optional(*best) : std::nullopt;
+  }
+
+  bool isNear(const std::vector<robot::JointVector>& way, double mostMm) const {
+    const Vector3d line = to_.translation() - from_.translation();
+    const double squared = line.squaredNorm();
+    const auto off = [&](const robot::JointVector& q) {
+      const Vector3d p = cell_.work_T_tool(q).translation() - from_.translation();
+      const double u = squared > 0.0 ? std::clamp(p.dot(line) / squared, 0.0, 1.0) : 0.0;
+      return (p - u * line).norm();
+    };
+    for (std::size_t k = 0; k <= way.size(); ++k) {
+      const robot::JointVector &p = k == 0 ? a_ : way[k - 1], &q = k == way.size() ? b_ : way[k];
+      for (const double share : {0.25, 0.5, 0.75})
+        if (off(p + share * (q - p)) > mostMm)
+          return false;
+    }
+    return true;
+  }
+
+  const robot::Cell& cell_;
+  const robot::JointVector &a_, &b_;
+  Isometry3d from_, to_;
+  std::vector<robot::JointVector> solutions_;
+};
+
+} // namespace
+
+std::vector<robot::JointVector> straightPieces(const ProgramInput& input, std::size_t point,
+                                               double mostMm) {
+  const plan::Trajectory& t = input.trajectory;
+  const robot::JointVector a = Eigen::Map<const Eigen::VectorXd>(t.at(point - 1), t.dof),
+                           b = Eigen::Map<const Eigen::VectorXd>(t.at(point), t.dof);
+  return Way(input.cell, a, b).inPieces(mostMm);
+}
+
+} // namespace voluta::program

@@ -1,0 +1,201 @@
+#include "program/common/walk.h"
+
+#include "program/common/extruder_outputs.h"
+#include "program/common/motion_targets.h"
+#include "program/extruder.h"
+#include "program/filament.h"
+#include "program/gcode/extruder_axis.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace voluta::program {
+
+namespace {
+
+class Walker {
+public:
+  Walker(const ProgramInput& input, const Walk& walk, ProgramEmitter& emitter,
+         const base::RunContext& ctx)
+      : in_(input), walk_(walk), emitter_(emitter), ctx_(ctx), paths_(input.toolPlan),
+        extruder_(extruderOf(input)) {
+    if (byAxis())
+      zeros_ = axisCount(input).zeros;
+    for (std::size_t i = 0; i < input.trajectory.pointCount(); ++i)
+      lastPrint_ = isPrint(input.trajectory, i) ? i : lastPrint_;
+  }
+
+  void run() {
+    for (std::size_t file = 0; file + 1 < walk_.cuts.size(); ++file) {
+      const std::size_t end = walk_.cuts[file + 1];
+      outputs_.off();
+      said_.clear();
+      emitter_.beginFile(file);
+      for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
+        if (i % 4096 == 0)
+          ctx_.report(static_cast<double>(i) / static_cast<double>(walk_.cuts.back()),
+                      base::message("{format}"_text, std::string(walk_.format)));
+        point(i, i + 1 == end);
+      }
+      emitter_.endFile(file);
+    }
+  }
+
+private:
+  bool byAxis() const { return walk_.outputs != nullptr && extruder_.byAxis; }
+  bool zeroesAt(std::size_t i) const { return std::ranges::binary_search(zeros_, i); }
+
+  void point(std::size_t i, bool last) {
+    const plan::Trajectory& t = in_.trajectory;
+    if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
+      emitter_.remark(path);
+    if (isPrint(t, i) && drawn_)
+      draw(false);
+    if (walk_.outputs != nullptr && isPrint(t, i))
+      flow(walk_.outputs->flowMm3PerS(i));
+    extruder(isPrint(t, i));
+    if (i > 0 && isPrint(t, i - 1) && !isPrint(t, i) && i < lastPrint_ &&
+        in_.process.retractMm > 0.0)
+      draw(true);
+    if (i == 0)
+      emitter_.prompt();
+    if (zeroesAt(i))
+      emitter_.zeroAxis();
+    if (i == 0 || t.move[i] == plan::MoveKind::Joint)
+      emitter_.jointMotion(i);
+    else
+      emitter_.straightMotion(i, last || zeroesAt(i + 1));
+    if (i == 0)
+      prime();
+  }
+
+  void flow(double mm3PerS) {
+    flow_ = mm3PerS;
+    if (extruder_.text || extruder_.streams || extruder_.byAxis)
+      return;
+    if (const auto share = outputs_.flow(mm3PerS))
+      emitter_.flow(*share);
+  }
+  void extruder(bool on) {
+    if (walk_.outputs == nullptr || extruder_.byAxis)
+      return;
+    const bool turns = outputs_.turn(on);
+    if (extruder_.text)
+      say(extruder_.text(on ? flow_ : 0.0));
+    else if (turns)
+      emitter_.extruder(on);
+  }
+  // Behind beginFile it stands.
+  void say(const std::string& text) {
+    if (text == (said_.empty() ? extruder_.text(0.0) : said_))
+      return;
+    said_ = text;
+    emitter_.send(text);
+  }
+
+  void draw(bool back) {
+    drawn_ = back;
+    const double mm = in_.process.retractMm, seconds = mm / kDrawBackMmPerS;
+    if (walk_.outputs == nullptr) {
+      emitter_.retract(back ? -mm : mm);
+    } else if (extruder_.byAxis) {
+      emitter_.extrudeInPlace(back ? -mm : mm, seconds);
+    } else if (extruder_.text) {
+      const double mm3PerS = filamentArea(extruder_.filamentMm) * kDrawBackMmPerS;
+      say(extruder_.text(back ? -mm3PerS : mm3PerS));
+      emitter_.wait(seconds);
+      say(extruder_.text(0.0));
+    } else if (extruder_.streams) {
+      extruder(true);
+      emitter_.wait(seconds);
+      extruder(false);
+    }
+  }
+
+  void prime() {
+    if (walk_.outputs == nullptr || !primesStanding(in_))
+      return;
+    emitter_.remark("prime");
+    const double seconds = in_.process.primeS;
+    if (extruder_.byAxis) {
+      emitter_.extrudeInPlace(primeFlowMm3PerS(in_.process) * seconds / filamentArea(), seconds);
+    } else {
+      flow(primeFlowMm3PerS(in_.process));
+      extruder(true);
+      emitter_.wait(seconds);
+      extruder(false);
+    }
+    emitter_.remark("print");
+  }
+
+  const ProgramInput& in_;
+  const Walk& walk_;
+  ProgramEmitter& emitter_;
+  const base::RunContext& ctx_;
+  PathNames paths_;
+  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
+  const Extruder& extruder_;
+  double flow_ = 0.0; // wanted
+  bool drawn_ = false;
+  std::size_t lastPrint_ = 0;      // point
+  std::string said_;               // last
+  std::vector<std::size_t> zeros_; // points, of an extruder that is an axis
+};
+
+} // namespace
+
+void walkTrajectory(const ProgramInput& input, const Walk& walk, ProgramEmitter& emitter,
+                    const base::RunContext& ctx) {
+  Walker(input, walk, emitter, ctx).run();
+}
+
+namespace {
+MotionTarget targetAt(const ProgramInput& input, std::size_t point) {
+  return targetOf(input.cell,
+                  Eigen::Map<const Eigen::VectorXd>(input.trajectory.at(point), input.cell.dof()));
+}
+
+// Of the nozzle at a point of a travel, over the bead before it.
+double liftAt(const ProgramInput& input, std::size_t point) {
+  std::size_t bead = point;
+  while (bead > 0 && !isPrint(input.trajectory, bead))
+    --bead;
+  const MotionTarget end = targetAt(input, bead);
+  return (targetAt(input, point).tipMm - end.tipMm).dot(end.direction);
+}
+
+// Where the file that begins at `begin` ends; none: nowhere up to `last`.
+std::optional<std::size_t> cutBehindLift(const ProgramInput& input, std::size_t begin,
+                                         std::size_t most, std::size_t last) {
+  constexpr double kSlackMm = 0.01;
+  std::optional<std::size_t> cut;
+  double highest = 0.0;
+  for (std::size_t i = begin + std::max<std::size_t>(1, most / 2); i <= last; ++i) {
+    if (!standsClear(input.trajectory, i))
+      continue;
+    const double lift = std::min(liftAt(input, i - 1), kClearMm - kSlackMm);
+    if (!cut || (i - begin > most ? lift > highest : lift >= highest)) {
+      cut = i;
+      highest = lift;
+    }
+  }
+  return cut;
+}
+} // namespace
+
+std::vector<std::size_t> cutsOf(const ProgramInput& input, std::size_t most) {
+  const std::size_t n = input.trajectory.pointCount();
+  const std::size_t hard = most + std::max<std::size_t>(most / 10, 100);
+  std::vector<std::size_t> cuts = {0};
+  while (most > 0 && n - cuts.back() > most) {
+    const std::size_t begin = cuts.back(), last = std::min(begin + hard, n - 1);
+    const auto cut = cutBehindLift(input, begin, most, last);
+    if (!cut && n - begin <= hard)
+      break;
+    cuts.push_back(cut.value_or(last));
+  }
+  cuts.push_back(n);
+  return cuts;
+}
+
+} // namespace voluta::program

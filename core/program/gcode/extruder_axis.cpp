@@ -1,0 +1,55 @@
+#include "program/gcode/extruder_axis.h"
+
+#include "base/error.h"
+#include "program/common/motion_targets.h"
+#include "program/common/text.h"
+#include "program/filament.h"
+
+#include <algorithm>
+
+namespace voluta::program {
+
+base::ParameterSpec extruderAxisMm() {
+  return base::numberParameter(
+      "extruderAxisMm", "mm", 10000.0, 20.0, 1e6, "Programs"_text, "extruder axis: range"_text,
+      "Filament that the external axis feeds before it is set to 0 anew: as far as it may go."_text);
+}
+
+AxisCount axisCount(const ProgramInput& input) {
+  const plan::Trajectory& t = input.trajectory;
+  const double most = numberOf(extruderAxisMm(), input.options) * filamentArea();
+  // The prime before, and what is drawn back within it.
+  const double spare =
+      (primesStanding(input) ? primeFlowMm3PerS(input.process) : 0.0) * input.process.primeS +
+      input.process.retractMm * filamentArea();
+  AxisCount count{{0}};
+  std::size_t lifted = 0; // the last place where it may be done
+  for (std::size_t i = 1; i < t.pointCount(); ++i) {
+    if (standsClear(t, i))
+      lifted = i;
+    const auto laidSince = [&](std::size_t point) {
+      return t.extrudedMm3[i] - t.extrudedMm3[point == 0 ? 0 : point - 1] + spare;
+    };
+    if (laidSince(count.zeros.back()) > most)
+      count.zeros.push_back(lifted);
+    count.mostMm = std::max(count.mostMm, laidSince(count.zeros.back()) / filamentArea());
+    if (laidSince(count.zeros.back()) > most)
+      throw base::Error(
+          base::ErrorCode::Usage,
+          base::message("between two lifts more than {length:.0f} of filament are laid: more than "
+                        "the extruder's axis goes"_text,
+                        base::mm(most / filamentArea())),
+          {}, base::message("take a greater {option}"_text, "extruderAxisMm"_name));
+  }
+  return count;
+}
+
+std::string axisNote(std::string_view axis, const AxisCount& count) {
+  return joined({"extruder: ", axis, ", linear, mm of filament, which goes with each motion; ",
+                 kDiameterNote, fixedText(kFilamentDiameterMm, 3),
+                 " mm; set to 0 at the start, it "
+                 "goes to ",
+                 fixedText(count.mostMm, 1), " mm"});
+}
+
+} // namespace voluta::program

@@ -1,0 +1,177 @@
+#include "program/gcode/gcode_bc.h"
+
+#include "base/units.h"
+#include "program/common/text.h"
+#include "program/gcode/gcode_reader.h"
+#include "program/gcode/tilting_table.h"
+
+#include <cmath>
+#include <optional>
+
+namespace voluta::program {
+
+namespace {
+
+constexpr double kSameTurn = 1e-6; // of a turn, as C is rounded
+
+class TableReader : public GcodeReader {
+public:
+  using GcodeReader::GcodeReader;
+
+private:
+  bool isTargetWord(char letter) const override { return letter == 'B' || letter == 'C'; }
+  bool movesBeside(GcodeWords& w) const override { return w.any("BC"); }
+
+  // C counts on from another number of whole turns.
+  bool setsCount(GcodeWords& w) override {
+    if (w['A'] || w['B'] || !w['C'] || !turn_)
+      return false;
+    const double back = (base::radiansToDegrees(sense_ * *turn_) - countedDeg_ - *w['C']) / 360.0;
+    if (std::abs(back - std::round(back)) > kSameTurn || !(std::abs(back) < 1e6))
+      return false;
+    countedDeg_ += 360.0 * std::round(back);
+    return true;
+  }
+
+  bool command(double g) override {
+    if (g != 93.0 && g != 94.0)
+      return false;
+    if (inverseTime_ != (g == 93.0))
+      perS_ = 0.0; // F means something else from here on
+    inverseTime_ = g == 93.0;
+    return true;
+  }
+
+  void note(std::string_view comment) override {
+    if (comment == kReversedNote)
+      sense_ = -1.0;
+    if (!comment.starts_with(kTableNote))
+      return;
+    comment.remove_prefix(kTableNote.size());
+    double x = 0.0, z = 0.0;
+    if (comment.starts_with('X') && takeLetter(comment, x) && comment.starts_with(" Z") &&
+        takeLetter(comment = trimmed(comment), z) && comment.empty() && std::abs(x) < 1e5 &&
+        std::abs(z) < 1e5)
+      frame_ = {x, z}, ours_ = true;
+    else
+      defect("not understood: where the plate is over the tilt axis"_text);
+  }
+  static bool takeLetter(std::string_view& text, double& value) {
+    text.remove_prefix(1);
+    return takeNumber(text, value);
+  }
+
+  double secondsOf(GcodeWords& w, double filamentMm) override {
+    if (!inverseTime_)
+      return GcodeReader::secondsOf(w, filamentMm);
+    return w['F'] ? 1.0 / perS_ : 0.0;
+  }
+
+  bool target(GcodeWords& w, double g, bool extruding, plan::ProgramMotion& m) override {
+    if (w.any("BC") && !knows('Z')) {
+      defect("the table turns before the nozzle is up: Z is not known yet"_text);
+      return false;
+    }
+    if (w.any("XY") && !(tilt_ && turn_)) {
+      defect("the nozzle goes over the plate before the table stands: B and C are not known"_text);
+      return false;
+    }
+    if (w['B'])
+      tilt_ = sense_ * base::degreesToRadians(*w['B']);
+    if (w['C'])
+      turn_ = sense_ * base::degreesToRadians(*w['C'] + countedDeg_);
+    if (inverseTime_ && g == 0.0)
+      defect("a G0 under G93: nobody knows how long it takes"_text);
+    else if (inverseTime_ && !w['F'])
+      defect("a motion without F: under G93 each has its own"_text);
+    const TablePose last = pose_;
+    const bool allKnown = takePosition(w) && tilt_ && turn_;
+    if (!allKnown) {
+      if (extruding)
+        defect("material before X, Y, Z, B and C are all known"_text);
+      return false;
+    }
+    if (ours_ && !inverseTime_)
+      defect("a motion without G93: its F is no time"_text);
+    pose_ = {position_, {*tilt_, *turn_}};
+    const plan::NozzlePoint nozzle = nozzleAt(frame_, pose_);
+    m.position = nozzle.position;
+    m.direction = nozzle.direction;
+    m.durationS = placed_ ? secondsTo(last) : 0.0; // where it comes from first nobody knows
+    if (placed_)
+      m.way = wayOnPart(frame_, last, pose_);
+    placed_ = true;
+    poses_.push_back(pose_);
+    return true;
+  }
+
+  // Is the table wound back there: up, by whole turns, down again? How many motions that takes; 0:
+  // it is not.
+  std::size_t windingAt(std::size_t first) {
+    const auto differs = [&](std::size_t m, bool z, bool turn) {
+      const TablePose &a = poses_[m - 1], &b = poses_[m];
+      const double turns = (b.angles.turn - a.angles.turn) / (2.0 * base::kPi);
+      return !out_.program().motions[m].extruding && a.axesMm.head<2>() == b.axesMm.head<2>() &&
+             a.angles.tilt == b.angles.tilt && (a.axesMm.z() != b.axesMm.z()) == z &&
+             (turn ? std::abs(std::abs(turns) - 1.0) <= kSameTurn : turns == 0.0);
+    };
+    std::size_t m = first;
+    if (!differs(m, true, false) || poses_[m].axesMm.z() < poses_[m - 1].axesMm.z())
+      return 0;
+    while (m + 1 < poses_.size() && differs(m + 1, false, true))
+      ++m;
+    return m > first && m + 1 < poses_.size() && differs(m + 1, true, false) &&
+                   poses_[m + 1].axesMm.z() == poses_[first - 1].axesMm.z()
+               ? m + 2 - first
+               : 0;
+  }
+  void finish() override {
+    if (ours_ && inverseTime_ && !poses_.empty()) {
+      const plan::ProgramMotion& last = out_.program().motions.back();
+      out_.file = last.file;
+      out_.line = last.line + 1;
+      defect("G94 is missing behind the last motion: what runs next would take F for times"_text);
+    }
+    std::vector<plan::ProgramMotion>& motions = out_.program().motions;
+    for (std::size_t m = 1; m < poses_.size() && poses_.size() == motions.size();)
+      if (const std::size_t count = windingAt(m)) {
+        for (std::size_t k = 0; k < count; ++k)
+          motions[m++].aside = true;
+      } else {
+        ++m;
+      }
+  }
+
+  double secondsTo(const TablePose& last) const {
+    if (!(perS_ > 0.0))
+      return 0.0;
+    if (inverseTime_)
+      return 1.0 / perS_;
+    const double way = (pose_.axesMm - last.axesMm).norm();
+    const double turn =
+        std::hypot(pose_.angles.tilt - last.angles.tilt, pose_.angles.turn - last.angles.turn);
+    return (way > 0.0 ? way : base::radiansToDegrees(turn)) / perS_;
+  }
+
+  TableFrame frame_;
+  TablePose pose_;
+  std::vector<TablePose> poses_; // of each motion
+  double sense_ = 1.0;
+  double countedDeg_ = 0.0; // C's whole turns that were taken from its count
+  std::optional<double> tilt_, turn_;
+  bool inverseTime_ = false, placed_ = false;
+  bool ours_ = false; // Voluta's head stands above: every motion has its time
+};
+
+} // namespace
+
+plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
+                                 const process::Process& process, const base::RunContext& ctx) {
+  return TableReader("gcode-bc", process, ctx).read(files);
+}
+
+bool looksLikeTableGcode(std::string_view text) {
+  return kindOfGcode(text) == GcodeKind::Table;
+}
+
+} // namespace voluta::program

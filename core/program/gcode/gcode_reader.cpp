@@ -1,0 +1,237 @@
+#include "program/gcode/gcode_reader.h"
+
+#include "program/common/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace voluta::program {
+
+using enum plan::FactKind;
+
+namespace {
+// Commands of axes that a letter alone names (G28 X): homes, the bed, motors.
+bool namesAxes(GcodeWords& w) {
+  if (w['G'])
+    return *w['G'] == 28.0 || *w['G'] == 29.0;
+  return w['M'] && (*w['M'] == 17.0 || *w['M'] == 18.0 || *w['M'] == 84.0);
+}
+} // namespace
+
+GcodeReader::GcodeReader(std::string_view format, const process::Process& process,
+                         const base::RunContext& ctx)
+    : out_(format, process), process_(process), ctx_(ctx) {
+  out_.program().tellsPauses = true;
+}
+
+plan::ReadProgram GcodeReader::read(const std::vector<plan::ProgramFile>& files) {
+  out_.expectMotionsOf(files);
+  for (out_.file = 0; out_.file < files.size(); ++out_.file) {
+    LineReader lines(files[out_.file].text);
+    std::string_view line;
+    while (lines.next(line)) {
+      out_.line = lines.number();
+      if (out_.line % 4096 == 0)
+        ctx_.checkpoint();
+      readLine(line);
+    }
+  }
+  finish();
+  if (out_.file > 0)
+    --out_.file; // what is missing is missing at the end of the last file
+  const bool complete = cold_ && motorsOff_ && ended_;
+  if (!complete)
+    defect("the end sequence (M104 S0, M84, '; end') is missing: the file was cut short"_text);
+  return out_.take(complete);
+}
+
+void GcodeReader::readLine(std::string_view line) {
+  if (isEnd(trimmed(line))) {
+    ended_ = true;
+    return;
+  }
+  std::string_view code = line;
+  if (const std::size_t semicolon = code.find(';'); semicolon != std::string_view::npos) {
+    comment(code.substr(semicolon + 1));
+    code = code.substr(0, semicolon);
+  }
+  code = trimmed(code.substr(0, code.find('*'))); // a checksum is not looked at
+  if (code.empty())
+    return;
+  if (ended_)
+    defect("text behind the end"_text);
+  if (isMessage(code))
+    return;
+  GcodeWords words;
+  if (!wordsOf(code, words)) {
+    defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
+    return;
+  }
+  execute(words);
+}
+
+bool GcodeReader::isMessage(std::string_view code) const {
+  return code.starts_with("M117") || code.starts_with("M118");
+}
+
+void GcodeReader::comment(std::string_view text) {
+  text = trimmed(text);
+  note(text);
+  if (!text.starts_with(kDiameterNote))
+    return;
+  text.remove_prefix(kDiameterNote.size());
+  double diameter = 0.0;
+  if (!takeNumber(text, diameter) || diameter < 0.1 || diameter > 20.0)
+    defect("not a filament's diameter"_text);
+  else
+    filamentMm2_ = filamentArea(diameter);
+}
+
+void GcodeReader::execute(GcodeWords& w) {
+  w['N'].reset();
+  if (w['G'] && w['M']) {
+    defect("two commands in one line"_text);
+    return;
+  }
+  if (!w.bare.empty() && !namesAxes(w)) {
+    defect(base::message("the letter {letter} has no number"_text, w.bare));
+    return;
+  }
+  if (w['G'])
+    executeG(*w['G'], w);
+  else if (w['M'])
+    executeM(*w['M'], w);
+  else if (!w['T'])
+    defect("a line without a command"_text);
+  const bool limit = w['M'] && *w['M'] > 200.0 && *w['M'] < 206.0; // T: of travels
+  if (w['T'] && *w['T'] != 0.0 && !limit)
+    defect("another tool than the one that prints"_text);
+}
+
+void GcodeReader::executeG(double g, GcodeWords& w) {
+  if (g == 0.0 || g == 1.0)
+    motion(g, w);
+  else if (g == 4.0)
+    out_.pause(std::max(0.0, w['S'].value_or(0.0) + 1e-3 * w['P'].value_or(0.0)), 0.0);
+  else if (g == 92.0)
+    setPosition(w);
+  else if (g == 20.0)
+    defect("inches are not understood"_text);
+  else if (g == 91.0)
+    defect("relative positions are not understood"_text);
+  else if (!command(g) && !inTable('G', g))
+    defect("a G command that is not known to the reader"_text);
+  if (g == 21.0)
+    out_.state(Millimetres);
+  else if (g == 28.0)
+    out_.state(Home);
+  else if (g == 90.0)
+    out_.state(AbsolutePositions);
+}
+
+void GcodeReader::executeM(double m, GcodeWords& w) {
+  if (m == 82.0 || m == 83.0) {
+    relativeE_ = m == 83.0;
+    out_.state(FilamentCount);
+  } else if (m == 104.0 || m == 109.0) {
+    heat(m, w);
+  } else if (!inTable('M', m)) {
+    defect("an M command that is not known to the reader"_text);
+  }
+  // M1 stops where a switch says so; with P or S a stop ends by itself.
+  if (m == 0.0 || m == 1.0)
+    out_.state(OperatorStop, m == 0.0 && !w['P'] && !w['S'] ? 1.0 : 0.0);
+  if (m == 84.0 || m == 18.0)
+    motorsOff_ = true;
+}
+
+bool GcodeReader::inTable(char letter, double number) {
+  std::string word(1, letter);
+  appendFixed(word, std::clamp(number, -1e6, 1e6), 3, true);
+  return out_.word(ownWords(), word) || out_.word(gcodeWords(), word);
+}
+
+void GcodeReader::heat(double m, GcodeWords& w) {
+  const double celsius = w['S'] ? *w['S'] : w['R'].value_or(0.0);
+  const std::string_view word = m == 104.0 ? "M104" : "M109";
+  if (celsius == 0.0)
+    out_.wordAt(word, kBeforeMotion | kAtEnd);
+  else if (celsius != celsius_)
+    out_.wordAt(word, kAside);
+  if (const auto [least, most] = nozzleRange(process_.material);
+      celsius != 0.0 && !(celsius >= least && celsius <= most))
+    defect(base::message("{celsius} °C is no heat to print {material} with"_text,
+                         base::number(celsius), process_.material));
+  out_.state(NozzleHeat, celsius);
+  if (m == 109.0 && celsius > 0.0)
+    out_.state(NozzleHeatWait);
+  celsius_ = celsius;
+  cold_ = celsius == 0.0;
+}
+
+void GcodeReader::setPosition(GcodeWords& w) {
+  const auto isTarget = [&](char c) { return w[c] && isTargetWord(c); };
+  const bool turns = isTarget('A') || isTarget('B') || isTarget('C');
+  if (w.any("XYZ") || (turns && !setsCount(w)))
+    defect("a shifted origin is not understood"_text);
+  if (w['E'])
+    e_.set(*w['E']);
+}
+
+double GcodeReader::secondsOf(GcodeWords&, double filamentMm) {
+  return perS_ > 0.0 ? filamentMm / perS_ : 0.0;
+}
+
+void GcodeReader::motion(double g, GcodeWords& w) {
+  for (const char c : std::string_view("ABCDHIJKLOPQRSTUVW"))
+    if (w[c] && !isTargetWord(c)) {
+      defect(
+          base::message("a motion with a word {letter} is not understood"_text, std::string(1, c)));
+      return;
+    }
+  if (w['F']) {
+    if (!(*w['F'] > 0.0)) {
+      defect("a speed that is not above 0"_text);
+      return;
+    }
+    perS_ = *w['F'] / 60.0;
+  }
+  double pushedMm = 0.0, filamentMm = 0.0;
+  if (w['E']) {
+    const double before = e_.mm();
+    pushedMm = e_.to(relativeE_ ? before + *w['E'] : *w['E']);
+    filamentMm = std::abs(e_.mm() - before);
+    if (e_.drawnBackMm() > kMostDrawnBackMm && e_.mm() < before)
+      defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
+                           base::mm(e_.drawnBackMm())));
+  }
+  const bool moves = w.any("XYZ") || movesBeside(w);
+  // Before the first target material is pushed out at home (prime); later it would be a blob.
+  if (!moves && (pushedMm == 0.0 || out_.program().motions.empty())) {
+    out_.pause(secondsOf(w, filamentMm), pushedMm * filamentMm2_, filamentMm - pushedMm);
+    return;
+  }
+  plan::ProgramMotion m;
+  m.target = plan::TargetKind::ToolPoint;
+  m.volumeMm3 = pushedMm * filamentMm2_;
+  m.extruding = pushedMm > 0.0;
+  if (!target(w, g, m.extruding, m))
+    return;
+  if (perS_ == 0.0)
+    defect("a motion before any speed (F)"_text);
+  out_.motion(std::move(m));
+  cold_ = motorsOff_ = ended_ = false;
+}
+
+bool GcodeReader::takePosition(GcodeWords& w) {
+  for (const char c : {'X', 'Y', 'Z'})
+    if (w[c]) {
+      const auto k = static_cast<std::size_t>(c - 'X');
+      position_[static_cast<Eigen::Index>(k)] = *w[c];
+      known_[k] = true;
+    }
+  return known_[0] && known_[1] && known_[2];
+}
+
+} // namespace voluta::program

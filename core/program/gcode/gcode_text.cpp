@@ -1,0 +1,169 @@
+#include "program/gcode/gcode_text.h"
+
+#include "base/units.h"
+#include "program/common/motion_targets.h"
+#include "program/common/text.h"
+#include "program/common/walk.h"
+#include "program/job_head.h"
+#include "program/stream/joint_pieces.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voluta::program {
+
+namespace {
+class StraightWriter : private ProgramEmitter {
+public:
+  StraightWriter(const StraightGcode& kind, const ProgramInput& input, const base::RunContext& ctx)
+      : kind_(kind), in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)) {
+    program_.format = kind.format;
+    program_.foreign = input.foreign;
+  }
+
+  plan::Program write() {
+    walkTrajectory(in_, {kind_.format, cutsOf(in_, 0)}, *this, ctx_);
+    return std::move(program_);
+  }
+
+private:
+  void beginFile(std::size_t) override {
+    text_.out.reserve(targets_.size() * 90 + 1024);
+    text_.head(in_, kind_.title, kind_.question, kind_.notes);
+  }
+  void endFile(std::size_t) override {
+    text_.end();
+    program_.files.push_back(
+        {joined({identifierOf(in_.name), ".", kind_.extension}), std::move(text_.out)});
+  }
+
+  void remark(std::string_view text) override { text_.remark(text); }
+  void retract(double filamentMm) override { text_.retract(filamentMm, 60.0 * kDrawnMmPerS); }
+  // The nozzle's way is not a straight one: it is said in pieces.
+  void jointMotion(std::size_t i) override {
+    const int pieces = i == 0 ? 1 : jointPieces(in_, i);
+    for (int k = 1; k < pieces; ++k)
+      line("G0", jointPiece(in_, i, static_cast<double>(k) / pieces),
+           motionSeconds(in_.trajectory, i) / pieces);
+    motion(i, pieces);
+  }
+  void straightMotion(std::size_t i, bool) override { motion(i); }
+
+  void motion(std::size_t i, int pieces = 1) {
+    const std::optional<double> filamentMm = GcodeText::filamentMm(in_.trajectory, i);
+    line(filamentMm ? "G1" : "G0", targets_[i], motionSeconds(in_.trajectory, i) / pieces,
+         filamentMm);
+  }
+
+  // In `s` seconds from the last one; 0: untimed.
+  void line(std::string_view command, const MotionTarget& target, double s,
+            std::optional<double> filamentMm = std::nullopt) {
+    Eigen::Vector3d tip;
+    for (int k = 0; k < 3; ++k)
+      tip[k] = roundedTo(target.tipMm[k], kPositionDecimals);
+    text_.out += command;
+    text_.word(" X", tip.x(), kPositionDecimals);
+    text_.word(" Y", tip.y(), kPositionDecimals);
+    text_.word(" Z", tip.z(), kPositionDecimals);
+    if (kind_.directions) {
+      text_.word(" nX", target.direction.x(), kDirectionDecimals);
+      text_.word(" nY", target.direction.y(), kDirectionDecimals);
+      text_.word(" nZ", target.direction.z(), kDirectionDecimals);
+    }
+    if (filamentMm)
+      text_.amount(*filamentMm);
+    // The speed between the targets as written, so that rounding doesn't become speed.
+    const double length = (tip - lastTip_).norm();
+    double speed = s > 0.0 ? length / s : 0.0;
+    if (speed < 1e-3) // on the spot, or untimed
+      speed = in_.process.travelSpeedMmPerS;
+    text_.word(" F", speed * 60.0, 3, true);
+    text_.out += '\n';
+    lastTip_ = tip;
+  }
+
+  const StraightGcode& kind_;
+  const ProgramInput& in_;
+  const base::RunContext& ctx_;
+  std::vector<MotionTarget> targets_;
+  plan::Program program_;
+  GcodeText text_;
+  Eigen::Vector3d lastTip_ = Eigen::Vector3d::Zero();
+};
+
+} // namespace
+
+void GcodeText::word(std::string_view letters, double value, int decimals, bool trim) {
+  out += letters;
+  appendFixed(out, value, decimals, trim);
+}
+
+void GcodeText::line(std::string_view text) {
+  out += text;
+  out += '\n';
+}
+
+void GcodeText::amount(double filamentMm) {
+  word(" E", filamentMm, kFilamentDecimals);
+  lastMm_ = filamentMm;
+}
+
+void GcodeText::retract(double filamentMm, double f) {
+  word("G1 E", lastMm_ + std::min(0.0, filamentMm), kFilamentDecimals);
+  word(" F", f, 3, true);
+  out += '\n';
+}
+
+void GcodeText::remark(std::string_view text) {
+  out += joined({"; ", text, "\n"});
+}
+
+void GcodeText::head(const ProgramInput& input, std::string_view title, std::string_view question,
+                     const std::vector<std::string>& notes) {
+  const process::Process& p = input.process;
+  remark(title);
+  for (const std::string& head : headLines(input))
+    remark(head);
+  if (input.foreign)
+    remark("FOREIGN: not the language of the cell's controller");
+  for (const std::string& note : notes)
+    remark(note);
+  out += "; ";
+  out += kDiameterNote;
+  word("", kFilamentDiameterMm, 3, true);
+  out += " mm\nG21\nG90\nM82\n";
+  out += joined({"M117 ", question, "\nM0\n"});
+  const std::optional<int> celsius = nozzleCelsius(p.material);
+  if (celsius)
+    out += joined(
+        {"M104 S", std::to_string(*celsius), " ; assumed for ", plainText(p.material), "\n"});
+  out += "G28\n";
+  if (celsius)
+    out += joined({"M109 S", std::to_string(*celsius), "\n"});
+  out += "G92 E0\n";
+  if (primesStanding(input)) {
+    const double mmPerS = primeFlowMm3PerS(p) / filamentArea();
+    word("G1 E", mmPerS * p.primeS, kFilamentDecimals, true);
+    word(" F", mmPerS * 60.0, 3, true);
+    out += " ; prime\nG92 E0\n";
+  }
+}
+
+void GcodeText::end() {
+  line("M104 S0");
+  line("M84");
+  line(kGcodeEnd);
+}
+
+std::optional<double> GcodeText::filamentMm(const plan::Trajectory& trajectory, std::size_t point) {
+  if (!isPrint(trajectory, point))
+    return std::nullopt;
+  return trajectory.extrudedMm3[point] / filamentArea();
+}
+
+plan::Program writeStraightGcode(const StraightGcode& kind, const ProgramInput& input,
+                                 const base::RunContext& ctx) {
+  return StraightWriter(kind, input, ctx).write();
+}
+
+} // namespace voluta::program

@@ -1,0 +1,243 @@
+#include "program/gcode/tilting_table.h"
+
+#include "geometry/directions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace voluta::program {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTurn = 2.0 * base::kPi;
+// A table that turns while it prints lays a bead that is less sure than one that turns in a travel.
+constexpr double kPrintWeight = 10.0;
+constexpr int kMostPieces = 1024;
+constexpr double kWayMm = 0.005, kWayRad = 0.002;
+
+Vector3d aboutZ(double angle, const Vector3d& p) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z()};
+}
+Vector3d aboutY(double angle, const Vector3d& p) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * p.x() + s * p.z(), p.y(), -s * p.x() + c * p.z()};
+}
+
+Vector3d directionOf(const TableAngles& angles) {
+  return aboutZ(-angles.turn, aboutY(-angles.tilt, Vector3d::UnitZ()));
+}
+
+TablePose between(const TablePose& from, const TablePose& to, double share) {
+  return {from.axesMm + share * (to.axesMm - from.axesMm),
+          {from.angles.tilt + share * (to.angles.tilt - from.angles.tilt),
+           from.angles.turn + share * (to.angles.turn - from.angles.turn)}};
+}
+
+double offLine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const Vector3d way = b - a;
+  const double squared = way.squaredNorm();
+  const double t = squared > 0.0 ? std::clamp((p - a).dot(way) / squared, 0.0, 1.0) : 0.0;
+  return (a + t * way - p).norm();
+}
+
+double nearestTurn(double angle, double to) {
+  return angle + kTurn * std::round((to - angle) / kTurn);
+}
+
+// The two ways to stand (Viterbi's walk over them).
+class Ways {
+public:
+  explicit Ways(std::span<const TableStation> stations) : stations_(stations) {}
+
+  std::vector<TableAngles> best() {
+    const std::size_t n = stations_.size();
+    at_.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t way = 0; way < 2; ++way)
+        at_[i][way] = i == 0 ? Standing{own(0, way, 0.0), 0.0, way} : reached(i, way);
+    std::vector<TableAngles> angles(n);
+    std::size_t way = n > 0 && at_[n - 1][1].cost < at_[n - 1][0].cost ? 1 : 0;
+    for (std::size_t i = n; i-- > 0; way = at_[i][way].from)
+      angles[i] = at_[i][way].angles;
+    return angles;
+  }
+
+private:
+  struct Standing {
+    TableAngles angles;
+    double cost = 0.0;
+    std::size_t from = 0;
+  };
+
+  TableAngles own(std::size_t i, std::size_t way, double turnNow) const {
+    const Vector3d& n = stations_[i].direction;
+    const double tilt = std::atan2(std::hypot(n.x(), n.y()), n.z());
+    if (tilt <= kFlatRad)
+      return {0.0, turnNow};
+    const double turn = -std::atan2(n.y(), n.x());
+    return way == 0 ? TableAngles{-tilt, nearestTurn(turn, turnNow)}
+                    : TableAngles{tilt, nearestTurn(turn + base::kPi, turnNow)};
+  }
+
+  // Does the nozzle stay near the turn from one direction to the other where the angles go evenly?
+  // Elsewhere than about the normal a change of the way to stand leads through it.
+  static bool staysNear(const TableAngles& from, const TableAngles& to) {
+    constexpr double kSlackRad = 0.005;
+    const Vector3d a = directionOf(from), b = directionOf(to),
+                   middle = directionOf({0.5 * (from.tilt + to.tilt), 0.5 * (from.turn + to.turn)});
+    return geometry::angleBetween(a, middle) + geometry::angleBetween(middle, b) <=
+           2.0 * geometry::angleBetween(a, b) + kSlackRad;
+  }
+
+  Standing reached(std::size_t i, std::size_t way) const {
+    const double weight = stations_[i].prints ? kPrintWeight : 1.0;
+    Standing best;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::size_t from = k == 0 ? way : 1 - way; // the same where it costs no more
+      const Standing& last = at_[i - 1][from];
+      const TableAngles angles = own(i, way, last.angles.turn);
+      const double cost = last.cost + weight * (std::abs(angles.tilt - last.angles.tilt) +
+                                                std::abs(angles.turn - last.angles.turn));
+      if (k == 0 || (cost < best.cost && staysNear(last.angles, angles)))
+        best = {angles, cost, from};
+    }
+    return best;
+  }
+
+  std::span<const TableStation> stations_;
+  std::vector<std::array<Standing, 2>> at_;
+};
+
+// Stations [first, end) are flat; from there to `end`, where there is one, the turn is to change.
+void turnWhileFree(std::span<const TableStation> stations, std::vector<TableAngles>& angles,
+                   std::size_t first, std::size_t end) {
+  if (end == stations.size())
+    return;
+  const double to = angles[end].turn;
+  if (first == 0) {
+    for (std::size_t i = 0; i < end; ++i)
+      angles[i].turn = to;
+    return;
+  }
+  // Motions to stations [begin, last) take the turn: the last travel, else all.
+  std::size_t last = end + 1;
+  while (last > first && stations[last - 1].prints)
+    --last;
+  std::size_t begin = last;
+  double seconds = 0.0;
+  while (begin > first && !stations[begin - 1].prints)
+    seconds += stations[--begin].seconds;
+  if (!(seconds > 0.0)) {
+    begin = first;
+    last = end + 1;
+    for (std::size_t i = begin; i < last; ++i)
+      seconds += stations[i].seconds;
+  }
+  const double from = angles[first].turn;
+  double passed = 0.0;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i < last)
+      passed += stations[i].seconds;
+    angles[i].turn = from + (seconds > 0.0 ? passed / seconds : 0.0) * (to - from);
+  }
+}
+
+} // namespace
+
+TablePose tablePose(const TableFrame& frame, const Vector3d& tip, TableAngles angles) {
+  const Vector3d centre(frame.xMm, 0.0, frame.zMm);
+  return {aboutY(angles.tilt, aboutZ(angles.turn, tip) + centre) - centre, angles};
+}
+
+plan::NozzlePoint nozzleAt(const TableFrame& frame, const TablePose& pose) {
+  const Vector3d centre(frame.xMm, 0.0, frame.zMm);
+  return {aboutZ(-pose.angles.turn, aboutY(-pose.angles.tilt, pose.axesMm + centre) - centre),
+          directionOf(pose.angles).normalized()};
+}
+
+std::vector<TableAngles> tableAngles(std::span<const TableStation> stations) {
+  std::vector<TableAngles> angles = Ways(stations).best();
+  for (std::size_t i = 0; i < angles.size();) {
+    std::size_t end = i;
+    while (end < angles.size() && angles[end].tilt == 0.0)
+      ++end;
+    if (end > i)
+      turnWhileFree(stations, angles, i, end);
+    i = end + 1;
+  }
+  return angles;
+}
+
+double sagMm(const TableFrame& frame, const TablePose& from, const TablePose& to) {
+  const double turns = std::max(std::abs(to.angles.turn - from.angles.turn),
+                                std::abs(to.angles.tilt - from.angles.tilt));
+  if (turns == 0.0)
+    return 0.0;
+  const int samples = 8 * static_cast<int>(std::clamp(std::ceil(2.0 * turns), 1.0, 64.0));
+  const Vector3d a = nozzleAt(frame, from).position, b = nozzleAt(frame, to).position;
+  double most = 0.0;
+  for (int k = 1; k < samples; ++k)
+    most = std::max(
+        most, offLine(nozzleAt(frame, between(from, to, static_cast<double>(k) / samples)).position,
+                      a, b));
+  return most;
+}
+
+TablePose tablePiece(const TableFrame& frame, const TablePose& from, const TablePose& to,
+                     double share) {
+  const Vector3d a = nozzleAt(frame, from).position, b = nozzleAt(frame, to).position;
+  return tablePose(frame, a + share * (b - a), between(from, to, share).angles);
+}
+
+int tablePieces(const TableFrame& frame, const TablePose& from, const TablePose& to,
+                double mostMm) {
+  const auto fits = [&](int pieces) {
+    TablePose last = from;
+    for (int k = 1; k <= pieces; ++k) {
+      const TablePose next =
+          k == pieces ? to : tablePiece(frame, from, to, static_cast<double>(k) / pieces);
+      if (sagMm(frame, last, next) > mostMm)
+        return false;
+      last = next;
+    }
+    return true;
+  };
+  int pieces = 1;
+  while (pieces < kMostPieces && !fits(pieces))
+    pieces *= 2;
+  return pieces;
+}
+
+std::vector<plan::NozzlePoint> wayOnPart(const TableFrame& frame, const TablePose& from,
+                                         const TablePose& to) {
+  if (from.angles.tilt == to.angles.tilt && from.angles.turn == to.angles.turn)
+    return {};
+  const auto at = [&](double share) { return nozzleAt(frame, between(from, to, share)); };
+  const auto fits = [&](int pieces) {
+    plan::NozzlePoint last = at(0.0);
+    for (int k = 1; k <= pieces; ++k) {
+      const plan::NozzlePoint next = at(static_cast<double>(k) / pieces),
+                              middle = at((k - 0.5) / pieces);
+      if ((0.5 * (last.position + next.position) - middle.position).norm() > kWayMm ||
+          geometry::angleBetween(last.direction + next.direction, middle.direction) > kWayRad)
+        return false;
+      last = next;
+    }
+    return true;
+  };
+  int pieces = 2;
+  while (pieces < kMostPieces && !fits(pieces))
+    pieces *= 2;
+  std::vector<plan::NozzlePoint> way;
+  way.reserve(static_cast<std::size_t>(pieces - 1));
+  for (int k = 1; k < pieces; ++k)
+    way.push_back(at(static_cast<double>(k) / pieces));
+  return way;
+}
+
+} // namespace voluta::program

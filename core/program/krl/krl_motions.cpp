@@ -1,0 +1,77 @@
+#include "program/krl/krl_motions.h"
+
+#include "base/units.h"
+#include "program/common/euler_angles.h"
+#include "program/krl/krl.h"
+#include "program/krl/krl_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::program {
+
+namespace {
+constexpr double kTurnDegPerS = 200.0; // at least
+constexpr double kLeastTurnDegPerS = 0.5;
+constexpr double kStartPercent = 10.0;
+constexpr double kLeastMmPerS = 1.0; // of $VEL.CP
+constexpr double kLeastBlendMm = 1e-4;
+} // namespace
+
+KrlMotions::KrlMotions(const ProgramInput& input, const base::RunContext& ctx)
+    : in_(input), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
+      turnLimit_(kTurnDegPerS) {
+  placeInWorkFrame(in_, kKrlMmDecimals, targets_);
+  findTurnLimit();
+}
+
+Eigen::Vector3d KrlMotions::degrees(std::size_t i) const {
+  return zyxDegrees(targets_[i].tcpTurn);
+}
+
+double KrlMotions::turnDegPerS(std::size_t i) const {
+  const double s = motions_.seconds(i);
+  return s > 0.0 ? base::radiansToDegrees(
+                       targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn)) /
+                       s
+                 : 0.0;
+}
+
+// The TCP hardly moves, and how fast it turns says how long the motion takes.
+bool KrlMotions::goesByTurn(std::size_t i) const {
+  return motions_.needsTime(i) && turnDegPerS(i) > kLeastTurnDegPerS;
+}
+
+void KrlMotions::findTurnLimit() {
+  for (std::size_t i = 1; i < targets_.size(); ++i)
+    if (in_.trajectory.move[i] != plan::MoveKind::Joint && !goesByTurn(i)) {
+      turnLimit_ = std::max(turnLimit_, std::ceil(1.05 * turnDegPerS(i)));
+      slow_ += motions_.seconds(i) > 0.0 && motions_.speedMmPerS(i) < kLeastMmPerS ? 1 : 0;
+    }
+}
+
+double KrlMotions::mmPerS(std::size_t i) const {
+  const double mmPerS = motions_.speedMmPerS(i);
+  return goesByTurn(i) || !(mmPerS > 0.0) ? std::max(in_.process.travelSpeedMmPerS, 2.0 * mmPerS)
+                                          : mmPerS;
+}
+
+double KrlMotions::degPerS(std::size_t i) const {
+  return goesByTurn(i) ? turnDegPerS(i) : turnLimit_;
+}
+
+double KrlMotions::blendMm(std::size_t i) const {
+  const double blend = motions_.blendMm(i);
+  return blend < kLeastBlendMm ? 0.0 : blend;
+}
+
+double KrlMotions::jointPercent(std::size_t i) const {
+  const double s = motionSeconds(in_.trajectory, i);
+  if (!(s > 0.0))
+    return kStartPercent;
+  return std::clamp(
+      std::round(100.0 * base::radiansToDegrees(leadingJointRad(in_, i)) / s / kKrlPtpDegPerS), 1.0,
+      100.0);
+}
+
+} // namespace voluta::program

@@ -1,0 +1,75 @@
+// Variables, aggregates and frames of KRL.
+#pragma once
+
+#include "base/text.h"
+#include "program/common/line_cursor.h"
+#include "program/common/procedures.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::program {
+
+inline constexpr LineSyntax kKrlSyntax{';', '$'};
+
+// DEF NAME ( ) and END; `name` in small letters, empty where it is not the head of a procedure that
+// is read.
+LinePart krlPart(LineCursor line, std::string& name);
+// A defect each: a module, but for the first, that is not called as its first procedure, which a
+// controller would not find.
+void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder& out);
+
+// A variable's name with its index and parts, in small letters: "$vel.cp", "$out[1]", "p1".
+bool takeKrlPath(LineCursor& line, std::string& path);
+
+// The parts of a value by their paths within it: {X 1,B {Y 2}} is "x" and "b.y"; of a number "". A
+// truth is 0 or 1.
+struct KrlValue {
+  std::map<std::string, double, std::less<>> numbers;
+  std::map<std::string, std::string, std::less<>> words; // #BASE: "base"
+};
+
+// One of them; nothing: the value has no such part.
+std::optional<double> krlNumber(const KrlValue& value, std::string_view path);
+
+inline constexpr std::array<std::string_view, 6> kKrlPose = {"x", "y", "z", "a", "b", "c"};
+inline constexpr std::array<std::string_view, 6> kKrlAxes = {"a1", "a2", "a3", "a4", "a5", "a6"};
+inline constexpr std::array<std::string_view, 6> kKrlExternal = {"e1", "e2", "e3",
+                                                                 "e4", "e5", "e6"};
+
+class KrlVariables {
+public:
+  KrlVariables();
+
+  // Anything that may be assigned: an aggregate, a sum, a truth, a word, a string, another variable
+  // as a whole. false: it is none of them.
+  bool takeValue(LineCursor& line, KrlValue& value) const;
+  bool takeNumber(LineCursor& line, double& value) const;
+  // What is given in `value` becomes that of the variable.
+  void set(const std::string& path, const KrlValue& value);
+  void set(const std::string& path, double value);
+  void erase(const std::string& path);
+
+  std::optional<double> number(std::string_view path) const;
+  std::string_view word(std::string_view path) const; // empty: none
+  // All that is known below a variable.
+  KrlValue below(const std::string& path) const;
+
+private:
+  bool takeAggregate(LineCursor& line, const std::string& within, KrlValue& value, int depth) const;
+  bool takePart(LineCursor& line, const std::string& within, KrlValue& value, int depth) const;
+
+  KrlValue all_;
+};
+
+// The frame of X, Y, Z, mm, and A, B, C, degrees. Nothing: it is out of any reach.
+std::optional<Eigen::Isometry3d> krlPose(const Eigen::Vector3d& mm, const Eigen::Vector3d& degrees);
+// Likewise of {X,Y,Z,A,B,C}. Nothing: a part is missing, too.
+std::optional<Eigen::Isometry3d> krlFrame(const KrlValue& value);
+
+} // namespace voluta::program

@@ -1,0 +1,521 @@
+#include "base/units.h"
+#include "program/common/text.h"
+#include "program/melfa/melfa.h"
+#include "program/melfa/melfa_text.h"
+#include "program/melfa/melfa_values.h"
+#include "program/program_builder.h"
+#include "program/rapid/rapid_tokens.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace voluta::program {
+
+namespace {
+
+constexpr std::size_t kMostDepth = 8;
+constexpr double kMostJointDeg = 5000.0, kMostMmPerS = 1e5, kMostSeconds = 1e6;
+constexpr int kWorkCoordinates = 8, kOutputsOfWord = 16;
+
+class MelfaReader {
+public:
+  MelfaReader(const std::vector<plan::ProgramFile>& files, const process::Process& process,
+              const base::RunContext& ctx)
+      : files_(files), ctx_(ctx), out_("melfa", process) {}
+
+  plan::ReadProgram read() {
+    for (out_.file = 0; out_.file < files_.size(); ++out_.file)
+      texts_.push_back(melfaText(files_[out_.file].text, out_, ctx_));
+    ran_.assign(files_.size(), false);
+    bool complete = !files_.empty() && runFile(0);
+    for (std::size_t f = 0; f < texts_.size(); ++f) {
+      out_.file = f;
+      out_.line = texts_[f].lastLine;
+      if (!ran_[f])
+        out_.defect("no program calls this file"_text);
+      complete = complete && ran_[f];
+    }
+    complete = complete && !missing_;
+    if (nozzle_)
+      seeFromHeldWork(out_.program(), *nozzle_);
+    return out_.take(complete);
+  }
+
+private:
+  void defect(base::Message reason) { out_.defect(std::move(reason)); }
+  void notUnderstood(std::string_view code) {
+    defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
+  }
+
+  // Values that are listed behind the program. They hold from its beginning.
+  void takeValues(const MelfaText& text) {
+    bool behind = false;
+    for (const MelfaStep& step : text.steps) {
+      out_.line = step.line;
+      if (behind)
+        assign(step.code);
+      behind = behind || sameWord(step.code, "end");
+    }
+  }
+
+  bool runFile(std::size_t file) {
+    const MelfaText& text = texts_[file];
+    const std::size_t fromFile = std::exchange(out_.file, file), fromLine = out_.line;
+    ran_[file] = true;
+    variables_.clear();
+    out_.beginOutputs();
+    continuous_ = false;
+    mmPerS_ = 0.0;
+    override_ = jointOverride_ = 100.0;
+    toolSet_ = false;
+    takeValues(text);
+    const std::size_t motions = out_.program().motions.size();
+    bool sound = runFrom(0, 0);
+    stop();
+    if (!sound) {
+      out_.line = text.lastLine;
+      defect("the program has no End"_text);
+    }
+    if (out_.program().motions.size() > motions && !out_.outputsEnded()) {
+      defect("the extruder is not set off behind the last motion"_text);
+      sound = false;
+    }
+    out_.file = fromFile;
+    out_.line = fromLine;
+    return sound;
+  }
+
+  // To the End, or to the Return of a subroutine (depth > 0). false: neither is there.
+  bool runFrom(std::size_t at, std::size_t depth) {
+    const MelfaText& text = texts_[out_.file];
+    for (; at < text.steps.size(); ++at) {
+      out_.line = text.steps[at].line;
+      if (at % 4096 == 0)
+        ctx_.checkpoint();
+      std::string_view rest = text.steps[at].code;
+      while (!rest.empty()) {
+        const std::string_view code = takeMelfaStatement(rest);
+        if (sameWord(code, "end"))
+          return true;
+        if (depth > 0 && sameWord(code, "return"))
+          return true;
+        if (!code.empty())
+          statement(code, depth);
+      }
+    }
+    return false;
+  }
+
+  void statement(std::string_view code, std::size_t depth) {
+    if (code.front() == '*')
+      return;
+    MelfaScanner scanner(code, variables_);
+    const std::string word = inSmallLetters(scanner.name());
+    if (word == "mov" || word == "mvs" || word == "emvs")
+      motion(word, scanner, code);
+    else if (word == "spd" || word == "ovrd" || word == "jovrd")
+      speed(word, scanner);
+    else if (word == "accel")
+      acceleration(scanner);
+    else if (word == "cnt")
+      continuous(scanner);
+    else if (word == "tool")
+      tool(scanner);
+    else if (word == "base")
+      base(scanner);
+    else if (word == "dly")
+      delay(scanner);
+    else if (word == "gosub")
+      subroutine(scanner, depth);
+    else if (word == "callp")
+      call(scanner, depth);
+    else if (word == "def")
+      definition(scanner);
+    else if (assign(code))
+      return;
+    else if (!out_.word(melfaWords(), word))
+      unknown(word, code);
+    else if (word == "hlt")
+      out_.state(plan::FactKind::OperatorStop, 1.0);
+  }
+  void unknown(std::string_view word, std::string_view code) {
+    if (word.empty() || code.find('=') != std::string_view::npos)
+      notUnderstood(code);
+    else
+      defect(base::message("'{name}' is not known to the reader"_text, word.substr(0, 40)));
+  }
+
+  // Names of variables; what they are called by says of which type they are.
+  void definition(MelfaScanner& scanner) {
+    const std::string kind = inSmallLetters(scanner.name());
+    for (const char* known : {"pos", "jnt", "inte", "long", "float", "double", "char"})
+      if (kind == known)
+        return;
+    defect(base::message("'{name}' is not known to the reader"_text, "Def " + kind.substr(0, 30)));
+  }
+
+  // name = value, and what outputs and work coordinates are set to. false: none of these, or not
+  // understood.
+  bool assign(std::string_view code) {
+    MelfaScanner scanner(code, variables_);
+    const std::string name = scanner.variableName();
+    if (name.empty())
+      return false;
+    if (name.starts_with("m_out") || name == "p_wkcord")
+      return indexed(name, scanner);
+    if (name.starts_with("m_") || name.starts_with("p_") || name.starts_with("c_") ||
+        name.starts_with("j_"))
+      return false;
+    std::string_view part;
+    if (scanner.take('.'))
+      part = scanner.name();
+    ScriptValue value;
+    if (!scanner.take('=') || !scanner.value(value) || !scanner.ended())
+      return false;
+    if (!part.empty()) {
+      const auto known = variables_.find(name);
+      return known != variables_.end() && value.kind == ScriptKind::Number &&
+             setMelfaPart(known->second, part, value.number);
+    }
+    const bool list = name.front() == 'p' || name.front() == 'j';
+    if (list != (value.kind == ScriptKind::List))
+      return false;
+    variables_.insert_or_assign(name, std::move(value));
+    return true;
+  }
+
+  bool indexed(const std::string& name, MelfaScanner& scanner) {
+    double index = 0.0;
+    ScriptValue value;
+    if (!scanner.take('(') || !scanner.number(index) || !scanner.take(')') || !scanner.take('=') ||
+        !scanner.value(value) || !scanner.ended() || index != std::floor(index) || index < 0.0)
+      return false;
+    if (name == "p_wkcord")
+      return workCoordinates(index, value);
+    if (value.kind != ScriptKind::Number)
+      return false;
+    output(name, index, value.number);
+    return true;
+  }
+  bool workCoordinates(double index, const ScriptValue& value) {
+    const auto pose = melfaPose(value);
+    if (!pose || index < 1.0 || index > kWorkCoordinates)
+      return false;
+    work_[static_cast<std::size_t>(index) - 1] = *pose;
+    workAt_[static_cast<std::size_t>(index) - 1] = {out_.file, out_.line};
+    return true;
+  }
+  void output(std::string_view name, double first, double value) {
+    const double count = name == "m_out"                         ? 1.0
+                         : name == "m_outb" || name == "m_out8"  ? 8.0
+                         : name == "m_outw" || name == "m_out16" ? 16.0
+                                                                 : 32.0;
+    const auto touches = [&](double from, double many) {
+      return first < from + many && from < first + count;
+    };
+    if (name == "m_out" && first == kMelfaExtruder) {
+      if (value != 0.0 && value != 1.0)
+        defect("an output is 0 or 1"_text);
+      else
+        out_.turn(value > 0.0);
+    } else if (count == kOutputsOfWord && first == kMelfaFlow) {
+      if (value < 0.0 || value > kMelfaFullFlow || value != std::floor(value))
+        defect(base::message("a flow that is no whole number from 0 to {most}"_text,
+                             base::number(kMelfaFullFlow)));
+      else
+        out_.flow(value / kMelfaFullFlow);
+    } else if (touches(kMelfaExtruder, 1) || touches(kMelfaFlow, kOutputsOfWord)) {
+      defect("an output of the extruder's among others"_text);
+    } else {
+      out_.wordAt(name, kAside);
+    }
+  }
+
+  std::optional<double> numberIn(MelfaScanner& scanner, double least, double most) {
+    double value = 0.0;
+    if (!scanner.number(value) || !(value >= least) || value > most)
+      return std::nullopt;
+    return value;
+  }
+
+  void speed(std::string_view word, MelfaScanner& scanner) {
+    const bool way = word == "spd";
+    const auto value = numberIn(scanner, way ? 1e-6 : 1.0, way ? kMostMmPerS : 100.0);
+    if (!value || !scanner.ended()) {
+      defect(base::message("'{name}' without a sensible value"_text, word));
+      return;
+    }
+    (way ? mmPerS_ : word == "ovrd" ? override_ : jointOverride_) = *value;
+  }
+
+  void acceleration(MelfaScanner& scanner) {
+    for (bool more = !scanner.ended(); more; more = scanner.take(','))
+      if (const auto value = numberIn(scanner, 0.0, 1000.0); !value || *value != 100.0) {
+        defect("accelerations other than the arm's own"_text);
+        return;
+      }
+    if (!scanner.ended())
+      defect("accelerations other than the arm's own"_text);
+  }
+
+  void stop() {
+    if (continuous_ && !out_.program().motions.empty())
+      out_.program().motions.back().blendMm = 0.0;
+    continuous_ = false;
+  }
+  void continuous(MelfaScanner& scanner) {
+    const auto on = numberIn(scanner, 0.0, 1.0);
+    std::optional<double> start, end;
+    if (scanner.take(','))
+      start = numberIn(scanner, 0.0, kMostMmPerS);
+    if (scanner.take(','))
+      end = numberIn(scanner, 0.0, kMostMmPerS);
+    if (!on || *on != std::floor(*on) || !scanner.ended()) {
+      defect("'Cnt' is 0, or 1 with two distances"_text);
+      return;
+    }
+    if (*on == 0.0)
+      stop();
+    continuous_ = *on == 1.0;
+    blendMm_ = end ? end : start;
+    if (continuous_ && !blendMm_)
+      out_.state(plan::FactKind::OpenRounding);
+  }
+
+  // A frame in the robot's base or on its flange.
+  std::optional<Eigen::Isometry3d> poseIn(MelfaScanner& scanner) {
+    ScriptValue value;
+    if (!scanner.value(value))
+      return std::nullopt;
+    return melfaPose(value);
+  }
+  void tool(MelfaScanner& scanner) {
+    const auto pose = poseIn(scanner);
+    if (!pose || !scanner.ended()) {
+      defect("a tool is a position"_text);
+      return;
+    }
+    Eigen::Isometry3d& known = out_.program().flange_T_tcp;
+    if (everSet_ && !pose->isApprox(known, 1e-9))
+      defect("a second, different TCP"_text);
+    known = *pose;
+    toolSet_ = everSet_ = true;
+  }
+  void base(MelfaScanner& scanner) {
+    const auto pose = poseIn(scanner);
+    if (!pose || !scanner.ended() || !pose->isApprox(Eigen::Isometry3d::Identity(), 1e-9))
+      defect("a base other than the robot's own: write positions in that"_text);
+    else
+      out_.state(plan::FactKind::TargetFrame);
+  }
+
+  void delay(MelfaScanner& scanner) {
+    const auto seconds = numberIn(scanner, 0.0, kMostSeconds);
+    if (!seconds || !scanner.ended())
+      defect("'Dly' needs its seconds"_text);
+    else
+      out_.pauseByOutputs(*seconds);
+  }
+
+  void subroutine(MelfaScanner& scanner, std::size_t depth) {
+    const std::string label = scanner.take('*') ? inSmallLetters(scanner.name()) : "";
+    const auto at = texts_[out_.file].labels.find(label);
+    if (at == texts_[out_.file].labels.end() || !scanner.ended() || depth >= kMostDepth) {
+      defect(base::message("'{name}' is called as it cannot be"_text, label));
+      return;
+    }
+    const std::size_t line = out_.line;
+    const bool back = runFrom(at->second + 1, depth + 1);
+    out_.line = line;
+    if (!back)
+      defect(base::message("'{name}' is called as it cannot be"_text, label));
+  }
+
+  void call(MelfaScanner& scanner, std::size_t depth) {
+    ScriptValue name;
+    if (!scanner.value(name) || name.kind != ScriptKind::Text || !scanner.ended() || depth > 0 ||
+        out_.file != 0) {
+      defect("a call of another program that cannot be followed"_text);
+      return;
+    }
+    const std::string file = inSmallLetters(name.text) + ".prg";
+    for (std::size_t f = 1; f < files_.size(); ++f)
+      if (inSmallLetters(files_[f].name).ends_with(file)) {
+        const ScriptVariables own = std::exchange(variables_, {});
+        runFile(f);
+        variables_ = own;
+        return;
+      }
+    defect(base::message("the program {name} is not here"_text, name.text.substr(0, 60)));
+    missing_ = true;
+  }
+
+  // word target [, separation] [Type 0,0] [Wth outputs]
+  void motion(std::string_view word, MelfaScanner& scanner, std::string_view code) {
+    plan::ProgramMotion m;
+    m.jointInterpolated = word == "mov";
+    std::size_t coordinates = 0;
+    if (word == "emvs") {
+      const auto n = numberIn(scanner, 1.0, kWorkCoordinates);
+      if (!n || *n != std::floor(*n) || !scanner.take(',')) {
+        defect("'EMvs' needs its work coordinates, 1 to 8"_text);
+        return;
+      }
+      coordinates = static_cast<std::size_t>(*n);
+    }
+    scanner.blanks();
+    const bool joints = !scanner.rest.empty() && (scanner.rest.front() | 0x20) == 'j';
+    ScriptValue target;
+    if (!scanner.value(target)) {
+      notUnderstood(code);
+      return;
+    }
+    if (!(joints ? jointTarget(target, m) : poseTarget(target, scanner, m)) ||
+        !straightKind(word, coordinates, joints) || !behindTarget(scanner, code))
+      return;
+    way(m);
+    if (!joints)
+      statePosture(target);
+    out_.motionByOutputs(std::move(m));
+  }
+  // Of the motion that comes next.
+  void statePosture(const ScriptValue& target) {
+    constexpr double kBits = 4294967296.0; // 32
+    const auto bits = [](double flag) {
+      return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::fmod(flag, kBits)) &
+                                        0xffffffff);
+    };
+    plan::ArmPosture posture = kMelfaUsualPosture;
+    if (!target.flags.empty())
+      posture.structure = bits(target.flags[0]);
+    if (target.flags.size() > 1)
+      posture.turns = bits(target.flags[1]);
+    out_.program().postures.push_back({out_.program().motions.size(), posture});
+  }
+
+  bool jointTarget(const ScriptValue& target, plan::ProgramMotion& m) {
+    constexpr std::size_t kAxes = 6;
+    if (target.kind != ScriptKind::List || target.list.size() < kAxes) {
+      defect("a target of fewer than six joints"_text);
+      return false;
+    }
+    m.target = plan::TargetKind::Joints;
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      if (!(std::abs(target.list[k]) <= kMostJointDeg)) {
+        defect("a joint value far outside any limit"_text);
+        return false;
+      }
+      m.joints.push_back(base::degreesToRadians(target.list[k]));
+    }
+    return true;
+  }
+  bool poseTarget(const ScriptValue& target, MelfaScanner& scanner, plan::ProgramMotion& m) {
+    const auto pose = melfaPose(target);
+    double away = 0.0;
+    if (!pose || (scanner.take(',') && !scanner.number(away)) || !(std::abs(away) <= kMostMmPerS)) {
+      defect("a target that is no position in a robot's reach"_text);
+      return false;
+    }
+    m.target = plan::TargetKind::FlangePose;
+    m.frame_T_tcp = *pose;
+    m.frame_T_tcp.translate(Eigen::Vector3d(0.0, 0.0, away));
+    if (!toolSet_)
+      defect("a position before Tool: whose is it?"_text);
+    toolSet_ = true; // said once
+    return true;
+  }
+
+  // The nozzle of all straight motions is one that stands, or one that moves.
+  bool straightKind(std::string_view word, std::size_t coordinates, bool joints) {
+    if (word == "mov")
+      return true;
+    if (joints) {
+      defect("a straight motion to joints"_text);
+      return false;
+    }
+    if (held_ && *held_ != (coordinates > 0)) {
+      defect("'Mvs' and 'EMvs' in one program: which of them moves the nozzle?"_text);
+      return false;
+    }
+    held_ = coordinates > 0;
+    if (coordinates == 0)
+      return true;
+    const auto& nozzle = work_[coordinates - 1];
+    if (!nozzle || (nozzle_ && !nozzle->isApprox(*nozzle_, 1e-9))) {
+      if (nozzle)
+        defect("other work coordinates than before: a second nozzle"_text);
+      else
+        defect("work coordinates that P_WkCord does not set"_text);
+      return false;
+    }
+    if (!nozzle_)
+      out_.program().nozzleAt = workAt_[coordinates - 1];
+    nozzle_ = nozzle;
+    return true;
+  }
+
+  bool behindTarget(MelfaScanner& scanner, std::string_view code) {
+    while (!scanner.ended()) {
+      const std::string word = inSmallLetters(scanner.name());
+      if (word == "type") {
+        const auto way = numberIn(scanner, 0.0, 0.0);
+        if (!way || (scanner.take(',') && !numberIn(scanner, 0.0, 0.0))) {
+          defect("the long way round, or angles turned by themselves"_text);
+          return false;
+        }
+      } else if (word == "wth") {
+        MelfaScanner output(scanner.rest, variables_);
+        const std::string name = output.variableName();
+        if (name.starts_with("m_out") && indexed(name, output))
+          return true;
+        defect("'Wth' with what is no output"_text);
+        return false;
+      } else {
+        notUnderstood(code);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void way(plan::ProgramMotion& m) {
+    if (m.jointInterpolated) {
+      m.jointSpeedRadPerS = 1e-4 * override_ * jointOverride_ * kMelfaJointRadPerS;
+      return;
+    }
+    if (!(mmPerS_ > 0.0))
+      defect("a straight motion before any Spd"_text);
+    m.speedMmPerS = 0.01 * override_ * (mmPerS_ > 0.0 ? mmPerS_ : kMelfaFastestMmPerS);
+    if (continuous_)
+      m.blendMm = blendMm_.value_or(0.5 * m.speedMmPerS * m.speedMmPerS / kMelfaMmPerS2);
+  }
+
+  const std::vector<plan::ProgramFile>& files_;
+  const base::RunContext& ctx_;
+  ProgramBuilder out_;
+  std::vector<MelfaText> texts_; // of files_
+  std::vector<bool> ran_;
+  ScriptVariables variables_;
+  std::optional<Eigen::Isometry3d> work_[kWorkCoordinates]; // base_T_work coordinates
+  plan::ProgramPlace workAt_[kWorkCoordinates];
+  std::optional<Eigen::Isometry3d> nozzle_; // what straight motions are of
+  std::optional<bool> held_;                // straight motions are EMvs
+  double mmPerS_ = 0.0, override_ = 100.0, jointOverride_ = 100.0;
+  bool continuous_ = false;
+  std::optional<double> blendMm_; // without one: as far as it takes to stop
+  bool toolSet_ = false, everSet_ = false;
+  bool missing_ = false; // a program that is called
+};
+
+} // namespace
+
+plan::ReadProgram readMelfa(const std::vector<plan::ProgramFile>& files,
+                            const process::Process& process, const base::RunContext& ctx) {
+  return MelfaReader(files, process, ctx).read();
+}
+
+} // namespace voluta::program

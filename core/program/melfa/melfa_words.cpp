@@ -1,0 +1,29 @@
+#include "program/melfa/melfa.h"
+
+#include <array>
+
+namespace voluta::program {
+
+// CR750 series instruction manual, 4.13 (detailed explanation of command words). In small letters.
+// What sets speeds, outputs and positions is the reader's own.
+std::span<const KnownWord> melfaWords() {
+  static constexpr std::array kTable = {
+      KnownWord{"dim", kAnywhere, "declares arrays"},
+      KnownWord{"title", kAnywhere, "a name for the program"},
+      KnownWord{"hlt", kAside, "waits for the operator"},
+      KnownWord{"wait", kAside, "waits for an input"},
+      KnownWord{"servo", kAside, "motors on or off"},
+      KnownWord{"getm", kSetUp, "takes the arm for this program"},
+      KnownWord{"relm", kAtEnd, "gives the arm back"},
+      KnownWord{"fine", kSetUp, "how near a target counts as reached"},
+      KnownWord{"colchk", kSetUp, "watches for collisions"},
+      KnownWord{"collvl", kSetUp, "how closely"},
+      KnownWord{"loadset", kSetUp, "which hand and work piece the arm carries"},
+      KnownWord{"prec", kSetUp, "follows its path more closely"},
+      KnownWord{"hopen", kAside, "a hand that is not the extruder"},
+      KnownWord{"hclose", kAside, "a hand that is not the extruder"},
+  };
+  return kTable;
+}
+
+} // namespace voluta::program

@@ -1,0 +1,64 @@
+#include "program/rapid/rapid_text.h"
+
+#include "program/common/tcp_motions.h"
+#include "program/common/text.h"
+
+#include <array>
+#include <cstddef>
+
+namespace voluta::program {
+
+namespace {
+// 1e-9 of a quaternion moves a point of the part 300 mm off by less than a millionth of a mm.
+constexpr int kFrameDecimals = 6, kFrameTurnDecimals = 9;
+
+bool heldPlate(const ProgramInput& input) {
+  return input.cell.nozzleMount() == robot::Mount::World;
+}
+} // namespace
+
+void appendRapidPosition(std::string& out, const Eigen::Vector3d& mm, int decimals) {
+  for (int k = 0; k < 3; ++k) {
+    out += k ? ',' : '[';
+    appendFixed(out, mm[k], decimals, true);
+  }
+  out += ']';
+}
+
+void appendRapidTurn(std::string& out, const Eigen::Quaterniond& q, int decimals) {
+  const double sign = q.w() < 0.0 ? -1.0 : 1.0;
+  const std::array<double, 4> parts = {q.w(), q.x(), q.y(), q.z()};
+  for (std::size_t k = 0; k < 4; ++k) {
+    out += k ? ',' : '[';
+    appendFixed(out, sign * parts[k], decimals, true);
+  }
+  out += ']';
+}
+
+std::string rapidFrame(const Eigen::Isometry3d& pose) {
+  std::string out = "[";
+  appendRapidPosition(out, pose.translation(), kFrameDecimals);
+  out += ',';
+  appendRapidTurn(out, Eigen::Quaterniond(pose.linear()), kFrameTurnDecimals);
+  return out + "]";
+}
+
+std::string rapidToolLine(const ProgramInput& input) {
+  const bool held = heldPlate(input);
+  std::string out =
+      joined({"  PERS tooldata ", kRapidTool, ":=[", held ? "FALSE," : "TRUE,",
+              rapidFrame(held ? input.cell.base_T_fixed() : input.cell.flange_T_moved()), ",["});
+  appendFixed(out, assumedLoadKg(input), 3, true);
+  out += ',';
+  appendRapidPosition(out, input.cell.flange_T_moved().translation(), 1);
+  return out + ",[1,0,0,0],0,0,0]];";
+}
+
+std::string rapidObjectLine(const ProgramInput& input, std::string_view name) {
+  const bool held = heldPlate(input);
+  return joined({"  PERS wobjdata ", name, ":=[", held ? "TRUE," : "FALSE,", "TRUE,\"\",",
+                 rapidFrame(held ? input.cell.flange_T_moved() : input.cell.base_T_fixed()),
+                 ",[[0,0,0],[1,0,0,0]]];"});
+}
+
+} // namespace voluta::program

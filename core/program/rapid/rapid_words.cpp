@@ -1,0 +1,35 @@
+#include "program/rapid/rapid.h"
+
+#include <array>
+
+namespace voluta::program {
+
+// Technical reference manual, RAPID Instructions, Functions and Data types. In small letters.
+std::span<const KnownWord> rapidWords() {
+  static constexpr std::array kTable = {
+      KnownWord{"tperase", kAnywhere, "clears the pendant's window"},
+      KnownWord{"tpwrite", kAnywhere, "writes to the pendant"},
+      KnownWord{"errwrite", kAnywhere, "writes to the log"},
+      KnownWord{"clkreset", kAnywhere, "a stop watch"},
+      KnownWord{"clkstart", kAnywhere, "a stop watch"},
+      KnownWord{"clkstop", kAnywhere, "a stop watch"},
+      KnownWord{"uimsgbox", kAside, "waits for the operator"},
+      KnownWord{"tpreadfk", kAside, "waits for the operator"},
+      KnownWord{"tpreadnum", kAside, "waits for the operator"},
+      KnownWord{"stop", kAside, "waits for the operator"},
+      KnownWord{"waitdi", kAside, "waits for an input"},
+      KnownWord{"waitdo", kAside, "waits for an output"},
+      KnownWord{"waituntil", kAside, "waits for a condition"},
+      KnownWord{"accset", kSetUp, "share of the arm's acceleration"},
+      KnownWord{"velset", kSetUp, "share of all speeds"},
+      KnownWord{"singarea", kSetUp, "what happens near singular poses"},
+      KnownWord{"motionsup", kSetUp, "supervision of collisions"},
+      KnownWord{"gripload", kSetUp, "what the gripper carries"},
+      KnownWord{"setgo", kAside, "an output that is not the extruder's"},
+      KnownWord{"pulsedo", kAside, "an output that is not the extruder's"},
+      KnownWord{"exit", kAtEnd, "ends the program"},
+  };
+  return kTable;
+}
+
+} // namespace voluta::program

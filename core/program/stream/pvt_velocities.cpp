@@ -1,0 +1,76 @@
+#include "program/stream/pvt_velocities.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voluta::program {
+
+namespace {
+
+constexpr double kMostOfOne = 4.0 / 27.0; // of u (1 - u)^2
+constexpr double kMostFaster = 1.5;
+constexpr double kLeastMm = 1e-9;
+// How far an angle may be led off by the velocity at one end: by share of its way, and besides.
+constexpr double kTurnShare = 0.25, kLeastTurnDeg = 0.15;
+
+// How far from its line a motion is led by a velocity at one of its ends, mm.
+double acrossMm(const PvtMotion& motion, const PvtVector& velocity) {
+  const Eigen::Vector3d way = motion.way.head<3>();
+  const Eigen::Vector3d v = velocity.head<3>();
+  const double length = way.norm();
+  const Eigen::Vector3d across =
+      length > kLeastMm ? Eigen::Vector3d(v - way * (v.dot(way) / (length * length))) : v;
+  return kMostOfOne * motion.seconds * across.norm();
+}
+
+} // namespace
+
+PvtDeviation pvtDeviation(const PvtMotion& motion, const PvtVector& from, const PvtVector& to) {
+  PvtDeviation worst;
+  const Eigen::Vector3d way = motion.way.head<3>();
+  const double length = way.norm(), t = motion.seconds;
+  constexpr int kSteps = 16;
+  for (int k = 1; k < kSteps; ++k) {
+    const double u = static_cast<double>(k) / kSteps;
+    const double in = u * (1.0 - u) * (1.0 - u), out = -u * u * (1.0 - u);
+    const double rise = u * u * (3.0 - 2.0 * u);
+    const Eigen::Vector3d at = rise * way + t * (in * from.head<3>() + out * to.head<3>());
+    const double along = length > kLeastMm ? at.dot(way) / (length * length) : 0.0;
+    worst.acrossMm = std::max(worst.acrossMm, (at - along * way).norm());
+    if (length > kLeastMm)
+      worst.alongShare = std::max(worst.alongShare, std::abs(along - u));
+  }
+  return worst;
+}
+
+bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to) {
+  const double even = motion.way[k] / motion.seconds;
+  const double off = kMostOfOne * motion.seconds * (std::abs(from - even) + std::abs(to - even));
+  // Twice what one end may, and twice what a stop asks for.
+  return off <= 2.0 * ((kTurnShare + kMostOfOne) * std::abs(motion.way[k]) + kLeastTurnDeg);
+}
+
+PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranceMm) {
+  const double s = in.seconds + out.seconds;
+  PvtVector velocity =
+      (in.way * (out.seconds / in.seconds) + out.way * (in.seconds / out.seconds)) / s;
+  double share = 1.0;
+  for (const PvtMotion* motion : {&in, &out}) {
+    if (const double off = acrossMm(*motion, velocity); off > toleranceMm)
+      share = std::min(share, toleranceMm / off);
+    if (velocity.head<3>().dot(motion->way.head<3>()) < 0.0)
+      return PvtVector::Zero(); // it would run back
+    const double speed = motion->way.head<3>().norm() / motion->seconds;
+    if (const double own = velocity.head<3>().norm(); own > kMostFaster * speed)
+      share = std::min(share, kMostFaster * speed / own);
+    for (int k = 3; k < 6; ++k) {
+      const double most =
+          (kTurnShare * std::abs(motion->way[k]) + kLeastTurnDeg) / (kMostOfOne * motion->seconds);
+      if (const double turn = std::abs(velocity[k]); turn > most)
+        share = std::min(share, most / turn);
+    }
+  }
+  return share * velocity;
+}
+
+} // namespace voluta::program

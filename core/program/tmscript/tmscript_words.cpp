@@ -1,0 +1,18 @@
+#include "program/tmscript/tmscript.h"
+
+#include <array>
+
+namespace voluta::program {
+
+// Expression Editor and Listen Node manual; tmr_ros1.
+std::span<const KnownWord> tmscriptWords() {
+  static constexpr std::array kTable = {
+      KnownWord{"QueueTag", kAnywhere, "a mark in the queue, told when it is reached"},
+      KnownWord{"WaitQueueTag", kAtRest, "waits until the queue is there"},
+      KnownWord{"Pause", kAside, "waits for the operator"},
+      KnownWord{"Resume", kAside, "goes on"},
+  };
+  return kTable;
+}
+
+} // namespace voluta::program

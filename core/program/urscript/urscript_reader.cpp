@@ -1,0 +1,506 @@
+#include "base/error.h"
+#include "program/common/language_words.h"
+#include "program/common/rotation_vector.h"
+#include "program/common/text.h"
+#include "program/full_flow.h"
+#include "program/program_builder.h"
+#include "program/urscript/urscript.h"
+#include "program/urscript/urscript_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voluta::program {
+
+namespace {
+constexpr double kMaxJointRad = 100.0, kMaxMetres = 100.0, kMaxSpeed = 100.0;
+
+class UrscriptReader {
+public:
+  UrscriptReader(const process::Process& process, const base::RunContext& ctx)
+      : ctx_(ctx), out_("urscript", process) {}
+
+  plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
+    out_.expectMotionsOf(files);
+    files_.resize(files.size());
+    for (out_.file = 0; out_.file < files.size(); ++out_.file) {
+      collect(files[out_.file].text);
+      findFunctions();
+    }
+    bool complete = !files.empty();
+    for (out_.file = 0; out_.file < files.size(); ++out_.file)
+      if (!here().cameTo)
+        complete = runFile() && complete;
+    return out_.take(complete);
+  }
+
+private:
+  void defect(base::Message reason) { out_.defect(std::move(reason)); }
+
+  struct Line {
+    std::size_t number;
+    std::string_view code;
+  };
+  // Lines [first, end) of its body.
+  struct Function {
+    std::size_t file, first, end;
+  };
+  struct File {
+    std::vector<Line> lines; // with code in them
+    std::map<std::size_t, std::size_t>
+        behind;                            // the line behind a definition at the top, by its own
+    std::size_t last = 0;                  // line of the text
+    std::string_view defined;              // last
+    bool mustCall = false, isPart = false; // as its notes say
+    bool closed = true, cameTo = false;
+  };
+  File& here() { return files_[out_.file]; }
+  const std::vector<Line>& lines() { return here().lines; }
+
+  void collect(std::string_view text) {
+    LineReader reader(text);
+    for (std::string_view line; reader.next(line);) {
+      here().last = reader.number();
+      here().mustCall = here().mustCall || trimmed(line).starts_with(kCalledNote);
+      here().isPart = here().isPart || trimmed(line).starts_with(kPartNote);
+      if (const std::string_view code = trimmed(line.substr(0, findUnquoted(line, "#")));
+          !code.empty())
+        here().lines.push_back({reader.number(), code});
+    }
+  }
+  void findFunctions() {
+    for (std::size_t i = 0; i < lines().size();) {
+      out_.line = lines()[i].number;
+      if (!isDefinition(lines()[i].code)) {
+        ++i;
+        continue;
+      }
+      const std::size_t head = i;
+      here().defined = nameOfDefinition(lines()[i].code);
+      here().closed = define(i);
+      here().behind[head] = i;
+    }
+  }
+
+  void begin() {
+    here().cameTo = true;
+    tcpSet_ = false;
+    out_.beginOutputs();
+  }
+  bool end() {
+    const bool ended = out_.outputsEnded();
+    if (!ended)
+      defect("the extruder is not set off behind the last motion"_text);
+    return ended;
+  }
+
+  bool runFile() {
+    out_.line = here().last;
+    if (here().isPart) {
+      defect("nothing of this file is run"_text);
+      return false;
+    }
+    variables_.clear();
+    begin();
+    const bool ran = runTop();
+    out_.line = here().last;
+    return end() && ran;
+  }
+
+  // What stands outside of functions: their definitions, set-up of variables, one call. Text that
+  // is sent to a port ends with `end` and runs by itself.
+  bool runTop() {
+    const std::size_t tops = here().behind.size();
+    const bool closed = here().closed, mustCall = here().mustCall;
+    bool called = false;
+    for (std::size_t i = 0; i < lines().size();) {
+      out_.line = lines()[i].number;
+      const std::string_view code = lines()[i].code;
+      if (const auto definition = here().behind.find(i); definition != here().behind.end()) {
+        i = definition->second;
+        continue;
+      }
+      Call call;
+      if (UrscriptScanner{code, variables_}.call(call) && functions_.contains(call.name)) {
+        if (called)
+          defect("a second call outside the functions"_text);
+        called = true;
+        run(call);
+      } else if (code == "end") {
+        defect("'end' closes no function"_text);
+      } else if (!assign(code)) {
+        tellOutside(code);
+      }
+      ++i;
+    }
+    if (!lines().empty())
+      out_.line = lines().back().number;
+    if (tops == 0)
+      defect("no function is defined"_text);
+    else if (!called && closed && (tops > 1 || mustCall))
+      defect("the function is never called"_text);
+    if (!called && tops > 0)
+      run({.name = here().defined, .arguments = {}, .count = 0});
+    return tops > 0 && closed && (called || (tops == 1 && !mustCall));
+  }
+
+  void tellOutside(std::string_view code) {
+    Call call;
+    if (UrscriptScanner{code, variables_}.call(call))
+      defect(
+          base::message("'{name}' is called outside the function"_text, call.name.substr(0, 40)));
+    else
+      defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
+  }
+
+  static std::string_view wordOf(std::string_view code) {
+    static const UrscriptVariables kNone;
+    return UrscriptScanner{code, kNone}.name();
+  }
+  static bool isDefinition(std::string_view code) {
+    const std::string_view word = wordOf(code);
+    return word == "def" || word == "sec" || word == "thread";
+  }
+  static std::string_view nameOfDefinition(std::string_view code) {
+    static const UrscriptVariables kNone;
+    UrscriptScanner scanner{code, kNone};
+    scanner.name();
+    return scanner.name();
+  }
+  // Does a block begin with this line, to be closed by an `end`?
+  static bool opensBlock(std::string_view code) {
+    const std::string_view word = wordOf(code);
+    return isDefinition(code) || word == "while" || word == "for" || word == "if";
+  }
+
+  // The definition in line i, which moves behind its end. false: it has none.
+  bool define(std::size_t& i) {
+    UrscriptScanner scanner{lines()[i].code, variables_};
+    const std::string_view kind = scanner.name(), name = scanner.name();
+    if (name.empty() || !scanner.take('(') || !scanner.take(')') || !scanner.take(':') ||
+        !scanner.ended())
+      defect("not the head of a function without arguments"_text);
+    else if (kind == "thread")
+      defect("a thread of its own is not read"_text);
+    else if (isUrscriptWord(name))
+      defect(base::message("'{name}' is a word of the language: no function may be called so"_text,
+                           name));
+    else if (functions_.contains(name))
+      defect(base::message("the function '{defined}' is defined twice"_text, name));
+    const std::size_t first = ++i;
+    for (std::size_t open = 1; i < lines().size(); ++i) {
+      open += opensBlock(lines()[i].code) ? 1 : 0;
+      if (lines()[i].code == "end" && --open == 0) {
+        functions_.try_emplace(std::string(name), Function{out_.file, first, i++});
+        return true;
+      }
+    }
+    functions_.try_emplace(std::string(name), Function{out_.file, first, i});
+    if (!lines().empty())
+      out_.line = lines().back().number;
+    defect(base::message("the function '{defined}' has no end"_text, name));
+    return false;
+  }
+
+  void run(const Call& call) {
+    constexpr std::size_t kMostDepth = 16;
+    const auto at = functions_.find(call.name);
+    const bool again = std::find(running_.begin(), running_.end(), call.name) != running_.end();
+    if (again || running_.size() == kMostDepth || call.count > 0) {
+      if (again)
+        defect(base::message("'{name}' calls itself"_text, call.name));
+      else
+        defect(base::message("'{name}' is called as it cannot be"_text, call.name));
+      return;
+    }
+    const Function function = at->second;
+    running_.emplace_back(call.name);
+    const std::size_t callLine = out_.line, callFile = out_.file;
+    const bool goesOver = function.file != callFile;
+    out_.file = function.file;
+    if (goesOver)
+      begin();
+    for (std::size_t i = function.first; i < function.end;) {
+      out_.line = lines()[i].number;
+      if (i % 4096 == 0)
+        ctx_.checkpoint();
+      if (isDefinition(lines()[i].code))
+        define(i);
+      else
+        statement(lines()[i++].code);
+    }
+    if (goesOver) {
+      out_.line = here().last;
+      end();
+    }
+    out_.file = callFile;
+    out_.line = callLine;
+    running_.pop_back();
+  }
+
+  // [global | local] name = value
+  bool assign(std::string_view code) {
+    UrscriptScanner scanner{code, variables_};
+    std::string_view name = scanner.name();
+    if (name == "global" || name == "local")
+      name = scanner.name();
+    if (name.empty() || !scanner.take('=') ||
+        (!scanner.rest.empty() && scanner.rest.front() == '='))
+      return false;
+    Value value;
+    if (!scanner.value(value) || !scanner.ended())
+      return false;
+    variables_.insert_or_assign(std::string(name), value);
+    return true;
+  }
+
+  void statement(std::string_view code) {
+    Call call;
+    if (UrscriptScanner{code, variables_}.call(call)) {
+      if (functions_.contains(call.name))
+        run(call);
+      else
+        inFunction(call);
+    } else if (!assign(code)) {
+      defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
+    }
+  }
+
+  void inFunction(const Call& call) {
+    const std::string_view name = call.name;
+    if (name == "movel" || name == "movej" || name == "movep")
+      motion(call);
+    else if (name == "set_standard_digital_out" || name == "set_digital_out")
+      digitalOut(call);
+    else if (name == "set_standard_analog_out" || name == "set_analog_out")
+      analogOut(call);
+    else if (name == "socket_send_string")
+      sendText(call);
+    else if (name == "set_tcp")
+      setTcp(call);
+    else if (name == "sleep")
+      sleep(call);
+    else if (!out_.word(urscriptWords(), name))
+      defect(base::message("'{name}' is not known to the reader"_text, name.substr(0, 40)));
+    else
+      settings(call);
+  }
+
+  // Of words that the table knows, what their values mean.
+  void settings(const Call& call) {
+    const Value* first = call.count > 0 ? &call.arguments[0].value : nullptr;
+    if (call.name == "set_payload" || call.name == "set_payload_mass" ||
+        call.name == "set_target_payload") {
+      if (!first || first->kind != ValueKind::Number || !(first->number >= 0.0))
+        defect(base::message("'{name}' needs a mass"_text, call.name));
+      else
+        out_.load(call.name, first->number);
+    } else if (call.name == "set_gravity") {
+      constexpr double kG = 9.82, kSlack = 0.1;
+      if (!first || first->kind != ValueKind::List || first->count != 3 ||
+          (Eigen::Vector3d(first->list.data()) - Eigen::Vector3d(0, 0, kG)).norm() > kSlack)
+        defect("gravity other than that of an arm that stands upright"_text);
+    } else if (call.name == "popup") {
+      const Value* blocking = call.find("blocking", 4);
+      out_.state(plan::FactKind::OperatorStop, blocking ? blocking->number : 0.0);
+    } else if (call.name == "set_analog_outputdomain" ||
+               call.name == "set_standard_analog_output_domain") {
+      const Value* domain = call.find("domain", 1);
+      if (first && first->number == 0.0)
+        out_.state(plan::FactKind::FlowOutputRange, 0.0,
+                   domain && domain->number == 1.0 ? k0To10V : "4 to 20 mA");
+    }
+  }
+
+  bool poseOf(const Value& value, Eigen::Isometry3d& pose) {
+    if (value.kind != ValueKind::Pose || value.count != 6) {
+      defect("a pose p[x,y,z,rx,ry,rz] is needed"_text);
+      return false;
+    }
+    const Eigen::Vector3d metres(value.list[0], value.list[1], value.list[2]);
+    const Eigen::Vector3d turn(value.list[3], value.list[4], value.list[5]);
+    if (metres.cwiseAbs().maxCoeff() > kMaxMetres || turn.cwiseAbs().maxCoeff() > kMaxJointRad) {
+      defect("a pose far outside any robot's reach"_text);
+      return false;
+    }
+    pose = Eigen::Isometry3d::Identity();
+    pose.linear() = rotationOf(turn).toRotationMatrix();
+    pose.translation() = metres * 1000.0;
+    return true;
+  }
+
+  // A named or positional number; `absent` when it isn't given. nullopt (and a defect): no number
+  // in [0, limit].
+  std::optional<double> numberOf(const Call& call, std::string_view key, std::size_t position,
+                                 double limit, double absent) {
+    const Value* value = call.find(key, position);
+    if (!value)
+      return absent;
+    if (value->kind != ValueKind::Number || !(value->number >= 0.0) || value->number > limit) {
+      defect(base::message("argument {key} is no sensible number"_text, key));
+      return std::nullopt;
+    }
+    return value->number;
+  }
+
+  bool argumentsKnown(const Call& call) {
+    bool seenNamed = false;
+    for (std::size_t i = 0; i < call.count; ++i) {
+      const std::string_view name = call.arguments[i].name;
+      const bool known = name.empty() || name == "a" || name == "v" || name == "t" || name == "r" ||
+                         (i == 0 && (name == "q" || name == "pose"));
+      bool twice = name.empty() && seenNamed;
+      for (std::size_t k = 0; k < i; ++k)
+        twice = twice || (!name.empty() && call.arguments[k].name == name);
+      seenNamed = seenNamed || (!name.empty() && i > 0);
+      if (!known || twice) {
+        defect(base::message("an argument of {name} is unknown or given twice"_text, call.name));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void motion(const Call& call) {
+    plan::ProgramMotion m;
+    if (call.count == 0 || !argumentsKnown(call)) {
+      if (call.count == 0)
+        defect("a motion without a target"_text);
+      return;
+    }
+    const bool process = call.name == "movep"; // movep(pose, a, v, r): no t
+    m.jointInterpolated = call.name == "movej";
+    const Value& target = call.arguments[0].value;
+    if (target.kind == ValueKind::List) {
+      if (target.count < 6) {
+        defect("a target of fewer than six joints"_text);
+        return;
+      }
+      m.target = plan::TargetKind::Joints;
+      for (std::size_t k = 0; k < target.count; ++k)
+        if (std::abs(target.list[k]) > kMaxJointRad) {
+          defect("a joint value far outside any limit"_text);
+          return;
+        }
+      m.joints.assign(target.list.begin(),
+                      target.list.begin() + static_cast<std::ptrdiff_t>(target.count));
+    } else {
+      m.target = plan::TargetKind::FlangePose;
+      if (!poseOf(target, m.frame_T_tcp))
+        return;
+      if (!tcpSet_)
+        defect("a pose before set_tcp: whose pose is it?"_text);
+      tcpSet_ = true; // said once
+    }
+    // The controller's defaults (URScript manual): a 1.2 m/s2 or 1.4 rad/s2, v 0.25 m/s or
+    // 1.05 rad/s, r 0.
+    const auto a = numberOf(call, "a", 1, 1000.0, 1.2);
+    const auto v = numberOf(call, "v", 2, kMaxSpeed, m.jointInterpolated ? 1.05 : 0.25);
+    const auto t = numberOf(call, "t", process ? call.count : 3, 1e5, 0.0);
+    const auto r = numberOf(call, "r", process ? 3 : 4, 10.0, 0.0);
+    if (!a || !v || !t || !r)
+      return;
+    if (!(*a > 0.0) || (!(*v > 0.0) && !(*t > 0.0))) {
+      defect("a motion that never gets anywhere: no speed or acceleration"_text);
+      return;
+    }
+    m.durationS = *t;
+    m.blendMm = *r * 1000.0;
+    if (!(*t > 0.0)) { // which rules over both
+      (m.jointInterpolated ? m.jointSpeedRadPerS : m.speedMmPerS) =
+          m.jointInterpolated ? *v : *v * 1000.0;
+      (m.jointInterpolated ? m.jointAccelerationRadPerS2 : m.accelerationMmPerS2) =
+          m.jointInterpolated ? *a : *a * 1000.0;
+    }
+    out_.motionByOutputs(std::move(m));
+  }
+
+  // The two arguments of an output call; false (and a defect) when they are none of this kind.
+  bool outputOf(const Call& call, ValueKind kind, int& channel, double& value) {
+    if (call.count != 2 || call.arguments[0].value.kind != ValueKind::Number ||
+        call.arguments[1].value.kind != kind || call.arguments[0].value.number < 0.0 ||
+        call.arguments[0].value.number > 31.0) {
+      defect("an output needs its number and a value"_text);
+      return false;
+    }
+    channel = static_cast<int>(call.arguments[0].value.number);
+    value = call.arguments[1].value.number;
+    return true;
+  }
+  void digitalOut(const Call& call) {
+    int channel = 0;
+    double value = 0.0;
+    if (!outputOf(call, ValueKind::Boolean, channel, value))
+      return;
+    if (channel == 0)
+      out_.turn(value > 0.0);
+    else
+      out_.wordAt(call.name, kAside);
+  }
+  void analogOut(const Call& call) {
+    int channel = 0;
+    double value = 0.0;
+    if (!outputOf(call, ValueKind::Number, channel, value))
+      return;
+    if (channel != 0) {
+      out_.wordAt(call.name, kAside);
+      return;
+    }
+    if (value < 0.0 || value > 1.0) {
+      defect("an analogue output outside 0..1"_text);
+      return;
+    }
+    if (value > 0.0)
+      out_.need(plan::FactKind::FlowOutputRange);
+    out_.flow(value);
+  }
+  void sendText(const Call& call) {
+    if (call.count == 0 || call.arguments[0].value.kind != ValueKind::Text)
+      defect("a text to be sent is needed"_text);
+    else
+      out_.send(call.arguments[0].value.text);
+  }
+  void setTcp(const Call& call) {
+    Eigen::Isometry3d tcp;
+    if (call.count != 1 || !poseOf(call.arguments[0].value, tcp)) {
+      if (call.count != 1)
+        defect("set_tcp needs one pose"_text);
+      return;
+    }
+    Eigen::Isometry3d& known = out_.program().flange_T_tcp;
+    if (everSet_ && !tcp.isApprox(known, 1e-9))
+      defect("a second, different TCP"_text);
+    known = tcp;
+    tcpSet_ = everSet_ = true;
+  }
+  void sleep(const Call& call) {
+    if (call.count != 1 || call.arguments[0].value.kind != ValueKind::Number ||
+        !(call.arguments[0].value.number >= 0.0))
+      defect("sleep needs its seconds"_text);
+    else
+      out_.pauseByOutputs(call.arguments[0].value.number);
+  }
+
+  const base::RunContext& ctx_;
+  ProgramBuilder out_;
+  std::vector<File> files_;
+  std::map<std::string, Function, std::less<>> functions_;
+  UrscriptVariables variables_;
+  std::vector<std::string> running_; // functions, the innermost last
+  bool tcpSet_ = false, everSet_ = false;
+};
+
+} // namespace
+
+plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
+                               const process::Process& process, const base::RunContext& ctx) {
+  return UrscriptReader(process, ctx).read(files);
+}
+
+} // namespace voluta::program

@@ -1,0 +1,21 @@
+// Points, poses and shapes as files of robots and cells have them: what robot/cell/json_pose.h and
+// robot/cell/shape_reader.h read.
+#pragma once
+
+#include "robot/body.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace voluta::robot {
+
+// Without what rounding leaves behind: 90.00000000000001.
+double tidy(double value);
+
+nlohmann::ordered_json vectorJson(const Eigen::Vector3d& v);
+nlohmann::ordered_json degreesJson(double rad);
+nlohmann::ordered_json poseJson(const Eigen::Isometry3d& pose);
+// Precondition: no prism, which files cannot hold.
+nlohmann::ordered_json shapeJson(const Shape& shape);
+nlohmann::ordered_json shapesJson(const std::vector<Shape>& shapes);
+
+} // namespace voluta::robot

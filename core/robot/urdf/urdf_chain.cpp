@@ -1,0 +1,251 @@
+#include "robot/urdf/urdf_chain.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <optional>
+
+namespace voluta::robot {
+
+namespace {
+
+using base::message;
+
+bool turns(const UrdfJoint& joint) {
+  return joint.type == "revolute" || joint.type == "continuous";
+}
+
+class Tree {
+public:
+  Tree(const UrdfTree& tree, std::string where) : tree_(tree), where_(std::move(where)) {
+    for (std::size_t i = 0; i < tree.links.size(); ++i)
+      if (!byName_.emplace(tree.links[i].name, i).second)
+        fail(message("two links are named '{link}'"_text, tree.links[i].name));
+    over_.resize(tree.links.size());
+    under_.resize(tree.links.size());
+    for (std::size_t j = 0; j < tree.joints.size(); ++j)
+      hang(j);
+    findRoot();
+  }
+
+  UrdfChain chain(const std::string& tip, const std::string& base) const {
+    UrdfChain found;
+    const std::size_t end = tip.empty() ? onlyTip() : named(tip, "--tip");
+    found.tip = link(end).name;
+    const std::vector<std::size_t> way = wayTo(end); // joints from the root
+    const std::size_t stand = base.empty() ? usualBase() : named(base, "--base");
+    found.base = link(stand).name;
+
+    // The base stands on a link of the way, or is fixed to one.
+    std::size_t on = stand;
+    Eigen::Isometry3d on_T_base = Eigen::Isometry3d::Identity();
+    const auto isOnWay = [&](std::size_t l) {
+      return l == root_ ||
+             std::any_of(way.begin(), way.end(), [&](std::size_t j) { return childOf(j) == l; });
+    };
+    while (!isOnWay(on)) {
+      const UrdfJoint& joint = tree_.joints[*over_[on]];
+      if (joint.type != "fixed")
+        fail(message("the base '{base}' moves beside the way to '{tip}'"_text, found.base,
+                     found.tip));
+      on_T_base = joint.parent_T_joint * on_T_base;
+      on = byName_.at(joint.parent);
+    }
+    std::size_t first = 0;
+    while (on != root_ && childOf(way[first++]) != on) {
+    }
+
+    int frame = 0;
+    Eigen::Isometry3d frame_T_link = on_T_base.inverse();
+    std::vector<FixedLink> stems{{on, 0, frame_T_link}};
+    for (std::size_t k = first; k < way.size(); ++k) {
+      const UrdfJoint& joint = tree_.joints[way[k]];
+      const Eigen::Isometry3d frame_T_joint = frame_T_link * joint.parent_T_joint;
+      if (joint.type == "fixed") {
+        frame_T_link = frame_T_joint;
+      } else {
+        requireTurning(joint);
+        found.chain.joints.push_back({frame_T_joint, joint.axis.normalized()});
+        found.joints.push_back(way[k]);
+        frame_T_link.setIdentity();
+        ++frame;
+      }
+      stems.push_back({childOf(way[k]), frame, frame_T_link});
+    }
+    found.chain.last_T_flange = frame_T_link;
+    if (found.joints.size() != 6)
+      fail(message("from '{base}' to '{tip}' {count} axes turn; six are needed"_text, found.base,
+                   found.tip, found.joints.size()),
+           "name the links between which they are: --base, --tip"_text);
+    for (const FixedLink& stem : stems) {
+      found.links.push_back(stem);
+      addBranches(stem, way, found);
+    }
+    return found;
+  }
+
+  std::vector<std::string> tips() const {
+    std::vector<std::string> names;
+    for (const std::size_t l : allTips())
+      names.push_back(link(l).name);
+    return names;
+  }
+
+private:
+  const UrdfLink& link(std::size_t l) const { return tree_.links[l]; }
+  std::size_t childOf(std::size_t joint) const { return byName_.at(tree_.joints[joint].child); }
+  [[noreturn]] void fail(const base::Message& what, const base::Message& remedy = {}) const {
+    throw base::Error(base::ErrorCode::UnusableInput, what, where_, remedy);
+  }
+
+  void hang(std::size_t j) {
+    const UrdfJoint& joint = tree_.joints[j];
+    for (const std::string& name : {joint.parent, joint.child})
+      if (!byName_.contains(name))
+        fail(message("joint '{joint}' names a link that is not there: '{link}'"_text, joint.name,
+                     name));
+    auto& over = over_[byName_.at(joint.child)];
+    if (over)
+      fail(message("link '{link}' hangs on two joints, '{first}' and '{second}': a loop, which is "
+                   "not taken"_text,
+                   joint.child, tree_.joints[*over].name, joint.name));
+    over = j;
+    under_[byName_.at(joint.parent)].push_back(j);
+  }
+
+  void findRoot() {
+    std::vector<std::string> roots;
+    for (std::size_t l = 0; l < over_.size(); ++l)
+      if (!over_[l]) {
+        if (roots.empty())
+          root_ = l;
+        roots.push_back(link(l).name);
+      }
+    if (tree_.links.empty())
+      fail("has no links"_text);
+    if (roots.size() > 1)
+      fail(message("has two bases, '{first}' and '{second}': no joint leads from one to the "
+                   "other"_text,
+                   roots[0], roots[1]));
+    std::vector<std::size_t> reached;
+    if (!roots.empty())
+      reached.push_back(root_);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (const std::size_t j : under_[reached[i]])
+        reached.push_back(childOf(j));
+    for (std::size_t l = 0; l < over_.size(); ++l)
+      if (std::find(reached.begin(), reached.end(), l) == reached.end())
+        fail(message("link '{link}' is on a loop, which is not taken"_text, link(l).name));
+  }
+
+  std::size_t named(const std::string& name, const char* option) const {
+    const auto found = byName_.find(name);
+    if (found != byName_.end())
+      return found->second;
+    std::vector<std::string> names;
+    for (const UrdfLink& one : tree_.links)
+      names.push_back(one.name);
+    fail(message("{option}: no link is named '{name}'"_text, std::string(option), name),
+         base::didYouMean(name, names));
+  }
+
+  std::vector<std::size_t> wayTo(std::size_t l) const {
+    std::vector<std::size_t> way;
+    for (; over_[l]; l = byName_.at(tree_.joints[way.back()].parent))
+      way.push_back(*over_[l]);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  // The joint that moves it last, going out.
+  std::optional<std::size_t> mover(std::size_t l) const {
+    for (; over_[l]; l = byName_.at(tree_.joints[*over_[l]].parent))
+      if (tree_.joints[*over_[l]].type != "fixed")
+        return over_[l];
+    return std::nullopt;
+  }
+
+  std::vector<std::size_t> allTips() const {
+    std::vector<std::size_t> tips;
+    for (std::size_t l = 0; l < under_.size(); ++l)
+      if (under_[l].empty() && mover(l))
+        tips.push_back(l);
+    return tips;
+  }
+
+  std::size_t onlyTip() const {
+    const std::vector<std::size_t> tips = allTips();
+    if (tips.empty())
+      fail("has no tip: no joint moves"_text);
+    if (tips.size() == 1)
+      return tips.front();
+    const bool together = std::all_of(
+        tips.begin(), tips.end(), [&](std::size_t l) { return mover(l) == mover(tips.front()); });
+    for (const std::size_t l : tips)
+      if (together && link(l).name == "tool0")
+        return l;
+    fail(
+        message("has several tips: {names}"_text, fmt::format("{}", fmt::join(this->tips(), ", "))),
+        "name one: --tip"_text);
+  }
+
+  std::size_t usualBase() const {
+    const auto found = byName_.find("base");
+    return found != byName_.end() && !mover(found->second) ? found->second : root_;
+  }
+
+  void requireTurning(const UrdfJoint& joint) const {
+    if (!joint.follows.empty())
+      fail(message("joint '{joint}' follows '{other}' (mimic), which is not taken"_text, joint.name,
+                   joint.follows));
+    if (joint.type == "prismatic" || joint.type == "floating" || joint.type == "planar")
+      fail(message("joint '{joint}' is {type}; only joints that turn are taken"_text, joint.name,
+                   joint.type));
+    if (!turns(joint))
+      fail(message("joint '{joint}' is of no type that is known: '{type}'"_text, joint.name,
+                   joint.type));
+    if (!(joint.axis.norm() > 0.0))
+      fail(message("joint '{joint}' has an axis of no length"_text, joint.name));
+  }
+
+  // What is fixed beside the way.
+  void addBranches(const FixedLink& stem, const std::vector<std::size_t>& way,
+                   UrdfChain& found) const {
+    for (const std::size_t j : under_[stem.link]) {
+      if (std::find(way.begin(), way.end(), j) != way.end())
+        continue;
+      const UrdfJoint& joint = tree_.joints[j];
+      if (joint.type != "fixed") {
+        found.leftOut.push_back(joint.name);
+        continue;
+      }
+      const FixedLink branch{childOf(j), stem.frame, stem.frame_T_link * joint.parent_T_joint};
+      found.links.push_back(branch);
+      addBranches(branch, way, found);
+    }
+  }
+
+  const UrdfTree& tree_;
+  std::string where_;
+  std::map<std::string, std::size_t> byName_;
+  std::vector<std::optional<std::size_t>> over_; // the joint that each link hangs on
+  std::vector<std::vector<std::size_t>> under_;  // the joints that hang on it
+  std::size_t root_ = 0;
+};
+
+} // namespace
+
+UrdfChain urdfChain(const UrdfTree& tree, const std::string& tip, const std::string& base,
+                    const std::string& where) {
+  return Tree(tree, where).chain(tip, base);
+}
+
+std::vector<std::string> urdfTips(const UrdfTree& tree, const std::string& where) {
+  return Tree(tree, where).tips();
+}
+
+} // namespace voluta::robot

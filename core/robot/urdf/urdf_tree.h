@@ -1,0 +1,56 @@
+// What a URDF file says of an arm: links with their solids, and joints between them. Read as it
+// stands; what can be made of it is robot/urdf/urdf_reader.h's affair. Format:
+// wiki.ros.org/urdf/XML.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace voluta::robot {
+
+struct UrdfBox {
+  Eigen::Vector3d sizeMm;
+};
+struct UrdfCylinder { // along z, its middle at 0
+  double radiusMm, lengthMm;
+};
+struct UrdfSphere {
+  double radiusMm;
+};
+struct UrdfMesh {
+  std::string file; // as it is written: a path, package://..., file://...
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+};
+struct UrdfSolid {
+  Eigen::Isometry3d link_T_solid = Eigen::Isometry3d::Identity();
+  std::variant<UrdfBox, UrdfCylinder, UrdfSphere, UrdfMesh> shape;
+};
+struct UrdfLink {
+  std::string name;
+  std::vector<UrdfSolid> collision, visual;
+};
+struct UrdfLimit { // rad, rad/s
+  double lower = 0.0, upper = 0.0, velocity = 0.0;
+};
+struct UrdfJoint {
+  std::string name, type, parent, child;
+  Eigen::Isometry3d parent_T_joint = Eigen::Isometry3d::Identity(); // mm
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();                  // as written
+  std::optional<UrdfLimit> limit;
+  std::string follows; // the joint that it mimics
+};
+struct UrdfTree {
+  std::string name;
+  std::vector<UrdfLink> links;
+  std::vector<UrdfJoint> joints;
+};
+
+// Throws Error{UnreadableFile} with the line: missing, no XML, no URDF, numbers that are none; a
+// file that xacro has yet to expand.
+UrdfTree readUrdfTree(const std::filesystem::path& file);
+
+} // namespace voluta::robot

@@ -1,0 +1,484 @@
+#include "toolpath/coverage/cover_patch.h"
+
+#include "base/error.h"
+#include "base/run_context.h"
+#include "base/units.h"
+#include "process/bead_model.h"
+#include "toolpath/coverage/bead_scale.h"
+#include "toolpath/coverage/coverage.h"
+#include "toolpath/coverage/uniform_interior.h"
+#include "toolpath/coverage/voronoi_shares.h"
+#include "toolpath/infill/curve_tools.h"
+#include "toolpath/infill/gap_fill.h"
+#include "toolpath/infill/infill.h"
+#include "toolpath/infill/outer_walls.h"
+#include "toolpath/infill/walls.h"
+#include "toolpath/surface_fields.h"
+#include "toolpath/unsupported/bead_tip.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+using plan::PathKind;
+
+// mm, of beads of the usual width: further from a centreline, nothing is laid.
+constexpr double kReach = 1.8;
+constexpr double kPlanStep = 0.5; // mm between points while centrelines move
+constexpr int kRelaxations = 2;
+// mm, of beads of the usual width; with the passes, right angles become arcs of about 0.4 mm.
+constexpr double kArcStep = 0.2;
+constexpr int kArcPasses = 4;
+// mm2, of beads of the usual width: what a sample of the surface stands for at most while
+// centrelines move, for their sections, and for those of lines as even as a winding's, with which
+// coarser ones beat.
+constexpr double kMoveMm2 = 0.12, kSectionMm2 = 0.03, kWoundMm2 = 0.012;
+// On a plane, the same: while centrelines move, and for sections; finer on a patch that takes
+// fewer.
+constexpr double kPlaneMoveMm2 = 0.05, kPlaneSectionMm2 = 0.016, kPlaneFinestMm2 = 0.008;
+constexpr double kPlaneEnough = 16000.0;
+// Hatches: further in nothing hangs on the boundary's distance but straight lines.
+constexpr double kFineDepth = 5.5;
+constexpr double kCoarser = 2.0; // are edges there
+// Hatches from where lines begin to be even: no further in are the nearest of what is not.
+constexpr double kNearEven = 1.2;
+
+struct Centrelines {
+  std::vector<SurfaceCurve> curves;
+  std::vector<PathKind> kind;
+  std::vector<int> ring;
+  // Per vertex, half of what an outermost wall there is wider than other beads; empty: nothing.
+  std::vector<double> extraMm;
+  std::vector<double> depth; // per vertex, hatches from the boundary
+  std::vector<double>
+      uniformSpacingMm; // InfillLines::uniformSpacingMm, where beads are to cover all
+
+  bool isOuterWall(std::size_t k) const { return kind[k] == PathKind::Wall && ring[k] == 0; }
+
+  void add(std::vector<SurfaceCurve>&& more, PathKind k, int r) {
+    for (SurfaceCurve& c : more) {
+      if (c.points.size() < 2)
+        continue;
+      curves.push_back(std::move(c));
+      kind.push_back(k);
+      ring.push_back(r);
+    }
+  }
+
+  // As assignToNearestCurve takes them.
+  std::vector<std::vector<double>> extras(const PatchSurface& s) const {
+    if (extraMm.empty())
+      return {};
+    std::vector<std::vector<double>> all(curves.size());
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      if (isOuterWall(k))
+        for (const SurfacePoint& p : curves[k].points)
+          all[k].push_back(s.interpolate(extraMm, p));
+    return all;
+  }
+};
+
+// Where wide beads got more than `mostHatchMm`, which the widest lays, they leave it to their
+// neighbours; false where none did.
+bool lessenExtras(const std::vector<SurfaceCurve>& curves, const VoronoiShares& cells,
+                  double mostHatchMm, std::vector<std::vector<double>>& extras) {
+  bool any = false;
+  for (std::size_t k = 0; k < extras.size(); ++k) {
+    std::vector<double>& extra = extras[k];
+    const auto& points = curves[k].points;
+    const std::vector<double>& area = cells.share[k].areaMm2;
+    const auto length = [&](std::size_t i) {
+      return (points[(i + 1) % points.size()].position - points[i].position).norm();
+    };
+    for (std::size_t i = 0; i < extra.size(); ++i) {
+      const std::size_t before = (i + area.size() - 1) % area.size(), after = i % area.size();
+      const double hatch =
+          (area[before] + area[after]) / std::max(1e-9, length(before) + length(after));
+      if (extra[i] <= 0.0 || hatch <= mostHatchMm)
+        continue;
+      // The rim between two beads moves by half of what one of them is given.
+      extra[i] = std::max(0.0, extra[i] - 2.0 * (hatch - mostHatchMm));
+      any = true;
+    }
+  }
+  return any;
+}
+
+// Per vertex, from the footprints of the lines: gap_fill.h.
+std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
+                              const std::vector<double>& hatchMm, double beadScale) {
+  std::vector<SurfaceCurve> usual, wide;
+  for (std::size_t k = 0; k < lines.curves.size(); ++k)
+    (lines.isOuterWall(k) && !lines.extraMm.empty() ? wide : usual).push_back(lines.curves[k]);
+  std::vector<SourceSegment> segments = segmentsOf(s, usual);
+  std::vector<char> onwards;
+  if (!lines.uniformSpacingMm.empty()) {
+    // There is no gap among even lines, and those far inside are nearest to nothing else.
+    const double far = evenFrom(lines.uniformSpacingMm, lines.depth) + kNearEven;
+    onwards.resize(s.position.size());
+    for (std::size_t v = 0; v < onwards.size(); ++v)
+      onwards[v] = lines.uniformSpacingMm[v] == 0.0 || lines.depth[v] < far;
+    std::erase_if(segments, [&](const SourceSegment& segment) {
+      return std::ranges::none_of(s.triangles[static_cast<std::size_t>(segment.triangle)],
+                                  [&](int v) { return onwards[static_cast<std::size_t>(v)]; });
+    });
+  }
+  std::vector<double> outside = distanceToSegments(s, segments, kGapReachMm * beadScale, onwards);
+  for (std::size_t v = 0; v < outside.size(); ++v)
+    outside[v] = (onwards.empty() || onwards[v] ? outside[v] : 0.0) - 0.5 * hatchMm[v];
+  if (wide.empty())
+    return outside;
+  const std::vector<double> toWide =
+      distanceToSegments(s, segmentsOf(s, wide), kGapReachMm * beadScale);
+  for (std::size_t v = 0; v < outside.size(); ++v)
+    outside[v] = std::min(outside[v], toWide[v] - 0.5 * hatchMm[v] - lines.extraMm[v]);
+  return outside;
+}
+
+bool oneLoop(const PatchSurface& s) {
+  if (s.boundary.empty())
+    return false;
+  std::vector<int> next(s.position.size(), -1);
+  for (const auto& e : s.boundary)
+    next[static_cast<std::size_t>(e[0])] = e[1];
+  std::size_t steps = 0;
+  int v = s.boundary.front()[0];
+  do {
+    v = next[static_cast<std::size_t>(v)];
+    ++steps;
+  } while (v >= 0 && v != s.boundary.front()[0] && steps <= s.boundary.size());
+  return v >= 0 && steps == s.boundary.size();
+}
+
+// Binomial smoothing along a curve.
+void smoothValues(std::vector<double>& values, bool closed, int passes) {
+  const std::size_t n = values.size();
+  if (n < 3)
+    return;
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<double> old = values;
+    for (std::size_t i = 0; i < n; ++i) {
+      // Ends reflect, which keeps the sum.
+      const double before = i > 0 ? old[i - 1] : closed ? old[n - 1] : old[0];
+      const double after = i + 1 < n ? old[i + 1] : closed ? old[0] : old[n - 1];
+      values[i] = 0.25 * before + 0.5 * old[i] + 0.25 * after;
+    }
+  }
+}
+
+// Moves a centreline to the middle of its share, and its open ends out into what lies past them.
+void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share, double hatch) {
+  const std::size_t n = c.points.size();
+  std::vector<double> shift = share.lateralMm;
+  smoothValues(shift, c.closed, 4);
+  const std::size_t segments = shift.size();
+  const SurfaceCurve old = c;
+  const auto along = [&](std::size_t i) -> Vector3d {
+    return (old.points[(i + 1) % n].position - old.points[i].position).normalized();
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool first = !c.closed && i == 0, last = !c.closed && i + 1 == n;
+    const std::size_t before = first ? 0 : (i + segments - 1) % segments;
+    const std::size_t after = last ? segments - 1 : i % segments;
+    if (!first && !last && shift[before] == 0.0 && shift[after] == 0.0)
+      continue;
+    const Vector3d tangent = along(before) + along(after);
+    const Vector3d normal = s.interpolate(s.normal, old.points[i]);
+    Vector3d left = normal.cross(tangent);
+    if (left.norm() < 1e-6)
+      continue;
+    Vector3d move = 0.5 * (shift[before] + shift[after]) * left.normalized();
+    if (move.norm() > 0.4 * hatch)
+      move *= 0.4 * hatch / move.norm();
+    if (first)
+      move -= std::min(0.6 * hatch, share.beyondMm2[0] / hatch) * along(0);
+    if (last)
+      move += std::min(0.6 * hatch, share.beyondMm2[1] / hatch) * along(segments - 1);
+    c.points[i] = s.project(old.points[i].position + move, old.points[i].triangle);
+  }
+}
+
+// Sections from shares, in place: volumes per segment become a width per point.
+class Sections {
+public:
+  Sections(const PatchSurface& s, const process::Process& p, double mostHatchMm)
+      : s_(s), p_(p), mostHatch_(mostHatchMm) {}
+
+  // The bead of a curve but for its widths.
+  Bead along(const SurfaceCurve& c, PathKind kind, int ring) const {
+    Bead b;
+    b.kind = kind;
+    b.ring = ring;
+    b.closed = c.closed;
+    for (const SurfacePoint& p : c.points)
+      b.points.push_back({p.position, s_.interpolate(s_.direction, p),
+                          s_.interpolate(s_.clearDirection, p), 0.0,
+                          s_.interpolate(s_.thicknessMm, p)});
+    if (c.closed)
+      b.points.push_back(b.points.front());
+    return b;
+  }
+
+  // Gives it the widths that lay `volume`, one a segment.
+  void widen(Bead& b, std::vector<double> volume) const {
+    const std::size_t segments = volume.size(), n = segments + (b.closed ? 0 : 1);
+    // Material is laid by the way of the tip, longer than the middle's on a convex layer.
+    std::vector<double> length(segments);
+    for (std::size_t i = 0; i < segments; ++i)
+      length[i] = (tipOf(b.points[i + 1]) - tipOf(b.points[i])).norm();
+    smoothValues(volume, b.closed, 2);
+    smoothValues(length, b.closed, 2);
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool first = !b.closed && i == 0, last = !b.closed && i + 1 == n;
+      const std::size_t before = first ? 0 : (i + segments - 1) % segments;
+      const std::size_t after = last ? segments - 1 : i % segments;
+      BeadPoint& q = b.points[i];
+      const double l = length[before] + length[after];
+      const double section = l > 0 ? (volume[before] + volume[after]) / l : 0.0;
+      q.widthMm = within(
+          process::widthOfArea(std::min(section, mostHatch_ * q.heightMm), q.heightMm), q.heightMm);
+    }
+    if (b.closed)
+      b.points.back().widthMm = b.points.front().widthMm;
+  }
+  double within(double width, double height) const {
+    return std::max(std::clamp(width, p_.beadWidthMinMm, p_.beadWidthMaxMm), height);
+  }
+
+private:
+  const PatchSurface& s_;
+  const process::Process& p_;
+  double mostHatch_;
+};
+
+double volumeOf(const std::vector<Bead>& beads) {
+  double v = 0.0;
+  for (const Bead& b : beads)
+    for (std::size_t i = 1; i < b.points.size(); ++i) {
+      const BeadPoint &p = b.points[i - 1], &q = b.points[i];
+      v += process::beadVolume(process::beadArea(p.widthMm, p.heightMm),
+                               process::beadArea(q.widthMm, q.heightMm),
+                               (tipOf(q) - tipOf(p)).norm());
+    }
+  return v;
+}
+
+// Where fronts from opposite sides of the boundary meet, distance has a ridge that coarse triangles
+// cut off; whether two beads or one have room there hangs on its height.
+PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& process) {
+  constexpr double kFine = 0.2;    // mm
+  constexpr double kFlatter = 0.8; // of the gradient's true length, 1
+  constexpr double kDeepest = 5.0; // hatches: further in, infill lies over the ridge
+  const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const std::vector<double> d =
+      distanceToSegments(s, boundarySegments(s), (kDeepest + 0.1) * hatch);
+  std::vector<char> marks(s.position.size(), 0);
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto v = [&](std::size_t k) { return static_cast<std::size_t>(s.triangles[t][k]); };
+    const double deepest = std::max({d[v(0)], d[v(1)], d[v(2)]});
+    if (deepest < 0.35 * hatch || deepest > kDeepest * hatch || s.triangleArea[t] < 1e-9)
+      continue;
+    Vector3d gradient = Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+      gradient += d[v(k)] * s.triangleNormal[t].cross(s.position[v((k + 2) % 3)] -
+                                                      s.position[v((k + 1) % 3)]);
+    if (gradient.norm() / (2 * s.triangleArea[t]) < kFlatter)
+      marks[v(0)] = marks[v(1)] = marks[v(2)] = 1;
+  }
+  return s.refinedAt(std::move(marks), kFine);
+}
+
+// Coarser where only straight lines lie.
+PatchSurface refined(const layers::Patch& patch, const process::Process& process,
+                     const ToolpathOptions& o, const InfillKind& kind) {
+  if (!kind.isStraightInside)
+    return PatchSurface::refine(patch, o.edgeMm);
+  const PatchSurface coarse = PatchSurface::refine(patch, kCoarser * o.edgeMm);
+  const double fine = std::max(kFineDepth, o.walls + kFineDepth - 2.0) *
+                      process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const std::vector<double> depthMm = distanceToSegments(coarse, boundarySegments(coarse), fine);
+  std::vector<char> marks(depthMm.size());
+  for (std::size_t v = 0; v < marks.size(); ++v)
+    marks[v] = depthMm[v] < fine;
+  return coarse.refinedAt(std::move(marks), o.edgeMm);
+}
+
+Centrelines centrelines(const PatchSurface& s, const process::Process& process,
+                        const ToolpathOptions& o, const InfillKind& kind, int layer,
+                        const std::vector<double>& wallWidthMm, const base::RunContext& ctx) {
+  const std::size_t n = s.position.size();
+  const double beadScale = beadScaleOf(process);
+  const SegmentDistances boundary = nearestSegments(s, boundarySegments(s), 1e9);
+  const std::vector<double>& boundaryMm = boundary.mm;
+  std::vector<double> hatchMm(n), depth(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    hatchMm[v] =
+        process::hatchOf(process.beadWidthMm, std::min(s.thicknessMm[v], process.beadWidthMm));
+  }
+  const std::vector<double> outerMm = o.walls > 0 && !kind.needsChart
+                                          ? outerHatches(s, wallWidthMm, boundary, hatchMm, process)
+                                          : hatchMm;
+  Centrelines lines;
+  if (outerMm != hatchMm)
+    for (std::size_t v = 0; v < n; ++v)
+      lines.extraMm.push_back(0.5 * (outerMm[v] - hatchMm[v]));
+  // From the part's surface; the outermost hatch may be wider than the others.
+  const auto inHatches = [&](double mm, std::size_t v) {
+    return mm <= outerMm[v] ? mm / outerMm[v] : 1.0 + (mm - outerMm[v]) / hatchMm[v];
+  };
+  const BoundaryParts parts = boundaryParts(s);
+  if (!parts.seams.empty()) {
+    const std::vector<double> surfaceMm = distanceToSegments(s, parts.surface, 1e9),
+                              seamMm = distanceToSegments(s, parts.seams, 1e9);
+    for (std::size_t v = 0; v < n; ++v)
+      depth[v] = std::min(inHatches(surfaceMm[v], v), o.walls + seamMm[v] / hatchMm[v]);
+  } else {
+    for (std::size_t v = 0; v < n; ++v)
+      depth[v] = inHatches(boundaryMm[v], v);
+  }
+  for (int i = 0; i < o.walls; ++i)
+    lines.add(wallAt(s, depth, i == 0 ? outerMm : hatchMm, beadScale, i + 0.5), PathKind::Wall, i);
+  ctx.checkpoint();
+  const InfillRegion region{
+      s,
+      depth,
+      hatchMm,
+      static_cast<double>(o.walls),
+      o.infillDensity,
+      layer,
+      base::degreesToRadians(std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0)),
+      base::degreesToRadians(o.windingAngleDeg),
+      beadScale};
+  InfillLines infill = kind.fill(region, ctx);
+  lines.add(std::move(infill.curves), PathKind::Infill, 0);
+  ctx.checkpoint();
+  if (o.infillDensity >= 1.0) {
+    lines.depth = depth;
+    lines.uniformSpacingMm = std::move(infill.uniformSpacingMm);
+    lines.add(gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale),
+              PathKind::GapFill, 0);
+  }
+  ctx.checkpoint();
+  return lines;
+}
+} // namespace
+
+PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
+                      const ToolpathOptions& o, const base::RunContext& ctx,
+                      const std::vector<double>& wallWidthMm) {
+  base::require(o.infillDensity > 0 && o.infillDensity <= 1, "infill density is in (0, 1]");
+  base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
+  const InfillKind& kind = infillKind(o.infill);
+  if (kind.needsChart && patch.chart.empty())
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("infill '{infill}' winds around an axis, and layer {layer} has none"_text,
+                      o.infill, patch.layer),
+        "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
+  PatchCover cover;
+  if (patch.surface.empty())
+    return cover;
+  const PatchSurface s = refineAtRidges(refined(patch, process, o, kind), process);
+  cover.areaMm2 = s.areaMm2;
+  cover.volumeMm3 = s.volumeMm3;
+  cover.simple = oneLoop(s);
+  Centrelines lines = centrelines(s, process, o, kind, patch.layer, wallWidthMm, ctx);
+  if (lines.curves.empty())
+    return cover;
+
+  const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+  const double beadScale = beadScaleOf(process);
+  const bool solid = o.infillDensity >= 1.0;
+  const auto planeSamples = [&](double mostMm2, const std::vector<char>& leftOut = {}) {
+    const double fine = kPlaneFinestMm2 * beadScale * beadScale;
+    return kind.needsChart
+               ? std::nullopt
+               : PlaneSamples::of(
+                     s, std::clamp(s.areaMm2 / kPlaneEnough, fine, mostMm2 * beadScale * beadScale),
+                     leftOut);
+  };
+  const UniformInterior even(s, lines.uniformSpacingMm, lines.depth, hatch,
+                             std::max(kPlanStep, o.stepMm));
+  // Whatever there is of one density; the other kind is made when it is first asked for.
+  struct Samples {
+    std::optional<PlaneSamples> plane;
+    double mostMm2;
+    std::optional<SampleGrid> grid = {};
+  };
+  const auto computeShares = [&](Samples& of, const UniformStretches& stretches,
+                                 const std::vector<std::vector<double>>& extras) {
+    if (of.plane)
+      return assignToNearestCurve(*of.plane, lines.curves, kReach * beadScale, extras, stretches);
+    if (!of.grid)
+      of.grid.emplace(s, of.mostMm2 * beadScale * beadScale);
+    return assignToNearestCurve(*of.grid, lines.curves, kReach * beadScale, extras);
+  };
+  Samples coarse{planeSamples(kPlaneMoveMm2), kMoveMm2};
+  ResampleOptions dense;
+  dense.stepMm = kPlanStep;
+  dense.chordMm = INFINITY;
+  for (SurfaceCurve& c : lines.curves) {
+    Resampled r = resample(s, c, dense);
+    smoothCurve(s, r.curve, r.corner, 2);
+    c = std::move(r.curve);
+  }
+  for (int i = 0; solid && i < kRelaxations; ++i) {
+    ctx.checkpoint();
+    const VoronoiShares cells = computeShares(coarse, even.of(lines.curves), lines.extras(s));
+    for (std::size_t k = 0; k < lines.curves.size(); ++k)
+      if (!kind.needsChart || lines.kind[k] != PathKind::Infill)
+        moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
+  }
+  // Corners become arcs: straight beads that meet at an angle leave a wedge open at its outside.
+  ResampleOptions fine = dense, final;
+  fine.stepMm = kArcStep * beadScale;
+  final.stepMm = o.stepMm;
+  for (SurfaceCurve& c : lines.curves) {
+    Resampled r = resample(s, c, fine);
+    smoothCurve(s, r.curve, std::vector<char>(r.corner.size(), 0), kArcPasses);
+    c = resample(s, r.curve, final).curve;
+  }
+  ctx.checkpoint();
+  Samples fineSamples{planeSamples(kPlaneSectionMm2, even.triangles()),
+                      kind.needsChart ? kWoundMm2 : kSectionMm2};
+  std::vector<std::vector<double>> extras = lines.extras(s);
+  const UniformStretches stretches = even.of(lines.curves);
+  VoronoiShares cells = computeShares(fineSamples, stretches, extras);
+  if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
+                   extras))
+    cells = computeShares(fineSamples, stretches, extras);
+  const Sections sections(s, process, solid ? 1e9 : hatch);
+  double target = 0.0;
+  for (CellShare& share : cells.share)
+    for (const double v : share.volumeMm3)
+      target += v;
+  for (std::size_t k = 0; k < lines.curves.size(); ++k)
+    cover.beads.push_back(sections.along(lines.curves[k], lines.kind[k], lines.ring[k]));
+  // Sections are set at points and laid between them: what that changes is put right over all.
+  double correction = 1.0;
+  for (int round = 0; round < 3; ++round) {
+    for (std::size_t k = 0; k < lines.curves.size(); ++k) {
+      std::vector<double> volume = cells.share[k].volumeMm3;
+      for (double& v : volume)
+        v *= correction;
+      sections.widen(cover.beads[k], std::move(volume));
+    }
+    cover.beadVolumeMm3 = volumeOf(cover.beads);
+    if (!solid || cover.beadVolumeMm3 <= 0)
+      break;
+    correction = std::clamp(correction * target / cover.beadVolumeMm3, 0.97, 1.03);
+  }
+  const Coverage c =
+      coarse.plane ? measureCoverage(*coarse.plane, cover.beads) : measureCoverage(s, cover.beads);
+  cover.coveredMm2 = c.coveredMm2;
+  cover.overlapMm2 = c.overlapMm2;
+  return cover;
+}
+
+} // namespace voluta::toolpath

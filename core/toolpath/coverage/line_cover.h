@@ -1,0 +1,80 @@
+// Lines laid over the region of an infill: cut to it and joined end to end.
+#pragma once
+
+#include "toolpath/infill/infill.h"
+#include "toolpath/infill/regions.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// Hatches: parts of a region that are nowhere deeper are filled along their edge.
+inline constexpr double kNarrowPart = 4.2;
+
+// Calls part(depth, deepest) for each connected part of a region: depths with those of the other
+// parts outside the region, and how deep it is from the region's edge, in hatches.
+template <typename F>
+void forEachPart(const InfillRegion& r, const base::RunContext& ctx, F&& part) {
+  const Regions regions = regionsAbove(r.surface, r.depth, r.from);
+  std::vector<double> deepest(static_cast<std::size_t>(regions.count), 0.0);
+  for (std::size_t v = 0; v < r.depth.size(); ++v)
+    if (regions.ofVertex[v] >= 0) {
+      double& d = deepest[static_cast<std::size_t>(regions.ofVertex[v])];
+      d = std::max(d, r.depth[v]);
+    }
+  for (int i = 0; i < regions.count; ++i) {
+    ctx.checkpoint();
+    std::vector<double> own = r.depth;
+    for (std::size_t v = 0; v < own.size(); ++v)
+      if (regions.ofVertex[v] != i && own[v] >= r.from)
+        own[v] = r.from - 1;
+    part(own, deepest[static_cast<std::size_t>(i)] - r.from);
+  }
+}
+
+// The same infill for one part of its region.
+inline InfillRegion partOf(const InfillRegion& r, const std::vector<double>& depth) {
+  return {r.surface, depth,          r.hatchMm,    r.from,     r.density,
+          r.layer,   r.directionRad, r.windingRad, r.beadScale};
+}
+
+class LineCover {
+public:
+  // depth: of one part of the region. Both outlive this.
+  LineCover(const InfillRegion& region, const std::vector<double>& depth)
+      : r_(region), s_(region.surface), depth_(depth) {}
+
+  // Keeps what of a line lies in the part. Lines of levels that follow each other are neighbours.
+  void add(const SurfaceCurve& line, int level);
+  // The lines, those of neighbouring levels joined by beads along the part's edge where there is
+  // room for them.
+  std::vector<SurfaceCurve> joined(double spacingMm, const base::RunContext& ctx);
+
+private:
+  struct Line {
+    std::vector<SurfacePoint> points;
+    std::vector<double> depth; // per point
+    int level = 0;
+    bool closed = false, used = false;
+  };
+
+  std::size_t deepFrom(const Line& line, bool fromBack) const;
+  std::vector<SurfacePoint> bridge(const SurfacePoint& from, const SurfacePoint& to) const;
+
+  const InfillRegion& r_;
+  const PatchSurface& s_;
+  const std::vector<double>& depth_;
+  std::vector<Line> lines_;
+};
+
+struct EvenLines {
+  std::vector<SurfaceCurve> curves;
+  double spacingMm = 0.0; // by `across`, between neighbours; 0: not lines of it
+};
+// Isolines of `across` (per vertex, mm; finite in the part) over one part of a region, evenly from
+// its least value to its largest.
+EvenLines evenLines(const InfillRegion& region, const std::vector<double>& depth,
+                    const std::vector<double>& across, const base::RunContext& ctx);
+
+} // namespace voluta::toolpath

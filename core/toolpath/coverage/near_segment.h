@@ -1,0 +1,107 @@
+// What is near a segment: how near, and the box about it.
+#pragma once
+
+#include "base/lanes.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace voluta::toolpath {
+
+using base::Floats;
+using base::Ints;
+// Points at a time.
+inline constexpr std::size_t kLanes = base::kLanes;
+
+// A segment to the precision of a float, for many points.
+template <int N> class FloatSegment {
+public:
+  FloatSegment(const Eigen::Matrix<double, N, 1>& a, const Eigen::Matrix<double, N, 1>& b)
+      : from_(a.template cast<float>()), along_((b - a).template cast<float>()) {
+    const float squared = along_.squaredNorm();
+    inverse_ = squared > 0.0F ? 1.0F / squared : 0.0F;
+  }
+  struct Nearest {
+    Floats t, squared; // 0 at a, 1 at b; of the distance
+  };
+  // Points' coordinates, an array of four each.
+  Nearest nearest(const std::array<const float*, N>& points) const {
+    std::array<Floats, N> off;
+    Floats along{}, squared{};
+    for (int k = N; k-- > 0;) {
+      const auto axis = static_cast<std::size_t>(k);
+      off[axis] = base::load<Floats>(points[axis]) - from_[k];
+      along += along_[k] * off[axis];
+    }
+    const Floats raw = along * inverse_, positive = raw < 0.0F ? Floats{} : raw,
+                 t = positive > 1.0F ? Floats{} + 1.0F : positive;
+    for (int k = N; k-- > 0;) {
+      const Floats aside = off[static_cast<std::size_t>(k)] - t * along_[k];
+      squared += aside * aside;
+    }
+    return {t, squared};
+  }
+
+private:
+  Eigen::Matrix<float, N, 1> from_, along_;
+  float inverse_; // of the squared length
+};
+
+// Calls f(first, squared distances, where on the segment) for fours of the points first to end - 1,
+// those past the end infinitely far. Arrays of the points' coordinates go on kLanes - 1 further.
+template <int N, typename F>
+void forFours(const FloatSegment<N>& segment, const std::array<const float*, N>& points,
+              std::size_t first, std::size_t end, F&& f) {
+  for (std::size_t i = first; i < end; i += kLanes) {
+    std::array<const float*, N> four = points;
+    for (const float*& p : four)
+      p += i;
+    auto [t, squared] = segment.nearest(four);
+    for (std::size_t lane = std::min(end - i, kLanes); lane < kLanes; ++lane)
+      squared[lane] = std::numeric_limits<float>::infinity();
+    f(i, squared, t);
+  }
+}
+
+// Of fours, calls f(point, squared distance, where on it) for those no further than `most`.
+template <typename F> auto eachOfFour(float most, F&& f) {
+  return [most, &f](std::size_t first, const Floats& squared, const Floats& t) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      if (squared[lane] <= most)
+        f(first + lane, squared[lane], t[lane]);
+  };
+}
+
+// How far points may lie beyond a segment's ends, mm: before a, and after b.
+struct BeyondEnds {
+  double beforeMm = 0.0, afterMm = 0.0;
+};
+
+template <int N> struct BoundsAround { Eigen::Matrix<double, N, 1> low, high; };
+using SegmentBounds = BoundsAround<3>;
+
+// Of the points up to `radiusMm` from the segment a b that lie no further beyond its ends than
+// `beyond` says.
+template <int N>
+BoundsAround<N> boundsAround(const Eigen::Matrix<double, N, 1>& a,
+                             const Eigen::Matrix<double, N, 1>& b, double radiusMm,
+                             const BeyondEnds& beyond) {
+  using Vector = Eigen::Matrix<double, N, 1>;
+  const Vector radius = Vector::Constant(radiusMm);
+  BoundsAround<N> box{a.cwiseMin(b) - radius, a.cwiseMax(b) + radius};
+  const double length = (b - a).norm();
+  if (!(length > 1e-9))
+    return box;
+  const Vector unit = (b - a) / length;
+  const Vector first = a - beyond.beforeMm * unit, last = b + beyond.afterMm * unit;
+  const Vector aside =
+      radiusMm * (1.0 - unit.array().square()).max(0.0).sqrt().matrix(); // of a disc across it
+  box.low = box.low.cwiseMax(first.cwiseMin(last) - aside);
+  box.high = box.high.cwiseMin(first.cwiseMax(last) + aside);
+  return box;
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,20 @@
+#include "toolpath/infill/infill.h"
+#include "toolpath/infill/walls.h"
+
+#include <algorithm>
+
+namespace voluta::toolpath {
+
+InfillLines concentricInfill(const InfillRegion& r, const base::RunContext& ctx) {
+  std::vector<SurfaceCurve> curves;
+  const double deepest = *std::ranges::max_element(r.depth);
+  const double spacing = 1.0 / r.density;
+  for (double level = r.from + 0.5 * spacing; level < deepest; level += spacing) {
+    ctx.checkpoint();
+    for (SurfaceCurve& c : wallAt(r.surface, r.depth, r.hatchMm, r.beadScale, level))
+      curves.push_back(std::move(c));
+  }
+  return {std::move(curves)};
+}
+
+} // namespace voluta::toolpath

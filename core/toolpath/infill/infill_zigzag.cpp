@@ -1,0 +1,84 @@
+#include "base/index.h"
+#include "base/units.h"
+#include "geometry/least_turn.h"
+#include "toolpath/coverage/line_cover.h"
+#include "toolpath/infill/infill.h"
+#include "toolpath/surface_fields.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+
+using base::at;
+
+// Hatches from the region's edge: deeper than this a line has its neighbours on both sides, and
+// what joins their ends is further away.
+constexpr double kEvenDepth = 1.5;
+
+// A function of (nearly) unit gradient whose isolines are the lines.
+std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
+  Vector3d mean = Vector3d::Zero(), centre = Vector3d::Zero();
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    mean += s.triangleArea[t] * s.triangleNormal[t];
+    const auto& tri = s.triangles[t];
+    centre += s.triangleArea[t] / 3 *
+              (s.position[at(tri[0])] + s.position[at(tri[1])] + s.position[at(tri[2])]);
+  }
+  const double angle = std::remainder(directionRad + 0.5 * base::kPi, base::kPi);
+  Vector3d normal(std::cos(angle), std::sin(angle), 0);
+  if (mean.norm() > 0.1 * s.areaMm2) {
+    const Vector3d m = mean.normalized();
+    // Turned with the patch's own mean plane, so that no patch is cut along itself.
+    normal = geometry::leastTurn(Vector3d::UnitZ(), m) * normal;
+  }
+  std::vector<double> u(s.position.size());
+  for (std::size_t v = 0; v < u.size(); ++v)
+    u[v] = normal.dot(s.position[v]);
+  // Plane cuts lie further apart on the surface where it leans along their normal. As long as that
+  // is little, straight lines are better than bent ones.
+  constexpr double kLeastSine = 0.97;
+  double leaning = 0.0;
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const double c = normal.dot(s.triangleNormal[t]);
+    if (c * c > 1 - kLeastSine * kLeastSine)
+      leaning += s.triangleArea[t];
+  }
+  if (leaning < 0.02 * s.areaMm2)
+    return u;
+  // A plane through the middle may miss the surface where it is hollow; through a vertex it can't.
+  std::vector<double> sorted = u;
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(u.size() / 2));
+  std::vector<double> geodesic = distanceToSection(s, normal, sorted[u.size() / 2] + 1e-7);
+  const bool whole =
+      !geodesic.empty() && std::ranges::all_of(geodesic, [](double d) { return std::isfinite(d); });
+  return whole ? geodesic : u;
+}
+
+} // namespace
+
+InfillLines zigzagInfill(const InfillRegion& region, const base::RunContext& ctx) {
+  if (std::ranges::none_of(region.depth, [&](double d) { return d >= region.from; }))
+    return {};
+  const std::vector<double> across = acrossLines(region.surface, region.directionRad);
+  InfillLines lines;
+  if (region.surface.planeNormal)
+    lines.uniformSpacingMm.assign(region.depth.size(), 0.0);
+  forEachPart(region, ctx, [&](const std::vector<double>& depth, double deepest) {
+    EvenLines more = deepest < kNarrowPart
+                         ? EvenLines{concentricInfill(partOf(region, depth), ctx).curves}
+                         : evenLines(region, depth, across, ctx);
+    std::ranges::move(more.curves, std::back_inserter(lines.curves));
+    for (std::size_t v = 0; v < lines.uniformSpacingMm.size(); ++v)
+      if (depth[v] >= region.from + kEvenDepth)
+        lines.uniformSpacingMm[v] = more.spacingMm;
+  });
+  return lines;
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,56 @@
+#include "toolpath/infill/walls.h"
+
+#include "toolpath/infill/curve_tools.h"
+#include "toolpath/surface_fields.h"
+
+#include <algorithm>
+
+namespace voluta::toolpath {
+
+namespace {
+constexpr double kInwards = 0.4; // hatches
+// Hatches, at most; with kInwards less than what lies between the wall and the boundary.
+constexpr double kMostClosing = 1.0;
+// mm, of beads of the usual width; shorter rings are no more than a blob.
+constexpr double kFar = 2.0, kShortest = 3.0;
+
+// Distance to `curves` in hatches, positive where `inside` holds; on the side that is not asked
+// for, at vertices next to them only.
+template <typename Inside>
+std::vector<double> signedDistance(const PatchSurface& s, const std::vector<SurfaceCurve>& curves,
+                                   const std::vector<double>& hatchMm, double beadScale, bool asked,
+                                   Inside&& inside) {
+  std::vector<char> onwards(s.position.size());
+  for (std::size_t v = 0; v < onwards.size(); ++v)
+    onwards[v] = inside(v) == asked;
+  std::vector<double> e = distanceToSegments(s, segmentsOf(s, curves), kFar * beadScale, onwards);
+  for (std::size_t v = 0; v < e.size(); ++v)
+    e[v] = (inside(v) ? e[v] : -e[v]) / hatchMm[v];
+  return e;
+}
+} // namespace
+
+std::vector<SurfaceCurve> wallAt(const PatchSurface& s, const std::vector<double>& depth,
+                                 const std::vector<double>& hatchMm, double beadScale,
+                                 double level) {
+  const auto inner = isolines(s, depth, level + kInwards);
+  if (inner.empty())
+    return {};
+  const std::vector<double> fromInner =
+      signedDistance(s, inner, hatchMm, beadScale, false,
+                     [&](std::size_t v) { return depth[v] >= level + kInwards; });
+  // Where the region's depth is hardly enough, what is deep enough comes in shreds: closed before
+  // the way out is gone back.
+  const double closing = std::min(kMostClosing, std::max(0.1, level - 0.05)),
+               out = -(kInwards + closing);
+  const auto outer = isolines(s, fromInner, out);
+  if (outer.empty())
+    return {};
+  const std::vector<double> fromOuter = signedDistance(
+      s, outer, hatchMm, beadScale, true, [&](std::size_t v) { return fromInner[v] >= out; });
+  std::vector<SurfaceCurve> curves = isolines(s, fromOuter, closing);
+  std::erase_if(curves, [&](const SurfaceCurve& c) { return lengthOf(c) < kShortest * beadScale; });
+  return curves;
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,89 @@
+#include "toolpath/unsupported/inset_walls.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "toolpath/unsupported/lateral_taper.h"
+
+#include <algorithm>
+
+namespace voluta::toolpath {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kStep = 0.0625; // beads
+constexpr double kMost = 0.5;    // beads
+constexpr double kSlope = 0.25;  // of the way along the path
+
+class Drawer {
+public:
+  Drawer(const plan::ToolPlan& plan, const collision::GrowingPart& part,
+         const platform::PlatformSolid& platform, const process::Process& process)
+      : plan_(plan), part_(part), platform_(platform), process_(process) {}
+
+  // Of the waypoints of a path.
+  void draw(const plan::ToolPath& path, const std::vector<char>& hanging,
+            std::vector<Vector3d>& moves) const {
+    for (const UnsupportedStretch& stretch :
+         hangingStretches(plan_, path, hanging, 0.5 * process_.bridgeMm))
+      draw(path, stretch, moves);
+  }
+
+private:
+  // The least way to that side (-1, 1) at which enough of the bead is carried; 0: there is none.
+  double least(const plan::ToolPath& path, std::size_t i, int side) const {
+    const int steps = static_cast<int>(kMost / kStep);
+    for (int k = 1; k <= steps; ++k) {
+      const double aside = k * kStep * process_.beadWidthMm;
+      const Vector3d tip = plan_.position[i] + side * aside * sideOf(plan_, path, i);
+      if (supportedSamples(plan_, path, i, tip, plan_.direction[i], part_, platform_,
+                           kMinSupportedSamples) >= kMinSupportedSamples)
+        return aside;
+    }
+    return 0.0;
+  }
+
+  void draw(const plan::ToolPath& path, const UnsupportedStretch& s,
+            std::vector<Vector3d>& moves) const {
+    const LateralOffset draw =
+        betterSide(s, [&](std::size_t i, int side) { return least(path, i, side); });
+    if (draw.side == 0)
+      return;
+    taperAlongPath(plan_, path, s, draw.amounts, kSlope, [&](std::size_t i, double mm) {
+      const Vector3d move = draw.side * mm * sideOf(plan_, path, i);
+      if (move.squaredNorm() > moves[i].squaredNorm())
+        moves[i] = move;
+    });
+    if (path.closed) { // the same place twice
+      Vector3d &first = moves[path.first], &last = moves[path.first + path.count - 1];
+      first = last = first.squaredNorm() > last.squaredNorm() ? first : last;
+    }
+  }
+
+  const plan::ToolPlan& plan_;
+  const collision::GrowingPart& part_;
+  const platform::PlatformSolid& platform_;
+  const process::Process& process_;
+};
+
+} // namespace
+
+std::vector<Vector3d>
+insetUnsupportedWalls(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+                      const collision::GrowingPart& part, const platform::PlatformSolid& platform,
+                      const process::Process& process, const base::RunContext& ctx) {
+  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
+  std::vector<Vector3d> moves(plan.waypointCount(), Vector3d::Zero());
+  const Drawer drawer(plan, part, platform, process);
+  base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
+    for (std::size_t p = b; p < e && !ctx.cancelled(); ++p)
+      if (plan.paths[p].kind == plan::PathKind::Wall)
+        drawer.draw(plan.paths[p], hanging, moves);
+  });
+  ctx.checkpoint();
+  return moves;
+}
+
+} // namespace voluta::toolpath

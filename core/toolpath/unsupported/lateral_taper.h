@@ -1,0 +1,70 @@
+// What is done to a stretch of a path, to one side of it, fades out before and after it.
+#pragma once
+
+#include "plan/tool_plan.h"
+#include "toolpath/unsupported/bridges.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// How much is done at each waypoint of a stretch, > 0 where it helps, to that side (-1, 1); side 0:
+// it helps nowhere.
+struct LateralOffset {
+  int side = 0;
+  std::vector<double> amounts;
+};
+// To the side on which least(waypoint, side) helps at more waypoints, left first.
+template <typename Least>
+LateralOffset betterSide(const UnsupportedStretch& s, const Least& least) {
+  LateralOffset best;
+  std::ptrdiff_t most = 0;
+  for (const int side : {-1, 1}) {
+    std::vector<double> amounts(s.end - s.begin);
+    for (std::size_t i = s.begin; i < s.end; ++i)
+      amounts[i - s.begin] = least(i, side);
+    const auto helped = std::ranges::count_if(amounts, [](double a) { return a > 0.0; });
+    if (helped > most) {
+      most = helped;
+      best = {side, std::move(amounts)};
+    }
+  }
+  return best;
+}
+
+// The next waypoint of a path, round a closed one; the same at the end of another.
+inline std::size_t nextOf(const plan::ToolPath& path, std::size_t i, bool forwards) {
+  const std::size_t last = path.first + path.count - 1;
+  if (forwards)
+    return i < last ? i + 1 : path.closed ? path.first + 1 : i;
+  return i > path.first ? i - 1 : path.closed ? last - 1 : i;
+}
+
+// Calls take(waypoint, amount) where, both ways along the path, `amounts` (>= 0, of the stretch's
+// waypoints) are not yet gone: they fade by `perMm` of the way. A waypoint may be told twice.
+template <typename Take>
+void taperAlongPath(const plan::ToolPlan& plan, const plan::ToolPath& path,
+                    const UnsupportedStretch& s, const std::vector<double>& amounts, double perMm,
+                    const Take& take) {
+  for (const bool forwards : {true, false}) {
+    double amount = 0.0;
+    std::size_t i = forwards ? s.begin : s.end - 1;
+    for (std::size_t done = 0; done < path.count; ++done) {
+      const bool inside = i >= s.begin && i < s.end;
+      amount = std::max(inside ? amounts[i - s.begin] : 0.0, amount);
+      if (amount <= 0.0 && !inside)
+        break;
+      take(i, std::max(0.0, amount));
+      const std::size_t next = nextOf(path, i, forwards);
+      if (next == i)
+        break;
+      amount -= perMm * (plan.position[next] - plan.position[i]).norm();
+      i = next;
+    }
+  }
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,352 @@
+#include "toolpath/unsupported/rim_supports.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/run_context.h"
+#include "base/units.h"
+#include "collision/growing_part.h"
+#include "geometry/convex_polygon.h"
+#include "layers/layer_stack.h"
+#include "plan/waypoints.h"
+#include "process/bead_model.h"
+#include "toolpath/unsupported/bridges.h"
+#include "toolpath/unsupported/head_clearance.h"
+#include "toolpath/unsupported/thicken_unsupported.h"
+#include "toolpath/unsupported/tilt_unsupported.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace voluta::toolpath {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSlender = 6.0;           // widths: higher walls tip over
+constexpr double kBreakShare = 1.0 / 14.0; // of a bead's height, between it and what carries it
+constexpr double kLeastShare = 0.5;        // of the least layer height: thinner beads don't hold
+constexpr std::array kLeansDeg{20.0, -20.0, 40.0, -40.0};
+constexpr double kUpright = 0.5; // cosine of the most that courses lean over or aside
+
+void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction, float widthMm,
+            float heightMm, float speedMmPerS) {
+  plan.position.push_back(tip);
+  plan.direction.push_back(direction);
+  plan.widthMm.push_back(widthMm);
+  plan.heightMm.push_back(heightMm);
+  plan.speedMmPerS.push_back(speedMmPerS);
+}
+
+// Is a path the first of its patch? The prime is of none.
+bool beginsPatch(const plan::ToolPlan& plan, std::size_t path) {
+  return path == 0 || plan.paths[path - 1].patch != plan.paths[path].patch ||
+         plan::isWaste(plan.paths[path - 1].kind);
+}
+
+// One bead beneath another: a waypoint each.
+struct Course {
+  std::vector<Vector3d> tip, direction;
+  std::vector<std::size_t> above; // waypoint of the bead that it is for
+  std::vector<float> heightMm;
+  double widthMm = 0.0;
+
+  double meanAlong(const Vector3d& up) const {
+    double sum = 0.0;
+    for (const Vector3d& t : tip)
+      sum += t.dot(up);
+    return sum / static_cast<double>(tip.size());
+  }
+};
+
+// What may be laid under a waypoint, along its direction.
+struct Room {
+  double mm = 0.0; // how thick; 0: nothing
+  Vector3d foot = Vector3d::Zero(), nozzle = Vector3d::UnitZ();
+};
+
+class Underlayer {
+public:
+  // `hanging`: unsupportedWaypoints() of the plan and its beads.
+  Underlayer(const plan::ToolPlan& plan, const collision::GrowingPart& part,
+             const std::vector<char>& hanging, const platform::PlatformSolid& platform,
+             const robot::Cell& cell, const process::Process& process, const base::RunContext& ctx)
+      : plan_(plan), part_(part), hanging_(hanging), platform_(platform), process_(process),
+        head_(cell, process), ctx_(ctx) {}
+
+  // By path, courses from the lowest upwards.
+  std::map<std::size_t, std::vector<Course>> courses() const {
+    std::vector<std::vector<Course>> of(plan_.paths.size());
+    std::vector<std::size_t> patchFirst(plan_.paths.size()); // its first waypoint
+    for (std::size_t p = 0; p < plan_.paths.size(); ++p)
+      patchFirst[p] = beginsPatch(plan_, p) ? plan_.paths[p].first : patchFirst[p - 1];
+    base::parallelChunks(ctx_, of.size(), 1, [&](std::size_t b, std::size_t e) {
+      for (std::size_t p = b; p < e && !ctx_.cancelled(); ++p)
+        for (const UnsupportedStretch& s :
+             hangingStretches(plan_, plan_.paths[p], hanging_, 0.5 * process_.bridgeMm))
+          addCourses(p, s.begin, s.end, patchFirst[p], of[p]);
+    });
+    ctx_.checkpoint();
+    std::map<std::size_t, std::vector<Course>> result;
+    for (std::size_t p = 0; p < of.size(); ++p)
+      if (!of[p].empty())
+        result.emplace(p, std::move(of[p]));
+    return result;
+  }
+
+private:
+  double lengthOf(std::size_t b, std::size_t e) const {
+    double length = 0.0;
+    for (std::size_t i = b + 1; i < e; ++i)
+      length += (plan_.position[i] - plan_.position[i - 1]).norm();
+    return length;
+  }
+  Vector3d bottomOf(std::size_t i) const {
+    return plan_.position[i] - static_cast<double>(plan_.heightMm[i]) * plan_.direction[i];
+  }
+
+  // From the bottom of a bead to what is there before another waypoint; 0: nothing is, or something
+  // comes in between before this one.
+  double gapBeneath(std::size_t i, std::size_t before) const {
+    const Vector3d& d = plan_.direction[i];
+    const Vector3d bottom = bottomOf(i);
+    const double most = kSlender * process_.beadWidthMaxMm;
+    const double plate = d.z() >= kUpright ? bottom.z() / d.z() : 2.0 * most;
+    const double pitch = part_.grid().pitch, step = 0.25 * pitch;
+    for (double depth = 0.5 * step; depth <= std::min(most, plate); depth += step) {
+      const Vector3d at = bottom - depth * d;
+      if (part_.holds(at, before))
+        return depth > pitch ? depth - 0.5 * step : 0.0;
+      if (part_.holds(at, i))
+        return 0.0;
+    }
+    return plate > 0.0 && plate <= most &&
+                   geometry::inConvexPolygon(platform_.polygon, (bottom - plate * d).head<2>())
+               ? plate
+               : 0.0;
+  }
+
+  Room roomBeneath(std::size_t i, std::size_t before) const {
+    const Vector3d& d = plan_.direction[i];
+    const double gap = gapBeneath(i, before);
+    const double least = kLeastShare * process_.layerHeightMinMm;
+    const double apart = gap - kBreakShare * static_cast<double>(plan_.heightMm[i]);
+    Room room{apart >= least ? apart : gap, bottomOf(i) - gap * d};
+    if (room.mm < least)
+      return {};
+    return room;
+  }
+
+  // Does the head clear what is there, at the lowest and at the highest of the beads in a room?
+  bool clears(const Room& room, std::size_t i, std::size_t before) const {
+    const Vector3d& d = plan_.direction[i];
+    const double lowest = std::min(room.mm, process_.layerHeightMaxMm);
+    const auto at = [&](double from, double to) {
+      return head_.clears(part_,
+                          room.foot + 0.5 * (from + to) * d +
+                              0.5 * (to - from) * d.dot(room.nozzle) * room.nozzle,
+                          room.nozzle, before);
+    };
+    return room.nozzle.dot(d) >= kUpright && at(0.0, lowest) && at(room.mm - lowest, room.mm);
+  }
+
+  // Ways to hold the nozzle over a stretch, the best first: upright, as what lies above is laid,
+  // leaning to either side of the way.
+  std::vector<std::vector<Vector3d>> nozzles(std::size_t path, std::size_t b, std::size_t e) const {
+    std::vector<std::vector<Vector3d>> ways(2 + kLeansDeg.size());
+    for (std::size_t i = b; i < e; ++i) {
+      ways[0].push_back(Vector3d::UnitZ());
+      ways[1].push_back(plan_.direction[i]);
+      const Vector3d side = sideOf(plan_, plan_.paths[path], i);
+      const Vector3d level = Vector3d(side.x(), side.y(), 0.0);
+      for (std::size_t k = 0; k < kLeansDeg.size(); ++k) {
+        const double lean = base::degreesToRadians(kLeansDeg[k]);
+        ways[2 + k].push_back(std::cos(lean) * Vector3d::UnitZ() +
+                              std::sin(lean) * level.stableNormalized());
+      }
+    }
+    return ways;
+  }
+
+  // As many courses as the thickest place needs, where the thinnest bears so many.
+  int coursesFor(double mostMm) const {
+    return static_cast<int>(std::ceil(mostMm / process_.layerHeightMaxMm - 1e-9));
+  }
+
+  // Rooms of a stretch with the nozzle held in the way that most of them bear.
+  std::vector<Room> roomsBeneath(std::size_t path, std::size_t b, std::size_t e,
+                                 std::size_t before) const {
+    std::vector<Room> rooms(e - b), best(e - b);
+    std::size_t any = 0, most = 0;
+    for (std::size_t i = b; i < e; ++i)
+      any += (rooms[i - b] = roomBeneath(i, before)).mm > 0.0 ? 1 : 0;
+    if (any == 0)
+      return best;
+    for (const std::vector<Vector3d>& way : nozzles(path, b, e)) {
+      std::vector<Room> clear(e - b);
+      std::size_t count = 0;
+      for (std::size_t i = b; i < e; ++i) {
+        Room room = rooms[i - b];
+        room.nozzle = way[i - b];
+        if (room.mm > 0.0 && clears(room, i, before)) {
+          clear[i - b] = room;
+          ++count;
+        }
+      }
+      if (count > most) {
+        most = count;
+        best = std::move(clear);
+      }
+      if (most == any)
+        break;
+    }
+    return best;
+  }
+
+  void addCourses(std::size_t path, std::size_t b, std::size_t e, std::size_t before,
+                  std::vector<Course>& to) const {
+    const std::vector<Room> room = roomsBeneath(path, b, e, before);
+    const double thinnest = kLeastShare * process_.layerHeightMinMm;
+    for (std::size_t s = b; s < e;) {
+      double most = room[s - b].mm, least = most;
+      std::size_t t = s + 1;
+      for (; most > 0.0 && t < e; ++t) {
+        const double mm = room[t - b].mm;
+        if (mm <= 0.0 || coursesFor(std::max(most, mm)) * thinnest > std::min(least, mm) + 1e-9)
+          break;
+        most = std::max(most, mm);
+        least = std::min(least, mm);
+      }
+      // Too short a bead does not stick.
+      if (most > 0.0 && t - s >= 2 && lengthOf(s, t) > process_.beadWidthMm)
+        stack(s, t, room.data() + (s - b), most, to);
+      s = t;
+    }
+  }
+
+  void stack(std::size_t s, std::size_t t, const Room* room, double most,
+             std::vector<Course>& to) const {
+    const int count = coursesFor(most);
+    for (int c = 0; c < count; ++c) {
+      Course course;
+      course.widthMm =
+          std::clamp(most / kSlender, process_.beadWidthMinMm, process_.beadWidthMaxMm);
+      for (std::size_t i = s; i < t; ++i) {
+        const Vector3d& d = plan_.direction[i];
+        const Room& r = room[i - s];
+        const double height = r.mm / count, laid = height * d.dot(r.nozzle);
+        course.tip.push_back(r.foot + (c + 0.5) * height * d + 0.5 * laid * r.nozzle);
+        course.direction.push_back(r.nozzle);
+        course.heightMm.push_back(static_cast<float>(laid));
+        course.above.push_back(i);
+      }
+      to.push_back(std::move(course));
+    }
+  }
+
+  const plan::ToolPlan& plan_;
+  const collision::GrowingPart& part_;
+  const std::vector<char>& hanging_;
+  const platform::PlatformSolid& platform_;
+  const process::Process& process_;
+  HeadClearance head_;
+  const base::RunContext& ctx_;
+};
+
+} // namespace
+
+RimSupportedPlan addRimSupports(plan::ToolPlan plan, std::vector<Vector3d> clearDirection,
+                                const platform::PlatformSolid& platform, const robot::Cell& cell,
+                                const process::Process& process, const base::RunContext& ctx) {
+  base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
+  RimSupportedPlan out{std::move(plan), std::move(clearDirection)};
+  if (platform.polygon.size() < 3 || platform.mesh || platform.rod || out.plan.paths.empty())
+    return out;
+  auto part = std::make_shared<const collision::GrowingPart>(
+      out.plan, collision::growingPitch(out.plan, process), ctx);
+  const plan::ToolPlan laid = out.plan;
+  std::vector<char> hanging = unsupportedWaypoints(out.plan, *part, platform, ctx);
+  const bool thickened = thickenUnsupported(out.plan, hanging, *part, process);
+  const auto courses = Underlayer(out.plan, *part, hanging, platform, cell, process, ctx).courses();
+  for (const auto& [path, of] : courses)
+    for (const Course& course : of)
+      for (const std::size_t above : course.above)
+        hanging[above] = 0;
+  const std::vector<OrderedPath> order = orderInsideOut(out.plan, hanging, process);
+  std::size_t inPlace = 0;
+  while (inPlace < order.size() && order[inPlace] == OrderedPath{inPlace})
+    ++inPlace;
+  if (courses.empty() && inPlace == order.size()) {
+    out.grown =
+        thickened ? collision::regrown(out.plan, *part, laid, process, ctx) : std::move(part);
+    return out;
+  }
+
+  const RimSupportedPlan was = std::exchange(out, {});
+  const auto addCourse = [&](const Course& course, plan::ToolPath under) {
+    const auto sectionOf = [&](float height) {
+      return process::beadArea(course.widthMm, static_cast<double>(height));
+    };
+    under.first = out.plan.waypointCount();
+    under.count = course.tip.size();
+    under.kind = plan::PathKind::Support;
+    under.group = layers::kSupportGroup;
+    under.closed = false;
+    for (std::size_t i = 0; i < course.tip.size(); ++i) {
+      const std::size_t above = course.above[i];
+      const double section = sectionOf(course.heightMm[i]);
+      append(out.plan, course.tip[i], course.direction[i], static_cast<float>(course.widthMm),
+             course.heightMm[i],
+             static_cast<float>(std::min(process.speedMmPerS, process.maxFlowMm3PerS / section)));
+      out.clearDirection.push_back(was.clearDirection[above]);
+      if (i > 0)
+        out.volumeMm3 += process::beadVolume(sectionOf(course.heightMm[i - 1]), section,
+                                             (course.tip[i] - course.tip[i - 1]).norm());
+    }
+    out.plan.paths.push_back(under);
+  };
+  for (std::size_t p = 0; p < was.plan.paths.size(); ++p) {
+    // Paths change places within their patch only: it begins where it did.
+    const plan::ToolPath& path = was.plan.paths[order[p].path];
+    // Before the first path of the patch come the beads under all its paths, low ones first: the
+    // head cuts into none that is higher.
+    if (beginsPatch(was.plan, p) && !plan::isWaste(path.kind)) {
+      std::vector<std::pair<const Course*, const plan::ToolPath*>> beneath;
+      for (std::size_t q = p; q < was.plan.paths.size() && was.plan.paths[q].patch == path.patch;
+           ++q) {
+        const auto found = courses.find(q);
+        if (found == courses.end())
+          continue;
+        if (out.underlaid++ == 0)
+          out.where = found->second.front().tip.front();
+        for (const Course& course : found->second)
+          beneath.emplace_back(&course, &was.plan.paths[q]);
+      }
+      Vector3d up = Vector3d::Zero();
+      for (const auto& [course, under] : beneath)
+        for (const Vector3d& d : course->direction)
+          up += d;
+      std::ranges::stable_sort(beneath, {}, [&](const auto& b) { return b.first->meanAlong(up); });
+      for (const auto& [course, under] : beneath)
+        addCourse(*course, *under);
+    }
+    plan::ToolPath same = path;
+    same.first = out.plan.waypointCount();
+    for (std::size_t k = 0; k < path.count; ++k) {
+      const std::size_t i = path.first + (order[p].turned ? path.count - 1 - k : k);
+      plan::appendWaypoint(out.plan, was.plan, i);
+      // The speed is that of the way to a waypoint.
+      if (order[p].turned && k > 0)
+        out.plan.speedMmPerS.back() = was.plan.speedMmPerS[i + 1];
+      out.clearDirection.push_back(was.clearDirection[i]);
+    }
+    out.plan.paths.push_back(same);
+  }
+  out.grown = collision::regrown(out.plan, *part, laid, process, ctx);
+  return out;
+}
+
+} // namespace voluta::toolpath

@@ -1,0 +1,71 @@
+#include "toolpath/unsupported/thicken_unsupported.h"
+
+#include "base/error.h"
+#include "process/bead_model.h"
+#include "toolpath/unsupported/bridges.h"
+
+#include <algorithm>
+#include <array>
+
+namespace voluta::toolpath {
+
+namespace {
+
+// How much thicker each bead of a stretch is to be, mm: 0 where that is more than it may.
+std::vector<double> reachDown(const plan::ToolPlan& plan, const UnsupportedStretch& s,
+                              const collision::GrowingPart& part, double thickestMm) {
+  const double step = 0.25 * part.grid().pitch;
+  std::vector<double> by(s.end - s.begin, 0.0);
+  for (std::size_t i = s.begin; i < s.end; ++i) {
+    const auto height = static_cast<double>(plan.heightMm[i]);
+    const Eigen::Vector3d bottom = plan.position[i] - height * plan.direction[i];
+    const double most = thickestMm - height;
+    for (double depth = 0.5 * step; depth <= most; depth += step)
+      if (part.holds(bottom - depth * plan.direction[i], i)) {
+        by[i - s.begin] = depth - 0.5 * step;
+        break;
+      }
+  }
+  return by;
+}
+
+// What cells tell of a surface goes up and down by half of one: the middle of each and of the two
+// beside it. Single places are none.
+std::vector<double> steadied(const std::vector<double>& by) {
+  std::vector<double> result(by.size(), 0.0);
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    std::array<double, 3> three{k > 0 ? by[k - 1] : 0.0, by[k],
+                                k + 1 < by.size() ? by[k + 1] : 0.0};
+    std::ranges::sort(three);
+    result[k] = three[1];
+  }
+  return result;
+}
+
+} // namespace
+
+bool thickenUnsupported(plan::ToolPlan& plan, std::vector<char>& hanging,
+                        const collision::GrowingPart& part, const process::Process& process) {
+  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
+  bool any = false;
+  for (const plan::ToolPath& path : plan.paths)
+    for (const UnsupportedStretch& s :
+         hangingStretches(plan, path, hanging, 0.5 * process.bridgeMm)) {
+      const std::vector<double> by = steadied(reachDown(plan, s, part, process.layerHeightMaxMm));
+      for (std::size_t i = s.begin; i < s.end; ++i) {
+        if (by[i - s.begin] <= 0.0)
+          continue;
+        const double thicker = std::min(process.layerHeightMaxMm,
+                                        static_cast<double>(plan.heightMm[i]) + by[i - s.begin]);
+        plan.heightMm[i] = static_cast<float>(thicker);
+        const double section = process::beadArea(static_cast<double>(plan.widthMm[i]), thicker);
+        plan.speedMmPerS[i] =
+            std::min(plan.speedMmPerS[i], static_cast<float>(process.maxFlowMm3PerS / section));
+        hanging[i] = 0;
+        any = true;
+      }
+    }
+  return any;
+}
+
+} // namespace voluta::toolpath

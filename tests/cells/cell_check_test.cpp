@@ -1,0 +1,113 @@
+// A cell with one thing wrong with it: each is told, and nothing else; the shipped ones have none.
+#include "cells/cell_check.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "helpers/temporary_folder.h"
+#include "robot/cell_draft.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <gmock/gmock.h>
+
+namespace voluta::cells {
+namespace {
+
+using robot::CellDraft;
+using robot::DraftBody;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::vector<Eigen::Vector2d> square(double half) {
+  return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+}
+
+class CellCheck : public ::testing::Test {
+protected:
+  void SetUp() override { setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1); }
+
+  static robot::Cell read(const CellDraft& draft, double half = 60) {
+    return robot::Cell::readText(draft.text(), draft.id() + ".json", process(), square(half));
+  }
+  static process::Process process() { return process::loadProcess("fdm-1.0"); }
+  static std::vector<std::string> faults(const CellDraft& draft, double partKg = 0.0) {
+    std::vector<std::string> told;
+    for (const CellFault& fault : cellFaults(read(draft), process(), partKg, {})) {
+      told.push_back(base::english(fault.what));
+      EXPECT_FALSE(fault.remedy.empty());
+    }
+    return told;
+  }
+  static DraftBody body(const CellDraft& draft, DraftBody::Kind kind) {
+    const std::vector<DraftBody> bodies = draft.bodies();
+    return *std::ranges::find(bodies, kind, &DraftBody::kind);
+  }
+};
+
+TEST_F(CellCheck, theShippedCellsHaveNothingWrong) {
+  for (const std::string& id : robot::cellIds()) {
+    const CellDraft draft = robot::draftOfCell(id);
+    if (id == "lathe") {
+      platform::PlatformSolid rod;
+      rod.rod = platform::straightRod(5, 200);
+      const robot::Cell cell = robot::loadCell(id, process::loadProcess("fdm-0.35"), rod);
+      EXPECT_TRUE(cellFaults(cell, process::loadProcess("fdm-0.35"), 0.0, {}).empty());
+      continue;
+    }
+    EXPECT_THAT(faults(draft), ElementsAre()) << id;
+  }
+}
+
+TEST_F(CellCheck, aNozzleInsideTheArm) {
+  const CellDraft fixed = robot::draftOfCell("ur5-fixed");
+  DraftBody nozzle = body(fixed, DraftBody::Kind::Nozzle);
+  nozzle.pose.translation() = Eigen::Vector3d(0, 0, 20); // in the base, which stands as it does
+  EXPECT_THAT(faults(fixed.withPose(nozzle, nozzle.pose)),
+              ::testing::Contains(HasSubstr("the nozzle is inside base")));
+  const CellDraft moving = robot::draftOfCell("ur5-moving");
+  nozzle = body(moving, DraftBody::Kind::Nozzle);
+  nozzle.pose.translation() = Eigen::Vector3d(0, 0, -10); // behind the flange
+  EXPECT_THAT(faults(moving.withPose(nozzle, nozzle.pose)),
+              ::testing::Contains(HasSubstr("the nozzle is inside")));
+}
+
+TEST_F(CellCheck, aPlateOutOfReach) {
+  const CellDraft draft = robot::draftOfCell("ur5-moving");
+  DraftBody plate = body(draft, DraftBody::Kind::Platform);
+  plate.pose.translation() += Eigen::Vector3d(1500, 0, 0);
+  EXPECT_THAT(faults(draft.withPose(plate, plate.pose)),
+              ElementsAre("the plate is out of the arm's reach"));
+}
+
+TEST_F(CellCheck, aBoxOverThePlate) {
+  const CellDraft draft = robot::draftOfCell("ur5-moving");
+  Eigen::Isometry3d over = body(draft, DraftBody::Kind::Platform).pose;
+  over.translation().z() += 100;
+  // Wide enough to be in the way of whatever holds the nozzle, not of the arm at rest.
+  const CellDraft boxed = draft.withBox("lid", over, {500, 500, 40});
+  EXPECT_THAT(faults(boxed), ::testing::Contains(HasSubstr("lid")));
+}
+
+TEST_F(CellCheck, aLoadBeyondTheRobots) {
+  const CellDraft draft = robot::draftOfCell("ur5-fixed");
+  EXPECT_THAT(faults(draft, 4.4), ElementsAre());
+  EXPECT_THAT(faults(draft, 4.6), ElementsAre("the flange carries 5.1 kg, the robot 5 kg"));
+  EXPECT_THAT(faults(draft.withCarriedKg(5.5)),
+              ElementsAre("the flange carries 5.5 kg, the robot 5 kg"));
+  // With the nozzle on the flange the part lies on the table.
+  EXPECT_THAT(faults(robot::draftOfCell("ur5-moving"), 100.0), ElementsAre());
+}
+
+TEST_F(CellCheck, theClearestRestIsClear) {
+  const CellDraft draft = robot::draftOfCell("ur5-moving");
+  const robot::Cell cell = read(draft);
+  const auto rest = clearestRest(cell, process());
+  ASSERT_TRUE(rest);
+  EXPECT_THAT(faults(draft.withHome(rest->head(cell.armDof()), cell.limits())), ElementsAre());
+  const Eigen::Isometry3d work_T_tool = cell.work_T_tool(*rest);
+  EXPECT_LT((work_T_tool.translation().head<2>()).norm(), 1e-6);
+  EXPECT_GE(work_T_tool.translation().z(), 19.0);
+}
+
+} // namespace
+} // namespace voluta::cells

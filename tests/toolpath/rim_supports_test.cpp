@@ -1,0 +1,268 @@
+// Beads of support under rims that would hang just over the plate.
+#include "toolpath/unsupported/rim_supports.h"
+
+#include "base/run_context.h"
+#include "collision/growing_part.h"
+#include "layers/layer_stack.h"
+#include "process/bead_model.h"
+#include "straight_beads.h"
+#include "toolpath/unsupported/bridges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using namespace voluta::test;
+using Eigen::Vector3d;
+
+namespace {
+
+toolpath::RimSupportedPlan underlaid(const plan::ToolPlan& plan,
+                                     const platform::PlatformSolid& platform = kPlate) {
+  std::vector<Vector3d> clear(plan.waypointCount(), Vector3d::UnitZ());
+  const robot::Cell cell = robot::loadCell("ur5-fixed", kProcess, kPlate.polygon);
+  return toolpath::addRimSupports(plan, clear, platform, cell, kProcess, {});
+}
+
+std::vector<char> hangingOf(const plan::ToolPlan& plan) {
+  const collision::GrowingPart part(plan, collision::growingPitch(plan, kProcess), {});
+  return toolpath::unsupportedWaypoints(plan, part, kPlate, {});
+}
+
+// A foot of one bead, and over it a layer that goes 3 beads beyond it on one side.
+plan::ToolPlan roundFoot() {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8, 0);
+  addPath(plan, -15, 15, 2.4, 1.6, 1);
+  addPath(plan, -15, 15, 0, 1.6, 1);
+  return plan;
+}
+
+} // namespace
+
+TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
+  const plan::ToolPlan plan = roundFoot();
+  const toolpath::RimSupportedPlan out = underlaid(plan);
+  ASSERT_EQ(out.plan.paths.size(), 4u);
+  EXPECT_EQ(out.underlaid, 1u);
+  const plan::ToolPath& under = out.plan.paths[1];
+  EXPECT_EQ(under.kind, plan::PathKind::Support);
+  EXPECT_EQ(under.group, layers::kSupportGroup);
+  EXPECT_EQ(under.count, 31u);
+  double volume = 0.0;
+  for (std::size_t i = under.first; i < under.first + under.count; ++i) {
+    const auto height = static_cast<double>(out.plan.heightMm[i]);
+    EXPECT_DOUBLE_EQ(out.plan.position[i].y(), 2.4);
+    // From the plate to a fourteenth of a bead's height under the rim's bead.
+    EXPECT_NEAR(out.plan.position[i].z() - height, 0.0, 1e-6);
+    EXPECT_NEAR(out.plan.position[i].z(), 0.8 - 0.8 / 14.0, 1e-6);
+    if (i > under.first)
+      volume += process::beadArea(kProcess.beadWidthMinMm, height);
+  }
+  EXPECT_NEAR(out.volumeMm3, volume, 1e-3);
+  EXPECT_EQ(out.clearDirection.size(), out.plan.waypointCount());
+  // What was there is there, in its order.
+  std::vector<Vector3d> part;
+  for (const plan::ToolPath& path : out.plan.paths)
+    if (path.kind != plan::PathKind::Support)
+      part.insert(part.end(), out.plan.position.begin() + static_cast<std::ptrdiff_t>(path.first),
+                  out.plan.position.begin() + static_cast<std::ptrdiff_t>(path.first + path.count));
+  EXPECT_EQ(part, plan.position);
+  EXPECT_TRUE(std::ranges::count(hangingOf(plan), 1) > 20);
+  EXPECT_EQ(std::ranges::count(hangingOf(out.plan), 1), 0);
+}
+
+// The prime begins everything, though it is told to be of the first patch.
+TEST(Underlay, LiesBehindThePrimeAndWhatIsGrownIsThePlan) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, -12, 0.8, 0);
+  plan.paths.front().kind = plan::PathKind::Skirt;
+  addPath(plan, -15, 15, 2.4, 1.6, 0);
+  for (plan::ToolPath& path : plan.paths)
+    path.patch = 0;
+  const toolpath::RimSupportedPlan out = underlaid(plan);
+  ASSERT_EQ(out.plan.paths.size(), 3u);
+  EXPECT_EQ(out.plan.paths[0].kind, plan::PathKind::Skirt);
+  EXPECT_EQ(out.plan.paths[1].kind, plan::PathKind::Support);
+
+  plan::ToolPlan flat;
+  addPath(flat, -15, 15, 0, 0.8, 0);
+  const toolpath::RimSupportedPlan same = underlaid(flat);
+  EXPECT_EQ(same.underlaid, 0u);
+  for (const toolpath::RimSupportedPlan* of : {&out, &same}) {
+    ASSERT_NE(of->grown, nullptr);
+    const collision::GrowingPart fresh(of->plan, collision::growingPitch(of->plan, kProcess), {});
+    ASSERT_EQ(of->grown->grid().size, fresh.grid().size);
+    for (std::size_t c = 0; c < fresh.grid().cellCount(); ++c)
+      ASSERT_EQ(of->grown->filledAt(c), fresh.filledAt(c));
+  }
+}
+
+TEST(Underlay, NothingWhereTheRimBridgesOrThePlateIsFarOrNotThere) {
+  plan::ToolPlan shortRim;
+  addPath(shortRim, -1.2, 1.2, 0, 1.6, 0); // less than half of what it bridges
+  EXPECT_EQ(underlaid(shortRim).underlaid, 0u);
+
+  plan::ToolPlan high;
+  addPath(high, -15, 15, 0, 0.8 + 6.0 * kProcess.beadWidthMaxMm + 0.1, 0);
+  EXPECT_EQ(underlaid(high).underlaid, 0u);
+
+  plan::ToolPlan aside;
+  addPath(aside, -15, 15, 21, 1.6, 0);
+  EXPECT_EQ(underlaid(aside).underlaid, 0u);
+  EXPECT_EQ(underlaid(aside).plan.position, aside.position);
+
+  platform::PlatformSolid rod;
+  rod.rod.emplace();
+  EXPECT_EQ(underlaid(roundFoot(), rod).underlaid, 0u);
+}
+
+// Between walls that stand already the head would cut in: there a rim hangs rather.
+TEST(Underlay, NothingWhereTheHeadDoesNotGetIn) {
+  plan::ToolPlan plan;
+  for (int layer = 0; layer < 3; ++layer)
+    for (const double y : {1.5, 3.5})
+      addPath(plan, -5, 15, y, 0.8 * (layer + 1), layer);
+  addPath(plan, -15, 15, 2.5, 1.6, 3);
+  const toolpath::RimSupportedPlan out = underlaid(plan);
+  ASSERT_EQ(out.underlaid, 1u);
+  for (const plan::ToolPath& path : out.plan.paths) {
+    if (path.kind != plan::PathKind::Support)
+      continue;
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      EXPECT_LT(out.plan.position[i].x(), -5.0);
+  }
+}
+
+TEST(Underlay, SeveralCoursesWhereOneWouldBeThickerThanALayer) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 2.8, 0);
+  const toolpath::RimSupportedPlan out = underlaid(plan);
+  ASSERT_EQ(out.plan.paths.size(), 3u);
+  double top = 0.0;
+  for (int c = 0; c < 2; ++c) {
+    const std::size_t i = out.plan.paths[static_cast<std::size_t>(c)].first;
+    const auto height = static_cast<double>(out.plan.heightMm[i]);
+    EXPECT_LE(height, kProcess.layerHeightMaxMm);
+    EXPECT_NEAR(out.plan.position[i].z() - height, top, 1e-6);
+    top = out.plan.position[i].z();
+  }
+  EXPECT_NEAR(top, 2.0 - 0.8 / 14.0, 1e-6);
+}
+
+// A roof two layers over a slab, on posts' height: beads stand on the slab.
+TEST(Underlay, StandsOnWhatIsPrinted) {
+  plan::ToolPlan plan;
+  for (int layer = 0; layer < 8; ++layer)
+    addPath(plan, -15, 15, 0, 0.8 * (layer + 1), layer);
+  addPath(plan, -15, 15, 0, 6.4 + 3.0, 8);
+  const toolpath::RimSupportedPlan out = underlaid(plan);
+  EXPECT_EQ(out.underlaid, 1u);
+  ASSERT_EQ(out.plan.paths.size(), 12u);
+  double top = 6.4;
+  for (std::size_t p = 8; p < 11; ++p) {
+    const plan::ToolPath& under = out.plan.paths[p];
+    EXPECT_EQ(under.kind, plan::PathKind::Support);
+    const auto height = static_cast<double>(out.plan.heightMm[under.first]);
+    // What is printed is told by its cells.
+    EXPECT_NEAR(out.plan.position[under.first].z() - height, top, 0.2);
+    top = out.plan.position[under.first].z();
+  }
+  EXPECT_NEAR(top, 6.4 + 2.2 - 0.8 / 14.0, 1e-6);
+  EXPECT_EQ(std::ranges::count(hangingOf(out.plan), 1), 0);
+}
+
+// A wall of support is a sixth of its height wide at least.
+TEST(Underlay, HighOnesAreWider) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8 + 9.0, 0);
+  const toolpath::RimSupportedPlan out = underlaid(plan);
+  ASSERT_EQ(out.plan.paths.size(), 10u);
+  for (std::size_t p = 0; p < 9; ++p)
+    EXPECT_NEAR(out.plan.widthMm[out.plan.paths[p].first], (9.0 - 0.8 / 14.0) / 6.0, 1e-6);
+}
+
+// Seen from the side: where the nozzle comes aslant beside a wall, beads beneath are laid so too.
+TEST(Underlay, LeansWhereOnlySoTheHeadGetsIn) {
+  const Vector3d aslant = Vector3d(0.0, -1.0, 1.0).normalized();
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8, 0);
+  for (int layer = 1; layer < 30; ++layer)
+    addPath(plan, -15, 15, 2.4, 0.8 * layer, layer);
+  addPath(plan, -15, 15, 0.0, 3.6, 30);
+  const plan::ToolPath& roof = plan.paths.back();
+  for (std::size_t i = roof.first; i < roof.first + roof.count; ++i)
+    plan.direction[i] = aslant;
+  const toolpath::RimSupportedPlan out = underlaid(plan);
+  std::size_t laid = 0;
+  for (const plan::ToolPath& path : out.plan.paths) {
+    if (path.kind != plan::PathKind::Support)
+      continue;
+    for (std::size_t i = path.first; i < path.first + path.count; ++i, ++laid)
+      EXPECT_EQ(out.plan.direction[i], aslant);
+  }
+  EXPECT_GT(laid, 30u);
+}
+
+// Where the head cuts into what stands there, upright and as the roof is laid: leaning away from
+// it.
+TEST(Underlay, LeansAwayFromAWall) {
+  plan::ToolPlan plan;
+  addPath(plan, -15, 15, 0, 0.8, 0);
+  for (int layer = 1; layer <= 5; ++layer) // leans over towards the roof
+    addPath(plan, -15, 15, 0.6 * layer, 0.8 * (layer + 1), layer);
+  addPath(plan, -15, 15, 4.6, 0.8 * 6, 6);
+  const toolpath::RimSupportedPlan out = underlaid(plan);
+  ASSERT_EQ(out.underlaid, 1u);
+  for (const plan::ToolPath& path : out.plan.paths) {
+    if (path.kind != plan::PathKind::Support)
+      continue;
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      EXPECT_GT(out.plan.direction[i].y(), 0.3); // the wall is on the other side
+  }
+}
+
+// By the hundred: of what is laid, nothing is in what was laid before it, and nothing hangs.
+TEST(Underlay, RandomFeet) {
+  std::size_t laid = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](double from, double to) {
+      return std::uniform_real_distribution<>(from, to)(random);
+    };
+    plan::ToolPlan plan;
+    for (int row = 0; row < 3; ++row) {
+      const double from = number(-18, -2), y = -12.0 + 10.0 * row;
+      addPath(plan, from, from + number(4, 18), y, 0.8, 0);
+    }
+    for (int row = 0; row < 6; ++row) {
+      const double from = number(-18, -2), y = -12.0 + 5.0 * row + number(-0.3, 0.3);
+      addPath(plan, from, from + number(4, 18), y, number(1.2, 2.8), 1 + row);
+    }
+    const toolpath::RimSupportedPlan out = underlaid(plan);
+    const double pitch = collision::growingPitch(out.plan, kProcess);
+    const collision::GrowingPart part(out.plan, pitch, {});
+    plan::ToolPlan deeper = out.plan; // cells are told by their centres
+    for (float& height : deeper.heightMm)
+      height += static_cast<float>(0.5 * pitch);
+    const std::vector<char> hanging = hangingOf(deeper);
+    for (const plan::ToolPath& path : out.plan.paths) {
+      if (path.kind != plan::PathKind::Support)
+        continue;
+      ++laid;
+      EXPECT_TRUE(toolpath::hangingStretches(out.plan, path, hanging, kProcess.beadWidthMm).empty())
+          << seed << ": " << out.plan.position[path.first].transpose();
+      for (std::size_t i = path.first; i < path.first + path.count; ++i) {
+        EXPECT_GE(out.plan.position[i].z() - static_cast<double>(out.plan.heightMm[i]), -1e-5);
+        // VoronoiShares are told by their centres: half of one nearer to what it lies on.
+        const Vector3d middle =
+            out.plan.position[i] +
+            0.5 * (pitch - static_cast<double>(out.plan.heightMm[i])) * out.plan.direction[i];
+        EXPECT_FALSE(part.holds(middle, path.first)) << seed << ": " << middle.transpose();
+      }
+    }
+  }
+  EXPECT_GT(laid, 100u);
+}

@@ -1,0 +1,52 @@
+// A robot arm from a URDF: what was found in the file, which link is its flange, what it is called
+// and what kind of cell is laid out for it.
+#pragma once
+
+#include "base/error.h"
+#include "cells/arm_import.h"
+#include "jobs/job_runner.h"
+
+#include <QDialog>
+#include <QString>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QComboBox;
+class QDialogButtonBox;
+class QLineEdit;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace voluta::window {
+
+class ArmImportDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  // Reads the file at once, unseen. Files are written to `folder` (robots/ and cells/).
+  ArmImportDialog(const QString& urdf, const QString& folder, QWidget* parent = nullptr);
+
+  // The id of the cell that was written; empty until the dialog is accepted.
+  const QString& cell() const { return cell_; }
+
+private:
+  struct Look; // at the file: what there is to choose from, and what comes of the choice
+  void look();
+  void show(const Look& look);
+  void import();
+  void setBusy(bool busy);
+  robot::UrdfOptions options() const;
+
+  QString urdf_, folder_, cell_;
+  QComboBox *tip_, *kind_, *format_;
+  QLineEdit* name_;
+  QPlainTextEdit* found_;
+  QProgressBar* progress_;
+  QPushButton* import_;
+  jobs::JobRunner* runner_;
+  bool usable_ = false;
+};
+
+} // namespace voluta::window

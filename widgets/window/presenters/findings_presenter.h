@@ -1,0 +1,54 @@
+// The findings that count now, in their panel and on the time-line, and what cures them.
+#pragma once
+
+#include "panels/findings_panel.h"
+#include "pipeline/remedies.h"
+#include "plan/finding.h"
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+namespace voluta::document {
+class Document;
+class LivePreview;
+class Planning;
+} // namespace voluta::document
+namespace voluta::timeline {
+class TimelineBar;
+}
+
+namespace voluta::window {
+
+class FindingsPresenter : public QObject {
+  Q_OBJECT
+
+public:
+  // All outlives this.
+  FindingsPresenter(document::Document& document, document::Planning& planning,
+                    document::LivePreview& live, panels::FindingsPanel& panel,
+                    timeline::TimelineBar& timeline);
+
+private:
+  void show();
+  // The error that a run ended in, where it did.
+  plan::Findings stopped() const;
+  // Reads every cell: once for a finding, until the choices change.
+  const std::vector<pipeline::RemedyAction>& offersFor(const plan::Finding& finding);
+  std::vector<panels::RemedyButton> remediesOf(const plan::Finding& finding);
+  void apply(const plan::Finding& finding, const QString& remedy);
+
+  document::Document& document_;
+  document::Planning& planning_;
+  document::LivePreview& live_;
+  panels::FindingsPanel& panel_;
+  timeline::TimelineBar& timeline_;
+  struct Offered {
+    plan::FindingKind kind{};
+    std::vector<plan::NamedValue> values;
+    std::vector<pipeline::RemedyAction> offers;
+  };
+  std::optional<Offered> offered_; // last, with the present choices
+};
+
+} // namespace voluta::window

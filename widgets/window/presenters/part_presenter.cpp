@@ -1,0 +1,237 @@
+#include "window/presenters/part_presenter.h"
+
+#include "geometry/measures.h"
+#include "geometry/placement.h"
+#include "pipeline/cell_reach.h"
+#include "pipeline/choices.h"
+#include "pipeline/stages.h"
+#include "robot/shape/arm_look.h"
+#include "window/background.h"
+
+namespace voluta::window {
+
+using project::Stage;
+
+namespace {
+constexpr double kGroundRadiusMm = 150.0;
+
+Eigen::Vector3d sizeOf(const platform::PlatformSolid& platform) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector2d& corner : platform.polygon)
+    box.extend(Eigen::Vector3d(corner.x(), corner.y(), 0.0));
+  if (platform.mesh)
+    box.extend(geometry::bounds(*platform.mesh));
+  return box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval();
+}
+
+std::pair<std::shared_ptr<const scene::PlatformDrawing>, Eigen::Vector3d>
+drawingOf(const platform::PlatformSolid& platform) {
+  return {scene::drawPlatform(platform, kGroundRadiusMm), sizeOf(platform)};
+}
+} // namespace
+
+PartPresenter::PartPresenter(document::Document& document, viewer::Viewport& viewport)
+    : document_(document), viewport_(viewport), drawingPart_(std::make_unique<jobs::JobRunner>()),
+      drawingPlatform_(std::make_unique<jobs::JobRunner>()),
+      drawingCell_(std::make_unique<jobs::JobRunner>()),
+      drawingChosenCell_(std::make_unique<jobs::JobRunner>()) {
+  using document::Document;
+  connect(&document, &Document::sourceChanged, this, &PartPresenter::drawSource);
+  connect(&document, &Document::resultChanged, this, &PartPresenter::show);
+  connect(&document, &Document::choicesChanged, this, &PartPresenter::drawPlannedPlatform);
+  connect(&document, &Document::choicesChanged, this, &PartPresenter::drawChosenCell);
+  connect(&document, &Document::sourceChanged, this, &PartPresenter::drawChosenCell);
+  connect(&document, &Document::previewChanged, this, [this] {
+    if (const auto& preview = document_.preview())
+      drawPlatform(preview->decomposition->platform);
+  });
+  drawChosenCell();
+}
+
+PartPresenter::~PartPresenter() = default;
+
+bool PartPresenter::busy() const {
+  return drawingPart_->running() || drawingPlatform_->running() || drawingCell_->running() ||
+         drawingChosenCell_->running();
+}
+
+void PartPresenter::show(Stage stage) {
+  const auto result = document_.result(stage);
+  if (!result) {
+    drawnPart_.reset();
+    drawnCell_.reset();
+    swapCell(CellOf::Plan, nullptr);
+  } else if (stage == Stage::Load) {
+    drawPart(result->job.part);
+    drawPlannedPlatform();
+    drawChosenCell();
+  } else if (stage == Stage::Decompose) {
+    drawnPlatform_ = {pipeline::plannedPlatformKey(result->job.choices), result->job.part};
+    drawPlatform(result->job.platform);
+    drawCell(result->cell);
+  }
+}
+
+// The part as it was read is on show before the first stage has placed it.
+void PartPresenter::drawSource() {
+  const std::shared_ptr<const project::LoadedPart> source = document_.source();
+  if (!source) {
+    clear();
+    return;
+  }
+  if (document_.result(Stage::Load) && document_.upToDate(Stage::Load))
+    return;
+  const double wanted = project::parsedScale(document_.choices().scale);
+  const double unit = pipeline::unitMm(*source, document_.choices());
+  const geometry::Placement placement = document_.choices().placement;
+  inBackground(
+      *drawingPart_,
+      [source, placement, scale = unit * (wanted > 0.0 ? wanted : 1.0)] {
+        geometry::TriangleMesh placed = geometry::place(*source->mesh, scale, placement);
+        return std::pair(scene::drawPart(placed), geometry::bounds(placed));
+      },
+      [this](auto&& made) {
+        drawnPart_.reset();
+        swapPart(made.first, made.second);
+      });
+}
+
+// What is still being drawn must not come into an empty project.
+void PartPresenter::clear() {
+  for (const auto* runner : {&drawingPart_, &drawingPlatform_, &drawingCell_})
+    (*runner)->cancel();
+  viewport_.scene().setPart(nullptr);
+  viewport_.scene().setPlatform(nullptr);
+  box_.setEmpty();
+  shownSource_.reset();
+  drawnPart_.reset();
+  drawnPlatform_ = {};
+  drawnCell_.reset();
+  swapCell(CellOf::Plan, nullptr);
+  viewport_.requestFrame();
+  emit drawn(true);
+}
+
+void PartPresenter::drawPart(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
+  if (!mesh || drawnPart_ == mesh)
+    return;
+  drawnPart_ = mesh;
+  inBackground(
+      *drawingPart_, [mesh] { return std::pair(scene::drawPart(*mesh), geometry::bounds(*mesh)); },
+      [this](auto&& made) { swapPart(made.first, made.second); });
+}
+
+void PartPresenter::swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
+                             const Eigen::AlignedBox3d& box) {
+  viewport_.scene().setPart(drawing);
+  const bool another = box_.isEmpty() || shownSource_ != document_.source();
+  shownSource_ = document_.source();
+  box_ = box;
+  viewport_.requestFrame();
+  emit drawn(another);
+}
+
+void PartPresenter::drawPlatform(const platform::PlatformSolid& platform) {
+  inBackground(
+      *drawingPlatform_, [platform] { return drawingOf(platform); },
+      [this](auto&& made) { swapPlatform(made.first, made.second); });
+}
+
+// The platform's outline is on show before anything is planned: its size decides what can grow.
+void PartPresenter::drawPlannedPlatform() {
+  const auto placed = document_.result(Stage::Load);
+  if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
+    return;
+  const project::Choices& choices = document_.choices();
+  const auto wanted = std::pair(pipeline::plannedPlatformKey(choices), placed->job.part);
+  if (wanted == drawnPlatform_)
+    return;
+  drawnPlatform_ = wanted;
+  inBackground(
+      *drawingPlatform_,
+      [choices, stage = placed->placed] {
+        return drawingOf(pipeline::plannedPlatform(*stage, choices));
+      },
+      [this](auto&& made) { swapPlatform(made.first, made.second); });
+}
+
+void PartPresenter::swapPlatform(const std::shared_ptr<const scene::PlatformDrawing>& drawing,
+                                 const Eigen::Vector3d& sizeMm) {
+  viewport_.scene().setPlatform(drawing);
+  viewport_.requestFrame();
+  emit platformDrawn(sizeMm);
+}
+
+void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
+  if (!cell || drawnCell_ == cell)
+    return;
+  drawnCell_ = cell;
+  inBackground(
+      *drawingCell_, [cell] { return scene::drawCell(*cell, robot::lookOf(cell->robot())); },
+      [this](auto&& made) { swapCell(CellOf::Plan, made); });
+}
+
+// What the plate of the chosen cell is chosen for: the part as it was placed last. While an edit
+// places it anew the plate stays; null: nothing was placed in that cell.
+std::shared_ptr<const pipeline::PlanResult> PartPresenter::placedForCell() const {
+  const auto placed = document_.result(Stage::Load);
+  const project::Choices& now = document_.choices();
+  const bool sameCell =
+      placed && placed->job.choices.cell == now.cell && placed->job.choices.mode == now.mode;
+  return sameCell || document_.upToDate(Stage::Load) ? placed : nullptr;
+}
+
+// The machine is on show before anything is planned. A cell that cannot be read is not drawn: the
+// plan says what is wrong with it.
+void PartPresenter::drawChosenCell() {
+  const project::Choices& choices = document_.choices();
+  const auto placed = placedForCell();
+  std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> wanted;
+  try {
+    wanted = {pipeline::cellReachKey(choices, 0.0) + pipeline::plannedPlatformKey(choices),
+              placed ? placed->job.part : nullptr};
+  } catch (const base::Error&) {
+    chosenCell_ = {};
+    drawingChosenCell_->cancel();
+    swapCell(CellOf::Choices, nullptr);
+    return;
+  }
+  if (wanted == chosenCell_)
+    return;
+  chosenCell_ = wanted;
+  inBackground(
+      *drawingChosenCell_,
+      [choices, stage = placed ? placed->placed : nullptr]() {
+        std::shared_ptr<const scene::CellDrawing> drawing;
+        try {
+          const process::Process process =
+              pipeline::chosenProcess(choices, pipeline::parameterValues(choices));
+          const robot::Cell cell = stage
+                                       ? robot::loadCell(choices.cell, process,
+                                                         pipeline::plannedPlatform(*stage, choices))
+                                       : pipeline::cellToMap(choices, process);
+          drawing = scene::drawCell(cell, robot::lookOf(cell.robot()));
+        } catch (const base::Error&) {
+        }
+        return drawing;
+      },
+      [this](auto&& made) { swapCell(CellOf::Choices, made); });
+}
+
+void PartPresenter::swapCell(CellOf which, std::shared_ptr<const scene::CellDrawing> drawing) {
+  cells_[static_cast<std::size_t>(which)] = std::move(drawing);
+  if (which != shownCell_)
+    return;
+  viewport_.scene().setCell(cells_[static_cast<std::size_t>(which)]);
+  viewport_.requestFrame();
+  emit cellDrawn();
+  if (which == CellOf::Choices && box_.isEmpty())
+    emit drawn(true);
+}
+
+void PartPresenter::showCell(CellOf which) {
+  if (std::exchange(shownCell_, which) != which)
+    viewport_.scene().setCell(cells_[static_cast<std::size_t>(which)]);
+}
+
+} // namespace voluta::window

@@ -1,0 +1,65 @@
+// The unrolled layer with its words: which one it is, and what the pointer is on.
+#pragma once
+
+#include "jobs/job_runner.h"
+#include "layers/layer_stack.h"
+#include "plan/tool_plan.h"
+#include "window/unrolled/unrolled_layer.h"
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+class QLabel;
+
+namespace voluta::window {
+
+class UnrolledCanvas;
+
+// Layers are laid flat in the background when they are first asked for.
+class UnrolledView : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit UnrolledView(QWidget* parent = nullptr);
+  ~UnrolledView() override;
+
+  // Of one plan; null: none.
+  void setPlan(std::shared_ptr<const layers::LayerStack> stack,
+               std::shared_ptr<const plan::ToolPlan> plan);
+  // Of the layer with that index, waypoints of the plan before `laidEnd` are laid; `title` says
+  // which layer it is.
+  void showLayer(int layer, std::size_t laidEnd, const QString& title);
+  // Its path stands out, and where it lies is marked.
+  void choose(std::optional<std::size_t> waypoint);
+
+  UnrolledCanvas& canvas() { return *canvas_; }
+  // Is what is on show all that was asked for?
+  bool settled() const;
+
+signals:
+  // none: beside every path.
+  void chosen(std::optional<std::size_t> waypoint);
+
+protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+private:
+  void prepare();
+  void refresh();
+  void showPlace(const std::optional<QPointF>& mm, const std::optional<UnrolledHit>& hit);
+  void retranslate();
+
+  jobs::JobRunner runner_;
+  std::shared_ptr<const layers::LayerStack> stack_;
+  std::shared_ptr<const plan::ToolPlan> plan_;
+  std::shared_ptr<const UnrolledLayer> layer_;
+  int wanted_ = -1, preparing_ = -1;
+  std::size_t laidEnd_ = 0;
+  std::optional<std::size_t> chosen_;
+  QLabel *title_, *place_;
+  UnrolledCanvas* canvas_;
+};
+
+} // namespace voluta::window
