@@ -74,7 +74,7 @@ double housingRadius(const RobotModel& robot, int frame, double byLength) {
 
 class Builder {
 public:
-  explicit Builder(const RobotModel& robot) : robot_(robot), dof_(robot.dof()) {
+  explicit Builder(const RobotModel& robot) : dof_(robot.dof()) {
     q_ = JointVector::Zero(dof_);
     for (int i = 0; i < dof_; ++i)
       q_[i] = std::clamp(0.0, robot.limits[static_cast<std::size_t>(i)].min,
@@ -167,7 +167,6 @@ private:
         {circleSection(0.0, r), circleSection(0.4 * r, r)}, 0.06 * r);
   }
 
-  const RobotModel& robot_;
   int dof_;
   JointVector q_;
   Isometry3d last_T_flange_;
