@@ -37,7 +37,8 @@ endif()
 target_compile_options(voluta_flags INTERFACE -ffp-contract=off)
 if(VOLUTA_SANITIZE)
   # GCC takes what the sanitizers add for uses of what is not set.
-  add_compile_options(-fsanitize=${VOLUTA_SANITIZE} -fno-omit-frame-pointer -Wno-maybe-uninitialized)
+  add_compile_options(-fsanitize=${VOLUTA_SANITIZE} -fno-omit-frame-pointer
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_link_options(-fsanitize=${VOLUTA_SANITIZE})
   # Eigen keeps memory aligned in a way of its own where it sees the address sanitizer; OMPL was
   # built without, and frees what ours has taken.
