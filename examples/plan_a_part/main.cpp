@@ -1,0 +1,29 @@
+// plan_a_part PART FOLDER: plans a part in flat layers and writes programs, report and project.
+#include <base/error.h>
+#include <filesystem>
+#include <iostream>
+#include <pipeline/choices.h>
+#include <pipeline/outputs.h>
+#include <pipeline/road.h>
+
+int main(int argc, char** argv) {
+  using namespace voluta;
+  if (argc != 3)
+    return 1;
+  try {
+    const base::RunContext run(base::CancelToken(), 2); // two threads
+    pipeline::PlanRequest request;
+    request.part = argv[1];
+    request.choices.mode = "flat";
+    request.choices.scale = "0.3";
+    request.choices.platform = pipeline::usualPlatform(request.choices);
+    pipeline::PlanResult result = pipeline::planPart(request, run);
+    std::filesystem::create_directories(argv[2]);
+    pipeline::writeOutputs(result, argv[2], run);
+    std::cout << result.job.report.layers.count << " layers\n";
+    return pipeline::nothingBlocks(result.job.report) ? 0 : 2;
+  } catch (const base::Error& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+}
