@@ -11,6 +11,18 @@
 
 namespace voluta::robot {
 
+const Arm& Cell::arm(std::size_t i) const {
+  base::require(i < arms_.size(), "an arm of the cell");
+  return arms_[i];
+}
+
+JointVector Cell::home() const {
+  JointVector q = JointVector::Zero(dof());
+  for (const Arm& arm : arms_)
+    q.segment(arm.firstJoint, arm.jointCount()) = arm.home;
+  return q;
+}
+
 const Eigen::Isometry3d& Cell::flange_T_moved() const {
   return flange_T_moved_;
 }
@@ -19,7 +31,7 @@ const Eigen::Isometry3d& Cell::base_T_fixed() const {
 }
 
 Eigen::Isometry3d Cell::work_T_tool(const JointVector& q) const {
-  return work_T_toolOfFlange(robot_.kinematics->flange(q), q);
+  return work_T_toolOfFlange(robot().kinematics->flange(q), q);
 }
 
 Eigen::Isometry3d Cell::work_T_unit() const {
@@ -46,14 +58,14 @@ Eigen::Isometry3d Cell::base_T_world(const JointVector& q) const {
 
 Eigen::Isometry3d Cell::base_T_work(const JointVector& q) const {
   if (nozzleMount_ == Mount::World)
-    return robot_.kinematics->flange(q) * flange_T_moved_;
+    return robot().kinematics->flange(q) * flange_T_moved_;
   if (externalAxes_.empty())
     return base_T_fixed_;
   return base_T_axis(externalAxes_.size(), q) * axis_T_work_;
 }
 
 bool Cell::tilts() const {
-  return robot_.kinematics->tilts() ||
+  return robot().kinematics->tilts() ||
          std::any_of(externalAxes_.begin(), externalAxes_.end(), [](const ExternalAxis& axis) {
            return axis.limits.kind == JointKind::Turning;
          });
@@ -77,7 +89,7 @@ Eigen::Isometry3d Cell::work_T_toolOfFlange(const Eigen::Isometry3d& base_T_flan
 
 void Cell::inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
                    std::vector<JointVector>& solutions) const {
-  inverseNear(robot_, base_T_flange(work_T_tool, near), near, solutions);
+  inverseNear(robot(), base_T_flange(work_T_tool, near), near, solutions);
   for (JointVector& q : solutions) {
     q.conservativeResize(dof());
     q.tail(dof() - armDof()) = near.tail(dof() - armDof());
@@ -86,7 +98,7 @@ void Cell::inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near
 
 std::optional<JointVector> Cell::next(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
                                       double mostRad) const {
-  auto q = nextBranch(robot_, base_T_flange(work_T_tool, near), near, mostRad);
+  auto q = nextBranch(robot(), base_T_flange(work_T_tool, near), near, mostRad);
   if (q) {
     q->conservativeResize(dof());
     q->tail(dof() - armDof()) = near.tail(dof() - armDof());
@@ -95,7 +107,7 @@ std::optional<JointVector> Cell::next(const Eigen::Isometry3d& work_T_tool, cons
 }
 
 void Cell::framePoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_frame) const {
-  robot_.kinematics->linkPoses(q, base_T_frame);
+  robot().kinematics->linkPoses(q, base_T_frame);
   const Eigen::Isometry3d moved = base_T_frame.back() * flange_T_moved_;
   const bool plateMoves = nozzleMount_ == Mount::World;
   base_T_frame.push_back(plateMoves ? moved : base_T_work(q));

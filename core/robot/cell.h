@@ -10,6 +10,7 @@
 
 #include "platform/platform_solid.h"
 #include "process/process.h"
+#include "robot/arm.h"
 #include "robot/cell/external_axis.h"
 #include "robot/robot_model.h"
 
@@ -56,13 +57,18 @@ public:
   const std::string& note() const { return note_; } // how it was laid out, for who sets it up
   // Id of what turns the filament (program/extruder.h).
   const std::string& extruder() const { return extruder_; }
-  const RobotModel& robot() const { return robot_; }
+  // One arm for now. In a joint vector their joints come first, arm by arm; external axes follow.
+  const std::vector<Arm>& arms() const { return arms_; }
+  // Precondition: i < arms().size().
+  const Arm& arm(std::size_t i) const;
+  // Of arm(0).
+  const RobotModel& robot() const { return arms_.front().robot; }
   // What the flange carries before anything is printed: the plate and its stem, or head and
   // extruder. kg; assumed where the file does not say.
   double carriedKg() const { return carriedKg_; }
   bool carriedIsAssumed() const { return carriedIsAssumed_; }
   int dof() const { return static_cast<int>(limits_.size()); } // the robot's and external axes
-  int armDof() const { return robot_.dof(); }
+  int armDof() const { return arms_.front().jointCount(); }    // of arm(0)
   // In a joint vector they follow the robot's own; from the base to the platform.
   const std::vector<ExternalAxis>& externalAxes() const { return externalAxes_; }
   // How many of them carry the robot: the first ones.
@@ -115,7 +121,8 @@ public:
   int lastJointTurnsNozzle() const { return lastJointTurnsNozzle_; }
 
   const std::vector<JointLimits>& limits() const { return limits_; } // dof() of them
-  const JointVector& home() const { return home_; }
+  // The arms at home, external axes at 0; dof() of them.
+  JointVector home() const;
   // Can it bring the nozzle to other directions than one? By its arm, or by what its axes turn.
   bool tilts() const;
   // Of the arm's joints in travels with what it carries, rad/s2; a sliding one's by asTurn().
@@ -137,13 +144,14 @@ public:
   const std::vector<int>& bodiesAgainstPart() const { return bodiesAgainstPart_; }
 
 private:
+  class Reader;
   Cell() = default;
   // The frame of the last of the first `count` external axes, moved by them.
   Eigen::Isometry3d base_T_axis(std::size_t count, const JointVector& q) const;
   static Cell read(const base::JsonNode& top, const std::filesystem::path& file, RobotModel robot,
                    const process::Process& process, platform::PlatformSolid solid);
   std::string id_, label_, note_, extruder_ = "outputs";
-  RobotModel robot_;
+  std::vector<Arm> arms_; // one or more once it is read
   Mount nozzleMount_ = Mount::World;
   Eigen::Isometry3d flange_T_moved_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d base_T_fixed_ = Eigen::Isometry3d::Identity();
@@ -154,7 +162,6 @@ private:
   std::vector<JointLimits> limits_;
   std::optional<CellRod> rod_;
   std::vector<std::string> plates_;
-  JointVector home_;
   double travelAcceleration_ = 0.0, carriedKg_ = 0.0;
   bool carriedIsAssumed_ = true;
   int lastJointTurnsNozzle_ = 0;

@@ -49,20 +49,19 @@
 //                         unit by the name of the last of them
 #include "robot/cell.h"
 
+#include "base/error.h"
 #include "base/files.h"
 #include "base/json_node.h"
+#include "base/units.h"
+#include "robot/cell/checked_pairs.h"
 #include "robot/cell/json_pose.h"
+#include "robot/cell/platform_reader.h"
 #include "robot/cell/robot_reader.h"
 #include "robot/cell/shape_reader.h"
-#include "robot/plate.h"
 #include "robot/shape/shape_moves.h"
-
-#include "base/error.h"
-#include "base/units.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace voluta::robot {
 
@@ -105,105 +104,17 @@ Body headBody(const process::HeadShape& head, int toolFrame) {
   return body;
 }
 
-CellRod readRod(const base::JsonNode& node) {
-  node.allowOnly({"diameterMm", "lengthMm", "printableRadiusMm"});
-  const CellRod rod{node.at("diameterMm").positive(), node.at("lengthMm").positive(),
-                    node.at("printableRadiusMm").positive()};
-  if (rod.printableRadiusMm <= 0.5 * rod.diameterMm)
-    node.at("printableRadiusMm").fail("must be more than the rod's radius"_text);
-  return rod;
-}
-
-// A rod lies on the work frame's x, and is turned about it.
-void requireTurnsRod(const base::JsonNode& axes, const std::vector<ExternalAxis>& chain,
-                     const Eigen::Isometry3d& axis_T_work) {
-  constexpr double kSame = 1e-9;
-  if (chain.size() != 1 || chain.front().limits.kind != JointKind::Turning)
-    axes.fail("must hold one axis, which turns the rod"_text);
-  if ((axis_T_work.linear().col(0) - Eigen::Vector3d::UnitX()).norm() > kSame ||
-      axis_T_work.translation().tail<2>().norm() > kSame)
-    axes.fail("must turn the rod about its own axis, the work frame's x"_text);
-}
-
-// The rod that is in the cell: the job's where it has one.
-platform::RodShape rodOf(const CellRod& own, const std::optional<platform::RodShape>& wanted,
-                         const std::string& cell) {
-  constexpr double kSlackMm = 1e-9;
-  if (!wanted)
-    return platform::straightRod(own.diameterMm, own.lengthMm);
-  platform::checkRod(*wanted);
-  const double reach =
-      std::max(-wanted->profile.front().x(), wanted->profile.back().x()) - kSlackMm;
-  const auto refuse = [&](const base::Message& what, const base::Message& remedy) {
-    return base::Error(base::ErrorCode::UnusableInput, what,
-                       base::message("cell {cell}"_text, cell), remedy);
-  };
-  if (reach > 0.5 * own.lengthMm)
-    throw refuse(
-        base::message(
-            "the rod reaches {reach} mm from its middle, the cell has room for {room}"_text,
-            base::number(reach), base::number(0.5 * own.lengthMm)),
-        "take a shorter rod"_text);
-  for (const Eigen::Vector2d& at : wanted->profile)
-    if (at.y() > own.printableRadiusMm)
-      throw refuse(
-          base::message("the rod's radius is {radius} mm, the cell prints up to {most}"_text,
-                        base::number(at.y()), base::number(own.printableRadiusMm)),
-          "take a thinner rod"_text);
-  return *wanted;
-}
-
-// Round about its corners where it is a prism. No frustum where the radius steps.
-Body rodBody(const platform::RodShape& rod, int workFrame) {
-  Body body{"platform", BodyRole::Platform, workFrame, {}};
-  for (std::size_t i = 1; i < rod.profile.size(); ++i) {
-    const Eigen::Vector2d &a = rod.profile[i - 1], &b = rod.profile[i];
-    if (b.x() - a.x() > kStepMm)
-      body.shapes.push_back(
-          Frustum{Eigen::Vector3d(a.x(), 0, 0), Eigen::Vector3d(b.x(), 0, 0), a.y(), b.y()});
-  }
-  return body;
-}
-
-void requireConvex(const std::vector<Eigen::Vector2d>& polygon) {
-  base::require(polygon.size() >= 3, "a platform's polygon has three corners or more");
-  const std::size_t n = polygon.size();
-  double area = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % n], &c = polygon[(i + 2) % n];
-    const Eigen::Vector2d ab = b - a, bc = c - b;
-    base::require(ab.x() * bc.y() - ab.y() * bc.x() >= -1e-9 * (1.0 + ab.norm() * bc.norm()),
-                  "a platform's polygon is convex and counter-clockwise");
-    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-  }
-  base::require(area > 0.0, "a platform's polygon has an area");
-}
-
-// Bodies with the same number never move relative to each other. Frames: base, links, flange,
-// work, tool, on what each external axis moves. `dof`: of the arm.
-int rigidGroup(int frame, int dof, bool plateMoves, int axes) {
-  if (frame > dof + 3)
-    return frame - 3; // behind the last link
-  if (axes > 0 && frame == dof + 2)
-    return dof + axes;
-  if (frame == dof + 1 || frame == (plateMoves ? dof + 2 : dof + 3))
-    return dof; // on the last link
-  if (frame > dof)
-    return 0; // fixed to the world
-  return frame;
-}
-
 // Cell::lastJointTurnsNozzle; near enough, as descriptions round right angles.
-int turnOfNozzle(const RobotModel& robot, const JointVector& home,
-                 const Eigen::Isometry3d& flange_T_tool) {
+int turnOfNozzle(const Arm& arm, const Eigen::Isometry3d& flange_T_tool) {
   constexpr double kTurn = 1.0, kNearMm = 0.05, kNear = 1e-4;
-  const int last = robot.dof() - 1;
-  if (robot.kinematics->kindOf(last) != JointKind::Turning)
+  const Kinematics& kinematics = *arm.robot.kinematics;
+  const int last = arm.jointCount() - 1;
+  if (kinematics.kindOf(last) != JointKind::Turning)
     return 0;
-  JointVector turned = home.head(robot.dof());
-  const Eigen::Isometry3d from = robot.kinematics->flange(turned) * flange_T_tool;
+  JointVector turned = arm.home;
+  const Eigen::Isometry3d from = kinematics.flange(turned) * flange_T_tool;
   turned[last] += kTurn;
-  const Eigen::Isometry3d move = from.inverse() * robot.kinematics->flange(turned) * flange_T_tool;
+  const Eigen::Isometry3d move = from.inverse() * kinematics.flange(turned) * flange_T_tool;
   for (const int sign : {1, -1})
     if (move.translation().norm() < kNearMm &&
         (move.linear() - Eigen::AngleAxisd(sign * kTurn, Eigen::Vector3d::UnitZ()).matrix())
@@ -213,6 +124,230 @@ int turnOfNozzle(const RobotModel& robot, const JointVector& home,
 }
 
 } // namespace
+
+// Reads a cell key by key. Later steps use what earlier ones have read: frames and the joint vector
+// depend on arm and axes, bodies on frames, pairs on all bodies.
+class Cell::Reader {
+public:
+  Reader(const base::JsonNode& top, const process::HeadShape& head) : top_(top), head_(head) {}
+
+  Cell read(const std::string& id, RobotModel robot, platform::PlatformSolid solid) {
+    top_.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
+                    "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "externalUnit",
+                    "extruder", "carriedKg"});
+    readTexts(id);
+    addArm(std::move(robot));
+    readAxes();
+    nameUnits();
+    const base::JsonNode nozzle = top_.at("nozzle"), platform = top_.at("platform");
+    nozzle.allowOnly({"mount", "pose", "holder"});
+    readRodOf(platform, solid);
+    readMounts(nozzle, platform);
+    readCarried();
+    readPoses(nozzle, platform);
+    addLinks();
+    addHead(nozzle);
+    addPlatform(platform, std::move(solid));
+    addAxisBodies();
+    addObstacles();
+    readHome();
+    if (!plateMoves())
+      cell_.lastJointTurnsNozzle_ = turnOfNozzle(cell_.arms_.front(), cell_.flange_T_moved_);
+    readTravelAcceleration();
+    findPairs();
+    return std::move(cell_);
+  }
+
+private:
+  bool plateMoves() const { return cell_.nozzleMount_ == Mount::World; }
+
+  void readTexts(const std::string& id) {
+    cell_.id_ = top_.at("id").text();
+    if (cell_.id_ != id)
+      top_.at("id").fail(
+          base::message("is '{id}', but the file is named '{file}'"_text, cell_.id_, id));
+    cell_.label_ = top_.at("label").text();
+    if (top_.has("note"))
+      cell_.note_ = top_.at("note").text();
+    if (top_.has("extruder"))
+      cell_.extruder_ = top_.at("extruder").text();
+  }
+
+  // Its joints follow those of the arms before it; its home pose is read later.
+  void addArm(RobotModel robot) {
+    Arm arm;
+    arm.firstJoint = cell_.dof();
+    cell_.limits_.insert(cell_.limits_.end(), robot.limits.begin(), robot.limits.end());
+    arm.robot = std::move(robot);
+    cell_.arms_.push_back(std::move(arm));
+  }
+
+  void readAxes() {
+    std::vector<ExternalAxis>& axes = cell_.externalAxes_;
+    for (const base::JsonNode& node : top_.at("externalAxes").items()) {
+      AxisDescription described = readExternalAxis(node, axes.empty() ? nullptr : &axes.back());
+      const std::size_t before = axes.size();
+      for (Body& body : described.bodies) {
+        body.frame = !described.axis.carriesRobot ? cell_.axisFrame(before)
+                     : before > 0                 ? cell_.axisFrame(before - 1)
+                                                  : 0;
+        axisBodies_.push_back(std::move(body));
+      }
+      cell_.axesUnderRobot_ += described.axis.carriesRobot ? 1 : 0;
+      cell_.limits_.push_back(described.axis.limits);
+      axes.push_back(std::move(described.axis));
+    }
+    if (cell_.dof() > JointVector::MaxRowsAtCompileTime)
+      top_.at("externalAxes")
+          .fail(base::message("must be fewer: robot and axes are {most} at most"_text,
+                              static_cast<int>(JointVector::MaxRowsAtCompileTime)));
+  }
+
+  void nameUnits() {
+    const std::vector<ExternalAxis>& axes = cell_.externalAxes_;
+    if (!axes.empty())
+      cell_.externalUnit_ = axes.back().name;
+    if (top_.has("externalUnit"))
+      cell_.externalUnit_ = top_.at("externalUnit").text();
+    if (cell_.axesUnderRobot_ > 0)
+      cell_.robotUnit_ =
+          cell_.axesMovePlatform() ? axes[cell_.axesUnderRobot_ - 1].name : cell_.externalUnit_;
+  }
+
+  void readRodOf(const base::JsonNode& platform, const platform::PlatformSolid& solid) {
+    if (platform.has("rod")) {
+      platform.allowOnly({"mount", "pose", "rod"});
+      cell_.rod_ = readRod(platform.at("rod"));
+    } else {
+      platform.allowOnly({"mount", "pose", "thicknessMm", "stem", "plates"});
+    }
+    if (solid.rod && !cell_.rod_)
+      throw base::Error(base::ErrorCode::UnusableInput,
+                        base::message("cell {id} holds no rod to print on"_text, cell_.id_), {},
+                        "take a cell with a rod: --cell lathe"_text);
+  }
+
+  void readMounts(const base::JsonNode& nozzle, const base::JsonNode& platform) {
+    cell_.nozzleMount_ = readMount(nozzle.at("mount"));
+    if (readMount(platform.at("mount")) == cell_.nozzleMount_)
+      platform.at("mount").fail(
+          "must not be the nozzle's: one of them moves, the other is fixed"_text);
+  }
+
+  void readCarried() {
+    cell_.carriedIsAssumed_ = !top_.has("carriedKg");
+    cell_.carriedKg_ = top_.has("carriedKg") ? top_.at("carriedKg").notNegative()
+                       : plateMoves()        ? kPlateKg
+                                             : kHeadKg;
+  }
+
+  void readPoses(const base::JsonNode& nozzle, const base::JsonNode& platform) {
+    if (plateMoves() && cell_.rod_)
+      platform.at("mount").fail("must be world: a rod is held at both ends"_text);
+    if (plateMoves() && !cell_.externalAxes_.empty())
+      top_.at("externalAxes").fail("must be empty: the plate is on the flange"_text);
+    cell_.flange_T_moved_ = readPose((plateMoves() ? platform : nozzle).at("pose"));
+    cell_.base_T_fixed_ = readPose((plateMoves() ? nozzle : platform).at("pose"));
+    if (!cell_.externalAxes_.empty()) {
+      cell_.axis_T_work_ = cell_.externalAxes_.back().axis_T_moved * cell_.base_T_fixed_;
+      cell_.base_T_fixed_ = cell_.base_T_work(JointVector::Zero(cell_.dof()));
+    }
+    if (cell_.rod_)
+      requireTurnsRod(top_.at("externalAxes"), cell_.externalAxes_, cell_.axis_T_work_);
+  }
+
+  // They come first: pairs in a robot's file are indices of its links.
+  void addLinks() { cell_.bodies_ = cell_.robot().links; }
+
+  void addHead(const base::JsonNode& nozzle) {
+    cell_.bodies_.push_back(headBody(head_, cell_.toolFrame()));
+    if (nozzle.has("holder"))
+      cell_.bodies_.push_back(
+          {"holder", BodyRole::Holder, cell_.toolFrame(), readShapes(nozzle.at("holder"))});
+  }
+
+  void addPlatform(const base::JsonNode& platform, platform::PlatformSolid solid) {
+    if (cell_.rod_) {
+      cell_.bodies_.push_back(rodBody(*cell_.rod_, solid.rod, cell_.id_, cell_.workFrame()));
+      return;
+    }
+    if (platform.has("plates"))
+      for (const base::JsonNode& plate : platform.at("plates").items())
+        cell_.plates_.push_back(plate.text());
+    cell_.bodies_.push_back(plateBody(platform, std::move(solid.polygon), cell_.workFrame()));
+  }
+
+  bool isTaken(const std::string& name) const {
+    return std::any_of(cell_.bodies_.begin(), cell_.bodies_.end(),
+                       [&](const Body& other) { return other.name == name; });
+  }
+
+  void addAxisBodies() {
+    for (Body& body : axisBodies_) {
+      if (isTaken(body.name))
+        top_.at("externalAxes")
+            .fail(base::message("has a name that is taken already: '{name}'"_text, body.name));
+      cell_.bodies_.push_back(std::move(body));
+    }
+  }
+
+  void addObstacles() {
+    for (const base::JsonNode& obstacle : top_.at("obstacles").items()) {
+      obstacle.allowOnly({"name", "pose", "shapes"});
+      const std::string name = obstacle.at("name").text();
+      if (isTaken(name))
+        obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
+      Body body{name, BodyRole::Obstacle, cell_.worldFrame(), readShapes(obstacle.at("shapes"))};
+      if (obstacle.has("pose"))
+        for (Shape& shape : body.shapes)
+          shape = moved(std::move(shape), readPose(obstacle.at("pose")));
+      cell_.bodies_.push_back(std::move(body));
+    }
+  }
+
+  void readHome() {
+    Arm& arm = cell_.arms_.front();
+    const std::vector<base::JsonNode> home = top_.at("homeDeg").items();
+    if (static_cast<int>(home.size()) != arm.jointCount())
+      top_.at("homeDeg").fail(base::message("must hold {wanted} joints, holds {found}"_text,
+                                            arm.jointCount(), home.size()));
+    arm.home = JointVector::Zero(arm.jointCount());
+    for (std::size_t i = 0; i < home.size(); ++i) {
+      const JointLimits& limit = arm.robot.limits[i];
+      const double q = ofShownValue(limit.kind, home[i].number());
+      if (q < limit.min || q > limit.max)
+        home[i].fail("is outside the joint's limits"_text);
+      arm.home[static_cast<Eigen::Index>(i)] = q;
+    }
+  }
+
+  void readTravelAcceleration() {
+    double most = INFINITY;
+    for (const JointLimits& limit : cell_.robot().limits)
+      most = std::min(most, asTurn(limit.kind, limit.acceleration));
+    const char* travel = "travelAccelerationDegPerS2";
+    const double travelDeg = top_.has(travel) ? top_.at(travel).positive() : kTravelDegPerS2;
+    if (top_.has(travel) && base::degreesToRadians(travelDeg) > most * (1.0 + 1e-9))
+      top_.at(travel).fail("is more than a joint of the robot is given"_text);
+    cell_.travelAcceleration_ = std::min(most, base::degreesToRadians(travelDeg));
+  }
+
+  void findPairs() {
+    std::vector<std::pair<int, int>> never = cell_.robot().neverMeet;
+    if (top_.has("neverMeet"))
+      for (const auto& pair : readBodyPairs(top_.at("neverMeet"), cell_.bodies_))
+        never.push_back(pair);
+    const RigidGroups groups{cell_.armDof(), static_cast<int>(cell_.externalAxes_.size()),
+                             plateMoves()};
+    cell_.checkedPairs_ = robot::checkedPairs(cell_.bodies_, groups, never);
+    cell_.bodiesAgainstPart_ = bodiesMovingAgainst(cell_.workFrame(), cell_.bodies_, groups);
+  }
+
+  const base::JsonNode& top_;
+  const process::HeadShape& head_;
+  Cell cell_;
+  std::vector<Body> axisBodies_;
+};
 
 Cell Cell::read(const std::filesystem::path& file, const process::Process& process,
                 platform::PlatformSolid solid) {
@@ -233,177 +368,7 @@ Cell Cell::read(std::string_view text, const std::filesystem::path& name, RobotM
 
 Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, RobotModel robot,
                 const process::Process& process, platform::PlatformSolid solid) {
-  top.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
-                 "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "externalUnit",
-                 "extruder", "carriedKg"});
-  Cell cell;
-  cell.id_ = top.at("id").text();
-  if (cell.id_ != file.stem().string())
-    top.at("id").fail(base::message("is '{id}', but the file is named '{file}'"_text, cell.id_,
-                                    file.stem().string()));
-  cell.label_ = top.at("label").text();
-  if (top.has("note"))
-    cell.note_ = top.at("note").text();
-  if (top.has("extruder"))
-    cell.extruder_ = top.at("extruder").text();
-  cell.robot_ = std::move(robot);
-  cell.limits_ = cell.robot_.limits;
-  std::vector<Body> onAxes;
-  for (const base::JsonNode& node : top.at("externalAxes").items()) {
-    AxisDescription described =
-        readExternalAxis(node, cell.externalAxes_.empty() ? nullptr : &cell.externalAxes_.back());
-    const std::size_t before = cell.externalAxes_.size();
-    for (Body& body : described.bodies) {
-      body.frame = !described.axis.carriesRobot ? cell.axisFrame(before)
-                   : before > 0                 ? cell.axisFrame(before - 1)
-                                                : 0;
-      onAxes.push_back(std::move(body));
-    }
-    cell.axesUnderRobot_ += described.axis.carriesRobot ? 1 : 0;
-    cell.limits_.push_back(described.axis.limits);
-    cell.externalAxes_.push_back(std::move(described.axis));
-  }
-  if (cell.dof() > JointVector::MaxRowsAtCompileTime)
-    top.at("externalAxes")
-        .fail(base::message("must be fewer: robot and axes are {most} at most"_text,
-                            static_cast<int>(JointVector::MaxRowsAtCompileTime)));
-  if (!cell.externalAxes_.empty())
-    cell.externalUnit_ = cell.externalAxes_.back().name;
-  if (top.has("externalUnit"))
-    cell.externalUnit_ = top.at("externalUnit").text();
-  if (cell.axesUnderRobot_ > 0)
-    cell.robotUnit_ = cell.axesMovePlatform() ? cell.externalAxes_[cell.axesUnderRobot_ - 1].name
-                                              : cell.externalUnit_;
-
-  const base::JsonNode nozzle = top.at("nozzle"), platform = top.at("platform");
-  nozzle.allowOnly({"mount", "pose", "holder"});
-  if (platform.has("rod")) {
-    platform.allowOnly({"mount", "pose", "rod"});
-    cell.rod_ = readRod(platform.at("rod"));
-  } else {
-    platform.allowOnly({"mount", "pose", "thicknessMm", "stem", "plates"});
-  }
-  if (solid.rod && !cell.rod_)
-    throw base::Error(base::ErrorCode::UnusableInput,
-                      base::message("cell {id} holds no rod to print on"_text, cell.id_), {},
-                      "take a cell with a rod: --cell lathe"_text);
-  cell.nozzleMount_ = readMount(nozzle.at("mount"));
-  if (readMount(platform.at("mount")) == cell.nozzleMount_)
-    platform.at("mount").fail(
-        "must not be the nozzle's: one of them moves, the other is fixed"_text);
-  const bool plateMoves = cell.nozzleMount_ == Mount::World;
-  cell.carriedIsAssumed_ = !top.has("carriedKg");
-  cell.carriedKg_ = top.has("carriedKg") ? top.at("carriedKg").notNegative()
-                    : plateMoves         ? kPlateKg
-                                         : kHeadKg;
-  if (plateMoves && cell.rod_)
-    platform.at("mount").fail("must be world: a rod is held at both ends"_text);
-  if (plateMoves && !cell.externalAxes_.empty())
-    top.at("externalAxes").fail("must be empty: the plate is on the flange"_text);
-  cell.flange_T_moved_ = readPose((plateMoves ? platform : nozzle).at("pose"));
-  cell.base_T_fixed_ = readPose((plateMoves ? nozzle : platform).at("pose"));
-  if (!cell.externalAxes_.empty()) {
-    cell.axis_T_work_ = cell.externalAxes_.back().axis_T_moved * cell.base_T_fixed_;
-    cell.base_T_fixed_ = cell.base_T_work(JointVector::Zero(cell.dof()));
-  }
-  if (cell.rod_)
-    requireTurnsRod(top.at("externalAxes"), cell.externalAxes_, cell.axis_T_work_);
-
-  cell.bodies_ = cell.robot_.links;
-  cell.bodies_.push_back(headBody(process.head, cell.toolFrame()));
-  if (nozzle.has("holder"))
-    cell.bodies_.push_back(
-        {"holder", BodyRole::Holder, cell.toolFrame(), readShapes(nozzle.at("holder"))});
-  if (cell.rod_) {
-    cell.bodies_.push_back(rodBody(rodOf(*cell.rod_, solid.rod, cell.id_), cell.workFrame()));
-  } else {
-    requireConvex(solid.polygon);
-    if (platform.has("plates"))
-      for (const base::JsonNode& plate : platform.at("plates").items())
-        cell.plates_.push_back(plate.text());
-    Body plate{"platform", BodyRole::Platform, cell.workFrame(), {}};
-    plate.shapes.push_back(
-        Prism{std::move(solid.polygon), -platform.at("thicknessMm").positive(), 0.0});
-    if (platform.has("stem"))
-      for (Shape& shape : readShapes(platform.at("stem")))
-        plate.shapes.push_back(std::move(shape));
-    if (auto foot = footOf(std::get<Prism>(plate.shapes.front()), plate.shapes))
-      plate.shapes.push_back(*std::move(foot));
-    cell.bodies_.push_back(std::move(plate));
-  }
-  const auto isTaken = [&](const std::string& name) {
-    return std::any_of(cell.bodies_.begin(), cell.bodies_.end(),
-                       [&](const Body& other) { return other.name == name; });
-  };
-  for (Body& body : onAxes) {
-    if (isTaken(body.name))
-      top.at("externalAxes")
-          .fail(base::message("has a name that is taken already: '{name}'"_text, body.name));
-    cell.bodies_.push_back(std::move(body));
-  }
-  for (const base::JsonNode& obstacle : top.at("obstacles").items()) {
-    obstacle.allowOnly({"name", "pose", "shapes"});
-    const std::string name = obstacle.at("name").text();
-    if (isTaken(name))
-      obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
-    Body body{name, BodyRole::Obstacle, cell.worldFrame(), readShapes(obstacle.at("shapes"))};
-    if (obstacle.has("pose"))
-      for (Shape& shape : body.shapes)
-        shape = moved(std::move(shape), readPose(obstacle.at("pose")));
-    cell.bodies_.push_back(std::move(body));
-  }
-
-  const std::vector<base::JsonNode> home = top.at("homeDeg").items();
-  if (static_cast<int>(home.size()) != cell.armDof())
-    top.at("homeDeg").fail(
-        base::message("must hold {wanted} joints, holds {found}"_text, cell.armDof(), home.size()));
-  cell.home_ = JointVector::Zero(cell.dof());
-  for (std::size_t i = 0; i < home.size(); ++i) {
-    const double q = ofShownValue(cell.robot_.limits[i].kind, home[i].number());
-    if (q < cell.robot_.limits[i].min || q > cell.robot_.limits[i].max)
-      home[i].fail("is outside the joint's limits"_text);
-    cell.home_[static_cast<Eigen::Index>(i)] = q;
-  }
-
-  if (!plateMoves)
-    cell.lastJointTurnsNozzle_ = turnOfNozzle(cell.robot_, cell.home_, cell.flange_T_moved_);
-
-  double most = INFINITY;
-  for (const JointLimits& limit : cell.robot_.limits)
-    most = std::min(most, asTurn(limit.kind, limit.acceleration));
-  const char* travel = "travelAccelerationDegPerS2";
-  const double travelDeg = top.has(travel) ? top.at(travel).positive() : kTravelDegPerS2;
-  if (top.has(travel) && base::degreesToRadians(travelDeg) > most * (1.0 + 1e-9))
-    top.at(travel).fail("is more than a joint of the robot is given"_text);
-  cell.travelAcceleration_ = std::min(most, base::degreesToRadians(travelDeg));
-
-  std::vector<std::pair<int, int>> never = cell.robot_.neverMeet; // links come first in bodies_
-  if (top.has("neverMeet"))
-    for (const auto& pair : readBodyPairs(top.at("neverMeet"), cell.bodies_))
-      never.push_back(pair);
-  const auto groupOf = [&](int body) {
-    return rigidGroup(cell.bodies_[static_cast<std::size_t>(body)].frame, cell.armDof(), plateMoves,
-                      static_cast<int>(cell.externalAxes_.size()));
-  };
-  const auto isLink = [&](int body) {
-    return cell.bodies_[static_cast<std::size_t>(body)].role == BodyRole::Link;
-  };
-  const int count = static_cast<int>(cell.bodies_.size());
-  for (int a = 0; a < count; ++a)
-    for (int b = a + 1; b < count; ++b) {
-      const int apart = std::abs(groupOf(a) - groupOf(b));
-      const bool neighbours = apart == 1 && isLink(a) && isLink(b);
-      if (apart == 0 || neighbours ||
-          std::find(never.begin(), never.end(), std::pair(a, b)) != never.end())
-        continue;
-      cell.checkedPairs_.emplace_back(a, b);
-    }
-  const int partGroup = rigidGroup(cell.workFrame(), cell.armDof(), plateMoves,
-                                   static_cast<int>(cell.externalAxes_.size()));
-  for (int a = 0; a < count; ++a)
-    if (groupOf(a) != partGroup)
-      cell.bodiesAgainstPart_.push_back(a);
-  return cell;
+  return Reader(top, process.head).read(file.stem().string(), std::move(robot), std::move(solid));
 }
 
 } // namespace voluta::robot
