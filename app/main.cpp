@@ -58,7 +58,7 @@ void leaveWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QStrin
 // What a new project begins with. Throws Error where the program's data is not where it should be.
 bool readUsualData() {
   const project::Choices usual;
-  modes::cellOnAnyPlatform(usual, process::loadProcess(usual.process));
+  modes::cellOnAnyPlatform(usual, process::loadProcess(usual.tool().process));
   return true;
 }
 
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     return leaveWith(*error);
   window::MainWindow main(appearance);
   project::Choices start;
-  start.automatic = true;
+  start.item().automatic = true;
   main.document().startWith(pipeline::automaticChoices(start).front());
   main.show();
   QTimer::singleShot(0, &main, [&] {

@@ -44,11 +44,12 @@ private:
     for (const std::string& name : pictures::pictureNames()) {
       const project::Job& job = result.job;
       const bool there =
-          name == "part" ? !job.decomposition() && !job.layers
+          name == "part" ? !job.item().decomposition() && !job.item().layers
           : name == "voxels"
-              ? job.decomposition() && (!job.layers || job.decomposition()->missedVoxels > 0)
-          : name == "pieces" ? job.pieces() && job.pieces()->pieces.size() > 1
-          : name == "layers" ? job.layers != nullptr
+              ? job.item().decomposition() &&
+                    (!job.item().layers || job.item().decomposition()->missedVoxels > 0)
+          : name == "pieces" ? job.item().pieces() && job.item().pieces()->pieces.size() > 1
+          : name == "layers" ? job.item().layers != nullptr
                              : false;
       if (!there)
         continue;
@@ -56,7 +57,8 @@ private:
       look.show = name;
       look.width = 800;
       look.height = 600;
-      look.colour = job.pieces() && job.pieces()->pieces.size() > 1 ? "group" : "layer";
+      look.colour =
+          job.item().pieces() && job.item().pieces()->pieces.size() > 1 ? "group" : "layer";
       const std::string file = files.folder + "/" + name + ".png";
       try {
         const std::string png = scene::pngBytes(pictures::jobPicture(job, look));
@@ -80,8 +82,8 @@ private:
 
 std::string valueText(const pipeline::Figure& figure, const CompareRow& row) {
   const std::optional<double> value = figure.of(row);
-  if (!value && figure.key == "layers" && row.report.decomposition.layers > 0)
-    return fmt::format("{} steps", row.report.decomposition.layers);
+  if (!value && figure.key == "layers" && row.report.item().decomposition.layers > 0)
+    return fmt::format("{} steps", row.report.item().decomposition.layers);
   if (!value)
     return "-";
   if (figure.unit == "%")
@@ -99,7 +101,7 @@ std::string growthText(const CompareRow& row) {
   if (!row.combination.growth)
     return "-";
   const std::string asked = row.combination.growth->id();
-  const std::string& scheme = row.report.decomposition.growth;
+  const std::string& scheme = row.report.item().decomposition.growth;
   return scheme.empty() || scheme == asked ? asked : fmt::format("{} ({})", asked, scheme);
 }
 

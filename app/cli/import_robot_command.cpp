@@ -44,7 +44,7 @@ ExitCode importRobotCommand(const ImportRobotOptions& asked) {
   program::findDialect(asked.options.controller); // throws where there is none
   const std::filesystem::path folder = folderOf(asked);
   const robot::Mount nozzle = asked.cell == "fixed" ? robot::Mount::World : robot::Mount::Flange;
-  const process::Process process = process::loadProcess(project::Choices().process);
+  const process::Process process = process::loadProcess(project::Choices().tool().process);
   const auto import = endedWith(runInterruptibly(
       [&](const base::RunContext& ctx) {
         return cells::importArm(asked.urdf, asked.options, nozzle, process, ctx);

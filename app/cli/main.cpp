@@ -77,16 +77,16 @@ struct PlanValues {
 // The part, and how it comes to lie.
 void addPartOptions(CLI::App& command, pipeline::PlanRequest& request) {
   project::Choices& choices = request.choices;
-  command.add_option("PART", request.part, "mesh file, or sample:NAME")->required();
+  command.add_option("PART", request.item().part, "mesh file, or sample:NAME")->required();
   command.add_option("--cell", choices.cell, "robot cell (see: list cells), or FILE.json");
-  command.add_option("--process", choices.process,
+  command.add_option("--process", choices.tool().process,
                      "nozzle, material, speeds (see: list processes), or FILE.json");
-  command.add_option("--scale", choices.scale, "factor, or fit: largest <= 1 in reach");
-  command.add_option("--units", choices.units, "of the mesh's file: um, mm, cm, in, m");
+  command.add_option("--scale", choices.item().scale, "factor, or fit: largest <= 1 in reach");
+  command.add_option("--units", choices.item().units, "of the mesh's file: um, mm, cm, in, m");
   command.add_option_function<std::string>(
       "--turn",
       [&choices](const std::string& turn) {
-        choices.placement.rotation = project::parsedTurn(turn);
+        choices.item().placement.rotation = project::parsedTurn(turn);
       },
       "X,Y,Z: degrees about the fixed axes, one after the other (see: orient)");
 }
@@ -106,8 +106,8 @@ void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
   project::Choices& choices = request.choices;
   pipeline::takeOwnFiles(choices);
   pipeline::setParameters(choices, values.sets);
-  if (!choices.automatic && !choices.platformStays)
-    choices.platform = pipeline::usualPlatform(choices);
+  if (!choices.item().automatic && !choices.item().platformStays)
+    choices.item().platform = pipeline::usualPlatform(choices);
 }
 
 void addPlan(CLI::App& app, Parsed& parsed, int threads) {
@@ -120,22 +120,22 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
   auto& request = values->options.request;
   addPlanOptions(*plan, request, *values);
   plan->add_option("-o", values->options.folder, "folder for job, report and programs")->required();
-  request.choices.automatic = true;
+  request.choices.item().automatic = true;
   plan->add_option_function<std::string>(
       "--mode",
       [&request](const std::string& mode) {
-        request.choices.automatic = mode == "auto";
-        if (!request.choices.automatic)
-          request.choices.mode = mode;
+        request.choices.item().automatic = mode == "auto";
+        if (!request.choices.item().automatic)
+          request.choices.item().mode = mode;
       },
       "way of building; auto, unless given: the first that nothing blocks");
-  addChoice(*plan, "--growth", request.choices.growth,
+  addChoice(*plan, "--growth", request.choices.item().growth,
             "growth scheme of curved mode: " + growthIds());
   plan->add_option_function<std::string>(
       "--platform",
       [&request](const std::string& platform) {
-        request.choices.platform = project::Platform(platform);
-        request.choices.platformStays = true;
+        request.choices.item().platform = project::Platform(platform);
+        request.choices.item().platformStays = true;
       },
       "what material starts on: " + platformForms());
   addRunOptions(*plan, values->options.threads, values->progress);
@@ -190,7 +190,7 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
       for (const std::string& weight : values->weights)
         pipeline::setWeight(options.weights, weight);
       if (!options.compared.modes.empty())
-        options.compared.plan.choices.mode = options.compared.modes.front();
+        options.compared.plan.choices.item().mode = options.compared.modes.front();
       takePlanOptions(options.compared.plan, *values);
       return compareCommand(options);
     };
@@ -328,13 +328,13 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
   const auto addOptions = [&](CLI::App& command) {
     command.add_option("--cell", options->choices.cell,
                        "robot cell (see: list cells), or FILE.json");
-    command.add_option("--process", options->choices.process,
+    command.add_option("--process", options->choices.tool().process,
                        "nozzle, material, speeds (see: list processes), or FILE.json");
     command.add_flag("--json", options->json, "as JSON");
   };
   CLI::App* reach = cell.add_subcommand("reach", "where over its plate the head reaches");
   addOptions(*reach);
-  addChoice(*reach, "--platform", options->choices.platform,
+  addChoice(*reach, "--platform", options->choices.item().platform,
             "plate to map; the largest of the cell's, unless given");
   reach->add_option("--height", options->heightMm, "mm above the plate, up to which")
       ->check(CLI::Range(1.0, 5000.0));

@@ -34,7 +34,8 @@ Found waysOf(const pipeline::PlanRequest& request, const base::RunContext& ctx) 
   pipeline::checkChoices(choices);
   const process::Process process =
       pipeline::chosenProcess(choices, pipeline::parameterValues(choices));
-  const auto loaded = project::loadPart(request.part, choices.repair, ctx.sub(0.0, 0.1));
+  const auto loaded =
+      project::loadPart(request.item().part, choices.item().repair, ctx.sub(0.0, 0.1));
   Found found;
   found.placed = pipeline::loadStage(*loaded, choices, process, ctx.sub(0.1, 0.2));
   found.ways = pipeline::partWays(*found.placed, choices, process, ctx.sub(0.2, 1.0));
@@ -91,9 +92,8 @@ ExitCode orientCommand(const OrientOptions& options) {
   if (!found)
     return kCancelled;
   if (options.json)
-    fmt::print(
-        "{}\n",
-        jsonOf(*found, options.request.part).dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", jsonOf(*found, options.request.item().part)
+                           .dump(2, ' ', false, Json::error_handler_t::replace));
   else
     say(*found);
   return kDone;

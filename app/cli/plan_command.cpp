@@ -30,10 +30,10 @@ void sayFindings(const plan::Findings& findings) {
 }
 
 void sayResult(const project::Report& r) {
-  const project::DecompositionReport& d = r.decomposition;
+  const project::DecompositionReport& d = r.item().decomposition;
   for (const base::Message& rejected : pipeline::rejectedTexts(r))
     fmt::print("Rejected: {}\n", base::english(rejected));
-  if (!r.tried.empty())
+  if (!r.item().tried.empty())
     fmt::print("{}\n", base::english(pipeline::chosenText(r)));
   fmt::print("mode {}; ", d.mode);
   if (d.voxels > 0)
@@ -41,7 +41,7 @@ void sayResult(const project::Report& r) {
   if (!d.pieceList.empty())
     fmt::print("{} pieces, {:.1f} of {:.1f} mm2 risky; ", d.pieces, d.riskyAreaMm2,
                d.riskyAreaBeforeMm2);
-  fmt::print("{} layers; {} waypoints, {:.0f} s\n", r.layers.count, r.toolpath.waypoints,
+  fmt::print("{} layers; {} waypoints, {:.0f} s\n", r.item().layers.count, r.toolpath.waypoints,
              r.motion.durationS);
   if (r.replay.thresholds.covered > 0.0)
     fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "

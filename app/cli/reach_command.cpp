@@ -89,7 +89,7 @@ ExitCode cellReachCommand(const ReachOptions& options) {
 }
 
 ExitCode cellNozzleCommand(const ReachOptions& options) {
-  const process::Process process = process::loadProcess(options.choices.process);
+  const process::Process process = process::loadProcess(options.choices.tool().process);
   const robot::Cell cell = pipeline::cellToMap(options.choices, process);
   if (cell.nozzleMount() != robot::Mount::World)
     throw base::Error(base::ErrorCode::Usage,

@@ -31,6 +31,8 @@ struct Patch {
   // nowhere.
   std::vector<std::uint8_t> innerRim;
   Chart chart{}; // empty where the mode gives none
+  int item = 0;  // index in the job's items
+  int tool = 0;  // index in the job's tooling
 };
 
 // Patches in print order: a patch comes after what supports it.

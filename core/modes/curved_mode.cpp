@@ -39,12 +39,12 @@ struct CurvedPlan {
 CurvedPlan planOf(const ModeChoices& in) {
   const bool supports = support::supportsWanted(in.values);
   CurvedPlan plan{in.values.number("voxelMm"),
-                  in.choices.platform,
+                  in.choices.item().platform,
                   {},
                   supports,
                   supports ? in.process.bridgeMm : 0.0};
   curved::CurvedOptions& growth = plan.growth;
-  growth.growth = in.choices.growth;
+  growth.growth = in.choices.item().growth;
   if (!growth.growth.row().peels)
     growth.forward = curved::forwardOptions(in.values);
   growth.layerHeightMm = in.process.layerHeightMm;

@@ -31,7 +31,7 @@ robot::CellRod cellRod(const ModeChoices& in) {
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text,
-                      in.choices.mode, base::dataName(in.choices.cell)),
+                      in.choices.item().mode, base::dataName(in.choices.cell)),
         {}, "give --cell lathe"_text);
   return *cell.rod();
 }
@@ -63,7 +63,7 @@ struct RodPlan {
 
 RodPlan rodPlan(const ModeChoices& in) {
   const robot::CellRod own = cellRod(in);
-  return {in.choices.platform,
+  return {in.choices.item().platform,
           static_cast<int>(in.values.integer("rodSides")),
           rodProfileText(in.values.text("rodProfile")),
           in.values.text("rodAxis"),
@@ -101,9 +101,9 @@ struct PlacePlan {
 };
 
 PlacePlan placePlan(const ModeChoices& in) {
-  const bool body = in.choices.platform.isBody();
-  return {body ? in.choices.platform : project::Platform(),
-          body ? project::parsedScale(in.choices.scale) : 1.0, in.values.text("rodAxis")};
+  const bool body = in.choices.item().platform.isBody();
+  return {body ? in.choices.item().platform : project::Platform(),
+          body ? project::parsedScale(in.choices.item().scale) : 1.0, in.values.text("rodAxis")};
 }
 
 geometry::Placement placeOnRod(const PlacePlan& plan, const geometry::TriangleMesh& part,

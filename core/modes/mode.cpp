@@ -6,7 +6,7 @@ namespace voluta::modes {
 
 Defaults usualOnPlate() {
   const project::Choices first;
-  return {first.cell, first.process, first.platform};
+  return {first.cell, first.tool().process, first.item().platform};
 }
 
 bool Mode::requiresParameter(std::string_view parameter) const {

@@ -69,7 +69,7 @@ std::vector<std::string> materialsOf(const ModeChoices& in) {
       materials.push_back(name.substr(first, last - first + 1));
   }
   if (materials.empty())
-    materials.push_back(in.process.material);
+    materials.push_back(in.process.material.label);
   return materials;
 }
 
@@ -103,7 +103,7 @@ PiecesPlan piecesPlan(const ModeChoices& in) {
   PiecesPlan plan{riskRule(in),
                   process::erodedHead(in.process.head, in.process.contactToleranceMm),
                   carrierOf(in.choices, in.process),
-                  in.choices.platform,
+                  in.choices.item().platform,
                   materialsOf(in),
                   givenPlanes(in, "cutPlanes"),
                   0.0,
@@ -182,7 +182,7 @@ struct FlatPlan {
 
 FlatPlan flatPlan(const ModeChoices& in) {
   return {in.values.number("voxelMm"), support::supportsWanted(in.values), riskRule(in),
-          in.choices.platform, materialsOf(in)};
+          in.choices.item().platform, materialsOf(in)};
 }
 
 plan::Finding uniformMissesFinding(const planar::UniformMisses& misses,

@@ -50,7 +50,7 @@ struct GroundPlan {
 };
 
 GroundPlan groundPlan(const ModeChoices& in) {
-  return {in.choices.platform, kContactShare * in.process.layerHeightMm};
+  return {in.choices.item().platform, kContactShare * in.process.layerHeightMm};
 }
 
 // As it is typed; of a file counts what it holds.
@@ -132,9 +132,9 @@ struct PlacePlan {
 };
 
 PlacePlan placePlan(const ModeChoices& in) {
-  if (!in.choices.platform.isBody())
+  if (!in.choices.item().platform.isBody())
     return {{}, 1.0};
-  return {in.choices.platform, project::parsedScale(in.choices.scale)};
+  return {in.choices.item().platform, project::parsedScale(in.choices.item().scale)};
 }
 
 geometry::Placement placeOnSurface(const PlacePlan& plan, const geometry::TriangleMesh& part,
@@ -178,8 +178,12 @@ substrate::GroundDistance groundOf(const platform::PlatformSolid& platform) {
 }
 
 SurfacePlan surfacePlan(const ModeChoices& in) {
-  return {groundPlan(in),  project::parsedScale(in.choices.scale), levelOptions(in),
-          shapeOf(in),     in.values.text("layerCentre"),          {in.values.text("endSurface")},
+  return {groundPlan(in),
+          project::parsedScale(in.choices.item().scale),
+          levelOptions(in),
+          shapeOf(in),
+          in.values.text("layerCentre"),
+          {in.values.text("endSurface")},
           overhangRule(in)};
 }
 

@@ -118,6 +118,11 @@ plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_
   part.waypoint = span(t.waypoint);
   part.extrudedMm3 = span(t.extrudedMm3);
   part.move.front() = MoveKind::Joint;
+  for (plan::TrajectoryEvent event : t.events)
+    if (event.point > first && event.point < last) {
+      event.point -= first;
+      part.events.push_back(event);
+    }
   for (std::size_t i = 0; i < part.pointCount(); ++i) {
     part.timeS[i] -= t.timeS[first];
     part.extrudedMm3[i] -= t.extrudedMm3[first];
@@ -177,6 +182,13 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
     if (inCut)
       shift = time - t.timeS[i];
   }
+  // The points behind `point` keep their events.
+  const std::size_t offset = all.pointCount() - t.pointCount();
+  for (plan::TrajectoryEvent event : t.events)
+    if (event.point > point) {
+      event.point += offset;
+      all.events.push_back(event);
+    }
   ctx.checkpoint();
   return resumed;
 }

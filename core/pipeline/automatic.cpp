@@ -41,14 +41,15 @@ const std::vector<AutomaticWay>& automaticWays() {
 namespace {
 
 bool fits(const AutomaticWay& way, const project::Choices& choices) {
-  return way.mode == choices.mode &&
-         (choices.platformStays || project::Platform(way.platform) == choices.platform);
+  return way.mode == choices.item().mode &&
+         (choices.item().platformStays ||
+          project::Platform(way.platform) == choices.item().platform);
 }
 
 // nullptr: none that choices with their mode and platform come from.
 const AutomaticWay* namedWay(const project::Choices& choices) {
   const auto& ways = automaticWays();
-  const auto named = std::ranges::find(ways, choices.automaticWay, &AutomaticWay::id);
+  const auto named = std::ranges::find(ways, choices.item().automaticWay, &AutomaticWay::id);
   return named != ways.end() && fits(*named, choices) ? &*named : nullptr;
 }
 
@@ -65,11 +66,11 @@ const AutomaticWay* wayOf(const project::Choices& choices) {
 // Does it lower the layers? Not those of a user who has said how high they are.
 bool lowers(const project::Choices& choices) {
   const AutomaticWay* way = wayOf(choices);
-  return way && way->lowLayers && !choices.parameters.contains(kLayerHeight);
+  return way && way->lowLayers && !choices.item().parameters.contains(kLayerHeight);
 }
 
 double lowLayerMm(const project::Choices& choices) {
-  const process::Process p = process::loadProcess(choices.process);
+  const process::Process p = process::loadProcess(choices.tool().process);
   return p.layerHeightMinMm + 0.25 * (p.layerHeightMm - p.layerHeightMinMm);
 }
 
@@ -83,17 +84,18 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   const auto add = [&](const modes::Mode& mode, const project::Platform& platform,
                        std::string_view id) {
     project::Choices way = choices;
-    way.mode = mode.id;
-    way.automaticWay = id;
-    if (!choices.platformStays)
-      way.platform = platform;
+    way.item().mode = mode.id;
+    way.item().automaticWay = id;
+    if (!choices.item().platformStays)
+      way.item().platform = platform;
     if (mode.aroundRod != rod || (!mode.upright && !cell.tilts()) ||
-        !way.platform.isForAnyOf(mode.platforms))
+        !way.item().platform.isForAnyOf(mode.platforms))
       return;
     project::Choices hand = resolved(way);
     if (std::ranges::any_of(hands, [&](const project::Choices& other) {
-          return other.mode == hand.mode && other.platform == hand.platform &&
-                 other.parameters == hand.parameters;
+          return other.item().mode == hand.item().mode &&
+                 other.item().platform == hand.item().platform &&
+                 other.item().parameters == hand.item().parameters;
         }))
       return;
     all.push_back(std::move(way));
@@ -108,44 +110,44 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("no way of building takes platform {platform} in cell {cell}"_text,
-                      choices.platform.text(), base::dataName(choices.cell)),
+                      choices.item().platform.text(), base::dataName(choices.cell)),
         {}, "choose another platform, or another cell"_text);
   return all;
 }
 
 bool namesWay(const project::Choices& choices) {
-  return choices.automatic && namedWay(choices);
+  return choices.item().automatic && namedWay(choices);
 }
 
 project::Choices wayOrFirst(const project::Choices& choices) {
-  if (!choices.automatic || namesWay(choices))
+  if (!choices.item().automatic || namesWay(choices))
     return choices;
   return automaticChoices(choices).front();
 }
 
 project::Choices resolved(project::Choices choices) {
-  if (!choices.automatic)
+  if (!choices.item().automatic)
     return choices;
-  choices.automatic = false;
+  choices.item().automatic = false;
   if (const AutomaticWay* way = wayOf(choices)) {
     if (lowers(choices))
-      choices.parameters[kLayerHeight] = base::formatParameter(lowLayerMm(choices));
-    choices.parameters.insert(way->parameters.begin(), way->parameters.end());
+      choices.item().parameters[kLayerHeight] = base::formatParameter(lowLayerMm(choices));
+    choices.item().parameters.insert(way->parameters.begin(), way->parameters.end());
   }
   return choices;
 }
 
 std::map<std::string, std::string> parametersOfWay(project::Choices choices) {
-  if (!choices.automatic)
+  if (!choices.item().automatic)
     return {};
-  choices.parameters.clear();
-  return resolved(std::move(choices)).parameters;
+  choices.item().parameters.clear();
+  return resolved(std::move(choices)).item().parameters;
 }
 
 base::Message nameOfWay(const project::Choices& choices) {
-  const AutomaticWay* way = choices.automatic ? wayOf(choices) : nullptr;
+  const AutomaticWay* way = choices.item().automatic ? wayOf(choices) : nullptr;
   if (!way)
-    return modes::findMode(choices.mode).label;
+    return modes::findMode(choices.item().mode).label;
   const bool supported = support::supportsWanted(parameterValues(resolved(choices)));
   const base::Text name = supported ? way->nameWithSupports : way->name;
   if (!lowers(choices))

@@ -14,7 +14,7 @@ namespace voluta::pipeline {
 namespace {
 
 std::vector<Eigen::Vector2d> plateToMap(const project::Choices& choices, const robot::Cell& cell) {
-  const project::Platform& platform = choices.platform;
+  const project::Platform& platform = choices.item().platform;
   if (platform.isFor(project::PlatformUse::Plate) && !platform.isOfCell() && !platform.marginMm() &&
       !platform.isBody())
     return platform.plateAround({});

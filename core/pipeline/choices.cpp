@@ -128,14 +128,14 @@ void setParameters(project::Choices& choices, const std::vector<std::string>& as
                               base::number(density)),
                 std::string(project::kInfillDensity), "leave it out"_text);
   for (const auto& [key, value] : values.changes())
-    choices.parameters[key] = base::formatParameter(value);
+    choices.item().parameters[key] = base::formatParameter(value);
   // Planes and profile go with the choices, wherever a project is opened again.
   for (const char* key : {"layerPlanes", "cutPlanes"})
-    if (const auto planes = choices.parameters.find(key);
-        planes != choices.parameters.end() && !planes->second.empty())
+    if (const auto planes = choices.item().parameters.find(key);
+        planes != choices.item().parameters.end() && !planes->second.empty())
       planes->second = modes::planesText(planes->second);
-  if (const auto profile = choices.parameters.find("rodProfile");
-      profile != choices.parameters.end())
+  if (const auto profile = choices.item().parameters.find("rodProfile");
+      profile != choices.item().parameters.end())
     profile->second = modes::rodProfileText(profile->second);
 }
 
@@ -150,9 +150,9 @@ base::ParameterTable parametersOf(std::string_view id) {
 }
 
 base::ParameterTable parametersOf(const project::Choices& choices) {
-  std::vector<base::ParameterSpec> specs = parametersOf(choices.mode).specs();
+  std::vector<base::ParameterSpec> specs = parametersOf(choices.item().mode).specs();
   try {
-    followProcess(specs, process::loadProcess(choices.process));
+    followProcess(specs, process::loadProcess(choices.tool().process));
   } catch (const base::Error&) {
     // The run that meets the process says what is wrong with it.
   }
@@ -161,7 +161,7 @@ base::ParameterTable parametersOf(const project::Choices& choices) {
 
 base::ParameterValues parameterValues(const project::Choices& choices) {
   base::ParameterValues values(parametersOf(choices));
-  for (const auto& [key, text] : choices.parameters)
+  for (const auto& [key, text] : choices.item().parameters)
     values.set(key, text);
   return values;
 }
@@ -207,7 +207,7 @@ void requireOptionsApply(const project::Choices& choices,
 
 process::Process chosenProcess(const project::Choices& choices,
                                const base::ParameterValues& values) {
-  process::Process p = process::loadProcess(choices.process);
+  process::Process p = process::loadProcess(choices.tool().process);
   const auto put = [&](const char* key, double& field, double least, double most) {
     if (!values.changed(key))
       return;
@@ -230,17 +230,18 @@ process::Process chosenProcess(const project::Choices& choices,
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {
   constexpr const char* kWidth = "voxelMm";
   if (!loaded.cells)
-    return project::lengthUnit(choices.units).mm;
+    return project::lengthUnit(choices.item().units).mm;
   // A part is as large with any process and in any mode.
   base::ParameterValues values(allParameters());
-  if (const auto own = choices.parameters.find(kWidth); own != choices.parameters.end())
+  if (const auto own = choices.item().parameters.find(kWidth);
+      own != choices.item().parameters.end())
     values.set(kWidth, own->second);
   return values.number(kWidth);
 }
 
 robot::Cell fittingCell(const project::Choices& choices, const process::Process& process) {
   robot::Cell cell = modes::cellOnAnyPlatform(choices, process);
-  const bool winds = modes::findMode(choices.mode).aroundRod;
+  const bool winds = modes::findMode(choices.item().mode).aroundRod;
   if (winds == cell.rod().has_value())
     return cell;
   std::vector<std::string_view> modesThere;
@@ -250,9 +251,9 @@ robot::Cell fittingCell(const project::Choices& choices, const process::Process&
   throw Error(
       ErrorCode::Usage,
       winds ? base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text,
-                            choices.mode, base::dataName(choices.cell))
+                            choices.item().mode, base::dataName(choices.cell))
             : base::message("cell {cell} holds a rod, and mode {mode} prints on a plate"_text,
-                            base::dataName(choices.cell), choices.mode),
+                            base::dataName(choices.cell), choices.item().mode),
       {},
       winds ? base::Message("give --cell lathe"_text)
             : base::message("give --mode {modes}, or another cell"_text,
@@ -281,62 +282,63 @@ planar::RiskRule riskRule(const project::Choices& choices) {
 
 project::Platform usualPlatform(const project::Choices& choices) {
   project::Choices named = choices;
-  named.platform = project::Platform();
-  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  named.item().platform = project::Platform();
+  const modes::Mode* mode = modes::modeNamed(choices.item().mode);
   const project::Platform plate("cell");
   if (!mode || mode->cuts || !plate.isForAnyOf(mode->platforms))
-    return named.platform;
+    return named.item().platform;
   const process::Process process = chosenProcess(named, parameterValues(named));
-  return modes::cellOnAnyPlatform(named, process).plates().empty() ? named.platform : plate;
+  return modes::cellOnAnyPlatform(named, process).plates().empty() ? named.item().platform : plate;
 }
 
 void checkChoices(const project::Choices& given) {
-  const project::Choices choices = given.automatic ? automaticChoices(given).front() : given;
+  const project::Choices choices = given.item().automatic ? automaticChoices(given).front() : given;
   std::vector<std::string> modeIds, formatIds;
   for (const modes::Mode& mode : modes::modeTable())
     modeIds.emplace_back(mode.id);
   for (const program::Dialect& dialect : program::dialects())
     formatIds.emplace_back(dialect.id);
-  checkName("unknown mode '{name}'"_text, choices.mode, modeIds);
+  checkName("unknown mode '{name}'"_text, choices.item().mode, modeIds);
   checkData("unknown cell '{name}'"_text, choices.cell, robot::cellIds());
-  checkData("unknown process '{name}'"_text, choices.process, process::processIds());
+  checkData("unknown process '{name}'"_text, choices.tool().process, process::processIds());
   for (const std::string& format : choices.formats)
     checkName("unknown format '{name}'"_text, format, formatIds);
-  const std::vector<project::PlatformUse>& taken = modes::findMode(choices.mode).platforms;
-  if (!choices.platform.isForAnyOf(taken))
+  const std::vector<project::PlatformUse>& taken = modes::findMode(choices.item().mode).platforms;
+  if (!choices.item().platform.isForAnyOf(taken))
     throw Error(ErrorCode::Usage,
                 base::message("mode {mode} does not print on platform {platform}"_text,
-                              choices.mode, choices.platform.kind().word),
+                              choices.item().mode, choices.item().platform.kind().word),
                 {},
                 base::message("give --platform {platforms}"_text, project::platformForms(taken)));
-  const bool laysItself = static_cast<bool>(modes::findMode(choices.mode).place);
-  if (const auto orient = choices.parameters.find("orient");
-      laysItself && orient != choices.parameters.end() && orient->second != "none")
+  const bool laysItself = static_cast<bool>(modes::findMode(choices.item().mode).place);
+  if (const auto orient = choices.item().parameters.find("orient");
+      laysItself && orient != choices.item().parameters.end() && orient->second != "none")
     throw Error(
         ErrorCode::Usage,
         base::message("orient={orient} turns parts on a plate; mode {mode} lays them itself"_text,
-                      orient->second, choices.mode),
+                      orient->second, choices.item().mode),
         {}, "give orient=none"_text);
-  static_cast<void>(project::lengthUnit(choices.units));
-  if (project::parsedScale(choices.scale) == 0.0 && choices.platform.isBody())
+  static_cast<void>(project::lengthUnit(choices.item().units));
+  if (project::parsedScale(choices.item().scale) == 0.0 && choices.item().platform.isBody())
     throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part"_text,
                 {}, "give a number"_text);
-  const geometry::Placement& place = choices.placement;
+  const geometry::Placement& place = choices.item().placement;
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
       !place.centreMm.allFinite() || !std::isfinite(place.liftMm))
     throw Error(ErrorCode::Usage, "the placement is not a turn and a place in mm"_text);
 }
 
 void takeOwnFiles(project::Choices& choices) {
-  if (base::isDataFileName(choices.process)) {
-    const std::string file = choices.process;
-    choices.process = base::readFile(file);
-    process::readProcessText(choices.process, file);
+  if (base::isDataFileName(choices.tool().process)) {
+    const std::string file = choices.tool().process;
+    choices.tool().process = base::readFile(file);
+    process::readProcessText(choices.tool().process, file);
   }
   if (base::isDataFileName(choices.cell)) {
     constexpr double kAnyMm = 80.0;
     const std::filesystem::path file = choices.cell;
-    robot::Cell::read(file, process::loadProcess(choices.process), curved::platformDisc(kAnyMm));
+    robot::Cell::read(file, process::loadProcess(choices.tool().process),
+                      curved::platformDisc(kAnyMm));
     choices.cell = robot::selfContainedCell(file);
   }
 }

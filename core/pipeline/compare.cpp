@@ -17,12 +17,12 @@ namespace {
 
 // Does this choice go into the mode's decomposition?
 template <typename T>
-bool requiresParameter(const modes::Mode& mode, const modes::ModeChoices& in,
-                       T project::Choices::*choice, const std::vector<T>& trials) {
+bool dependsOnChoice(const modes::Mode& mode, const modes::ModeChoices& in,
+                     T project::ItemChoices::*choice, const std::vector<T>& trials) {
   std::set<std::string> keys;
   for (const T& trial : trials) {
     project::Choices choices = in.choices;
-    choices.*choice = trial;
+    choices.item().*choice = trial;
     keys.insert(mode.decompose.key({choices, in.values, in.process}));
   }
   return keys.size() > 1;
@@ -39,10 +39,12 @@ std::vector<project::Platform> usualPlatforms(const modes::Mode& mode) {
 
 // The part once for all; a request that has it is left as it is.
 PlanRequest withPart(PlanRequest request, const base::RunContext& ctx) {
-  if (!request.loaded)
-    request.loaded = project::loadPart(request.part, request.choices.repair, ctx);
+  if (!request.item().loaded)
+    request.item().loaded =
+        project::loadPart(request.item().part, request.choices.item().repair, ctx);
   else
-    request.loaded = project::withRepair(request.loaded, request.choices.repair, ctx);
+    request.item().loaded =
+        project::withRepair(request.item().loaded, request.choices.item().repair, ctx);
   return request;
 }
 
@@ -70,12 +72,12 @@ template <typename T> std::vector<T> orOwn(const std::vector<T>& list, const T& 
 
 std::vector<Combination> combinations(const CompareOptions& options) {
   const project::Choices& given = options.plan.choices;
-  const std::vector<curved::GrowthScheme> growths = orOwn(options.growths, given.growth);
-  const std::vector<project::Platform> platforms = orOwn(options.platforms, given.platform);
+  const std::vector<curved::GrowthScheme> growths = orOwn(options.growths, given.item().growth);
+  const std::vector<project::Platform> platforms = orOwn(options.platforms, given.item().platform);
   std::vector<std::string> modeIds = options.modes;
   if (modeIds.empty())
     for (const modes::Mode& mode : modes::modeTable())
-      if (isLike(mode, modes::findMode(given.mode)) && takesAll(mode, platforms))
+      if (isLike(mode, modes::findMode(given.item().mode)) && takesAll(mode, platforms))
         modeIds.emplace_back(mode.id);
   const base::ParameterValues values = parameterValues(given);
   const process::Process process = chosenProcess(given, values);
@@ -91,7 +93,7 @@ std::vector<Combination> combinations(const CompareOptions& options) {
         Combination row{id, growth, platform};
         if (!mode.grows)
           row.growth.reset();
-        if (!requiresParameter(mode, in, &project::Choices::platform, usualPlatforms(mode)))
+        if (!dependsOnChoice(mode, in, &project::ItemChoices::platform, usualPlatforms(mode)))
           row.platform = platforms.front();
         if (std::find(all.begin(), all.end(), row) == all.end())
           all.push_back(row);
@@ -100,11 +102,11 @@ std::vector<Combination> combinations(const CompareOptions& options) {
 }
 
 project::Choices choicesOf(const Combination& combination, project::Choices choices) {
-  choices.automatic = false;
-  choices.mode = combination.mode;
+  choices.item().automatic = false;
+  choices.item().mode = combination.mode;
   if (combination.growth)
-    choices.growth = *combination.growth;
-  choices.platform = combination.platform;
+    choices.item().growth = *combination.growth;
+  choices.item().platform = combination.platform;
   return choices;
 }
 
@@ -137,7 +139,7 @@ Comparison compare(const CompareOptions& options, const base::RunContext& ctx,
   const PlanRequest request = withPart(options.plan, ctx.sub(0.0, kLoadShare));
 
   Comparison comparison;
-  comparison.part = request.loaded->name;
+  comparison.part = request.item().loaded->name;
   comparison.choices = request.choices;
   comparison.until = request.until;
   comparison.threads = ctx.threads();

@@ -24,10 +24,10 @@ bool came(const CompareRow& row, Stage stage) {
 }
 
 bool hasVoxels(const CompareRow& row) {
-  return came(row, Stage::Decompose) && row.report.decomposition.voxels > 0;
+  return came(row, Stage::Decompose) && row.report.item().decomposition.voxels > 0;
 }
 bool hasPieces(const CompareRow& row) {
-  return came(row, Stage::Decompose) && !row.report.decomposition.pieceList.empty();
+  return came(row, Stage::Decompose) && !row.report.item().decomposition.pieceList.empty();
 }
 bool decomposed(const CompareRow& row) {
   return came(row, Stage::Decompose);
@@ -42,7 +42,12 @@ bool moves(const CompareRow& row) {
 // A figure of the report as it is, where it means something.
 template <auto kPart, auto kMember, bool (*kMeans)(const CompareRow&)>
 Value plain(const CompareRow& row) {
-  return kMeans(row) ? Value(static_cast<double>(row.report.*kPart.*kMember)) : std::nullopt;
+  if (!kMeans(row))
+    return std::nullopt;
+  if constexpr (requires { row.report.*kPart; })
+    return static_cast<double>(row.report.*kPart.*kMember);
+  else
+    return static_cast<double>(row.report.item().*kPart.*kMember);
 }
 template <auto kPart, auto kMember, bool (*kMeans)(const CompareRow&)>
 Figure figure(std::string_view key, base::Text label, base::Text head, double weight,
@@ -72,9 +77,9 @@ Value lossOf(const Figure& figure, const CompareRow& row) {
 } // namespace
 
 const std::vector<Figure>& figures() {
-  using project::Report, project::DecompositionReport;
-  constexpr auto kDecomposition = &Report::decomposition;
-  constexpr auto kMotion = &Report::motion;
+  using project::DecompositionReport;
+  constexpr auto kDecomposition = &project::ItemReport::decomposition;
+  constexpr auto kMotion = &project::Report::motion;
   static const std::vector<Figure> kFigures{
       figure<kDecomposition, &DecompositionReport::missedVoxels, hasVoxels>(
           "missedVoxels", "missed voxels"_text, "Missed\nvoxels"_text, 4.0, false),
@@ -84,8 +89,8 @@ const std::vector<Figure>& figures() {
           "supportVolumeMm3", "supports"_text, "Supports\nmm³"_text, 1.0),
       figure<kDecomposition, &DecompositionReport::pieces, decomposed>("pieces", "pieces"_text,
                                                                        "Pieces"_text, 0.5),
-      figure<&Report::layers, &project::LayersReport::count, layered>("layers", "layers"_text,
-                                                                      "Layers"_text, 0.0),
+      figure<&project::ItemReport::layers, &project::LayersReport::count, layered>(
+          "layers", "layers"_text, "Layers"_text, 0.0),
       figure<kMotion, &project::MotionReport::durationS, moves>("printTimeS", "planned time"_text,
                                                                 "Planned\ntime"_text, 1.0),
       {"reachableFraction", "reachable"_text, "Reach\n%"_text, "%", 2.0, reachable, true, true,
@@ -100,8 +105,8 @@ Value uniformMisses(const CompareRow& row) {
   // Voxels that nothing was grown on.
   const modes::Mode* mode = modes::modeNamed(row.combination.mode);
   return mode && mode->result == project::ResultKind::InPieces
-             ? plain<&project::Report::decomposition, &project::DecompositionReport::missedVoxels,
-                     hasVoxels>(row)
+             ? plain<&project::ItemReport::decomposition,
+                     &project::DecompositionReport::missedVoxels, hasVoxels>(row)
              : std::nullopt;
 }
 

@@ -33,7 +33,7 @@ Json numbersOf(const std::vector<std::size_t>& rows) {
 
 Json rowJson(std::size_t index, const CompareRow& row, const std::optional<double>& score,
              const RowFiles& files) {
-  const project::DecompositionReport& d = row.report.decomposition;
+  const project::DecompositionReport& d = row.report.item().decomposition;
   Json json{{"number", index + 1},
             {"mode", row.combination.mode},
             {"growth", row.combination.growth ? Json(row.combination.growth->id()) : Json()},
@@ -72,8 +72,8 @@ std::string compareJson(const Comparison& comparison, const Weights& weights,
   const project::Choices& c = comparison.choices;
   const Json all{{"part", comparison.part},
                  {"cell", base::dataName(c.cell)},
-                 {"process", base::dataName(c.process)},
-                 {"scale", c.scale},
+                 {"process", base::dataName(c.tool().process)},
+                 {"scale", c.item().scale},
                  {"until", project::stageName(comparison.until)},
                  {"threads", comparison.threads},
                  {"seconds", comparison.seconds},

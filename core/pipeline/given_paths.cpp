@@ -143,13 +143,14 @@ bool takesGivenPaths(const project::LoadedPart& loaded, const base::ParameterVal
 }
 
 project::Choices choicesForGivenPaths(project::Choices choices) {
-  if (!choices.automatic)
+  if (!choices.item().automatic)
     return choices;
   const std::vector<project::Choices> ways = automaticChoices(choices);
-  const auto flat = std::find_if(ways.begin(), ways.end(),
-                                 [](const project::Choices& way) { return way.mode == "flat"; });
+  const auto flat = std::find_if(ways.begin(), ways.end(), [](const project::Choices& way) {
+    return way.item().mode == "flat";
+  });
   project::Choices taken = flat == ways.end() ? ways.front() : *flat;
-  taken.automatic = false;
+  taken.item().automatic = false;
   return taken;
 }
 
@@ -164,7 +165,7 @@ std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loa
 }
 
 void requireOwnSize(const project::Choices& choices) {
-  if (project::parsedScale(choices.scale) != 1.0 || choices.units != "mm")
+  if (project::parsedScale(choices.item().scale) != 1.0 || choices.item().units != "mm")
     throw base::Error(base::ErrorCode::Usage,
                       "tool-paths of a file are printed in the size that it gives"_text, {},
                       "leave scale and units as they are, or give givenToolPaths=false"_text);

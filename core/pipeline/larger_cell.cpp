@@ -39,10 +39,10 @@ bool carries(const Polygon& plate, const Eigen::Vector2d& foot) {
 
 std::optional<std::string> cellWithLargerPlate(const project::Choices& choices,
                                                const Eigen::Vector2d& footMm) {
-  const modes::Mode& mode = modes::findMode(choices.mode);
+  const modes::Mode& mode = modes::findMode(choices.item().mode);
   if (mode.aroundRod)
     return std::nullopt;
-  const process::Process process = process::loadProcess(choices.process);
+  const process::Process process = process::loadProcess(choices.tool().process);
   const robot::Cell now = modes::cellOnAnyPlatform(choices, process);
   const double length = lengthMm(largestPlate(now));
   std::optional<std::string> best;

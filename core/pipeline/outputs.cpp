@@ -36,13 +36,13 @@ void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem
 
 void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
                 const base::RunContext& ctx) {
-  if (const project::Voxels voxels = result.job.decomposition())
+  if (const project::Voxels voxels = result.job.item().decomposition())
     base::writeFile(folder / "voxels.vti", curved::voxelsVti(*voxels));
-  if (const project::Pieces pieces = result.job.pieces())
+  if (const project::Pieces pieces = result.job.item().pieces())
     writePieces(pieces->pieces, folder / "pieces", ctx);
   ctx.checkpoint();
-  if (result.job.layers)
-    base::writeFile(folder / "layers.vtp", layers::writeLayersVtp(*result.job.layers));
+  if (result.job.item().layers)
+    base::writeFile(folder / "layers.vtp", layers::writeLayersVtp(*result.job.item().layers));
   ctx.checkpoint();
   if (result.job.toolPlan)
     base::writeFile(folder / "toolpath.vtp", toolpath::writeToolpathVtp(*result.job.toolPlan));
@@ -83,15 +83,15 @@ bool writesBuildFile(const PlanResult& result) {
 } // namespace
 
 std::string buildName(const PlanResult& result) {
-  return std::filesystem::path(result.job.partName).stem().string() + build3mf::kEnding;
+  return std::filesystem::path(result.job.item().partName).stem().string() + build3mf::kEnding;
 }
 
 void writeBuildFile(const PlanResult& result, const std::filesystem::path& folder,
                     const base::RunContext& ctx) {
-  if (result.job.toolPlan && result.job.part)
-    base::writeFile(
-        folder / buildName(result),
-        build3mf::writeBuild(*result.job.toolPlan, *result.job.part, result.job.partName, ctx));
+  if (result.job.toolPlan && result.job.item().part)
+    base::writeFile(folder / buildName(result),
+                    build3mf::writeBuild(*result.job.toolPlan, *result.job.item().part,
+                                         result.job.item().partName, ctx));
 }
 
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,

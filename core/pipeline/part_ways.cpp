@@ -45,7 +45,7 @@ bool isLaidByUser(const project::Choices& choices) {
 } // namespace
 
 bool standsFreely(const project::Choices& choices) {
-  return !modes::findMode(choices.mode).place;
+  return !modes::findMode(choices.item().mode).place;
 }
 
 std::vector<placement::Way> partWays(const modes::LoadStage& placed,
@@ -57,7 +57,7 @@ std::vector<placement::Way> partWays(const modes::LoadStage& placed,
 std::string partWaysKey(const project::LoadedPart& loaded, double scale,
                         const project::Choices& choices, const process::Process& p) {
   const base::ParameterValues values = parameterValues(choices);
-  return base::keyText(loaded.hash, choices.repair, scale * unitMm(loaded, choices),
+  return base::keyText(loaded.hash, choices.item().repair, scale * unitMm(loaded, choices),
                        values.number("overhangAngle"), p.layerHeightMm, p.beadWidthMm,
                        p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2, p.maxFlowMm3PerS,
                        p.primeS) +

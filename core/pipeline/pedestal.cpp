@@ -57,7 +57,7 @@ double adriftMm(const project::Platform& platform, const geometry::TriangleMesh&
 std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan) {
   const project::Job& job = plan.job;
   const robot::Prism* plate = plan.cell ? robot::plateOf(*plan.cell) : nullptr;
-  if (!job.choices.platform.marginMm() || job.platform.polygon.size() < 3 || !plate)
+  if (!job.choices.item().platform.marginMm() || job.item().platform.polygon.size() < 3 || !plate)
     return {};
   std::string outlines = polylineDxf(plate->polygon, "PEDESTAL");
   geometry::TriangleMesh solid = meshOf(*plate);

@@ -90,8 +90,8 @@ bool isUntouched(const geometry::Placement& p) {
 
 geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, double scale,
                                           const modes::ModeChoices& in) {
-  const geometry::Placement& own = in.choices.placement;
-  const auto& place = modes::findMode(in.choices.mode).place;
+  const geometry::Placement& own = in.choices.item().placement;
+  const auto& place = modes::findMode(in.choices.item().mode).place;
   return place && isUntouched(own) ? place(in, mesh, scale) : own;
 }
 
@@ -99,22 +99,22 @@ platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
                                         const project::Choices& choices) {
   const base::ParameterValues values = parameterValues(choices);
   const process::Process process = chosenProcess(choices, values);
-  if (const auto& platform = modes::findMode(choices.mode).platform)
+  if (const auto& platform = modes::findMode(choices.item().mode).platform)
     return platform({choices, values, process}, placed);
-  const bool asksForCells = choices.platform.marginMm() && placed.platform.empty();
+  const bool asksForCells = choices.item().platform.marginMm() && placed.platform.empty();
   const voxel::SolidVoxels cells =
       !asksForCells   ? voxel::SolidVoxels{}
       : placed.voxels ? *placed.voxels
                       : voxel::solidVoxels(*placed.part, values.number("voxelMm"), {});
-  return modes::plateOf(choices.platform, cells, placed.platform);
+  return modes::plateOf(choices.item().platform, cells, placed.platform);
 }
 
 std::string plannedPlatformKey(const project::Choices& choices) {
   const base::ParameterValues values = parameterValues(choices);
   const process::Process process = chosenProcess(choices, values);
-  if (const auto& platform = modes::findMode(choices.mode).platform)
-    return base::keyText(choices.mode) + platform.key({choices, values, process});
-  return base::keyText(choices.mode, choices.platform, values.number("voxelMm"));
+  if (const auto& platform = modes::findMode(choices.item().mode).platform)
+    return base::keyText(choices.item().mode) + platform.key({choices, values, process});
+  return base::keyText(choices.item().mode, choices.item().platform, values.number("voxelMm"));
 }
 
 std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loaded,
@@ -123,9 +123,9 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
                                                   const base::RunContext& ctx) {
   auto stage = std::make_shared<modes::LoadStage>();
   const double unit = unitMm(loaded, choices);
-  const double wanted = project::parsedScale(choices.scale);
+  const double wanted = project::parsedScale(choices.item().scale);
   const base::ParameterValues values = parameterValues(choices);
-  const modes::Mode& mode = modes::findMode(choices.mode);
+  const modes::Mode& mode = modes::findMode(choices.item().mode);
   const modes::ModeChoices in{choices, values, process};
   const auto scaleFor = [&](const geometry::Placement& how) {
     return wanted > 0.0        ? wanted
@@ -142,21 +142,23 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
         geometry::place(*shape.mesh(scale, ctx), scale, how));
   };
   const std::optional<geometry::Placement> given =
-      takesGivenPaths(loaded, values) && isUntouched(choices.placement) ? givenPlacement(loaded)
-                                                                        : std::nullopt;
+      takesGivenPaths(loaded, values) && isUntouched(choices.item().placement)
+          ? givenPlacement(loaded)
+          : std::nullopt;
   place(given ? *given
-              : placementByHandOrMode(*loaded.mesh, scaleFor(choices.placement) * unit, in));
+              : placementByHandOrMode(*loaded.mesh, scaleFor(choices.item().placement) * unit, in));
   if (values.text("orient") != "none") {
-    TurnedPart turned = turnedPart(*stage->part, choices.placement, turnPlan(choices, values),
-                                   loaded.cells ? stage->scale * unit : values.number("voxelMm"),
-                                   loaded.cells != nullptr, ctx);
+    TurnedPart turned =
+        turnedPart(*stage->part, choices.item().placement, turnPlan(choices, values),
+                   loaded.cells ? stage->scale * unit : values.number("voxelMm"),
+                   loaded.cells != nullptr, ctx);
     place(turned.placement);
     std::ranges::copy(turned.findings, std::back_inserter(stage->findings));
     stage->timings.decompose = turned.seconds;
   }
   if (loaded.cells)
     placeCells(loaded, stage->scale * unit, stage->placement, ctx, *stage);
-  if (choices.platform.isOfCell())
+  if (choices.item().platform.isOfCell())
     stage->platform = cellPlate(fittingCell(choices, process), *stage->part, plateNeeds(values));
   // First of all, and of the mesh that was placed last.
   const plan::Findings open = shape.findings();
@@ -171,7 +173,8 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
 }
 
 bool takesAnyScale(const project::LoadedPart& loaded, const project::Choices& choices) {
-  return !loaded.cells && !choices.platform.isBody() && !modes::findMode(choices.mode).aroundRod;
+  return !loaded.cells && !choices.item().platform.isBody() &&
+         !modes::findMode(choices.item().mode).aroundRod;
 }
 
 std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,

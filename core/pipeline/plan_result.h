@@ -14,17 +14,28 @@
 
 namespace voluta::pipeline {
 
-struct PlanRequest {
+struct RequestedItem {
   std::string part;                                  // path of a mesh, or "sample:NAME"
   std::shared_ptr<const project::LoadedPart> loaded; // used instead of `part` when set
+};
+
+struct PlanRequest {
+  std::vector<RequestedItem> items = {RequestedItem{}}; // as choices.items
   project::Choices choices;
   project::Stage until = project::Stage::Replay; // the plan ends after it
+
+  RequestedItem& item(std::size_t i = 0) { return items.at(i); }
+  const RequestedItem& item(std::size_t i = 0) const { return items.at(i); }
+};
+
+struct PlannedItem {
+  std::shared_ptr<const modes::LoadStage> placed; // null before Load is done
 };
 
 // Copies are cheap: whatever is large is shared.
 struct PlanResult {
-  project::Job job;                               // choices, results and report
-  std::shared_ptr<const modes::LoadStage> placed; // null before Load is done
+  project::Job job;                                 // choices, results and report
+  std::vector<PlannedItem> items = {PlannedItem{}}; // as the job's
   std::shared_ptr<const process::Process> process;
   std::shared_ptr<const robot::Cell> cell; // with the job's platform; null before Decompose is done
   std::vector<std::shared_ptr<const CheckedProgram>> checked; // one a format, refused ones too
@@ -32,6 +43,9 @@ struct PlanResult {
   bool keepRefused = false;                                   // --set output.refused=true
   bool proofs = false;                                        // --set output.proof=true
   bool buildFile = false;                                     // --set output.build3mf=true
+
+  PlannedItem& item(std::size_t i = 0) { return items.at(i); }
+  const PlannedItem& item(std::size_t i = 0) const { return items.at(i); }
 };
 
 // Called on the running thread as soon as a stage is done, taken from the cache or not, with all

@@ -140,7 +140,7 @@ void putMargins(Proof& proof, const PlanResult& result, const Measured& measured
 
 Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Measured& measured) {
   Proof proof;
-  proof.part = result.job.partName;
+  proof.part = result.job.item().partName;
   proof.format = checked.program.format;
   proof.foreign = checked.program.foreign;
   proof.rest = result.job.resumedAt > 0;
@@ -151,10 +151,10 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.version = project::kVersion;
   proof.robot = result.cell->robot().label;
   proof.cell = result.cell->label();
-  proof.mode = modes::findMode(result.job.choices.mode).label;
+  proof.mode = modes::findMode(result.job.choices.item().mode).label;
   proof.process = *result.process;
-  proof.sizeMm = geometry::bounds(result.job.printed()).sizes();
-  proof.layers = result.job.report.layers.count;
+  proof.sizeMm = geometry::bounds(result.job.item().printed()).sizes();
+  proof.layers = result.job.report.item().layers.count;
   proof.verdict = checked.verdict;
   proof.deviations = checked.deviations;
   proof.plannedS = result.job.report.motion.durationS;
@@ -279,7 +279,7 @@ std::string proofJson(const Proof& proof) {
             {"process", proof.process.id},
             {"files", std::move(files)},
             {"durationS", {{"planned", proof.plannedS}, {"program", proof.programS}}},
-            {"material", proof.process.material},
+            {"material", proof.process.material.label},
             {"materialMm3", proof.materialMm3},
             {"massG", proof.massG()},
             {"replay", replayJson(proof)},
@@ -330,7 +330,7 @@ void writeProofs(const PlanResult& result, const Programs& programs,
   measured.printed = printedName(result);
   sideBySide(ctx,
              {[&] { measured.margins = motion::marginsOf(measured.trajectory, *result.cell, ctx); },
-              [&] { measured.fill = fillMap(result.job.printed(), growing, ctx); },
+              [&] { measured.fill = fillMap(result.job.item().printed(), growing, ctx); },
               [&] { measured.pictures = picturesOf(result.job, style); },
               [&] {
                 base::writeFile(folder / measured.printed,

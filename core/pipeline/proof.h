@@ -67,7 +67,7 @@ struct Proof {
   ProofPlace gap, overfill, unsupported, halfCarried, longestUnsupported, deviation, flowError;
   FillMap fill;
 
-  double massG() const { return 1e-3 * materialMm3 * process.densityGPerCm3; }
+  double massG() const { return 1e-3 * materialMm3 * process.material.densityGPerCm3; }
 };
 
 // NAME of a program's first file, as it is written.

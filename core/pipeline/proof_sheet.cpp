@@ -148,8 +148,8 @@ private:
     fact("Mass"_text,
          message("{mass:.1f} g, supports and waste included"_text, base::number(proof_.massG())));
     fact("Material"_text,
-         message("{material}, {volume:.1f} cm3 at {density:.2f} g/cm3"_text, p.material,
-                 base::number(1e-3 * proof_.materialMm3), base::number(p.densityGPerCm3)));
+         message("{material}, {volume:.1f} cm3 at {density:.2f} g/cm3"_text, p.material.label,
+                 base::number(1e-3 * proof_.materialMm3), base::number(p.material.densityGPerCm3)));
   }
 
   void beadChecks() {

@@ -23,8 +23,8 @@ using Edited = std::optional<project::Choices>;
 
 // In mode auto any of its ways may take a parameter.
 bool takes(const project::Choices& choices, const std::string& key) {
-  const modes::Mode* mode = modes::modeNamed(choices.mode);
-  return choices.automatic || (mode && modes::takesParameter(*mode, key));
+  const modes::Mode* mode = modes::modeNamed(choices.item().mode);
+  return choices.item().automatic || (mode && modes::takesParameter(*mode, key));
 }
 
 // None where the value is what it is already, or no stage knows the parameter.
@@ -35,14 +35,14 @@ std::optional<project::Choices> withParameter(const project::Choices& choices,
   if (!spec || !takes(choices, key))
     return std::nullopt;
   // In mode auto the way that was taken has values of its own.
-  const std::map<std::string, std::string> taken = resolved(choices).parameters;
+  const std::map<std::string, std::string> taken = resolved(choices).item().parameters;
   const auto chosen = taken.find(key);
   const std::string now =
       chosen == taken.end() ? base::formatParameter(spec->defaultValue) : chosen->second;
   if (now == value)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.parameters[key] = value;
+  changed.item().parameters[key] = value;
   return changed;
 }
 
@@ -135,28 +135,28 @@ Edited shorterMotions(const plan::Finding&, const project::Choices& choices) {
 // In mode auto too it is then the user's. None where it is that already, or the mode builds on
 // other things than plates.
 Edited withPlatform(const project::Choices& choices, const project::Platform& platform) {
-  const modes::Mode* mode = modes::modeNamed(choices.mode);
-  if (!mode || !platform.isForAnyOf(mode->platforms) || choices.platform.isBody() ||
-      choices.platform == platform)
+  const modes::Mode* mode = modes::modeNamed(choices.item().mode);
+  if (!mode || !platform.isForAnyOf(mode->platforms) || choices.item().platform.isBody() ||
+      choices.item().platform == platform)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.platform = platform;
-  changed.platformStays = choices.automatic;
+  changed.item().platform = platform;
+  changed.item().platformStays = choices.item().automatic;
   return changed;
 }
 
 // Room for supports beside the part.
 std::optional<project::Choices> widenPlatform(const plan::Finding&,
                                               const project::Choices& choices) {
-  const std::optional<double> margin = choices.platform.marginMm();
+  const std::optional<double> margin = choices.item().platform.marginMm();
   if (!margin || *margin >= kRoomMm)
     return std::nullopt;
-  return withPlatform(choices, choices.platform.withMarginMm(kRoomMm));
+  return withPlatform(choices, choices.item().platform.withMarginMm(kRoomMm));
 }
 
 // One with room for supports, on a stem of its own.
 Edited makePlatform(const plan::Finding&, const project::Choices& choices) {
-  return choices.platform.marginMm()
+  return choices.item().platform.marginMm()
              ? std::nullopt
              : withPlatform(choices, project::Platform::madeForPart(kRoomMm));
 }
@@ -168,7 +168,7 @@ Edited cellPlate(const plan::Finding&, const project::Choices& choices) {
 // The parameter is for layers that are planes.
 std::optional<project::Choices> adaptLayers(const plan::Finding&, const project::Choices& choices) {
   constexpr const char* kAdaptive = "adaptiveLayers";
-  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  const modes::Mode* mode = modes::modeNamed(choices.item().mode);
   if (!mode || !mode->requiresParameter(kAdaptive))
     return std::nullopt;
   return withParameter(choices, kAdaptive, "true");
@@ -203,10 +203,10 @@ std::optional<project::Choices> narrowVoxels(const plan::Finding& finding,
 }
 
 std::optional<project::Choices> dropToPlate(const plan::Finding&, const project::Choices& choices) {
-  if (choices.placement.liftMm == 0.0)
+  if (choices.item().placement.liftMm == 0.0)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.placement.liftMm = 0.0;
+  changed.item().placement.liftMm = 0.0;
   return changed;
 }
 
@@ -217,10 +217,11 @@ std::optional<project::Choices> standBest(const plan::Finding& finding,
   if (!x || !y || !z)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.placement.rotation = project::turnOfDegrees({*x, *y, *z});
-  changed.placement.liftMm = 0.0;
+  changed.item().placement.rotation = project::turnOfDegrees({*x, *y, *z});
+  changed.item().placement.liftMm = 0.0;
   constexpr double kSame = 1e-6; // rad
-  if (changed.placement.rotation.angularDistance(choices.placement.rotation.normalized()) < kSame)
+  if (changed.item().placement.rotation.angularDistance(
+          choices.item().placement.rotation.normalized()) < kSame)
     return std::nullopt;
   return changed;
 }
@@ -231,8 +232,8 @@ std::optional<project::Choices> scaleAsTold(const plan::Finding& finding,
   if (!scale)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.scale = base::formatParameter(*scale);
-  return changed.scale == choices.scale ? std::nullopt : std::optional(changed);
+  changed.item().scale = base::formatParameter(*scale);
+  return changed.item().scale == choices.item().scale ? std::nullopt : std::optional(changed);
 }
 
 // The widest bead that is narrow enough, or narrower than now: finer ones take longer.
@@ -240,7 +241,7 @@ std::optional<project::Choices> finerProcess(const plan::Finding& finding,
                                              const project::Choices& choices) {
   const std::optional<double> usual = numberOf(finding, "usual");
   std::optional<process::Process> best;
-  const double now = process::loadProcess(choices.process).beadWidthMinMm;
+  const double now = process::loadProcess(choices.tool().process).beadWidthMinMm;
   for (const std::string& id : process::processIds()) {
     process::Process p = process::loadProcess(id);
     if ((!usual || p.beadWidthMinMm <= *usual) && p.beadWidthMinMm < now &&
@@ -250,15 +251,15 @@ std::optional<project::Choices> finerProcess(const plan::Finding& finding,
   if (!best)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.process = best->id;
+  changed.tool().process = best->id;
   return changed;
 }
 
 std::optional<project::Choices> withUnits(const project::Choices& choices, const char* units) {
-  if (choices.units == units)
+  if (choices.item().units == units)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.units = units;
+  changed.item().units = units;
   return changed;
 }
 std::optional<project::Choices> unitsMetres(const plan::Finding&, const project::Choices& choices) {
@@ -273,22 +274,22 @@ std::optional<project::Choices> unitsMicrometres(const plan::Finding&,
 }
 
 std::optional<project::Choices> scaleToFit(const plan::Finding&, const project::Choices& choices) {
-  if (choices.scale == "fit")
+  if (choices.item().scale == "fit")
     return std::nullopt;
   project::Choices changed = choices;
-  changed.scale = "fit";
+  changed.item().scale = "fit";
   return changed;
 }
 
 // None where the size is not the user's own number.
 Edited scaledBy(const project::Choices& choices, double factor) {
-  const double scale = project::parsedScale(choices.scale);
+  const double scale = project::parsedScale(choices.item().scale);
   constexpr double kRound = 1e4;
   const double wanted = std::round(scale * factor * kRound) / kRound;
   if (wanted <= 0.0)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.scale = base::formatParameter(wanted);
+  changed.item().scale = base::formatParameter(wanted);
   return changed;
 }
 
@@ -301,11 +302,11 @@ Edited enlarge(const plan::Finding&, const project::Choices& choices) {
 }
 
 Edited usualProcess(const plan::Finding&, const project::Choices& choices) {
-  const modes::Mode* mode = modes::modeNamed(choices.mode);
-  if (!mode || mode->usual.process == choices.process)
+  const modes::Mode* mode = modes::modeNamed(choices.item().mode);
+  if (!mode || mode->usual.process == choices.tool().process)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.process = mode->usual.process;
+  changed.tool().process = mode->usual.process;
   return changed;
 }
 
@@ -318,7 +319,7 @@ Edited withCell(const project::Choices& choices, const std::string& cell) {
 }
 
 Edited usualCell(const plan::Finding&, const project::Choices& choices) {
-  const modes::Mode* mode = modes::modeNamed(choices.mode);
+  const modes::Mode* mode = modes::modeNamed(choices.item().mode);
   return mode ? withCell(choices, mode->usual.cell) : std::nullopt;
 }
 
@@ -331,49 +332,49 @@ Edited largerCell(const plan::Finding& finding, const project::Choices& choices)
 }
 
 std::optional<project::Choices> centrePart(const plan::Finding&, const project::Choices& choices) {
-  if (choices.placement.centreMm == Eigen::Vector2d::Zero())
+  if (choices.item().placement.centreMm == Eigen::Vector2d::Zero())
     return std::nullopt;
   project::Choices changed = choices;
-  changed.placement.centreMm.setZero();
+  changed.item().placement.centreMm.setZero();
   return changed;
 }
 
 std::optional<project::Choices> printFlat(const plan::Finding&, const project::Choices& choices) {
   const modes::Mode& flat = modes::findMode("flat");
-  const modes::Mode* mode = modes::modeNamed(choices.mode);
-  if (choices.mode == flat.id || !mode || mode->aroundRod ||
-      !choices.platform.isForAnyOf(flat.platforms))
+  const modes::Mode* mode = modes::modeNamed(choices.item().mode);
+  if (choices.item().mode == flat.id || !mode || mode->aroundRod ||
+      !choices.item().platform.isForAnyOf(flat.platforms))
     return std::nullopt;
   project::Choices changed = choices;
-  changed.mode = flat.id;
-  changed.automatic = changed.platformStays = false;
-  if (choices.automatic) // as its way does
-    changed.parameters.try_emplace("supports", "auto");
+  changed.item().mode = flat.id;
+  changed.item().automatic = changed.item().platformStays = false;
+  if (choices.item().automatic) // as its way does
+    changed.item().parameters.try_emplace("supports", "auto");
   return changed;
 }
 
 std::optional<project::Choices> chooseWay(const plan::Finding&, const project::Choices& choices) {
-  if (choices.automatic || !choices.platform.isFor(project::PlatformUse::Plate))
+  if (choices.item().automatic || !choices.item().platform.isFor(project::PlatformUse::Plate))
     return std::nullopt;
   project::Choices changed = choices;
-  changed.automatic = true;
+  changed.item().automatic = true;
   return changed;
 }
 
 // From what mode auto does not try, on a rod or a body, to the plate of a usual cell.
 Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
   if (std::ranges::any_of(automaticWays(),
-                          [&](const AutomaticWay& way) { return way.mode == choices.mode; }))
+                          [&](const AutomaticWay& way) { return way.mode == choices.item().mode; }))
     return std::nullopt;
   const modes::Defaults usual = modes::usualOnPlate();
   project::Choices changed = choices;
-  changed.automatic = true;
-  changed.platformStays = false;
-  changed.mode = project::Choices().mode;
+  changed.item().automatic = true;
+  changed.item().platformStays = false;
+  changed.item().mode = project::Choices().item().mode;
   changed.cell = usual.cell;
-  changed.process = usual.process;
-  changed.platform = project::Platform("cell");
-  changed.placement = {};
+  changed.tool().process = usual.process;
+  changed.item().platform = project::Platform("cell");
+  changed.item().placement = {};
   return changed;
 }
 
@@ -459,10 +460,10 @@ std::span<const Remedy> remedies() {
 
 std::vector<RemedyAction> remediesFor(const plan::Finding& finding,
                                       const project::Choices& choices) {
-  const std::span<const plan::RemedyId> remedies = plan::rowOf(finding.kind).remedies;
+  const std::span<const plan::RemedyId> wanted = plan::rowOf(finding.kind).remedies;
   std::vector<RemedyAction> offers;
   for (const Remedy& remedy : remedies()) {
-    if (std::find(remedies.begin(), remedies.end(), remedy.id) == remedies.end())
+    if (std::ranges::find(wanted, remedy.id) == wanted.end())
       continue;
     // Choices that cannot be planned as they are (a value beyond the process) leave some nothing to
     // go by.

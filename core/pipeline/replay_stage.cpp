@@ -61,7 +61,8 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
 }
 
 std::string programsName(const project::Job& job) {
-  return std::filesystem::path(job.partName).stem().string() + (job.resumedAt > 0 ? "-rest" : "");
+  return std::filesystem::path(job.item().partName).stem().string() +
+         (job.resumedAt > 0 ? "-rest" : "");
 }
 
 program::JobHead headOf(const ProgramStageInput& said) {

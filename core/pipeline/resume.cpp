@@ -83,11 +83,11 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
   const plan::ReadProgram read =
       program::readProgram(std::string(found.dialect->id), found.files, process, ctx);
   std::size_t at = motionAt(request, found, read);
-  const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.platform);
+  const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.item().platform);
   const plan::Trajectory rest =
       motion::partOf(*job.trajectory, job.resumedAt, job.trajectory->pointCount());
   const program::MergedPoints points = program::pointsFor(
-      found.dialect->id, {*job.toolPlan, rest, cell, process, job.partName}, ctx);
+      found.dialect->id, {*job.toolPlan, rest, cell, process, job.item().partName}, ctx);
   const replay::ExecutedPath path = replay::executeProgram(read, cell, ctx);
   const replay::Alignment alignment =
       replay::alignProgram(read, path, replay::plannedNozzle(*points.trajectory, cell, ctx),
@@ -136,8 +136,9 @@ void done(project::Job& job, project::Stage stage, const plan::Findings& finding
 void writePrograms(PlanResult& result, const base::RunContext& ctx) {
   project::Job& job = result.job;
   const std::vector<std::string> formats = chosenFormats(job.choices, *result.cell);
+  const auto printed = project::printedOf(job);
   const ProgramStageInput in{
-      job.printed(),     job.platform,
+      *printed,          job.item().platform,
       *job.toolPlan,     *job.trajectory,
       *result.cell,      *result.process,
       programsName(job), program::programOptions(parameterValues(job.choices)),
@@ -188,7 +189,7 @@ private:
     const auto trajectory = job().trajectory;
     const project::MotionReport motion = report().motion;
     job() = project::upTo(job(), project::Stage::Toolpath);
-    report().tried.clear();
+    report().item().tried.clear();
     job().trajectory = trajectory;
     report().motion = motion;
   }
@@ -200,7 +201,7 @@ private:
     const process::Process& process = *result_.plan.process;
     const double pitch = collision::growingPitch(plan, process);
     const collision::GrowingPart growing(plan, pitch, ctx,
-                                         collision::groundCells(job().platform, pitch, ctx));
+                                         collision::groundCells(job().item().platform, pitch, ctx));
     project::Timings timings;
     timings.collision = watch.seconds();
     watch = base::Stopwatch();
@@ -252,12 +253,12 @@ private:
 
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,
                        const base::RunContext& ctx) {
-  base::require(job.part && job.toolPlan && job.trajectory, "a job with a motion");
+  base::require(job.item().part && job.toolPlan && job.trajectory, "a job with a motion");
   return Resuming(std::move(job), point, std::move(formats)).run(ctx);
 }
 
 PlanResult writeRest(project::Job job, const base::RunContext& ctx) {
-  base::require(job.part && job.toolPlan && job.trajectory && job.resumedAt > 0,
+  base::require(job.item().part && job.toolPlan && job.trajectory && job.resumedAt > 0,
                 "a job that is taken up again");
   const base::Stopwatch whole;
   PlanResult result = resultOf(project::upTo(std::move(job), project::Stage::Motion));
@@ -270,7 +271,7 @@ PlanResult writeRest(project::Job job, const base::RunContext& ctx) {
 ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx) {
   base::finishStaged(std::filesystem::absolute(request.job).parent_path());
   project::Job job = project::readJob(request.job);
-  if (!job.part || !job.toolPlan || !job.trajectory)
+  if (!job.item().part || !job.toolPlan || !job.trajectory)
     throw Error(ErrorCode::UnusableInput, "the job holds no motion to take up"_text,
                 request.job.string(), "plan it without --until"_text);
   const std::size_t point = pointOf(request, job, ctx);

@@ -4,8 +4,8 @@
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
-#include "pipeline/one_way.h"
 #include "pipeline/stage_keys.h"
+#include "pipeline/stage_runner.h"
 #include "pipeline/way_search.h"
 #include "plan/finding_kinds.h"
 
@@ -18,9 +18,10 @@ namespace {
 // Loads the part where that is not done. Does it bring its tool-paths? Then the request's choices
 // are those for them.
 bool takesGivenPathsOf(PlanRequest& request, const base::RunContext& ctx) {
-  if (!request.loaded)
-    request.loaded = project::loadPart(request.part, request.choices.repair, ctx.sub(0, 0.02));
-  if (!takesGivenPaths(*request.loaded, parameterValues(request.choices)))
+  if (!request.item().loaded)
+    request.item().loaded =
+        project::loadPart(request.item().part, request.choices.item().repair, ctx.sub(0, 0.02));
+  if (!takesGivenPaths(*request.item().loaded, parameterValues(request.choices)))
     return false;
   request.choices = choicesForGivenPaths(request.choices);
   return true;
@@ -34,19 +35,19 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, Sta
   PlanRequest given = request;
   // While somebody edits, the part lies and grows in the way that the last plan chose.
   const bool searches = request.until > project::Stage::Decompose || !namesWay(request.choices);
-  if (request.choices.automatic && !takesGivenPathsOf(given, ctx) && searches)
+  if (request.choices.item().automatic && !takesGivenPathsOf(given, ctx) && searches)
     return planAutomatically(given, ctx, cache, observers);
-  return planOneWay(given, ctx, cache, observers);
+  return planChosenWay(given, ctx, cache, observers);
 }
 
 project::StageKeys stageKeys(const PlanRequest& request) {
-  base::require(request.loaded != nullptr, "stageKeys: a part that is loaded");
+  base::require(request.item().loaded != nullptr, "stageKeys: a part that is loaded");
   checkChoices(request.choices);
-  const bool given = takesGivenPaths(*request.loaded, parameterValues(request.choices));
+  const bool given = takesGivenPaths(*request.item().loaded, parameterValues(request.choices));
   const project::Choices choices =
       resolved(given ? choicesForGivenPaths(request.choices) : wayOrFirst(request.choices));
   const base::ParameterValues values = parameterValues(choices);
-  return keysOf(*request.loaded, choices, values, chosenProcess(choices, values));
+  return keysOf(*request.item().loaded, choices, values, chosenProcess(choices, values));
 }
 
 PlanResult resultOf(project::Job job) {
@@ -54,19 +55,19 @@ PlanResult resultOf(project::Job job) {
   PlanResult result;
   const base::ParameterValues values = parameterValues(job.choices);
   result.process = std::make_shared<process::Process>(chosenProcess(job.choices, values));
-  if (job.platform.known())
+  if (job.item().platform.known())
     result.cell = std::make_shared<robot::Cell>(
-        robot::loadCell(job.choices.cell, *result.process, job.platform));
+        robot::loadCell(job.choices.cell, *result.process, job.item().platform));
   result.debug = values.boolean("output.debug");
   result.keepRefused = values.boolean("output.refused");
   result.proofs = values.boolean("output.proof");
   result.buildFile = values.boolean("output.build3mf");
-  if (job.part) {
-    if (!job.placement)
-      job.placement =
-          placementByHandOrMode(*job.loaded->mesh, job.scale * unitMm(*job.loaded, job.choices),
-                                {job.choices, values, *result.process});
-    result.placed = loadStageOf(job);
+  if (job.item().part) {
+    if (!job.item().placement)
+      job.item().placement = placementByHandOrMode(
+          *job.item().loaded->mesh, job.item().scale * unitMm(*job.item().loaded, job.choices),
+          {job.choices, values, *result.process});
+    result.item().placed = loadStageOf(job);
   }
   result.job = std::move(job);
   return result;

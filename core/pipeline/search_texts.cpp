@@ -26,17 +26,17 @@ base::Message tryingText(const WayInTurn& way) {
 }
 
 base::Message chosenText(const project::Report& report) {
-  base::require(!report.tried.empty(), "chosenText: a plan of mode auto");
-  const base::Message values = valuesText(report.chosen);
-  return std::ranges::any_of(report.tried, &project::TriedReport::passed)
-             ? base::message("Chosen: {way} ({values})"_text, report.chosen.name, values)
+  base::require(!report.item().tried.empty(), "chosenText: a plan of mode auto");
+  const base::Message values = valuesText(report.item().chosen);
+  return std::ranges::any_of(report.item().tried, &project::TriedReport::passed)
+             ? base::message("Chosen: {way} ({values})"_text, report.item().chosen.name, values)
              : base::message("Nothing passes; shown is the least bad: {way} ({values})"_text,
-                             report.chosen.name, values);
+                             report.item().chosen.name, values);
 }
 
 std::vector<base::Message> rejectedTexts(const project::Report& report) {
   std::vector<base::Message> rejected;
-  for (const project::TriedReport& tried : report.tried)
+  for (const project::TriedReport& tried : report.item().tried)
     if (!tried.taken)
       rejected.push_back(base::message("{way}: {reason}"_text, tried.name, tried.reason));
   return rejected;

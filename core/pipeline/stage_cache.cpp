@@ -69,21 +69,21 @@ void StageCache::clear() {
 namespace {
 // Is its mode one that there is, and the result of that mode's kind?
 bool holdsResult(const project::Job& job) {
-  const modes::Mode* mode = modes::modeNamed(job.choices.mode);
-  return mode && mode->result == project::kindOf(job.result);
+  const modes::Mode* mode = modes::modeNamed(job.choices.item().mode);
+  return mode && mode->result == project::kindOf(job.item().result);
 }
 } // namespace
 
 std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job) {
   auto load = std::make_shared<modes::LoadStage>();
-  load->scale = job.scale;
-  load->placement = job.placement.value_or(job.choices.placement);
-  load->part = job.part;
-  if (job.part && job.choices.platform.isOfCell()) {
+  load->scale = job.item().scale;
+  load->placement = job.item().placement.value_or(job.choices.item().placement);
+  load->part = job.item().part;
+  if (job.item().part && job.choices.item().platform.isOfCell()) {
     const project::Choices choices = resolved(job.choices);
     const base::ParameterValues values = parameterValues(choices);
-    load->platform = cellPlate(fittingCell(choices, chosenProcess(choices, values)), *job.part,
-                               plateNeeds(values));
+    load->platform = cellPlate(fittingCell(choices, chosenProcess(choices, values)),
+                               *job.item().part, plateNeeds(values));
   }
   return load;
 }
@@ -103,21 +103,22 @@ void seedCache(StageCache& cache, const project::Job& job) {
     stage->report = report;
     stage->timings = record.timings;
     // A voxel object's placed cells are not in the file: they are soon made again.
-    const bool whole = T::kStage == project::Stage::Load        ? !job.loaded || !job.loaded->cells
+    const bool whole = T::kStage == project::Stage::Load
+                           ? !job.item().loaded || !job.item().loaded->cells
                        : T::kStage == project::Stage::Decompose ? holdsResult(job)
                                                                 : true;
     if (whole && *job.reached >= T::kStage && !record.key.empty())
       cache.keep<T>(record.key, stage);
   };
   auto load = loadStageOf(job);
-  seed(load, job.report.model, nullptr);
+  seed(load, job.report.item().model, nullptr);
   auto decompose = std::make_shared<modes::DecomposeStage>();
-  decompose->platform = job.platform;
-  decompose->result = job.result;
-  seed(decompose, job.report.decomposition, &decompose->findings);
+  decompose->platform = job.item().platform;
+  decompose->result = job.item().result;
+  seed(decompose, job.report.item().decomposition, &decompose->findings);
   auto layers = std::make_shared<modes::LayersStage>();
-  layers->layers = job.layers;
-  seed(layers, job.report.layers, &layers->findings);
+  layers->layers = job.item().layers;
+  seed(layers, job.report.item().layers, &layers->findings);
   auto toolpath = std::make_shared<ToolpathStage>();
   toolpath->toolPlan = job.toolPlan;
   seed(toolpath, job.report.toolpath, &toolpath->findings);

@@ -30,41 +30,50 @@ struct ProcessKeys {
   std::string bead, head, travel, material;
 };
 
+// Empty for a material that comes with the program: its label and density identify it.
+std::string ownMaterialKey(const process::Material& m) {
+  return m.comesWithProgram ? std::string()
+                            : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC,
+                                            m.bedC.value_or(0), m.fan, m.pricePerKg);
+}
+
 ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
                speed, travelSpeed, acceleration, tolerance, bridge, bridgeSpeed, maxFlow, prime,
-               retract, material, density, head] = process;
+               retract, material, head] = process;
   static_cast<void>(label); // nothing is made from it
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
                         bridge, bridgeSpeed, maxFlow),
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
-          base::keyText(id, nozzle, prime, retract, material, density)};
+          base::keyText(id, nozzle, prime, retract, material.label, material.densityGPerCm3) +
+              ownMaterialKey(material)};
 }
 
 bool isMended(const project::LoadedPart& loaded, const project::Choices& choices) {
-  return choices.repair && !loaded.found.clean(); // a clean mesh stays as it is
+  return choices.item().repair && !loaded.found.clean(); // a clean mesh stays as it is
 }
 
 std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,
                      const std::string& cell) {
   const project::Choices& c = in.choices;
-  std::string text = base::keyText(loaded.hash, isMended(loaded, c), c.placement.rotation.coeffs(),
-                                   c.placement.centreMm, c.placement.liftMm);
+  std::string text =
+      base::keyText(loaded.hash, isMended(loaded, c), c.item().placement.rotation.coeffs(),
+                    c.item().placement.centreMm, c.item().placement.liftMm);
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
   text += openSurfacesKey(in.values, in.process);
   text += base::keyText(turnPlan(c, in.values));
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n";
-  if (c.platform.isOfCell()) {
+  if (c.item().platform.isOfCell()) {
     const PlateNeeds needs = plateNeeds(in.values);
     text += "a plate of\n" + cell +
             base::keyText(needs.supports, needs.prime, needs.primeIsRing, needs.primeLengthMm);
   }
-  const modes::Mode& mode = modes::findMode(c.mode);
+  const modes::Mode& mode = modes::findMode(c.item().mode);
   if (mode.place)
     text += base::keyText(mode.id) + mode.place.key(in);
-  const double scale = project::parsedScale(c.scale);
+  const double scale = project::parsedScale(c.item().scale);
   if (scale > 0.0)
     return text + base::keyText(scale);
   return text + "to fit\n" + cell + mode.fittingScale.key(in) + keysOf(in.process).head;
@@ -90,7 +99,7 @@ std::string next(const std::string& before, project::Stage stage, const std::str
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
                           const base::ParameterValues& values, const process::Process& process) {
   const robot::Cell cell = fittingCell(choices, process); // the platform has its own text
-  const modes::Mode& mode = modes::findMode(choices.mode);
+  const modes::Mode& mode = modes::findMode(choices.item().mode);
   const modes::ModeChoices in{choices, values, process};
   const std::string cellKey = cellText(cell, choices.cell);
 
@@ -113,6 +122,21 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   for (const std::string& format : chosenFormats(choices, cell))
     formats += format + " " + optionsText(format, program::programOptions(values));
   put(project::Stage::Replay, programText(loaded.name, process) + "formats\n" + formats);
+  return keys;
+}
+
+project::StageKeys joinedKeys(std::span<const project::StageKeys> items, layers::PrintOrder order) {
+  project::StageKeys keys = items.front();
+  if (items.size() == 1)
+    return keys;
+  constexpr std::size_t kLayers = project::indexOf(project::Stage::Layers);
+  for (std::size_t s = 0; s <= kLayers; ++s)
+    for (std::size_t i = 1; i < items.size(); ++i)
+      keys[s] += items[i][s];
+  keys[kLayers] += base::keyText(static_cast<int>(order));
+  // A key is that of the stage before and its own text.
+  for (std::size_t s = kLayers + 1; s < project::kStageCount; ++s)
+    keys[s] = keys[s - 1] + items.front()[s].substr(items.front()[s - 1].size());
   return keys;
 }
 

@@ -9,6 +9,7 @@
 #include "project/job.h"
 #include "project/stage.h"
 
+#include <span>
 #include <string>
 
 namespace voluta::pipeline {
@@ -18,6 +19,11 @@ namespace voluta::pipeline {
 // Precondition: the choices are checked.
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
                           const base::ParameterValues& values, const process::Process& process);
+
+// The keys of a job from those of its items: up to Layers all items', then the joined layers' by
+// the settings that the items share. Those of a single item are its own.
+// Precondition: there is one at least.
+project::StageKeys joinedKeys(std::span<const project::StageKeys> items, layers::PrintOrder order);
 
 // What decides about a placed part, as text: nothing of a platform, so that ways of building share
 // what is made of the part alone.

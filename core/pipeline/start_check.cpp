@@ -57,14 +57,15 @@ Polygon quarterTurned(Polygon polygon) {
 // A platform that mode auto makes is no way out of it: whoever wants one larger than any plate says
 // so.
 bool isForCellPlates(const project::Choices& choices) {
-  return choices.platform.isOfCell() || (choices.automatic && !choices.platformStays);
+  return choices.item().platform.isOfCell() ||
+         (choices.item().automatic && !choices.item().platformStays);
 }
 
 // Without corners: the part stands on no plate.
 Polygon plateUnder(const modes::LoadStage& placed, const project::Choices& choices,
                    const Polygon& foot) {
-  const project::Platform& platform = choices.platform;
-  if (modes::findMode(choices.mode).aroundRod || platform.isBody() ||
+  const project::Platform& platform = choices.item().platform;
+  if (modes::findMode(choices.item().mode).aroundRod || platform.isBody() ||
       !platform.isFor(project::PlatformUse::Plate))
     return {};
   if (platform.isOfCell())
@@ -116,7 +117,7 @@ std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
   const robot::Cell cell = robot::loadCell(choices.cell, process, plate);
   if (cell.rod())
     return stage; // told by who looks for a plate there
-  if (adriftMm(choices.platform, *placed.part, cell) > 0.0)
+  if (adriftMm(choices.item().platform, *placed.part, cell) > 0.0)
     return stage; // told by who makes the platform: nothing is the matter with the cell
   const collision::Margins margins =
       motionOptionsOf(parameterValues(choices), choices.seed).printing;

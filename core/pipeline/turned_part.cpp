@@ -48,7 +48,7 @@ TurnPlan turnPlan(const project::Choices& choices, const base::ParameterValues& 
     return {objective, 0.0, 0.0, {}};
   return {objective, values.number("voxelMm"),
           base::degreesToRadians(values.number("overhangAngle")),
-          objective == kFewestMissed ? choices.platform : project::Platform()};
+          objective == kFewestMissed ? choices.item().platform : project::Platform()};
 }
 
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,

@@ -48,7 +48,7 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
                            const base::RunContext& ctx) {
   base::finishStaged(std::filesystem::absolute(job).parent_path());
   const project::Job planned = project::readJob(job);
-  if (!planned.part || !planned.toolPlan || !planned.trajectory)
+  if (!planned.item().part || !planned.toolPlan || !planned.trajectory)
     throw base::Error(base::ErrorCode::UnusableInput,
                       "the job holds no motion to verify against"_text, job.string(),
                       "plan it without --until"_text);
@@ -57,15 +57,16 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
 
 VerifyResult verifyProgram(const std::filesystem::path& program, const project::Job& planned,
                            const base::RunContext& ctx) {
-  base::require(planned.part && planned.toolPlan && planned.trajectory,
+  base::require(planned.item().part && planned.toolPlan && planned.trajectory,
                 "verifyProgram: a job with its motion");
   base::finishStaged(std::filesystem::absolute(program).parent_path());
   const FoundProgram found = findProgram(program, planned.report.programs);
   const std::string format(found.dialect->id);
   const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));
-  const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.platform);
-  const ProgramStageInput in{planned.printed(),
-                             planned.platform,
+  const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.item().platform);
+  const auto printed = project::printedOf(planned);
+  const ProgramStageInput in{*printed,
+                             planned.item().platform,
                              *planned.toolPlan,
                              *planned.trajectory,
                              cell,

@@ -5,7 +5,7 @@
 #include "base/stopwatch.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
-#include "pipeline/one_way.h"
+#include "pipeline/stage_runner.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
 
@@ -31,9 +31,9 @@ public:
   WaySearch(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
             const PlanObservers& observers)
       : request_(request), ctx_(ctx), cache_(cache ? cache : &own_), observers_(observers) {
-    if (!request_.loaded)
-      request_.loaded =
-          project::loadPart(request_.part, request_.choices.repair, ctx.sub(0, kLoaded));
+    if (!request_.item().loaded)
+      request_.item().loaded = project::loadPart(
+          request_.item().part, request_.choices.item().repair, ctx.sub(0, kLoaded));
   }
 
   PlanResult run() {
@@ -76,19 +76,19 @@ private:
                      Trial* trial) {
     PlanRequest one = request_;
     one.choices = way;
-    return planOneWay(one, ctx, &stages, observers_, trial);
+    return planChosenWay(one, ctx, &stages, observers_, trial);
   }
 
   // Defects that are left in the mesh which this way would build. Of a part that cannot be placed
   // there are none: the way itself says why.
   bool hasDefects(const project::Choices& way) {
-    if (!request_.loaded->open)
-      return !remainingDefects(*request_.loaded).empty();
+    if (!request_.item().loaded->open)
+      return !remainingDefects(*request_.item().loaded).empty();
     PlanRequest start = request_;
     start.choices = way;
     start.until = project::Stage::Load;
-    const auto outcome =
-        base::outcomeOf([&] { return planOneWay(start, ctx_.quiet(), cache_, PlanObservers()); });
+    const auto outcome = base::outcomeOf(
+        [&] { return planChosenWay(start, ctx_.quiet(), cache_, PlanObservers()); });
     if (std::holds_alternative<base::Cancelled>(outcome))
       throw base::Cancelled{};
     const auto* placed = std::get_if<PlanResult>(&outcome);
@@ -99,11 +99,11 @@ private:
   // Returns true where the search ends with this way.
   bool tryWay(const project::Choices& way, const base::RunContext& ctx) {
     project::TriedReport& row = tried_.emplace_back();
-    row.way = way.automaticWay;
+    row.way = way.item().automaticWay;
     row.name = nameOfWay(way);
-    row.mode = way.mode;
-    row.platform = way.platform.text();
-    if (modes::findMode(way.mode).cuts && hasDefects(way)) {
+    row.mode = way.item().mode;
+    row.platform = way.item().platform.text();
+    if (modes::findMode(way.item().mode).cuts && hasDefects(way)) {
       row.reason = "pieces are not cut out of a mesh with defects"_text;
       return false;
     }
@@ -157,27 +157,28 @@ private:
 
   // With supports, a way of which growth missed nothing without them is the same.
   void noteLosses(const Candidate& candidate) {
-    const project::DecompositionReport& r = candidate.result.job.report.decomposition;
-    if (modes::findMode(candidate.way.mode).grows && r.voxels > 0 && r.missedVoxels == 0)
+    const project::DecompositionReport& r = candidate.result.job.report.item().decomposition;
+    if (modes::findMode(candidate.way.item().mode).grows && r.voxels > 0 && r.missedVoxels == 0)
       missedNothing_.push_back(withoutSupports(candidate.way));
   }
   bool needsNoSupports(const project::Choices& way) const {
     const project::Choices choices = withoutSupports(way);
     return std::ranges::any_of(missedNothing_, [&](const project::Choices& other) {
-      return other.mode == choices.mode && other.platform == choices.platform &&
-             other.parameters == choices.parameters;
+      return other.item().mode == choices.item().mode &&
+             other.item().platform == choices.item().platform &&
+             other.item().parameters == choices.item().parameters;
     });
   }
   static project::Choices withoutSupports(const project::Choices& way) {
     project::Choices choices = resolved(way);
-    choices.parameters.erase("supports");
+    choices.item().parameters.erase("supports");
     return choices;
   }
 
   PlanResult choose(Candidate& candidate) {
     tried_[candidate.tried].taken = true;
     PlanResult result = std::move(candidate.result);
-    result.job.report.tried = std::move(tried_);
+    result.job.report.item().tried = std::move(tried_);
     result.job.report.timings.total = clock_.seconds();
     return result;
   }

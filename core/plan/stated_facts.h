@@ -23,7 +23,9 @@ enum class FactKind : std::uint8_t {
   TargetFrame,       // the frame that targets are in
   MechanicalUnit,    // word: a unit that moves part, robot or filament
   OpenRounding,      // corners are rounded, as far as the controller chooses
-  PassingOutput      // an output of the extruder is set beside a motion that does not stop
+  PassingOutput,     // an output of the extruder is set beside a motion that does not stop
+  ToolSelected,      // number: the tool that deposits from here on
+  TapeCut            // the tape is cut
 };
 
 struct StatedFact {

@@ -24,6 +24,8 @@ struct ToolPath {
   PathKind kind = PathKind::Wall;
   int layer = 0, patch = 0, group = 0;
   bool closed = false;
+  int item = 0; // index in the job's items
+  int tool = 0; // index in the job's tooling (process/tooling.h)
 };
 
 // All in the work frame: origin at the centre of the platform's top, z out of it. mm.

@@ -1,9 +1,11 @@
 // The robot's motion over time: one block of dof x N joint values (external axes included).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace voluta::plan {
@@ -18,15 +20,37 @@ enum class MoveKind : std::uint8_t {
   Wipe    // as Linear, but along a bead that was just printed, before the nozzle lifts
 };
 
+enum class EventKind : std::uint8_t {
+  ToolChange, // `tool` deposits from here on
+  Cut,        // the tape is cut
+  Pause,      // until the operator continues
+  Feed        // `feedMm` of filament or tape is fed in place
+};
+inline constexpr std::size_t kEventKinds = 4;
+
+// Happens in place, after the arm has arrived at the point before and before it moves to `point`.
+struct TrajectoryEvent {
+  std::size_t point = 1; // 1 .. pointCount() - 1
+  EventKind kind = EventKind::Pause;
+  int tool = 0;        // ToolChange: index in the job's tooling
+  double feedMm = 0.0; // Feed
+};
+
 struct Trajectory {
   int dof = 0;
-  std::vector<double> joints;        // dof values a point, radians (mm for sliding axes)
-  std::vector<double> timeS;         // per point, from 0, non-decreasing
-  std::vector<MoveKind> move;        // per point
-  std::vector<std::size_t> waypoint; // per point: the ToolPlan waypoint it is, or kNoWaypoint
-  std::vector<double> extrudedMm3;   // per point: material laid when it is reached
+  std::vector<double> joints;          // dof values a point, radians (mm for sliding axes)
+  std::vector<double> timeS;           // per point, from 0, non-decreasing
+  std::vector<MoveKind> move;          // per point
+  std::vector<std::size_t> waypoint;   // per point: the ToolPlan waypoint it is, or kNoWaypoint
+  std::vector<double> extrudedMm3;     // per point: material laid when it is reached
+  std::vector<TrajectoryEvent> events; // ascending by point; several at a point in their order
 
   std::size_t pointCount() const { return timeS.size(); }
+  // Returns the events before the motion to that point.
+  std::span<const TrajectoryEvent> eventsBefore(std::size_t point) const {
+    const auto range = std::ranges::equal_range(events, point, {}, &TrajectoryEvent::point);
+    return {range.begin(), range.end()};
+  }
   const double* at(std::size_t point) const {
     return joints.data() + point * static_cast<std::size_t>(dof);
   }

@@ -12,8 +12,7 @@ namespace voluta::process {
 namespace {
 using base::JsonNode;
 
-constexpr double kBridgeWidths = 5.0; // of a process that says nothing of bridges
-constexpr double kBridgeSpeed = 0.5;  // of the usual one, where a process does not say
+constexpr double kBridgeSpeed = 0.5; // of the usual one, where a process does not say
 
 // A size that is chosen within limits: 0 < min <= default <= max.
 void readRange(const JsonNode& node, double& usual, double& least, double& most) {
@@ -43,6 +42,13 @@ HeadShape readHead(const JsonNode& list) {
   if (!(head.sections.back().zMm > 0.0))
     list.fail("does not rise from z = 0"_text);
   return head;
+}
+// A material without a file of its own needs the density here.
+Material readMaterial(const JsonNode& process) {
+  Material material = materialNamed(process.at("material").text());
+  if (process.has("densityGPerCm3") || material.densityGPerCm3 == 0.0)
+    material.densityGPerCm3 = process.at("densityGPerCm3").positive();
+  return material;
 }
 } // namespace
 
@@ -76,16 +82,15 @@ Process readProcessText(const std::string& text, const std::string& name) {
   p.travelSpeedMmPerS = top.at("travelSpeedMmPerS").positive();
   p.accelerationMmPerS2 = top.at("accelerationMmPerS2").positive();
   p.contactToleranceMm = top.at("contactToleranceMm").notNegative();
-  p.bridgeMm =
-      top.has("bridgeMm") ? top.at("bridgeMm").notNegative() : kBridgeWidths * p.beadWidthMm;
+  p.material = readMaterial(top);
+  p.bridgeMm = top.has("bridgeMm") ? top.at("bridgeMm").notNegative()
+                                   : p.material.bridgeWidths * p.beadWidthMm;
   p.bridgeSpeedMmPerS = top.has("bridgeSpeedMmPerS") ? top.at("bridgeSpeedMmPerS").positive()
                                                      : kBridgeSpeed * p.speedMmPerS;
   p.maxFlowMm3PerS = top.at("maxFlowMm3PerS").positive();
   p.primeS = top.at("primeS").notNegative();
   if (top.has("retractMm"))
     p.retractMm = top.at("retractMm").notNegative();
-  p.material = top.at("material").text();
-  p.densityGPerCm3 = top.at("densityGPerCm3").positive();
   p.head = readHead(top.at("head"));
   return p;
 }

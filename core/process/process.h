@@ -1,6 +1,8 @@
 // How a material is laid: nozzle, head, bead limits, speeds (resources/processes/*.json).
 #pragma once
 
+#include "process/material.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -34,8 +36,7 @@ struct Process {
   double maxFlowMm3PerS = 40.0;    // flow at the analogue output's full scale
   double primeS = 0.2;             // extruder runs this long before a path moves
   double retractMm = 0.0;          // of filament, drawn back for a travel; 0: stays as it is
-  std::string material = "PLA";
-  double densityGPerCm3 = 1.24;
+  Material material;               // with the density that the process's file gives, if any
   HeadShape head;
 };
 

@@ -80,6 +80,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "urscript",
        .needsJoints = false,
        .supportsExternalAxes = false,
+       .events = {plan::EventKind::Pause},
        // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
@@ -119,6 +120,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "gcode-extended",
        .needsJoints = false,
        .saysJointMotions = false,
+       .events = {plan::EventKind::Pause},
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
@@ -154,6 +156,7 @@ const std::vector<Dialect>& dialects() {
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        .tiltsNozzle = false,
+       .events = {plan::EventKind::Pause},
        // As extended G-code's.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .states = gcodeStates(),
@@ -167,6 +170,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "mod",
        .controller = "rapid",
        .needsJoints = false,
+       .events = {plan::EventKind::Pause},
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
@@ -190,6 +194,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "src",
        .controller = "krl",
        .needsJoints = false,
+       .events = {plan::EventKind::Pause},
        .time = kKrlTime,
        .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
@@ -226,6 +231,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "spel",
        .needsJoints = false,
        .supportsExternalAxes = false,
+       .events = {plan::EventKind::Pause},
        // What any of its arms takes.
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
@@ -247,6 +253,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "prg",
        .controller = "melfa",
        .supportsExternalAxes = false,
+       .events = {plan::EventKind::Pause},
        .time = kMelfaTime,
        .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
@@ -448,12 +455,48 @@ void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> dir
       {}, base::message("take {formats}, or a mode with flat layers"_text, others));
 }
 
+namespace {
+base::Text nameOf(plan::EventKind kind) {
+  switch (kind) {
+  case plan::EventKind::ToolChange:
+    return "a tool change"_text;
+  case plan::EventKind::Cut:
+    return "a cut of the tape"_text;
+  case plan::EventKind::Pause:
+    return "a pause for the operator"_text;
+  case plan::EventKind::Feed:
+    break;
+  }
+  return "feeding in place"_text;
+}
+} // namespace
+
+void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory) {
+  const auto unsaid = std::ranges::find_if(trajectory.events, [&](const plan::TrajectoryEvent& e) {
+    return std::ranges::find(dialect.events, e.kind) == dialect.events.end();
+  });
+  if (unsaid == trajectory.events.end())
+    return;
+  std::string others;
+  for (const Dialect& other : dialects())
+    if (std::ranges::find(other.events, unsaid->kind) != other.events.end())
+      others += joined({others.empty() ? "" : ", ", other.id});
+  throw base::Error(
+      base::ErrorCode::Usage,
+      base::message("format {format} has no word for {event}"_text, dialect.id,
+                    nameOf(unsaid->kind)),
+      {}, others.empty() ? base::Message() : base::message("choose {formats}"_text, others));
+}
+
 std::optional<base::Error> refusal(const Dialect& dialect, const robot::Cell& cell,
-                                   std::span<const Eigen::Vector3d> directions) {
+                                   std::span<const Eigen::Vector3d> directions,
+                                   const plan::Trajectory* trajectory) {
   try {
     requireOwnRobot(dialect, cell);
     requireRodTurns(dialect, cell);
     requireUpright(dialect, directions);
+    if (trajectory)
+      requireEvents(dialect, *trajectory);
   } catch (const base::Error& error) {
     return error;
   }
@@ -479,6 +522,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   const Dialect& dialect = findDialect(id);
   requireOwnRobot(dialect, input.cell);
   requireRodTurns(dialect, input.cell);
+  requireEvents(dialect, input.trajectory);
   requireExtruder(dialect.id, dialect.extruders, input.cell, input.options);
   ProgramInput own = input;
   own.foreign = isForeign(dialect, input.cell);

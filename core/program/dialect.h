@@ -39,8 +39,9 @@ struct Dialect {
   bool saysJointMotions = true;     // else they come in straight pieces (joint_pieces.h)
   bool supportsExternalAxes = true; // can it say where an external axis is, or what is on the part
   bool tiltsNozzle = true;          // can it say another direction than the plate's normal
-  plan::TimeModel time = {};        // of its controller; readProgram hands it on
-  MergeLimits merge = {};           // of printing motions that its controller can plan in time
+  std::vector<plan::EventKind> events = {}; // that it has words for
+  plan::TimeModel time = {};                // of its controller; readProgram hands it on
+  MergeLimits merge = {}; // of printing motions that its controller can plan in time
   // Ids of program::extruders() that it has words for; empty: its motions tell amounts themselves.
   std::vector<std::string_view> extruders = {};
   bool forAnyCell = false; // written beside the cell's own where the user chooses no formats
@@ -120,19 +121,22 @@ inline constexpr double kUprightRad = 1e-3;
 // words for it.
 void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions);
 
-// What one of the above throws for this cell and these directions (none: not known yet); nullopt:
-// the dialect can say them.
+// Throws Error{Usage} if the trajectory has an event that the dialect has no word for.
+void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory);
+
+// Returns what one of the functions above throws for this cell, these directions (empty: not known
+// yet) and this trajectory (null: not known yet); nullopt if the dialect can say all of them.
 std::optional<base::Error> refusal(const Dialect& dialect, const robot::Cell& cell,
-                                   std::span<const Eigen::Vector3d> directions);
+                                   std::span<const Eigen::Vector3d> directions,
+                                   const plan::Trajectory* trajectory = nullptr);
 
 // The trajectory as a program of this dialect says it: what it is written from, and held against.
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx = {});
 
 // findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing throws as
-// requireOwnRobot and requireRodTurns too, and as requireUpright where the nozzle does not go by
-// joints; it heeds the dialect's own options only.
-// Example:
+// requireOwnRobot, requireRodTurns and requireEvents too, and as requireUpright where the nozzle
+// does not go by joints; it heeds the dialect's own options only. Example:
 //   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
 //   const plan::Program program = program::writeProgram("urscript", input, ctx);
 //   const plan::ReadProgram read = program::readProgram("urscript", program.files, process, ctx);

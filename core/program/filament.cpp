@@ -22,24 +22,4 @@ void FilamentCount::set(double mm) {
   mm_ = mm;
 }
 
-std::pair<double, double> nozzleRange(std::string_view material) {
-  if (material == "PLA")
-    return {170.0, 250.0};
-  if (material == "PETG")
-    return {200.0, 280.0};
-  if (material == "ABS")
-    return {200.0, 290.0};
-  return {100.0, 450.0};
-}
-
-std::optional<int> nozzleCelsius(std::string_view material) {
-  if (material == "PLA")
-    return 210;
-  if (material == "PETG")
-    return 240;
-  if (material == "ABS")
-    return 245;
-  return std::nullopt;
-}
-
 } // namespace voluta::program

@@ -1,10 +1,7 @@
-// Filament: the one that an extruder without its own is taken to have, and how hot a material is
-// printed.
+// The filament that an extruder without its own is assumed to have.
 #pragma once
 
-#include <optional>
 #include <string_view>
-#include <utility>
 
 namespace voluta::program {
 
@@ -29,11 +26,5 @@ public:
 private:
   double mm_ = 0.0, farthestMm_ = 0.0;
 };
-
-// Between which a nozzle prints a material; makers' data sheets and what print heads stand.
-std::pair<double, double> nozzleRange(std::string_view material);
-
-// A usual nozzle temperature of a material, degrees C, assumed: a process says nothing about it.
-std::optional<int> nozzleCelsius(std::string_view material);
 
 } // namespace voluta::program

@@ -136,10 +136,10 @@ std::vector<std::string> headLines(const ProgramInput& input) {
   std::vector<std::string> lines = {
       joined({kPart, head.part, kJob, head.job}),
       joined({kCell, head.cell, kRobot, head.robot, kProcess, head.process, " (",
-              plainText(p.material), ")"}),
+              plainText(p.material.label), ")"}),
       joined({std::to_string(t.pointCount()), " motions, ", fixedText(mm3, 1), " mm3, ",
-              fixedText(mm3 * 1e-3 * p.densityGPerCm3, 1), " g, ", fixedText(t.timeS.back(), 1),
-              " s"})};
+              fixedText(mm3 * 1e-3 * p.material.densityGPerCm3, 1), " g, ",
+              fixedText(t.timeS.back(), 1), " s"})};
   if (extruderOf(input).streams)
     lines.push_back(joined({kStreamNote, streamName(input),
                             ", played from each moment on at which the extruder's output goes "

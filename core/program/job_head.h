@@ -46,6 +46,7 @@ std::optional<std::string_view> behindMark(std::string_view line, std::string_vi
 std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files);
 
 // Asked of the operator before anything moves.
+inline constexpr std::string_view kPauseText = "Paused. Continue?"; // at a planned pause
 inline constexpr std::string_view kStartQuestion =
     "The arm goes slowly and straight to its start. Is the way clear?";
 

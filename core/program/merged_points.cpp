@@ -33,6 +33,10 @@ public:
       keep(from + 1, to);
       from = to;
     }
+    for (plan::TrajectoryEvent event : in_.events) {
+      event.point = pointOf_[event.point];
+      out_.events.push_back(event);
+    }
     return std::move(out_);
   }
 
@@ -57,12 +61,15 @@ private:
                                 lengthMm(from, to) < limits_.leastMm);
   }
   // A bead's last point stays.
-  bool canGoOn(std::size_t to) const { return to + 1 < in_.pointCount() && isPrint(in_, to + 1); }
+  bool canGoOn(std::size_t to) const {
+    return to + 1 < in_.pointCount() && isPrint(in_, to + 1) && in_.eventsBefore(to + 1).empty();
+  }
 
   bool turns(std::size_t i) const { return in_.move[i] == plan::MoveKind::Joint; }
   // Joint motions to `to` and to the next.
   bool turnsOn(std::size_t to) const {
-    return limits_.jointRad > 0.0 && to + 1 < in_.pointCount() && turns(to) && turns(to + 1);
+    return limits_.jointRad > 0.0 && to + 1 < in_.pointCount() && turns(to) && turns(to + 1) &&
+           in_.eventsBefore(to + 1).empty();
   }
   Eigen::Map<const Eigen::VectorXd> joints(std::size_t i) const { return {in_.at(i), in_.dof}; }
 

@@ -71,10 +71,9 @@ void ProgramBuilder::send(std::string_view text) {
     drawsMm3PerS_ = std::max(0.0, -castelliFlowMm3PerS(command->value));
     return;
   case 'M':
-    if (const auto [least, most] = nozzleRange(process_.material);
-        value != 0.0 && !(value >= least && value <= most))
+    if (value != 0.0 && !prints(process_.material, value))
       defect(base::message("{celsius} °C is no heat to print {material} with"_text,
-                           base::number(value), process_.material));
+                           base::number(value), process_.material.label));
     state(plan::FactKind::NozzleHeat, value);
     wordAt("M", kAside);
     return;

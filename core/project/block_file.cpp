@@ -17,7 +17,7 @@ std::uint32_t crcOf(std::string_view bytes) {
 }
 
 void BlockWriter::begin(const std::string& name, std::size_t item) {
-  blocks_.push_back({{name, size_, 0, item, 0}, {}});
+  blocks_.push_back({{prefix_ + name, size_, 0, item, 0}, {}});
 }
 
 void BlockWriter::appendBytes(std::string_view bytes) {
@@ -50,7 +50,7 @@ std::string_view BlockReader::checked(const std::string& name, std::size_t item)
     return base::Error(base::ErrorCode::UnreadableFile, what, where_, "plan the part again"_text);
   };
   for (const BlockRow& row : table_) {
-    if (row.name != name)
+    if (row.name != prefix_ + name)
       continue;
     if (row.offset > bytes_.size() || row.bytes > bytes_.size() - row.offset)
       throw unreadable("the job file is cut short"_text);

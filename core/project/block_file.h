@@ -38,6 +38,8 @@ struct BlockRow {
 // Collects blocks without copying them: arrays that are added have to outlive the writer.
 class BlockWriter {
 public:
+  // Names of blocks that are added from here on begin with it.
+  void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
   template <typename T> void add(const std::string& name, const std::vector<T>& values) {
     begin(name, sizeof(T));
     append(values);
@@ -72,6 +74,7 @@ private:
     BlockRow row;
     std::vector<std::string_view> parts;
   };
+  std::string prefix_;
   std::vector<Block> blocks_;
   std::deque<std::string> owned_;
   std::size_t size_ = 0;
@@ -82,6 +85,9 @@ class BlockReader {
 public:
   BlockReader(const std::string& where, std::vector<BlockRow> table, std::string_view bytes)
       : where_(where), table_(std::move(table)), bytes_(bytes) {}
+
+  // Names that are looked up from here on begin with it.
+  void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 
   // Throws Error{UnreadableFile}: missing, cut short, damaged, items of another size.
   template <typename T> std::vector<T> get(const std::string& name) const {
@@ -95,13 +101,14 @@ public:
   std::string text(const std::string& name) const { return std::string(checked(name, 1)); }
   bool has(const std::string& name) const {
     return std::any_of(table_.begin(), table_.end(),
-                       [&](const BlockRow& row) { return row.name == name; });
+                       [&](const BlockRow& row) { return row.name == prefix_ + name; });
   }
 
 private:
   std::string_view checked(const std::string& name, std::size_t item) const;
 
   const std::string& where_;
+  std::string prefix_;
   std::vector<BlockRow> table_;
   std::string_view bytes_;
 };

@@ -7,6 +7,12 @@
 
 namespace voluta::project {
 
+Choices onlyItem(const Choices& choices, std::size_t item) {
+  Choices one = choices;
+  one.items = {choices.item(item)};
+  return one;
+}
+
 double parsedScale(const std::string& scale) {
   if (scale == "fit")
     return 0.0;

@@ -2,9 +2,26 @@
 
 namespace voluta::project {
 
-const geometry::TriangleMesh& Job::printed() const {
+const geometry::TriangleMesh& JobItem::printed() const {
   const auto* less = std::get_if<ReducedPlatform>(&result);
   return less && less->part ? *less->part : *part;
+}
+
+std::shared_ptr<const geometry::TriangleMesh> printedOf(const Job& job) {
+  if (job.items.size() == 1)
+    return {std::shared_ptr<void>(), &job.item().printed()};
+  auto all = std::make_shared<geometry::TriangleMesh>();
+  for (const JobItem& item : job.items) {
+    const geometry::TriangleMesh& mesh = item.printed();
+    const int first = static_cast<int>(all->vertices.size());
+    all->vertices.insert(all->vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (std::array<int, 3> triangle : mesh.triangles) {
+      for (int& corner : triangle)
+        corner += first;
+      all->triangles.push_back(triangle);
+    }
+  }
+  return all;
 }
 
 StageKeys Job::keys() const {
@@ -17,20 +34,20 @@ StageKeys Job::keys() const {
 Job upTo(Job job, std::optional<Stage> last) {
   const auto keeps = [&](Stage stage) { return last && stage <= *last; };
   if (!keeps(Stage::Load)) {
-    job.scale = 1.0;
-    job.placement.reset();
-    job.part = nullptr;
-    job.report.model = {};
+    job.item().scale = 1.0;
+    job.item().placement.reset();
+    job.item().part = nullptr;
+    job.report.item().model = {};
   }
   if (!keeps(Stage::Decompose)) {
-    job.platform = {};
-    job.result = {};
-    job.report.decomposition = {};
-    job.report.decomposition.mode = job.choices.mode;
+    job.item().platform = {};
+    job.item().result = {};
+    job.report.item().decomposition = {};
+    job.report.item().decomposition.mode = job.choices.item().mode;
   }
   if (!keeps(Stage::Layers)) {
-    job.layers = nullptr;
-    job.report.layers = {};
+    job.item().layers = nullptr;
+    job.report.item().layers = {};
   }
   if (!keeps(Stage::Toolpath)) {
     job.toolPlan = nullptr;

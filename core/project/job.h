@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace voluta::project {
 
@@ -34,45 +35,58 @@ struct StageRecord {
   Timings timings;          // its own seconds, `total` apart
 };
 
-// Results are null where the plan did not come that far. Copies are cheap: arrays are shared.
-struct Job {
+// One part of a job, with its own way of building. Results are null where the plan did not come
+// that far. Copies are cheap: arrays are shared.
+struct JobItem {
   std::string partName; // file name without folder
   std::shared_ptr<const LoadedPart> loaded;
-  Choices choices;
-
-  std::optional<Stage> reached; // last stage that is done; none: nothing planned
-  std::array<StageRecord, kStageCount> stages;
-  Report report; // of all stages that are done
-
   double scale = 1.0; // what `scale` came to
-  // How `part` lies, also where the mode or a search has laid it; none: not placed, or read from a
-  // project that did not keep it yet.
+  // The part's placement, also where the mode or a search has found it; none: not placed, or read
+  // from a project that did not keep it yet.
   std::optional<geometry::Placement> placement;
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
   platform::PlatformSolid platform;                   // what material starts on, work frame
   ModeResult result;
   std::shared_ptr<const layers::LayerStack> layers;
-  std::shared_ptr<const plan::ToolPlan> toolPlan;
-  std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print
-  // Of a print that is taken up again: the point of the trajectory at which its programs begin;
-  // what comes before was printed earlier. 0: the whole.
-  std::size_t resumedAt = 0;
 
   // What is to be printed. Precondition: part.
   const geometry::TriangleMesh& printed() const;
   // The result of a mode that has voxels, or pieces; else null.
   Voxels decomposition() const { return resultAs<Voxels>(result); }
   Pieces pieces() const { return resultAs<Pieces>(result); }
+};
+
+// Results are null where the plan did not come that far. Copies are cheap: arrays are shared.
+struct Job {
+  Choices choices;
+  std::vector<JobItem> items = {JobItem{}}; // one or more, as choices.items
+
+  std::optional<Stage> reached; // last stage that is done; none: nothing planned
+  std::array<StageRecord, kStageCount> stages;
+  Report report; // of all stages that are done
+
+  std::shared_ptr<const plan::ToolPlan> toolPlan;     // of all items, in print order
+  std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print
+  // Of a resumed print: the point of the trajectory at which its programs begin; points before it
+  // were printed earlier. 0: the whole.
+  std::size_t resumedAt = 0;
+
+  JobItem& item(std::size_t i = 0) { return items.at(i); }
+  const JobItem& item(std::size_t i = 0) const { return items.at(i); }
   // Keys of what is there, to be compared with stageKeys() of what is wanted.
   StageKeys keys() const;
 };
+
+// What is to be printed of all items, as one mesh; that of a single item is not copied and lives as
+// long as the job. Precondition: every item is placed.
+std::shared_ptr<const geometry::TriangleMesh> printedOf(const Job& job);
 
 // The job without the results after `last`; none: without any.
 Job upTo(Job job, std::optional<Stage> last);
 
 // job.voluta as bytes: a line "VOLUTA 2", a line with length and CRC-32 of a JSON header, the
 // header (choices, counts and a table of blocks), then the blocks: little-endian arrays, each with
-// a CRC-32. Good for any thread. Precondition: job.loaded.
+// a CRC-32. Good for any thread. Precondition: every item is loaded.
 std::string jobBytes(const Job& job);
 // jobBytes into a file, whole or not at all. Throws Error{CannotWrite}.
 void writeJob(const std::filesystem::path& file, const Job& job);

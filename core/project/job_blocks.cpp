@@ -90,6 +90,12 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
     return false;
   return std::all_of(t.move.begin(), t.move.end(),
                      [](plan::MoveKind kind) { return kind <= plan::MoveKind::Wipe; }) &&
+         std::ranges::is_sorted(t.events, {}, &plan::TrajectoryEvent::point) &&
+         std::ranges::all_of(t.events,
+                             [&](const plan::TrajectoryEvent& e) {
+                               return e.point > 0 && e.point < n && e.tool >= 0 &&
+                                      std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Feed;
+                             }) &&
          std::all_of(t.waypoint.begin(), t.waypoint.end(), [&](std::size_t w) {
            return w == plan::kNoWaypoint || (toolPlan && w < toolPlan->waypointCount());
          });
@@ -103,7 +109,12 @@ bool holdsWhatItReached(const Job& job) {
     left -= record.findings;
   }
   const auto reached = [&](Stage stage) { return job.reached && *job.reached >= stage; };
-  return (!reached(Stage::Load) || job.part) && (!reached(Stage::Layers) || job.layers) &&
+  const auto all = [&](auto JobItem::*result) {
+    return std::ranges::all_of(job.items,
+                               [&](const JobItem& item) { return item.*result != nullptr; });
+  };
+  return (!reached(Stage::Load) || all(&JobItem::part)) &&
+         (!reached(Stage::Layers) || all(&JobItem::layers)) &&
          (!reached(Stage::Toolpath) || job.toolPlan) && (!reached(Stage::Replay) || job.trajectory);
 }
 } // namespace
@@ -350,6 +361,12 @@ void addToolPlan(BlockWriter& out, const plan::ToolPlan& p, const std::string& n
                  static_cast<std::int64_t>(path.kind), path.layer, path.patch, path.group,
                  path.closed ? 1 : 0});
   out.addOwned(name + ".paths", rows);
+  // Jobs of one item and one tool need no block.
+  std::vector<std::int32_t> owners;
+  for (const plan::ToolPath& path : p.paths)
+    owners.insert(owners.end(), {path.item, path.tool});
+  if (std::ranges::any_of(owners, [](std::int32_t owner) { return owner != 0; }))
+    out.addOwned(name + ".owners", owners);
 }
 
 plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
@@ -371,6 +388,13 @@ plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
     path.closed = rows[i + 6] != 0;
     p.paths.push_back(path);
   }
+  if (in.has(name + ".owners")) {
+    const std::vector<std::int32_t> owners = in.get<std::int32_t>(name + ".owners");
+    for (std::size_t k = 0; k < p.paths.size() && 2 * k + 1 < owners.size(); ++k) {
+      p.paths[k].item = owners[2 * k];
+      p.paths[k].tool = owners[2 * k + 1];
+    }
+  }
   return p;
 }
 
@@ -384,6 +408,13 @@ void addTrajectory(BlockWriter& out, const plan::Trajectory& t) {
   out.addOwned("trajectory.move", move);
   out.addOwned("trajectory.waypoint", waypoint);
   out.add("trajectory.extruded", t.extrudedMm3);
+  if (t.events.empty())
+    return;
+  std::vector<double> events;
+  for (const plan::TrajectoryEvent& e : t.events)
+    events.insert(events.end(), {static_cast<double>(e.point), static_cast<double>(e.kind),
+                                 static_cast<double>(e.tool), e.feedMm});
+  out.addOwned("trajectory.events", events);
 }
 
 plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
@@ -396,6 +427,14 @@ plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
   for (const std::uint64_t w : in.get<std::uint64_t>("trajectory.waypoint"))
     t.waypoint.push_back(static_cast<std::size_t>(w));
   t.extrudedMm3 = in.get<double>("trajectory.extruded");
+  if (!in.has("trajectory.events"))
+    return t;
+  const std::vector<double> events = in.get<double>("trajectory.events");
+  for (std::size_t i = 0; i + 3 < events.size(); i += 4)
+    t.events.push_back({.point = static_cast<std::size_t>(events[i]),
+                        .kind = static_cast<plan::EventKind>(events[i + 1]),
+                        .tool = static_cast<int>(events[i + 2]),
+                        .feedMm = events[i + 3]});
   return t;
 }
 
@@ -427,21 +466,29 @@ bool isSound(const plan::ToolPlan& p) {
       p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction))
     return false;
   return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
-    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Prime;
+    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Prime &&
+           path.item >= 0 && path.tool >= 0;
   });
 }
 
+namespace {
+bool isSoundItem(const JobItem& item) {
+  if (!allFinite(item.platform.polygon))
+    return false;
+  if (const Voxels voxels = item.decomposition(); voxels && !soundDecomposition(*voxels))
+    return false;
+  if (const Pieces pieces = item.pieces(); pieces && !soundPieces(*pieces))
+    return false;
+  return !item.layers || std::ranges::all_of(item.layers->patches, [](const layers::Patch& patch) {
+    return soundMesh(patch.surface) && allFinite(patch.chart.at);
+  });
+}
+} // namespace
+
 bool isConsistent(const Job& job) {
-  if (!allFinite(job.platform.polygon))
+  if (job.items.size() != job.choices.items.size() || job.items.size() != job.report.items.size() ||
+      !std::ranges::all_of(job.items, isSoundItem))
     return false;
-  if (const Voxels voxels = job.decomposition(); voxels && !soundDecomposition(*voxels))
-    return false;
-  if (const Pieces pieces = job.pieces(); pieces && !soundPieces(*pieces))
-    return false;
-  if (job.layers)
-    for (const layers::Patch& patch : job.layers->patches)
-      if (!soundMesh(patch.surface) || !allFinite(patch.chart.at))
-        return false;
   if (job.toolPlan && !isSound(*job.toolPlan))
     return false;
   if (job.trajectory && !soundTrajectory(*job.trajectory, job.toolPlan.get()))

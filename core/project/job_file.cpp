@@ -45,26 +45,38 @@ geometry::Placement readPlacement(const Json& j) {
   return p;
 }
 
-Json choicesJson(const Choices& c) {
+Json itemJson(const ItemChoices& c) {
   return Json{{"automatic", c.automatic},
               {"platformStays", c.platformStays},
               {"automaticWay", c.automaticWay},
               {"mode", c.mode},
               {"growth", c.growth.id()},
               {"platform", c.platform.text()},
-              {"cell", c.cell},
-              {"process", c.process},
               {"scale", c.scale},
               {"units", c.units},
               {"placement", placementJson(c.placement)},
               {"repair", c.repair},
-              {"formats", c.formats},
-              {"parameters", c.parameters},
-              {"seed", c.seed}};
+              {"parameters", c.parameters}};
 }
 
-Choices readChoices(const Json& j, int format) {
-  Choices c;
+// The first item and the first tool at the top, as in projects that had one of each only.
+Json choicesJson(const Choices& c) {
+  Json j = itemJson(c.item());
+  j["cell"] = c.cell;
+  j["process"] = c.tool().process;
+  j["formats"] = c.formats;
+  j["seed"] = c.seed;
+  if (c.printOrder == layers::PrintOrder::ByLayer)
+    j["printOrder"] = "byLayer";
+  for (std::size_t i = 1; i < c.items.size(); ++i)
+    j["moreItems"].push_back(itemJson(c.item(i)));
+  for (std::size_t i = 1; i < c.tools.size(); ++i)
+    j["moreTools"].push_back(Json{{"process", c.tool(i).process}});
+  return j;
+}
+
+ItemChoices readItem(const Json& j, int format) {
+  ItemChoices c;
   c.automatic = j.value("automatic", false);
   c.platformStays = j.value("platformStays", false);
   // Once a number: of a list that has changed since.
@@ -73,13 +85,9 @@ Choices readChoices(const Json& j, int format) {
   j.at("mode").get_to(c.mode);
   c.growth = curved::GrowthScheme(j.at("growth").get<std::string>());
   c.platform = Platform(j.at("platform").get<std::string>());
-  j.at("cell").get_to(c.cell);
-  j.at("process").get_to(c.process);
   j.at("scale").get_to(c.scale);
   c.units = j.value("units", c.units);
-  j.at("formats").get_to(c.formats);
   j.at("parameters").get_to(c.parameters);
-  j.at("seed").get_to(c.seed);
   if (format >= 2) {
     c.placement = readPlacement(j.at("placement"));
     j.at("repair").get_to(c.repair);
@@ -87,8 +95,24 @@ Choices readChoices(const Json& j, int format) {
   return c;
 }
 
+Choices readChoices(const Json& j, int format) {
+  Choices c;
+  c.item() = readItem(j, format);
+  j.at("cell").get_to(c.cell);
+  j.at("process").get_to(c.tool().process);
+  j.at("formats").get_to(c.formats);
+  j.at("seed").get_to(c.seed);
+  if (j.value("printOrder", "") == "byLayer")
+    c.printOrder = layers::PrintOrder::ByLayer;
+  for (const Json& item : j.value("moreItems", Json::array()))
+    c.items.push_back(readItem(item, format));
+  for (const Json& tool : j.value("moreTools", Json::array()))
+    c.tools.push_back({tool.at("process").get<std::string>()});
+  return c;
+}
+
 // Notes with the part that a density which the project was given has gone.
-void dropSparseInfill(Choices& choices, LoadedPart& part) {
+void dropSparseInfill(ItemChoices& choices, LoadedPart& part) {
   const auto density = choices.parameters.find(kInfillDensity);
   if (density == choices.parameters.end())
     return;
@@ -178,27 +202,28 @@ geometry::OpenSurface readOpen(const Json& j) {
 
 // What earlier versions do not look for: sentences as data, to be told in any language. They read
 // the English beside it.
-void addTold(BlockWriter& out, const Job& job) {
+void addFacts(BlockWriter& out, const Job& job) {
   Json facts = Json::array();
   for (const plan::Finding& finding : job.report.findings)
     facts.push_back(factJson(finding));
+  const LoadedPart& loaded = *job.item().loaded;
   out.addText("told", Json{{"findings", std::move(facts)},
-                           {"repairs", messagesJson(job.report.model.repairs)},
-                           {"readNotes", messagesJson(job.loaded->readNotes)},
-                           {"notes", messagesJson(job.loaded->notes)},
-                           {"remains", messagesJson(job.loaded->remains)}}
+                           {"repairs", messagesJson(job.report.item().model.repairs)},
+                           {"readNotes", messagesJson(loaded.readNotes)},
+                           {"notes", messagesJson(loaded.notes)},
+                           {"remains", messagesJson(loaded.remains)}}
                           .dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-// As it was told, in whatever language is wanted now; files of before have English only.
-void getTold(const BlockReader& in, Job& job, LoadedPart& part) {
+// Findings and notes in the language that is wanted now; older files have English only.
+void getFacts(const BlockReader& in, Job& job, LoadedPart& part) {
   if (!in.has("told"))
     return;
   const Json j = Json::parse(in.text("told"));
   const Json& facts = j.at("findings");
   for (std::size_t i = 0; i < job.report.findings.size(); ++i)
     readFact(facts.at(i), job.report.findings[i]);
-  job.report.model.repairs = readMessages(j.at("repairs"));
+  job.report.item().model.repairs = readMessages(j.at("repairs"));
   part.readNotes = readMessages(j.at("readNotes"));
   part.notes = readMessages(j.at("notes"));
   part.remains = readMessages(j.at("remains"));
@@ -264,12 +289,12 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
 }
 
 // Format 1 has only the placed part: what it was made from, but for where it lay.
-std::shared_ptr<const LoadedPart> loadedFromPlaced(const Job& job) {
-  auto source = std::make_shared<geometry::TriangleMesh>(*job.part);
+std::shared_ptr<const LoadedPart> loadedFromPlaced(const JobItem& item) {
+  auto source = std::make_shared<geometry::TriangleMesh>(*item.part);
   for (Eigen::Vector3d& v : source->vertices)
-    v /= job.scale;
+    v /= item.scale;
   auto part = std::make_shared<LoadedPart>();
-  part->name = job.partName;
+  part->name = item.partName;
   part->readNotes = {"taken from a project of format 1, as it was repaired and placed there"_text};
   part->notes = part->readNotes;
   part->found = geometry::diagnose(*source);
@@ -368,47 +393,78 @@ Frame frameOf(std::string_view bytes, const std::string& where) {
   return frame;
 }
 
+// Of the blocks of an item behind the first, whose blocks have none.
+std::string blockPrefix(std::size_t item) {
+  return "item" + std::to_string(item) + ".";
+}
+
+// `header`: the job's, or that of an item behind the first.
+void readPlaced(const Json& header, int format, const BlockReader& blocks, JobItem& item) {
+  header.at("part").get_to(item.partName);
+  header.at("scale").get_to(item.scale);
+  if (format == 1 || header.at("placed").get<bool>())
+    item.part = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "part"));
+  item.platform = getPlatform(blocks);
+  if (hasMesh(blocks, "lessPlatform"))
+    item.result =
+        ReducedPlatform{std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"))};
+}
+
+// What format 1 did not have, but for the loaded part.
+void readResults(const Json& header, const BlockReader& blocks, JobItem& item) {
+  if (header.at("decomposed").get<bool>())
+    item.result = Voxels(std::make_shared<curved::Decomposition>(getDecomposition(blocks)));
+  if (header.value("pieces", false)) // older projects have no such key
+    item.result = Pieces(std::make_shared<planar::PlanarDecomposition>(getPieces(blocks)));
+  if (header.at("layered").get<bool>())
+    item.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
+  if (header.contains("placement"))
+    item.placement = readPlacement(header.at("placement"));
+}
+
+void readMoreItems(const Json& header, int format, BlockReader& blocks, Job& job) {
+  for (const Json& row : header.value("moreItems", Json::array())) {
+    blocks.setPrefix(blockPrefix(job.items.size()));
+    JobItem& item = job.items.emplace_back();
+    readPlaced(row, format, blocks, item);
+    item.loaded = getLoaded(blocks);
+    readResults(row, blocks, item);
+  }
+  blocks.setPrefix({});
+}
+
+bool hasSoundScales(const Job& job) {
+  return std::ranges::all_of(
+      job.items, [](const JobItem& item) { return std::isfinite(item.scale) && item.scale > 0.0; });
+}
+
 Job readFrame(const Frame& frame, const std::string& where) {
   Job job;
   const Json header = Json::parse(frame.header);
-  header.at("part").get_to(job.partName);
-  header.at("scale").get_to(job.scale);
   job.choices = readChoices(header.at("choices"), frame.format);
-  const BlockReader blocks(where, readTable(header.at("blocks")), frame.body);
-  const auto holds = [&](const char* key) { return header.at(key).get<bool>(); };
-  if (frame.format == 1 || holds("placed"))
-    job.part = std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "part"));
-  job.platform = getPlatform(blocks);
-  if (hasMesh(blocks, "lessPlatform"))
-    job.result =
-        ReducedPlatform{std::make_shared<geometry::TriangleMesh>(getMesh(blocks, "lessPlatform"))};
-  if (holds("planned"))
+  BlockReader blocks(where, readTable(header.at("blocks")), frame.body);
+  readPlaced(header, frame.format, blocks, job.item());
+  if (header.at("planned").get<bool>())
     job.toolPlan = std::make_shared<plan::ToolPlan>(getToolPlan(blocks));
   if (const int dof = header.at("dof").get<int>(); dof > 0)
     job.trajectory = std::make_shared<plan::Trajectory>(getTrajectory(blocks, dof));
   if (frame.format >= 2) {
     const std::shared_ptr<LoadedPart> loaded = getLoaded(blocks);
-    job.loaded = loaded;
-    if (holds("decomposed"))
-      job.result = Voxels(std::make_shared<curved::Decomposition>(getDecomposition(blocks)));
-    if (header.value("pieces", false)) // projects of before there were any have no such key
-      job.result = Pieces(std::make_shared<planar::PlanarDecomposition>(getPieces(blocks)));
-    if (holds("layered"))
-      job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
+    job.item().loaded = loaded;
+    readResults(header, blocks, job.item());
     job.report = readReportJson(blocks.text("report"));
-    getTold(blocks, job, *loaded);
-    dropSparseInfill(job.choices, *loaded);
+    getFacts(blocks, job, *loaded);
+    dropSparseInfill(job.choices.item(), *loaded);
     readRecords(header.at("stages"), job);
-    if (header.contains("placement"))
-      job.placement = readPlacement(header.at("placement"));
     job.resumedAt = header.value("resumedAt", std::size_t{0});
     if (!header.at("reached").is_null())
       job.reached = stageOf(header.at("reached").get<std::string>());
+    readMoreItems(header, frame.format, blocks, job);
   }
-  if (!std::isfinite(job.scale) || job.scale <= 0.0 || !isConsistent(job))
+  if (!hasSoundScales(job) || !isConsistent(job))
     throw unreadable("the job file contradicts itself"_text, where, "plan the part again"_text);
-  if (!job.loaded)
-    job.loaded = loadedFromPlaced(job);
+  if (!job.item().loaded)
+    job.item().loaded = loadedFromPlaced(job.item());
   return job;
 }
 
@@ -431,43 +487,54 @@ private:
   std::string head_;
 };
 
-void JobFile::add(const Job& job) {
-  base::require(job.loaded != nullptr, "a job has a part");
-  BlockWriter& blocks = blocks_;
-  addLoaded(blocks, *job.loaded);
-  if (job.part)
-    addMesh(blocks, "part", *job.part);
-  addPlatform(blocks, job.platform);
-  if (const auto* less = std::get_if<ReducedPlatform>(&job.result); less && less->part)
+// The blocks of an item; returns its part of the header.
+Json addItem(BlockWriter& blocks, const JobItem& item) {
+  base::require(item.loaded != nullptr, "an item has a part");
+  addLoaded(blocks, *item.loaded);
+  if (item.part)
+    addMesh(blocks, "part", *item.part);
+  addPlatform(blocks, item.platform);
+  if (const auto* less = std::get_if<ReducedPlatform>(&item.result); less && less->part)
     addMesh(blocks, "lessPlatform", *less->part);
-  if (const Voxels voxels = job.decomposition())
+  if (const Voxels voxels = item.decomposition())
     addDecomposition(blocks, *voxels);
-  if (const Pieces pieces = job.pieces())
+  if (const Pieces pieces = item.pieces())
     addPieces(blocks, *pieces);
-  if (job.layers)
-    addLayers(blocks, *job.layers);
+  if (item.layers)
+    addLayers(blocks, *item.layers);
+  Json header{{"part", item.partName},
+              {"scale", item.scale},
+              {"placed", item.part != nullptr},
+              {"decomposed", item.decomposition() != nullptr},
+              {"pieces", item.pieces() != nullptr},
+              {"layered", item.layers != nullptr}};
+  if (item.placement)
+    header["placement"] = placementJson(*item.placement);
+  return header;
+}
+
+void JobFile::add(const Job& job) {
+  BlockWriter& blocks = blocks_;
+  Json header = addItem(blocks, job.item());
+  for (std::size_t i = 1; i < job.items.size(); ++i) {
+    blocks.setPrefix(blockPrefix(i));
+    header["moreItems"].push_back(addItem(blocks, job.item(i)));
+  }
+  blocks.setPrefix({});
   if (job.toolPlan)
     addToolPlan(blocks, *job.toolPlan);
   if (job.trajectory)
     addTrajectory(blocks, *job.trajectory);
   blocks.addText("report", reportJson(job.report));
-  addTold(blocks, job);
-  Json header{{"part", job.partName},
-              {"scale", job.scale},
-              {"choices", choicesJson(job.choices)},
-              {"reached", job.reached ? Json(stageName(*job.reached)) : Json()},
-              {"stages", recordsJson(job)},
-              {"placed", job.part != nullptr},
-              {"decomposed", job.decomposition() != nullptr},
-              {"pieces", job.pieces() != nullptr},
-              {"layered", job.layers != nullptr},
-              {"planned", job.toolPlan != nullptr},
-              {"dof", job.trajectory ? job.trajectory->dof : 0},
-              {"blocks", tableJson(blocks.table())}};
+  addFacts(blocks, job);
+  header["choices"] = choicesJson(job.choices);
+  header["reached"] = job.reached ? Json(stageName(*job.reached)) : Json();
+  header["stages"] = recordsJson(job);
+  header["planned"] = job.toolPlan != nullptr;
+  header["dof"] = job.trajectory ? job.trajectory->dof : 0;
+  header["blocks"] = tableJson(blocks.table());
   if (job.resumedAt > 0)
     header["resumedAt"] = job.resumedAt;
-  if (job.placement)
-    header["placement"] = placementJson(*job.placement);
   const std::string text = header.dump(1, ' ', false, Json::error_handler_t::replace);
   head_ = std::string(kMagic) + std::to_string(kFormat) + "\n" + std::to_string(text.size()) + " " +
           std::to_string(crcOf(text)) + "\n" + text;

@@ -118,20 +118,28 @@ struct Timings {
   Timings& operator+=(const Timings& more);
 };
 
-struct Report {
+// What was planned for one item.
+struct ItemReport {
   ModelReport model;
   DecompositionReport decomposition;
   LayersReport layers;
+  ChosenReport chosen;
+  std::vector<TriedReport> tried; // in the order they were tried
+};
+
+struct Report {
+  std::vector<ItemReport> items = {ItemReport{}}; // one or more, as the job's
   ToolpathReport toolpath;
   MotionReport motion;
   std::vector<ProgramReport> programs;
   ReplayReport replay;
-  ChosenReport chosen;
-  std::vector<TriedReport> tried; // in the order they were tried
   plan::Findings findings;
   Timings timings;
   double peakRssMb = 0.0;
   int threads = 1;
+
+  ItemReport& item(std::size_t i = 0) { return items.at(i); }
+  const ItemReport& item(std::size_t i = 0) const { return items.at(i); }
 };
 
 // The whole report as JSON text, every key present, in the order of docs/design.md, Report.

@@ -163,13 +163,18 @@ constexpr auto fieldsOf(std::type_identity<Timings>) {
                     Field{"write", &R::write, "s"},         Field{"replay", &R::replay, "s"},
                     Field{"total", &R::total, "s"}};
 }
+constexpr auto fieldsOf(std::type_identity<ItemReport>) {
+  using R = ItemReport;
+  return std::tuple{Field{"model", &R::model}, Field{"decomposition", &R::decomposition},
+                    Field{"layers", &R::layers}, Field{"chosen", &R::chosen, "", true},
+                    Field{"tried", &R::tried, "", true}};
+}
+// report.json has the fields of the first item beside these.
 constexpr auto fieldsOf(std::type_identity<Report>) {
   using R = Report;
-  return std::tuple{Field{"model", &R::model},           Field{"decomposition", &R::decomposition},
-                    Field{"layers", &R::layers},         Field{"toolpath", &R::toolpath},
+  return std::tuple{Field{"items", &R::items, "", true}, Field{"toolpath", &R::toolpath},
                     Field{"motion", &R::motion},         Field{"programs", &R::programs},
-                    Field{"replay", &R::replay},         Field{"chosen", &R::chosen, "", true},
-                    Field{"tried", &R::tried, "", true}, Field{"findings", &R::findings},
+                    Field{"replay", &R::replay},         Field{"findings", &R::findings},
                     Field{"timingS", &R::timings},       Field{"peakRssMb", &R::peakRssMb, "MB"},
                     Field{"threads", &R::threads}};
 }

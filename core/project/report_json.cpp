@@ -53,7 +53,13 @@ Timings& Timings::operator+=(const Timings& more) {
 }
 
 std::string reportJson(const Report& report) {
-  Json all = json(report);
+  // The first item's figures are at the top too: reports had one item only.
+  const Json first = json(report.item()), whole = json(report);
+  Json all = Json::object();
+  for (const char* key :
+       {"model", "decomposition", "layers", "toolpath", "motion", "programs", "replay", "chosen",
+        "tried", "findings", "timingS", "peakRssMb", "threads", "items"})
+    all[key] = first.contains(key) ? first[key] : whole[key];
   all["version"] = kVersion;
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -48,7 +48,12 @@ template <typename T> void read(const Json& j, T& value) {
 Report readReportJson(const std::string& text) {
   Report report;
   try {
-    read(Json::parse(text), report);
+    const Json j = Json::parse(text);
+    read(j, report);
+    if (!j.contains("items"))
+      read(j, report.item());
+    if (report.items.empty())
+      throw base::Error(base::ErrorCode::UnreadableFile, "the report has no item"_text);
   } catch (const Json::exception& e) {
     throw base::Error(
         base::ErrorCode::UnreadableFile,

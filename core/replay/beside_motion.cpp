@@ -120,9 +120,9 @@ private:
     if (!program_.load)
       return;
     const bool head = cell_.nozzleMount() != robot::Mount::World;
-    const double part = trajectory_.extrudedMm3.empty()
-                            ? 0.0
-                            : trajectory_.extrudedMm3.back() * 1e-6 * process_.densityGPerCm3;
+    const double part = trajectory_.extrudedMm3.empty() ? 0.0
+                                                        : trajectory_.extrudedMm3.back() * 1e-6 *
+                                                              process_.material.densityGPerCm3;
     const double planned = head ? kHeadKg : kPlateKg + part, kg = program_.load->kg;
     if (std::abs(kg - planned) <= kLoadSlackKg ||
         (kg <= kLoadFactor * planned && planned <= kLoadFactor * kg))

@@ -9,6 +9,7 @@
 #include "replay/comparison.h"
 #include "replay/controller_time.h"
 #include "replay/executed_path.h"
+#include "replay/planned_events.h"
 #include "replay/run.h"
 #include "replay/section_errors.h"
 #include "replay/stated_facts.h"
@@ -131,6 +132,7 @@ private:
     deviates(compareWithPlan(in_.program, *path_, planned, in_.trajectory, alignment,
                              ComparisonOptions{}));
     deviates(compareStatedFacts(in_.program, in_.trajectory, alignment, in_.cell, in_.process));
+    deviates(compareEvents(in_.program, in_.trajectory, alignment));
     deviates(judgeBesideMotion(in_.program, *path_, in_.plan, in_.trajectory, in_.cell, in_.process,
                                in_.firstPoint));
     const struct PathDeviation deviation =

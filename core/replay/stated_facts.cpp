@@ -47,6 +47,10 @@ base::Message nameOf(FactKind kind) {
     return "the mechanical unit"_text;
   case FactKind::OpenRounding:
     return "the distances by which corners are rounded"_text;
+  case FactKind::ToolSelected:
+    return "the change to another tool"_text;
+  case FactKind::TapeCut:
+    return "the cut of the tape"_text;
   case FactKind::PassingOutput:
     break;
   }
@@ -110,7 +114,7 @@ private:
       heat(firstMotion);
       break;
     case FactKind::NozzleHeatWait:
-      if (program::nozzleCelsius(process_.material) &&
+      if (process_.material.nozzleC &&
           !first(kind, [&](const StatedFact& f) { return isBeforeFlow(f); }))
         missing(kind, firstMotion);
       break;
@@ -138,7 +142,7 @@ private:
   }
 
   void heat(TextPlace firstMotion) {
-    const std::optional<int> planned = program::nozzleCelsius(process_.material);
+    const std::optional<int> planned = process_.material.nozzleC;
     if (!planned)
       return;
     const auto isOn = [](const StatedFact& f) { return f.number > 0.0; };

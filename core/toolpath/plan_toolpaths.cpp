@@ -102,6 +102,8 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
       path.patch = static_cast<int>(i);
       path.group = stack.patches[i].group;
       path.closed = bead.closed;
+      path.item = stack.patches[i].item;
+      path.tool = stack.patches[i].tool;
       double last = 0.0; // section
       for (const BeadPoint& p : points) {
         const double own = process::beadArea(p.widthMm, p.heightMm);

@@ -291,9 +291,9 @@ int main(int argc, char** argv) {
   }
   test::usesSourceTreeResources();
   const project::Job job = project::readJob(file);
-  const process::Process process = process::loadProcess(job.choices.process);
+  const process::Process process = process::loadProcess(job.choices.tool().process);
   const robot::Cell cell =
-      robot::loadCell(cellId.empty() ? job.choices.cell : cellId, process, job.platform);
+      robot::loadCell(cellId.empty() ? job.choices.cell : cellId, process, job.item().platform);
   const plan::ToolPlan& plan = *job.toolPlan;
   const base::RunContext ctx(base::CancelToken(), 2);
   const collision::GrowingPart part(plan, collision::growingPitch(plan, process), ctx);

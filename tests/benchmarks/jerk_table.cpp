@@ -336,9 +336,9 @@ int main(int argc, char** argv) {
   }
   test::usesSourceTreeResources();
   const project::Job job = project::readJob(file);
-  const process::Process process = process::loadProcess(job.choices.process);
+  const process::Process process = process::loadProcess(job.choices.tool().process);
   const robot::Cell cell =
-      robot::loadCell(cellId.empty() ? job.choices.cell : cellId, process, job.platform);
+      robot::loadCell(cellId.empty() ? job.choices.cell : cellId, process, job.item().platform);
   const plan::ToolPlan plan = layerOf(*job.toolPlan, wanted, noise, evenDirections);
   const base::RunContext ctx(base::CancelToken(), 2);
   const robot::ArmTwists twists(*cell.robot().kinematics);

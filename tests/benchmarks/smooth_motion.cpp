@@ -111,12 +111,12 @@ int main(int argc, char** argv) {
   test::usesSourceTreeResources();
   for (const std::string& file : files) {
     const project::Job job = project::readJob(file);
-    const process::Process process = process::loadProcess(job.choices.process);
-    const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.platform);
+    const process::Process process = process::loadProcess(job.choices.tool().process);
+    const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.item().platform);
     const base::RunContext ctx(base::CancelToken(), threads);
     const plan::ToolPlan toolPlan = firstPaths(*job.toolPlan, paths);
     const double pitch = collision::growingPitch(toolPlan, process);
-    platform::PlatformSolid ground = job.platform;
+    platform::PlatformSolid ground = job.item().platform;
     ground.rod.reset();
     const collision::GrowingPart part(toolPlan, pitch, ctx,
                                       collision::groundCells(ground, pitch, ctx));

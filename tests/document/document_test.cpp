@@ -76,9 +76,9 @@ TEST(Document, AnEditThatChangesNothingIsNone) {
 TEST(Document, AParameterAtItsDefaultIsUnchanged) {
   Document document;
   document.setParameter("voxelMm", "1.50");
-  EXPECT_EQ(document.choices().parameters.at("voxelMm"), "1.5");
+  EXPECT_EQ(document.choices().item().parameters.at("voxelMm"), "1.5");
   document.setParameter("voxelMm", "0.80");
-  EXPECT_TRUE(document.choices().parameters.empty());
+  EXPECT_TRUE(document.choices().item().parameters.empty());
 }
 
 TEST(Document, WrongParametersChangeNothing) {
@@ -126,45 +126,45 @@ TEST(Document, APartOpenedInASavedProjectBeginsAProjectOfItsOwn) {
   EXPECT_EQ(document.name(), "other");
   EXPECT_TRUE(document.dirty());
   EXPECT_FALSE(document.undoStack()->canUndo());
-  EXPECT_TRUE(document.choices().parameters.empty()) << "those of the part before";
-  EXPECT_EQ(document.choices().scale, "1");
+  EXPECT_TRUE(document.choices().item().parameters.empty()) << "those of the part before";
+  EXPECT_EQ(document.choices().item().scale, "1");
   EXPECT_EQ(edited.size(), 1) << "the part is to be laid";
 }
 
 TEST(Document, TheNextPartKeepsTheWorkshopAndNoSettings) {
   Document document;
   project::Choices start;
-  start.automatic = true;
+  start.item().automatic = true;
   document.startWith(start);
   project::Choices own = document.choices();
-  own.parameters["walls"] = "5";
+  own.item().parameters["walls"] = "5";
   document.setChoices(own, "before any part"); // meant for the part to come
   document.openPart(test::boxPart(), "/tmp/box.stl", true);
-  EXPECT_EQ(document.choices().parameters.at("walls"), "5");
-  own.process = "fdm-0.35";
+  EXPECT_EQ(document.choices().item().parameters.at("walls"), "5");
+  own.tool().process = "fdm-0.35";
   own.formats = {"csv"};
   own.cell = "ur10-moving";
   document.setChoices(own, "own");
   document.openPart(test::boxPart(5.0, "other.stl"), "/tmp/other.stl", true);
-  EXPECT_TRUE(document.choices().parameters.empty());
-  EXPECT_TRUE(document.choices().automatic);
+  EXPECT_TRUE(document.choices().item().parameters.empty());
+  EXPECT_TRUE(document.choices().item().automatic);
   EXPECT_EQ(document.choices().cell, "ur10-moving");
-  EXPECT_EQ(document.choices().process, "fdm-0.35");
+  EXPECT_EQ(document.choices().tool().process, "fdm-0.35");
   EXPECT_EQ(document.choices().formats, std::vector<std::string>{"csv"});
   // The cell of a lathe came along with the way of building.
   project::Choices lathe = document.choices();
-  lathe.automatic = false;
-  lathe.mode = "lathe";
+  lathe.item().automatic = false;
+  lathe.item().mode = "lathe";
   lathe.cell = "lathe";
-  lathe.platform = project::Platform("rod:5x200");
+  lathe.item().platform = project::Platform("rod:5x200");
   document.setChoices(lathe, "lathe");
   document.openPart(test::boxPart(6.0, "third.stl"), "/tmp/third.stl", true);
   EXPECT_EQ(document.choices().cell, start.cell);
-  EXPECT_TRUE(document.choices().automatic);
+  EXPECT_TRUE(document.choices().item().automatic);
   // The same file read again is the same part.
   document.setParameter("walls", "1");
   document.openPart(test::boxPart(7.0, "third.stl"), "/tmp/third.stl", true);
-  EXPECT_EQ(document.choices().parameters.at("walls"), "1");
+  EXPECT_EQ(document.choices().item().parameters.at("walls"), "1");
 }
 
 TEST(Document, UnsavedWorkIsMoreThanAnOpenedPart) {
@@ -187,13 +187,13 @@ TEST(Document, SettingsForAPartToComeAreKeptAndNotAskedAbout) {
   EXPECT_TRUE(document.dirty());
   EXPECT_FALSE(document.hasUnsavedWork());
   document.openPart(test::boxPart(), "/tmp/box.stl", true);
-  EXPECT_EQ(document.choices().parameters.at("walls"), "5");
+  EXPECT_EQ(document.choices().item().parameters.at("walls"), "5");
 }
 
 TEST(Document, SettingsThatAnotherPartWouldTakeAwayAreUnsavedWork) {
   Document document;
   project::Choices start;
-  start.automatic = true;
+  start.item().automatic = true;
   document.startWith(start);
   document.setParameter("walls", "5"); // meant for the part to come
   document.openPart(test::boxPart(), "/tmp/box.stl", true);
@@ -205,7 +205,7 @@ TEST(Document, SettingsThatAnotherPartWouldTakeAwayAreUnsavedWork) {
 TEST(Document, ACellThatCannotBeReadStaysForTheNextPart) {
   Document document;
   project::Choices start;
-  start.automatic = true;
+  start.item().automatic = true;
   document.startWith(start);
   document.openPart(test::boxPart(), "/tmp/box.stl", true);
   project::Choices own = document.choices();

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
       std::make_shared<geometry::TriangleMesh>(test::sphere(Eigen::Vector3d::Zero(), 20.0, 120));
   document.openPart(project::loadedFrom("ball.stl", mesh, {}, false, {}), {}, true);
   project::Choices choices = document.choices();
-  choices.repair = false;
+  choices.item().repair = false;
   document.setChoices(choices, QStringLiteral("As read"));
 
   int number = 1;

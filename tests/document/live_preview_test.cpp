@@ -25,7 +25,7 @@ protected:
   }
   void setPlatform(const char* platform) {
     project::Choices choices = document_.choices();
-    choices.platform = project::Platform(platform);
+    choices.item().platform = project::Platform(platform);
     document_.setChoices(choices, QStringLiteral("platform"));
   }
   bool waitFor(const std::function<bool()>& condition, int ms = 30000) {
@@ -40,7 +40,7 @@ protected:
 TEST_F(LivePreviewTest, AnEditOfWhatGrowsShowsNewVoxelsAndLeavesTheRestOutOfDate) {
   planBox();
   EXPECT_FALSE(document_.voxelsAhead());
-  const auto before = document_.result(Stage::Decompose)->job.decomposition();
+  const auto before = document_.result(Stage::Decompose)->job.item().decomposition();
   std::vector<bool> withField; // of the previews that came in
   QObject::connect(&document_, &Document::previewChanged, &document_, [&] {
     if (document_.preview())
@@ -54,7 +54,7 @@ TEST_F(LivePreviewTest, AnEditOfWhatGrowsShowsNewVoxelsAndLeavesTheRestOutOfDate
   EXPECT_FALSE(withField.front()) << "ranks come first";
   EXPECT_TRUE(withField.back());
   EXPECT_FALSE(document_.preview()) << "the result has taken its place";
-  EXPECT_NE(document_.result(Stage::Decompose)->job.decomposition(), before);
+  EXPECT_NE(document_.result(Stage::Decompose)->job.item().decomposition(), before);
   EXPECT_EQ(document_.state(Stage::Decompose), StageState::Done);
   EXPECT_EQ(document_.state(Stage::Layers), StageState::OutOfDate);
   EXPECT_TRUE(document_.voxelsAhead());
@@ -68,9 +68,9 @@ TEST_F(LivePreviewTest, APlanGoesOnFromThePreview) {
   QSignalSpy finished(&live_, &LivePreview::finished);
   setPlatform("disc:30");
   ASSERT_TRUE(finished.wait(30000));
-  const auto previewed = document_.result(Stage::Decompose)->job.decomposition();
+  const auto previewed = document_.result(Stage::Decompose)->job.item().decomposition();
   plan(Stage::Layers);
-  EXPECT_EQ(document_.result(Stage::Decompose)->job.decomposition(), previewed);
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.item().decomposition(), previewed);
   EXPECT_FALSE(document_.voxelsAhead());
 }
 
@@ -115,13 +115,13 @@ TEST_F(LivePreviewTest, TheLastOfSeveralEditsIsShown) {
     setPlatform(platform);
   ASSERT_TRUE(finished.wait(30000));
   EXPECT_EQ(started.size(), 1) << "one run for edits in a row";
-  EXPECT_EQ(document_.result(Stage::Decompose)->job.choices.platform.text(), "disc:33");
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.choices.item().platform.text(), "disc:33");
   setPlatform("disc:34");
   live_.refresh();
   ASSERT_TRUE(live_.running());
   setPlatform("disc:35"); // while it runs
   ASSERT_TRUE(waitFor([&] { return !live_.running() && document_.upToDate(Stage::Decompose); }));
-  EXPECT_EQ(document_.result(Stage::Decompose)->job.choices.platform.text(), "disc:35");
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.choices.item().platform.text(), "disc:35");
 }
 
 TEST_F(LivePreviewTest, UndoBringsThePlanBackWithoutARun) {
@@ -151,8 +151,8 @@ TEST_F(LivePreviewTest, ACancelGoesBackToTheLastResult) {
   planBox();
   const auto before = document_.result(Stage::Decompose);
   setPlatform("disc:30");
-  document_.showPreview(
-      {before->job.decomposition(), 0.8, document_.key(Stage::Load), document_.source()->hash});
+  document_.showPreview({before->job.item().decomposition(), 0.8, document_.key(Stage::Load),
+                         document_.source()->hash});
   live_.refresh();
   ASSERT_TRUE(live_.running());
   live_.cancel();
@@ -164,7 +164,7 @@ TEST_F(LivePreviewTest, ACancelGoesBackToTheLastResult) {
 TEST_F(LivePreviewTest, WhatCannotBeDecomposedIsToldAndGoneWithTheNextEdit) {
   planBox();
   QSignalSpy failed(&live_, &LivePreview::failed);
-  geometry::Placement lifted = document_.choices().placement;
+  geometry::Placement lifted = document_.choices().item().placement;
   lifted.liftMm = 5.0;
   document_.place(lifted, QStringLiteral("lift"));
   ASSERT_TRUE(failed.wait(30000));

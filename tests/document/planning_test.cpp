@@ -55,7 +55,7 @@ TEST_F(PlanningTest, StagesComeInOneByOne) {
   EXPECT_EQ(state(Stage::Layers), StageState::Done);
   EXPECT_EQ(state(Stage::Toolpath), StageState::Nothing);
   ASSERT_TRUE(document_.result(Stage::Layers));
-  EXPECT_TRUE(document_.result(Stage::Layers)->job.layers);
+  EXPECT_TRUE(document_.result(Stage::Layers)->job.item().layers);
 }
 
 TEST_F(PlanningTest, OnlyWhatAChangeTouchesIsOutOfDate) {
@@ -75,11 +75,11 @@ TEST_F(PlanningTest, OnlyWhatAChangeTouchesIsOutOfDate) {
 TEST_F(PlanningTest, OnlyWhatChangedIsComputedAgain) {
   open();
   plan(Stage::Toolpath);
-  const auto layers = document_.result(Stage::Layers)->job.layers;
+  const auto layers = document_.result(Stage::Layers)->job.item().layers;
   QSignalSpy changed(&document_, &Document::resultChanged);
   document_.setParameter("walls", "3");
   plan(Stage::Toolpath);
-  EXPECT_EQ(document_.result(Stage::Layers)->job.layers, layers);
+  EXPECT_EQ(document_.result(Stage::Layers)->job.item().layers, layers);
   ASSERT_EQ(changed.size(), 1);
   EXPECT_EQ(changed[0][0].value<Stage>(), Stage::Toolpath);
 }
@@ -173,7 +173,8 @@ TEST_F(PlanningTest, ACancelHalfWayBringsBackWhatWasOnShow) {
   QSignalSpy cancelled(&planning_, &Planning::cancelled);
   planning_.plan(Stage::Replay);
   ASSERT_TRUE(cancelled.wait(60000));
-  EXPECT_EQ(document_.result(Stage::Decompose)->job.decomposition(), voxels->job.decomposition());
+  EXPECT_EQ(document_.result(Stage::Decompose)->job.item().decomposition(),
+            voxels->job.item().decomposition());
   EXPECT_EQ(document_.result(Stage::Toolpath), paths);
   EXPECT_EQ(state(Stage::Decompose), StageState::OutOfDate);
   EXPECT_EQ(state(Stage::Toolpath), StageState::OutOfDate);
@@ -222,7 +223,7 @@ TEST_F(PlanningTest, AnEditAsThePlanEndsIsPlannedToo) {
   EXPECT_TRUE(edited);
   EXPECT_EQ(finished.size(), 1);
   EXPECT_EQ(state(Stage::Layers), StageState::Done);
-  EXPECT_EQ(document_.result(Stage::Layers)->job.choices.parameters.at("voxelMm"), "1.2");
+  EXPECT_EQ(document_.result(Stage::Layers)->job.choices.item().parameters.at("voxelMm"), "1.2");
 }
 
 TEST_F(PlanningTest, AChangeWhileRunningMakesTheResultOutOfDateWhereNot) {
@@ -286,7 +287,7 @@ TEST_F(PlanningTest, APartIsShownAsReadAndThenRepaired) {
   EXPECT_EQ(document_.undoStack()->count(), 1) << "one edit, not two";
 
   project::Choices choices = document_.choices();
-  choices.repair = false;
+  choices.item().repair = false;
   document_.setChoices(choices, "Do not repair");
   ASSERT_TRUE(repaired.wait(10000));
   EXPECT_EQ(document_.source()->mesh->triangles.size(), 13u);
@@ -312,7 +313,7 @@ TEST_F(PlanningTest, ABoxWithoutItsLidIsClosedOnTheUsersWordOnly) {
   ASSERT_NE(close, offers.end());
   document_.setChoices(close->choices, "Close the rims");
   plan(Stage::Load);
-  EXPECT_EQ(document_.result(Stage::Load)->job.part->triangles.size(), 12u);
+  EXPECT_EQ(document_.result(Stage::Load)->job.item().part->triangles.size(), 12u);
   const plan::Finding told = document_.lastResult()->job.report.findings.at(0);
   EXPECT_EQ(told.kind, plan::FindingKind::RimsClosed);
   EXPECT_FALSE(told.blocking);

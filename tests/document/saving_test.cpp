@@ -56,7 +56,7 @@ TEST_F(SavingTest, AProjectComesBackWithItsResults) {
   ASSERT_TRUE(opened.wait(10000));
   EXPECT_FALSE(again.dirty());
   EXPECT_EQ(again.name(), "first");
-  EXPECT_EQ(again.choices().parameters.at("walls"), "3");
+  EXPECT_EQ(again.choices().item().parameters.at("walls"), "3");
   EXPECT_EQ(again.state(Stage::Toolpath), StageState::Done);
   EXPECT_EQ(again.state(Stage::Motion), StageState::Nothing);
   EXPECT_EQ(again.result(Stage::Toolpath)->job.toolPlan->position,
@@ -64,11 +64,11 @@ TEST_F(SavingTest, AProjectComesBackWithItsResults) {
   EXPECT_EQ(again.undoStack()->count(), 0);
 
   // What the file holds is not computed again.
-  const auto layers = again.result(Stage::Layers)->job.layers;
+  const auto layers = again.result(Stage::Layers)->job.item().layers;
   QSignalSpy finished(&planning, &Planning::finished);
   planning.plan(Stage::Toolpath);
   ASSERT_TRUE(finished.wait(60000));
-  EXPECT_EQ(again.result(Stage::Layers)->job.layers, layers);
+  EXPECT_EQ(again.result(Stage::Layers)->job.item().layers, layers);
 }
 
 TEST_F(SavingTest, AReopenedProjectHasNoProgramsToHandOver) {
@@ -107,9 +107,9 @@ TEST_F(SavingTest, ResultsThatAreOutOfDateAreLeftOut) {
   document_.setParameter("walls", "3");
   const project::Job job = document_.snapshot();
   EXPECT_EQ(job.reached, Stage::Layers);
-  EXPECT_TRUE(job.layers);
+  EXPECT_TRUE(job.item().layers);
   EXPECT_FALSE(job.toolPlan);
-  EXPECT_EQ(job.choices.parameters.at("walls"), "3");
+  EXPECT_EQ(job.choices.item().parameters.at("walls"), "3");
 }
 
 TEST_F(SavingTest, AFolderThatIsNotThereLosesNothing) {

@@ -36,8 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::takenOrRefused([&] { curved::GrowthScheme{text}; });
   fuzz::takenOrRefused([&] {
     project::Choices choices;
-    choices.cell = choices.mode = text;
-    choices.parameters[text.substr(0, text.find('='))] = value;
+    choices.cell = choices.item().mode = text;
+    choices.item().parameters[text.substr(0, text.find('='))] = value;
     pipeline::checkChoices(choices);
     pipeline::parameterValues(choices);
   });

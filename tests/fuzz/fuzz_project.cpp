@@ -62,8 +62,8 @@ std::string projectOf(const std::string& input) {
 std::vector<std::string> fuzz::seeds() {
   const project::Job job = test::sampleJob();
   project::Job part;
-  part.loaded = job.loaded;
-  part.partName = "box.stl";
+  part.item().loaded = job.item().loaded;
+  part.item().partName = "box.stl";
   return {inputOf(project::jobBytes(job)), inputOf(project::jobBytes(test::sampleJobOfPieces())),
           inputOf(project::jobBytes(part)), inputOf(test::formatOneBytes(job))};
 }
@@ -72,7 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::write("input.voluta", projectOf(fuzz::textOf(data, size)));
   fuzz::takenOrRefused([] {
     const project::Job job = project::readJob("input.voluta");
-    fuzz::expect(job.loaded != nullptr, "a project has a part");
+    fuzz::expect(job.item().loaded != nullptr, "a project has a part");
     // What is done with every project that is opened.
     for (const auto stage : {project::Stage::Load, project::Stage::Layers, project::Stage::Motion})
       project::upTo(job, stage);

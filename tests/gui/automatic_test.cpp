@@ -32,14 +32,14 @@ protected:
   double layerHeight() { return editorOf<QDoubleSpinBox>("layerHeightMm")->value(); }
   // Report, notice and form say the same, and none of it counts as changed by the user.
   void expectFormShowsWhatWasUsed() {
-    const project::ChosenReport& chosen = document().lastResult()->job.report.chosen;
+    const project::ChosenReport& chosen = document().lastResult()->job.report.item().chosen;
     EXPECT_EQ(supports().toStdString(), chosen.supports);
     EXPECT_DOUBLE_EQ(layerHeight(), chosen.layerHeightMm);
-    EXPECT_EQ(document().choices().mode, chosen.mode);
-    EXPECT_EQ(document().choices().platform.text(), chosen.platform);
+    EXPECT_EQ(document().choices().item().mode, chosen.mode);
+    EXPECT_EQ(document().choices().item().platform.text(), chosen.platform);
     EXPECT_TRUE(notice().contains(QString::fromStdString(base::english(chosen.name))))
         << qPrintable(notice());
-    EXPECT_TRUE(document().choices().parameters.empty());
+    EXPECT_TRUE(document().choices().item().parameters.empty());
     EXPECT_FALSE(find<QToolButton>("resetAll")->isEnabled());
   }
 };
@@ -47,13 +47,13 @@ protected:
 TEST_F(AutomaticTest, WhatIsTakenIsTold) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("auto");
-  EXPECT_TRUE(document().choices().automatic);
+  EXPECT_TRUE(document().choices().item().automatic);
   EXPECT_FALSE(notice().contains("Chosen")) << "nothing is planned";
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
   EXPECT_EQ(mode(), "auto");
   const auto& first = pipeline::automaticWays().front();
-  EXPECT_EQ(document().choices().mode, first.mode);
+  EXPECT_EQ(document().choices().item().mode, first.mode);
   EXPECT_EQ(document().state(Stage::Layers), document::StageState::Done);
   EXPECT_TRUE(notice().startsWith("Chosen: curved layers (")) << qPrintable(notice());
   expectFormShowsWhatWasUsed();
@@ -63,7 +63,7 @@ TEST_F(AutomaticTest, WhatWasPlannedByHandIsOutOfDateAndPlanTriesTheWays) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("curved");
   auto choices = document().choices();
-  choices.platform = project::Platform("fit:10");
+  choices.item().platform = project::Platform("fit:10");
   window().document().setChoices(choices, "platform");
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
@@ -82,9 +82,9 @@ TEST_F(AutomaticTest, TheFormShowsTheValuesOfTheWayAndTheUsersOwnOverThem) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("auto");
   auto choices = document().choices();
-  choices.mode = "flat";
-  choices.platform = project::Platform("cell");
-  choices.automaticWay = "flat-low";
+  choices.item().mode = "flat";
+  choices.item().platform = project::Platform("cell");
+  choices.item().automaticWay = "flat-low";
   window().document().setChoices(choices, "way");
   EXPECT_EQ(supports(), "auto");
   EXPECT_DOUBLE_EQ(layerHeight(), 0.5);
@@ -92,7 +92,7 @@ TEST_F(AutomaticTest, TheFormShowsTheValuesOfTheWayAndTheUsersOwnOverThem) {
   window().document().setParameter("layerHeightMm", "0.6");
   EXPECT_DOUBLE_EQ(layerHeight(), 0.6);
   EXPECT_TRUE(find<QToolButton>("resetAll")->isEnabled());
-  EXPECT_EQ(document().choices().parameters.at("layerHeightMm"), "0.6");
+  EXPECT_EQ(document().choices().item().parameters.at("layerHeightMm"), "0.6");
   window().document().resetParameter("layerHeightMm");
   EXPECT_DOUBLE_EQ(layerHeight(), 0.5);
 }
@@ -110,7 +110,7 @@ TEST_F(AutomaticTest, WaysThatAreRejectedAreListedWithTheirReason) {
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
   EXPECT_TRUE(said.join('\n').contains(QRegularExpression("Trying .+ \\([1-6] of 6\\): ")));
-  const auto& tried = document().lastResult()->job.report.tried;
+  const auto& tried = document().lastResult()->job.report.item().tried;
   ASSERT_GT(tried.size(), 1U);
   EXPECT_EQ(notice().count("Rejected: "), static_cast<qsizetype>(tried.size()) - 1)
       << qPrintable(notice());
@@ -122,16 +122,16 @@ TEST_F(AutomaticTest, AWayByHandIsWhatItWas) {
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));
   chooseMode("auto");
   chooseMode("flat");
-  EXPECT_FALSE(document().choices().automatic);
-  EXPECT_EQ(document().choices().mode, "flat");
+  EXPECT_FALSE(document().choices().item().automatic);
+  EXPECT_EQ(document().choices().item().mode, "flat");
   window().document().undoStack()->undo();
-  EXPECT_TRUE(document().choices().automatic);
+  EXPECT_TRUE(document().choices().item().automatic);
   EXPECT_EQ(mode(), "auto");
 }
 
 TEST_F(AutomaticTest, ANewProjectBeginsAsTheProgramSays) {
   project::Choices start;
-  start.automatic = true;
+  start.item().automatic = true;
   window().document().startWith(start);
   EXPECT_EQ(mode(), "auto");
   openPart(writePart("part.stl", box({0, 0, 0}, {14, 14, 8})));

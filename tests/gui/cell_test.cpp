@@ -106,7 +106,7 @@ TEST_F(CellTest, ThePartTurnsAmberBeyondThePlateAndGoesBackByOneClick) {
   click(moveButton());
   ASSERT_TRUE(reachKnown());
   EXPECT_FALSE(window().viewport().view().partBeyond);
-  EXPECT_LT(document().choices().placement.centreMm.norm(), 125.0);
+  EXPECT_LT(document().choices().item().placement.centreMm.norm(), 125.0);
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(reachKnown());
   EXPECT_TRUE(window().viewport().view().partBeyond);

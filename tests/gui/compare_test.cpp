@@ -77,16 +77,16 @@ TEST_F(CompareTest, RowsAppearAndOneIsAdoptedAsOneEdit) {
   EXPECT_EQ(table().entries()[3].way, QString("Flat layers"));
   const int edits = document().undoStack()->index();
   press("adopt");
-  EXPECT_EQ(document().choices().mode, "flat");
+  EXPECT_EQ(document().choices().item().mode, "flat");
   EXPECT_EQ(document().undoStack()->index(), edits + 1);
   EXPECT_TRUE(table().entries()[3].inUse);
   EXPECT_EQ(state(), PageState::Done) << "the rows are what they were";
   ASSERT_TRUE(waitFor([&] { return !window().planning().running(); }));
   clickToolBar("plan");
   ASSERT_TRUE(planned(project::Stage::Replay));
-  EXPECT_EQ(document().lastResult()->job.choices.mode, "flat");
+  EXPECT_EQ(document().lastResult()->job.choices.item().mode, "flat");
   QTest::keySequence(&window(), QKeySequence::Undo);
-  EXPECT_EQ(document().choices().mode, "curved");
+  EXPECT_EQ(document().choices().item().mode, "curved");
 }
 
 TEST_F(CompareTest, WeightsRankAtOnce) {

@@ -37,9 +37,9 @@ protected:
   void openFlat(const geometry::TriangleMesh& part) {
     openPart(writePart("part.stl", part));
     project::Choices choices = document().choices();
-    choices.automatic = false;
-    choices.mode = "flat";
-    choices.parameters["supports"] = "none";
+    choices.item().automatic = false;
+    choices.item().mode = "flat";
+    choices.item().parameters["supports"] = "none";
     choices.formats = {"urscript"};
     document().setChoices(choices, "flat");
     clickToolBar("plan");
@@ -157,8 +157,8 @@ TEST_F(FindingsTest, AnotherPlateIsSeenWholeUnlessTheCameraIsTheUsers) {
   openPart(writePart("part.stl", box({0, 0, 0}, {20, 20, 14})));
   const auto choose = [&](const char* platform) {
     project::Choices choices = document().choices();
-    choices.platform = project::Platform(platform);
-    choices.platformStays = choices.automatic;
+    choices.item().platform = project::Platform(platform);
+    choices.item().platformStays = choices.item().automatic;
     document().setChoices(choices, "platform");
     ASSERT_TRUE(planned(Stage::Load));
     QTest::qWait(50);

@@ -218,7 +218,7 @@ TEST_F(FirstHourTest, AFileIsChosenWhereAParameterTakesOne) {
   openPart(plinth());
   choosePage(Page::Prepare);
   project::Choices choices = document().choices();
-  choices.mode = "planar";
+  choices.item().mode = "planar";
   document().setChoices(choices, "mode");
   find<QWidget>("parameters")->findChild<QAbstractButton*>("all")->click();
   QFile cuts(path("cuts.json"));
@@ -229,7 +229,8 @@ TEST_F(FirstHourTest, AFileIsChosenWhereAParameterTakesOne) {
   ASSERT_TRUE(browse->isVisibleTo(&window()));
   answerFileDialog(path("cuts.json"));
   browse->click();
-  EXPECT_EQ(document().choices().parameters.at("cutPlanes"), path("cuts.json").toStdString());
+  EXPECT_EQ(document().choices().item().parameters.at("cutPlanes"),
+            path("cuts.json").toStdString());
   EXPECT_FALSE(row("voxelMm")->findChild<QAbstractButton*>("browse")->isVisibleTo(&window()));
 }
 
@@ -240,7 +241,7 @@ TEST_F(FirstHourTest, GroupsOfOtherModesAreNotInTheForm) {
   EXPECT_FALSE(row("rodAxis")->isVisible());
   EXPECT_FALSE(row("planarScheme")->isVisible());
   project::Choices choices = document().choices();
-  choices.mode = "planar";
+  choices.item().mode = "planar";
   document().setChoices(choices, "mode");
   EXPECT_FALSE(find<QWidget>("growth")->isVisible());
   EXPECT_TRUE(row("planarScheme")->isVisible());
@@ -253,7 +254,7 @@ TEST_F(FirstHourTest, ANumberThatIsBeingTypedCountsWhenPlanIsPressed) {
   type(row("voxelMm")->editor(), "1.1");
   QTest::keyClick(&window(), Qt::Key_L, Qt::ControlModifier);
   ASSERT_TRUE(planned(Stage::Layers));
-  EXPECT_EQ(document().choices().parameters.at("voxelMm"), "1.1");
+  EXPECT_EQ(document().choices().item().parameters.at("voxelMm"), "1.1");
 }
 
 TEST_F(FirstHourTest, AReopenedProjectDoesNotSayThatThereIsSomethingToExport) {

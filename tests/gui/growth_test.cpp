@@ -149,7 +149,7 @@ TEST_F(GrowthTest, AFindingOfMissedVoxelsFliesThereAndLooksThroughTheRest) {
   for (const auto& t : afloat.triangles)
     mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   project::Choices alone = document().choices();
-  alone.parameters["supports"] = "none";
+  alone.item().parameters["supports"] = "none";
   document().setChoices(alone, "supports");
   planLayers(mesh);
   ASSERT_GT(window().presenter().voxels().missed(), 0u);
@@ -180,7 +180,7 @@ TEST_F(GrowthTest, StepsOfALargePart) {
   window().open(job);
   ASSERT_TRUE(
       waitFor([&] { return window().presenter().hasVoxels() && !window().presenter().busy(); }));
-  const auto d = document().result(Stage::Decompose)->job.decomposition();
+  const auto d = document().result(Stage::Decompose)->job.item().decomposition();
   const auto timed = [&](const char* what, auto work) {
     QElapsedTimer timer;
     timer.start();

@@ -69,15 +69,15 @@ TEST_F(LatheWindowTest, CellPlatformAndProcessGoAlongAndComeBack) {
   document().setParameter("walls", "1");
   choose("mode", "curved");
   project::Choices own = document().choices();
-  own.platform = project::Platform("disc:80");
+  own.item().platform = project::Platform("disc:80");
   document().setChoices(own, "platform");
   const int edits = document().undoStack()->count();
   choose("mode", "lathe");
   const project::Choices& now = document().choices();
   EXPECT_EQ(now.cell, "lathe");
-  EXPECT_EQ(now.process, "fdm-0.35");
-  EXPECT_EQ(now.platform.text(), "rod:5x200");
-  EXPECT_EQ(now.parameters.at("walls"), "1");
+  EXPECT_EQ(now.tool().process, "fdm-0.35");
+  EXPECT_EQ(now.item().platform.text(), "rod:5x200");
+  EXPECT_EQ(now.item().parameters.at("walls"), "1");
   EXPECT_TRUE(notice().contains("lathe")) << notice().toStdString();
   EXPECT_TRUE(find<QPushButton>("noticeButton")->isHidden());
   auto* platform = find<forms::PlatformEditor>("platform");
@@ -86,13 +86,13 @@ TEST_F(LatheWindowTest, CellPlatformAndProcessGoAlongAndComeBack) {
 
   choose("mode", "flat");
   EXPECT_EQ(document().choices().cell, own.cell);
-  EXPECT_EQ(document().choices().process, own.process);
-  EXPECT_EQ(document().choices().platform.text(), "disc:80");
+  EXPECT_EQ(document().choices().tool().process, own.tool().process);
+  EXPECT_EQ(document().choices().item().platform.text(), "disc:80");
 
   // One step of undo takes back what went along.
-  while (document().undoStack()->count() > edits && document().choices().mode != "curved")
+  while (document().undoStack()->count() > edits && document().choices().item().mode != "curved")
     document().undoStack()->undo();
-  EXPECT_EQ(document().choices().platform.text(), "disc:80");
+  EXPECT_EQ(document().choices().item().platform.text(), "disc:80");
   EXPECT_EQ(document().choices().cell, own.cell);
 }
 
@@ -109,11 +109,11 @@ TEST_F(LatheWindowTest, WhatDoesNotFitIsSaidAndMendedByAButton) {
   EXPECT_FALSE(button->isVisible());
 
   project::Choices plate = document().choices();
-  plate.platform = project::Platform("disc:60");
+  plate.item().platform = project::Platform("disc:60");
   document().setChoices(plate, "platform");
   ASSERT_TRUE(button->isVisible());
   QTest::mouseClick(button, Qt::LeftButton);
-  EXPECT_EQ(document().choices().platform.text(), "rod:5x200");
+  EXPECT_EQ(document().choices().item().platform.text(), "rod:5x200");
 
   // Printing on a surface asks for it, and takes it from a dialog.
   choose("mode", "substrate");
@@ -121,7 +121,7 @@ TEST_F(LatheWindowTest, WhatDoesNotFitIsSaidAndMendedByAButton) {
   const QString body = writePart("half.stl", halfCylinder(40, 60));
   answerFileDialog(body);
   QTest::mouseClick(button, Qt::LeftButton);
-  EXPECT_EQ(document().choices().platform.text(), ("mesh:" + body).toStdString());
+  EXPECT_EQ(document().choices().item().platform.text(), ("mesh:" + body).toStdString());
   EXPECT_FALSE(button->isVisible());
   ASSERT_TRUE(QFile::remove(body));
   document().setParameter("walls", "3");
@@ -137,7 +137,7 @@ TEST_F(LatheWindowTest, TheRodIsOnShowBeforeAPlanAndThePartLiesOnIt) {
   ASSERT_TRUE(planned(Stage::Load));
   ASSERT_TRUE(waitFor([&] { return window().presenter().partBox().sizes().x() > 15.0; }));
   EXPECT_NEAR(window().presenter().partBox().center().norm(), 0.0, 1e-3);
-  EXPECT_LT(document().result(Stage::Load)->job.placement->liftMm, -3.0);
+  EXPECT_LT(document().result(Stage::Load)->job.item().placement->liftMm, -3.0);
   // Looked at from the front, the middle of the picture is the part; on the rod beside it,
   // platform.
   const QImage shown = picture();
@@ -235,8 +235,8 @@ TEST_F(LatheWindowTest, TouchedPointsMoveThePart) {
   // About (y 2, z 1.5), radius 20; x is not looked at.
   answer("10, 22, 1.5\n10, 2, 21.5\n-3, -18, 1.5\n", true);
   clickMenu("editMenu", "touchedPoints");
-  EXPECT_NEAR(document().choices().placement.centreMm.y(), 2.0, 1e-6);
-  EXPECT_NEAR(document().choices().placement.liftMm, 1.5, 1e-6);
+  EXPECT_NEAR(document().choices().item().placement.centreMm.y(), 2.0, 1e-6);
+  EXPECT_NEAR(document().choices().item().placement.liftMm, 1.5, 1e-6);
 }
 
 } // namespace

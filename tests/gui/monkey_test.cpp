@@ -52,7 +52,7 @@ protected:
     EXPECT_LE(bar->step(), bar->stepCount());
     const scene::ViewState& view = window().viewport().view();
     EXPECT_TRUE(view.sectionOrigin.allFinite());
-    EXPECT_TRUE(document().choices().placement.rotation.coeffs().allFinite());
+    EXPECT_TRUE(document().choices().item().placement.rotation.coeffs().allFinite());
   }
 };
 

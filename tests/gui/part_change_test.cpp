@@ -104,31 +104,31 @@ TEST_F(PartChangeTest, SettingsOfOnePartAreNotTheNextOnes) {
   const project::Choices usual = document().choices();
   document().setParameter("walls", "5");
   project::Choices own = document().choices();
-  own.mode = "flat";
+  own.item().mode = "flat";
   own.seed = 7;
-  own.process = "fdm-0.35";
+  own.tool().process = "fdm-0.35";
   own.formats = {"urscript"};
-  own.scale = "1.5";
+  own.item().scale = "1.5";
   document().setChoices(own, "own");
   answerBox("unsavedBox", QMessageBox::DestructiveRole);
   window().open(other());
   ASSERT_TRUE(shows("other"));
   const project::Choices& next = document().choices();
-  EXPECT_TRUE(next.parameters.empty());
-  EXPECT_EQ(next.mode, usual.mode);
+  EXPECT_TRUE(next.item().parameters.empty());
+  EXPECT_EQ(next.item().mode, usual.item().mode);
   EXPECT_EQ(next.seed, usual.seed);
-  EXPECT_EQ(next.scale, usual.scale);
-  EXPECT_EQ(next.process, "fdm-0.35") << "the workshop's, not the part's";
+  EXPECT_EQ(next.item().scale, usual.item().scale);
+  EXPECT_EQ(next.tool().process, "fdm-0.35") << "the workshop's, not the part's";
   EXPECT_EQ(next.formats, own.formats);
   document().undoStack()->undo();
-  EXPECT_EQ(document().choices().parameters.at("walls"), "5");
-  EXPECT_EQ(document().choices().mode, "flat");
+  EXPECT_EQ(document().choices().item().parameters.at("walls"), "5");
+  EXPECT_EQ(document().choices().item().mode, "flat");
   // The same file read again is the same part.
   ASSERT_TRUE(shows("plinth"));
   answerBox("unsavedBox", QMessageBox::DestructiveRole);
   window().open(plinth());
-  ASSERT_TRUE(waitFor([&] { return document().choices().scale == "1"; }));
-  EXPECT_EQ(document().choices().parameters.at("walls"), "5");
+  ASSERT_TRUE(waitFor([&] { return document().choices().item().scale == "1"; }));
+  EXPECT_EQ(document().choices().item().parameters.at("walls"), "5");
 }
 
 TEST_F(PartChangeTest, ANewProjectLeavesNothingOfThePartBefore) {

@@ -41,9 +41,9 @@ protected:
     auto* combo = find<QComboBox>("mode");
     combo->setFocus();
     QTest::keyClick(combo, Qt::Key_Home);
-    for (int i = 0; i < combo->count() && document().choices().mode != mode; ++i)
+    for (int i = 0; i < combo->count() && document().choices().item().mode != mode; ++i)
       QTest::keyClick(combo, Qt::Key_Down);
-    ASSERT_EQ(document().choices().mode, mode);
+    ASSERT_EQ(document().choices().item().mode, mode);
   }
   void planTee() {
     openPart(writePart("tee.stl", tee()));
@@ -71,8 +71,8 @@ protected:
   }
   QTreeWidgetItem* row(int arm) { return tree().topLevelItem(0)->child(arm); }
   std::vector<planar::GivenCut> ownCuts() {
-    const auto text = document().choices().parameters.find("cutPlanes");
-    return text == document().choices().parameters.end()
+    const auto text = document().choices().item().parameters.find("cutPlanes");
+    return text == document().choices().item().parameters.end()
                ? std::vector<planar::GivenCut>{}
                : planar::readGivenCuts(text->second, "the choices");
   }
@@ -260,7 +260,7 @@ TEST_F(PiecesTest, ACutIsDraggedAndUndone) {
   EXPECT_EQ(document().state(Stage::Layers), document::StageState::OutOfDate);
   EXPECT_GE(panel().selected(), 1) << "it stays chosen";
   // Some of the arm hangs on the leg now.
-  EXPECT_NEAR(document().result(Stage::Decompose)->job.report.decomposition.riskyAreaMm2,
+  EXPECT_NEAR(document().result(Stage::Decompose)->job.report.item().decomposition.riskyAreaMm2,
               8.0 * (moved[cut].plane.offsetMm - 4.0), 0.2);
 
   // Once more, tilted by the ring that faces the eye: 45 degrees along it from straight up.
@@ -280,8 +280,8 @@ TEST_F(PiecesTest, ACutIsDraggedAndUndone) {
     EXPECT_NEAR(ownCuts()[cut].plane.offsetMm, wanted[cut].plane.offsetMm, 1e-9);
   }
   ASSERT_TRUE(cutAnew());
-  EXPECT_NEAR(document().result(Stage::Decompose)->job.report.decomposition.riskyAreaMm2, 0.0,
-              1e-6);
+  EXPECT_NEAR(document().result(Stage::Decompose)->job.report.item().decomposition.riskyAreaMm2,
+              0.0, 1e-6);
 }
 
 TEST_F(PiecesTest, WithoutAPreviewADraggedCutIsMeasuredAndWaitsForPlan) {
@@ -330,13 +330,13 @@ TEST_F(PiecesTest, ARootIsPickedOnThePartWhereTheSchemeAsksForOne) {
   EXPECT_EQ(window().viewport().tool(), viewer::Tool::None);
   EXPECT_FALSE(pick->isChecked());
   const QStringList root =
-      QString::fromStdString(document().choices().parameters.at("pieceRoot")).split(',');
+      QString::fromStdString(document().choices().item().parameters.at("pieceRoot")).split(',');
   ASSERT_EQ(root.size(), 3);
   EXPECT_NEAR(root[0].toDouble(), 0.0, 0.5);
   EXPECT_NEAR(root[1].toDouble(), -4.0, 0.01);
   EXPECT_NEAR(root[2].toDouble(), 6.0, 0.5);
   clickMenu("editMenu", "undo");
-  EXPECT_EQ(document().choices().parameters.count("pieceRoot"), 0u);
+  EXPECT_EQ(document().choices().item().parameters.count("pieceRoot"), 0u);
   // A key gives it up.
   QTest::mouseClick(pick, Qt::LeftButton);
   window().viewport().setFocus();

@@ -36,20 +36,20 @@ void PlannedJobTest::TearDown() {
 void PlannedJobTest::planJob(const std::string& mode) {
   openPart(writePart(QString::fromStdString(mode) + ".stl", partOf(mode)));
   project::Choices choices = document().choices();
-  choices.automatic = false;
-  choices.mode = mode;
+  choices.item().automatic = false;
+  choices.item().mode = mode;
   if (mode == "planar")
-    choices.parameters["cutPlanes"] = kCuts;
+    choices.item().parameters["cutPlanes"] = kCuts;
   if (mode == "lathe") {
     choices.cell = "lathe";
-    choices.process = "fdm-0.35";
-    choices.platform = project::Platform("rod:5x200");
+    choices.tool().process = "fdm-0.35";
+    choices.item().platform = project::Platform("rod:5x200");
   }
   if (mode == "substrate") {
-    choices.process = "fdm-0.35";
-    choices.platform =
+    choices.tool().process = "fdm-0.35";
+    choices.item().platform =
         project::Platform("mesh:" + writePart("half.stl", halfCylinder(kRodMm, 20)).toStdString());
-    choices.parameters = {
+    choices.item().parameters = {
         {"firstLayerMm", "0.25"}, {"layerShape", "cylinder"}, {"layerHeightMm", "0.2"}};
   }
   document().setChoices(choices, "job");

@@ -39,7 +39,7 @@ protected:
   }
   void setPlatform(const char* platform) {
     project::Choices choices = document().choices();
-    choices.platform = project::Platform(platform);
+    choices.item().platform = project::Platform(platform);
     document().setChoices(choices, "platform");
   }
   QPushButton* remedy(const char* id) {
@@ -104,7 +104,7 @@ TEST_F(PreviewTest, TheGrowthListInWordsStartsAPreviewOnThePageOfTheEdit) {
   const QImage before = picture();
   growth->setFocus();
   QTest::keyClick(growth, Qt::Key_End); // greedy
-  ASSERT_EQ(document().choices().growth.id(), "greedy");
+  ASSERT_EQ(document().choices().item().growth.id(), "greedy");
   EXPECT_EQ(document().state(Stage::Decompose), StageState::OutOfDate);
   ASSERT_TRUE(previewed());
   EXPECT_EQ(document().state(Stage::Layers), StageState::OutOfDate);
@@ -123,10 +123,10 @@ TEST_F(PreviewTest, PlanTakesThePreviewOn) {
   setPlatform("disc:40");
   ASSERT_TRUE(previewed());
   EXPECT_TRUE(window().viewport().view().voxels) << "newer than the layers";
-  const auto previewed = document().result(Stage::Decompose)->job.decomposition();
+  const auto previewed = document().result(Stage::Decompose)->job.item().decomposition();
   clickMenu("runMenu", "planLayers");
   ASSERT_TRUE(planned(Stage::Layers));
-  EXPECT_EQ(document().result(Stage::Decompose)->job.decomposition(), previewed);
+  EXPECT_EQ(document().result(Stage::Decompose)->job.item().decomposition(), previewed);
   EXPECT_FALSE(window().viewport().view().voxels);
   EXPECT_TRUE(window().viewport().view().layers);
   EXPECT_FALSE(summary().contains("Preview"));
@@ -145,7 +145,7 @@ TEST_F(PreviewTest, ThePartIsInSightWhileItIsHandled) {
   EXPECT_TRUE(window().viewport().view().voxels);
   // Moved voxels would stand where the part is not.
   QTest::keyClick(&window(), Qt::Key_C);
-  geometry::Placement moved = document().choices().placement;
+  geometry::Placement moved = document().choices().item().placement;
   moved.centreMm.x() += 12.0;
   document().place(moved, "move");
   EXPECT_FALSE(window().viewport().view().voxels);
@@ -167,13 +167,13 @@ TEST_F(PreviewTest, CanBeTurnedOffAndTheWindowRemembers) {
 
 TEST_F(PreviewTest, AButtonCuresAFindingAndUndoTakesItBack) {
   project::Choices wide = document().choices();
-  wide.platform = project::Platform("disc:150");
-  wide.parameters["supports"] = "none";
-  wide.parameters["frontShape"] = "flat";
+  wide.item().platform = project::Platform("disc:150");
+  wide.item().parameters["supports"] = "none";
+  wide.item().parameters["frontShape"] = "flat";
   document().setChoices(wide, "platform");
   planLayers(writePart("hook.stl", hook()));
   const auto missed = [&] {
-    return document().result(Stage::Decompose)->job.report.decomposition.missedVoxels;
+    return document().result(Stage::Decompose)->job.report.item().decomposition.missedVoxels;
   };
   const std::size_t before = missed();
   ASSERT_GT(before, 0U);
@@ -183,26 +183,26 @@ TEST_F(PreviewTest, AButtonCuresAFindingAndUndoTakesItBack) {
   ASSERT_TRUE(shrink->isVisible());
   EXPECT_EQ(shrink->text(), "Shrink platform");
   QTest::mouseClick(shrink, Qt::LeftButton);
-  EXPECT_EQ(document().choices().platform.text(), "fit:0");
+  EXPECT_EQ(document().choices().item().platform.text(), "fit:0");
   ASSERT_TRUE(previewed());
   EXPECT_LT(missed(), before);
   EXPECT_EQ(document().undoStack()->undoText(), "Shrink platform");
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(document().choices().platform.text(), "disc:150");
+  EXPECT_EQ(document().choices().item().platform.text(), "disc:150");
   ASSERT_TRUE(previewed());
   EXPECT_EQ(missed(), before);
 }
 
 TEST_F(PreviewTest, APartInTheAirIsDroppedByTheButtonBesideWhatStoppedTheRun) {
   planLayers(writePart("plinth.stl", plinth()));
-  geometry::Placement lifted = document().choices().placement;
+  geometry::Placement lifted = document().choices().item().placement;
   lifted.liftMm = 5.0;
   document().place(lifted, "lift");
   ASSERT_TRUE(waitFor([&] { return document().failure() != nullptr; }));
   clickFinding("does not touch");
   ASSERT_NE(remedy("dropToPlate"), nullptr);
   QTest::mouseClick(remedy("dropToPlate"), Qt::LeftButton);
-  EXPECT_EQ(document().choices().placement.liftMm, 0.0);
+  EXPECT_EQ(document().choices().item().placement.liftMm, 0.0);
   ASSERT_TRUE(previewed());
   EXPECT_EQ(document().failure(), nullptr);
   EXPECT_EQ(document().state(Stage::Layers), StageState::Done) << "as it was before the lift";
@@ -280,7 +280,7 @@ TEST_F(PreviewTest, TimesFromTheEditToThePicture) {
     document().setParameter("voxelMm", QString::number(1.02 * width));
   });
   measure("turned by 90 degrees", [&] {
-    geometry::Placement turned = document().choices().placement;
+    geometry::Placement turned = document().choices().item().placement;
     turned.rotation =
         Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitZ()) * turned.rotation;
     document().place(turned, "turn");

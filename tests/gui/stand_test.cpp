@@ -74,7 +74,7 @@ TEST_F(StandTest, OneClickLaysThePartAndUndoTakesItBack) {
   ASSERT_TRUE(settled());
   EXPECT_NEAR(heightMm(), 30.0, 1e-6);
   EXPECT_EQ(marked(), 1);
-  EXPECT_EQ(document().choices().placement.rotation.coeffs(),
+  EXPECT_EQ(document().choices().item().placement.rotation.coeffs(),
             Eigen::Quaterniond::Identity().coeffs());
 }
 
@@ -99,8 +99,8 @@ TEST_F(StandTest, APlaceOfItsOwnStays) {
   ASSERT_TRUE(settled());
   click(way(0));
   ASSERT_TRUE(settled());
-  EXPECT_EQ(document().choices().placement.centreMm, aside.centreMm);
-  EXPECT_EQ(document().choices().placement.liftMm, 0.0) << "on the plate";
+  EXPECT_EQ(document().choices().item().placement.centreMm, aside.centreMm);
+  EXPECT_EQ(document().choices().item().placement.liftMm, 0.0) << "on the plate";
 }
 
 TEST_F(StandTest, APartOnItsEdgeIsOfferedTheBestWay) {
@@ -143,10 +143,10 @@ TEST_F(StandTest, ThereAreNoneAroundARod) {
   openStanding(writePart("plank.stl", box({0, 0, 0}, {60.0, 24.0, 30.0})));
   EXPECT_TRUE(ways()->isVisible());
   project::Choices choices = document().choices();
-  choices.automatic = false;
-  choices.mode = "lathe";
+  choices.item().automatic = false;
+  choices.item().mode = "lathe";
   choices.cell = "lathe";
-  choices.platform = project::Platform("rod:5x200");
+  choices.item().platform = project::Platform("rod:5x200");
   document().setChoices(choices, "lathe");
   EXPECT_FALSE(ways()->isVisible());
 }

@@ -131,7 +131,7 @@ TEST_F(WindowTest, AChangeWhileRunningStartsOverAndOnlyTheNewestArrives) {
   ASSERT_TRUE(planned(Stage::Replay));
   const auto result = document().result(Stage::Replay);
   ASSERT_NE(result, nullptr);
-  EXPECT_EQ(result->job.choices.parameters.at("walls"), "1");
+  EXPECT_EQ(result->job.choices.item().parameters.at("walls"), "1");
 }
 
 TEST_F(WindowTest, AnEditMarksWhatDependsOnItAndUndoBringsItBack) {
@@ -146,10 +146,10 @@ TEST_F(WindowTest, AnEditMarksWhatDependsOnItAndUndoBringsItBack) {
   EXPECT_EQ(flow->state(Page::Export), PageState::OutOfDate);
   EXPECT_TRUE(document().dirty());
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(document().choices().parameters.count("infill"), 0U);
+  EXPECT_EQ(document().choices().item().parameters.count("infill"), 0U);
   EXPECT_EQ(flow->state(Page::Export), before);
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(document().choices().parameters.at("infill"), "concentric");
+  EXPECT_EQ(document().choices().item().parameters.at("infill"), "concentric");
 }
 
 TEST_F(WindowTest, SlidersChooseLayersAndMoves) {
@@ -252,7 +252,7 @@ TEST_F(WindowTest, AProjectComesBackAsItWas) {
     return document().name() == "plinth" && window().presenter().hasPaths() &&
            !window().presenter().busy();
   }));
-  EXPECT_EQ(document().choices().parameters.at("walls"), "1");
+  EXPECT_EQ(document().choices().item().parameters.at("walls"), "1");
   EXPECT_TRUE(document().upToDate(Stage::Motion));
   EXPECT_FALSE(document().dirty());
 }
@@ -355,7 +355,7 @@ TEST_P(NarrowPanelTest, ScrollsNothingSideways) {
   expectRoomFor(LayerSubject::Voxels);
   expectRoomFor(LayerSubject::Layers);
   project::Choices choices = document().choices();
-  choices.mode = "planar";
+  choices.item().mode = "planar";
   document().setChoices(choices, "mode");
   window().planning().plan(Stage::Decompose);
   ASSERT_TRUE(planned(Stage::Decompose));

@@ -6,9 +6,9 @@
 #include "modes/mode_table.h"
 #include "pipeline/box_request.h"
 #include "pipeline/choices.h"
-#include "pipeline/one_way.h"
 #include "pipeline/road.h"
 #include "pipeline/search_texts.h"
+#include "pipeline/stage_runner.h"
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
@@ -23,13 +23,13 @@ namespace {
 
 project::Choices automatic() {
   project::Choices choices;
-  choices.automatic = true;
+  choices.item().automatic = true;
   return choices;
 }
 
 pipeline::PlanRequest automaticRequest() {
   pipeline::PlanRequest request = test::boxRequest();
-  request.choices.automatic = true;
+  request.choices.item().automatic = true;
   request.choices.formats = {"urscript"};
   return request;
 }
@@ -39,7 +39,7 @@ pipeline::PlanRequest plateInTheAir() {
   geometry::TriangleMesh part = test::box({-5, -5, 0}, {5, 5, 20});
   test::append(part, test::box({20, -8, 12}, {36, 8, 16}));
   pipeline::PlanRequest request = automaticRequest();
-  request.loaded =
+  request.item().loaded =
       project::loadedFrom("air.stl", std::make_shared<geometry::TriangleMesh>(part), {}, true, {});
   return request;
 }
@@ -47,26 +47,26 @@ pipeline::PlanRequest plateInTheAir() {
 // The report, the choices and the plan name the same way with the same values.
 void expectConsistent(const pipeline::PlanResult& result) {
   const project::Report& report = result.job.report;
-  const project::ChosenReport& chosen = report.chosen;
-  const auto taken = std::ranges::find(report.tried, true, &project::TriedReport::taken);
-  ASSERT_NE(taken, report.tried.end());
-  EXPECT_EQ(std::ranges::count(report.tried, true, &project::TriedReport::taken), 1);
+  const project::ChosenReport& chosen = report.item().chosen;
+  const auto taken = std::ranges::find(report.item().tried, true, &project::TriedReport::taken);
+  ASSERT_NE(taken, report.item().tried.end());
+  EXPECT_EQ(std::ranges::count(report.item().tried, true, &project::TriedReport::taken), 1);
   EXPECT_EQ(chosen.way, taken->way);
   EXPECT_EQ(base::english(chosen.name), base::english(taken->name));
   EXPECT_EQ(chosen.mode, taken->mode);
   EXPECT_EQ(chosen.platform, taken->platform);
-  EXPECT_EQ(chosen.mode, report.decomposition.mode);
-  EXPECT_EQ(chosen.way, result.job.choices.automaticWay);
+  EXPECT_EQ(chosen.mode, report.item().decomposition.mode);
+  EXPECT_EQ(chosen.way, result.job.choices.item().automaticWay);
   const project::Choices hand = resolved(result.job.choices);
-  EXPECT_EQ(chosen.mode, hand.mode);
-  EXPECT_EQ(chosen.platform, hand.platform.text());
+  EXPECT_EQ(chosen.mode, hand.item().mode);
+  EXPECT_EQ(chosen.platform, hand.item().platform.text());
   EXPECT_EQ(chosen.supports, pipeline::parameterValues(hand).text("supports"));
   EXPECT_EQ(chosen.layerHeightMm, result.process->layerHeightMm);
-  for (const project::TriedReport& tried : report.tried) {
+  for (const project::TriedReport& tried : report.item().tried) {
     EXPECT_FALSE(tried.name.empty());
     EXPECT_TRUE(tried.taken || !tried.reason.empty()) << base::english(tried.name);
   }
-  EXPECT_EQ(pipeline::rejectedTexts(report).size(), report.tried.size() - 1);
+  EXPECT_EQ(pipeline::rejectedTexts(report).size(), report.item().tried.size() - 1);
 }
 
 } // namespace
@@ -89,7 +89,7 @@ TEST(Automatic, AnArmThatStaysUprightGetsLevelLayersAtOnce) {
   const auto ways = automaticChoices(choices);
   ASSERT_EQ(ways.size(), 2u);
   EXPECT_EQ(ways[0].automaticWay, "flat");
-  EXPECT_EQ(resolved(ways[0]).parameters.at("supports"), "auto");
+  EXPECT_EQ(resolved(ways[0]).item().parameters.at("supports"), "auto");
   EXPECT_EQ(ways[1].automaticWay, "flat-low");
   choices.cell = "rv2f-moving";
   EXPECT_EQ(automaticChoices(choices).front().mode, "curved");
@@ -100,27 +100,27 @@ TEST(Automatic, ProjectsNameAWayWhateverIsPutBeforeIt) {
   for (const pipeline::AutomaticWay& way : pipeline::automaticWays())
     EXPECT_TRUE(ids.insert(way.id).second) << way.id;
   project::Choices choices = automatic();
-  choices.mode = "flat";
-  choices.platform = project::Platform("cell");
-  choices.automaticWay = "flat-low";
-  EXPECT_TRUE(resolved(choices).parameters.contains("layerHeightMm"));
-  choices.automaticWay = "flat";
-  EXPECT_FALSE(resolved(choices).parameters.contains("layerHeightMm"));
-  choices.automaticWay = "gone"; // the first that has this mode and platform
-  EXPECT_FALSE(resolved(choices).parameters.contains("layerHeightMm"));
-  EXPECT_EQ(resolved(choices).parameters.at("supports"), "auto");
+  choices.item().mode = "flat";
+  choices.item().platform = project::Platform("cell");
+  choices.item().automaticWay = "flat-low";
+  EXPECT_TRUE(resolved(choices).item().parameters.contains("layerHeightMm"));
+  choices.item().automaticWay = "flat";
+  EXPECT_FALSE(resolved(choices).item().parameters.contains("layerHeightMm"));
+  choices.item().automaticWay = "gone"; // the first that has this mode and platform
+  EXPECT_FALSE(resolved(choices).item().parameters.contains("layerHeightMm"));
+  EXPECT_EQ(resolved(choices).item().parameters.at("supports"), "auto");
 }
 
 TEST(Automatic, WhatWasPlannedByHandIsNotWhatItWouldBegin) {
   pipeline::PlanRequest request = automaticRequest();
-  request.choices.automatic = false;
+  request.choices.item().automatic = false;
   for (const char* platform : {"fit", "fit:10"}) {
-    request.choices.platform = project::Platform(platform);
+    request.choices.item().platform = project::Platform(platform);
     const project::StageKeys hand = pipeline::stageKeys(request);
     pipeline::PlanRequest left = request;
-    left.choices.automatic = true;
+    left.choices.item().automatic = true;
     const project::Choices first = automaticChoices(left.choices).front();
-    EXPECT_EQ(pipeline::wayOrFirst(left.choices).automaticWay, first.automaticWay);
+    EXPECT_EQ(pipeline::wayOrFirst(left.choices).item().automaticWay, first.item().automaticWay);
     EXPECT_NE(pipeline::stageKeys(left), hand) << platform;
     const project::StageKeys begun = pipeline::stageKeys(left);
     left.choices = first;
@@ -128,27 +128,27 @@ TEST(Automatic, WhatWasPlannedByHandIsNotWhatItWouldBegin) {
   }
   // The way that was taken stays what it stands for.
   for (const project::Choices& way : automaticChoices(automaticRequest().choices))
-    EXPECT_EQ(pipeline::wayOrFirst(way).automaticWay, way.automaticWay);
-  EXPECT_FALSE(pipeline::wayOrFirst(request.choices).automatic);
+    EXPECT_EQ(pipeline::wayOrFirst(way).item().automaticWay, way.item().automaticWay);
+  EXPECT_FALSE(pipeline::wayOrFirst(request.choices).item().automatic);
 }
 
 TEST(Automatic, WaysGoWithTheCell) {
   for (const project::Choices& way : automaticChoices(automatic()))
-    EXPECT_FALSE(modes::findMode(way.mode).aroundRod) << way.mode;
+    EXPECT_FALSE(modes::findMode(way.item().mode).aroundRod) << way.item().mode;
   project::Choices lathe = automatic();
   lathe.cell = "lathe";
-  lathe.process = "fdm-0.35";
+  lathe.tool().process = "fdm-0.35";
   for (const project::Choices& way : automaticChoices(lathe))
-    EXPECT_TRUE(modes::findMode(way.mode).aroundRod) << way.mode;
+    EXPECT_TRUE(modes::findMode(way.item().mode).aroundRod) << way.item().mode;
 }
 
 TEST(Automatic, APlatformOfTheUsersStays) {
   project::Choices choices = automatic();
-  choices.platform = project::Platform("disc:150");
-  choices.platformStays = true;
+  choices.item().platform = project::Platform("disc:150");
+  choices.item().platformStays = true;
   for (const project::Choices& way : automaticChoices(choices))
-    EXPECT_EQ(way.platform.text(), "disc:150");
-  choices.platform = project::Platform("rod:5x200");
+    EXPECT_EQ(way.item().platform.text(), "disc:150");
+  choices.item().platform = project::Platform("rod:5x200");
   try {
     automaticChoices(choices);
     FAIL();
@@ -159,31 +159,31 @@ TEST(Automatic, APlatformOfTheUsersStays) {
 
 TEST(Automatic, WhatTheUserHasChangedIsNotChangedByAWay) {
   project::Choices choices = automatic();
-  choices.parameters["supports"] = "none";
+  choices.item().parameters["supports"] = "none";
   for (project::Choices way : automaticChoices(choices)) {
-    EXPECT_EQ(way.parameters, choices.parameters);
+    EXPECT_EQ(way.item().parameters, choices.item().parameters);
     const project::Choices hand = pipeline::resolved(way);
-    EXPECT_FALSE(hand.automatic);
-    EXPECT_EQ(hand.parameters.at("supports"), "none");
+    EXPECT_FALSE(hand.item().automatic);
+    EXPECT_EQ(hand.item().parameters.at("supports"), "none");
   }
 }
 
 TEST(Automatic, FlatLayersAreTriedOnceMoreInLowOnes) {
   std::vector<std::string> heights;
   for (const project::Choices& way : automaticChoices(automatic()))
-    if (way.mode == "flat") {
+    if (way.item().mode == "flat") {
       const project::Choices hand = pipeline::resolved(way);
-      EXPECT_EQ(hand.parameters.at("supports"), "auto");
-      heights.push_back(hand.parameters.contains("layerHeightMm")
-                            ? hand.parameters.at("layerHeightMm")
+      EXPECT_EQ(hand.item().parameters.at("supports"), "auto");
+      heights.push_back(hand.item().parameters.contains("layerHeightMm")
+                            ? hand.item().parameters.at("layerHeightMm")
                             : "usual");
     }
   EXPECT_EQ(heights, (std::vector<std::string>{"usual", "0.5"}));
   project::Choices given = automatic();
-  given.parameters["layerHeightMm"] = "0.6";
+  given.item().parameters["layerHeightMm"] = "0.6";
   int flat = 0;
   for (const project::Choices& way : automaticChoices(given))
-    flat += way.mode == "flat";
+    flat += way.item().mode == "flat";
   EXPECT_EQ(flat, 1) << "whoever says how high layers are is not asked twice";
 }
 
@@ -192,7 +192,8 @@ TEST(Automatic, NoTwoWaysComeToTheSame) {
     for (std::size_t i = 0; i < ways.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
         const project::Choices a = pipeline::resolved(ways[i]), b = pipeline::resolved(ways[k]);
-        if (a.mode == b.mode && a.platform == b.platform && a.parameters == b.parameters)
+        if (a.item().mode == b.item().mode && a.item().platform == b.item().platform &&
+            a.item().parameters == b.item().parameters)
           return false;
       }
     return true;
@@ -202,7 +203,7 @@ TEST(Automatic, NoTwoWaysComeToTheSame) {
   EXPECT_TRUE(differ(all));
   for (const char* supports : {"none", "auto"}) {
     project::Choices choices = automatic();
-    choices.parameters["supports"] = supports;
+    choices.item().parameters["supports"] = supports;
     const std::vector<project::Choices> ways = automaticChoices(choices);
     EXPECT_LT(ways.size(), all.size());
     EXPECT_TRUE(differ(ways));
@@ -213,12 +214,12 @@ TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
   const pipeline::PlanResult result = pipeline::planPart(automaticRequest(), {});
   const project::Job& job = result.job;
   EXPECT_TRUE(pipeline::nothingBlocks(job.report));
-  ASSERT_EQ(job.report.tried.size(), 1U);
-  EXPECT_TRUE(job.report.tried.front().passed && job.report.tried.front().taken);
-  EXPECT_TRUE(job.report.tried.front().reason.empty());
-  EXPECT_TRUE(job.choices.automatic);
-  EXPECT_EQ(job.choices.mode, pipeline::automaticWays().front().mode);
-  EXPECT_TRUE(job.choices.parameters.empty()); // a way's own are not the user's
+  ASSERT_EQ(job.report.item().tried.size(), 1U);
+  EXPECT_TRUE(job.report.item().tried.front().passed && job.report.item().tried.front().taken);
+  EXPECT_TRUE(job.report.item().tried.front().reason.empty());
+  EXPECT_TRUE(job.choices.item().automatic);
+  EXPECT_EQ(job.choices.item().mode, pipeline::automaticWays().front().mode);
+  EXPECT_TRUE(job.choices.item().parameters.empty()); // a way's own are not the user's
   // What was planned is up to date for whoever asks with the choices that came of it.
   pipeline::PlanRequest again = automaticRequest();
   again.choices = job.choices;
@@ -227,17 +228,18 @@ TEST(Automatic, ABoxIsTakenAsTheFirstWayHasIt) {
 
 TEST(Automatic, WhatBlocksAWayIsTold) {
   const pipeline::PlanResult result = pipeline::planPart(plateInTheAir(), {});
-  ASSERT_FALSE(result.job.report.tried.empty());
-  const project::TriedReport& first = result.job.report.tried.front();
+  ASSERT_FALSE(result.job.report.item().tried.empty());
+  const project::TriedReport& first = result.job.report.item().tried.front();
   EXPECT_EQ(first.mode, pipeline::automaticWays().front().mode);
   EXPECT_FALSE(first.stage.empty());
   EXPECT_FALSE(first.reason.empty());
-  for (const project::TriedReport& tried : result.job.report.tried) {
+  for (const project::TriedReport& tried : result.job.report.item().tried) {
     EXPECT_TRUE(tried.passed || !tried.reason.empty());
-    EXPECT_EQ(tried.taken, tried.mode == result.job.choices.mode);
+    EXPECT_EQ(tried.taken, tried.mode == result.job.choices.item().mode);
   }
   const std::string json = project::reportJson(result.job.report);
-  EXPECT_EQ(project::readReportJson(json).tried.size(), result.job.report.tried.size());
+  EXPECT_EQ(project::readReportJson(json).item().tried.size(),
+            result.job.report.item().tried.size());
 }
 
 TEST(Automatic, WaysAreNamedByWhatTheyDo) {
@@ -249,7 +251,7 @@ TEST(Automatic, WaysAreNamedByWhatTheyDo) {
                        "flat layers with supports", "flat layers with supports, 0.5 mm high",
                        "curved layers on a pedestal"}));
   project::Choices none = automatic();
-  none.parameters["supports"] = "none";
+  none.item().parameters["supports"] = "none";
   for (const project::Choices& way : automaticChoices(none))
     EXPECT_EQ(base::english(pipeline::nameOfWay(way)).find("supports"), std::string::npos);
   EXPECT_EQ(base::english(pipeline::nameOfWay(resolved(none))), "Curved layers");
@@ -274,7 +276,7 @@ TEST(Automatic, WhatIsSaidOfABoxIsConsistent) {
 TEST(Automatic, WhatIsSaidIsConsistentWhereWaysAreRejected) {
   const pipeline::PlanResult result = pipeline::planPart(plateInTheAir(), {});
   expectConsistent(result);
-  EXPECT_GT(result.job.report.tried.size(), 1U);
+  EXPECT_GT(result.job.report.item().tried.size(), 1U);
 }
 
 // The field is what takes long in curved layers: it is not fitted where voxels are missed.
@@ -288,18 +290,18 @@ TEST(Automatic, AWayEndsAsSoonAsItIsBlocked) {
     shown.push_back(stage);
   };
   const pipeline::PlanResult tried =
-      pipeline::planOneWay(request, {}, &cache, {.onStage = note}, &trial);
+      pipeline::planChosenWay(request, {}, &cache, {.onStage = note}, &trial);
   ASSERT_TRUE(trial.rejection);
   EXPECT_EQ(trial.rejection->stage, project::Stage::Decompose);
   EXPECT_TRUE(trial.rejection->finding.blocking);
-  ASSERT_NE(tried.job.decomposition(), nullptr);
-  EXPECT_GT(tried.job.decomposition()->missedVoxels, 0U);
-  EXPECT_TRUE(tried.job.decomposition()->field.empty());
+  ASSERT_NE(tried.job.item().decomposition(), nullptr);
+  EXPECT_GT(tried.job.item().decomposition()->missedVoxels, 0U);
+  EXPECT_TRUE(tried.job.item().decomposition()->field.empty());
   EXPECT_EQ(shown, (std::vector<project::Stage>{project::Stage::Load}));
   // Planned for itself it is whole, with the same first reason.
   request.until = project::Stage::Layers;
-  const pipeline::PlanResult whole = pipeline::planOneWay(request, {}, &cache, {});
-  EXPECT_FALSE(whole.job.decomposition()->field.empty());
+  const pipeline::PlanResult whole = pipeline::planChosenWay(request, {}, &cache, {});
+  EXPECT_FALSE(whole.job.item().decomposition()->field.empty());
   EXPECT_EQ(whole.job.reached, project::Stage::Layers);
   const auto blocking = std::ranges::find_if(whole.job.report.findings, &plan::Finding::blocking);
   ASSERT_NE(blocking, whole.job.report.findings.end());
@@ -309,14 +311,14 @@ TEST(Automatic, AWayEndsAsSoonAsItIsBlocked) {
 
 TEST(Automatic, APartThatNoWayTakesIsAnError) {
   pipeline::PlanRequest request = automaticRequest();
-  request.choices.process = "no such process";
+  request.choices.tool().process = "no such process";
   EXPECT_THROW(pipeline::planPart(request, {}), base::Error);
 }
 
 // Growth misses nothing of a box, so columns would change nothing of what blocks it.
 TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   pipeline::PlanRequest request = automaticRequest();
-  request.choices.parameters["infillDensity"] = "0.3";
+  request.choices.item().parameters["infillDensity"] = "0.3";
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   EXPECT_FALSE(pipeline::nothingBlocks(result.job.report));
   expectConsistent(result);
@@ -324,9 +326,9 @@ TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   EXPECT_TRUE(said.starts_with("Nothing passes; shown is the least bad: ")) << said;
   EXPECT_EQ(result.job.reached, project::Stage::Replay);
   EXPECT_FALSE(result.checked.empty());
-  EXPECT_EQ(result.job.report.tried.size(), pipeline::automaticWays().size() - 1);
+  EXPECT_EQ(result.job.report.item().tried.size(), pipeline::automaticWays().size() - 1);
   int curved = 0;
-  for (const project::TriedReport& tried : result.job.report.tried)
+  for (const project::TriedReport& tried : result.job.report.item().tried)
     curved += tried.mode == "curved" && tried.platform == "cell";
   EXPECT_EQ(curved, 1);
 }
@@ -339,24 +341,24 @@ TEST(Automatic, WhereAllHangTheOneThatHangsLeastIsTaken) {
   test::append(part, test::box({-4.6, -15, 4.9}, {4.6, 8, 26}));
   test::append(part, test::box({-15, -15, 20}, {15, 15, 26}));
   pipeline::PlanRequest request = automaticRequest();
-  request.loaded = project::loadedFrom("pocket.stl", std::make_shared<geometry::TriangleMesh>(part),
-                                       {}, true, {});
-  request.choices.parameters["supports"] = "none";
+  request.item().loaded = project::loadedFrom(
+      "pocket.stl", std::make_shared<geometry::TriangleMesh>(part), {}, true, {});
+  request.choices.item().parameters["supports"] = "none";
   request.choices.cell = "t3";
   request.choices.formats = {"spel"};
   std::string lastShown;
   const auto noteShown = [&](project::Stage, const pipeline::PlanResult& soFar) {
-    lastShown = soFar.job.choices.automaticWay;
+    lastShown = soFar.job.choices.item().automaticWay;
   };
   const pipeline::PlanResult result =
       pipeline::planPart(request, {}, nullptr, {.onStage = noteShown});
   const project::Report& report = result.job.report;
   EXPECT_TRUE(pipeline::nothingBlocks(report));
   EXPECT_GT(report.replay.longestUnsupportedMm, result.process->bridgeMm);
-  EXPECT_EQ(lastShown, result.job.choices.automaticWay);
-  ASSERT_EQ(report.tried.size(), 2U);
+  EXPECT_EQ(lastShown, result.job.choices.item().automaticWay);
+  ASSERT_EQ(report.item().tried.size(), 2U);
   int taken = 0;
-  for (const project::TriedReport& tried : report.tried) {
+  for (const project::TriedReport& tried : report.item().tried) {
     EXPECT_TRUE(tried.passed);
     EXPECT_FALSE(tried.reason.empty());
     taken += tried.taken;

@@ -17,8 +17,8 @@ inline std::shared_ptr<const project::LoadedPart> boxPart() {
 
 inline pipeline::PlanRequest boxRequest(const std::map<std::string, std::string>& parameters = {}) {
   pipeline::PlanRequest request;
-  request.loaded = boxPart();
-  request.choices.parameters = parameters;
+  request.item().loaded = boxPart();
+  request.choices.item().parameters = parameters;
   return request;
 }
 
@@ -26,7 +26,7 @@ inline pipeline::PlanRequest boxRequest(const std::map<std::string, std::string>
 inline const pipeline::PlanResult& boxPlan() {
   static const pipeline::PlanResult kPlan = [] {
     pipeline::PlanRequest request = boxRequest();
-    request.choices.mode = "flat";
+    request.choices.item().mode = "flat";
     request.choices.formats = {"urscript", "gcode-extended", "csv"};
     return pipeline::planPart(request, base::RunContext());
   }();

@@ -34,8 +34,8 @@ CompareRow row(double missed, double printTimeS, bool blocked = false) {
   CompareRow made;
   made.combination = {"curved", GrowthScheme(), {}};
   made.reached = Stage::Replay;
-  made.report.decomposition.voxels = 1000;
-  made.report.decomposition.missedVoxels = static_cast<std::size_t>(missed);
+  made.report.item().decomposition.voxels = 1000;
+  made.report.item().decomposition.missedVoxels = static_cast<std::size_t>(missed);
   made.report.motion.waypoints = 100;
   made.report.motion.durationS = printTimeS;
   if (blocked)
@@ -100,25 +100,25 @@ TEST(Compare, RowsAreWhatASinglePlanReportsAndTheTableSaysThat) {
     EXPECT_EQ(compared.reached, Stage::Replay);
     expected.timings = found.timings = {};
     EXPECT_EQ(reportJson(found), reportJson(expected)) << compared.combination.mode;
-    EXPECT_EQ(results[i]->job.choices.mode, compared.combination.mode);
+    EXPECT_EQ(results[i]->job.choices.item().mode, compared.combination.mode);
     EXPECT_EQ(compared.state(), nothingBlocks(expected) ? RowState::Clear : RowState::Blocked);
 
     const auto& line = json["rows"][i];
     EXPECT_EQ(line["number"], i + 1);
-    EXPECT_EQ(line["mode"], expected.decomposition.mode);
-    if (expected.decomposition.voxels > 0)
-      EXPECT_EQ(line["missedVoxels"], expected.decomposition.missedVoxels);
+    EXPECT_EQ(line["mode"], expected.item().decomposition.mode);
+    if (expected.item().decomposition.voxels > 0)
+      EXPECT_EQ(line["missedVoxels"], expected.item().decomposition.missedVoxels);
     else
       EXPECT_TRUE(line["missedVoxels"].is_null()) << "means nothing to the mode";
     if (line["mode"] == "curved")
       EXPECT_TRUE(line["riskyAreaMm2"].is_null()) << "means nothing to the mode";
     else
-      EXPECT_EQ(line["riskyAreaMm2"], expected.decomposition.riskyAreaMm2);
+      EXPECT_EQ(line["riskyAreaMm2"], expected.item().decomposition.riskyAreaMm2);
     EXPECT_EQ(line["uniformMisses"].is_null(), line["mode"] != "flat");
     EXPECT_EQ(line["growth"].is_null(), line["mode"] != "curved");
-    EXPECT_EQ(line["supportVolumeMm3"], expected.decomposition.supportVolumeMm3);
-    EXPECT_EQ(line["pieces"], expected.decomposition.pieces);
-    EXPECT_EQ(line["layers"], expected.layers.count);
+    EXPECT_EQ(line["supportVolumeMm3"], expected.item().decomposition.supportVolumeMm3);
+    EXPECT_EQ(line["pieces"], expected.item().decomposition.pieces);
+    EXPECT_EQ(line["layers"], expected.item().layers.count);
     EXPECT_EQ(line["printTimeS"], expected.motion.durationS);
     EXPECT_EQ(line["collisions"], expected.motion.collisions);
     EXPECT_EQ(line["reachableFraction"], 1.0);
@@ -134,13 +134,13 @@ TEST(Compare, RowsAreWhatASinglePlanReportsAndTheTableSaysThat) {
 TEST(Compare, OneThatCannotBePlannedIsARowWithItsReason) {
   CompareOptions options = boxOptions(Stage::Layers);
   options.modes = {"flat", "curved"};
-  options.plan.choices.parameters["layerPlanes"] = "[{}]"; // is mode flat's alone
+  options.plan.choices.item().parameters["layerPlanes"] = "[{}]"; // is mode flat's alone
   const Comparison comparison = compare(options, context());
   ASSERT_EQ(comparison.rows.size(), 2u);
   EXPECT_EQ(comparison.rows[0].state(), RowState::Failed);
   EXPECT_FALSE(comparison.rows[0].error.empty());
   EXPECT_EQ(comparison.rows[1].state(), RowState::Clear);
-  EXPECT_GT(comparison.rows[1].report.layers.count, 0);
+  EXPECT_GT(comparison.rows[1].report.item().layers.count, 0);
   const Ranking ranking = rank(comparison.rows, defaultWeights());
   EXPECT_EQ(ranking.best, 1u);
   const auto json =

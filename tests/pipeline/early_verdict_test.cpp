@@ -12,7 +12,7 @@ namespace {
 class EarlyVerdict : public testing::Test {
 protected:
   std::optional<plan::Finding> verdictOn(const plan::ToolPlan& toolPlan) const {
-    return pipeline::massOutOfReach(toolPlan, box_.job.printed(), *box_.process);
+    return pipeline::massOutOfReach(toolPlan, box_.job.item().printed(), *box_.process);
   }
 
   const pipeline::PlanResult& box_ = test::boxPlan();

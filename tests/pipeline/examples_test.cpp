@@ -112,8 +112,8 @@ TEST(Examples, AsOne) {
   const test::TemporaryFolder folder;
   const std::filesystem::path& save = folder.path();
   pipeline::PlanRequest request;
-  request.part = "sample:vase";
-  request.choices.mode = "flat";
+  request.item().part = "sample:vase";
+  request.choices.item().mode = "flat";
   request.until = project::Stage::Layers;
   pipeline::PlanResult result = pipeline::planPart(request, ctx);
   pipeline::writeOutputs(result, save, ctx);

@@ -83,8 +83,8 @@ PlanResult plannedFrom(const std::string& bytes, const std::string& name = "rout
   const test::TemporaryFolder folder;
   base::writeFile(folder / name, bytes);
   PlanRequest request;
-  request.part = (folder / name).string();
-  request.choices.automatic = true;
+  request.item().part = (folder / name).string();
+  request.choices.item().automatic = true;
   return planPart(request, kCtx);
 }
 
@@ -95,7 +95,7 @@ TEST(GivenPaths, AnotherToolsFileEndsAsACheckedProgram) {
   for (const auto& checked : planned.checked)
     EXPECT_TRUE(checked->passed) << checked->program.format;
   EXPECT_EQ(planned.job.report.toolpath.paths, 6u);
-  EXPECT_EQ(planned.job.report.layers.count, 6);
+  EXPECT_EQ(planned.job.report.item().layers.count, 6);
   // It stood somewhere in centimetres; it lies in the middle of the plate, and looks up.
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : planned.job.toolPlan->position)
@@ -118,8 +118,8 @@ TEST(GivenPaths, WithoutAnObjectTheyAreJudgedByWhatTheirBeadsMake) {
 
 TEST(GivenPaths, APlanOfOursIsPrintedAlongTheSameBeads) {
   PlanRequest request = test::boxRequest();
-  request.choices.placement.centreMm = {12, -5}; // the work frame is kept, wherever it lies
-  request.choices.parameters["output.build3mf"] = "true";
+  request.choices.item().placement.centreMm = {12, -5}; // the work frame is kept, wherever it lies
+  request.choices.item().parameters["output.build3mf"] = "true";
   PlanResult planned = planPart(request, kCtx);
   ASSERT_TRUE(nothingBlocks(planned.job.report)) << findingsOf(planned);
   const test::TemporaryFolder folder;
@@ -144,21 +144,21 @@ TEST(GivenPaths, TheObjectIsPlannedAnewWhereThatIsAskedFor) {
   const test::TemporaryFolder folder;
   base::writeFile(folder / "router.build.3mf", routersFile(true));
   PlanRequest request;
-  request.part = (folder / "router.build.3mf").string();
-  request.choices.mode = "flat";
-  request.choices.parameters["givenToolPaths"] = "false";
+  request.item().part = (folder / "router.build.3mf").string();
+  request.choices.item().mode = "flat";
+  request.choices.item().parameters["givenToolPaths"] = "false";
   request.until = project::Stage::Layers;
   const PlanResult planned = planPart(request, kCtx);
-  EXPECT_FALSE(planned.job.layers->patches.empty());
+  EXPECT_FALSE(planned.job.item().layers->patches.empty());
 }
 
 TEST(GivenPaths, AnotherSizeIsRefused) {
   const test::TemporaryFolder folder;
   base::writeFile(folder / "router.build.3mf", routersFile(true));
   PlanRequest request;
-  request.part = (folder / "router.build.3mf").string();
-  request.choices.mode = "flat";
-  request.choices.scale = "2";
+  request.item().part = (folder / "router.build.3mf").string();
+  request.choices.item().mode = "flat";
+  request.choices.item().scale = "2";
   EXPECT_THROW(planPart(request, kCtx), base::Error);
 }
 
@@ -171,8 +171,8 @@ PlanResult beadOfProfile(const std::string& profile) {
   const test::TemporaryFolder folder;
   base::writeFile(folder / "a.3mf", file.bytes());
   PlanRequest request;
-  request.part = (folder / "a.3mf").string();
-  request.choices.mode = "flat";
+  request.item().part = (folder / "a.3mf").string();
+  request.choices.item().mode = "flat";
   request.until = project::Stage::Toolpath;
   return planPart(request, kCtx);
 }
@@ -204,19 +204,19 @@ TEST(GivenPaths, AProjectKeepsThem) {
   const test::TemporaryFolder folder;
   base::writeFile(folder / "router.build.3mf", routersFile(true));
   PlanRequest request;
-  request.part = (folder / "router.build.3mf").string();
-  request.choices.mode = "flat";
+  request.item().part = (folder / "router.build.3mf").string();
+  request.choices.item().mode = "flat";
   request.until = project::Stage::Toolpath;
   const PlanResult planned = planPart(request, kCtx);
   project::writeJob(folder / "job.voluta", planned.job);
   const project::Job again = project::readJob(folder / "job.voluta");
-  ASSERT_TRUE(again.loaded->toolPaths);
-  EXPECT_EQ(again.loaded->hash, planned.job.loaded->hash);
+  ASSERT_TRUE(again.item().loaded->toolPaths);
+  EXPECT_EQ(again.item().loaded->hash, planned.job.item().loaded->hash);
   PlanRequest same;
-  same.loaded = again.loaded;
+  same.loaded = again.item().loaded;
   same.choices = again.choices;
   PlanRequest anew = same;
-  anew.choices.parameters["givenToolPaths"] = "false";
+  anew.choices.item().parameters["givenToolPaths"] = "false";
   EXPECT_NE(stageKeys(anew)[0], stageKeys(same)[0]);
   EXPECT_EQ(stageKeys(same)[project::indexOf(project::Stage::Toolpath)],
             again.stages[project::indexOf(project::Stage::Toolpath)].key);

@@ -81,7 +81,7 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
             std::optional<double> over, int listed, const base::RunContext& ctx) {
   const double overMm = over.value_or(process.bridgeMm);
   const std::vector<replay::BeadPiece> pieces = test::laidBeads(plan);
-  const geometry::TriangleMesh& part = job.printed();
+  const geometry::TriangleMesh& part = job.item().printed();
   Vector3d low = part.vertices.front(), high = low;
   for (const auto* points : {&part.vertices, &plan.position})
     for (const Vector3d& p : *points) {
@@ -94,7 +94,7 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
   const replay::BeadGrid beads =
       replay::depositBeads(grid, pieces, {.widthMaxMm = 3.0 * process.beadWidthMaxMm}, ctx);
   const replay::PrintedPart printed(beads, pieces);
-  const replay::GroundProbe ground(job.platform);
+  const replay::GroundProbe ground(job.item().platform);
   const replay::SupportedBeads support = replay::findSupport(pieces, printed, ground, ctx);
   const geometry::MeshQuery query(part);
   const replay::PartCells cells = replay::partCells(part, query, grid, ctx);
@@ -108,14 +108,14 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
               support.unsupportedMm / support.lengthMm, support.halfCarriedMm / support.lengthMm,
               support.longestUnsupportedMm, coverage.coveredFraction,
               (coverage.outsideMm3 + excess) / std::max(1e-9, cells.volumeMm3),
-              job.report.layers.count, job.report.layers.thicknessMeanMm,
-              job.report.layers.thicknessStdMm, job.report.layers.thicknessP01Mm,
-              job.report.layers.thicknessP99Mm);
+              job.report.item().layers.count, job.report.item().layers.thicknessMeanMm,
+              job.report.item().layers.thicknessStdMm, job.report.item().layers.thicknessP01Mm,
+              job.report.item().layers.thicknessP99Mm);
 
   // What the tool-paths' own stage takes for hanging.
   const collision::GrowingPart growing(plan, collision::growingPitch(plan, process), ctx);
   const std::vector<char> hanging =
-      toolpath::unsupportedWaypoints(plan, growing, job.platform, ctx);
+      toolpath::unsupportedWaypoints(plan, growing, job.item().platform, ctx);
   std::vector<Found> under(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e; ++p)
@@ -231,12 +231,13 @@ int main(int argc, char** argv) {
       continue;
     }
     pipeline::PlanRequest request;
-    request.part = file;
-    request.choices.mode = mode;
-    request.choices.platform = project::Platform(platform);
-    request.choices.scale = scale;
+    request.item().part = file;
+    request.choices.item().mode = mode;
+    request.choices.item().platform = project::Platform(platform);
+    request.choices.item().scale = scale;
     for (const std::string& set : sets)
-      request.choices.parameters[set.substr(0, set.find('='))] = set.substr(set.find('=') + 1);
+      request.choices.item().parameters[set.substr(0, set.find('='))] =
+          set.substr(set.find('=') + 1);
     request.until = project::Stage::Toolpath;
     pipeline::StageCache cache;
     const std::filesystem::path kept =
@@ -244,7 +245,7 @@ int main(int argc, char** argv) {
         (std::filesystem::path(file).stem().string() + "-" + mode + ".voluta");
     if (!keep.empty() && std::filesystem::exists(kept)) {
       const project::Job job = project::readJob(kept);
-      request.loaded = job.loaded;
+      request.item().loaded = job.item().loaded;
       pipeline::seedCache(cache, project::upTo(job, project::Stage::Decompose));
     }
     const base::Stopwatch clock;

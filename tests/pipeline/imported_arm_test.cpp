@@ -25,8 +25,8 @@ TEST_P(ImportedArm, PrintsABox) {
                        process::loadProcess("fdm-1.0"), base::RunContext());
   cells::writeImport(import, data);
   pipeline::PlanRequest request = test::boxRequest();
-  request.loaded = test::loadedBox({-6, -6, 0}, {6, 6, 4});
-  request.choices.mode = "flat";
+  request.item().loaded = test::loadedBox({-6, -6, 0}, {6, 6, 4});
+  request.choices.item().mode = "flat";
   request.choices.cell = import.layout.cell.id;
   request.choices.formats = {"csv", "krl"};
   const pipeline::PlanResult planned = pipeline::planPart(request, base::RunContext());

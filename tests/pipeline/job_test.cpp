@@ -61,13 +61,13 @@ TEST_F(JobFile, ComesBackAsItWas) {
   const Job job = sampleJob();
   const std::string bytes = project::jobBytes(job);
   const Job back = readBack(bytes);
-  EXPECT_EQ(back.partName, job.partName);
-  EXPECT_EQ(back.scale, job.scale);
-  EXPECT_EQ(back.choices.parameters, job.choices.parameters);
+  EXPECT_EQ(back.item().partName, job.item().partName);
+  EXPECT_EQ(back.item().scale, job.item().scale);
+  EXPECT_EQ(back.choices.item().parameters, job.choices.item().parameters);
   EXPECT_EQ(back.choices.formats, job.choices.formats);
-  EXPECT_EQ(back.part->vertices, job.part->vertices);
-  EXPECT_EQ(back.part->triangles, job.part->triangles);
-  EXPECT_EQ(back.platform.polygon, job.platform.polygon);
+  EXPECT_EQ(back.item().part->vertices, job.item().part->vertices);
+  EXPECT_EQ(back.item().part->triangles, job.item().part->triangles);
+  EXPECT_EQ(back.item().platform.polygon, job.item().platform.polygon);
   EXPECT_EQ(back.toolPlan->position, job.toolPlan->position);
   EXPECT_EQ(back.toolPlan->heightMm, job.toolPlan->heightMm);
   EXPECT_EQ(back.toolPlan->paths[0].layer, 4);
@@ -81,29 +81,30 @@ TEST_F(JobFile, ComesBackAsItWas) {
 TEST_F(JobFile, ThePartComesBackAsItWasRead) {
   const Job job = sampleJob();
   const Job back = readBack(project::jobBytes(job));
-  EXPECT_EQ(back.loaded->name, "box.stl");
-  EXPECT_EQ(back.loaded->source->triangles.size(), 11u);
-  EXPECT_EQ(back.loaded->mesh->triangles, job.loaded->mesh->triangles);
-  EXPECT_EQ(back.loaded->hash, job.loaded->hash);
-  EXPECT_EQ(back.loaded->notes, job.loaded->notes);
-  EXPECT_EQ(base::english(back.loaded->notes.front()), "left out: 1 facet");
-  EXPECT_EQ(back.loaded->found.boundaryEdges.count, 3u);
-  EXPECT_EQ(back.loaded->found.boundaryEdges.at, job.loaded->found.boundaryEdges.at);
-  EXPECT_FALSE(back.loaded->found.watertight);
-  EXPECT_EQ(back.loaded->found.boundsMm.max(), job.loaded->found.boundsMm.max());
-  EXPECT_EQ(back.choices.placement.rotation.coeffs(), job.choices.placement.rotation.coeffs());
-  EXPECT_EQ(back.choices.placement.centreMm, job.choices.placement.centreMm);
-  EXPECT_EQ(back.choices.placement.liftMm, 0.5);
-  EXPECT_TRUE(back.choices.repair);
+  EXPECT_EQ(back.item().loaded->name, "box.stl");
+  EXPECT_EQ(back.item().loaded->source->triangles.size(), 11u);
+  EXPECT_EQ(back.item().loaded->mesh->triangles, job.item().loaded->mesh->triangles);
+  EXPECT_EQ(back.item().loaded->hash, job.item().loaded->hash);
+  EXPECT_EQ(back.item().loaded->notes, job.item().loaded->notes);
+  EXPECT_EQ(base::english(back.item().loaded->notes.front()), "left out: 1 facet");
+  EXPECT_EQ(back.item().loaded->found.boundaryEdges.count, 3u);
+  EXPECT_EQ(back.item().loaded->found.boundaryEdges.at, job.item().loaded->found.boundaryEdges.at);
+  EXPECT_FALSE(back.item().loaded->found.watertight);
+  EXPECT_EQ(back.item().loaded->found.boundsMm.max(), job.item().loaded->found.boundsMm.max());
+  EXPECT_EQ(back.choices.item().placement.rotation.coeffs(),
+            job.choices.item().placement.rotation.coeffs());
+  EXPECT_EQ(back.choices.item().placement.centreMm, job.choices.item().placement.centreMm);
+  EXPECT_EQ(back.choices.item().placement.liftMm, 0.5);
+  EXPECT_TRUE(back.choices.item().repair);
 }
 
 TEST_F(JobFile, PiecesComeBack) {
   const Job job = test::sampleJobOfPieces();
   const Job back = readBack(project::jobBytes(job));
-  EXPECT_EQ(back.decomposition(), nullptr);
-  ASSERT_EQ(back.pieces()->pieces.size(), 2u);
+  EXPECT_EQ(back.item().decomposition(), nullptr);
+  ASSERT_EQ(back.item().pieces()->pieces.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
-    const planar::Piece &p = back.pieces()->pieces[i], &q = job.pieces()->pieces[i];
+    const planar::Piece &p = back.item().pieces()->pieces[i], &q = job.item().pieces()->pieces[i];
     EXPECT_EQ(p.solid.mesh.vertices, q.solid.mesh.vertices);
     EXPECT_EQ(p.solid.mesh.triangles, q.solid.mesh.triangles);
     EXPECT_EQ(p.solid.tag, q.solid.tag);
@@ -112,17 +113,17 @@ TEST_F(JobFile, PiecesComeBack) {
     EXPECT_EQ(p.baseTag, q.baseTag);
     EXPECT_EQ(p.parent, q.parent);
   }
-  EXPECT_EQ(back.pieces()->riskyBeforeMm2, 12.0);
-  EXPECT_EQ(back.pieces()->riskyMm2, 0.5);
-  EXPECT_EQ(back.pieces()->sectionMm2, 100.0);
-  EXPECT_EQ(back.pieces()->blockedPieces, 1u);
-  EXPECT_EQ(back.pieces()->seconds.cut, 0.5);
+  EXPECT_EQ(back.item().pieces()->riskyBeforeMm2, 12.0);
+  EXPECT_EQ(back.item().pieces()->riskyMm2, 0.5);
+  EXPECT_EQ(back.item().pieces()->sectionMm2, 100.0);
+  EXPECT_EQ(back.item().pieces()->blockedPieces, 1u);
+  EXPECT_EQ(back.item().pieces()->seconds.cut, 0.5);
 }
 
 TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
   const Job job = sampleJob();
   const Job back = readBack(project::jobBytes(job));
-  const curved::Decomposition &d = *back.decomposition(), &was = *job.decomposition();
+  const curved::Decomposition &d = *back.item().decomposition(), &was = *job.item().decomposition();
   EXPECT_EQ(d.rank, was.rank);
   EXPECT_EQ(d.field[1], was.field[1]);
   EXPECT_TRUE(std::isnan(d.field[2]));
@@ -139,9 +140,9 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
   EXPECT_EQ(d.growth, was.growth);
   EXPECT_EQ(d.shadowedVoxels, 1u);
   EXPECT_EQ(d.seconds.grow, 0.25);
-  ASSERT_EQ(back.layers->patches.size(), 2u);
+  ASSERT_EQ(back.item().layers->patches.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
-    const layers::Patch &p = back.layers->patches[i], &q = job.layers->patches[i];
+    const layers::Patch &p = back.item().layers->patches[i], &q = job.item().layers->patches[i];
     EXPECT_EQ(p.surface.vertices, q.surface.vertices);
     EXPECT_EQ(p.surface.triangles, q.surface.triangles);
     EXPECT_EQ(p.thicknessMm, q.thicknessMm);
@@ -152,7 +153,7 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
     EXPECT_EQ(p.chart.periodMm, q.chart.periodMm);
     EXPECT_EQ(p.group, q.group);
   }
-  EXPECT_EQ(back.layers->layerCount, 2);
+  EXPECT_EQ(back.item().layers->layerCount, 2);
   EXPECT_EQ(back.reached, Stage::Motion);
   EXPECT_EQ(back.keys(), job.keys());
   EXPECT_EQ(reportJson(back.report), reportJson(job.report));
@@ -162,24 +163,24 @@ TEST_F(JobFile, VoxelsLayersAndReportComeBack) {
 
 TEST_F(JobFile, APartAloneIsAJob) {
   Job job;
-  job.loaded = sampleJob().loaded;
-  job.partName = job.loaded->name;
+  job.item().loaded = sampleJob().item().loaded;
+  job.item().partName = job.item().loaded->name;
   const Job back = readBack(project::jobBytes(job));
-  EXPECT_EQ(back.part, nullptr);
+  EXPECT_EQ(back.item().part, nullptr);
   EXPECT_FALSE(back.reached);
-  EXPECT_EQ(back.loaded->source->vertices, job.loaded->source->vertices);
+  EXPECT_EQ(back.item().loaded->source->vertices, job.item().loaded->source->vertices);
 }
 
 TEST_F(JobFile, TheFirstFormatIsStillRead) {
   const Job job = sampleJob();
   const Job back = readBack(formatOneBytes(job));
-  EXPECT_EQ(back.part->vertices, job.part->vertices);
+  EXPECT_EQ(back.item().part->vertices, job.item().part->vertices);
   EXPECT_EQ(back.trajectory->joints, job.trajectory->joints);
   EXPECT_EQ(back.toolPlan->position, job.toolPlan->position);
   EXPECT_FALSE(back.reached);
-  ASSERT_NE(back.loaded, nullptr) << "a part to plan again from";
-  EXPECT_NEAR(back.loaded->mesh->vertices[7].z(), 10.0 / 0.93, 1e-12);
-  EXPECT_TRUE(back.loaded->found.watertight);
+  ASSERT_NE(back.item().loaded, nullptr) << "a part to plan again from";
+  EXPECT_NEAR(back.item().loaded->mesh->vertices[7].z(), 10.0 / 0.93, 1e-12);
+  EXPECT_TRUE(back.item().loaded->found.watertight);
 }
 
 TEST_F(JobFile, ANewerFormatIsNamedWithWhatHelps) {
@@ -199,7 +200,7 @@ TEST_F(JobFile, ANewerFormatIsNamedWithWhatHelps) {
 TEST_F(JobFile, ResultsAfterAStageCanBeLeftOut) {
   const Job job = sampleJob();
   const Job cut = project::upTo(job, Stage::Layers);
-  EXPECT_EQ(cut.layers, job.layers);
+  EXPECT_EQ(cut.item().layers, job.item().layers);
   EXPECT_EQ(cut.toolPlan, nullptr);
   EXPECT_EQ(cut.trajectory, nullptr);
   EXPECT_EQ(cut.reached, Stage::Layers);
@@ -210,10 +211,10 @@ TEST_F(JobFile, ResultsAfterAStageCanBeLeftOut) {
   EXPECT_TRUE(cut.keys()[3].empty());
   EXPECT_EQ(cut.keys()[2], job.keys()[2]);
   const Job none = project::upTo(job, std::nullopt);
-  EXPECT_EQ(none.part, nullptr);
+  EXPECT_EQ(none.item().part, nullptr);
   EXPECT_FALSE(none.reached);
   EXPECT_TRUE(none.report.findings.empty());
-  EXPECT_EQ(none.loaded, job.loaded);
+  EXPECT_EQ(none.item().loaded, job.item().loaded);
   EXPECT_EQ(reportJson(project::upTo(job, Stage::Replay).report), reportJson(job.report));
   EXPECT_EQ(readBack(project::jobBytes(cut)).reached, Stage::Layers);
 }
@@ -278,17 +279,17 @@ TEST_F(JobFile, ContradictionsAreRefused) {
   };
   const auto withDecomposition = [&](auto&& change) {
     return [change](Job& job) {
-      curved::Decomposition d = *job.decomposition();
+      curved::Decomposition d = *job.item().decomposition();
       change(d);
-      job.result = std::make_shared<curved::Decomposition>(d);
+      job.item().result = std::make_shared<curved::Decomposition>(d);
     };
   };
   const auto withPiece = [&](auto&& change) {
     return [change](Job& job) {
       job = test::sampleJobOfPieces();
-      planar::PlanarDecomposition d = *job.pieces();
+      planar::PlanarDecomposition d = *job.item().pieces();
       change(d.pieces[1]);
-      job.result = std::make_shared<planar::PlanarDecomposition>(d);
+      job.item().result = std::make_shared<planar::PlanarDecomposition>(d);
     };
   };
   refused("a piece on one that is not there", withPiece([](auto& p) { p.parent = 2; }));
@@ -298,9 +299,9 @@ TEST_F(JobFile, ContradictionsAreRefused) {
   refused("a base plane nowhere", withPiece([](auto& p) { p.base.offsetMm = 1e300 * 1e300; }));
   const auto withPatch = [&](auto&& change) {
     return [change](Job& job) {
-      layers::LayerStack stack = *job.layers;
+      layers::LayerStack stack = *job.item().layers;
       change(stack.patches[1]);
-      job.layers = std::make_shared<layers::LayerStack>(stack);
+      job.item().layers = std::make_shared<layers::LayerStack>(stack);
     };
   };
   refused("grid larger than its ranks", withDecomposition([](auto& d) {
@@ -324,13 +325,13 @@ TEST_F(JobFile, ContradictionsAreRefused) {
     job.toolPlan = std::make_shared<plan::ToolPlan>(p);
   });
   refused("a part of corners that are not there", [](Job& job) {
-    auto part = std::make_shared<project::LoadedPart>(*job.loaded);
+    auto part = std::make_shared<project::LoadedPart>(*job.item().loaded);
     auto mesh = std::make_shared<geometry::TriangleMesh>(*part->source);
     mesh->triangles[0][1] = 1'000'000'000;
     part->source = part->mesh = mesh;
-    job.loaded = part;
+    job.item().loaded = part;
   });
-  refused("a platform nowhere", [](Job& job) { job.platform.polygon[1].y() = INFINITY; });
+  refused("a platform nowhere", [](Job& job) { job.item().platform.polygon[1].y() = INFINITY; });
   refused("a waypoint nowhere", [](Job& job) {
     plan::ToolPlan p = *job.toolPlan;
     p.position[2].z() = NAN;
@@ -347,7 +348,7 @@ TEST_F(JobFile, ContradictionsAreRefused) {
     job.stages[0].findings = std::numeric_limits<std::size_t>::max();
     job.stages[1].findings = 2;
   });
-  refused("scale", [](Job& job) { job.scale = 0.0; });
+  refused("scale", [](Job& job) { job.item().scale = 0.0; });
 }
 
 } // namespace

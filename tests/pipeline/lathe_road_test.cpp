@@ -36,13 +36,13 @@ std::shared_ptr<const LoadedPart> loaded(TriangleMesh mesh) {
 PlanRequest latheRequest(TriangleMesh part,
                          const std::map<std::string, std::string>& parameters = {}) {
   PlanRequest request;
-  request.loaded = loaded(std::move(part));
-  request.choices.mode = "lathe";
+  request.item().loaded = loaded(std::move(part));
+  request.choices.item().mode = "lathe";
   request.choices.cell = "lathe";
-  request.choices.process = "fdm-0.35";
-  request.choices.platform = project::Platform("rod:5x200");
+  request.choices.tool().process = "fdm-0.35";
+  request.choices.item().platform = project::Platform("rod:5x200");
   request.choices.formats = {"rapid"};
-  request.choices.parameters = parameters;
+  request.choices.item().parameters = parameters;
   return request;
 }
 
@@ -63,8 +63,9 @@ void expectPrinted(const PlanResult& planned, const std::string& name) {
   EXPECT_TRUE(r.replay.passed) << name;
   EXPECT_EQ(r.motion.unreachable, 0u) << name;
   EXPECT_EQ(r.replay.collisions, 0u) << name;
-  const double printed = geometry::volume(planned.job.printed());
-  EXPECT_NEAR(r.layers.areaMm2 * r.layers.thicknessMeanMm / printed, 1.0, 2e-3) << name;
+  const double printed = geometry::volume(planned.job.item().printed());
+  EXPECT_NEAR(r.item().layers.areaMm2 * r.item().layers.thicknessMeanMm / printed, 1.0, 2e-3)
+      << name;
   EXPECT_NEAR(r.toolpath.materialMm3 / printed, 1.0, 0.03) << name;
 }
 
@@ -76,14 +77,14 @@ TEST(LatheRoad, Tube) {
   const PlanResult planned = planPart(latheRequest(std::move(part)), context());
   expectPrinted(planned, "tube");
   const Report& r = planned.job.report;
-  EXPECT_EQ(r.decomposition.pieces, 1);
-  EXPECT_EQ(r.decomposition.layers, 10);
-  EXPECT_EQ(r.decomposition.riskyAreaMm2, 0.0);
-  EXPECT_EQ(r.layers.count, 10);
-  const Eigen::AlignedBox3d box = r.model.boundsMm;
+  EXPECT_EQ(r.item().decomposition.pieces, 1);
+  EXPECT_EQ(r.item().decomposition.layers, 10);
+  EXPECT_EQ(r.item().decomposition.riskyAreaMm2, 0.0);
+  EXPECT_EQ(r.item().layers.count, 10);
+  const Eigen::AlignedBox3d box = r.item().model.boundsMm;
   EXPECT_NEAR((box.min() - Eigen::Vector3d(-25, -5, -5)).norm(), 0.0, 1e-3);
-  ASSERT_TRUE(planned.job.platform.rod);
-  EXPECT_EQ(planned.job.platform.rod->profile.front(), Eigen::Vector2d(-100, 2.5));
+  ASSERT_TRUE(planned.job.item().platform.rod);
+  EXPECT_EQ(planned.job.item().platform.rod->profile.front(), Eigen::Vector2d(-100, 2.5));
 }
 
 TEST(LatheRoad, Shoulders) {
@@ -112,12 +113,12 @@ protected:
     base::writeFile(file, geometry::writeStl(body));
     PlanRequest made;
     made.loaded = loaded(std::move(part));
-    made.choices.mode = "substrate";
-    made.choices.process = "fdm-0.35";
-    made.choices.platform = project::Platform("mesh:" + file.string());
+    made.choices.item().mode = "substrate";
+    made.choices.tool().process = "fdm-0.35";
+    made.choices.item().platform = project::Platform("mesh:" + file.string());
     made.choices.formats = {"urscript"};
     parameters.insert({"layerHeightMm", "0.2"});
-    made.choices.parameters = std::move(parameters);
+    made.choices.item().parameters = std::move(parameters);
     return made;
   }
   const test::TemporaryFolder folder_;
@@ -134,10 +135,10 @@ TEST_F(SurfaceRoad, RibOverAGableRoof) {
       p += Eigen::Vector3d(31, -17, 4);
   const PlanResult planned = planPart(request(body, part, {{"firstLayerMm", "0.25"}}), context());
   expectPrinted(planned, "gable roof");
-  EXPECT_EQ(planned.job.report.layers.count, 10);
-  EXPECT_NEAR(planned.job.report.model.boundsMm.min().z(), 20.0, 1e-4);
-  EXPECT_NEAR(planned.job.report.model.boundsMm.center().x(), 0.0, 1e-4);
-  EXPECT_EQ(planned.job.platform.polygon.size(), 4u);
+  EXPECT_EQ(planned.job.report.item().layers.count, 10);
+  EXPECT_NEAR(planned.job.report.item().model.boundsMm.min().z(), 20.0, 1e-4);
+  EXPECT_NEAR(planned.job.report.item().model.boundsMm.center().x(), 0.0, 1e-4);
+  EXPECT_EQ(planned.job.item().platform.polygon.size(), 4u);
 }
 
 TEST_F(SurfaceRoad, RibOnAHalfCylinder) {
@@ -146,7 +147,7 @@ TEST_F(SurfaceRoad, RibOnAHalfCylinder) {
               {{"firstLayerMm", "0.25"}, {"layerShape", "cylinder"}}),
       context());
   expectPrinted(planned, "half cylinder");
-  EXPECT_EQ(planned.job.report.layers.count, 10);
+  EXPECT_EQ(planned.job.report.item().layers.count, 10);
 }
 
 TEST_F(SurfaceRoad, PentagonThatFlattens) {
@@ -165,10 +166,10 @@ TEST_F(SurfaceRoad, PentagonThatFlattens) {
 TEST(LatheRoad, CandelabrumIsPlannedOrSaysWhyNot) {
   VOLUTA_MODEL_OR_SKIP(file, "candelabrum_tentacles.stl");
   PlanRequest request = latheRequest(geometry::readMesh(file).mesh, {{"rodAxis", "z"}});
-  request.choices.process = "fdm-1.0";
+  request.choices.tool().process = "fdm-1.0";
   request.until = Stage::Layers;
   const PlanResult planned = planPart(request, context());
-  EXPECT_GT(planned.job.report.layers.count, 20);
+  EXPECT_GT(planned.job.report.item().layers.count, 20);
   for (const plan::Finding& f : planned.job.report.findings) {
     EXPECT_FALSE(voluta::plan::englishReason(f).empty());
     EXPECT_FALSE(voluta::plan::englishRemedy(f).empty());
@@ -199,34 +200,35 @@ TEST(LatheRoad, BadInputIsToldInOneLine) {
     return request;
   };
   using base::ErrorCode;
-  expectRefusal(with([](Choices& c) { c.platform = project::Platform("rod:12x200"); }, tube),
+  expectRefusal(with([](Choices& c) { c.item().platform = project::Platform("rod:12x200"); }, tube),
                 ErrorCode::UnusableInput, "the rod is thicker than the part");
-  expectRefusal(with([](Choices& c) { c.platform = project::Platform("rod:5x300"); }, tube),
+  expectRefusal(with([](Choices& c) { c.item().platform = project::Platform("rod:5x300"); }, tube),
                 ErrorCode::UnusableInput, "the cell has room for 100");
-  expectRefusal(with([](Choices& c) { c.platform = project::Platform("rod:5x40"); }, tube),
+  expectRefusal(with([](Choices& c) { c.item().platform = project::Platform("rod:5x40"); }, tube),
                 ErrorCode::UnusableInput, "beyond an end of the rod");
-  expectRefusal(with([](Choices& c) { c.placement.centreMm.y() = 20; }, tube),
+  expectRefusal(with([](Choices& c) { c.item().placement.centreMm.y() = 20; }, tube),
                 ErrorCode::UnusableInput, "the part misses the rod");
   expectRefusal(with([](Choices& c) { c.cell = "ur5-fixed"; }, tube), ErrorCode::Usage,
                 "holds none");
-  expectRefusal(with([](Choices& c) { c.platform = project::Platform("disc:80"); }, tube),
+  expectRefusal(with([](Choices& c) { c.item().platform = project::Platform("disc:80"); }, tube),
                 ErrorCode::Usage, "does not print on platform disc");
-  expectRefusal(with([](Choices& c) { c.parameters["orient"] = "leastRisky"; }, tube),
+  expectRefusal(with([](Choices& c) { c.item().parameters["orient"] = "leastRisky"; }, tube),
                 ErrorCode::Usage, "orient=leastRisky");
-  expectRefusal(with([](Choices& c) { c.parameters["rodProfile"] = "1,2 x"; }, tube),
+  expectRefusal(with([](Choices& c) { c.item().parameters["rodProfile"] = "1,2 x"; }, tube),
                 ErrorCode::Usage, "'x' is neither a pair");
-  expectRefusal(with([](Choices& c) { c.parameters["firstLayerMm"] = "2"; }, tube),
+  expectRefusal(with([](Choices& c) { c.item().parameters["firstLayerMm"] = "2"; }, tube),
                 ErrorCode::Usage, "beyond process fdm-0.35");
   expectRefusal(with([](Choices&) {}, test::box({-5, -5, -5}, {5, 5, 5})), ErrorCode::UnusableInput,
                 "no clear axis");
-  expectRefusal(with([](Choices& c) { c.platform = project::Platform("mesh:nowhere.stl"); }, tube),
-                ErrorCode::UnreadableFile, "no such file");
+  expectRefusal(
+      with([](Choices& c) { c.item().platform = project::Platform("mesh:nowhere.stl"); }, tube),
+      ErrorCode::UnreadableFile, "no such file");
 }
 
 TEST(LatheRoad, APartBeyondTheCellsRadiusIsAFinding) {
   PlanRequest request = latheRequest(
       test::revolved({{-5, 2}, {-5, 4}, {-1, 4}, {-1, 51}, {1, 51}, {1, 4}, {5, 4}, {5, 2}}, 64));
-  request.choices.process = "fdm-1.0";
+  request.choices.tool().process = "fdm-1.0";
   request.until = Stage::Decompose;
   const PlanResult planned = planPart(request, context());
   const plan::Findings& findings = planned.job.report.findings;
@@ -236,16 +238,17 @@ TEST(LatheRoad, APartBeyondTheCellsRadiusIsAFinding) {
   ASSERT_NE(found, findings.end());
   EXPECT_TRUE(found->blocking);
   EXPECT_NEAR(found->where->tail<2>().norm(), 51.0, 1e-6);
-  EXPECT_EQ(planned.job.report.decomposition.riskyAreaMm2, 0.0); // the disc's sides are upright
+  EXPECT_EQ(planned.job.report.item().decomposition.riskyAreaMm2,
+            0.0); // the disc's sides are upright
 }
 
 TEST(LatheRoad, ScaleFitKeepsWithinTheCellsRadiusAndTheRodsLength) {
   const auto scaleOf = [](double length, double radius) {
     PlanRequest request = latheRequest(test::revolved(
         {{-length / 2, 2}, {-length / 2, radius}, {length / 2, radius}, {length / 2, 2}}, 64));
-    request.choices.scale = "fit";
+    request.choices.item().scale = "fit";
     request.until = Stage::Load;
-    return planPart(request, context()).job.scale;
+    return planPart(request, context()).job.item().scale;
   };
   EXPECT_NEAR(scaleOf(100, 20), 1.0, 1e-8);
   EXPECT_NEAR(scaleOf(100, 200), 0.25, 1e-8);
@@ -255,12 +258,12 @@ TEST(LatheRoad, ScaleFitKeepsWithinTheCellsRadiusAndTheRodsLength) {
 TEST(LatheRoad, AProfileIsPutIntoTheRod) {
   PlanRequest request =
       latheRequest(test::revolved(test::tubeSection(), 96), {{"rodProfile", "-10,3 0,3.5"}});
-  request.choices.platform = project::Platform("fit");
+  request.choices.item().platform = project::Platform("fit");
   request.until = Stage::Decompose;
   const PlanResult planned = planPart(request, context());
   const std::vector<Eigen::Vector2d> expected{{-100, 2.5}, {-10, 2.5}, {-10, 3},
                                               {0, 3.5},    {0, 2.5},   {100, 2.5}};
-  EXPECT_EQ(planned.job.platform.rod->profile, expected);
+  EXPECT_EQ(planned.job.item().platform.rod->profile, expected);
 }
 
 TEST(LatheRoad, ABodyOnTheRodIsTakenOutOfThePartToo) {
@@ -272,15 +275,16 @@ TEST(LatheRoad, ABodyOnTheRodIsTakenOutOfThePartToo) {
       p = Eigen::Vector3d(p.y() + 30, p.z() - 7, p.x() + 12);
   base::writeFile(folder / "collar.stl", geometry::writeStl(collar));
   PlanRequest request = latheRequest(part);
-  request.choices.platform = project::Platform("mesh:" + (folder / "collar.stl").string());
+  request.choices.item().platform = project::Platform("mesh:" + (folder / "collar.stl").string());
   request.until = Stage::Layers;
   const PlanResult planned = planPart(request, context());
   const double pi = base::kPi;
-  EXPECT_NEAR(geometry::volume(planned.job.printed()) / (pi * (25 * 50 - 6.25 * 30 - 12.25 * 20)),
+  EXPECT_NEAR(geometry::volume(planned.job.item().printed()) /
+                  (pi * (25 * 50 - 6.25 * 30 - 12.25 * 20)),
               1.0, 2e-3);
   EXPECT_TRUE(nothingBlocks(planned.job.report));
-  ASSERT_TRUE(planned.job.platform.rod && planned.job.platform.mesh);
-  EXPECT_NEAR(geometry::bounds(*planned.job.platform.mesh).max().x(), 10.0, 1e-4);
+  ASSERT_TRUE(planned.job.item().platform.rod && planned.job.item().platform.mesh);
+  EXPECT_NEAR(geometry::bounds(*planned.job.item().platform.mesh).max().x(), 10.0, 1e-4);
 }
 
 } // namespace

@@ -44,11 +44,11 @@ std::shared_ptr<const LoadedPart> toothPart(bool asCells) {
 PlanResult planned(const std::map<std::string, std::string>& parameters, Stage until,
                    bool asCells = false) {
   PlanRequest request;
-  request.loaded = toothPart(asCells);
+  request.item().loaded = toothPart(asCells);
   request.until = until;
-  request.choices.parameters = parameters;
-  request.choices.parameters["voxelMm"] = "1";
-  request.choices.parameters.insert({{"supports", "none"}, {"frontShape", "flat"}});
+  request.choices.item().parameters = parameters;
+  request.choices.item().parameters["voxelMm"] = "1";
+  request.choices.item().parameters.insert({{"supports", "none"}, {"frontShape", "flat"}});
   return planPart(request, base::RunContext(base::CancelToken{}, 2));
 }
 
@@ -60,18 +60,18 @@ std::size_t countOf(const Report& report, const std::string& kind) {
 
 TEST(Lossless, WithoutSupportsTheToothIsMissed) {
   const PlanResult plan = planned({}, Stage::Decompose);
-  const DecompositionReport& r = plan.job.report.decomposition;
+  const DecompositionReport& r = plan.job.report.item().decomposition;
   EXPECT_GT(r.missedVoxels, 0u);
   EXPECT_EQ(r.missedAfterSupports, r.missedVoxels);
   EXPECT_EQ(r.supportVolumeMm3, 0.0);
   EXPECT_FALSE(nothingBlocks(plan.job.report));
-  EXPECT_TRUE(plan.job.decomposition()->support.empty());
+  EXPECT_TRUE(plan.job.item().decomposition()->support.empty());
 }
 
 TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
   const PlanResult plan = planned({{"supports", "auto"}}, Stage::Toolpath);
   const Report& report = plan.job.report;
-  const DecompositionReport& r = report.decomposition;
+  const DecompositionReport& r = report.item().decomposition;
   EXPECT_GT(r.missedVoxels, 0u); // before
   EXPECT_EQ(r.missedVoxels, r.shadowedVoxels + r.unreachedVoxels);
   EXPECT_EQ(r.missedAfterSupports, 0u);
@@ -80,7 +80,7 @@ TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
   EXPECT_EQ(countOf(report, "supportColumn"), 1u);
   EXPECT_EQ(countOf(report, "unsupportedPatches"), 0u);
 
-  const curved::Decomposition& d = *plan.job.decomposition();
+  const curved::Decomposition& d = *plan.job.item().decomposition();
   EXPECT_EQ(d.supportVoxels, 8u);
   EXPECT_EQ(r.voxels, d.voxels);
   EXPECT_EQ(static_cast<std::size_t>(std::count(d.support.begin(), d.support.end(), 1)), 8u);
@@ -89,7 +89,7 @@ TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
 
   // Told apart all the way to the beads, and not taken for the part.
   std::size_t patches = 0, paths = 0;
-  for (const layers::Patch& patch : plan.job.layers->patches)
+  for (const layers::Patch& patch : plan.job.item().layers->patches)
     patches += patch.group == layers::kSupportGroup;
   for (const plan::ToolPath& path : plan.job.toolPlan->paths) {
     if (plan::isWaste(path.kind))
@@ -99,8 +99,9 @@ TEST(Lossless, WithSupportsItIsLaidOnAColumnOfItsOwn) {
   }
   EXPECT_EQ(patches, 10u);
   EXPECT_EQ(paths, 10u);
-  EXPECT_NEAR(report.layers.areaMm2 * report.layers.thicknessMeanMm,
-              geometry::volume(*plan.job.part), 0.02 * geometry::volume(*plan.job.part));
+  EXPECT_NEAR(report.item().layers.areaMm2 * report.item().layers.thicknessMeanMm,
+              geometry::volume(*plan.job.item().part),
+              0.02 * geometry::volume(*plan.job.item().part));
 }
 
 TEST(Lossless, ASupportedPlanIsKeptInItsProject) {
@@ -108,19 +109,19 @@ TEST(Lossless, ASupportedPlanIsKeptInItsProject) {
   const test::TemporaryFolder folder;
   writeJob(folder / "job.voluta", plan.job);
   const Job job = readJob(folder / "job.voluta");
-  EXPECT_EQ(job.decomposition()->support, plan.job.decomposition()->support);
-  EXPECT_EQ(job.decomposition()->supportVoxels, 8u);
-  EXPECT_EQ(job.layers->patches.back().group, plan.job.layers->patches.back().group);
-  EXPECT_EQ(job.report.decomposition.missedAfterSupports, 0u);
+  EXPECT_EQ(job.item().decomposition()->support, plan.job.item().decomposition()->support);
+  EXPECT_EQ(job.item().decomposition()->supportVoxels, 8u);
+  EXPECT_EQ(job.item().layers->patches.back().group, plan.job.item().layers->patches.back().group);
+  EXPECT_EQ(job.report.item().decomposition.missedAfterSupports, 0u);
 }
 
 TEST(Lossless, ByItselfModeCurvedMissesNothing) {
   PlanRequest request;
-  request.loaded = toothPart(false);
+  request.item().loaded = toothPart(false);
   request.until = Stage::Decompose;
-  request.choices.parameters["voxelMm"] = "1";
+  request.choices.item().parameters["voxelMm"] = "1";
   const PlanResult plan = planPart(request, {});
-  EXPECT_EQ(plan.job.report.decomposition.missedAfterSupports, 0u);
+  EXPECT_EQ(plan.job.report.item().decomposition.missedAfterSupports, 0u);
   EXPECT_TRUE(nothingBlocks(plan.job.report));
 }
 
@@ -134,23 +135,23 @@ TEST(Lossless, WhatAPedestalWouldSaveIsTold) {
       for (int i = 0; i < 30; ++i)
         object.solid.push_back(i < 6 || k >= 12 || (i >= 24 && k >= 4));
   PlanRequest request;
-  request.loaded = loadedFrom(
+  request.item().loaded = loadedFrom(
       "hook.stl", std::make_shared<geometry::TriangleMesh>(voxel::surfaceOf(object)), {}, true, {});
   request.until = Stage::Decompose;
-  request.choices.parameters = {{"voxelMm", "1"}, {"frontShape", "flat"}};
-  request.choices.platform = Platform("disc:150");
+  request.choices.item().parameters = {{"voxelMm", "1"}, {"frontShape", "flat"}};
+  request.choices.item().platform = Platform("disc:150");
   const PlanResult wide = planPart(request, {});
-  ASSERT_GT(wide.job.report.decomposition.missedVoxels, 0u);
+  ASSERT_GT(wide.job.report.item().decomposition.missedVoxels, 0u);
   ASSERT_EQ(countOf(wide.job.report, "pedestal"), 1u);
   const auto told = std::ranges::find(wide.job.report.findings, plan::FindingKind::PedestalGains,
                                       &plan::Finding::kind);
-  EXPECT_EQ(told->count, wide.job.report.decomposition.missedVoxels);
+  EXPECT_EQ(told->count, wide.job.report.item().decomposition.missedVoxels);
 
   // As it says: without columns, on a pedestal.
-  request.choices.platform = Platform("fit:0");
-  request.choices.parameters["supports"] = "none";
+  request.choices.item().platform = Platform("fit:0");
+  request.choices.item().parameters["supports"] = "none";
   const PlanResult fit = planPart(request, {});
-  const std::size_t missed = fit.job.report.decomposition.missedVoxels;
+  const std::size_t missed = fit.job.report.item().decomposition.missedVoxels;
   EXPECT_NE(plan::englishReason(*told).find("part's foot " + std::to_string(missed)),
             std::string::npos)
       << plan::englishReason(*told);
@@ -160,12 +161,12 @@ TEST(Lossless, WhatAPedestalWouldSaveIsTold) {
 TEST(Lossless, TurnedItNeedsNoSupport) {
   for (const bool asCells : {false, true}) {
     const PlanResult plan = planned({{"orient", "fewestMissed"}}, Stage::Decompose, asCells);
-    EXPECT_EQ(plan.job.report.decomposition.missedVoxels, 0u) << asCells;
+    EXPECT_EQ(plan.job.report.item().decomposition.missedVoxels, 0u) << asCells;
     EXPECT_EQ(countOf(plan.job.report, "turned"), 1u) << asCells;
     EXPECT_EQ(countOf(plan.job.report, "newCells"), 0u) << asCells;
     EXPECT_TRUE(nothingBlocks(plan.job.report)) << asCells;
-    EXPECT_LT(test::centreOfMass(*plan.job.part).z(), 9.5) << "the beam is not below";
-    EXPECT_NEAR(plan.job.report.model.boundsMm.min().z(), 0.0, 1e-9);
+    EXPECT_LT(test::centreOfMass(*plan.job.item().part).z(), 9.5) << "the beam is not below";
+    EXPECT_NEAR(plan.job.report.item().model.boundsMm.min().z(), 0.0, 1e-9);
   }
 }
 

@@ -35,11 +35,11 @@ class PlannedMadePart : public testing::TestWithParam<unsigned> {};
 TEST_P(PlannedMadePart, ComesThroughByItself) {
   const test::MadePart part = test::madePart(GetParam());
   pipeline::PlanRequest request;
-  request.loaded =
+  request.item().loaded =
       project::loadedFrom(part.name + ".stl", std::make_shared<geometry::TriangleMesh>(part.mesh),
                           {}, true, base::RunContext());
-  request.choices.automatic = true;
-  request.choices.scale = "fit";
+  request.choices.item().automatic = true;
+  request.choices.item().scale = "fit";
   request.choices.formats = {"csv", "gcode-extended"};
   const pipeline::PlanResult result = pipeline::planPart(request, base::RunContext({}, 2));
   for (const plan::Finding& f : result.job.report.findings)

@@ -41,16 +41,16 @@ TEST(ModeParameters, WhatAModeDoesNotTakeHasNoSayInIt) {
   const base::ParameterTable all = modeParameters();
   for (const Mode& mode : modeTable()) {
     project::Choices choices;
-    choices.mode = mode.id;
+    choices.item().mode = mode.id;
     choices.cell = mode.usual.cell;
-    choices.process = mode.usual.process;
-    choices.platform = mode.usual.platform;
+    choices.tool().process = mode.usual.process;
+    choices.item().platform = mode.usual.platform;
     const std::string usual = keyOf(mode, choices);
     for (const base::ParameterSpec& spec : all.specs()) {
       if (takesParameter(mode, spec.key))
         continue;
       project::Choices other = choices;
-      other.parameters[spec.key] = otherText(spec);
+      other.item().parameters[spec.key] = otherText(spec);
       EXPECT_EQ(keyOf(mode, other), usual) << mode.id << " " << spec.key;
     }
   }

@@ -19,9 +19,9 @@ namespace {
 
 pipeline::PlanRequest requestFor(const Mode& mode) {
   pipeline::PlanRequest request = test::boxRequest();
-  request.choices.mode = mode.id;
+  request.choices.item().mode = mode.id;
   request.choices.cell = mode.usual.cell;
-  request.choices.platform = mode.usual.platform;
+  request.choices.item().platform = mode.usual.platform;
   request.until = Stage::Decompose;
   return request;
 }
@@ -62,11 +62,11 @@ bool reaches(const Mode& mode, const base::ParameterSpec& spec) {
   for (const curved::GrowthScheme& growth : curved::growthSchemes())
     for (auto parameters : settings) {
       pipeline::PlanRequest request = requestFor(mode);
-      request.choices.growth = growth;
-      request.choices.parameters = parameters;
+      request.choices.item().growth = growth;
+      request.choices.item().parameters = parameters;
       const std::string before = pipeline::stageKeys(request)[indexOf(Stage::Layers)];
       parameters[spec.key] = otherValue(spec);
-      request.choices.parameters = parameters;
+      request.choices.item().parameters = parameters;
       if (pipeline::stageKeys(request)[indexOf(Stage::Layers)] != before)
         return true;
     }
@@ -112,10 +112,10 @@ TEST(Modes, EveryParameterMeansSomethingToOne) {
 TEST(Modes, TheirUsualCompanionsGoTogether) {
   for (const Mode& mode : modes::modeTable()) {
     project::Choices choices;
-    choices.mode = mode.id;
+    choices.item().mode = mode.id;
     choices.cell = mode.usual.cell;
-    choices.process = mode.usual.process;
-    choices.platform = mode.usual.platform;
+    choices.tool().process = mode.usual.process;
+    choices.item().platform = mode.usual.platform;
     EXPECT_NO_THROW(pipeline::checkChoices(choices)) << mode.id;
     const process::Process process = process::loadProcess(mode.usual.process);
     EXPECT_EQ(pipeline::fittingCell(choices, process).rod().has_value(), mode.aroundRod) << mode.id;
@@ -128,7 +128,7 @@ TEST(Modes, GrowthCountsWhereTheyGrow) {
     std::set<std::string> keys;
     for (const curved::GrowthScheme& growth : curved::growthSchemes()) {
       pipeline::PlanRequest request = requestFor(mode);
-      request.choices.growth = growth;
+      request.choices.item().growth = growth;
       keys.insert(pipeline::stageKeys(request)[indexOf(Stage::Decompose)]);
     }
     EXPECT_EQ(keys.size(), mode.grows ? curved::growthSchemes().size() : 1) << mode.id;
@@ -139,14 +139,15 @@ TEST(Modes, ResultsAreWhatTheRowSays) {
   for (const Mode& mode : modes::modeTable()) {
     pipeline::PlanRequest request = requestFor(mode);
     if (mode.requiresParameter("rodAxis"))
-      request.choices.parameters["rodAxis"] = "x"; // a box has no clear one
+      request.choices.item().parameters["rodAxis"] = "x"; // a box has no clear one
     const pipeline::PlanResult result =
         pipeline::planPart(request, base::RunContext(base::CancelToken(), 2));
-    EXPECT_EQ(project::kindOf(result.job.result), mode.result) << mode.id;
-    EXPECT_EQ(result.job.report.decomposition.mode, mode.id);
-    EXPECT_EQ(result.job.decomposition() != nullptr, mode.result == project::ResultKind::InVoxels);
-    EXPECT_EQ(result.job.pieces() != nullptr, mode.result == project::ResultKind::InPieces);
-    EXPECT_TRUE(result.job.platform.known()) << mode.id;
+    EXPECT_EQ(project::kindOf(result.job.item().result), mode.result) << mode.id;
+    EXPECT_EQ(result.job.report.item().decomposition.mode, mode.id);
+    EXPECT_EQ(result.job.item().decomposition() != nullptr,
+              mode.result == project::ResultKind::InVoxels);
+    EXPECT_EQ(result.job.item().pieces() != nullptr, mode.result == project::ResultKind::InPieces);
+    EXPECT_TRUE(result.job.item().platform.known()) << mode.id;
   }
 }
 

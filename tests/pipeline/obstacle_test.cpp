@@ -39,8 +39,8 @@ protected:
 
   static pipeline::PlanResult planned(const std::string& cell) {
     pipeline::PlanRequest request = test::boxRequest();
-    request.loaded = test::loadedBox({-6, -6, 0}, {6, 6, 2.4});
-    request.choices.mode = "flat";
+    request.item().loaded = test::loadedBox({-6, -6, 0}, {6, 6, 2.4});
+    request.choices.item().mode = "flat";
     request.choices.cell = cell;
     request.choices.formats = {"krl"};
     return pipeline::planPart(request, base::RunContext());

@@ -39,9 +39,9 @@ std::shared_ptr<const project::LoadedPart> sheet() {
 PlanResult planned(std::shared_ptr<const project::LoadedPart> part, const std::string& choice,
                    Stage until = Stage::Load) {
   PlanRequest request;
-  request.loaded = std::move(part);
-  request.choices.mode = "flat";
-  request.choices.parameters = {{"openSurfaces", choice}};
+  request.item().loaded = std::move(part);
+  request.choices.item().mode = "flat";
+  request.choices.item().parameters = {{"openSurfaces", choice}};
   request.until = until;
   return pipeline::planPart(request, {});
 }
@@ -64,10 +64,10 @@ TEST(OpenPart, IsRefusedFirstOfAll) {
 
 TEST(OpenPart, ModeAutoRefusesItOnceForAllWays) {
   PlanRequest request;
-  request.loaded = cup();
-  request.choices.automatic = true;
+  request.item().loaded = cup();
+  request.choices.item().automatic = true;
   const PlanResult result = pipeline::planPart(request, {});
-  EXPECT_EQ(result.job.report.tried.size(), 1u);
+  EXPECT_EQ(result.job.report.item().tried.size(), 1u);
   EXPECT_EQ(first(result).kind, FindingKind::OpenRims);
 }
 
@@ -75,17 +75,17 @@ TEST(OpenPart, IsClosedOnTheUsersWord) {
   const PlanResult result = planned(cup(), "close");
   EXPECT_EQ(first(result).kind, FindingKind::RimsClosed);
   EXPECT_FALSE(first(result).blocking);
-  EXPECT_TRUE(result.job.report.model.watertight);
-  EXPECT_NEAR(result.job.report.model.volumeMm3, 30 * 30 * 20, 1e-6);
+  EXPECT_TRUE(result.job.report.item().model.watertight);
+  EXPECT_NEAR(result.job.report.item().model.volumeMm3, 30 * 30 * 20, 1e-6);
 }
 
 TEST(OpenPart, BecomesAWallOfTwoBeads) {
   const PlanResult result = planned(cup(), "thicken");
   EXPECT_EQ(first(result).kind, FindingKind::SurfaceThickened);
-  EXPECT_TRUE(result.job.report.model.watertight);
+  EXPECT_TRUE(result.job.report.item().model.watertight);
   const double wall = pipeline::openSurfaceWallMm(*result.process);
-  EXPECT_NEAR(result.job.report.model.boundsMm.sizes().x(), 30.0 + wall, 0.05);
-  EXPECT_NEAR(result.job.report.model.volumeMm3, (900 + 4 * 600) * wall, 0.1 * 3300 * wall);
+  EXPECT_NEAR(result.job.report.item().model.boundsMm.sizes().x(), 30.0 + wall, 0.05);
+  EXPECT_NEAR(result.job.report.item().model.volumeMm3, (900 + 4 * 600) * wall, 0.1 * 3300 * wall);
 }
 
 // The cup, and beside it something that hangs in the air.
@@ -102,7 +102,7 @@ std::shared_ptr<const project::LoadedPart> cupAndBowTie() {
 
 TEST(OpenPart, WhatClosingMendsAndWhatItLeavesIsTold) {
   const PlanResult closed = planned(cup(), "close");
-  EXPECT_THAT(base::english(closed.job.report.model.repairs),
+  EXPECT_THAT(base::english(closed.job.report.item().model.repairs),
               ::testing::Contains(::testing::HasSubstr("closed 1 hole")));
   EXPECT_EQ(closed.job.report.findings.size(), 1u) << "no defect is left";
   for (const char* choice : {"close", "thicken"}) {
@@ -116,11 +116,11 @@ TEST(OpenPart, WhatClosingMendsAndWhatItLeavesIsTold) {
 TEST(OpenPart, ModeAutoCutsNoPiecesOutOfItsDefects) {
   const auto reasonOfPieces = [](std::shared_ptr<const project::LoadedPart> part) {
     PlanRequest request;
-    request.loaded = std::move(part);
-    request.choices.automatic = true;
-    request.choices.parameters = {{"openSurfaces", "close"}};
+    request.item().loaded = std::move(part);
+    request.choices.item().automatic = true;
+    request.choices.item().parameters = {{"openSurfaces", "close"}};
     request.until = Stage::Decompose;
-    for (const project::TriedReport& row : pipeline::planPart(request, {}).job.report.tried)
+    for (const project::TriedReport& row : pipeline::planPart(request, {}).job.report.item().tried)
       if (row.mode == "planar")
         return base::english(row.reason);
     return std::string("not tried");
@@ -135,11 +135,11 @@ TEST(OpenPart, ItsVoxelsAreOfTheMeshAsChosen) {
   pipeline::StageCache cache;
   const auto voxels = [](const char* choice, pipeline::StageCache* kept) {
     PlanRequest request;
-    request.loaded = cup();
-    request.choices.mode = "curved";
-    request.choices.parameters = {{"openSurfaces", choice}};
+    request.item().loaded = cup();
+    request.choices.item().mode = "curved";
+    request.choices.item().parameters = {{"openSurfaces", choice}};
     request.until = Stage::Decompose;
-    return pipeline::planPart(request, {}, kept).job.report.decomposition.voxels;
+    return pipeline::planPart(request, {}, kept).job.report.item().decomposition.voxels;
   };
   const std::size_t wall = voxels("thicken", &cache), solid = voxels("close", &cache);
   EXPECT_EQ(solid, voxels("close", nullptr));
@@ -153,7 +153,7 @@ TEST(OpenPart, ItsRemediesLeadThere) {
   ASSERT_EQ(offers.size(), 2u);
   for (const pipeline::RemedyAction& offer : offers) {
     PlanRequest request;
-    request.loaded = cup();
+    request.item().loaded = cup();
     request.choices = offer.choices;
     request.until = Stage::Load;
     const PlanResult result = pipeline::planPart(request, {});
@@ -171,9 +171,9 @@ TEST(OpenPart, IsStillOpenInItsProject) {
   const test::TemporaryFolder folder;
   project::writeJob(folder / "cup.voluta", result.job);
   const project::Job back = project::readJob(folder / "cup.voluta");
-  ASSERT_TRUE(back.loaded->open);
-  EXPECT_EQ(back.loaded->open->rims, 1u);
-  EXPECT_EQ(back.loaded->open->capShare, result.job.loaded->open->capShare);
+  ASSERT_TRUE(back.item().loaded->open);
+  EXPECT_EQ(back.item().loaded->open->rims, 1u);
+  EXPECT_EQ(back.item().loaded->open->capShare, result.job.item().loaded->open->capShare);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ namespace {
 
 PlanRequest requestOf(const geometry::TriangleMesh& mesh) {
   PlanRequest request;
-  request.loaded =
+  request.item().loaded =
       project::loadedFrom("part.stl", std::make_shared<geometry::TriangleMesh>(mesh), {}, true, {});
   request.until = project::Stage::Load;
   return request;
@@ -38,7 +38,7 @@ const plan::Finding* toldIn(const PlanResult& result) {
 
 TEST(PartWays, APlateOnItsEdgeIsToldAndTheRemedyLaysIt) {
   PlanRequest request = requestOf(kOnEdge);
-  request.choices.placement.liftMm = 2.0;
+  request.choices.item().placement.liftMm = 2.0;
   const PlanResult result = pipeline::planPart(request, {});
   const plan::Finding* told = toldIn(result);
   ASSERT_NE(told, nullptr);
@@ -52,44 +52,47 @@ TEST(PartWays, APlateOnItsEdgeIsToldAndTheRemedyLaysIt) {
   request.choices = offers[0].choices;
   const PlanResult laid = pipeline::planPart(request, {});
   EXPECT_EQ(toldIn(laid), nullptr);
-  EXPECT_NEAR(geometry::bounds(*laid.job.part).sizes().z(), 6.0, 1e-3);
-  EXPECT_NEAR(geometry::bounds(*laid.job.part).min().z(), 0.0, 1e-9) << "on the plate";
+  EXPECT_NEAR(geometry::bounds(*laid.job.item().part).sizes().z(), 6.0, 1e-3);
+  EXPECT_NEAR(geometry::bounds(*laid.job.item().part).min().z(), 0.0, 1e-9) << "on the plate";
 }
 
 TEST(PartWays, TheRemedyIsOfThePartAndNotOfHowItLay) {
   PlanRequest request = requestOf(kOnEdge);
-  request.choices.placement.rotation = Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitY());
+  request.choices.item().placement.rotation =
+      Eigen::AngleAxisd(0.5 * base::kPi, Eigen::Vector3d::UnitY());
   const PlanResult result = pipeline::planPart(request, {});
   ASSERT_NE(toldIn(result), nullptr);
   // Turned on by hand before the button is pressed.
-  request.choices.placement.rotation = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX());
+  request.choices.item().placement.rotation = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX());
   request.choices = pipeline::remediesFor(*toldIn(result), request.choices).at(0).choices;
-  EXPECT_NEAR(geometry::bounds(*pipeline::planPart(request, {}).job.part).sizes().z(), 6.0, 1e-3);
+  EXPECT_NEAR(geometry::bounds(*pipeline::planPart(request, {}).job.item().part).sizes().z(), 6.0,
+              1e-3);
 }
 
 TEST(PartWays, NothingIsToldOfWhatASearchOrTheModeLays) {
   PlanRequest request = requestOf(kOnEdge);
-  request.choices.parameters["orient"] = "leastRisky";
+  request.choices.item().parameters["orient"] = "leastRisky";
   EXPECT_EQ(toldIn(pipeline::planPart(request, {})), nullptr);
   request = requestOf(kOnEdge);
-  request.choices.mode = "lathe";
+  request.choices.item().mode = "lathe";
   request.choices.cell = "lathe";
-  request.choices.process = "fdm-0.35";
-  request.choices.platform = project::Platform("rod:5x200");
+  request.choices.tool().process = "fdm-0.35";
+  request.choices.item().platform = project::Platform("rod:5x200");
   EXPECT_FALSE(pipeline::standsFreely(request.choices));
   EXPECT_EQ(toldIn(pipeline::planPart(request, {})), nullptr);
 }
 
 TEST(PartWays, AreOfThePlacedPartAndStandItWhereItWas) {
   PlanRequest request = requestOf(kOnEdge);
-  request.choices.scale = "0.5";
-  request.choices.placement.centreMm = {8.0, -3.0};
+  request.choices.item().scale = "0.5";
+  request.choices.item().placement.centreMm = {8.0, -3.0};
   const PlanResult result = pipeline::planPart(request, {});
   const auto ways = pipeline::partWays(*result.placed, request.choices, *result.process, {});
   ASSERT_EQ(ways.size(), 2u) << "on the smallest side it would hardly stand";
   EXPECT_NEAR(ways[0].score.heightMm, 3.0, 1e-6);
-  request.choices.placement = pipeline::standing(ways[0], result.placed->placement);
-  const Eigen::AlignedBox3d box = geometry::bounds(*pipeline::planPart(request, {}).job.part);
+  request.choices.item().placement = pipeline::standing(ways[0], result.placed->placement);
+  const Eigen::AlignedBox3d box =
+      geometry::bounds(*pipeline::planPart(request, {}).job.item().part);
   EXPECT_NEAR(box.sizes().z(), 3.0, 1e-9);
   EXPECT_NEAR(box.center().x(), 8.0, 1e-9);
   EXPECT_NEAR(box.center().y(), -3.0, 1e-9);
@@ -99,7 +102,7 @@ TEST(PartWays, TheirKeyHasAllThatTheyAreMadeFrom) {
   const PlanRequest request = requestOf(kOnEdge);
   const auto keyOf = [&](double scale, const project::Choices& choices,
                          const process::Process& process) {
-    return pipeline::partWaysKey(*request.loaded, scale, choices, process);
+    return pipeline::partWaysKey(*request.item().loaded, scale, choices, process);
   };
   project::Choices choices;
   process::Process process;
@@ -107,21 +110,21 @@ TEST(PartWays, TheirKeyHasAllThatTheyAreMadeFrom) {
   EXPECT_NE(keyOf(2.0, choices, process), key);
   process.layerHeightMm = 0.6;
   EXPECT_NE(keyOf(1.0, choices, process), key);
-  choices.parameters["overhangAngle"] = "50";
+  choices.item().parameters["overhangAngle"] = "50";
   EXPECT_NE(keyOf(1.0, choices, {}), key);
-  choices.parameters.clear();
-  choices.units = "in";
+  choices.item().parameters.clear();
+  choices.item().units = "in";
   EXPECT_NE(keyOf(1.0, choices, {}), key);
-  choices.units = "mm";
-  choices.parameters["openSurfaces"] = "thicken";
+  choices.item().units = "mm";
+  choices.item().parameters["openSurfaces"] = "thicken";
   const std::string thick = keyOf(1.0, choices, {});
   EXPECT_NE(thick, key);
-  choices.parameters["openSurfaces"] = "close";
+  choices.item().parameters["openSurfaces"] = "close";
   EXPECT_NE(keyOf(1.0, choices, {}), key);
   EXPECT_NE(keyOf(1.0, choices, {}), thick);
-  choices.parameters.clear();
-  choices.parameters["walls"] = "1";
-  choices.platform = project::Platform("disc:90");
+  choices.item().parameters.clear();
+  choices.item().parameters["walls"] = "1";
+  choices.item().platform = project::Platform("disc:90");
   EXPECT_EQ(keyOf(1.0, choices, {}), key);
 }
 

@@ -23,8 +23,8 @@ const base::RunContext kCtx;
 
 PlanResult planned(const project::Choices& choices, const geometry::TriangleMesh& mesh) {
   PlanRequest request;
-  request.loaded = project::loadedFrom("part.stl", std::make_shared<geometry::TriangleMesh>(mesh),
-                                       {}, true, kCtx);
+  request.item().loaded = project::loadedFrom(
+      "part.stl", std::make_shared<geometry::TriangleMesh>(mesh), {}, true, kCtx);
   request.choices = choices;
   request.until = project::Stage::Decompose;
   return planPart(request, kCtx);
@@ -37,8 +37,8 @@ bool tells(const PlanResult& plan, plan::FindingKind kind) {
 
 project::Choices flat(const char* platform) {
   project::Choices choices;
-  choices.mode = "flat";
-  choices.platform = project::Platform(platform);
+  choices.item().mode = "flat";
+  choices.item().platform = project::Platform(platform);
   return choices;
 }
 
@@ -50,12 +50,12 @@ TEST(Pedestal, IsTheOutlineAndTheSolidOfThePlatform) {
   std::size_t corners = 0;
   for (std::size_t at = 0; (at = files[0].text.find("\nVERTEX\n", at)) != std::string::npos; ++at)
     ++corners;
-  EXPECT_EQ(corners, plan.job.platform.polygon.size());
+  EXPECT_EQ(corners, plan.job.item().platform.polygon.size());
   const test::TemporaryFolder folder;
   base::writeFile(folder.path() / files[1].name, files[1].text);
   const geometry::TriangleMesh solid = geometry::readMesh(folder.path() / files[1].name).mesh;
   double area = 0.0;
-  const auto& outline = plan.job.platform.polygon;
+  const auto& outline = plan.job.item().platform.polygon;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Eigen::Vector2d &a = outline[i], &b = outline[(i + 1) % outline.size()];
     area += 0.5 * (a.x() * b.y() - a.y() * b.x());
@@ -77,7 +77,7 @@ TEST(Pedestal, HasAFootWherePartsStandBesideTheirMiddle) {
   // Around the stem, 14 mm thick, and the whole outline.
   EXPECT_TRUE(geometry::inConvexPolygon(foot->polygon, {-13.5, 0.0}));
   EXPECT_FALSE(geometry::inConvexPolygon(foot->polygon, {-15.0, 0.0}));
-  for (const Eigen::Vector2d& corner : plan.job.platform.polygon)
+  for (const Eigen::Vector2d& corner : plan.job.item().platform.polygon)
     EXPECT_TRUE(geometry::inConvexPolygon(foot->polygon, corner));
   EXPECT_LT(foot->zMax, -2.0) << "clear of the first layer";
   const std::vector<plan::ProgramFile> files = pedestalFiles(plan);
@@ -94,7 +94,7 @@ TEST(Pedestal, HasAFootWherePartsStandBesideTheirMiddle) {
     }
     return sum;
   };
-  const double volume = 2.5 * area(plan.job.platform.polygon) + 2.5 * area(foot->polygon);
+  const double volume = 2.5 * area(plan.job.item().platform.polygon) + 2.5 * area(foot->polygon);
   EXPECT_NEAR(geometry::volume(solid), volume, 1e-3 * volume) << "one body";
 }
 
@@ -106,13 +106,13 @@ TEST(PlatformsPlace, OnesThatWouldFloatBlock) {
   const geometry::TriangleMesh box = test::box({-9, -6, 0}, {9, 6, 5});
   EXPECT_FALSE(tells(planned(flat("fit:2"), box), plan::FindingKind::PlatformAdrift));
   project::Choices beside = flat("fit:2");
-  beside.placement.centreMm = {150.0, 0.0};
+  beside.item().placement.centreMm = {150.0, 0.0};
   const PlanResult adrift = planned(beside, box);
   ASSERT_TRUE(tells(adrift, plan::FindingKind::PlatformAdrift));
   EXPECT_FALSE(nothingBlocks(adrift.job.report));
   // The plate's edge lies 11 mm nearer, the stem is 14 mm thick.
   EXPECT_NEAR(robot::platformGapMm(*adrift.cell), 150.0 - 11.0 - 14.0, 1.5);
-  beside.platform = project::Platform("disc:80");
+  beside.item().platform = project::Platform("disc:80");
   EXPECT_EQ(robot::platformGapMm(*planned(beside, box).cell), 0.0) << "it is where the cell has it";
 }
 
@@ -122,11 +122,11 @@ TEST(PartSize, OddSizesAskForUnitsAndStop) {
   const PlanResult tiny = planned(choices, metres);
   ASSERT_TRUE(tells(tiny, plan::FindingKind::TinyPart));
   EXPECT_EQ(*tiny.job.reached, project::Stage::Load) << "nothing can be planned for it";
-  choices.units = "m";
+  choices.item().units = "m";
   const PlanResult right = planned(choices, metres);
   EXPECT_FALSE(tells(right, plan::FindingKind::TinyPart));
-  EXPECT_NEAR(right.job.report.model.volumeMm3, 20.0 * 30.0 * 10.0, 1e-6);
-  choices.units = "mm";
+  EXPECT_NEAR(right.job.report.item().model.volumeMm3, 20.0 * 30.0 * 10.0, 1e-6);
+  choices.item().units = "mm";
   EXPECT_TRUE(
       tells(planned(choices, test::box({0, 0, 0}, {2500, 100, 100})), plan::FindingKind::HugePart));
 }

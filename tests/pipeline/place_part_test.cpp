@@ -26,23 +26,25 @@ PlanRequest tubeOnRod() {
   for (Eigen::Vector3d& p : tube.vertices)
     p = Eigen::Vector3d(p.y(), p.z(), p.x());
   PlanRequest request;
-  request.loaded = project::loadedFrom(
+  request.item().loaded = project::loadedFrom(
       "tube.stl", std::make_shared<geometry::TriangleMesh>(std::move(tube)), {}, true, {});
-  request.choices.mode = "lathe";
+  request.choices.item().mode = "lathe";
   request.choices.cell = "lathe";
-  request.choices.process = "fdm-0.35";
-  request.choices.platform = project::Platform("rod:5x200");
+  request.choices.tool().process = "fdm-0.35";
+  request.choices.item().platform = project::Platform("rod:5x200");
   return request;
 }
 
 // The part is where the placement says.
 void expectLaid(const PlanResult& result) {
-  ASSERT_TRUE(result.job.placement);
-  const double scale = result.job.scale * pipeline::unitMm(*result.job.loaded, result.job.choices);
-  const auto part = geometry::place(*result.job.loaded->mesh, scale, *result.job.placement);
-  ASSERT_EQ(part.vertices.size(), result.job.part->vertices.size());
+  ASSERT_TRUE(result.job.item().placement);
+  const double scale =
+      result.job.item().scale * pipeline::unitMm(*result.job.item().loaded, result.job.choices);
+  const auto part =
+      geometry::place(*result.job.item().loaded->mesh, scale, *result.job.item().placement);
+  ASSERT_EQ(part.vertices.size(), result.job.item().part->vertices.size());
   for (std::size_t i = 0; i < part.vertices.size(); ++i)
-    EXPECT_LT((part.vertices[i] - result.job.part->vertices[i]).norm(), 1e-9);
+    EXPECT_LT((part.vertices[i] - result.job.item().part->vertices[i]).norm(), 1e-9);
 }
 
 // A plate that carries the part but has no room for the prime is passed over for one that has.
@@ -70,15 +72,16 @@ TEST(PlacePart, ThePlateHasRoomForThePrime) {
 TEST(PlacePart, WhereTheModeLaidItIsKept) {
   const PlanResult result = placed(tubeOnRod());
   expectLaid(result);
-  EXPECT_LT(result.job.placement->liftMm, -1.0) << "around the rod, below z = 0";
+  EXPECT_LT(result.job.item().placement->liftMm, -1.0) << "around the rod, below z = 0";
   const test::TemporaryFolder folder;
   project::writeJob(folder / "tube.voluta", result.job);
   project::Job back = project::readJob(folder / "tube.voluta");
-  ASSERT_TRUE(back.placement);
-  EXPECT_EQ(back.placement->rotation.coeffs(), result.job.placement->rotation.coeffs());
-  EXPECT_EQ(back.placement->liftMm, result.job.placement->liftMm);
+  ASSERT_TRUE(back.item().placement);
+  EXPECT_EQ(back.item().placement->rotation.coeffs(),
+            result.job.item().placement->rotation.coeffs());
+  EXPECT_EQ(back.item().placement->liftMm, result.job.item().placement->liftMm);
   // Projects of before it was kept.
-  back.placement.reset();
+  back.item().placement.reset();
   expectLaid(pipeline::resultOf(back));
 }
 
@@ -89,20 +92,20 @@ TEST(PlacePart, WhereASearchLaidItIsTold) {
 TEST(PlacePart, WhatIsPlannedToStandOnIsWhatTheDecompositionStandsOn) {
   for (const char* platform : {"fit:0", "fit:2", "disc:40", "rect:30x40"}) {
     PlanRequest request = test::boxRequest();
-    request.choices.platform = project::Platform(platform);
+    request.choices.item().platform = project::Platform(platform);
     request.until = Stage::Decompose;
     const PlanResult result = pipeline::planPart(request, {});
     const auto planned = pipeline::plannedPlatform(*result.placed, request.choices);
-    EXPECT_EQ(planned.polygon, result.job.platform.polygon) << platform;
+    EXPECT_EQ(planned.polygon, result.job.item().platform.polygon) << platform;
   }
 }
 
 TEST(PlacePart, AnotherPlatformHasAnotherKey) {
   project::Choices choices;
   const std::string key = pipeline::plannedPlatformKey(choices);
-  choices.parameters["walls"] = "1";
+  choices.item().parameters["walls"] = "1";
   EXPECT_EQ(pipeline::plannedPlatformKey(choices), key);
-  choices.platform = project::Platform("disc:40");
+  choices.item().platform = project::Platform("disc:40");
   EXPECT_NE(pipeline::plannedPlatformKey(choices), key);
 }
 

@@ -28,7 +28,7 @@ base::RunContext context() {
 
 PlanRequest request(const std::string& mode, Stage until = Stage::Layers) {
   PlanRequest r = boxRequest();
-  r.choices.mode = mode;
+  r.choices.item().mode = mode;
   r.until = until;
   return r;
 }
@@ -42,15 +42,15 @@ std::shared_ptr<const LoadedPart> tee() {
 TEST(FlatMode, ABoxIsSlicedFromThePlateToItsTopAndPassesReplay) {
   const PlanResult result = planPart(request("flat", Stage::Replay), context());
   const Report& r = result.job.report;
-  EXPECT_EQ(result.job.decomposition(), nullptr);
-  ASSERT_NE(result.job.pieces(), nullptr);
-  EXPECT_EQ(r.decomposition.mode, "flat");
-  EXPECT_EQ(r.decomposition.pieces, 1);
-  EXPECT_EQ(r.decomposition.missedVoxels, 0u);
-  EXPECT_EQ(r.decomposition.riskyAreaMm2, 0.0);
-  EXPECT_EQ(r.layers.count, 10);
-  EXPECT_NEAR(r.layers.areaMm2, 3600.0, 1e-6);
-  EXPECT_NEAR(r.layers.thicknessMeanMm, 0.8, 1e-9);
+  EXPECT_EQ(result.job.item().decomposition(), nullptr);
+  ASSERT_NE(result.job.item().pieces(), nullptr);
+  EXPECT_EQ(r.item().decomposition.mode, "flat");
+  EXPECT_EQ(r.item().decomposition.pieces, 1);
+  EXPECT_EQ(r.item().decomposition.missedVoxels, 0u);
+  EXPECT_EQ(r.item().decomposition.riskyAreaMm2, 0.0);
+  EXPECT_EQ(r.item().layers.count, 10);
+  EXPECT_NEAR(r.item().layers.areaMm2, 3600.0, 1e-6);
+  EXPECT_NEAR(r.item().layers.thicknessMeanMm, 0.8, 1e-9);
   EXPECT_TRUE(r.replay.passed);
   EXPECT_TRUE(nothingBlocks(r));
 }
@@ -59,7 +59,7 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
   PlanRequest flat = request("flat");
   flat.loaded = tee();
   const PlanResult result = planPart(flat, context());
-  const DecompositionReport& d = result.job.report.decomposition;
+  const DecompositionReport& d = result.job.report.item().decomposition;
   EXPECT_NEAR(d.riskyAreaMm2, 2 * 12 * 8, 1e-6);
   EXPECT_EQ(d.riskyAreaBeforeMm2, d.riskyAreaMm2);
   EXPECT_GT(d.missedVoxels, 1000u);
@@ -71,24 +71,25 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
   EXPECT_EQ(overhangs, 2u);
   EXPECT_EQ(misses, d.missedVoxels);
   // On its head it needs nothing.
-  flat.choices.parameters["orient"] = "leastRisky";
+  flat.choices.item().parameters["orient"] = "leastRisky";
   const PlanResult turned = planPart(flat, context());
-  EXPECT_NEAR(turned.job.report.decomposition.riskyAreaMm2, 0.0, 1e-6);
-  EXPECT_EQ(turned.job.report.decomposition.missedVoxels, 0u);
+  EXPECT_NEAR(turned.job.report.item().decomposition.riskyAreaMm2, 0.0, 1e-6);
+  EXPECT_EQ(turned.job.report.item().decomposition.missedVoxels, 0u);
 }
 
 TEST(FlatMode, SupportsCarryWhatHangsAndCountApart) {
   PlanRequest flat = request("flat", Stage::Replay);
   flat.loaded = tee();
-  flat.choices.platform = project::Platform("fit:15");
+  flat.choices.item().platform = project::Platform("fit:15");
   flat.choices.formats = {"urscript"};
   setParameters(flat.choices, {"supports=auto"});
   const PlanResult result = planPart(flat, context());
   const Report& r = result.job.report;
   // Two columns of 12 x 8 x 12 less the gap to the leg, which taper to trunks.
-  EXPECT_LT(r.decomposition.supportVolumeMm3, 0.7 * 2 * 11.7 * 8 * 12);
-  EXPECT_GT(r.decomposition.supportVolumeMm3, 2 * 4.8 * 4.8 * 12);
-  EXPECT_NEAR(r.layers.areaMm2 * r.layers.thicknessMeanMm, 8 * 8 * 12 + 32 * 8 * 8, 1e-3);
+  EXPECT_LT(r.item().decomposition.supportVolumeMm3, 0.7 * 2 * 11.7 * 8 * 12);
+  EXPECT_GT(r.item().decomposition.supportVolumeMm3, 2 * 4.8 * 4.8 * 12);
+  EXPECT_NEAR(r.item().layers.areaMm2 * r.item().layers.thicknessMeanMm, 8 * 8 * 12 + 32 * 8 * 8,
+              1e-3);
   EXPECT_EQ(r.replay.collisions, 0u);
   EXPECT_LT(r.replay.unsupportedFraction, 0.005);
   EXPECT_NEAR(r.replay.massRatio, 1.0, 0.03);
@@ -102,25 +103,27 @@ TEST(FlatMode, LayersLieWhereTheUserSays) {
                       {"point": [0, 0, 90], "normal": [0, 0, 1]}])");
   PlanRequest flat = request("flat");
   setParameters(flat.choices, {"layerPlanes=" + (folder / "planes.json").string()});
-  EXPECT_EQ(flat.choices.parameters.at("layerPlanes").front(), '[') << "goes with the project";
+  EXPECT_EQ(flat.choices.item().parameters.at("layerPlanes").front(), '[')
+      << "goes with the project";
   const PlanResult result = planPart(flat, context());
-  EXPECT_EQ(result.job.report.layers.count, 2);
-  EXPECT_NEAR(result.job.report.layers.areaMm2, 360.0 + 180.0, 1e-6);
+  EXPECT_EQ(result.job.report.item().layers.count, 2);
+  EXPECT_NEAR(result.job.report.item().layers.areaMm2, 360.0 + 180.0, 1e-6);
   EXPECT_EQ(plan::reportId(result.job.report.findings.back()), "planeMisses");
   PlanRequest wrong = request("flat");
-  wrong.choices.parameters["layerPlanes"] = (folder / "none.json").string();
+  wrong.choices.item().parameters["layerPlanes"] = (folder / "none.json").string();
   EXPECT_THROW(planPart(wrong, context()), base::Error);
-  wrong.choices.parameters["layerPlanes"] = "[{}]";
+  wrong.choices.item().parameters["layerPlanes"] = "[{}]";
   EXPECT_THROW(planPart(wrong, context()), base::Error);
 }
 
 TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {
   PlanRequest planar = request("planar");
   planar.loaded = tee();
-  planar.choices.parameters = {{"pieceMaterials", "white PLA, red PLA"}, {"output.debug", "true"}};
+  planar.choices.item().parameters = {{"pieceMaterials", "white PLA, red PLA"},
+                                      {"output.debug", "true"}};
   PlanResult result = planPart(planar, context());
-  ASSERT_NE(result.job.pieces(), nullptr);
-  const DecompositionReport& d = result.job.report.decomposition;
+  ASSERT_NE(result.job.item().pieces(), nullptr);
+  const DecompositionReport& d = result.job.report.item().decomposition;
   EXPECT_GT(d.pieces, 1);
   EXPECT_NEAR(d.riskyAreaBeforeMm2, 192.0, 1e-6);
   EXPECT_LT(d.riskyAreaMm2, 2.0);
@@ -132,9 +135,10 @@ TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {
   }
   const double whole = 8 * 8 * 12 + 32 * 8 * 8;
   EXPECT_NEAR(volume, whole, 1e-6 * whole);
-  EXPECT_NEAR(result.job.report.layers.areaMm2 * result.job.report.layers.thicknessMeanMm, whole,
-              0.01 * whole);
-  for (const layers::Patch& p : result.job.layers->patches)
+  EXPECT_NEAR(result.job.report.item().layers.areaMm2 *
+                  result.job.report.item().layers.thicknessMeanMm,
+              whole, 0.01 * whole);
+  for (const layers::Patch& p : result.job.item().layers->patches)
     EXPECT_LT(p.group, d.pieces);
 
   const test::TemporaryFolder folder;
@@ -142,18 +146,19 @@ TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {
   for (int i = 0; i < d.pieces; ++i)
     EXPECT_TRUE(std::filesystem::exists(folder / "pieces" / (std::to_string(i) + ".stl")));
   const Job back = readJob(folder / "job.voluta");
-  ASSERT_NE(back.pieces(), nullptr);
-  EXPECT_EQ(back.pieces()->pieces.size(), result.job.pieces()->pieces.size());
-  EXPECT_EQ(back.report.decomposition.pieceList.size(), d.pieceList.size());
+  ASSERT_NE(back.item().pieces(), nullptr);
+  EXPECT_EQ(back.item().pieces()->pieces.size(), result.job.item().pieces()->pieces.size());
+  EXPECT_EQ(back.report.item().decomposition.pieceList.size(), d.pieceList.size());
 
   // The cuts that were found, given by the user.
-  planar.choices.parameters.clear();
+  planar.choices.item().parameters.clear();
   setParameters(planar.choices, {"cutPlanes=" + (folder / "pieces/cuts.json").string()});
-  EXPECT_EQ(planar.choices.parameters.at("cutPlanes").front(), '[') << "goes with the project";
+  EXPECT_EQ(planar.choices.item().parameters.at("cutPlanes").front(), '[')
+      << "goes with the project";
   const PlanResult given = planPart(planar, context());
-  EXPECT_EQ(given.job.report.decomposition.pieces, d.pieces);
-  EXPECT_NEAR(given.job.report.decomposition.riskyAreaMm2, d.riskyAreaMm2, 1e-3);
-  planar.choices.parameters["cutPlanes"] = R"([{"point": [0, 0, 90], "normal": [0, 0, 1]}])";
+  EXPECT_EQ(given.job.report.item().decomposition.pieces, d.pieces);
+  EXPECT_NEAR(given.job.report.item().decomposition.riskyAreaMm2, d.riskyAreaMm2, 1e-3);
+  planar.choices.item().parameters["cutPlanes"] = R"([{"point": [0, 0, 90], "normal": [0, 0, 1]}])";
   EXPECT_THROW(planPart(planar, context()), base::Error);
 }
 

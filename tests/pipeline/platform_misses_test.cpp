@@ -80,7 +80,7 @@ class PlatformMisses : public testing::TestWithParam<Object> {};
 TEST_P(PlatformMisses, GrowWithThePlatformAndStayBelowUniformSlicing) {
   CompareOptions options;
   options.plan.loaded = partOf(GetParam());
-  options.plan.choices.parameters["frontShape"] = "flat"; // as the source has it
+  options.plan.choices.item().parameters["frontShape"] = "flat"; // as the source has it
   options.plan.until = Stage::Decompose;
   options.modes = {"curved", "flat"};
   for (const char* scheme : kSchemes)
@@ -92,7 +92,7 @@ TEST_P(PlatformMisses, GrowWithThePlatformAndStayBelowUniformSlicing) {
   std::map<std::pair<std::string, std::string>, std::size_t> missed; // scheme, platform
   for (const CompareRow& row : comparison.rows) {
     ASSERT_NE(row.state(), RowState::Failed) << base::english(row.error);
-    const std::size_t count = row.report.decomposition.missedVoxels;
+    const std::size_t count = row.report.item().decomposition.missedVoxels;
     if (row.combination.mode == "flat") {
       EXPECT_EQ(uniformMisses(row), static_cast<double>(GetParam().uniformMisses));
     } else {

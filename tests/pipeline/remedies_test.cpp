@@ -38,25 +38,25 @@ plan::Finding findingOf(FindingKind kind) {
 Choices choicesFor(RemedyId id) {
   Choices choices;
   if (id == RemedyId::ShrinkPlatform)
-    choices.platform = project::Platform("disc:80");
+    choices.item().platform = project::Platform("disc:80");
   if (id == RemedyId::DropToPlate)
-    choices.placement.liftMm = 4.0;
+    choices.item().placement.liftMm = 4.0;
   if (id == RemedyId::AddSupports)
-    choices.parameters["supports"] = "none";
+    choices.item().parameters["supports"] = "none";
   if (id == RemedyId::AdaptLayers)
-    choices.mode = "flat";
+    choices.item().mode = "flat";
   if (id == RemedyId::CentrePart)
-    choices.placement.centreMm = {30.0, 0.0};
+    choices.item().placement.centreMm = {30.0, 0.0};
   if (id == RemedyId::MakePlatform)
-    choices.platform = project::Platform("cell");
+    choices.item().platform = project::Platform("cell");
   if (id == RemedyId::UsualProcess)
-    choices.process = "fdm-0.35";
+    choices.tool().process = "fdm-0.35";
   if (id == RemedyId::UsualCell)
     choices.cell = "ur5-moving";
   if (id == RemedyId::PrintOnPlate) {
-    choices.mode = "lathe";
+    choices.item().mode = "lathe";
     choices.cell = "lathe";
-    choices.platform = project::Platform("rod:5x200");
+    choices.item().platform = project::Platform("rod:5x200");
   }
   return choices;
 }
@@ -72,7 +72,7 @@ bool isStep(RemedyId id) {
 
 StageKeys keysOf(const Choices& choices) {
   PlanRequest request;
-  request.loaded = loadedFrom(
+  request.item().loaded = loadedFrom(
       "box.stl", std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {9, 9, 5})), {},
       true, {});
   request.choices = choices;
@@ -100,21 +100,21 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       ASSERT_TRUE(cured) << remedy.name << " for " << row.id;
       EXPECT_NO_THROW(checkChoices(*cured)) << remedy.name;
       const StageKeys before = keysOf(choices), after = keysOf(*cured);
-      EXPECT_TRUE(before != after || choices.automatic != cured->automatic)
+      EXPECT_TRUE(before != after || choices.item().automatic != cured->item().automatic)
           << remedy.name << " changes nothing";
       if (!isStep(remedy.id)) {
         EXPECT_FALSE(remedy.cure(finding, *cured)) << remedy.name << " is offered again";
       }
       Choices unchanged = *cured;
-      unchanged.parameters = choices.parameters;
-      unchanged.platform = choices.platform;
-      unchanged.placement = choices.placement;
-      unchanged.scale = choices.scale;
-      unchanged.units = choices.units;
-      unchanged.process = choices.process;
+      unchanged.item().parameters = choices.item().parameters;
+      unchanged.item().platform = choices.item().platform;
+      unchanged.item().placement = choices.item().placement;
+      unchanged.item().scale = choices.item().scale;
+      unchanged.item().units = choices.item().units;
+      unchanged.tool().process = choices.tool().process;
       unchanged.cell = choices.cell;
-      unchanged.mode = choices.mode;
-      unchanged.automatic = choices.automatic;
+      unchanged.item().mode = choices.item().mode;
+      unchanged.item().automatic = choices.item().automatic;
       EXPECT_EQ(keysOf(unchanged), before) << remedy.name << " changes something else too";
       for (const std::string_view name : base::placeNames(remedy.label.english()))
         EXPECT_NE(finding.value(name), nullptr) << remedy.name << " for " << row.id;
@@ -123,8 +123,8 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
 
 TEST(Remedies, AreOfferedForTheirKindsOnly) {
   Choices choices;
-  choices.platform = project::Platform("rect:90x70");
-  choices.placement.liftMm = 2.0;
+  choices.item().platform = project::Platform("rect:90x70");
+  choices.item().placement.liftMm = 2.0;
   const auto idsFor = [&](FindingKind kind) {
     std::set<RemedyId> ids;
     for (const RemedyAction& offer : remediesFor(findingOf(kind), choices))
@@ -139,12 +139,12 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
   EXPECT_TRUE(idsFor(FindingKind::Unreached).contains(RemedyId::DropToPlate));
   EXPECT_FALSE(idsFor(FindingKind::Uncovered).contains(RemedyId::AdaptLayers))
       << "curved layers follow the field";
-  choices.mode = "planar";
+  choices.item().mode = "planar";
   EXPECT_EQ(idsFor(FindingKind::Uncovered),
             (std::set<RemedyId>{RemedyId::AdaptLayers, RemedyId::LowerLayers,
                                 RemedyId::FinerProcess, RemedyId::ChooseWay}));
   EXPECT_EQ(idsFor(FindingKind::LongBridge), (std::set<RemedyId>{RemedyId::ChooseWay}));
-  choices.automatic = true;
+  choices.item().automatic = true;
   EXPECT_TRUE(idsFor(FindingKind::LongBridge).empty()) << "it has chosen";
   EXPECT_EQ(idsFor(FindingKind::Stopped), (std::set<RemedyId>{RemedyId::DropToPlate}));
 }
@@ -155,20 +155,20 @@ std::vector<Choices> everyMode() {
   std::vector<Choices> all;
   for (const Mode& mode : modeTable()) {
     Choices choices;
-    choices.mode = mode.id;
+    choices.item().mode = mode.id;
     choices.cell = mode.usual.cell;
-    choices.process = mode.usual.process;
-    choices.platform = mode.usual.platform;
+    choices.tool().process = mode.usual.process;
+    choices.item().platform = mode.usual.platform;
     all.push_back(choices);
   }
   Choices automatic;
-  automatic.automatic = true;
-  automatic.platform = project::Platform("cell");
+  automatic.item().automatic = true;
+  automatic.item().platform = project::Platform("cell");
   for (const Choices& way : automaticChoices(automatic))
     all.push_back(way);
   for (Choices& choices : all) {
-    choices.placement.centreMm = {30.0, 10.0};
-    choices.placement.liftMm = 2.0;
+    choices.item().placement.centreMm = {30.0, 10.0};
+    choices.item().placement.liftMm = 2.0;
   }
   return all;
 }
@@ -176,7 +176,7 @@ std::vector<Choices> everyMode() {
 // Kinds that a mode cannot come to.
 bool arises(const plan::FindingRow& row, const Choices& choices) {
   using enum FindingKind;
-  const Mode& mode = findMode(choices.mode);
+  const Mode& mode = findMode(choices.item().mode);
   const std::set<FindingKind> rod{BeyondCell, BeyondRod, MoreBeyondRod, BeginsInAirOverRod};
   const std::set<FindingKind> surface{BeginsInAirOverSurface, NotLaid};
   const std::set<FindingKind> plate{PlatformAdrift,  NoSupport,        BelowPlate,  BeginsInAir,
@@ -202,7 +202,8 @@ TEST(Remedies, WhatBlocksHasAButtonInEveryModeOrSaysWhyThereIsNone) {
       if (!arises(row, choices) || !row.whyNoRemedy.empty())
         continue;
       EXPECT_FALSE(remediesFor(findingOf(row.kind), choices).empty())
-          << row.id << " in mode " << (choices.automatic ? "auto, " : "") << choices.mode;
+          << row.id << " in mode " << (choices.item().automatic ? "auto, " : "")
+          << choices.item().mode;
     }
   }
 }
@@ -213,25 +214,25 @@ TEST(Remedies, WhatAButtonDoesCanBePlannedInEveryMode) {
       for (const RemedyAction& offer : remediesFor(findingOf(row.kind), choices)) {
         if (!arises(row, choices))
           continue;
-        SCOPED_TRACE(std::string(row.id) + " in mode " + choices.mode + ": " +
+        SCOPED_TRACE(std::string(row.id) + " in mode " + choices.item().mode + ": " +
                      std::string(offer.remedy->name));
         EXPECT_NO_THROW(checkChoices(offer.choices));
         StageKeys before, after;
         ASSERT_NO_THROW(before = keysOf(choices));
         EXPECT_NO_THROW(after = keysOf(offer.choices));
-        EXPECT_TRUE(before != after || choices.automatic != offer.choices.automatic)
+        EXPECT_TRUE(before != after || choices.item().automatic != offer.choices.item().automatic)
             << "it changes nothing";
       }
 }
 
 TEST(Remedies, APlatformThatAButtonChoseStaysInModeAuto) {
   Choices choices;
-  choices.automatic = true;
-  choices.platform = project::Platform("cell");
+  choices.item().automatic = true;
+  choices.item().platform = project::Platform("cell");
   for (const RemedyAction& offer : remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
     if (offer.remedy->id == RemedyId::ShrinkPlatform) {
       for (const Choices& way : automaticChoices(offer.choices))
-        EXPECT_EQ(way.platform.text(), "fit:0");
+        EXPECT_EQ(way.item().platform.text(), "fit:0");
       return;
     }
   FAIL() << "no smaller platform is offered";
@@ -239,7 +240,7 @@ TEST(Remedies, APlatformThatAButtonChoseStaysInModeAuto) {
 
 TEST(Remedies, ChoicesThatCannotBePlannedLeaveTheOtherButtons) {
   Choices choices;
-  choices.parameters["layerHeightMm"] = "9"; // beyond the process
+  choices.item().parameters["layerHeightMm"] = "9"; // beyond the process
   std::set<RemedyId> ids;
   for (const RemedyAction& offer : remediesFor(findingOf(FindingKind::Uncovered), choices))
     ids.insert(offer.remedy->id);
@@ -261,15 +262,16 @@ TEST(Remedies, ALargerCellHasALargerPlate) {
 TEST(Remedies, TheContactAreaIsAsSmallAsAPlatformGets) {
   Choices choices;
   for (const char* platform : {"fit", "fit:0"}) {
-    choices.platform = project::Platform(platform);
+    choices.item().platform = project::Platform(platform);
     for (const RemedyAction& offer :
          remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices))
       EXPECT_NE(offer.remedy->id, RemedyId::ShrinkPlatform) << platform;
   }
-  choices.platform = project::Platform("fit:20");
+  choices.item().platform = project::Platform("fit:20");
   EXPECT_EQ(remediesFor(findingOf(FindingKind::ShadowedUnderFacet), choices)
                 .at(0)
-                .choices.platform.text(),
+                .choices.item()
+                .platform.text(),
             "fit:0");
 }
 
@@ -280,7 +282,7 @@ TEST(Remedies, APartOutOfReachIsScaledToWhereTheRobotGets) {
     EXPECT_TRUE(finding.blocking);
     const std::vector<RemedyAction> offers = remediesFor(finding, Choices());
     EXPECT_GE(offers.size(), 1u);
-    return offers.empty() ? std::string() : offers.front().choices.scale;
+    return offers.empty() ? std::string() : offers.front().choices.item().scale;
   };
   EXPECT_EQ(scaleOf(0.65, 1.0), "0.65");
   EXPECT_EQ(scaleOf(0.5, 25.4), "12.7");
@@ -296,7 +298,7 @@ TEST(Remedies, AThinWallNamesTheWidthThatHoldsIt) {
   const auto offers = remediesFor(findings[0], {});
   ASSERT_EQ(offers.size(), 1U);
   EXPECT_EQ(base::english(offers[0].label), "Use voxel width 0.5 mm");
-  EXPECT_EQ(offers[0].choices.parameters.at("voxelMm"), "0.5");
+  EXPECT_EQ(offers[0].choices.item().parameters.at("voxelMm"), "0.5");
   // A wall that no voxel is narrow enough for.
   const auto foil = thinWallFindings(test::box({0, 0, 0}, {20, 0.05, 10}), 0.8, {});
   ASSERT_FALSE(foil.empty());

@@ -83,18 +83,19 @@ TEST(Report, WhatBlocksIsWrittenFirst) {
 
 TEST(Report, TextThatIsNotUtf8StaysReadable) {
   project::Report report;
-  report.model.file = "part\xff.stl";
+  report.item().model.file = "part\xff.stl";
   EXPECT_NO_THROW(nlohmann::json::parse(project::reportJson(report)));
 }
 
 TEST(Report, ComesBackFromItsText) {
   project::Report report;
-  report.model.repairs = {base::message("{text}"_text, "closed 1 hole"_name)};
-  report.model.boundsMm = Eigen::AlignedBox3d(Eigen::Vector3d(0.1, 2, 3), Eigen::Vector3d(4, 5, 6));
-  report.decomposition.growth = "reverse";
-  report.decomposition.pieceList = {{-1, 12.5, 0.25, {0, 0.6, 0.8}, "white PLA"},
-                                    {0, 2.0, 0.0, {1, 0, 0}, "PLA"}};
-  report.layers.thicknessP01Mm = 1.0 / 3.0;
+  report.item().model.repairs = {base::message("{text}"_text, "closed 1 hole"_name)};
+  report.item().model.boundsMm =
+      Eigen::AlignedBox3d(Eigen::Vector3d(0.1, 2, 3), Eigen::Vector3d(4, 5, 6));
+  report.item().decomposition.growth = "reverse";
+  report.item().decomposition.pieceList = {{-1, 12.5, 0.25, {0, 0.6, 0.8}, "white PLA"},
+                                           {0, 2.0, 0.0, {1, 0, 0}, "PLA"}};
+  report.item().layers.thicknessP01Mm = 1.0 / 3.0;
   report.toolpath.gouges = 3;
   report.motion.maxJerk = {0.5, 1.5};
   report.motion.minClearanceMm = std::nan("");

@@ -99,7 +99,7 @@ TEST(Resume, WithinABeadTheArmIsChecked) {
 // that is cut, and there only where the file is named.
 TEST(Resume, ByBeadAndByLineFromDisk) {
   PlanRequest cut = test::boxRequest({{"motionsPerFile", "1500"}});
-  cut.choices.mode = "flat";
+  cut.choices.item().mode = "flat";
   cut.choices.formats = {"urscript", "gcode-extended", "csv"};
   PlanResult whole = planPart(cut, kCtx);
   const test::TemporaryFolder folder;
@@ -163,7 +163,7 @@ TEST(Resume, ByBeadAndByLineFromDisk) {
 // Of a program in one file the line is enough.
 TEST(Resume, ByLineOfTheOnlyFile) {
   PlanRequest whole = test::boxRequest({{"motionsPerFile", "1000000"}});
-  whole.choices.mode = "flat";
+  whole.choices.item().mode = "flat";
   whole.choices.formats = {"urscript"};
   PlanResult plan = planPart(whole, kCtx);
   const test::TemporaryFolder folder;
@@ -177,7 +177,7 @@ TEST(Resume, ByLineOfTheOnlyFile) {
 
 TEST(Resume, WithoutAWayThereThatIsTold) {
   project::Job job = test::boxPlan().job;
-  job.choices.parameters["bodyClearanceMm"] = "50"; // more than the cell has anywhere
+  job.choices.item().parameters["bodyClearanceMm"] = "50"; // more than the cell has anywhere
   const auto point = motion::resumePointOfPath(*job.trajectory, *job.toolPlan, 4);
   ASSERT_TRUE(point);
   const ResumeResult rest = resumeJob(std::move(job), *point, {}, kCtx);

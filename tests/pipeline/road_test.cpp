@@ -83,10 +83,10 @@ TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
       planPart(boxRequest(), context(), cache_, {.onStage = [&](Stage stage, const PlanResult& r) {
                  told.push_back(stage);
                  EXPECT_EQ(r.job.reached, stage);
-                 EXPECT_NE(r.job.part, nullptr);
-                 EXPECT_EQ(r.job.decomposition() != nullptr, stage >= Stage::Decompose);
+                 EXPECT_NE(r.job.item().part, nullptr);
+                 EXPECT_EQ(r.job.item().decomposition() != nullptr, stage >= Stage::Decompose);
                  EXPECT_EQ(r.cell != nullptr, stage >= Stage::Decompose);
-                 EXPECT_EQ(r.job.layers != nullptr, stage >= Stage::Layers);
+                 EXPECT_EQ(r.job.item().layers != nullptr, stage >= Stage::Layers);
                  EXPECT_EQ(r.job.toolPlan != nullptr, stage >= Stage::Toolpath);
                  EXPECT_EQ(r.job.trajectory != nullptr, stage >= Stage::Motion);
                  EXPECT_EQ(!r.checked.empty(), stage >= Stage::Replay);
@@ -94,7 +94,7 @@ TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
   EXPECT_EQ(told, (std::vector<Stage>{Stage::Load, Stage::Decompose, Stage::Layers, Stage::Toolpath,
                                       Stage::Motion, Stage::Replay}));
   // All of it was kept.
-  EXPECT_EQ(again.job.part, first_->job.part);
+  EXPECT_EQ(again.job.item().part, first_->job.item().part);
   EXPECT_EQ(again.job.trajectory, first_->job.trajectory);
   EXPECT_EQ(again.checked, first_->checked);
   EXPECT_EQ(said(again.job.report), said(first_->job.report));
@@ -104,11 +104,12 @@ TEST_F(PlannedBox, EveryStageIsToldInOrderWithWhatIsThere) {
 TEST_F(PlannedBox, AnotherInfillLeavesTheLayersAndPlansTheSameAsAFreshPlan) {
   const PlanRequest request = boxRequest({{"infill", "concentric"}});
   const PlanResult second = planPart(request, context(), cache_);
-  EXPECT_EQ(second.job.decomposition(), first_->job.decomposition()) << "decomposed again";
-  EXPECT_EQ(second.job.layers, first_->job.layers) << "cut again";
+  EXPECT_EQ(second.job.item().decomposition(), first_->job.item().decomposition())
+      << "decomposed again";
+  EXPECT_EQ(second.job.item().layers, first_->job.item().layers) << "cut again";
   EXPECT_NE(second.job.toolPlan, first_->job.toolPlan);
   const PlanResult fresh = planPart(request, context());
-  EXPECT_NE(fresh.job.layers, first_->job.layers);
+  EXPECT_NE(fresh.job.item().layers, first_->job.item().layers);
   EXPECT_EQ(said(second.job.report), said(fresh.job.report));
   expectSamePrograms(second, fresh);
 }
@@ -263,14 +264,14 @@ TEST_F(PlannedBox, ACancelledPlanKeepsWhatIsDone) {
   EXPECT_THROW(planPart(boxRequest(), base::RunContext(token, 1), &cache,
                         {.onStage =
                              [&](Stage stage, const PlanResult& r) {
-                               made = r.job.decomposition();
+                               made = r.job.item().decomposition();
                                if (stage == Stage::Decompose)
                                  token.cancel();
                              }}),
                base::Cancelled);
   PlanRequest again = boxRequest();
   again.until = Stage::Layers;
-  EXPECT_EQ(planPart(again, context(), &cache).job.decomposition(), made);
+  EXPECT_EQ(planPart(again, context(), &cache).job.item().decomposition(), made);
 }
 
 TEST_F(PlannedBox, ThePlanHasTheKeysThatWereAskedForBefore) {
@@ -295,13 +296,13 @@ TEST_F(PlannedBox, AReopenedProjectPlansOnlyItsProgramsAndTheSameOnes) {
   StageCache cache;
   seedCache(cache, job);
   PlanRequest request;
-  request.loaded = job.loaded;
+  request.item().loaded = job.item().loaded;
   request.choices = job.choices;
   EXPECT_EQ(stageKeys(request), job.keys());
   const PlanResult planned = planPart(request, context(), &cache);
-  EXPECT_EQ(planned.job.part, job.part);
-  EXPECT_EQ(planned.job.decomposition(), job.decomposition());
-  EXPECT_EQ(planned.job.layers, job.layers);
+  EXPECT_EQ(planned.job.item().part, job.item().part);
+  EXPECT_EQ(planned.job.item().decomposition(), job.item().decomposition());
+  EXPECT_EQ(planned.job.item().layers, job.item().layers);
   EXPECT_EQ(planned.job.toolPlan, job.toolPlan);
   EXPECT_EQ(planned.job.trajectory, job.trajectory);
   EXPECT_EQ(said(planned.job.report), said(first_->job.report));
@@ -309,7 +310,7 @@ TEST_F(PlannedBox, AReopenedProjectPlansOnlyItsProgramsAndTheSameOnes) {
 
   // From the part alone the same comes out again.
   const PlanResult fresh = planPart(request, context());
-  EXPECT_NE(fresh.job.layers, job.layers);
+  EXPECT_NE(fresh.job.item().layers, job.item().layers);
   expectSamePrograms(fresh, *first_);
 }
 
@@ -379,7 +380,7 @@ TEST_F(PlannedBox, RefusedProgramsAreThereToBeLookedAt) {
 
 PlanResult placed(const std::shared_ptr<const LoadedPart>& part, const Choices& choices) {
   PlanRequest request;
-  request.loaded = part;
+  request.item().loaded = part;
   request.choices = choices;
   request.until = Stage::Load;
   return planPart(request, context());
@@ -387,17 +388,17 @@ PlanResult placed(const std::shared_ptr<const LoadedPart>& part, const Choices& 
 
 TEST(Load, ThePartLiesAsItIsPlaced) {
   Choices choices;
-  choices.placement.rotation = geometry::rotationLayingFlat({1, 0, 0});
-  choices.placement.centreMm = {5, 6};
-  choices.placement.liftMm = 0.25;
-  choices.scale = "2";
+  choices.item().placement.rotation = geometry::rotationLayingFlat({1, 0, 0});
+  choices.item().placement.centreMm = {5, 6};
+  choices.item().placement.liftMm = 0.25;
+  choices.item().scale = "2";
   const PlanResult result = placed(boxPart(), choices);
-  const Eigen::AlignedBox3d box = geometry::bounds(*result.job.part);
+  const Eigen::AlignedBox3d box = geometry::bounds(*result.job.item().part);
   EXPECT_LT((box.min() - Eigen::Vector3d(-3, -12, 0.25)).norm(), 1e-9) << box.min().transpose();
   EXPECT_LT((box.max() - Eigen::Vector3d(13, 24, 40.25)).norm(), 1e-9) << box.max().transpose();
-  EXPECT_NEAR(result.job.report.model.boundsMm.max().z(), 40.25, 1e-9);
-  EXPECT_NEAR(result.job.report.model.volumeMm3, 8 * 20 * 18 * 8, 1e-6);
-  EXPECT_EQ(result.job.report.model.file, "box.stl");
+  EXPECT_NEAR(result.job.report.item().model.boundsMm.max().z(), 40.25, 1e-9);
+  EXPECT_NEAR(result.job.report.item().model.volumeMm3, 8 * 20 * 18 * 8, 1e-6);
+  EXPECT_EQ(result.job.report.item().model.file, "box.stl");
 }
 
 TEST(Load, WithoutRepairTheMeshIsAsItWasRead) {
@@ -409,16 +410,16 @@ TEST(Load, WithoutRepairTheMeshIsAsItWasRead) {
   EXPECT_EQ(mended->found.boundaryEdges.count, 3u);
   EXPECT_TRUE(mended->remains.empty());
   Choices choices;
-  choices.repair = false;
+  choices.item().repair = false;
   const PlanResult raw = placed(mended, choices);
-  EXPECT_EQ(raw.job.part->triangles.size(), 11u);
-  EXPECT_FALSE(raw.job.report.model.watertight);
+  EXPECT_EQ(raw.job.item().part->triangles.size(), 11u);
+  EXPECT_FALSE(raw.job.report.item().model.watertight);
   ASSERT_FALSE(raw.job.report.findings.empty());
   EXPECT_EQ(voluta::plan::reportId(raw.job.report.findings[0]), "meshDefect");
-  EXPECT_FALSE(raw.job.loaded->repair);
-  EXPECT_EQ(raw.job.loaded->mesh, source) << "no copy";
+  EXPECT_FALSE(raw.job.item().loaded->repair);
+  EXPECT_EQ(raw.job.item().loaded->mesh, source) << "no copy";
   // And back.
-  const auto again = withRepair(raw.job.loaded, true, {});
+  const auto again = withRepair(raw.job.item().loaded, true, {});
   EXPECT_EQ(again->mesh->triangles, mended->mesh->triangles);
   EXPECT_EQ(again->notes, mended->notes);
   EXPECT_EQ(again->hash, mended->hash);

@@ -96,10 +96,10 @@ std::shared_ptr<const layers::LayerStack> sampleLayers() {
 
 void addReport(Job& job) {
   job.reached = Stage::Motion;
-  job.report.model.file = "box.stl";
-  job.report.model.repairs = {
+  job.report.item().model.file = "box.stl";
+  job.report.item().model.repairs = {
       base::message("merged {count} duplicate point|merged {count} duplicate points"_plural, 3)};
-  job.report.layers.count = 2;
+  job.report.item().layers.count = 2;
   job.report.motion.maxJerk = {1.5, 2.5};
   job.report.motion.minClearanceMm = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -126,26 +126,26 @@ void addReport(Job& job) {
 
 Job sampleJobOfPieces() {
   Job job = sampleJob();
-  job.choices.mode = "planar";
-  job.result = samplePieces();
+  job.choices.item().mode = "planar";
+  job.item().result = samplePieces();
   return job;
 }
 
 Job sampleJob() {
   Job job;
-  job.partName = "box.stl";
-  job.loaded = openBox();
-  job.part = std::make_shared<geometry::TriangleMesh>(
+  job.item().partName = "box.stl";
+  job.item().loaded = openBox();
+  job.item().part = std::make_shared<geometry::TriangleMesh>(
       test::box(Eigen::Vector3d(-5, -5, 0), Eigen::Vector3d(5, 5, 10)));
-  job.scale = 0.93;
-  job.choices.placement.rotation = Eigen::Quaterniond(0.6, 0.8, 0, 0);
-  job.choices.placement.centreMm = {3, -4};
-  job.choices.placement.liftMm = 0.5;
-  job.result = sampleDecomposition();
-  job.layers = sampleLayers();
+  job.item().scale = 0.93;
+  job.choices.item().placement.rotation = Eigen::Quaterniond(0.6, 0.8, 0, 0);
+  job.choices.item().placement.centreMm = {3, -4};
+  job.choices.item().placement.liftMm = 0.5;
+  job.item().result = sampleDecomposition();
+  job.item().layers = sampleLayers();
   job.choices.formats = {"urscript"};
-  job.choices.parameters = {{"voxelMm", "1.08"}};
-  job.platform = {{-5, -5}, {5, -5}, {5, 5}};
+  job.choices.item().parameters = {{"voxelMm", "1.08"}};
+  job.item().platform = {{-5, -5}, {5, -5}, {5, 5}};
   plan::ToolPlan p;
   p.position = {{0, 0, 0.8}, {1, 0, 0.8}, {2, 0.5, 0.8}};
   p.direction.assign(3, Eigen::Vector3d::UnitZ());
@@ -168,8 +168,8 @@ Job sampleJob() {
 
 std::string formatOneBytes(const Job& job) {
   project::BlockWriter blocks;
-  addMesh(blocks, "part", *job.part);
-  blocks.add("platform", job.platform.polygon);
+  addMesh(blocks, "part", *job.item().part);
+  blocks.add("platform", job.item().platform.polygon);
   addToolPlan(blocks, *job.toolPlan);
   addTrajectory(blocks, *job.trajectory);
   nlohmann::ordered_json table = nlohmann::ordered_json::array();
@@ -179,8 +179,8 @@ std::string formatOneBytes(const Job& job) {
                      {"bytes", row.bytes},
                      {"item", row.item},
                      {"crc32", row.crc32}});
-  const nlohmann::ordered_json header{{"part", job.partName},
-                                      {"scale", job.scale},
+  const nlohmann::ordered_json header{{"part", job.item().partName},
+                                      {"scale", job.item().scale},
                                       {"choices",
                                        {{"mode", "curved"},
                                         {"growth", "auto"},
@@ -189,7 +189,7 @@ std::string formatOneBytes(const Job& job) {
                                         {"process", "fdm-1.0"},
                                         {"scale", "0.93"},
                                         {"formats", job.choices.formats},
-                                        {"parameters", job.choices.parameters},
+                                        {"parameters", job.choices.item().parameters},
                                         {"seed", 1}}},
                                       {"planned", true},
                                       {"dof", 2},

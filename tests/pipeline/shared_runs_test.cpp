@@ -41,9 +41,9 @@ TEST(SharedRuns, BeadsAreLaidOnceThoughTransfersAreSaidInOtherPieces) {
   const PlanResult& plan = test::boxPlan();
   const plan::Trajectory pieces = withPieces(*plan.job.trajectory, 3);
   ASSERT_GT(pieces.pointCount(), plan.job.trajectory->pointCount());
-  const auto part = plan.job.printed();
+  const auto part = plan.job.item().printed();
   const ProgramStageInput in{
-      part, plan.job.platform, *plan.job.toolPlan, pieces, *plan.cell, *plan.process, "box"};
+      part, plan.job.item().platform, *plan.job.toolPlan, pieces, *plan.cell, *plan.process, "box"};
   replay::JudgedRuns judged;
   const auto native = programStage("urscript", in, kCtx, &judged);
   const auto foreign = programStage("gcode-extended", in, kCtx, &judged);

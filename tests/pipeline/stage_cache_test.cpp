@@ -76,17 +76,17 @@ TEST(StageCache, WhatOneBehindItHasIsItsOwnToo) {
 // What a reopened project is planned from has the cell's plate, as its first plan had.
 TEST(StageCache, AJobFromDiskStandsOnTheSamePlateOfItsCell) {
   pipeline::PlanRequest request = test::boxRequest();
-  request.choices.automatic = true;
+  request.choices.item().automatic = true;
   request.until = project::Stage::Layers;
   const pipeline::PlanResult first = pipeline::planPart(request, {});
-  ASSERT_TRUE(first.job.choices.platform.isOfCell());
+  ASSERT_TRUE(first.job.choices.item().platform.isOfCell());
   const pipeline::PlanResult reopened = pipeline::resultOf(first.job);
   ASSERT_FALSE(reopened.placed->platform.empty());
   EXPECT_EQ(reopened.placed->platform, first.placed->platform);
   StageCache cache;
   pipeline::seedCache(cache, first.job);
   request.choices = first.job.choices;
-  request.choices.parameters["voxelMm"] = "1";
+  request.choices.item().parameters["voxelMm"] = "1";
   EXPECT_TRUE(pipeline::nothingBlocks(pipeline::planPart(request, {}, &cache).job.report));
 }
 

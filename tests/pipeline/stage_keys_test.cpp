@@ -130,7 +130,7 @@ protected:
 };
 
 TEST_F(StageKeysOf, ParametersReachTheStagesTheyMatterTo) {
-  const base::ParameterTable table = parametersOf(boxRequest().choices.mode);
+  const base::ParameterTable table = parametersOf(boxRequest().choices.item().mode);
   for (const base::ParameterSpec& spec : table.specs()) {
     const auto row = kParameters.find(spec.key);
     EXPECT_NE(row, kParameters.end()) << spec.key << ": which stage does it matter to?";
@@ -159,14 +159,14 @@ TEST_F(StageKeysOf, ChoicesReachTheStagesTheyMatterTo) {
     expectChangesFrom(request, first, what);
   };
   check("nothing", kStageCount, [](Choices&) {});
-  check("rotation", 0, [](Choices& c) { c.placement.rotation = {0.6, 0.8, 0, 0}; });
-  check("centre", 0, [](Choices& c) { c.placement.centreMm.x() = 1.0; });
-  check("lift", 0, [](Choices& c) { c.placement.liftMm = 1.0; });
-  check("scale", 0, [](Choices& c) { c.scale = "0.9"; });
-  check("the same scale", kStageCount, [](Choices& c) { c.scale = "1.0"; });
-  check("repair of what is whole", kStageCount, [](Choices& c) { c.repair = false; });
-  check("growth", 1, [](Choices& c) { c.growth = curved::GrowthScheme("greedy"); });
-  check("platform", 1, [](Choices& c) { c.platform = project::Platform("disc:80"); });
+  check("rotation", 0, [](Choices& c) { c.item().placement.rotation = {0.6, 0.8, 0, 0}; });
+  check("centre", 0, [](Choices& c) { c.item().placement.centreMm.x() = 1.0; });
+  check("lift", 0, [](Choices& c) { c.item().placement.liftMm = 1.0; });
+  check("scale", 0, [](Choices& c) { c.item().scale = "0.9"; });
+  check("the same scale", kStageCount, [](Choices& c) { c.item().scale = "1.0"; });
+  check("repair of what is whole", kStageCount, [](Choices& c) { c.item().repair = false; });
+  check("growth", 1, [](Choices& c) { c.item().growth = curved::GrowthScheme("greedy"); });
+  check("platform", 1, [](Choices& c) { c.item().platform = project::Platform("disc:80"); });
   check("seed", 4, [](Choices& c) { c.seed = 2; });
   check("formats", 5, [](Choices& c) { c.formats = {"csv"}; });
   check("the formats that are meant anyway", kStageCount, [](Choices& c) {
@@ -178,10 +178,10 @@ TEST_F(StageKeysOf, GrowthOptionsMatterToTheSourcesSchemes) {
   const base::ParameterTable table = curved::forwardParameters();
   for (const char* growth : {"guided", "adaptive", "incremental", "greedy"}) {
     PlanRequest request = boxRequest();
-    request.choices.growth = curved::GrowthScheme(growth);
+    request.choices.item().growth = curved::GrowthScheme(growth);
     default_ = stageKeys(request);
     for (const base::ParameterSpec& spec : table.specs()) {
-      request.choices.parameters = {{spec.key, kParameters.at(spec.key).first}};
+      request.choices.item().parameters = {{spec.key, kParameters.at(spec.key).first}};
       expectChangesFrom(request, 1, growth + (" " + spec.key));
     }
   }
@@ -202,16 +202,16 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
       {"flat", "frontShape", 6},       {"flat", "layerHeightMm", 1}};
   for (const auto& [mode, key, first] : rows) {
     PlanRequest request = boxRequest();
-    request.choices.mode = mode;
+    request.choices.item().mode = mode;
     default_ = stageKeys(request);
     const bool supports = std::string_view(key) == "supports"; // curved layers have them anyway
-    request.choices.parameters = {{key, supports ? "auto" : kParameters.at(key).first}};
+    request.choices.item().parameters = {{key, supports ? "auto" : kParameters.at(key).first}};
     expectChangesFrom(request, first, mode + (std::string(" ") + key));
   }
   // Where the part is turned, what overhangs decides how.
   PlanRequest turned = boxRequest({{"orient", "leastRisky"}});
   default_ = stageKeys(turned);
-  turned.choices.parameters["overhangAngle"] = "40";
+  turned.choices.item().parameters["overhangAngle"] = "40";
   expectChangesFrom(turned, 0, "overhangAngle where the part is turned");
 }
 
@@ -228,11 +228,11 @@ TEST_F(StageKeysOf, ParametersOfGroundsMatterToTheirModes) {
       {"substrate", "rodProfile", 6}, {"substrate", "overhangAngle", 1}};
   for (const auto& [mode, key, first] : rows) {
     PlanRequest request = boxRequest();
-    request.choices.mode = mode;
-    if (request.choices.mode == "lathe")
+    request.choices.item().mode = mode;
+    if (request.choices.item().mode == "lathe")
       request.choices.cell = "lathe";
     default_ = stageKeys(request);
-    request.choices.parameters = {{key, kParameters.at(key).first}};
+    request.choices.item().parameters = {{key, kParameters.at(key).first}};
     expectChangesFrom(request, first, mode + (std::string(" ") + key));
   }
 }
@@ -242,10 +242,10 @@ TEST_F(StageKeysOf, APlatformsMeshCountsByItsContent) {
   base::writeFile(mesh, "one");
   fs::copy(mesh, copy);
   PlanRequest request = boxRequest();
-  request.choices.mode = "substrate";
-  request.choices.platform = project::Platform("mesh:" + mesh.string());
+  request.choices.item().mode = "substrate";
+  request.choices.item().platform = project::Platform("mesh:" + mesh.string());
   default_ = stageKeys(request);
-  request.choices.platform = project::Platform("mesh:" + copy.string());
+  request.choices.item().platform = project::Platform("mesh:" + copy.string());
   expectChangesFrom(request, kStageCount, "a copy of the file");
   base::writeFile(copy, "two");
   expectChangesFrom(request, 0, "another content"); // the part lies where the body puts it
@@ -255,12 +255,12 @@ TEST_F(StageKeysOf, APlatformsMeshCountsByItsContent) {
 
 TEST_F(StageKeysOf, AModesOwnDefaultIsWhatIsMeant) {
   PlanRequest request = boxRequest();
-  request.choices.mode = "lathe";
+  request.choices.item().mode = "lathe";
   request.choices.cell = "lathe";
   default_ = stageKeys(request);
-  request.choices.parameters = {{"infill", "woven"}};
+  request.choices.item().parameters = {{"infill", "woven"}};
   expectChangesFrom(request, kStageCount, "woven is meant anyway");
-  request.choices.parameters = {{"infill", "zigzag"}};
+  request.choices.item().parameters = {{"infill", "zigzag"}};
   expectChangesFrom(request, 3, "zigzag is another choice there");
 }
 
@@ -284,7 +284,7 @@ TEST_F(StageKeysOf, RepairMattersWhereThereIsSomethingToMend) {
   PlanRequest mended, raw;
   mended.loaded = raw.loaded =
       loadedFrom("open.stl", std::make_shared<geometry::TriangleMesh>(open), {}, true, {});
-  raw.choices.repair = false;
+  raw.choices.item().repair = false;
   EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
   // Whichever way the part at hand was loaded.
   mended.loaded = withRepair(mended.loaded, false, {});
@@ -297,20 +297,20 @@ TEST_F(StageKeysOf, RepairMattersWhereThereIsSomethingToMend) {
 TEST_F(StageKeysOf, OptionsOfTheGreedySchemeMatterToIt) {
   for (const char* key : {"pieceClusters", "pieceRoot"}) {
     PlanRequest request = boxRequest();
-    request.choices.mode = "planar";
-    request.choices.parameters = {{"planarScheme", "greedy"}};
+    request.choices.item().mode = "planar";
+    request.choices.item().parameters = {{"planarScheme", "greedy"}};
     default_ = stageKeys(request);
-    request.choices.parameters[key] = kParameters.at(key).first;
+    request.choices.item().parameters[key] = kParameters.at(key).first;
     expectChangesFrom(request, 1, key);
   }
 }
 
 TEST_F(StageKeysOf, WrongChoicesAreAnErrorBeforeAnythingRuns) {
   PlanRequest request = boxRequest();
-  request.choices.mode = "curvd";
+  request.choices.item().mode = "curvd";
   EXPECT_THROW(stageKeys(request), base::Error);
   request = boxRequest();
-  request.choices.placement.rotation.coeffs().setZero();
+  request.choices.item().placement.rotation.coeffs().setZero();
   EXPECT_THROW(stageKeys(request), base::Error);
   EXPECT_THROW(planPart(request, {}), base::Error);
 }
@@ -321,7 +321,7 @@ TEST_F(StageKeysOf, TheCellCountsByItsContent) {
   PlanRequest request = boxRequest();
   request.choices.cell = "other";
   expectChangesFrom(request, 3, "another cell");
-  request.choices.scale = "fit";
+  request.choices.item().scale = "fit";
   PlanRequest here = request;
   here.choices.cell = "ur5-fixed";
   EXPECT_NE(stageKeys(request)[0], stageKeys(here)[0]) << "scale to fit asks what is in reach";
@@ -358,7 +358,7 @@ TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {
 
 TEST_F(StageKeysOf, WhatABeadBridgesMattersToSupportsAndToolPaths) {
   PlanRequest request = boxRequest();
-  request.choices.parameters["supports"] = "none";
+  request.choices.item().parameters["supports"] = "none";
   default_ = stageKeys(request);
   replace("processes/fdm-1.0.json", "\"bridgeMm\": 6.0", "\"bridgeMm\": 9.0");
   expectChangesFrom(request, 3, "no columns");

@@ -18,10 +18,10 @@ namespace {
 
 pipeline::PlanRequest requestOf(const geometry::TriangleMesh& part, bool automatic) {
   pipeline::PlanRequest request;
-  request.loaded =
+  request.item().loaded =
       project::loadedFrom("part.stl", std::make_shared<geometry::TriangleMesh>(part), {}, true, {});
-  request.choices.automatic = automatic;
-  request.choices.platform = project::Platform("cell");
+  request.choices.item().automatic = automatic;
+  request.choices.item().platform = project::Platform("cell");
   return request;
 }
 
@@ -44,7 +44,7 @@ void expectTold(const pipeline::PlanRequest& request, FindingKind kind) {
   for (const pipeline::RemedyAction& offer : offers) {
     pipeline::PlanRequest cured = request;
     cured.choices = offer.choices;
-    cured.choices.automatic = false; // the way does not matter here
+    cured.choices.item().automatic = false; // the way does not matter here
     cured.until = project::Stage::Load;
     EXPECT_EQ(findingOf(pipeline::planPart(cured, {}), kind), nullptr) << offer.remedy->name;
   }
@@ -78,8 +78,8 @@ TEST_F(StartCheck, AnArmThatCannotMoveWithItsHead) {
     for (const char* platform : {"cell", "fit:10"}) {
       SCOPED_TRACE(std::string(automatic ? "auto, " : "by hand, ") + platform);
       pipeline::PlanRequest request = requestOf(test::box({0, 0, 0}, {20, 20, 5}), automatic);
-      request.choices.process = "barrel";
-      request.choices.platform = project::Platform(platform);
+      request.choices.tool().process = "barrel";
+      request.choices.item().platform = project::Platform(platform);
       expectTold(request, FindingKind::CellCannotPrint);
     }
 }
@@ -95,7 +95,7 @@ TEST_F(StartCheck, APartLargerThanEveryPlate) {
 // Drawn in thousandths of a millimetre.
 TEST_F(StartCheck, OffersAScaleThatIsSmallerHoweverSmallThatIs) {
   pipeline::PlanRequest request = requestOf(test::box({0, 0, 0}, {60000, 60000, 4000}), false);
-  request.choices.scale = "0.005";
+  request.choices.item().scale = "0.005";
   expectTold(request, FindingKind::LargerThanPlates);
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   const plan::Finding* told = findingOf(result, FindingKind::LargerThanPlates);
@@ -105,12 +105,12 @@ TEST_F(StartCheck, OffersAScaleThatIsSmallerHoweverSmallThatIs) {
       std::ranges::find(offers, plan::RemedyId::ScaleToPlate,
                         [](const pipeline::RemedyAction& o) { return o.remedy->id; });
   ASSERT_NE(smaller, offers.end());
-  const double scale = project::parsedScale(smaller->choices.scale);
+  const double scale = project::parsedScale(smaller->choices.item().scale);
   EXPECT_LT(scale, 0.005);
-  request.choices.scale = smaller->choices.scale;
+  request.choices.item().scale = smaller->choices.item().scale;
   request.until = project::Stage::Load;
-  const double width = pipeline::planPart(request, {}).job.report.model.boundsMm.sizes().x();
-  request.choices.scale = base::formatParameter(1.01 * scale);
+  const double width = pipeline::planPart(request, {}).job.report.item().model.boundsMm.sizes().x();
+  request.choices.item().scale = base::formatParameter(1.01 * scale);
   EXPECT_NE(findingOf(pipeline::planPart(request, {}), FindingKind::LargerThanPlates), nullptr)
       << width << " mm: a hundredth larger no plate carries it";
 }
@@ -123,8 +123,8 @@ TEST_F(StartCheck, IsPassedByWhatFitsSomehow) {
   };
   EXPECT_FALSE(told(requestOf(test::box({0, 0, 0}, {150, 150, 5}), false))) << "a small one";
   pipeline::PlanRequest insists = requestOf(test::box({0, 0, 0}, {300, 300, 20}), true);
-  insists.choices.platform = project::Platform("fit:5");
-  insists.choices.platformStays = true;
+  insists.choices.item().platform = project::Platform("fit:5");
+  insists.choices.item().platformStays = true;
   EXPECT_FALSE(told(insists)) << "the user wants a platform made for it";
   pipeline::PlanRequest turned = requestOf(test::box({0, 0, 0}, {500, 100, 5}), false);
   turned.choices.cell = "kr10-r1100-slide"; // 300 by 1200

@@ -43,7 +43,7 @@ std::shared_ptr<const LoadedPart> ell() {
 
 PlanRequest requestFor(const std::shared_ptr<const LoadedPart>& part, Stage until) {
   PlanRequest request;
-  request.loaded = part;
+  request.item().loaded = part;
   request.until = until;
   return request;
 }
@@ -91,18 +91,18 @@ TEST(VoxelPart, SamplesGoTheRoadWithNothingMissed) {
   for (const auto& [name, voxels] :
        {std::pair("fork.txt", 156u), std::pair("mushroom.txt", 531u)}) {
     PlanRequest request;
-    request.part = sample(name);
+    request.item().part = sample(name);
     request.until = Stage::Layers;
     const PlanResult result = planPart(request, {});
     const Report& report = result.job.report;
-    EXPECT_EQ(report.decomposition.voxels, voxels);
-    EXPECT_EQ(report.decomposition.missedVoxels, 0u);
-    EXPECT_DOUBLE_EQ(report.decomposition.voxelMm, 0.8);
-    EXPECT_TRUE(report.model.watertight);
-    EXPECT_NEAR(report.model.volumeMm3, voxels * 0.512, 1e-6);
-    EXPECT_GT(report.layers.count, 5);
+    EXPECT_EQ(report.item().decomposition.voxels, voxels);
+    EXPECT_EQ(report.item().decomposition.missedVoxels, 0u);
+    EXPECT_DOUBLE_EQ(report.item().decomposition.voxelMm, 0.8);
+    EXPECT_TRUE(report.item().model.watertight);
+    EXPECT_NEAR(report.item().model.volumeMm3, voxels * 0.512, 1e-6);
+    EXPECT_GT(report.item().layers.count, 5);
     // Exactly the object's cells, whatever the voxeliser would have made of its surface.
-    const auto& rank = result.job.decomposition()->rank;
+    const auto& rank = result.job.item().decomposition()->rank;
     EXPECT_EQ(static_cast<std::size_t>(
                   std::count_if(rank.begin(), rank.end(), [](int r) { return r > 0; })),
               voxels);
@@ -123,20 +123,20 @@ TEST(VoxelPart, StandsOnItsOwnPlatform) {
   EXPECT_NEAR((box.max() - Eigen::Vector3d(0.8, 0.4, 2.4)).norm(), 0.0, 1e-9);
 
   const PlanResult fit = planPart(requestFor(ell(), Stage::Decompose), {});
-  expectBox(fit.job.platform.polygon, -1.6, -0.4, 2.4, 0.4);
+  expectBox(fit.job.item().platform.polygon, -1.6, -0.4, 2.4, 0.4);
   PlanRequest wide = requestFor(ell(), Stage::Decompose);
-  wide.choices.platform = project::Platform("fit:1");
-  const Eigen::AlignedBox2d widened = boxOf(planPart(wide, {}).job.platform.polygon);
+  wide.choices.item().platform = project::Platform("fit:1");
+  const Eigen::AlignedBox2d widened = boxOf(planPart(wide, {}).job.item().platform.polygon);
   EXPECT_LE(widened.min().x(), -2.6 + 1e-9);
   EXPECT_GE(widened.max().y(), 1.4 - 1e-9);
-  wide.choices.platform = project::Platform("rect:10x4");
-  expectBox(planPart(wide, {}).job.platform.polygon, -5, -2, 5, 2);
+  wide.choices.item().platform = project::Platform("rect:10x4");
+  expectBox(planPart(wide, {}).job.item().platform.polygon, -5, -2, 5, 2);
 }
 
 TEST(VoxelPart, ScaleAndVoxelWidthBothWidenTheCells) {
   Choices choices;
-  choices.scale = "2";
-  choices.parameters["voxelMm"] = "0.5";
+  choices.item().scale = "2";
+  choices.item().parameters["voxelMm"] = "0.5";
   const auto placed = placedEll(choices);
   EXPECT_DOUBLE_EQ(placed->scale, 2.0);
   EXPECT_DOUBLE_EQ(placed->voxels->grid.pitch, 1.0);
@@ -146,25 +146,25 @@ TEST(VoxelPart, ScaleAndVoxelWidthBothWidenTheCells) {
 
 TEST(VoxelPart, IsAsLargeWithAnyProcess) {
   Choices choices;
-  choices.process = ofHeight(3.2);
+  choices.tool().process = ofHeight(3.2);
   ASSERT_DOUBLE_EQ(parameterValues(choices).number("voxelMm"), 3.2) << "for meshes";
   EXPECT_DOUBLE_EQ(unitMm(*ell(), choices), 0.8);
   EXPECT_NEAR(geometry::volume(*placedEll(choices)->part), 4 * 0.8 * 0.8 * 0.8, 1e-9);
-  choices.parameters["voxelMm"] = "2";
+  choices.item().parameters["voxelMm"] = "2";
   EXPECT_DOUBLE_EQ(unitMm(*ell(), choices), 2.0) << "the user's own";
 }
 
 TEST(VoxelPart, QuarterTurnsAndMovesKeepItsCells) {
   Choices choices;
-  choices.placement.rotation = Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitZ());
-  choices.placement.centreMm = {10.0, 20.0};
+  choices.item().placement.rotation = Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitZ());
+  choices.item().placement.centreMm = {10.0, 20.0};
   const auto turned = placedEll(choices);
   EXPECT_TRUE(turned->findings.empty());
   EXPECT_EQ(turned->voxels->grid.size, Eigen::Vector3i(3, 4, 5));
   expectBox(turned->platform, 10 - 0.4, 20 - 1.6, 10 + 0.4, 20 + 2.4);
 
-  choices.placement.rotation = Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitY());
-  choices.placement.liftMm = 1.6;
+  choices.item().placement.rotation = Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitY());
+  choices.item().placement.liftMm = 1.6;
   const auto tipped = placedEll(choices);
   EXPECT_TRUE(tipped->findings.empty());
   EXPECT_EQ(tipped->voxels->count, 4u);
@@ -178,7 +178,7 @@ TEST(VoxelPart, QuarterTurnsAndMovesKeepItsCells) {
 
 TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   Choices choices;
-  choices.placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
+  choices.item().placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
   const auto turned = placedEll(choices);
   ASSERT_EQ(turned->findings.size(), 1u);
   EXPECT_EQ(voluta::plan::reportId(turned->findings[0]), "newCells");
@@ -189,13 +189,13 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   EXPECT_FALSE(turned->platform.empty()) << "it still lies flat";
 
   choices = {};
-  choices.placement.liftMm = 0.3;
+  choices.item().placement.liftMm = 0.3;
   const auto lifted = placedEll(choices);
   ASSERT_EQ(lifted->findings.size(), 1u);
   EXPECT_THAT(voluta::plan::englishReason(lifted->findings[0]), HasSubstr("whole cells"));
 
-  choices.placement.liftMm = 0.0;
-  choices.placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
+  choices.item().placement.liftMm = 0.0;
+  choices.item().placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());
   PlanRequest request = requestFor(ell(), Stage::Decompose);
   request.choices = choices;
   const Report report = planPart(request, {}).job.report;
@@ -207,7 +207,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
 TEST(VoxelPart, KeysKnowItsCellsItsPlatformAndTheirWidth) {
   const auto keyOf = [](const std::shared_ptr<const LoadedPart>& part, const char* voxelMm) {
     PlanRequest request = requestFor(part, Stage::Load);
-    request.choices.parameters["voxelMm"] = voxelMm;
+    request.choices.item().parameters["voxelMm"] = voxelMm;
     return stageKeys(request)[0];
   };
   EXPECT_EQ(keyOf(ell(), "0.8"), keyOf(textPart("01000\n01000\n01100\n-----\n"), "0.8"));
@@ -224,20 +224,20 @@ TEST(VoxelPart, ProjectsKeepItsCells) {
   const test::TemporaryFolder folder;
   writeJob(folder / "cells.voluta", planned.job);
   const Job job = readJob(folder / "cells.voluta");
-  ASSERT_TRUE(job.loaded->cells);
-  EXPECT_EQ(job.loaded->cells->solid, ell()->cells->solid);
-  EXPECT_EQ(job.loaded->cells->platform, ell()->cells->platform);
-  EXPECT_EQ(job.loaded->hash, ell()->hash);
+  ASSERT_TRUE(job.item().loaded->cells);
+  EXPECT_EQ(job.item().loaded->cells->solid, ell()->cells->solid);
+  EXPECT_EQ(job.item().loaded->cells->platform, ell()->cells->platform);
+  EXPECT_EQ(job.item().loaded->hash, ell()->hash);
 
   StageCache reopened;
   seedCache(reopened, job);
-  PlanRequest again = requestFor(job.loaded, Stage::Decompose);
+  PlanRequest again = requestFor(job.item().loaded, Stage::Decompose);
   EXPECT_EQ(stageKeys(again), stageKeys(requestFor(ell(), Stage::Decompose)));
-  again.choices.growth =
+  again.choices.item().growth =
       curved::GrowthScheme("greedy"); // made anew: from the object's cells, not from its surface
   const PlanResult other = planPart(again, {}, &reopened);
-  EXPECT_EQ(other.job.report.decomposition.voxels, 4u);
-  expectBox(other.job.platform.polygon, -1.6, -0.4, 2.4, 0.4);
+  EXPECT_EQ(other.job.report.item().decomposition.voxels, 4u);
+  expectBox(other.job.item().platform.polygon, -1.6, -0.4, 2.4, 0.4);
 }
 
 TEST(VoxelPart, IsToldFromMeshesByEndingOrContent) {
@@ -251,26 +251,26 @@ TEST(VoxelPart, IsToldFromMeshesByEndingOrContent) {
 TEST(VoxelPart, BadFilesAreOneLineWithTheirPlace) {
   const test::TemporaryFolder folder;
   PlanRequest request;
-  request.part = (folder / "bad.txt").string();
-  base::writeFile(request.part, "0110\n01z0\n----\n");
+  request.item().part = (folder / "bad.txt").string();
+  base::writeFile(request.item().part, "0110\n01z0\n----\n");
   const std::string line = errorOf(request);
-  EXPECT_THAT(line, HasSubstr(request.part + ", line 2, column 3"));
+  EXPECT_THAT(line, HasSubstr(request.item().part + ", line 2, column 3"));
   EXPECT_EQ(line.find('\n'), std::string::npos);
 }
 
 TEST(BadVoxels, APartThatDoesNotTouchThePlatformIsToldSo) {
   PlanRequest request = requestFor(ell(), Stage::Decompose);
-  request.choices.placement.liftMm = 8.0;
+  request.choices.item().placement.liftMm = 8.0;
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the platform"));
-  request.choices.platform = project::Platform("disc:5");
+  request.choices.item().platform = project::Platform("disc:5");
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the platform"));
 
   request = requestFor(test::loadedBox({0, 0, 0}, {4, 4, 4}), Stage::Decompose);
-  request.choices.placement.liftMm = 3.0;
+  request.choices.item().placement.liftMm = 3.0;
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the plate"));
-  request.choices.placement.liftMm = 0.0;
-  request.choices.placement.centreMm = {100.0, 0.0};
-  request.choices.platform = project::Platform("disc:20");
+  request.choices.item().placement.liftMm = 0.0;
+  request.choices.item().placement.centreMm = {100.0, 0.0};
+  request.choices.item().platform = project::Platform("disc:20");
   EXPECT_THAT(errorOf(request), HasSubstr("does not touch the platform"));
 }
 
@@ -280,7 +280,7 @@ TEST(BadVoxels, AWidthThatNeedsMoreMemoryThanThereIsNamesOneThatFits) {
                  std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {150, 150, 1900})),
                  {}, true, {}),
       Stage::Decompose);
-  request.choices.parameters["voxelMm"] = "0.1";
+  request.choices.item().parameters["voxelMm"] = "0.1";
   const std::string line = errorOf(request);
   EXPECT_THAT(line, HasSubstr("voxelMm"));
   EXPECT_THAT(line, HasSubstr("of memory"));

@@ -42,7 +42,7 @@ TEST_F(Processes, everyOneKeepsItsContract) {
     EXPECT_LE(p.bridgeSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.travelSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.primeS, 0.0);
-    EXPECT_GT(p.densityGPerCm3, 0.0);
+    EXPECT_GT(p.material.densityGPerCm3, 0.0);
     // The thickest bead at the usual speed is within what the extruder gives.
     EXPECT_GE(p.maxFlowMm3PerS, p.speedMmPerS * beadArea(p.beadWidthMaxMm, p.layerHeightMaxMm));
     // Contact is less than a usual layer deep, or a head in the layer below would be none.

@@ -221,7 +221,8 @@ TEST_F(Dialects, textFromFilesNeverLeavesItsRemark) {
           std::string("a\0b\x1b\xff\xe2\x80\xa8", 9), std::string("a\\n; end\n# end\n"),
           std::string(5000, 'x')}) {
       process::Process process = process_;
-      process.material = process.id = hostile;
+      process.material = process::materialNamed("unknown");
+      process.material.label = process.id = hostile;
       const ProgramInput in{plan_, trajectory_, *cell_, process, hostile};
       const plan::Program program = writeProgram(d.id, in);
       const std::string& text = program.files[0].text;

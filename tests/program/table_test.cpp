@@ -347,7 +347,7 @@ M84
 )";
   EXPECT_EQ(detectDialect("part.gcode", text)->id, "gcode");
   process::Process process;
-  process.material = "PLA";
+  process.material = process::Material();
   const auto back = readProgram("gcode", {{"file", text}}, process);
   for (const auto& d : back.defects)
     ADD_FAILURE() << d.line << ": " << base::english(d.reason);

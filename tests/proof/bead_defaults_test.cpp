@@ -30,8 +30,8 @@ std::string wideProcess(double widthMm) {
 
 project::Choices choicesOf(const std::string& process) {
   project::Choices choices;
-  choices.process = process;
-  choices.mode = "flat";
+  choices.tool().process = process;
+  choices.item().mode = "flat";
   return choices;
 }
 
@@ -51,7 +51,7 @@ TEST(BeadDefaults, LengthsGoWithTheBead) {
 
 TEST(BeadDefaults, ASettingOfTheUsersStays) {
   project::Choices choices = choicesOf(wideProcess(8.0));
-  choices.parameters["voxelMm"] = "0.8";
+  choices.item().parameters["voxelMm"] = "0.8";
   EXPECT_DOUBLE_EQ(parameterValues(choices).number("voxelMm"), 0.8);
 }
 
@@ -60,16 +60,16 @@ class WideBeads : public testing::TestWithParam<double> {};
 TEST_P(WideBeads, ABoxPassesWithoutFurtherSettings) {
   const double bead = GetParam();
   PlanRequest request;
-  request.loaded = test::loadedBox({0, 0, 0}, {12.0 * bead, 10.0 * bead, 4.0 * bead});
-  request.choices.process = wideProcess(bead);
-  request.choices.automatic = true;
+  request.item().loaded = test::loadedBox({0, 0, 0}, {12.0 * bead, 10.0 * bead, 4.0 * bead});
+  request.choices.tool().process = wideProcess(bead);
+  request.choices.item().automatic = true;
   request.choices.formats = {"csv"};
   const PlanResult plan = planPart(request, {});
   for (const plan::Finding& finding : plan.job.report.findings)
     EXPECT_FALSE(finding.blocking) << plan::englishReason(finding);
   ASSERT_EQ(plan.checked.size(), 1u);
   EXPECT_TRUE(plan.checked[0]->passed);
-  EXPECT_EQ(plan.job.report.layers.count, 8);
+  EXPECT_EQ(plan.job.report.item().layers.count, 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, WideBeads, testing::Values(3.0, 8.0));

@@ -35,12 +35,12 @@ std::string copyOf(const std::string& folder, const std::string& id, const std::
 TEST(OwnFiles, AJobIsVerifiedWithoutThem) {
   test::TemporaryFolder folder;
   PlanRequest request = test::boxRequest();
-  request.choices.mode = "flat";
+  request.choices.item().mode = "flat";
   request.choices.formats = {"csv"};
-  request.choices.process = copyOf("processes", "fdm-1.0", "mine", folder);
+  request.choices.tool().process = copyOf("processes", "fdm-1.0", "mine", folder);
   request.choices.cell = copyOf("cells", "ur5-fixed", "my-cell", folder);
   takeOwnFiles(request.choices);
-  EXPECT_EQ(base::dataName(request.choices.process), "mine");
+  EXPECT_EQ(base::dataName(request.choices.tool().process), "mine");
   EXPECT_EQ(base::dataName(request.choices.cell), "my-cell");
   PlanResult plan = planPart(request, kCtx);
   ASSERT_TRUE(nothingBlocks(plan.job.report));
@@ -54,7 +54,7 @@ TEST(OwnFiles, AJobIsVerifiedWithoutThem) {
       verifyProgram(folder / "out" / "box.csv", folder / "out" / "job.voluta", kCtx);
   EXPECT_TRUE(again.replay.passed);
   project::Job job = project::readJob(folder / "out" / "job.voluta");
-  EXPECT_EQ(base::dataName(job.choices.process), "mine");
+  EXPECT_EQ(base::dataName(job.choices.tool().process), "mine");
   EXPECT_EQ(resultOf(std::move(job)).cell->id(), "my-cell");
 }
 
@@ -80,10 +80,10 @@ TEST(OwnFiles, AWrongFileIsNamed) {
     return {};
   };
   project::Choices choices;
-  choices.process = (folder / "none.json").string();
+  choices.tool().process = (folder / "none.json").string();
   EXPECT_THAT(errorOf(choices), testing::HasSubstr("none.json"));
   base::writeFile(folder / "bad.json", "{\"id\": \"bad\"}");
-  choices.process = (folder / "bad.json").string();
+  choices.tool().process = (folder / "bad.json").string();
   EXPECT_THAT(errorOf(choices), testing::AllOf(testing::HasSubstr("bad.json"),
                                                testing::HasSubstr("'label' is missing")));
   choices = {};

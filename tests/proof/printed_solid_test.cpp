@@ -20,7 +20,7 @@ TEST(PrintedSolid, ABoxIsAsMuchAsTheReplayLays) {
   EXPECT_TRUE(found.watertight);
   EXPECT_EQ(found.components, 1u); // no walls are left inside
   const double laid =
-      plan.checked[0]->verdict.massRatio * geometry::volume(plan.job.printed()); // mm3
+      plan.checked[0]->verdict.massRatio * geometry::volume(plan.job.item().printed()); // mm3
   EXPECT_NEAR(geometry::volume(solid), laid, 0.03 * laid);
   const Eigen::AlignedBox3d box = geometry::bounds(solid);
   EXPECT_NEAR(box.sizes().x(), 20.0, 0.8);

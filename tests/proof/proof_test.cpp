@@ -102,7 +102,7 @@ TEST(Proof, AMarginNamesItsWorstPlace) {
     EXPECT_LT(gap["atMm"][k].get<double>(), k < 2 ? 12.0 : 9.0);
   }
   EXPECT_GE(gap["layer"].get<int>(), 1);
-  EXPECT_LE(gap["layer"].get<int>(), plan.job.report.layers.count);
+  EXPECT_LE(gap["layer"].get<int>(), plan.job.report.item().layers.count);
   EXPECT_GE(gap["atS"].get<double>(), 0.0);
   EXPECT_LE(gap["atS"].get<double>(), plan.job.report.motion.durationS);
   for (const auto& joint : proof["jointLimits"])
@@ -184,7 +184,7 @@ TEST(Proof, TheFillMapSaysWhereNothingIs) {
   const plan::ToolPlan& whole = *plan.job.toolPlan;
   const double pitch = collision::growingPitch(whole, *plan.process);
   const FillMap full =
-      fillMap(plan.job.printed(), collision::GrowingPart(whole, pitch, kCtx), kCtx);
+      fillMap(plan.job.item().printed(), collision::GrowingPart(whole, pitch, kCtx), kCtx);
   double mean = 0.0, count = 0.0;
   for (const double share : full.filled)
     if (share >= 0.0) {
@@ -194,7 +194,8 @@ TEST(Proof, TheFillMapSaysWhereNothingIs) {
   EXPECT_GT(mean / count, 0.9);
   plan::ToolPlan half = whole; // lower layers only
   std::erase_if(half.paths, [](const plan::ToolPath& p) { return p.layer > 4; });
-  const FillMap left = fillMap(plan.job.printed(), collision::GrowingPart(half, pitch, kCtx), kCtx);
+  const FillMap left =
+      fillMap(plan.job.item().printed(), collision::GrowingPart(half, pitch, kCtx), kCtx);
   const auto at = [](const FillMap& map, int k) {
     return map.filled[static_cast<std::size_t>(
         map.size.x() / 2 + map.size.x() * (map.size.y() / 2 + map.size.y() * k))];

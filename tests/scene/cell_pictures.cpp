@@ -27,9 +27,9 @@ robot::Cell cellOf(const std::string& id) {
   project::Choices choices;
   choices.cell = id;
   if (id == "lathe")
-    choices.mode = "lathe";
-  choices.process = id == "lathe" ? "fdm-0.35" : "fdm-1.0";
-  return pipeline::fittingCell(choices, process::loadProcess(choices.process));
+    choices.item().mode = "lathe";
+  choices.tool().process = id == "lathe" ? "fdm-0.35" : "fdm-1.0";
+  return pipeline::fittingCell(choices, process::loadProcess(choices.tool().process));
 }
 
 void draw(const std::string& id, bool solids, const std::filesystem::path& folder) {

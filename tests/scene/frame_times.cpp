@@ -66,18 +66,19 @@ int main() {
   scene::ViewState view;
   view.part = false;
   view.dragging = true;
-  bench.scene.setPlatform(scene::drawPlatform(job.platform, 100.0));
+  bench.scene.setPlatform(scene::drawPlatform(job.item().platform, 100.0));
   const auto turn = [&](scene::ViewState&, double) {
     bench.scene.renderer()->GetActiveCamera()->Azimuth(7);
   };
-  if (job.part) {
-    bench.scene.setPart(timed("drawPart", [&] { return scene::drawPart(*job.part); }));
+  if (job.item().part) {
+    bench.scene.setPart(timed("drawPart", [&] { return scene::drawPart(*job.item().part); }));
     view.part = true;
     bench.run("part, turning", view, turn);
     view.part = false;
   }
-  if (job.decomposition()) {
-    const auto d = timed("drawVoxels", [&] { return scene::drawVoxels(*job.decomposition()); });
+  if (job.item().decomposition()) {
+    const auto d =
+        timed("drawVoxels", [&] { return scene::drawVoxels(*job.item().decomposition()); });
     bench.scene.setVoxels(d);
     view.voxels = true;
     bench.run("voxels, turning", view, turn);
@@ -86,8 +87,8 @@ int main() {
     });
     view.voxels = false;
   }
-  if (job.layers) {
-    const auto d = timed("drawLayers", [&] { return scene::drawLayers(*job.layers); });
+  if (job.item().layers) {
+    const auto d = timed("drawLayers", [&] { return scene::drawLayers(*job.item().layers); });
     bench.scene.setLayers(d);
     view.layers = true;
     bench.run("layers, turning", view, turn);
@@ -127,7 +128,7 @@ int main() {
   if (!job.trajectory)
     return 0;
   const auto process = pipeline::chosenProcess(job.choices, pipeline::parameterValues(job.choices));
-  const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.platform);
+  const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.item().platform);
   bench.scene.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
   view.cell = view.materialColour = true;
   view.world = scene::World::Base;

@@ -366,14 +366,14 @@ class RenderCommand : public ::testing::Test {
 protected:
   void SetUp() override {
     project::Job job;
-    job.partName = "ball.stl";
+    job.item().partName = "ball.stl";
     const auto mesh = std::make_shared<const geometry::TriangleMesh>(test::sphere({0, 0, 20}, 20));
     auto loaded = std::make_shared<project::LoadedPart>();
-    loaded->name = job.partName;
+    loaded->name = job.item().partName;
     loaded->source = loaded->mesh = mesh;
-    job.loaded = loaded;
-    job.part = mesh;
-    job.platform = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
+    job.item().loaded = loaded;
+    job.item().part = mesh;
+    job.item().platform = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
     project::writeJob(folder_ / "job.voluta", job);
   }
 

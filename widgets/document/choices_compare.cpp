@@ -8,21 +8,22 @@ using project::Choices;
 
 bool sameChoices(const Choices& a, const Choices& b) {
   const auto tied = [](const Choices& c) {
-    return std::tie(c.automatic, c.platformStays, c.automaticWay, c.mode, c.growth, c.platform,
-                    c.cell, c.process, c.scale, c.units, c.repair, c.formats, c.parameters, c.seed,
-                    c.placement.liftMm);
+    return std::tie(c.item().automatic, c.item().platformStays, c.item().automaticWay,
+                    c.item().mode, c.item().growth, c.item().platform, c.cell, c.tool().process,
+                    c.item().scale, c.item().units, c.item().repair, c.formats, c.item().parameters,
+                    c.seed, c.item().placement.liftMm);
   };
-  return tied(a) == tied(b) && a.placement.centreMm == b.placement.centreMm &&
-         a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
+  return tied(a) == tied(b) && a.item().placement.centreMm == b.item().placement.centreMm &&
+         a.item().placement.rotation.coeffs() == b.item().placement.rotation.coeffs();
 }
 
 bool losesSettings(const Choices& now, const Choices& next) {
   const auto tied = [](const Choices& c) {
-    return std::tie(c.automatic, c.platformStays, c.growth, c.cell, c.process, c.units, c.repair,
-                    c.parameters, c.seed);
+    return std::tie(c.item().automatic, c.item().platformStays, c.item().growth, c.cell,
+                    c.tool().process, c.item().units, c.item().repair, c.item().parameters, c.seed);
   };
-  const bool sameWay =
-      now.automatic || std::tie(now.mode, now.platform) == std::tie(next.mode, next.platform);
+  const bool sameWay = now.item().automatic || std::tie(now.item().mode, now.item().platform) ==
+                                                   std::tie(next.item().mode, next.item().platform);
   return !sameWay || tied(now) != tied(next);
 }
 

@@ -29,7 +29,7 @@ std::string Comparing::keyOf(const pipeline::PlanRequest& request) const {
     mode = row.combination.mode;
     pipeline::PlanRequest one = request;
     one.choices = pipeline::choicesOf(row.combination, one.choices);
-    one.choices.growth = {}; // is the row's own
+    one.choices.item().growth = {}; // is the row's own
     key += pipeline::stageKeys(one).back();
   }
   return key;

@@ -178,15 +178,15 @@ void Document::setParameter(const QString& key, const QString& text) {
   const base::ParameterValue& value = values.changes().at(spec.key);
   project::Choices choices = choices_;
   if (value == spec.defaultValue)
-    choices.parameters.erase(spec.key);
+    choices.item().parameters.erase(spec.key);
   else
-    choices.parameters[spec.key] = base::formatParameter(value);
+    choices.item().parameters[spec.key] = base::formatParameter(value);
   push(choices, source_, tr("Change %1").arg(language::words(spec.label)));
 }
 
 void Document::resetParameter(const QString& key) {
   project::Choices choices = choices_;
-  choices.parameters.erase(key.toStdString());
+  choices.item().parameters.erase(key.toStdString());
   const base::ParameterTable table = pipeline::allParameters();
   const base::ParameterSpec* spec = table.find(key.toStdString());
   push(choices, source_, tr("Reset %1").arg(spec ? language::words(spec->label) : key));
@@ -194,19 +194,19 @@ void Document::resetParameter(const QString& key) {
 
 void Document::resetParameters() {
   project::Choices choices = choices_;
-  choices.parameters.clear();
+  choices.item().parameters.clear();
   push(choices, source_, tr("Reset all parameters"));
 }
 
 void Document::place(const geometry::Placement& placement, const QString& editName) {
   project::Choices choices = choices_;
-  choices.placement = placement;
+  choices.item().placement = placement;
   push(choices, source_, editName);
 }
 
 void Document::setScale(const QString& scale) {
   project::Choices choices = choices_;
-  choices.scale = scale.toStdString();
+  choices.item().scale = scale.toStdString();
   push(choices, source_, tr("Scale the part"));
 }
 
@@ -231,20 +231,21 @@ void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const Q
 project::Choices Document::choicesOfNextPart(const QString& path) const {
   const project::Choices usual;
   project::Choices same = choices_;
-  same.placement = usual.placement;
-  same.scale = usual.scale;
+  same.item().placement = usual.item().placement;
+  same.item().scale = usual.item().scale;
   if (!source_ || (!path.isEmpty() && path == source_->path))
     return same;
   project::Choices next = start_;
   // A cell and a process that came along with the way of building go with it.
-  const modes::Mode* mode = choices_.automatic ? nullptr : modes::modeNamed(choices_.mode);
+  const modes::Mode* mode =
+      choices_.item().automatic ? nullptr : modes::modeNamed(choices_.item().mode);
   if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != start_.cell)
     return next;
   next.cell = choices_.cell;
-  next.process = choices_.process;
+  next.tool().process = choices_.tool().process;
   next.formats = choices_.formats;
   try {
-    return next.automatic ? pipeline::automaticChoices(next).front() : fitting(next);
+    return next.item().automatic ? pipeline::automaticChoices(next).front() : fitting(next);
   } catch (const base::Error&) {
     return next; // what is wrong with the cell, the plan reports
   }
@@ -298,8 +299,9 @@ void Document::clear() {
 
 void Document::openJob(const pipeline::PlanResult& opened, const QString& file, bool unsaved) {
   const project::Job& job = opened.job;
-  base::require(job.loaded != nullptr, "Document: a project with a part");
-  replaceAll(job.choices, std::make_shared<Source>(Source{job.loaded, {}, true}), file, unsaved);
+  base::require(job.item().loaded != nullptr, "Document: a project with a part");
+  replaceAll(job.choices, std::make_shared<Source>(Source{job.item().loaded, {}, true}), file,
+             unsaved);
   if (job.reached) {
     const auto result = std::make_shared<const pipeline::PlanResult>(opened);
     for (std::size_t s = 0; s <= indexOf(*job.reached); ++s) {
@@ -450,7 +452,8 @@ void Document::planStarted(Stage until) {
 }
 
 bool Document::isOfSource(const pipeline::PlanResult& result) const {
-  return source_ && result.job.loaded && result.job.loaded->hash == source_->part->hash;
+  return source_ && result.job.item().loaded &&
+         result.job.item().loaded->hash == source_->part->hash;
 }
 
 void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult> result) {
@@ -476,14 +479,15 @@ void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult
 }
 
 void Document::takeWay(const project::Choices& planned) {
-  if (!choices_.automatic || !planned.automatic ||
-      (planned.automaticWay == choices_.automaticWay && planned.mode == choices_.mode &&
-       planned.platform == choices_.platform))
+  if (!choices_.item().automatic || !planned.item().automatic ||
+      (planned.item().automaticWay == choices_.item().automaticWay &&
+       planned.item().mode == choices_.item().mode &&
+       planned.item().platform == choices_.item().platform))
     return;
-  choices_.automaticWay = planned.automaticWay;
-  choices_.mode = planned.mode;
-  if (!choices_.platformStays)
-    choices_.platform = planned.platform;
+  choices_.item().automaticWay = planned.item().automaticWay;
+  choices_.item().mode = planned.item().mode;
+  if (!choices_.item().platformStays)
+    choices_.item().platform = planned.item().platform;
   refreshKeys();
   emit choicesChanged();
 }
@@ -573,7 +577,7 @@ void Document::previewFailed(const base::Error& error) {
 
 pipeline::PlanRequest Document::request(Stage until) const {
   pipeline::PlanRequest request;
-  request.loaded = source();
+  request.item().loaded = source();
   request.choices = choices_;
   request.until = until;
   return request;
@@ -587,9 +591,9 @@ project::Job Document::snapshot() const {
   if (current > 0)
     job = project::upTo(shown_[current - 1].result->job, stageAt(current - 1));
   job.choices = choices_;
-  job.loaded = source();
-  if (job.loaded)
-    job.partName = job.loaded->name;
+  job.item().loaded = source();
+  if (job.item().loaded)
+    job.item().partName = job.item().loaded->name;
   return job;
 }
 

@@ -37,55 +37,56 @@ QString automaticObstacle(const Choices& choices) {
 } // namespace
 
 Choices ModeSwitch::switched(const Choices& now, const std::string& mode) {
-  const modes::Mode& from = modes::findMode(now.mode);
+  const modes::Mode& from = modes::findMode(now.item().mode);
   const modes::Mode& to = modes::findMode(mode);
   Choices next = now;
-  next.automatic = next.platformStays = false;
-  next.mode = mode;
-  platforms_[now.mode] = now.platform;
+  next.item().automatic = next.item().platformStays = false;
+  next.item().mode = mode;
+  platforms_[now.item().mode] = now.item().platform;
   if (from.aroundRod != to.aroundRod) {
-    companions_[from.aroundRod] = {now.cell, now.process, now.placement};
+    companions_[from.aroundRod] = {now.cell, now.tool().process, now.item().placement};
     const auto kept = companions_.find(to.aroundRod);
     const Defaults with =
         kept == companions_.end() ? Defaults{to.usual.cell, to.usual.process, {}} : kept->second;
     next.cell = with.cell;
-    next.process = with.process;
-    next.placement = with.placement;
+    next.tool().process = with.process;
+    next.item().placement = with.placement;
     if (!platforms_.contains(mode))
-      next.platform = to.usual.platform;
+      next.item().platform = to.usual.platform;
   }
   const auto platform = platforms_.find(mode);
-  const bool plate = next.platform.isForAnyOf(to.platforms) && from.aroundRod == to.aroundRod;
+  const bool plate =
+      next.item().platform.isForAnyOf(to.platforms) && from.aroundRod == to.aroundRod;
   if (platform != platforms_.end() &&
       (!plate || (platform->second.isBody() && platform->second.isForAnyOf(to.platforms))))
-    next.platform = platform->second;
-  if (!next.platform.isForAnyOf(to.platforms))
-    next.platform = to.usual.platform;
+    next.item().platform = platform->second;
+  if (!next.item().platform.isForAnyOf(to.platforms))
+    next.item().platform = to.usual.platform;
   return next;
 }
 
 Choices fitting(Choices choices) {
-  const modes::Mode& mode = modes::findMode(choices.mode);
-  if (!choices.platform.isForAnyOf(mode.platforms))
-    choices.platform = mode.usual.platform;
+  const modes::Mode& mode = modes::findMode(choices.item().mode);
+  if (!choices.item().platform.isForAnyOf(mode.platforms))
+    choices.item().platform = mode.usual.platform;
   if (mode.place) {
-    choices.parameters.erase("orient");
-    if (choices.scale == "fit")
-      choices.scale = "1";
+    choices.item().parameters.erase("orient");
+    if (choices.item().scale == "fit")
+      choices.item().scale = "1";
   }
   if (!cellFits(choices)) {
     choices.cell = mode.usual.cell;
     if (!cellFits(choices))
-      choices.process = mode.usual.process;
+      choices.tool().process = mode.usual.process;
   }
   return choices;
 }
 
 Choices ModeSwitch::automatic(const Choices& now) {
-  platforms_[now.mode] = now.platform;
+  platforms_[now.item().mode] = now.item().platform;
   Choices next = now;
-  next.automatic = true;
-  next.platformStays = false;
+  next.item().automatic = true;
+  next.item().platformStays = false;
   return next;
 }
 
@@ -105,23 +106,23 @@ base::ParameterTable parametersFor(const Choices& choices) {
 }
 
 QString obstacle(const Choices& given) {
-  if (given.automatic)
+  if (given.item().automatic)
     return automaticObstacle(given);
   const Choices& choices = given;
   const auto say = [](const char* text) { return QCoreApplication::translate("ModeSwitch", text); };
-  const modes::Mode& mode = modes::findMode(choices.mode);
-  if (!choices.platform.isForAnyOf(mode.platforms))
+  const modes::Mode& mode = modes::findMode(choices.item().mode);
+  if (!choices.item().platform.isForAnyOf(mode.platforms))
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building does not print on that platform."));
-  const auto orient = choices.parameters.find("orient");
-  if (mode.place && orient != choices.parameters.end() && orient->second != "none")
+  const auto orient = choices.item().parameters.find("orient");
+  if (mode.place && orient != choices.item().parameters.end() && orient->second != "none")
     return say(QT_TRANSLATE_NOOP("ModeSwitch", "This way of building lays the part itself: it is "
                                                "not turned by the search for a way to lie."));
-  if (mode.place && choices.scale == "fit")
+  if (mode.place && choices.item().scale == "fit")
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building needs a scale that is a number."));
   try {
-    if (const project::Platform& platform = choices.platform;
+    if (const project::Platform& platform = choices.item().platform;
         platform.isBody() && !QFileInfo(QString::fromStdString(platform.file())).isFile())
       return say(QT_TRANSLATE_NOOP("ModeSwitch", "The platform's file %1 is not there."))
           .arg(QString::fromStdString(platform.file()));
@@ -138,7 +139,7 @@ QString obstacle(const Choices& given) {
   } catch (const base::Error& error) {
     // What is wrong with a parameter is told in its field.
     const auto* key = std::get_if<std::string>(&error.context().data());
-    const bool told = key && pipeline::parametersOf(choices.mode).find(*key) != nullptr;
+    const bool told = key && pipeline::parametersOf(choices.item().mode).find(*key) != nullptr;
     return told ? QString() : language::words(error.whole());
   }
 }

@@ -42,8 +42,8 @@ void Opening::open(const QString& path) {
 void Opening::openPart(const QString& path) {
   giveUpRepair();
   runner_.run(
-      [this, path, repair = document_.choices().repair](const base::RunContext& ctx,
-                                                        const jobs::Post& post) {
+      [this, path, repair = document_.choices().item().repair](const base::RunContext& ctx,
+                                                               const jobs::Post& post) {
         const Part asRead = project::loadPart(path.toStdString(), false, ctx.sub(0.0, 0.3));
         // `this` is only used in what is posted, on the thread of the window.
         post([this, path, asRead, repair] {
@@ -133,7 +133,7 @@ void Opening::repair() {
   const Part part = document_.source();
   if (runner_.running() || !part)
     return;
-  const bool wanted = document_.choices().repair;
+  const bool wanted = document_.choices().item().repair;
   if (part->repair == wanted)
     refused_.reset();
   if (part->repair == wanted || part == refused_)

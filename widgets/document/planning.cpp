@@ -89,11 +89,11 @@ void Planning::start() {
                                                                   const jobs::Post& post) {
         // `this` is only used in what is posted, on the thread of the window.
         const auto tell = [&](Stage stage, const pipeline::PlanResult& soFar) {
-          post([this, stage, loaded = request.loaded,
+          post([this, stage, loaded = request.item().loaded,
                 snapshot = std::make_shared<const pipeline::PlanResult>(soFar)] {
             // The plan repairs, or takes as read, what was not loaded so.
-            if (snapshot->job.loaded != loaded)
-              document_.replaceSource(loaded, snapshot->job.loaded);
+            if (snapshot->job.item().loaded != loaded)
+              document_.replaceSource(loaded, snapshot->job.item().loaded);
             document_.stageDone(stage, snapshot);
             emit stageDone(stage);
           });

@@ -7,7 +7,8 @@ namespace voluta::document {
 Preview previewOf(std::shared_ptr<const curved::Decomposition> decomposition,
                   const pipeline::PlanResult& soFar) {
   return {std::move(decomposition), soFar.process->layerHeightMm,
-          soFar.job.stages[project::indexOf(project::Stage::Load)].key, soFar.job.loaded->hash};
+          soFar.job.stages[project::indexOf(project::Stage::Load)].key,
+          soFar.job.item().loaded->hash};
 }
 
 } // namespace voluta::document

@@ -51,12 +51,13 @@ public:
   }
 
   void showPart() {
-    scene_.setPart(scene::drawPart(*need(job_.part, "placed part"_text)));
+    scene_.setPart(scene::drawPart(*need(job_.item().part, "placed part"_text)));
     view_.part = true;
     showPlatform();
   }
   void showVoxels() {
-    const auto drawing = scene::drawVoxels(*need(job_.decomposition(), "voxels"_text), voxelLook());
+    const auto drawing =
+        scene::drawVoxels(*need(job_.item().decomposition(), "voxels"_text), voxelLook());
     setLastLayer(scene::layerCount(*drawing));
     scene_.setVoxels(drawing);
     view_.voxels = true;
@@ -65,7 +66,7 @@ public:
   void showLayers() {
     const process::Process p = process();
     const auto drawing =
-        scene::drawLayers(*need(job_.layers, "layers"_text),
+        scene::drawLayers(*need(job_.item().layers, "layers"_text),
                           {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm});
     setLastLayer(scene::layerCount(*drawing));
     scene_.setLayers(drawing);
@@ -73,7 +74,7 @@ public:
     showPlatform();
   }
   void showPieces() {
-    scene_.setPieces(scene::drawPieces(need(job_.pieces(), "pieces"_text)->pieces,
+    scene_.setPieces(scene::drawPieces(need(job_.item().pieces(), "pieces"_text)->pieces,
                                        pipeline::riskRule(job_.choices)));
     view_.pieces = true;
     showPlatform();
@@ -89,7 +90,7 @@ public:
   void showRobot() {
     const auto& trajectory = *need(job_.trajectory, "robot motion"_text);
     const auto& plan = *need(job_.toolPlan, "tool-paths"_text);
-    const robot::Cell cell = robot::loadCell(job_.choices.cell, process(), job_.platform);
+    const robot::Cell cell = robot::loadCell(job_.choices.cell, process(), job_.item().platform);
     scene_.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
     const auto drawing = scene::drawPaths(plan, &trajectory);
     setLastLayer(scene::layerCount(*drawing));
@@ -98,7 +99,7 @@ public:
     view_.materialColour = options_.colour == "layer";
     view_.world = scene::World::Base;
     setTime(trajectory);
-    scene_.setPlatform(scene::drawPlatform(job_.platform, 0.0));
+    scene_.setPlatform(scene::drawPlatform(job_.item().platform, 0.0));
   }
 
   void inMaterialColour() { view_.materialColour = true; }
@@ -110,7 +111,7 @@ public:
   scene::Image pictureOfThePart() {
     return pictureFrom([&] {
       scene_.standardView(scene::StandardView::Isometric);
-      const Eigen::AlignedBox3d box = geometry::bounds(*job_.part);
+      const Eigen::AlignedBox3d box = geometry::bounds(*job_.item().part);
       scene_.lookAt(box.center(), 0.5 * box.diagonal().norm());
     });
   }
@@ -136,7 +137,7 @@ private:
     look.colourBy = view_.colourBy;
     if (look.colourBy == scene::ColourBy::Peeling)
       look.peeling = std::make_shared<const std::vector<std::int32_t>>(
-          curved::peelingField(*job_.decomposition(), {}));
+          curved::peelingField(*job_.item().decomposition(), {}));
     return look;
   }
 
@@ -146,10 +147,10 @@ private:
 
   void showPlatform() {
     double reach = 0.0;
-    if (job_.part)
-      for (const Eigen::Vector3d& v : job_.part->vertices)
+    if (job_.item().part)
+      for (const Eigen::Vector3d& v : job_.item().part->vertices)
         reach = std::max(reach, v.head<2>().norm());
-    scene_.setPlatform(scene::drawPlatform(job_.platform, reach + kGroundBeyondPartMm));
+    scene_.setPlatform(scene::drawPlatform(job_.item().platform, reach + kGroundBeyondPartMm));
   }
 
   void setLastLayer(int count) {
@@ -225,7 +226,7 @@ scene::Image jobPicture(const project::Job& job, const PictureOptions& options) 
 }
 
 std::vector<std::string> drawProofPictures(const project::Job& job) {
-  if (!job.part || !job.toolPlan)
+  if (!job.item().part || !job.toolPlan)
     return {};
   PictureOptions options;
   options.width = 1000;
@@ -247,11 +248,11 @@ std::vector<std::string> proofPictures(const project::Job& job) {
 }
 
 std::string furthestPicture(const project::Job& job) {
-  return job.toolPlan          ? "paths"
-         : job.layers          ? "layers"
-         : job.decomposition() ? "voxels"
-         : job.pieces()        ? "pieces"
-                               : "part";
+  return job.toolPlan                 ? "paths"
+         : job.item().layers          ? "layers"
+         : job.item().decomposition() ? "voxels"
+         : job.item().pieces()        ? "pieces"
+                                      : "part";
 }
 
 } // namespace voluta::pictures

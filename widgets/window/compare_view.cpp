@@ -27,10 +27,10 @@ constexpr int kPictureWidth = 184, kPictureHeight = 138;
 QImage pictureOf(const project::Job& job, bool dark) {
   const auto image = base::outcomeOf([&] {
     pictures::PictureOptions look;
-    look.show = job.layers ? "layers" : pictures::furthestPicture(job);
+    look.show = job.item().layers ? "layers" : pictures::furthestPicture(job);
     look.width = kPictureWidth;
     look.height = kPictureHeight;
-    look.colour = job.pieces() && job.pieces()->pieces.size() > 1 ? "group" : "layer";
+    look.colour = job.item().pieces() && job.item().pieces()->pieces.size() > 1 ? "group" : "layer";
     look.legend = false;
     look.dark = dark;
     return pictures::jobPicture(job, look);
@@ -101,7 +101,7 @@ void CompareView::build() {
   panel_->setPlatformTexts([](const QString& platform) {
     return language::words(project::Platform(platform.toStdString()).shown());
   });
-  panel_->setPlatform(QString::fromStdString(document_.choices().platform.text()));
+  panel_->setPlatform(QString::fromStdString(document_.choices().item().platform.text()));
   table_ = new panels::CompareTable(this);
   table_->setObjectName("compareTable");
   empty_ = new QLabel(this);
@@ -145,7 +145,7 @@ void CompareView::listen() {
     showState();
   });
   connect(&document_, &document::Document::choicesChanged, this, [this] {
-    panel_->setPlatform(QString::fromStdString(document_.choices().platform.text()));
+    panel_->setPlatform(QString::fromStdString(document_.choices().item().platform.text()));
     showModes();
     showCount();
     showRanking();
@@ -168,7 +168,7 @@ void CompareView::showModes() {
     return std::find(mode.platforms.begin(), mode.platforms.end(), project::PlatformUse::Body) !=
            mode.platforms.end();
   };
-  const modes::Mode& chosen = modes::findMode(document_.choices().mode);
+  const modes::Mode& chosen = modes::findMode(document_.choices().item().mode);
   std::vector<forms::ChoiceItem> fitting;
   QStringList ids;
   for (const forms::ChoiceItem& item : modes_) {
@@ -213,10 +213,10 @@ panels::CompareEntry CompareView::entryOf(std::size_t index) const {
   if (row.combination.growth)
     entry.growth = language::words(row.combination.growth->row().label);
   entry.platform = language::words(row.combination.platform.shown());
-  entry.inUse = pipeline::choicesOf(row.combination, document_.choices()).growth ==
-                    document_.choices().growth &&
-                row.combination.mode == document_.choices().mode &&
-                row.combination.platform == document_.choices().platform;
+  entry.inUse = pipeline::choicesOf(row.combination, document_.choices()).item().growth ==
+                    document_.choices().item().growth &&
+                row.combination.mode == document_.choices().item().mode &&
+                row.combination.platform == document_.choices().item().platform;
   entry.tip = wayText(row.combination);
   if (!row.compared) {
     const bool running = comparing_.current() == index;

@@ -294,10 +294,11 @@ void MainWindow::showObjects() {
       source ? sizeText(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval())
              : QString();
   tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), {});
-  tree_->setText(SceneItem::Platform, {}, language::words(c.platform.shown()));
+  tree_->setText(SceneItem::Platform, {}, language::words(c.item().platform.shown()));
   const QString cell = QString::fromStdString(base::dataName(c.cell)); // of a text its id alone
   tree_->setText(SceneItem::Cell, {}, cell);
-  tree_->setText(SceneItem::Plate, modes::findMode(c.mode).aroundRod ? tr("Rod") : QString(), {});
+  tree_->setText(SceneItem::Plate, modes::findMode(c.item().mode).aroundRod ? tr("Rod") : QString(),
+                 {});
   status_->setPart(size);
   status_->setCell(cell);
 }

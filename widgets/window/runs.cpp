@@ -39,16 +39,17 @@ QString voxelsText(std::size_t voxels, std::size_t missed) {
 QString figuresText(const project::Report& r, Stage reached) {
   const QLocale locale;
   QStringList parts;
-  if (r.decomposition.voxels > 0)
-    parts << voxelsText(r.decomposition.voxels, r.decomposition.missedAfterSupports);
-  if (const modes::Mode* mode = modes::modeNamed(r.decomposition.mode); mode && mode->cuts)
-    parts << (r.decomposition.pieces == 1 ? Runs::tr("1 piece")
-                                          : Runs::tr("%1 pieces").arg(r.decomposition.pieces))
+  if (r.item().decomposition.voxels > 0)
+    parts << voxelsText(r.item().decomposition.voxels, r.item().decomposition.missedAfterSupports);
+  if (const modes::Mode* mode = modes::modeNamed(r.item().decomposition.mode); mode && mode->cuts)
+    parts << (r.item().decomposition.pieces == 1
+                  ? Runs::tr("1 piece")
+                  : Runs::tr("%1 pieces").arg(r.item().decomposition.pieces))
           << Runs::tr("%1 mm² need support")
-                 .arg(locale.toString(r.decomposition.riskyAreaMm2, 'f', 0));
-  if (r.layers.count > 0)
-    parts << (r.layers.count == 1 ? Runs::tr("1 layer")
-                                  : Runs::tr("%1 layers").arg(r.layers.count));
+                 .arg(locale.toString(r.item().decomposition.riskyAreaMm2, 'f', 0));
+  if (r.item().layers.count > 0)
+    parts << (r.item().layers.count == 1 ? Runs::tr("1 layer")
+                                         : Runs::tr("%1 layers").arg(r.item().layers.count));
   if (r.toolpath.waypoints > 0)
     parts << (r.toolpath.waypoints == 1
                   ? Runs::tr("1 waypoint")
@@ -100,9 +101,9 @@ QString cancelText(const document::Document& document) {
 
 QString previewEndText(const document::Document& document) {
   const auto result = document.result(Stage::Decompose);
-  return result && result->job.pieces()
+  return result && result->job.item().pieces()
              ? Runs::tr("The pieces follow the settings. Press Plan for layers and paths.")
-         : result && result->job.decomposition()
+         : result && result->job.item().decomposition()
              ? Runs::tr("The voxels follow the settings. Press Plan for layers and paths.")
              : Runs::tr("Press Plan for layers and paths.");
 }

@@ -22,7 +22,7 @@ double assumedLoadKg(const ProgramInput& input) {
   if (input.cell.nozzleMount() != robot::Mount::World)
     return input.cell.carriedKg();
   return input.cell.carriedKg() +
-         input.trajectory.extrudedMm3.back() * 1e-6 * input.process.densityGPerCm3;
+         input.trajectory.extrudedMm3.back() * 1e-6 * input.process.material.densityGPerCm3;
 }
 
 std::string_view assumedLoadText(const ProgramInput& input) {

@@ -7,6 +7,7 @@
 #include "program/gcode/extruder_axis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace voluta::program {
@@ -59,14 +60,33 @@ private:
       draw(true);
     if (i == 0)
       emitter_.prompt();
+    events(i);
     if (zeroesAt(i))
       emitter_.zeroAxis();
     if (i == 0 || t.move[i] == plan::MoveKind::Joint)
       emitter_.jointMotion(i);
     else
-      emitter_.straightMotion(i, last || zeroesAt(i + 1));
+      emitter_.straightMotion(i, last || zeroesAt(i + 1) || !t.eventsBefore(i + 1).empty());
     if (i == 0)
       prime();
+  }
+
+  void events(std::size_t i) {
+    for (const plan::TrajectoryEvent& event : in_.trajectory.eventsBefore(i))
+      switch (event.kind) {
+      case plan::EventKind::ToolChange:
+        emitter_.selectTool(event.tool);
+        break;
+      case plan::EventKind::Cut:
+        emitter_.cut();
+        break;
+      case plan::EventKind::Pause:
+        emitter_.pause();
+        break;
+      case plan::EventKind::Feed:
+        emitter_.extrudeInPlace(event.feedMm, std::abs(event.feedMm) / kDrawBackMmPerS);
+        break;
+      }
   }
 
   void flow(double mm3PerS) {

@@ -27,6 +27,10 @@ public:
   // A text for an extruder that takes texts (Extruder::text).
   virtual void send(std::string_view /*text*/) {}
   virtual void wait(double /*seconds*/) {}
+  // Events of the trajectory, in place, of dialects that have words for them (Dialect::events).
+  virtual void selectTool(int /*tool*/) {}
+  virtual void cut() {}
+  virtual void pause() {} // until the operator continues
   // Filament goes forth, or back below zero, where the arm stands; of dialects whose motions tell
   // amounts.
   virtual void retract(double /*filamentMm*/) {}
@@ -36,7 +40,7 @@ public:
   virtual void extrudeInPlace(double /*filamentMm*/, double /*seconds*/) {}
   // The first point is always a joint motion.
   virtual void jointMotion(std::size_t point) = 0;
-  // `stops`: the arm stands behind it, the last one of its file or before zeroAxis.
+  // `stops`: the arm stops at its end: the last motion of its file, or before zeroAxis or an event.
   virtual void straightMotion(std::size_t point, bool stops) = 0;
 };
 

@@ -159,10 +159,9 @@ void GcodeReader::heat(double m, GcodeWords& w) {
     out_.wordAt(word, kBeforeMotion | kAtEnd);
   else if (celsius != celsius_)
     out_.wordAt(word, kAside);
-  if (const auto [least, most] = nozzleRange(process_.material);
-      celsius != 0.0 && !(celsius >= least && celsius <= most))
+  if (celsius != 0.0 && !prints(process_.material, celsius))
     defect(base::message("{celsius} °C is no heat to print {material} with"_text,
-                         base::number(celsius), process_.material));
+                         base::number(celsius), process_.material.label));
   out_.state(NozzleHeat, celsius);
   if (m == 109.0 && celsius > 0.0)
     out_.state(NozzleHeatWait);

@@ -37,6 +37,7 @@ private:
         {joined({identifierOf(in_.name), ".", kind_.extension}), std::move(text_.out)});
   }
 
+  void pause() override { text_.out += joined({"M0 ; ", kPauseText, "\n"}); }
   void remark(std::string_view text) override { text_.remark(text); }
   void retract(double filamentMm) override { text_.retract(filamentMm, 60.0 * kDrawnMmPerS); }
   // The nozzle's way is not a straight one: it is said in pieces.
@@ -133,10 +134,10 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   word("", kFilamentDiameterMm, 3, true);
   out += " mm\nG21\nG90\nM82\n";
   out += joined({"M117 ", question, "\nM0\n"});
-  const std::optional<int> celsius = nozzleCelsius(p.material);
+  const std::optional<int> celsius = p.material.nozzleC;
   if (celsius)
     out += joined(
-        {"M104 S", std::to_string(*celsius), " ; assumed for ", plainText(p.material), "\n"});
+        {"M104 S", std::to_string(*celsius), " ; assumed for ", plainText(p.material.label), "\n"});
   out += "G28\n";
   if (celsius)
     out += joined({"M109 S", std::to_string(*celsius), "\n"});

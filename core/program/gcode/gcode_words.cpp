@@ -16,7 +16,7 @@ std::span<const KnownWord> gcodeWords() {
       KnownWord{"G80", kAnywhere, "no cycle"},
       KnownWord{"G90", kAnywhere, "absolute positions"},
       KnownWord{"G94", kAnywhere, "speeds a minute"},
-      KnownWord{"M0", kAside, "waits for the operator"},
+      KnownWord{"M0", kAtRest, "waits for the operator"},
       KnownWord{"M1", kAside, "waits for the operator"},
       KnownWord{"M17", kSetUp, "motors on"},
       KnownWord{"M18", kAtEnd, "motors off"},

@@ -11,7 +11,7 @@ namespace voluta::program {
 // letters.
 std::span<const KnownWord> krlWords() {
   static constexpr std::array kTable = {
-      KnownWord{"halt", kAside, "waits for the operator"},
+      KnownWord{"halt", kAtRest, "waits for the operator"},
       KnownWord{"interrupt", kSetUp, "what an event starts"},
       KnownWord{"ext", kSetUp, "a procedure of another file"},
       KnownWord{"extfct", kSetUp, "a function of another file"},

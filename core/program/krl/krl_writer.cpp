@@ -227,6 +227,10 @@ private:
     line("$OUT[1]=FALSE");
     line("$ANOUT[1]=0");
   }
+  void pause() override {
+    line(joined({"; ", kPauseText}));
+    line("HALT");
+  }
   void prompt() override {
     line(joined({"; ", kStartQuestion}));
     line("HALT");

@@ -10,7 +10,7 @@ std::span<const KnownWord> melfaWords() {
   static constexpr std::array kTable = {
       KnownWord{"dim", kAnywhere, "declares arrays"},
       KnownWord{"title", kAnywhere, "a name for the program"},
-      KnownWord{"hlt", kAside, "waits for the operator"},
+      KnownWord{"hlt", kAtRest, "waits for the operator"},
       KnownWord{"wait", kAside, "waits for an input"},
       KnownWord{"servo", kAside, "motors on or off"},
       KnownWord{"getm", kSetUp, "takes the arm for this program"},

@@ -129,6 +129,10 @@ private:
     step(joined({"M_Out(", std::to_string(kMelfaExtruder), ")=0"}));
     step(joined({"M_Outw(", std::to_string(kMelfaFlow), ")=0"}));
   }
+  void pause() override {
+    remark(kPauseText);
+    step("Hlt");
+  }
   void prompt() override {
     remark(kStartQuestion);
     remark("Hlt waits for the operator's start");

@@ -277,6 +277,7 @@ private:
     share_.clear();
     perMm_ = 0.0;
   }
+  void pause() override { line(joined({"    UIMsgBox \"", kPauseText, "\";"})); }
   void prompt() override { line(joined({"    UIMsgBox \"", kStartQuestion, "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
   // Between motions that do not stop, an assignment would run ahead of the arm: the flow is then an

@@ -117,7 +117,7 @@ private:
                  std::to_string(kCastelliPort), ", CRLF ' the extruder's address, to be set"}));
     line(joined({"  OpenNet #", kPort, " As Client"}));
     line(joined({"  WaitNet #", kPort}));
-    if (const auto celsius = nozzleCelsius(in_.process.material))
+    if (const auto celsius = in_.process.material.nozzleC)
       send(joined({"M", std::to_string(*celsius), "n"}));
   }
   bool sends() const { return extruderOf(in_).text != nullptr; }
@@ -171,6 +171,10 @@ private:
     }
     line("  Off 1");
     line("  AIO_Out 1, 0");
+  }
+  void pause() override {
+    line(joined({"  Print \"", kPauseText, "\""}));
+    line("  Pause");
   }
   void prompt() override {
     line(joined({"  Print \"", kStartQuestion, "\""}));

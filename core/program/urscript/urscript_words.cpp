@@ -9,7 +9,7 @@ std::span<const KnownWord> urscriptWords() {
   static constexpr std::array kTable = {
       KnownWord{"textmsg", kAnywhere, "a line in the log"},
       KnownWord{"sync", kAtRest, "uses up the cycle's time"},
-      KnownWord{"popup", kAside, "waits for the operator"},
+      KnownWord{"popup", kAtRest, "waits for the operator"},
       KnownWord{"stopl", kAtRest, "decelerates along the line"},
       KnownWord{"stopj", kAtRest, "decelerates in joints"},
       KnownWord{"set_payload", kSetUp, "mass and centre of what the arm carries"},

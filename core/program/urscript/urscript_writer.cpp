@@ -146,7 +146,7 @@ private:
     line(joined({"  socket_open(\"", kCastelliAddress, "\",", std::to_string(kCastelliPort), ",\"",
                  kSocket, "\") # the extruder's address, to be set"}));
     outputsOff();
-    if (const auto celsius = nozzleCelsius(in_.process.material); celsius && file == 0)
+    if (const auto celsius = in_.process.material.nozzleC; celsius && file == 0)
       send(joined({"M", std::to_string(*celsius), "n"}));
   }
   bool sends() const { return extruderOf(in_).text != nullptr; }
@@ -178,6 +178,9 @@ private:
                                    fullFlowText("1", in_.process)}))}));
   }
 
+  void pause() override {
+    line(joined({"  popup(\"", kPauseText, "\",title=\"Voluta\",blocking=True)"}));
+  }
   void prompt() override {
     line(joined({"  popup(\"", kStartQuestion, "\",title=\"Voluta\",blocking=True)"}));
   }

@@ -168,7 +168,7 @@ void ArmImportDialog::import() {
   const auto mount = static_cast<robot::Mount>(kind_->currentData().toInt());
   runner_->run(
       [file, folder, asked, mount](const base::RunContext& ctx) {
-        const process::Process process = process::loadProcess(project::Choices().process);
+        const process::Process process = process::loadProcess(project::Choices().tool().process);
         const cells::ArmImport import = cells::importArm(file, asked, mount, process, ctx);
         cells::writeImport(import, folder);
         return import.layout.cell.id;

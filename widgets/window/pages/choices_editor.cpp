@@ -43,32 +43,33 @@ QString changesOf(const project::Choices& from, const project::Choices& to) {
   QStringList parts;
   if (to.cell != from.cell)
     parts << ChoicesEditor::tr("cell %1").arg(named(base::dataName(to.cell)));
-  if (to.platform != from.platform)
-    parts << ChoicesEditor::tr("platform %1").arg(language::words(to.platform.shown()));
-  if (to.process != from.process)
-    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.process)));
-  if (to.scale != from.scale)
-    parts << ChoicesEditor::tr("scale %1").arg(named(to.scale));
-  if (to.parameters != from.parameters)
+  if (to.item().platform != from.item().platform)
+    parts << ChoicesEditor::tr("platform %1").arg(language::words(to.item().platform.shown()));
+  if (to.tool().process != from.tool().process)
+    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.tool().process)));
+  if (to.item().scale != from.item().scale)
+    parts << ChoicesEditor::tr("scale %1").arg(named(to.item().scale));
+  if (to.item().parameters != from.item().parameters)
     parts << ChoicesEditor::tr("the part as it lies");
   return parts.join(QStringLiteral(", "));
 }
 
 // Is the platform a body whose file has gone?
 bool bodyIsMissing(const project::Choices& choices) {
-  return choices.platform.isBody() && !QFileInfo(named(choices.platform.file())).isFile();
+  return choices.item().platform.isBody() &&
+         !QFileInfo(named(choices.item().platform.file())).isFile();
 }
 
 bool wantsBody(const project::Choices& choices) {
-  return modes::findMode(choices.mode).platforms.front() == project::PlatformUse::Body &&
-         !choices.platform.isBody();
+  return modes::findMode(choices.item().mode).platforms.front() == project::PlatformUse::Body &&
+         !choices.item().platform.isBody();
 }
 
 // As typed; what cannot be read is for the run to say.
 forms::RodProfile rodProfileOf(const project::Choices& choices) {
   const auto text = [&](const char* key) {
-    const auto at = choices.parameters.find(key);
-    return at == choices.parameters.end() ? QString() : QString::fromStdString(at->second);
+    const auto at = choices.item().parameters.find(key);
+    return at == choices.item().parameters.end() ? QString() : QString::fromStdString(at->second);
   };
   return {text("rodSides").toInt(), text("rodProfile")};
 }
@@ -94,7 +95,7 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
   form_->setObjectName("choices");
   connect(form_, &forms::ChoicesForm::changed, this, &ChoicesEditor::change);
   connect(&document_, &document::Document::stateChanged, this, [this] {
-    if (document_.choices().automatic && !document_.unusable())
+    if (document_.choices().item().automatic && !document_.unusable())
       form_->setNotice(wayChosen(), {}, false); // no file is read for it, however often this comes
   });
   connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
@@ -115,10 +116,10 @@ void ChoicesEditor::retranslate() {
 
 void ChoicesEditor::show() {
   const project::Choices& c = document_.choices();
-  form_->setTexts({c.automatic ? QString::fromLatin1(kAutomatic) : named(c.mode),
-                   named(c.growth.id()), named(c.platform.text()), named(c.cell), named(c.process),
-                   c.seed, rodProfileOf(c)});
-  form_->setGrows(modes::findMode(c.mode).grows);
+  form_->setTexts({c.item().automatic ? QString::fromLatin1(kAutomatic) : named(c.item().mode),
+                   named(c.item().growth.id()), named(c.item().platform.text()), named(c.cell),
+                   named(c.tool().process), c.seed, rodProfileOf(c)});
+  form_->setGrows(modes::findMode(c.item().mode).grows);
   showNotice();
 }
 
@@ -133,14 +134,14 @@ void ChoicesEditor::change(const QString& field, const QString& text) {
     return;
   }
   if (field == "growth") {
-    c.growth = curved::GrowthScheme(value);
+    c.item().growth = curved::GrowthScheme(value);
   } else if (field == "platform") {
-    c.platform = project::Platform(value);
-    c.platformStays = c.automatic;
+    c.item().platform = project::Platform(value);
+    c.item().platformStays = c.item().automatic;
   } else if (field == "cell") {
     c.cell = value;
   } else if (field == "process") {
-    c.process = value;
+    c.tool().process = value;
   } else if (field == "seed") {
     c.seed = text.toInt();
   }
@@ -149,12 +150,12 @@ void ChoicesEditor::change(const QString& field, const QString& text) {
 
 void ChoicesEditor::changeRod(const forms::RodProfile& profile) {
   project::Choices c = document_.choices();
-  c.parameters.erase("rodSides");
-  c.parameters.erase("rodProfile");
+  c.item().parameters.erase("rodSides");
+  c.item().parameters.erase("rodProfile");
   if (profile.sides > 0)
-    c.parameters["rodSides"] = std::to_string(profile.sides);
+    c.item().parameters["rodSides"] = std::to_string(profile.sides);
   if (!profile.points.isEmpty())
-    c.parameters["rodProfile"] = profile.points.toStdString();
+    c.item().parameters["rodProfile"] = profile.points.toStdString();
   document_.setChoices(c, tr("shape of the rod"));
 }
 
@@ -176,12 +177,12 @@ void ChoicesEditor::showNotice() {
                      : changes.isEmpty()    ? QString()
                                             : tr("Use %1").arg(changes),
                      true);
-  } else if (choices.automatic) {
+  } else if (choices.item().automatic) {
     form_->setNotice(wayChosen(), {}, false);
   } else if (wantsBody(choices)) {
     form_->setNotice(tr("Which body is printed on? Without one it is the plate."),
                      tr("Choose the body…"), false);
-  } else if (wentAlong_.first == choices.mode && !wentAlong_.second.isEmpty()) {
+  } else if (wentAlong_.first == choices.item().mode && !wentAlong_.second.isEmpty()) {
     form_->setNotice(tr("Changed with it: %1.").arg(wentAlong_.second), {}, false);
   } else {
     form_->setNotice({}, {}, false);
@@ -190,7 +191,7 @@ void ChoicesEditor::showNotice() {
 
 QString ChoicesEditor::wayChosen() const {
   const auto result = document_.lastResult();
-  if (!result || result->job.report.tried.empty())
+  if (!result || result->job.report.item().tried.empty())
     return {};
   QStringList lines{language::words(pipeline::chosenText(result->job.report)) + u'.'};
   for (const base::Message& rejected : pipeline::rejectedTexts(result->job.report))

@@ -178,15 +178,15 @@ std::shared_ptr<const LayerFacts> LayersPage::facts() const {
   const document::Document& document = work().document;
   const auto layers = document.result(Stage::Layers), paths = document.result(Stage::Toolpath);
   const auto made = document.result(Stage::Decompose);
-  const bool ofThese = layers && layers->job.layers == known->of;
+  const bool ofThese = layers && layers->job.item().layers == known->of;
   switch (subject()) {
   case LayerSubject::Paths:
-    return paths && paths->job.layers == known->of ? known : nullptr;
+    return paths && paths->job.item().layers == known->of ? known : nullptr;
   case LayerSubject::Layers:
     return ofThese ? known : nullptr;
   default:
     return ofThese && made && !document.voxelsAhead() &&
-                   made->job.decomposition() == layers->job.decomposition()
+                   made->job.item().decomposition() == layers->job.item().decomposition()
                ? known
                : nullptr;
   }

@@ -53,7 +53,8 @@ std::vector<Command> PartHandles::commands() {
   const auto part = [this] { return static_cast<bool>(work_.document.source()); };
   // Around a rod the rod says where the part lies.
   const auto onPlate = [this] {
-    return work_.document.source() && !modes::findMode(work_.document.choices().mode).aroundRod;
+    return work_.document.source() &&
+           !modes::findMode(work_.document.choices().item().mode).aroundRod;
   };
   std::vector<Command> commands = toolCommands();
   commands.push_back({"dropToPlate",
@@ -92,8 +93,8 @@ geometry::Placement PartHandles::placed() const {
   const document::Document& document = work_.document;
   const auto shown = document.result(Stage::Load);
   return shown && document.upToDate(Stage::Load)
-             ? shown->job.placement.value_or(document.choices().placement)
-             : document.choices().placement;
+             ? shown->job.item().placement.value_or(document.choices().item().placement)
+             : document.choices().item().placement;
 }
 
 void PartHandles::setTool(Tool tool) {
@@ -132,15 +133,15 @@ void PartHandles::layOnTouchedPoints() {
   const Eigen::Vector2d shift = dialog.shiftMm();
   project::Choices choices = document.choices();
   // From where it lies now, whether by hand or by the way of building.
-  choices.placement = placed();
-  choices.placement.centreMm.y() += shift.x();
-  choices.placement.liftMm += shift.y();
-  if (const auto shape = choices.parameters.find("layerShape");
-      shape != choices.parameters.end() && shape->second == "cylinder")
-    choices.parameters["layerCentre"] = QStringLiteral("0,%1,%2")
-                                            .arg(dialog.circle()->centre.x(), 0, 'g', 8)
-                                            .arg(dialog.circle()->centre.y(), 0, 'g', 8)
-                                            .toStdString();
+  choices.item().placement = placed();
+  choices.item().placement.centreMm.y() += shift.x();
+  choices.item().placement.liftMm += shift.y();
+  if (const auto shape = choices.item().parameters.find("layerShape");
+      shape != choices.item().parameters.end() && shape->second == "cylinder")
+    choices.item().parameters["layerCentre"] = QStringLiteral("0,%1,%2")
+                                                   .arg(dialog.circle()->centre.x(), 0, 'g', 8)
+                                                   .arg(dialog.circle()->centre.y(), 0, 'g', 8)
+                                                   .toStdString();
   document.setChoices(choices, tr("place on touched points"));
 }
 
@@ -154,7 +155,7 @@ void PartHandles::clicked(const std::optional<scene::Hit>& hit) {
 void PartHandles::gizmoStarted() {
   before_ = placed();
   const auto placed = work_.document.result(Stage::Load);
-  scaleBefore_ = placed ? placed->job.scale : 1.0;
+  scaleBefore_ = placed ? placed->job.item().scale : 1.0;
 }
 
 void PartHandles::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
@@ -180,7 +181,7 @@ void PartHandles::placeDragged(const viewer::GizmoChange& change) {
   geometry::Placement placement = before_;
   placement.centreMm += change.moveMm.head<2>();
   placement.liftMm += change.moveMm.z();
-  if (!modes::findMode(document.choices().mode).aroundRod)
+  if (!modes::findMode(document.choices().item().mode).aroundRod)
     placement.liftMm = std::max(0.0, placement.liftMm);
   placement.rotation = (change.turn * placement.rotation).normalized();
   switch (work_.viewport.tool()) {

@@ -35,8 +35,8 @@ QColor colourOf(const scene::Colour& c) {
 }
 
 std::string chosenText(const project::Choices& choices, const char* key) {
-  const auto chosen = choices.parameters.find(key);
-  return chosen == choices.parameters.end() ? std::string() : chosen->second;
+  const auto chosen = choices.item().parameters.find(key);
+  return chosen == choices.item().parameters.end() ? std::string() : chosen->second;
 }
 
 // The plane of `cut` turned and moved.
@@ -138,7 +138,7 @@ void PieceCuts::showPieces() {
   std::vector<panels::PieceRow> rows;
   double before = 0.0;
   if (result && drawn.count() > 0) {
-    const project::DecompositionReport& report = result->job.report.decomposition;
+    const project::DecompositionReport& report = result->job.report.item().decomposition;
     before = report.riskyAreaBeforeMm2;
     for (std::size_t i = 0; i < report.pieceList.size(); ++i) {
       const project::PieceReport& piece = report.pieceList[i];
@@ -230,7 +230,8 @@ void PieceCuts::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
   cuts_[cut] = moved(cutsBeforeDrag_[cut], change);
   const bool changed = !same(cuts_[cut], cutsBeforeDrag_[cut]);
   if (changed && placed)
-    work_.presenter.pieces().estimate(placed->job.part, work_.document.choices(), cuts_, finished);
+    work_.presenter.pieces().estimate(placed->job.item().part, work_.document.choices(), cuts_,
+                                      finished);
   if (finished && changed)
     setCuts(QString::fromStdString(planar::givenCutsText(cuts_)), tr("move cut"));
   work_.shell.showView();
@@ -239,29 +240,29 @@ void PieceCuts::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
 void PieceCuts::setCuts(const QString& text, const QString& editName) {
   project::Choices choices = work_.document.choices();
   if (text.isEmpty())
-    choices.parameters.erase(kCuts);
+    choices.item().parameters.erase(kCuts);
   else
-    choices.parameters[kCuts] = text.toStdString();
+    choices.item().parameters[kCuts] = text.toStdString();
   work_.document.setChoices(choices, editName);
 }
 
 void PieceCuts::pickRoot(const Eigen::Vector3d& point) {
   project::Choices choices = work_.document.choices();
-  choices.parameters[kRoot] = modes::pieceRootText(point);
+  choices.item().parameters[kRoot] = modes::pieceRootText(point);
   work_.document.setChoices(choices, tr("pick root"));
 }
 
 bool PieceCuts::concerns(const plan::Finding& finding) const {
   const auto result = work_.document.result(Stage::Decompose);
   return plan::stageOf(finding) == Stage::Decompose && finding.where &&
-         work_.presenter.hasPieces() && result && result->job.pieces();
+         work_.presenter.hasPieces() && result && result->job.item().pieces();
 }
 
 void PieceCuts::lookAt(const plan::Finding& finding) {
   viewer::Viewport& viewport = work_.viewport;
   panel_->setExplodeShare(0.0); // the place is on the part
   select(-1);
-  const auto pieces = work_.document.result(Stage::Decompose)->job.pieces();
+  const auto pieces = work_.document.result(Stage::Decompose)->job.item().pieces();
   const Eigen::Vector3d normal = faceNormal(pieces->pieces, *finding.where);
   const Eigen::Vector3d eye = scene::towardsEye(viewport.scene().renderer()).normalized();
   if (normal.dot(eye) < kLeastFacing) {

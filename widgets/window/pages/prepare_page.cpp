@@ -95,7 +95,7 @@ void PreparePage::listen() {
           [this](bool on) { handles_.setTool(on ? viewer::Tool::LayFlat : viewer::Tool::None); });
   connect(mesh_, &panels::MeshPanel::repairToggled, this, [this](bool repair) {
     project::Choices choices = work().document.choices();
-    choices.repair = repair;
+    choices.item().repair = repair;
     work().document.setChoices(choices, repair ? tr("repair the mesh") : tr("mesh as read"));
   });
   using forms::ParameterForm;
@@ -141,11 +141,12 @@ void PreparePage::editCell() {
   document::Document& document = work().document;
   try {
     const project::Choices& choices = document.choices();
-    const process::Process process = process::loadProcess(choices.process);
+    const process::Process process = process::loadProcess(choices.tool().process);
     const auto placed = document.result(Stage::Load);
-    const double partKg = placed && placed->job.part
-                              ? 1e-6 * process.densityGPerCm3 * geometry::volume(*placed->job.part)
-                              : 0.0;
+    const double partKg =
+        placed && placed->job.item().part
+            ? 1e-6 * process.material.densityGPerCm3 * geometry::volume(*placed->job.item().part)
+            : 0.0;
     CellEditor editor(robot::draftOfCell(choices.cell), process, std::abs(partKg),
                       work().viewport.window());
     if (editor.exec() != QDialog::Accepted)
@@ -209,14 +210,15 @@ void PreparePage::showChoices() {
   const base::ParameterTable ofPrograms = program::programParameters(); // the Export page has them
   std::set<std::string> applying;
   for (const base::ParameterSpec& spec : table.specs())
-    if (modes::takesParameter(modes::findMode(c.mode), spec.key) && !ofPrograms.find(spec.key))
+    if (modes::takesParameter(modes::findMode(c.item().mode), spec.key) &&
+        !ofPrograms.find(spec.key))
       applying.insert(spec.key);
   parameters_->setApplying(applying);
-  parameters_->setValues(c.parameters);
+  parameters_->setValues(c.item().parameters);
   showProblems();
-  placement_->setOnPlate(!modes::findMode(c.mode).aroundRod);
+  placement_->setOnPlate(!modes::findMode(c.item().mode).aroundRod);
   placement_->setPlacement(handles_.placed());
-  mesh_->setRepair(c.repair);
+  mesh_->setRepair(c.item().repair);
   showPart();
 }
 
@@ -235,16 +237,16 @@ void PreparePage::showPart() {
   const auto source = document.source();
   const auto placed = document.result(Stage::Load);
   placement_->setEnabled(static_cast<bool>(source));
-  placement_->setScale(QString::fromStdString(document.choices().scale),
-                       placed && document.upToDate(Stage::Load) ? placed->job.scale : 0.0);
+  placement_->setScale(QString::fromStdString(document.choices().item().scale),
+                       placed && document.upToDate(Stage::Load) ? placed->job.item().scale : 0.0);
   if (!source) {
     mesh_->setSummary(std::nullopt);
     return;
   }
   const Eigen::AlignedBox3d& box = work().presenter.partBox();
   placement_->setSizeMm(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval());
-  mesh_->setSummary(
-      meshSummary(*source, placed ? placed->job.report.model.volumeMm3 : source->found.volumeMm3));
+  mesh_->setSummary(meshSummary(*source, placed ? placed->job.report.item().model.volumeMm3
+                                                : source->found.volumeMm3));
 }
 
 } // namespace voluta::window

@@ -47,7 +47,7 @@ ReachView::ReachView(const Workspace& workspace, const PartHandles& handles, QOb
 void ReachView::refresh() {
   const document::Document& document = work_.document;
   const bool onPlate = document.source() && !document.unusable() &&
-                       !modes::findMode(document.choices().mode).aroundRod;
+                       !modes::findMode(document.choices().item().mode).aroundRod;
   panel_->setVisible(onPlate);
   if (!onPlate) {
     runner_.cancel();
@@ -59,10 +59,11 @@ void ReachView::refresh() {
     return;
   }
   const auto placed = document.result(Stage::Load);
-  if (!placed || !placed->job.part || placed->job.part->empty() || !document.upToDate(Stage::Load))
+  if (!placed || !placed->job.item().part || placed->job.item().part->empty() ||
+      !document.upToDate(Stage::Load))
     return;
-  standing_ = pipeline::standingOf(*placed->job.part);
-  middle_ = pipeline::middleOf(*placed->job.part);
+  standing_ = pipeline::standingOf(*placed->job.item().part);
+  middle_ = pipeline::middleOf(*placed->job.item().part);
   const double height = mappedHeight(standing_->heightMm);
   std::string key;
   try {

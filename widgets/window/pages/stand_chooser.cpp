@@ -87,7 +87,7 @@ void StandChooser::refresh() {
   const auto placed = document.result(Stage::Load);
   if (!placed || !placed->placed || !placed->process || !document.upToDate(Stage::Load))
     return;
-  const std::string key = pipeline::partWaysKey(*document.source(), placed->job.scale,
+  const std::string key = pipeline::partWaysKey(*document.source(), placed->job.item().scale,
                                                 document.choices(), *placed->process);
   // Another way to lie is shown beside the others; where the part stands in one of them they stay.
   if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame))
@@ -142,12 +142,12 @@ void StandChooser::lay(std::size_t way) {
   if (way >= downs_.size())
     return;
   project::Choices choices = work_.document.choices();
-  choices.placement = handles_.placed();
-  const Eigen::Quaterniond rotation = choices.placement.rotation.normalized();
-  choices.placement.rotation =
+  choices.item().placement = handles_.placed();
+  const Eigen::Quaterniond rotation = choices.item().placement.rotation.normalized();
+  choices.item().placement.rotation =
       (geometry::rotationLayingFlat(rotation * downs_[way]) * rotation).normalized();
-  choices.placement.liftMm = 0.0;
-  choices.parameters.erase("orient"); // a search would turn it further
+  choices.item().placement.liftMm = 0.0;
+  choices.item().parameters.erase("orient"); // a search would turn it further
   laid_ = true;
   work_.document.setChoices(choices, tr("stand it this way"));
 }

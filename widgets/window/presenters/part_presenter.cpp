@@ -62,12 +62,12 @@ void PartPresenter::show(Stage stage) {
     drawnCell_.reset();
     swapCell(CellOf::Plan, nullptr);
   } else if (stage == Stage::Load) {
-    drawPart(result->job.part);
+    drawPart(result->job.item().part);
     drawPlannedPlatform();
     drawChosenCell();
   } else if (stage == Stage::Decompose) {
-    drawnPlatform_ = {pipeline::plannedPlatformKey(result->job.choices), result->job.part};
-    drawPlatform(result->job.platform);
+    drawnPlatform_ = {pipeline::plannedPlatformKey(result->job.choices), result->job.item().part};
+    drawPlatform(result->job.item().platform);
     drawCell(result->cell);
   }
 }
@@ -81,9 +81,9 @@ void PartPresenter::drawSource() {
   }
   if (document_.result(Stage::Load) && document_.upToDate(Stage::Load))
     return;
-  const double wanted = project::parsedScale(document_.choices().scale);
+  const double wanted = project::parsedScale(document_.choices().item().scale);
   const double unit = pipeline::unitMm(*source, document_.choices());
-  const geometry::Placement placement = document_.choices().placement;
+  const geometry::Placement placement = document_.choices().item().placement;
   inBackground(
       *drawingPart_,
       [source, placement, scale = unit * (wanted > 0.0 ? wanted : 1.0)] {
@@ -143,7 +143,7 @@ void PartPresenter::drawPlannedPlatform() {
   if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
     return;
   const project::Choices& choices = document_.choices();
-  const auto wanted = std::pair(pipeline::plannedPlatformKey(choices), placed->job.part);
+  const auto wanted = std::pair(pipeline::plannedPlatformKey(choices), placed->job.item().part);
   if (wanted == drawnPlatform_)
     return;
   drawnPlatform_ = wanted;
@@ -176,8 +176,8 @@ void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
 std::shared_ptr<const pipeline::PlanResult> PartPresenter::placedForCell() const {
   const auto placed = document_.result(Stage::Load);
   const project::Choices& now = document_.choices();
-  const bool sameCell =
-      placed && placed->job.choices.cell == now.cell && placed->job.choices.mode == now.mode;
+  const bool sameCell = placed && placed->job.choices.cell == now.cell &&
+                        placed->job.choices.item().mode == now.item().mode;
   return sameCell || document_.upToDate(Stage::Load) ? placed : nullptr;
 }
 
@@ -189,7 +189,7 @@ void PartPresenter::drawChosenCell() {
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> wanted;
   try {
     wanted = {pipeline::cellReachKey(choices, 0.0) + pipeline::plannedPlatformKey(choices),
-              placed ? placed->job.part : nullptr};
+              placed ? placed->job.item().part : nullptr};
   } catch (const base::Error&) {
     chosenCell_ = {};
     drawingChosenCell_->cancel();

@@ -38,15 +38,15 @@ void Presenter::drawVoxels() {
     return;
   }
   const auto result = document_.result(Stage::Decompose);
-  voxels_.setDecomposition(result ? result->job.decomposition() : nullptr,
+  voxels_.setDecomposition(result ? result->job.item().decomposition() : nullptr,
                            result && result->process ? result->process->layerHeightMm : 0.0);
 }
 
 // Flat slicing has one piece, the part: nothing to show.
 void Presenter::drawPieces() {
   const auto result = document_.result(Stage::Decompose);
-  const modes::Mode* mode = result ? modes::modeNamed(result->job.choices.mode) : nullptr;
-  pieces_.setPieces(mode && mode->cuts ? result->job.pieces() : nullptr,
+  const modes::Mode* mode = result ? modes::modeNamed(result->job.choices.item().mode) : nullptr;
+  pieces_.setPieces(mode && mode->cuts ? result->job.item().pieces() : nullptr,
                     result ? result->job.choices : project::Choices{});
 }
 

@@ -39,7 +39,7 @@ void PrintPresenter::show(Stage stage) {
   if (!result)
     drop(stage);
   else if (stage == Stage::Layers)
-    drawLayers(result->job.layers, *result->process);
+    drawLayers(result->job.item().layers, *result->process);
   else if (stage == Stage::Toolpath)
     drawPaths(result->job.toolPlan);
   else if (stage == Stage::Motion)
@@ -153,14 +153,15 @@ void PrintPresenter::drawMotion() {
 
 void PrintPresenter::gatherFacts() {
   const auto result = document_.result(Stage::Layers);
-  if (!result || !result->job.layers)
+  if (!result || !result->job.item().layers)
     return;
-  const auto stack = result->job.layers;
+  const auto stack = result->job.item().layers;
   const auto paths = document_.result(Stage::Toolpath);
   const auto plan = paths ? paths->job.toolPlan : nullptr;
   const auto clock = clock_ && clock_->toolPlan() == plan ? clock_ : nullptr;
   // Layers of pieces that lean in all directions do not add up to a height.
-  const bool stacked = !result->job.pieces() || result->job.pieces()->pieces.size() < 2;
+  const bool stacked =
+      !result->job.item().pieces() || result->job.item().pieces()->pieces.size() < 2;
   inBackground(
       *gathering_,
       [stack, plan, clock, stacked, heights = heightLimits(*result->process)] {

@@ -22,7 +22,9 @@ constexpr const char* kWanted = "view/unrolled";
 
 std::shared_ptr<const plan::ToolPlan> planOfLayers(const document::Document& document) {
   const auto layers = document.result(Stage::Layers), paths = document.result(Stage::Toolpath);
-  return layers && paths && layers->job.layers == paths->job.layers ? paths->job.toolPlan : nullptr;
+  return layers && paths && layers->job.item().layers == paths->job.item().layers
+             ? paths->job.toolPlan
+             : nullptr;
 }
 
 UnrolledDock::UnrolledDock(const document::Document& document, const Presenter& presenter,
@@ -48,7 +50,7 @@ void UnrolledDock::setWanted(bool wanted) {
 
 bool UnrolledDock::offered() const {
   const auto result = document_.result(Stage::Layers);
-  return result && result->job.layers && hasChart(*result->job.layers) &&
+  return result && result->job.item().layers && hasChart(*result->job.item().layers) &&
          !(document_.voxelsAhead() && presenter_.hasVoxels());
 }
 
@@ -61,7 +63,7 @@ void UnrolledDock::showLaid(const std::optional<Laid>& laid) {
   }
   if (!on)
     return;
-  const auto stack = document_.result(Stage::Layers)->job.layers;
+  const auto stack = document_.result(Stage::Layers)->job.item().layers;
   view_->setPlan(stack, planOfLayers(document_));
   const int layer = std::max(0, std::min(laid->layer, stack->layerCount - 1));
   const QString number = tr("Layer %1 of %2").arg(layer + 1).arg(stack->layerCount);

@@ -23,7 +23,7 @@ struct Trial {
 // As planPart for choices by hand. With a trial, the plan ends as soon as it is known that
 // something blocks it: what a stage had left to do then is not done, and that stage is not kept in
 // the cache. Throws as planPart does.
-PlanResult planOneWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
-                      const PlanObservers& observers, Trial* trial = nullptr);
+PlanResult planChosenWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+                         const PlanObservers& observers, Trial* trial = nullptr);
 
 } // namespace voluta::pipeline

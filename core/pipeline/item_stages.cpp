@@ -1,0 +1,172 @@
+#include "pipeline/item_stages.h"
+
+#include "base/error.h"
+#include "base/key_text.h"
+#include "modes/mode_table.h"
+#include "pipeline/automatic.h"
+#include "pipeline/choices.h"
+#include "pipeline/given_paths.h"
+#include "pipeline/part_size.h"
+#include "pipeline/part_ways.h"
+#include "pipeline/pedestal.h"
+#include "pipeline/stage_keys.h"
+#include "pipeline/start_check.h"
+#include "plan/finding_kinds.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voluta::pipeline {
+
+namespace {
+using project::Stage;
+
+std::shared_ptr<const project::LoadedPart> loadedOf(const RequestedItem& part, bool repair,
+                                                    const base::RunContext& ctx) {
+  return part.loaded ? project::withRepair(part.loaded, repair, ctx)
+                     : project::loadPart(part.part, repair, ctx);
+}
+
+bool isOfOtherUnits(const SizeStage& size) {
+  return std::ranges::any_of(size.findings, [](const plan::Finding& f) {
+    return f.kind == plan::FindingKind::TinyPart || f.kind == plan::FindingKind::HugePart;
+  });
+}
+
+void append(plan::Findings& to, const plan::Findings& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+} // namespace
+
+ItemStages::ItemStages(const StageContext& context, const project::Choices& given,
+                       std::size_t index, const RequestedItem& part,
+                       const process::Process& process, PlanResult& result)
+    : context_(context), given_(project::onlyItem(given, index)), choices_(resolved(given_)),
+      index_(index), process_(process), result_(result), values_(parameterValues(choices_)),
+      mode_(modes::findMode(choices_.item().mode)) {
+  report().decomposition.mode = choices_.item().mode;
+  report().chosen = chosenReport();
+  loaded_ = loadedOf(part, choices_.item().repair, context_.span(Stage::Load));
+  item().loaded = loaded_;
+  item().partName = loaded_->name;
+  hasGivenPaths_ = takesGivenPaths(*loaded_, values_);
+  if (hasGivenPaths_)
+    requireOwnSize(choices_);
+  keys_ = keysOf(*loaded_, choices_, values_, process_);
+}
+
+project::ChosenReport ItemStages::chosenReport() const {
+  const project::ItemChoices& given = given_.item();
+  return {.way = given.automatic ? given.automaticWay : std::string(),
+          .name = nameOfWay(given_),
+          .mode = choices_.item().mode,
+          .platform = choices_.item().platform.text(),
+          .supports =
+              mode_.requiresParameter("supports") ? values_.text("supports") : std::string(),
+          .layerHeightMm = process_.layerHeightMm};
+}
+
+// Repairs made when the part was loaded and then to close it, each once.
+std::vector<base::Message> ItemStages::allRepairs() const {
+  std::vector<base::Message> all = loaded_->notes;
+  for (const base::Message& repair : placed_->report.repairs)
+    if (std::ranges::find(all, repair) == all.end())
+      all.push_back(repair);
+  return all;
+}
+
+ItemOutcome ItemStages::load() {
+  const base::RunContext span = context_.span(Stage::Load);
+  placed_ = context_.cachedOrMade<modes::LoadStage>(
+      keyOf(Stage::Load), {}, [&] { return loadStage(*loaded_, choices_, process_, span); });
+  result_.item(index_).placed = placed_;
+  item().scale = placed_->scale;
+  item().placement = placed_->placement;
+  item().part = placed_->part;
+  report().model = placed_->report;
+  report().model.file = loaded_->name;
+  report().model.repairs = allRepairs();
+  ItemOutcome out;
+  out.timings = placed_->timings;
+  out.timings.load = loaded_->readS;
+  out.timings.repair = loaded_->repairS;
+  // A surface that encloses nothing cannot be measured.
+  if (std::ranges::any_of(placed_->findings, &plan::Finding::blocking)) {
+    out.findings = placed_->findings;
+    out.goesOn = false;
+    return out;
+  }
+  const auto size = context_.cachedOrMade<SizeStage>(
+      keyOf(Stage::Load) + base::keyText(choices_.cell, process_.id, process_.beadWidthMinMm),
+      "size", [&] { return sizeStage(*loaded_, *placed_, choices_, process_, span.quiet()); });
+  const auto stand = context_.cachedOrMade<StandStage>(
+      standKey(*loaded_, *placed_, choices_, process_), "stand",
+      [&] { return standStage(*placed_, choices_, process_, span.quiet()); });
+  // A part that was drawn in other units is not planned.
+  const bool isOdd = isOfOtherUnits(*size);
+  out.findings = isOdd ? plan::Findings() : startFindings();
+  out.goesOn = !isOdd && out.findings.empty();
+  append(out.findings, size->findings);
+  append(out.findings, stand->findings);
+  append(out.findings, remainingDefects(*loaded_));
+  append(out.findings, placed_->findings);
+  return out;
+}
+
+// By the choices as they were given: in mode auto the platform may be the user's or not.
+plan::Findings ItemStages::startFindings() {
+  return context_
+      .cachedOrMade<StartStage>(startKey(*placed_, given_, process_), "start",
+                                [&] {
+                                  return startStage(*placed_, given_, process_,
+                                                    context_.span(Stage::Load).quiet());
+                                })
+      ->findings;
+}
+
+// Most edits of a decomposition leave the voxels as they are.
+std::shared_ptr<const modes::PartVoxels> ItemStages::voxels(double voxelMm,
+                                                            const base::RunContext& ctx) {
+  return context_.cachedOrMade<modes::PartVoxels>(
+      placedPartKey(*loaded_, *placed_, modeChoices()) + base::keyText(voxelMm), "voxels",
+      [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
+}
+
+ItemOutcome ItemStages::decompose() {
+  decomposed_ = context_.cachedOrMade<modes::DecomposeStage>(keyOf(Stage::Decompose), {}, [&] {
+    modes::DecomposeInput in{*placed_, [&](double voxelMm, const base::RunContext& ctx) {
+                               return voxels(voxelMm, ctx);
+                             }};
+    if (context_.observers().onPreview)
+      in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
+        context_.observers().onPreview(std::move(soFar), result_);
+      };
+    if (context_.isTrial())
+      in.isRejected = [&](const plan::Findings& soFar) {
+        return context_.reject(Stage::Decompose, soFar);
+      };
+    auto made = mode_.decompose(modeChoices(), in, context_.span(Stage::Decompose));
+    return hasGivenPaths_ ? onlyGround(*made) : made;
+  });
+  item().platform = decomposed_->platform;
+  item().result = decomposed_->result;
+  report().decomposition = decomposed_->report;
+  report().decomposition.mode = choices_.item().mode;
+  return {decomposed_->findings, decomposed_->timings};
+}
+
+ItemOutcome ItemStages::layers() {
+  const auto stage = context_.cachedOrMade<modes::LayersStage>(keyOf(Stage::Layers), {}, [&] {
+    if (hasGivenPaths_)
+      return layersOfGiven(*loaded_->toolPaths);
+    return mode_.layers(modeChoices(), *decomposed_, item().printed(),
+                        context_.span(Stage::Layers));
+  });
+  item().layers = stage->layers;
+  report().layers = stage->report;
+  report().decomposition.supportVolumeMm3 =
+      decomposed_->report.supportVolumeMm3 + stage->supportVolumeMm3;
+  return {stage->findings, stage->timings};
+}
+
+} // namespace voluta::pipeline

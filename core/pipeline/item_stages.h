@@ -1,0 +1,66 @@
+// The stages of one item, Load to Layers, each taken from the cache or made.
+#pragma once
+
+#include "pipeline/stage_context.h"
+#include "pipeline/stages.h"
+#include "project/job.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace voluta::pipeline {
+
+// What a stage of an item came to, beside its part of the job.
+struct ItemOutcome {
+  plan::Findings findings;
+  project::Timings timings;
+  bool goesOn = true; // is there any use in the next stage
+};
+
+class ItemStages {
+public:
+  // Loads the part. `given`: the job's choices as the user made them; `result`: the job's, whose
+  // item and report of that index the stages fill in. All but `given` outlive it.
+  // Throws as planPart.
+  ItemStages(const StageContext& context, const project::Choices& given, std::size_t index,
+             const RequestedItem& part, const process::Process& process, PlanResult& result);
+
+  ItemOutcome load();
+  ItemOutcome decompose();
+  ItemOutcome layers();
+
+  const project::LoadedPart& loaded() const { return *loaded_; }
+  const modes::LoadStage& placed() const { return *placed_; }
+  const project::Choices& choices() const { return choices_; }
+  const project::StageKeys& keys() const { return keys_; }
+  // Is it printed along the tool-paths that its file brought?
+  bool hasGivenPaths() const { return hasGivenPaths_; }
+
+private:
+  project::JobItem& item() { return result_.job.item(index_); }
+  project::ItemReport& report() { return result_.job.report.item(index_); }
+  modes::ModeChoices modeChoices() const { return {choices_, values_, process_}; }
+  const std::string& keyOf(project::Stage stage) const { return keys_[project::indexOf(stage)]; }
+
+  project::ChosenReport chosenReport() const;
+  std::vector<base::Message> allRepairs() const;
+  plan::Findings startFindings();
+  std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx);
+
+  const StageContext& context_;
+  const project::Choices given_; // of this item only, as the user made them
+  const project::Choices choices_;
+  std::size_t index_;
+  const process::Process& process_;
+  PlanResult& result_;
+  base::ParameterValues values_;
+  const modes::Mode& mode_;
+  std::shared_ptr<const project::LoadedPart> loaded_;
+  std::shared_ptr<const modes::LoadStage> placed_;
+  std::shared_ptr<const modes::DecomposeStage> decomposed_;
+  bool hasGivenPaths_ = false;
+  project::StageKeys keys_;
+};
+
+} // namespace voluta::pipeline

@@ -1,0 +1,333 @@
+#include "pipeline/stage_runner.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stopwatch.h"
+#include "pipeline/automatic.h"
+#include "pipeline/avoided.h"
+#include "pipeline/choices.h"
+#include "pipeline/early_verdict.h"
+#include "pipeline/given_paths.h"
+#include "pipeline/item_stages.h"
+#include "pipeline/part_motion.h"
+#include "pipeline/pedestal.h"
+#include "pipeline/replay_stage.h"
+#include "pipeline/stage_keys.h"
+#include "plan/blocking_share.h"
+#include "plan/finding_kinds.h"
+#include "program/dialect.h"
+#include "program/extruder.h"
+#include "replay/verification.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+namespace voluta::pipeline {
+
+namespace {
+
+constexpr int kRounds = 6; // of moving without what the replay found
+
+// One plan: its stages in order, each taken from the cache or made.
+class StageRunner {
+public:
+  StageRunner(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+              const PlanObservers& observers, Trial* trial)
+      : context_(request.until, ctx, cache, observers, trial), ctx_(ctx),
+        choices_(resolved(project::onlyItem(request.choices, 0))),
+        values_(parameterValues(choices_)),
+        process_(std::make_shared<process::Process>(chosenProcess(choices_, values_))) {
+    base::require(request.items.size() == request.choices.items.size(), "choices for each item");
+    result_.process = process_;
+    result_.debug = values_.boolean("output.debug");
+    result_.keepRefused = values_.boolean("output.refused");
+    result_.proofs = values_.boolean("output.proof");
+    result_.buildFile = values_.boolean("output.build3mf");
+    const std::size_t count = request.items.size();
+    result_.items.resize(count);
+    job().items.resize(count);
+    report().items.resize(count);
+    job().choices = request.choices;
+    report().threads = ctx.threads();
+    ctx.report(0.0, "load"_text);
+    std::vector<project::StageKeys> keys;
+    for (std::size_t i = 0; i < count; ++i) {
+      items_.push_back(std::make_unique<ItemStages>(context_, request.choices, i, request.item(i),
+                                                    *process_, result_));
+      keys.push_back(items_.back()->keys());
+    }
+    keys_ = joinedKeys(keys, choices_.printOrder);
+  }
+
+  PlanResult run() {
+    if (load() && decompose() && layers() && toolpath() && motion())
+      programs();
+    report().timings.total = whole_.seconds();
+    return std::move(result_);
+  }
+
+private:
+  project::Job& job() { return result_.job; }
+  project::Report& report() { return result_.job.report; }
+  const ItemStages& first() const { return *items_.front(); }
+  base::RunContext span(project::Stage stage) const { return context_.span(stage); }
+
+  template <typename T, typename Make> std::shared_ptr<const T> cachedOrMade(Make make) {
+    return context_.cachedOrMade<T>(keys_[project::indexOf(T::kStage)], {}, make);
+  }
+
+  // Notes that a stage is done; is there more to do?
+  bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
+    project::StageRecord& record = job().stages[project::indexOf(stage)];
+    const bool whole = !context_.isRejected(); // else it ended early
+    record = {whole ? keys_[project::indexOf(stage)] : std::string(), findings.size(), timings};
+    report().findings.insert(report().findings.end(), findings.begin(), findings.end());
+    report().timings += timings;
+    report().timings.total = whole_.seconds();
+    job().reached = stage;
+    base::returnFreedMemory();
+    if (whole && context_.observers().onStage)
+      context_.observers().onStage(stage, result_);
+    ctx_.checkpoint();
+    return !context_.reject(stage, findings) && stage < context_.until();
+  }
+
+  // A stage of every item, one after the other.
+  template <typename Run> ItemOutcome ofEachItem(const Run& run) {
+    ItemOutcome all;
+    for (const auto& item : items_) {
+      const ItemOutcome one = run(*item);
+      all.findings.insert(all.findings.end(), one.findings.begin(), one.findings.end());
+      all.timings += one.timings;
+      all.goesOn = all.goesOn && one.goesOn;
+    }
+    return all;
+  }
+
+  bool load() {
+    const ItemOutcome all = ofEachItem([](ItemStages& item) { return item.load(); });
+    return done(project::Stage::Load, all.findings, all.timings) && all.goesOn;
+  }
+
+  bool decompose() {
+    ItemOutcome all = ofEachItem([](ItemStages& item) { return item.decompose(); });
+    result_.cell = std::make_shared<robot::Cell>(
+        robot::loadCell(choices_.cell, *process_, job().item().platform));
+    for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
+      program::requireOwnRobot(program::findDialect(format), *result_.cell);
+      program::requireRodTurns(program::findDialect(format), *result_.cell);
+      program::requireExtruder(format, program::findDialect(format).extruders, *result_.cell,
+                               program::programOptions(values_));
+    }
+    for (std::size_t i = items_.size(); i-- > 0;)
+      if (const double gap =
+              adriftMm(items_[i]->choices().item().platform, *job().item(i).part, *result_.cell);
+          gap > 0.0)
+        all.findings.insert(
+            all.findings.begin(),
+            plan::makeFinding(plan::FindingKind::PlatformAdrift, {{"distance", base::mm(gap)}}));
+    return done(project::Stage::Decompose, all.findings, all.timings);
+  }
+
+  bool layers() {
+    const ItemOutcome all = ofEachItem([](ItemStages& item) { return item.layers(); });
+    std::vector<std::shared_ptr<const layers::LayerStack>> stacks;
+    for (const project::JobItem& item : job().items)
+      stacks.push_back(item.layers);
+    layers_ = layers::joinStacks(stacks, choices_.printOrder);
+    return done(project::Stage::Layers, all.findings, all.timings);
+  }
+
+  bool toolpath() {
+    const bool given = first().hasGivenPaths();
+    const auto stage = cachedOrMade<ToolpathStage>([&] {
+      if (given)
+        return givenToolpathStage(first().loaded(), first().placed(), *process_,
+                                  span(project::Stage::Toolpath));
+      MadeToolpaths made =
+          toolpathStage(*layers_, *result_.cell, job().item().platform, *process_,
+                        toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
+      grown_ = std::move(made.grown);
+      return made.stage;
+    });
+    job().toolPlan = stage->toolPlan;
+    report().toolpath = stage->report;
+    for (const std::string& format : chosenFormats(choices_, *result_.cell))
+      program::requireUpright(program::findDialect(format), stage->toolPlan->direction);
+    const bool goesOn = done(project::Stage::Toolpath, stage->findings, stage->timings);
+    if (goesOn && context_.isTrial() && !given && report().item().model.watertight)
+      if (const auto mass = massOutOfReach(*stage->toolPlan, *project::printedOf(job()), *process_))
+        return !context_.reject(project::Stage::Toolpath, {*mass});
+    return goesOn;
+  }
+
+  bool motion() {
+    motion_ = cachedOrMade<MotionStage>([&] { return moved(span(project::Stage::Motion)); });
+    return motionDone();
+  }
+
+  std::unique_ptr<PartMotion> partMotion(const base::RunContext& ctx) {
+    return std::make_unique<PartMotion>(
+        *result_.job.toolPlan, result_.job.item().platform, *result_.cell, *process_,
+        motionOptionsOf(values_, choices_.seed), std::exchange(grown_, {}), ctx);
+  }
+  // What the planner keeps to plan some paths again is as large as the motion. It is asked where
+  // there was hardly room, and there motion mostly left something out itself: else it is let go.
+  std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
+    std::unique_ptr<PartMotion> moving = partMotion(ctx.sub(0, 0.05));
+    std::shared_ptr<const MotionStage> stage =
+        moving->plan(ctx.sub(0.05, 1.0), context_.isTrial() ? plan::kBlockingShare : 1.0);
+    if (!stage->trajectory && context_.reject(project::Stage::Motion, stage->findings))
+      return stage;
+    if (stage->report.unreachable + stage->report.collisions > 0)
+      moving_ = std::move(moving);
+    return stage;
+  }
+
+  bool motionDone() {
+    job().trajectory = motion_->trajectory;
+    report().motion = motion_->report;
+    plan::Findings findings = motion_->findings;
+    if (motion_->tooLarge) {
+      const bool anyScale = !first().hasGivenPaths() && takesAnyScale(first().loaded(), choices_);
+      findings.insert(findings.begin(),
+                      tooLargeFinding(*motion_->tooLarge,
+                                      anyScale ? std::optional(job().item().scale) : std::nullopt));
+    }
+    return done(project::Stage::Motion, findings, motion_->timings) && job().trajectory;
+  }
+
+  // The motion without these waypoints too, at which a replay found that something meets.
+  bool replanSkipping(const std::vector<std::size_t>& met) {
+    const std::size_t told = job().stages[project::indexOf(project::Stage::Motion)].findings;
+    report().findings.resize(report().findings.size() - told);
+    const base::RunContext ctx = span(project::Stage::Replay).quiet();
+    if (!moving_) {
+      moving_ = partMotion(ctx);
+      moving_->plan(ctx); // once more, or for the first time where the motion came from the cache
+    }
+    motion_ = moving_->planWithout(met, ctx);
+    fresh_ = true;
+    return motionDone();
+  }
+
+  void programs() {
+    Avoided avoided;
+    for (int round = 0;; ++round) {
+      write(round < kRounds);
+      std::vector<std::size_t> found;
+      for (const auto& checked : result_.checked)
+        std::ranges::copy(metIn(*checked), std::back_inserter(found));
+      const std::vector<std::size_t> met = avoided.next(*result_.job.toolPlan, found);
+      if (met.empty() || round == kRounds || isHopeless() || !replanSkipping(met))
+        break;
+    }
+    keepFresh();
+    plan::Findings findings;
+    project::Timings timings;
+    bool told = false; // the verdict
+    for (std::size_t i = 0; i < result_.checked.size(); ++i) {
+      timings += result_.checked[i]->timings;
+      const bool counts = decides(*result_.checked[i]), first = !told && counts;
+      told = told || first;
+      tellProgram(*result_.checked[i], first, counts, report(), findings);
+    }
+    if (isHopeless()) // there may be formats that were not written
+      context_.reject(project::Stage::Replay, findings);
+    done(project::Stage::Replay, findings, timings);
+  }
+
+  // In a trial: a program fails by other figures than by what meets, which no other motion mends.
+  bool isHopeless() const {
+    return context_.isTrial() && std::ranges::any_of(result_.checked, [this](const auto& checked) {
+             return decides(*checked) &&
+                    checked->failed.size() > (checked->collidingWaypoints.empty() ? 0 : 1);
+           });
+  }
+  bool decides(const CheckedProgram& checked) const {
+    return program::decidesOnPlan(checked.program.format, chosenFormats(choices_, *result_.cell),
+                                  *result_.cell);
+  }
+  // Of a program for another controller, whose way there is another, only what is met here and
+  // there: for that little it is not to be refused either.
+  std::vector<std::size_t> metIn(const CheckedProgram& checked) const {
+    constexpr double kHereAndThere = 0.002; // of the waypoints
+    const auto waypoints = static_cast<double>(result_.job.toolPlan->waypointCount());
+    return decides(checked) || static_cast<double>(checked.collidingWaypoints.size()) <=
+                                   kHereAndThere * waypoints
+               ? checked.collidingWaypoints
+               : std::vector<std::size_t>();
+  }
+
+  // `untilMet`: not what follows a program in which something meets.
+  void write(bool untilMet) {
+    const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
+    const auto printed = project::printedOf(job());
+    const ProgramStageInput in{*printed,
+                               job().item().platform,
+                               *job().toolPlan,
+                               *job().trajectory,
+                               *result_.cell,
+                               *process_,
+                               std::filesystem::path(first().loaded().name).stem().string(),
+                               program::programOptions(values_)};
+    result_.checked.clear();
+    replay::JudgedRuns judged;
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+      if (i > 0 && ((untilMet && !metIn(*result_.checked.back()).empty()) || isHopeless()))
+        return;
+      const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
+      const auto make = [&] {
+        return programStage(formats[i], in,
+                            span(project::Stage::Replay).sub(at / count, (at + 1.0) / count),
+                            &judged);
+      };
+      // What is kept was written for the motion before.
+      result_.checked.push_back(
+          fresh_ ? make()
+                 : context_.cachedOrMade<CheckedProgram>(keyOf(formats[i]), formats[i], make));
+    }
+  }
+
+  std::string keyOf(const std::string& format) const {
+    return programKey(keys_, first().loaded().name, *process_, program::programOptions(values_),
+                      format);
+  }
+
+  // Motion and programs together: what is kept belongs together, whenever a plan is cancelled.
+  void keepFresh() {
+    if (!fresh_ || !context_.cache() ||
+        context_.isRejected()) // the programs are of the motion before
+      return;
+    context_.cache()->keep<MotionStage>(keys_[project::indexOf(project::Stage::Motion)], motion_);
+    for (const auto& checked : result_.checked)
+      context_.cache()->keep<CheckedProgram>(keyOf(checked->program.format), checked,
+                                             checked->program.format);
+  }
+
+  base::Stopwatch whole_;
+  const StageContext context_;
+  const base::RunContext& ctx_;
+  const project::Choices choices_; // the job's, with the first item's way of building
+  base::ParameterValues values_;
+  std::shared_ptr<const process::Process> process_;
+  std::vector<std::unique_ptr<ItemStages>> items_;
+  std::shared_ptr<const layers::LayerStack> layers_; // of all items, in print order
+  std::shared_ptr<const MotionStage> motion_;
+  std::shared_ptr<const collision::GrowingPart> grown_; // by tool-paths made here, for their motion
+  std::unique_ptr<PartMotion> moving_;                  // null: let go
+  bool fresh_ = false;                                  // the motion is another one than its key's
+  project::StageKeys keys_;
+  PlanResult result_;
+};
+
+} // namespace
+
+PlanResult planChosenWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
+                         const PlanObservers& observers, Trial* trial) {
+  return StageRunner(request, ctx, cache, observers, trial).run();
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,95 @@
+#include "process/material.h"
+
+#include "base/data_files.h"
+#include "base/files.h"
+#include "base/json_node.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace voluta::process {
+
+namespace {
+using base::JsonNode;
+
+constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450; // that print heads withstand
+
+std::string lowerCase(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool isColour(const std::string& text) {
+  return text.size() == 7 && text[0] == '#' &&
+         std::all_of(text.begin() + 1, text.end(),
+                     [](unsigned char c) { return std::isxdigit(c) != 0; });
+}
+
+void readNozzle(const JsonNode& node, Material& m) {
+  node.allowOnly({"default", "min", "max"});
+  m.nozzleMinC = static_cast<int>(node.at("min").positive());
+  m.nozzleC = static_cast<int>(node.at("default").positive());
+  m.nozzleMaxC = static_cast<int>(node.at("max").positive());
+  if (*m.nozzleC < m.nozzleMinC)
+    node.at("default").fail("is below 'min'"_text);
+  if (*m.nozzleC > m.nozzleMaxC)
+    node.at("default").fail("is above 'max'"_text);
+}
+} // namespace
+
+bool prints(const Material& material, double nozzleC) {
+  return nozzleC >= material.nozzleMinC && nozzleC <= material.nozzleMaxC;
+}
+
+Material readMaterialText(const std::string& text, const std::string& name) {
+  const JsonNode top = JsonNode::parse(text, name);
+  top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeWidths",
+                 "pricePerKg", "colour"});
+  Material m;
+  m.id = top.at("id").text();
+  m.label = top.at("label").text();
+  m.densityGPerCm3 = top.at("densityGPerCm3").positive();
+  readNozzle(top.at("nozzleC"), m);
+  m.bedC = static_cast<int>(top.at("bedC").notNegative());
+  m.fan = top.at("fan").notNegative();
+  if (m.fan > 1.0)
+    top.at("fan").fail("is above 1"_text);
+  m.bridgeWidths = top.at("bridgeWidths").notNegative();
+  m.pricePerKg = top.at("pricePerKg").notNegative();
+  m.colour = top.at("colour").text();
+  if (!isColour(m.colour))
+    top.at("colour").fail("must be #RRGGBB"_text);
+  m.comesWithProgram = false;
+  return m;
+}
+
+std::vector<std::string> materialIds() {
+  return base::dataFileIds("materials");
+}
+
+Material loadMaterial(const std::string& id) {
+  const std::filesystem::path file =
+      base::dataFile("materials", id, "unknown material '{id}'"_text);
+  Material m = readMaterialText(base::readFile(file), file.string());
+  m.comesWithProgram = file.parent_path() == base::resourceFolder() / "materials";
+  return m;
+}
+
+Material materialNamed(const std::string& name) {
+  const std::string wanted = lowerCase(name);
+  for (const std::string& id : materialIds())
+    if (lowerCase(id) == wanted)
+      return loadMaterial(id);
+  Material unknown;
+  unknown.id = unknown.label = name;
+  unknown.densityGPerCm3 = 0.0;
+  unknown.nozzleC = unknown.bedC = std::nullopt;
+  unknown.nozzleMinC = kColdestNozzleC;
+  unknown.nozzleMaxC = kHottestNozzleC;
+  unknown.pricePerKg = 0.0;
+  unknown.comesWithProgram = false;
+  return unknown;
+}
+
+} // namespace voluta::process

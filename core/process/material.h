@@ -1,0 +1,47 @@
+// Materials (resources/materials/*.json): density, temperatures, cooling, bridging, price, colour.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voluta::process {
+
+// The default is PLA, as resources/materials/pla.json.
+struct Material {
+  std::string id = "pla", label = "PLA";
+  double densityGPerCm3 = 1.24;           // > 0
+  std::optional<int> nozzleC = 210;       // usual nozzle temperature [°C]; none: unknown
+  int nozzleMinC = 170, nozzleMaxC = 250; // range in which a nozzle prints it [°C]
+  std::optional<int> bedC = 60;           // usual plate temperature [°C]; none: unknown
+  double fan = 1.0;                       // part cooling, 0..1
+  double bridgeWidths = 5.0; // length that a bead bridges, in bead widths, unless the process says
+  double pricePerKg = 20.0;  // in the user's currency; 0: unknown
+  std::string colour = "#D8CFC0"; // #RRGGBB
+  // The id alone identifies a material that comes with the program; a cache key of any other needs
+  // all its values.
+  bool comesWithProgram = true;
+
+  bool operator==(const Material&) const = default;
+};
+
+// Returns whether a nozzle at that temperature [°C] prints the material.
+bool prints(const Material& material, double nozzleC);
+
+// Reads a material from the text of its file; `name` names the file in errors.
+// Throws Error{UnreadableFile} if it is not JSON; Error{UnusableInput}, naming file and key, if a
+// key is missing or unknown, a value is out of range or temperatures are not ordered.
+Material readMaterialText(const std::string& text, const std::string& name);
+
+// Returns the ids of all materials, those of the user included, sorted.
+std::vector<std::string> materialIds();
+
+// Loads a material by its id. Throws Error{Usage} naming the nearest id if it is unknown.
+Material loadMaterial(const std::string& id);
+
+// Returns the material with that id, ignoring case ("PLA" is "pla"). A name without a file gives a
+// material of that label with density 0, unknown temperatures and a nozzle range as wide as heads
+// allow. Throws as readMaterialText().
+Material materialNamed(const std::string& name);
+
+} // namespace voluta::process

@@ -1,0 +1,50 @@
+// The tools of a job: each deposits one material with one process (shared by all stages that see a
+// whole plan; functions that see one patch or one motion take the Process).
+#pragma once
+
+#include "plan/tool_plan.h"
+#include "process/process.h"
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace voluta::process {
+
+// How a tool deposits material.
+enum class FeedLaw {
+  Bead, // flow follows the bead's section; ends freely
+  Tape  // feed follows the path's length; has to be cut at its end
+};
+
+struct Tool {
+  Process process;      // with material and head body
+  std::string extruder; // id in program::extruders()
+  // The nozzle's tip on what carries it, z in the direction of extrusion: on the flange, or in the
+  // base of a nozzle that does not move.
+  Eigen::Isometry3d carrier_T_tip = Eigen::Isometry3d::Identity();
+  FeedLaw feed = FeedLaw::Bead;
+};
+
+// One or more tools; a copy shares them.
+class Tooling {
+public:
+  // One tool with that process.
+  Tooling(Process process); // NOLINT(google-explicit-constructor): most jobs have one tool
+  // Throws Error{Internal} if there is none.
+  explicit Tooling(std::vector<Tool> tools);
+
+  std::span<const Tool> tools() const { return *tools_; }
+  // The tool of a path. Throws Error{Internal} if the plan names a tool that the job does not have.
+  const Tool& of(const plan::ToolPath& path) const { return at(path.tool); }
+  const Tool& at(int tool) const;
+  // The tool that the job begins with.
+  const Tool& first() const { return tools_->front(); }
+
+private:
+  std::shared_ptr<const std::vector<Tool>> tools_;
+};
+
+} // namespace voluta::process

@@ -1,0 +1,20 @@
+// The events of a trajectory (tool changes, cuts, pauses) against those that the program states.
+#pragma once
+
+#include "plan/program.h"
+#include "plan/trajectory.h"
+#include "replay/alignment.h"
+#include "replay/comparison.h"
+
+#include <vector>
+
+namespace voluta::replay {
+
+// Returns a finding, at its line, for each event that the program lacks, states at another motion
+// or states with another tool, and for each stop, tool change or cut between the first and the last
+// motion that is not planned.
+std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
+                                       const plan::Trajectory& trajectory,
+                                       const Alignment& alignment);
+
+} // namespace voluta::replay
