@@ -30,7 +30,7 @@ base::Message chosenText(const project::Report& report) {
   const base::Message values = valuesText(report.chosen);
   return std::ranges::any_of(report.tried, &project::TriedReport::passed)
              ? base::message("Chosen: {way} ({values})"_text, report.chosen.name, values)
-             : base::message("Nothing passes; shown is the least bad: {way} ({values})"_text,
+             : base::message("No option passes; best one shown: {way} ({values})"_text,
                              report.chosen.name, values);
 }
 
