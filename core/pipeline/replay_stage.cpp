@@ -131,9 +131,9 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
                                      result.name, base::number(result.value),
                                      base::number(result.limit)));
   if (verdict.deviations > 0)
-    failed.push_back(base::message(
-        "{places} place where the text is not what was planned|{places} places where the text is not what was planned"_plural,
-        verdict.deviations));
+    failed.push_back(base::message("{places} place where the text is not what was planned|"
+                                   "{places} places where the text is not what was planned"_plural,
+                                   verdict.deviations));
   return failed;
 }
 

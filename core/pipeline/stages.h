@@ -46,7 +46,7 @@ struct MotionStage {
   static constexpr project::Stage kStage = project::Stage::Motion;
   std::shared_ptr<const plan::Trajectory> trajectory; // null if nothing is left to print
   project::MotionReport report;
-  // reported before the findings, by the caller that knows the scale
+  // Reported before the findings, by the caller that knows the scale
   std::optional<motion::TooLarge> tooLarge;
   plan::Findings findings;
   project::Timings timings;
