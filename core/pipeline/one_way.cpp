@@ -32,12 +32,13 @@ namespace voluta::pipeline {
 
 namespace {
 
-// Where each stage ends in the time that a whole plan of a usual part takes.
+// Progress at which each stage ends when a typical part is planned completely.
 constexpr std::array<double, project::kStageCount> kEnds{0.02, 0.14, 0.22, 0.44, 0.6, 1.0};
 
-constexpr int kRounds = 6; // of moving without what the replay found
+// Rounds of replanning the motion without the waypoints that replay found colliding
+constexpr int kRounds = 6;
 
-// One plan: its stages in order, each taken from the cache or made.
+// Runs the stages of one plan in order, taking each from the cache or computing it.
 class StageRunner {
 public:
   StageRunner(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
@@ -94,7 +95,7 @@ private:
     return cachedOrMade<T>(keys_[project::indexOf(T::kStage)], {}, make);
   }
 
-  // A stage's share of what this plan comes to.
+  // Returns the stage's share of this plan's progress.
   base::RunContext span(project::Stage stage) const {
     const std::size_t s = project::indexOf(stage);
     const double all = kEnds[project::indexOf(until_)];
@@ -102,7 +103,7 @@ private:
   }
 
   bool isRejected() const { return trial_ && trial_->rejection; }
-  // In a trial: the first finding that blocks ends it. Returns whether it has ended.
+  // In a trial, the first blocking finding ends the plan. Returns whether it has ended.
   bool reject(project::Stage stage, const plan::Findings& findings) {
     if (!trial_ || trial_->rejection)
       return isRejected();
@@ -112,10 +113,10 @@ private:
     return isRejected();
   }
 
-  // Notes that a stage is done; is there more to do?
+  // Records that a stage is complete. Returns whether to continue.
   bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
     project::StageRecord& record = job().stages[project::indexOf(stage)];
-    const bool whole = !isRejected(); // else it ended early
+    const bool whole = !isRejected(); // False: the stage ended early
     record = {whole ? keys_[project::indexOf(stage)] : std::string(), findings.size(), timings};
     report().findings.insert(report().findings.end(), findings.begin(), findings.end());
     report().timings += timings;
@@ -138,7 +139,7 @@ private:
             .layerHeightMm = process_->layerHeightMm};
   }
 
-  // What was mended when the part was loaded and then to close it, each once.
+  // Returns the repairs done on loading and on closing the mesh, each once.
   std::vector<base::Message> allRepairs(const modes::LoadStage& placed) const {
     std::vector<base::Message> all = loaded_->notes;
     for (const base::Message& repair : placed.report.repairs)
@@ -161,7 +162,7 @@ private:
     project::Timings timings = stage->timings;
     timings.load = loaded_->readS;
     timings.repair = loaded_->repairS;
-    // Nothing is measured on a surface that encloses nothing.
+    // A surface that encloses no volume cannot be measured.
     if (std::ranges::any_of(stage->findings, &plan::Finding::blocking))
       return done(project::Stage::Load, stage->findings, timings) && false;
     const auto size = cachedOrMade<SizeStage>(
@@ -175,7 +176,7 @@ private:
         cachedOrMade<StandStage>(standKey(*loaded_, *placed_, choices_, *process_), "stand", [&] {
           return standStage(*placed_, choices_, *process_, span(project::Stage::Load).quiet());
         });
-    // What was drawn in other units is no part to plan.
+    // A part drawn in other units cannot be planned.
     const bool odd = std::ranges::any_of(size->findings, [](const plan::Finding& f) {
       return f.kind == plan::FindingKind::TinyPart || f.kind == plan::FindingKind::HugePart;
     });
@@ -189,7 +190,7 @@ private:
     return done(project::Stage::Load, findings, timings) && !hopeless;
   }
 
-  // With the choices as they were given: in mode auto the platform may be the user's or not.
+  // Uses the choices as given: in mode auto the user may have fixed the platform.
   plan::Findings startFindings() {
     const project::Choices& given = job().choices;
     return cachedOrMade<StartStage>(startKey(*placed_, given, *process_), "start",
@@ -202,7 +203,7 @@ private:
 
   modes::ModeChoices modeChoices() const { return {choices_, values_, *process_}; }
 
-  // Most edits of a decomposition leave the voxels as they are.
+  // Most edits of a decomposition do not change the voxels.
   std::shared_ptr<const modes::PartVoxels> voxels(double voxelMm, const base::RunContext& ctx) {
     return cachedOrMade<modes::PartVoxels>(
         placedPartKey(*loaded_, *placed_, modeChoices()) + base::keyText(voxelMm), "voxels",
@@ -289,8 +290,8 @@ private:
                                         *process_, motionOptionsOf(values_, choices_.seed),
                                         std::exchange(grown_, {}), ctx);
   }
-  // What the planner keeps to plan some paths again is as large as the motion. It is asked where
-  // there was hardly room, and there motion mostly left something out itself: else it is let go.
+  // Keep the planner only if motion skipped waypoints: then replay is likely to require replanning
+  // of some paths. Its state is as large as the trajectory.
   std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
     std::unique_ptr<PartMotion> moving = partMotion(ctx.sub(0, 0.05));
     std::shared_ptr<const MotionStage> stage =
@@ -315,14 +316,14 @@ private:
     return done(project::Stage::Motion, findings, motion_->timings) && job().trajectory;
   }
 
-  // The motion without these waypoints too, at which a replay found that something meets.
+  // Replans the motion without these waypoints too, at which replay found collisions.
   bool replanSkipping(const std::vector<std::size_t>& met) {
     const std::size_t told = job().stages[project::indexOf(project::Stage::Motion)].findings;
     report().findings.resize(report().findings.size() - told);
     const base::RunContext ctx = span(project::Stage::Replay).quiet();
     if (!moving_) {
       moving_ = partMotion(ctx);
-      moving_->plan(ctx); // once more, or for the first time where the motion came from the cache
+      moving_->plan(ctx); // Again, or for the first time if the motion came from the cache
     }
     motion_ = moving_->planWithout(met, ctx);
     fresh_ = true;
@@ -343,19 +344,20 @@ private:
     keepFresh();
     plan::Findings findings;
     project::Timings timings;
-    bool told = false; // the verdict
+    bool told = false; // The verdict has been reported
     for (std::size_t i = 0; i < result_.checked.size(); ++i) {
       timings += result_.checked[i]->timings;
       const bool counts = decides(*result_.checked[i]), first = !told && counts;
       told = told || first;
       tellProgram(*result_.checked[i], first, counts, report(), findings);
     }
-    if (isHopeless()) // there may be formats that were not written
+    if (isHopeless()) // Some formats may not have been written
       reject(project::Stage::Replay, findings);
     done(project::Stage::Replay, findings, timings);
   }
 
-  // In a trial: a program fails by other figures than by what meets, which no other motion mends.
+  // In a trial: returns whether a program fails for another reason than collisions, which no other
+  // motion can repair.
   bool isHopeless() const {
     return trial_ && std::ranges::any_of(result_.checked, [this](const auto& checked) {
              return decides(*checked) &&
@@ -366,10 +368,11 @@ private:
     return program::decidesOnPlan(checked.program.format, chosenFormats(choices_, *result_.cell),
                                   *result_.cell);
   }
-  // Of a program for another controller, whose way there is another, only what is met here and
-  // there: for that little it is not to be refused either.
+  // Returns the colliding waypoints to skip. In a program for another controller, which moves
+  // differently, many collisions are not worth replanning; only isolated ones are, so that they
+  // alone do not get the program refused.
   std::vector<std::size_t> metIn(const CheckedProgram& checked) const {
-    constexpr double kHereAndThere = 0.002; // of the waypoints
+    constexpr double kHereAndThere = 0.002; // Share of the waypoints
     const auto waypoints = static_cast<double>(result_.job.toolPlan->waypointCount());
     return decides(checked) || static_cast<double>(checked.collidingWaypoints.size()) <=
                                    kHereAndThere * waypoints
@@ -377,7 +380,7 @@ private:
                : std::vector<std::size_t>();
   }
 
-  // `untilMet`: not what follows a program in which something meets.
+  // `untilMet`: stop after the first program with collisions.
   void write(bool untilMet) {
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
     const ProgramStageInput in{job().printed(),
@@ -399,7 +402,7 @@ private:
                             span(project::Stage::Replay).sub(at / count, (at + 1.0) / count),
                             &judged);
       };
-      // What is kept was written for the motion before.
+      // Cached programs were written for the previous motion.
       result_.checked.push_back(
           fresh_ ? make() : cachedOrMade<CheckedProgram>(keyOf(formats[i]), formats[i], make));
     }
@@ -409,9 +412,11 @@ private:
     return programKey(keys_, loaded_->name, *process_, program::programOptions(values_), format);
   }
 
-  // Motion and programs together: what is kept belongs together, whenever a plan is cancelled.
+  // Caches motion and programs together, so that the cache stays consistent whenever a plan is
+  // cancelled.
   void keepFresh() {
-    if (!fresh_ || !cache_ || isRejected()) // the programs are of the motion before
+    // Unless the motion is fresh, the programs belong to the cached motion
+    if (!fresh_ || !cache_ || isRejected())
       return;
     cache_->keep<MotionStage>(keys_[project::indexOf(project::Stage::Motion)], motion_);
     for (const auto& checked : result_.checked)
@@ -420,7 +425,7 @@ private:
   }
 
   base::Stopwatch whole_;
-  Trial* trial_; // null: a plan that goes on whatever blocks it
+  Trial* trial_; // nullptr: blocking findings do not end the plan
   const project::Choices choices_;
   project::Stage until_;
   const base::RunContext& ctx_;
@@ -433,10 +438,11 @@ private:
   std::shared_ptr<const modes::LoadStage> placed_;
   std::shared_ptr<const modes::DecomposeStage> decomposed_;
   std::shared_ptr<const MotionStage> motion_;
-  std::shared_ptr<const collision::GrowingPart> grown_; // by tool-paths made here, for their motion
-  std::unique_ptr<PartMotion> moving_;                  // null: let go
-  bool given_ = false; // is it printed along the tool-paths that it brings
-  bool fresh_ = false; // the motion is another one than its key's
+  // Volume filled by the tool-paths made here, handed to motion planning
+  std::shared_ptr<const collision::GrowingPart> grown_;
+  std::unique_ptr<PartMotion> moving_; // nullptr: released
+  bool given_ = false;                 // The part is printed along the tool-paths of its file
+  bool fresh_ = false;                 // The motion differs from the one cached under its key
   project::StageKeys keys_;
   PlanResult result_;
 };

@@ -207,8 +207,7 @@ TEST(LatheRoad, BadInputIsToldInOneLine) {
                 ErrorCode::UnusableInput, "beyond an end of the rod");
   expectRefusal(with([](Choices& c) { c.placement.centreMm.y() = 20; }, tube),
                 ErrorCode::UnusableInput, "the part misses the rod");
-  expectRefusal(with([](Choices& c) { c.cell = "ur5-fixed"; }, tube), ErrorCode::Usage,
-                "holds none");
+  expectRefusal(with([](Choices& c) { c.cell = "ur5-fixed"; }, tube), ErrorCode::Usage, "has none");
   expectRefusal(with([](Choices& c) { c.platform = project::Platform("disc:80"); }, tube),
                 ErrorCode::Usage, "does not print on platform disc");
   expectRefusal(with([](Choices& c) { c.parameters["orient"] = "leastRisky"; }, tube),
