@@ -215,7 +215,7 @@ TEST(LatheRoad, BadInputIsToldInOneLine) {
   expectRefusal(with([](Choices& c) { c.parameters["rodProfile"] = "1,2 x"; }, tube),
                 ErrorCode::Usage, "'x' is neither a pair");
   expectRefusal(with([](Choices& c) { c.parameters["firstLayerMm"] = "2"; }, tube),
-                ErrorCode::Usage, "beyond process fdm-0.35");
+                ErrorCode::Usage, "outside the limits of process fdm-0.35");
   expectRefusal(with([](Choices&) {}, test::box({-5, -5, -5}, {5, 5, 5})), ErrorCode::UnusableInput,
                 "no clear axis");
   expectRefusal(with([](Choices& c) { c.platform = project::Platform("mesh:nowhere.stl"); }, tube),
