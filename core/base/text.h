@@ -33,7 +33,7 @@ constexpr std::size_t countPlaces(std::string_view sentence);
 
 namespace voluta {
 inline namespace literals {
-// "platform '{platform}' has no usable size"_text
+// "platform '{platform}' has no valid size"_text
 consteval base::Text operator""_text(const char* sentence, std::size_t length);
 // "{pieces} piece is not laid|{pieces} pieces are not laid"_plural: for one and for any other
 // number. The first value that is a whole number decides.

@@ -67,7 +67,7 @@ Choices readChoices(const Json& j, int format) {
   Choices c;
   c.automatic = j.value("automatic", false);
   c.platformStays = j.value("platformStays", false);
-  // Once a number: of a list that has changed since.
+  // Older versions stored an index into a list that has changed since.
   if (const auto way = j.find("automaticWay"); way != j.end() && way->is_string())
     way->get_to(c.automaticWay);
   j.at("mode").get_to(c.mode);
@@ -87,7 +87,7 @@ Choices readChoices(const Json& j, int format) {
   return c;
 }
 
-// Notes with the part that a density which the project was given has gone.
+// Removes the infill density of an older project and adds a note about it to the part.
 void dropSparseInfill(Choices& choices, LoadedPart& part) {
   const auto density = choices.parameters.find(kInfillDensity);
   if (density == choices.parameters.end())
@@ -95,7 +95,7 @@ void dropSparseInfill(Choices& choices, LoadedPart& part) {
   double share = 1.0;
   if (base::readNumbers(density->second, ',', {&share}) && share < 1.0) {
     const base::Message note = base::message(
-        "infill density {density} of the project is left out: parts are filled solid"_text,
+        "the project's infill density {density} is ignored: parts are filled solid"_text,
         density->second);
     part.readNotes.push_back(note);
     part.notes.push_back(note);
@@ -103,7 +103,7 @@ void dropSparseInfill(Choices& choices, LoadedPart& part) {
   choices.parameters.erase(density);
 }
 
-// ---- the part as it came
+// ---- the part as loaded
 
 struct DefectName {
   const char* key;
@@ -176,8 +176,8 @@ geometry::OpenSurface readOpen(const Json& j) {
   return open;
 }
 
-// What earlier versions do not look for: sentences as data, to be told in any language. They read
-// the English beside it.
+// Stores messages as data, so that they can be shown in any language. Earlier versions ignore this
+// block and read the English texts.
 void addTold(BlockWriter& out, const Job& job) {
   Json facts = Json::array();
   for (const plan::Finding& finding : job.report.findings)
@@ -190,7 +190,7 @@ void addTold(BlockWriter& out, const Job& job) {
                           .dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-// As it was told, in whatever language is wanted now; files of before have English only.
+// Restores messages from data, for the present language; older files have English texts only.
 void getTold(const BlockReader& in, Job& job, LoadedPart& part) {
   if (!in.has("told"))
     return;
@@ -255,7 +255,7 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
       part->inWorkFrame = j.value("inWorkFrame", false);
       if (!isSound(*part->toolPaths))
         throw base::Error(base::ErrorCode::UnreadableFile,
-                          "the tool-paths that came with the part are damaged"_text);
+                          "the tool-paths of the part's file are damaged"_text);
     }
     part->units = geometry::guessUnits(*part->mesh);
     part->hash = hashOf(*part);
@@ -263,14 +263,14 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
   return part;
 }
 
-// Format 1 has only the placed part: what it was made from, but for where it lay.
+// Format 1 has only the placed part; its scale is undone, its placement is not known.
 std::shared_ptr<const LoadedPart> loadedFromPlaced(const Job& job) {
   auto source = std::make_shared<geometry::TriangleMesh>(*job.part);
   for (Eigen::Vector3d& v : source->vertices)
     v /= job.scale;
   auto part = std::make_shared<LoadedPart>();
   part->name = job.partName;
-  part->readNotes = {"taken from a project of format 1, as it was repaired and placed there"_text};
+  part->readNotes = {"read from a project of format 1, as repaired and placed there"_text};
   part->notes = part->readNotes;
   part->found = geometry::diagnose(*source);
   part->remains = part->found.sentences();
@@ -280,7 +280,7 @@ std::shared_ptr<const LoadedPart> loadedFromPlaced(const Job& job) {
   return part;
 }
 
-// ---- what the stages left
+// ---- results of the stages
 
 Json recordsJson(const Job& job) {
   Json all = Json::array();
@@ -330,7 +330,7 @@ std::vector<BlockRow> readTable(const Json& j) {
 
 // ---- the file's frame
 
-// Takes a number and the character that ends it off the front; false: there is none.
+// Removes a number and the character after it from the front; returns false if there is none.
 bool takeNumber(std::string_view& text, char end, std::size_t& value) {
   const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   const auto used = static_cast<std::size_t>(rest - text.data());
@@ -351,17 +351,17 @@ Frame frameOf(std::string_view bytes, const std::string& where) {
   std::string_view rest = bytes.substr(kMagic.size());
   std::size_t format = 0, length = 0, crc = 0;
   if (!takeNumber(rest, '\n', format) || format == 0)
-    throw unreadable("the job file is damaged or cut short in its first line"_text, where);
+    throw unreadable("the first line of the job file is damaged or truncated"_text, where);
   if (format > static_cast<std::size_t>(kFormat))
     throw unreadable(
-        base::message(
-            "made by a newer version of Voluta (format {format}; this one reads up to {newest})"_text,
-            format, kFormat),
-        where, "open it with the version that made it, or install that one"_text);
+        base::message("saved by a newer version of Voluta (format {format}; this version reads "
+                      "up to {newest})"_text,
+                      format, kFormat),
+        where, "open it with the version that saved it"_text);
   const bool summed = format >= 2; // format 1 has no checksum of its header
   if (!takeNumber(rest, summed ? ' ' : '\n', length) || (summed && !takeNumber(rest, '\n', crc)) ||
       length > rest.size())
-    throw unreadable("the job file is cut short"_text, where);
+    throw unreadable("the job file is truncated"_text, where);
   Frame frame{static_cast<int>(format), rest.substr(0, length), rest.substr(length)};
   if (summed && crcOf(frame.header) != crc)
     throw unreadable("the job file's header is damaged"_text, where);
@@ -391,7 +391,7 @@ Job readFrame(const Frame& frame, const std::string& where) {
     job.loaded = loaded;
     if (holds("decomposed"))
       job.result = Voxels(std::make_shared<curved::Decomposition>(getDecomposition(blocks)));
-    if (header.value("pieces", false)) // projects of before there were any have no such key
+    if (header.value("pieces", false)) // older projects lack this key
       job.result = Pieces(std::make_shared<planar::PlanarDecomposition>(getPieces(blocks)));
     if (holds("layered"))
       job.layers = std::make_shared<layers::LayerStack>(getLayers(blocks));
@@ -406,13 +406,13 @@ Job readFrame(const Frame& frame, const std::string& where) {
       job.reached = stageOf(header.at("reached").get<std::string>());
   }
   if (!std::isfinite(job.scale) || job.scale <= 0.0 || !isConsistent(job))
-    throw unreadable("the job file contradicts itself"_text, where, "plan the part again"_text);
+    throw unreadable("the job file is inconsistent"_text, where, "plan the part again"_text);
   if (!job.loaded)
     job.loaded = loadedFromPlaced(job);
   return job;
 }
 
-// A project file: what of it is the job's own stays where it is.
+// The parts of a project file. Large arrays stay in the job and are not copied.
 class JobFile {
 public:
   explicit JobFile(const Job& job) { add(job); }
