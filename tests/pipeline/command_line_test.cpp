@@ -385,7 +385,7 @@ TEST_F(CommandLine, CellsAreMeasuredMappedAndChecked) {
   const Ended reach = run({"cell", "reach", "--cell", "t3", "--json"});
   EXPECT_EQ(reach.code, 0);
   EXPECT_EQ(nlohmann::json::parse(reach.out)["tilts"].size(), 1u);
-  expectOneLine(run({"cell", "reach", "--cell", "lathe"}), 2, {"not a plate"});
+  expectOneLine(run({"cell", "reach", "--cell", "lathe"}), 2, {"no plate"});
   expectOneLine(run({"cell", "nozzle", "--cell", "ur5-moving"}), 2, {"stands still"});
 
   EXPECT_EQ(run({"cell", "check", "ur5-fixed"}).code, 0);
