@@ -175,7 +175,7 @@ TEST(KrlReader, namesWhatItCannotTake) {
   EXPECT_FALSE(readFiles({{"a.src", "DEF a ( )\n"}}).complete);
   EXPECT_FALSE(readFiles({{"a.src", around("")}, {"a.dat", "DEFDAT a\n"}}).complete);
   expectDefect(readFiles({{"a.src", around("")}, {"b.src", "DEF b ( )\nHALT\nEND\n"}}), 1,
-               "nothing of this file");
+               "no procedure of this file");
 }
 
 using Krl = test::Programs;
