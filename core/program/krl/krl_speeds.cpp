@@ -11,7 +11,7 @@ namespace voluta::program {
 namespace {
 
 constexpr double kMost = 1e5;
-constexpr double kTurnDegPerS = 400.0; // of a program that sets no limit: machine data mostly
+constexpr double kTurnDegPerS = 400.0; // for programs that set no limit: usual machine data
 
 std::optional<base::Message> jointSpeed(const KrlVariables& variables, plan::ProgramMotion& m) {
   double percent = 0.0;

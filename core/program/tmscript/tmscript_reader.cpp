@@ -86,7 +86,7 @@ private:
     if (!left_)
       defect("ScriptExit() is missing at the end"_text);
     if (!out_.outputsEnded())
-      defect("the extruder is not set off behind the last motion"_text);
+      defect("the extruder is not switched off after the last motion"_text);
     return left_ && out_.outputsEnded();
   }
 
@@ -121,7 +121,7 @@ private:
     if (code.empty())
       return;
     if (left_)
-      defect("text behind the end"_text);
+      defect("text after the end"_text);
     ScriptScanner scanner(code, variables_, '{');
     const std::string word(scanner.name());
     if (word == "IO") {

@@ -96,7 +96,7 @@ private:
   bool end() {
     const bool ended = out_.outputsEnded();
     if (!ended)
-      defect("the extruder is not set off behind the last motion"_text);
+      defect("the extruder is not switched off after the last motion"_text);
     return ended;
   }
 
