@@ -20,9 +20,10 @@ namespace voluta::motion {
 //   in the work frame with the external axes at fromAxes;
 // - Tangent: x along the path, from the previous waypoint to the next;
 // - WorkAxis: x as close as possible to the work frame's x with external axes at 0;
-// - Rodrigues: the upright tool rotated by the smallest rotation from upright to the direction. If
-//   the direction leaves a rule's x undetermined (parallel to it, or two waypoints at one
-//   position), the previous frame is carried on.
+// - Rodrigues: the upright tool rotated by the smallest rotation from upright to the direction.
+//
+// If the direction leaves a rule's x undetermined (parallel to it, or two waypoints at one
+// position), the previous frame is carried on.
 std::vector<Eigen::Quaterniond>
 toolFrames(NozzleTurn rule, const plan::ToolPlan& plan, const robot::Cell& cell, std::size_t first,
            std::size_t count, const std::vector<robot::JointVector>& axes,

@@ -7,9 +7,10 @@
 // displaced, in proportion to the free room,
 //   1. within the w x h rectangle around the section (the gaps at the round ends: this flow makes
 //   beads at a distance of w - (1 - pi/4) h fill the layer without gaps),
-//   2. then within a rectangle wider by a quarter of w on either side, both along the piece. The
-//   rest is excess. A cell holds at most 1, so that laid = sum of fill x cell volume + excess,
-//   always.
+//   2. then within a rectangle wider by a quarter of w on either side,
+//
+// Both extend along the piece. The rest is excess. A cell holds at most 1, so that laid = sum of
+// fill x cell volume + excess, always.
 #pragma once
 
 #include "base/zeroed_array.h"
