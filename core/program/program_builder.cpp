@@ -73,7 +73,7 @@ void ProgramBuilder::send(std::string_view text) {
   case 'M':
     if (const auto [least, most] = nozzleRange(process_.material);
         value != 0.0 && !(value >= least && value <= most))
-      defect(base::message("{celsius} °C is no heat to print {material} with"_text,
+      defect(base::message("{celsius} °C is outside the printing range of {material}"_text,
                            base::number(value), process_.material));
     state(plan::FactKind::NozzleHeat, value);
     wordAt("M", kAside);
@@ -116,7 +116,7 @@ void ProgramBuilder::pauseByOutputs(double seconds) {
 
 void ProgramBuilder::tellDrawn(double mm) {
   if (mm > kMostDrawnBackMm)
-    defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
+    defect(base::message("{length:.0f} of filament retracted: out of the hot end"_text,
                          base::mm(mm)));
 }
 

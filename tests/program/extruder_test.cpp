@@ -345,7 +345,7 @@ TEST_F(AxisExtruder, isRefusedWhereItRunsAsNoExtruderCan) {
        std::vector<Case>{{"krl", "ZERO_EXTRUDER \\( \\)\r\n", "", "is not set to 0"},
                          {"krl", "EXTRUDER_AXIS=1", "EXTRUDER_AXIS=3", "axis is missing"},
                          {"krl", "E1 1.57596", "E1 0.57596", "runs back while"},
-                         {"krl", "PTP \\{E1 0.28383\\}", "PTP {E1 -30}", "drawn back: out"},
+                         {"krl", "PTP \\{E1 0.28383\\}", "PTP {E1 -30}", "retracted: out"},
                          {"krl", "PTP \\{E1 1.78383\\}\r\n", "", "is not back"},
                          {"krl", "EXTAX\\[1\\]=100", "EXTAX[1]=50", "is slowed"},
                          {"rapid", "    zeroExtruder;", "", "is not set to 0"},

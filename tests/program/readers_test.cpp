@@ -263,7 +263,7 @@ TEST(GcodeReader, namesWhatItCannotTake) {
     const char* line;
     const char* part;
   } cases[] = {
-      {"G1 X1 nX0.1 nY0 nZ0.9\n", "length"},
+      {"G1 X1 nX0.1 nY0 nZ0.9\n", "unit vector"},
       {"G1 X1 nX0 nZ1\n", "nX, nY and nZ"},
       {"G1 X1 F0\n", "speed"},
       {"G1 X10 YF1200\n", "letter Y"},
@@ -276,12 +276,12 @@ TEST(GcodeReader, namesWhatItCannotTake) {
       {"M104 S\n", "letter S"},
       {"G1 X1..2\n", "not understood"},
       {"G1 X1 X2\n", "not understood"},
-      {"G2 X1 I3\n", "not known"},
+      {"G2 X1 I3\n", "unknown G command"},
       {"G20\n", "inches"},
       {"G91\n", "relative"},
       {"G92 X0\n", "origin"},
       {"X1 Y2\n", "without a command"},
-      {"M999\n", "not known"},
+      {"M999\n", "unknown M command"},
       {"G1 X1 M3\n", "two commands"},
       {"G1 Xnan\n", "not understood"},
       {"G1 X1 I2\n", "word I"},

@@ -133,7 +133,7 @@ private:
             pushedOut(volume / seconds * pause.durationS, drawnMm3_);
         pause.drawnMm = std::abs(drawnMm3_ - before) / mm2_;
         if (drawnMm3_ > kMostDrawnBackMm * mm2_)
-          defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
+          defect(base::message("{length:.0f} of filament retracted: out of the hot end"_text,
                                base::mm(drawnMm3_ / mm2_)));
         return;
       }

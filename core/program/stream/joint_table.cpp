@@ -83,7 +83,7 @@ private:
       if (line.empty())
         continue;
       if (ended)
-        defect("text behind the end"_text);
+        defect("text after the end"_text);
       if (line.front() == '#')
         ended = ended || line == kEnd;
       else if (joints_.empty())
