@@ -353,8 +353,8 @@ TEST_F(AxisExtruder, isRefusedWhereItRunsAsNoExtruderCan) {
                          {"rapid", ".1.57596,", "[9E9,", "axis is missing"},
                          {"rapid", ".1.57596,", "[0.57596,", "runs back while"},
                          {"rapid", ".9E9,9E9,9E9,9E9,9E9,9E9.,.0.28383", "[0,0,0,0,0,0],[0.28383",
-                          "read of the extruder"},
-                         {"rapid", "v100.T:=0.15", "v100", "read of the extruder"}}) {
+                          "supported for the extruder"},
+                         {"rapid", "v100.T:=0.15", "v100", "supported for the extruder"}}) {
     SCOPED_TRACE(std::string(c.dialect) + ": " + c.what);
     process_.retractMm = 1.5;
     plan::Program program = writeProgram(c.dialect, inputFor(kAxisExtruder));

@@ -112,7 +112,7 @@ TEST(SpelplusReader, namesWhatItCannotTake) {
                {"x = 5\n", "not known"},
                {"If Sw(1) = On Then\n", "not known"},
                {"Do While True\n", "not known"},
-               {"SpeedS 0\n", "sensible"}};
+               {"SpeedS 0\n", "invalid speed"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.line);
     const std::string two = c.line;

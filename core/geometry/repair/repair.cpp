@@ -250,9 +250,9 @@ private:
 
 base::Message OpenSurface::sentence() const {
   if (isSheetModel())
-    return base::message("sheet model: {share:.3g} of the surface are sheets without thickness, "
-                         "{triangles} triangles"_text,
-                         base::percent(100.0 * sheetShare), sheetTriangles);
+    return base::message(
+        "sheet model: {share:.3g} of the surface has no thickness, {triangles} triangles"_text,
+        base::percent(100.0 * sheetShare), sheetTriangles);
   if (hasOpenRims())
     return base::message(
         "open surface: it ends at {rims} rim, {width:.3g} wide at {at:.1f}|"

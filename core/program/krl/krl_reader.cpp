@@ -442,7 +442,7 @@ private:
   bool feed(double mm) {
     const auto seconds = externals_.feed(mm);
     if (!seconds)
-      return fail("a speed is no sensible number"_text);
+      return fail("an invalid speed"_text);
     stopAdvance();
     out_.pauseByAxis(*seconds, mm);
     return true;
