@@ -92,7 +92,7 @@ TEST_F(Melfa, namesWhatItCannotTake) {
       {"Tool (0,0,1,0,0,0)", "different TCP"},
       {"GoTo *A", "not known"},
       {"If M1=1 Then", "not understood"},
-      {"GoSub *NOWHERE", "called"},
+      {"GoSub *NOWHERE", "invalid call"},
       {"CallP \"B\"", "is missing"},
       {"M_Out(10)=2", "0 or 1"},
       {"M_Outw(16)=10001", "integer"},

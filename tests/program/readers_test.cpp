@@ -78,7 +78,7 @@ TEST(UrscriptReader, namesWhatItCannotTake) {
       {"movel(p[-0.4,0,0.3,0,3],a=1,v=0.1)\n", "pose"},
       {"movel(p[-0.4,0,0.3,0,3,zero],a=1,v=0.1)\n", "not understood"},
       {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=-0.1)\n", "argument v"},
-      {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=0)\n", "never gets anywhere"},
+      {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=0)\n", "never arrives"},
       {"movel(p[-0.4,0,0.3,0,3,0],a=1,w=0.1)\n", "unknown"},
       {"movel(p[-0.4,0,0.3,0,3,0],v=1,v=0.1)\n", "twice"},
       {"movel(p[-0.4,0,400,0,3,0],a=1,v=0.1)\n", "reach"},

@@ -325,14 +325,14 @@ private:
     const std::string label = scanner.take('*') ? inSmallLetters(scanner.name()) : "";
     const auto at = texts_[out_.file].labels.find(label);
     if (at == texts_[out_.file].labels.end() || !scanner.ended() || depth >= kMostDepth) {
-      defect(base::message("'{name}' is called as it cannot be"_text, label));
+      defect(base::message("invalid call of '{name}'"_text, label));
       return;
     }
     const std::size_t line = out_.line;
     const bool back = runFrom(at->second + 1, depth + 1);
     out_.line = line;
     if (!back)
-      defect(base::message("'{name}' is called as it cannot be"_text, label));
+      defect(base::message("invalid call of '{name}'"_text, label));
   }
 
   void call(MelfaScanner& scanner, std::size_t depth) {
@@ -400,7 +400,7 @@ private:
   bool jointTarget(const ScriptValue& target, plan::ProgramMotion& m) {
     constexpr std::size_t kAxes = 6;
     if (target.kind != ScriptKind::List || target.list.size() < kAxes) {
-      defect("a target of fewer than six joints"_text);
+      defect("target with fewer than six joints"_text);
       return false;
     }
     m.target = plan::TargetKind::Joints;
