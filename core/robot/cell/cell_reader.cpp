@@ -1,52 +1,55 @@
-// A cell's file (resources/cells/ID.json; the file's name is its id). All keys are needed unless
+// A cell's file (resources/cells/ID.json; the file's name is its id). All keys are required unless
 // marked optional; an unknown key is an error. Poses as in robot/cell/json_pose.h, shapes as in
 // robot/cell/shape_reader.h.
 //   id, label             texts; id as the file's name
 //   note                  optional text: how the cell was laid out
-//   extruder              optional: id of a row of program::extruders(), "outputs" where it is not
-//                         given
+//   extruder              optional: id of a row of program::extruders(); default "outputs"
 //   robot                 id of a robot, or its whole description as in resources/robots/ID.json
 //   nozzle                {mount: "world" | "flange", pose, holder}: pose is base_T_tool or
-//                         flange_T_tool (z in the direction of extrusion); holder, optional, is
-//                         what carries the head, shapes in the tool frame. The head itself comes
-//                         from the process.
+//                         flange_T_tool (z in the direction of extrusion); holder, optional,
+//                         carries
+//                         the head, shapes in the tool frame. The head itself comes from the
+//                         process.
 //   platform              {mount: the other one, pose, thicknessMm, stem, plates}: pose is
-//                         flange_T_work or base_T_work, or with external axes the work frame in
-//                         what the last one moves; the plate is the job's polygon, thicknessMm
-//                         thick below z = 0; stem, optional, is what carries it, shapes in the work
-//                         frame; plates, optional: those that there are, the smallest first, as
-//                         platforms are written ("disc:120", "rect:200x150") Or {mount: "world",
-//                         pose, rod}: rod is {diameterMm, lengthMm, printableRadiusMm}, along x of
-//                         the work frame, lengthMm free between its bearings, which are obstacles
-//   obstacles             list of {name, pose, shapes}, in the world; may be empty. pose,
-//                         optional, is where the frame of the shapes lies
-//   carriedKg             optional: what the flange carries before anything is printed, kg; half a
-//                         kilogram of plate or one of head where it is not given
-//   homeDeg               list: the robot's joints at rest (sliding ones in mm), with the plate
-//   clear
-//                         of the nozzle; external axes rest at 0
-//   travelAccelerationDegPerS2  optional: of the arm's joints in travels with what it carries (a
-//                         sliding one's as asTurn has it), at most what the robot's file gives; 80
-//                         where it is not given, which is what controllers take by themselves (1.4
-//                         rad/s2)
+//                         flange_T_work or base_T_work, or with external axes the work frame in the
+//                         moving frame of the last one; the plate is the job's polygon, thicknessMm
+//                         thick below z = 0; stem, optional, carries it, shapes in the work frame;
+//                         plates, optional: the available ones, smallest first, as platforms are
+//                         written ("disc:120", "rect:200x150"). Or {mount: "world", pose, rod}: rod
+//                         is
+//                         {diameterMm, lengthMm, printableRadiusMm}, along x of the work frame,
+//                         lengthMm free between its bearings, which are obstacles
+//   obstacles             list of {name, pose, shapes}, in the world; may be empty. pose, optional:
+//                         the frame of the shapes
+//   carriedKg             optional: mass on the flange before printing, kg; default: half a
+//   kilogram
+//                         for a plate, one for a head
+//   homeDeg               list: the robot's joints in the home pose (sliding ones in mm), with the
+//                         plate clear of the nozzle; external axes are then at 0
+//   travelAccelerationDegPerS2  optional: of the arm's joints in travels with their load (of a
+//   sliding
+//                         one as asTurn converts it), at most the values of the robot's file;
+//                         default
+//                         80, the usual default of controllers (1.4 rad/s2)
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
 //                         the cell's own are named "holder", "head" and "platform"
-//   externalAxes          a list, the first axis in the world, each next on what the one before it
-//                         moves, the platform on the last; empty: none. {name, kind: "turning" |
-//                         "sliding", pose: where it lies in that frame at 0, axis: [x, y, z] of
-//                         that pose about or along which it moves, carries, bodies}; of one that
-//                         turns minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2, stepDeg (0:
-//                         it stands anywhere), end ("unwinds" or "runsOn"); of one that slides
-//                         minMm, maxMm, velocityMmPerS, accelerationMmPerS2, stepMm. carries,
-//                         optional, is "platform", or "robot": such ones come first, the one right
-//                         under the robot before the one that carries that, and their poses are in
-//                         the base as it stands with them at 0, which is what the rest of the file
-//                         takes for the world; bodies, optional, is what it moves of its own:
-//                         {name, shapes} in the frame that goes with it. A rod has one axis, along
-//                         its x
-//   externalUnit          optional: what the controller calls the mechanical unit that these axes
-//                         are; else the last one's name. Axes under the robot beside others are a
-//                         unit by the name of the last of them
+//   externalAxes          list, the first axis in the world, each next one on the moving side of
+//   the
+//                         one before it, the platform on the last; empty: none. {name, kind:
+//                         "turning" | "sliding", pose: in that frame at 0, axis: [x, y, z], its
+//                         direction in that pose, carries, bodies}; if turning: minDeg, maxDeg,
+//                         velocityDegPerS, accelerationDegPerS2, stepDeg (0: any position), end
+//                         ("unwinds" or "runsOn"); if sliding: minMm, maxMm, velocityMmPerS,
+//                         accelerationMmPerS2, stepMm. carries, optional: "platform" or "robot".
+//                         Axes that carry the robot come first, starting with the one next to the
+//                         robot; their poses are in the base as it is with them at 0, which the
+//                         rest
+//                         of the file takes as the world. bodies, optional: bodies it moves, {name,
+//                         shapes} in its moving frame. A rod has one axis, along its x
+//   externalUnit          optional: the controller's name of the mechanical unit of these axes;
+//                         default: the last one's name. Axes below the robot beside others are a
+//                         unit
+//                         named after the last of them
 #include "robot/cell.h"
 
 #include "base/files.h"
@@ -93,7 +96,7 @@ RobotModel readRobotOf(const base::JsonNode& node) {
   }
 }
 
-// In the tool frame the head rises along -z.
+// In the tool frame the head extends along -z.
 Body headBody(const process::HeadShape& head, int toolFrame) {
   Body body{"head", BodyRole::Head, toolFrame, {}};
   for (std::size_t i = 1; i < head.sections.size(); ++i) {
@@ -110,22 +113,22 @@ CellRod readRod(const base::JsonNode& node) {
   const CellRod rod{node.at("diameterMm").positive(), node.at("lengthMm").positive(),
                     node.at("printableRadiusMm").positive()};
   if (rod.printableRadiusMm <= 0.5 * rod.diameterMm)
-    node.at("printableRadiusMm").fail("must be more than the rod's radius"_text);
+    node.at("printableRadiusMm").fail("must be greater than the rod's radius"_text);
   return rod;
 }
 
-// A rod lies on the work frame's x, and is turned about it.
+// A rod is on the work frame's x and turns about it.
 void requireTurnsRod(const base::JsonNode& axes, const std::vector<ExternalAxis>& chain,
                      const Eigen::Isometry3d& axis_T_work) {
   constexpr double kSame = 1e-9;
   if (chain.size() != 1 || chain.front().limits.kind != JointKind::Turning)
-    axes.fail("must hold one axis, which turns the rod"_text);
+    axes.fail("must have exactly one axis, which turns the rod"_text);
   if ((axis_T_work.linear().col(0) - Eigen::Vector3d::UnitX()).norm() > kSame ||
       axis_T_work.translation().tail<2>().norm() > kSame)
     axes.fail("must turn the rod about its own axis, the work frame's x"_text);
 }
 
-// The rod that is in the cell: the job's where it has one.
+// Returns the rod in the cell: the job's if it has one.
 platform::RodShape rodOf(const CellRod& own, const std::optional<platform::RodShape>& wanted,
                          const std::string& cell) {
   constexpr double kSlackMm = 1e-9;
@@ -140,20 +143,20 @@ platform::RodShape rodOf(const CellRod& own, const std::optional<platform::RodSh
   };
   if (reach > 0.5 * own.lengthMm)
     throw refuse(
-        base::message(
-            "the rod reaches {reach} mm from its middle, the cell has room for {room}"_text,
-            base::number(reach), base::number(0.5 * own.lengthMm)),
-        "take a shorter rod"_text);
+        base::message("the rod extends {reach} mm from its middle; the cell has room for {room} "
+                      "mm"_text,
+                      base::number(reach), base::number(0.5 * own.lengthMm)),
+        "choose a shorter rod"_text);
   for (const Eigen::Vector2d& at : wanted->profile)
     if (at.y() > own.printableRadiusMm)
       throw refuse(
-          base::message("the rod's radius is {radius} mm, the cell prints up to {most}"_text,
+          base::message("the rod's radius is {radius} mm; the cell prints up to {most} mm"_text,
                         base::number(at.y()), base::number(own.printableRadiusMm)),
-          "take a thinner rod"_text);
+          "choose a thinner rod"_text);
   return *wanted;
 }
 
-// Round about its corners where it is a prism. No frustum where the radius steps.
+// Replaces a prism by the round rod through its vertices. A step of the radius needs no frustum.
 Body rodBody(const platform::RodShape& rod, int workFrame) {
   Body body{"platform", BodyRole::Platform, workFrame, {}};
   for (std::size_t i = 1; i < rod.profile.size(); ++i) {
@@ -179,11 +182,11 @@ void requireConvex(const std::vector<Eigen::Vector2d>& polygon) {
   base::require(area > 0.0, "a platform's polygon has an area");
 }
 
-// Bodies with the same number never move relative to each other. Frames: base, links, flange,
-// work, tool, on what each external axis moves. `dof`: of the arm.
+// Bodies with the same number never move relative to each other. Frames: base, links, flange, work,
+// tool, the moving side of each external axis. `dof`: of the arm.
 int rigidGroup(int frame, int dof, bool plateMoves, int axes) {
   if (frame > dof + 3)
-    return frame - 3; // behind the last link
+    return frame - 3; // after the last link
   if (axes > 0 && frame == dof + 2)
     return dof + axes;
   if (frame == dof + 1 || frame == (plateMoves ? dof + 2 : dof + 3))
@@ -193,7 +196,7 @@ int rigidGroup(int frame, int dof, bool plateMoves, int axes) {
   return frame;
 }
 
-// Cell::lastJointTurnsNozzle; near enough, as descriptions round right angles.
+// Computes Cell::lastJointTurnsNozzle, with a tolerance because descriptions round right angles.
 int turnOfNozzle(const RobotModel& robot, const JointVector& home,
                  const Eigen::Isometry3d& flange_T_tool) {
   constexpr double kTurn = 1.0, kNearMm = 0.05, kNear = 1e-4;
@@ -265,7 +268,7 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
   }
   if (cell.dof() > JointVector::MaxRowsAtCompileTime)
     top.at("externalAxes")
-        .fail(base::message("must be fewer: robot and axes are {most} at most"_text,
+        .fail(base::message("too many: robot and external axes together may have {most} axes"_text,
                             static_cast<int>(JointVector::MaxRowsAtCompileTime)));
   if (!cell.externalAxes_.empty())
     cell.externalUnit_ = cell.externalAxes_.back().name;
@@ -285,12 +288,12 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
   }
   if (solid.rod && !cell.rod_)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      base::message("cell {id} holds no rod to print on"_text, cell.id_), {},
-                      "take a cell with a rod: --cell lathe"_text);
+                      base::message("cell {id} has no rod to print on"_text, cell.id_), {},
+                      "choose a cell with a rod: --cell lathe"_text);
   cell.nozzleMount_ = readMount(nozzle.at("mount"));
   if (readMount(platform.at("mount")) == cell.nozzleMount_)
     platform.at("mount").fail(
-        "must not be the nozzle's: one of them moves, the other is fixed"_text);
+        "must differ from the nozzle's: one of them moves, the other is fixed"_text);
   const bool plateMoves = cell.nozzleMount_ == Mount::World;
   cell.carriedIsAssumed_ = !top.has("carriedKg");
   cell.carriedKg_ = top.has("carriedKg") ? top.at("carriedKg").notNegative()
@@ -338,14 +341,14 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
   for (Body& body : onAxes) {
     if (isTaken(body.name))
       top.at("externalAxes")
-          .fail(base::message("has a name that is taken already: '{name}'"_text, body.name));
+          .fail(base::message("has a name that is already used: '{name}'"_text, body.name));
     cell.bodies_.push_back(std::move(body));
   }
   for (const base::JsonNode& obstacle : top.at("obstacles").items()) {
     obstacle.allowOnly({"name", "pose", "shapes"});
     const std::string name = obstacle.at("name").text();
     if (isTaken(name))
-      obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
+      obstacle.at("name").fail(base::message("is already used: '{name}'"_text, name));
     Body body{name, BodyRole::Obstacle, cell.worldFrame(), readShapes(obstacle.at("shapes"))};
     if (obstacle.has("pose"))
       for (Shape& shape : body.shapes)
@@ -356,7 +359,7 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
   const std::vector<base::JsonNode> home = top.at("homeDeg").items();
   if (static_cast<int>(home.size()) != cell.armDof())
     top.at("homeDeg").fail(
-        base::message("must hold {wanted} joints, holds {found}"_text, cell.armDof(), home.size()));
+        base::message("must have {wanted} joints, has {found}"_text, cell.armDof(), home.size()));
   cell.home_ = JointVector::Zero(cell.dof());
   for (std::size_t i = 0; i < home.size(); ++i) {
     const double q = ofShownValue(cell.robot_.limits[i].kind, home[i].number());
@@ -374,7 +377,7 @@ Cell Cell::read(const base::JsonNode& top, const std::filesystem::path& file, Ro
   const char* travel = "travelAccelerationDegPerS2";
   const double travelDeg = top.has(travel) ? top.at(travel).positive() : kTravelDegPerS2;
   if (top.has(travel) && base::degreesToRadians(travelDeg) > most * (1.0 + 1e-9))
-    top.at(travel).fail("is more than a joint of the robot is given"_text);
+    top.at(travel).fail("exceeds the limit of a joint of the robot"_text);
   cell.travelAcceleration_ = std::min(most, base::degreesToRadians(travelDeg));
 
   std::vector<std::pair<int, int>> never = cell.robot_.neverMeet; // links come first in bodies_
