@@ -315,10 +315,10 @@ TEST(JointTableReader, namesWhatItCannotTake) {
   const struct {
     const char* line;
     const char* part;
-  } cases[] = {{"2,0,0,1,-1,fly\n", "not a row"},     {"2,0,0,1,print\n", "not a row"},
-               {"2,0,0,0,1,-1,print\n", "not a row"}, {"2,x,0,1,-1,print\n", "not a row"},
-               {"0.5,0,0,1,1,print\n", "backwards"},  {"2,0,0,0.1,1,print\n", "less"},
-               {"2,0,0,1,1.5,print\n", "whole"},      {"", "cut short"}};
+  } cases[] = {{"2,0,0,1,-1,fly\n", "not a row"},         {"2,0,0,1,print\n", "not a row"},
+               {"2,0,0,0,1,-1,print\n", "not a row"},     {"2,x,0,1,-1,print\n", "not a row"},
+               {"0.5,0,0,1,1,print\n", "time decreases"}, {"2,0,0,0.1,1,print\n", "decreases"},
+               {"2,0,0,1,1.5,print\n", "integer"},        {"", "truncated"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.line);
     const bool cut = !*c.line;

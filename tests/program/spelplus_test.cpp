@@ -106,7 +106,7 @@ TEST(SpelplusReader, namesWhatItCannotTake) {
                {"Tool 3\n", "only the controller knows"},
                {"Power Low\nMove XY(301,0,100,0,0,180)\n", "Power High"},
                {"AIO_Out 1, 11\n", "10 V"},
-               {"On 1, 0.5\n", "stays"},
+               {"On 1, 0.5\n", "persistent"},
                {"Call other\n", "not here"},
                {"part\n", "calls itself"},
                {"x = 5\n", "not known"},
