@@ -1,5 +1,4 @@
-// Filament: the one that an extruder without its own is taken to have, and how hot a material is
-// printed.
+// Filament assumed for extruders without their own, and printing temperatures of materials.
 #pragma once
 
 #include <optional>
@@ -9,20 +8,20 @@
 namespace voluta::program {
 
 inline constexpr double kFilamentDiameterMm = 1.75;
-inline constexpr int kFilamentDecimals = 5; // of its length, mm
+inline constexpr int kFilamentDecimals = 5; // of its length in mm
 inline constexpr std::string_view kDiameterNote = "filament diameter ";
 
-// mm2; mm3 a mm of filament.
+// Cross-section [mm2], i.e. mm3 per mm of filament.
 double filamentArea(double diameterMm = kFilamentDiameterMm);
 
-// A length of filament that a program counts on: what was drawn back comes out of no nozzle before
-// it was returned.
+// Tracks a program's filament length: after a retraction no material leaves the nozzle until the
+// filament is returned.
 class FilamentCount {
 public:
   double mm() const { return mm_; }
-  // It goes on to `mm`; so much comes out of the nozzle, mm.
+  // Moves it to `mm`; returns the length [mm] that leaves the nozzle.
   double to(double mm);
-  // It is counted from `mm` on, though nothing moves.
+  // Sets the counter to `mm` without moving filament.
   void set(double mm);
   double drawnBackMm() const { return farthestMm_ - mm_; }
 
@@ -30,10 +29,12 @@ private:
   double mm_ = 0.0, farthestMm_ = 0.0;
 };
 
-// Between which a nozzle prints a material; makers' data sheets and what print heads stand.
+// Returns the range of printing temperatures of a material; from makers' data sheets and limits of
+// print heads.
 std::pair<double, double> nozzleRange(std::string_view material);
 
-// A usual nozzle temperature of a material, degrees C, assumed: a process says nothing about it.
+// Returns a typical nozzle temperature of a material [degrees C], an assumption: processes do not
+// state it.
 std::optional<int> nozzleCelsius(std::string_view material);
 
 } // namespace voluta::program

@@ -107,7 +107,7 @@ TEST(SpelplusReader, namesWhatItCannotTake) {
                {"Power Low\nMove XY(301,0,100,0,0,180)\n", "Power High"},
                {"AIO_Out 1, 11\n", "10 V"},
                {"On 1, 0.5\n", "persistent"},
-               {"Call other\n", "not here"},
+               {"Call other\n", "is missing"},
                {"part\n", "calls itself"},
                {"x = 5\n", "not known"},
                {"If Sw(1) = On Then\n", "not known"},

@@ -397,7 +397,7 @@ TEST_F(TablePrograms, PlainGcodeRefusesWhatLeans) {
       FAIL();
     } catch (const base::Error& e) {
       EXPECT_EQ(e.code(), base::ErrorCode::Usage);
-      EXPECT_NE(std::string(e.what()).find("cannot lean the nozzle"), std::string::npos);
+      EXPECT_NE(std::string(e.what()).find("cannot tilt the nozzle"), std::string::npos);
       EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
     }
 }

@@ -145,7 +145,7 @@ private:
       return;
     }
     if (std::exchange(drawnMm3_, 0.0) > kDrawnBackLeftMm3)
-      defect("the filament that was drawn back is not back"_text);
+      defect("the retracted filament is not returned before the bead"_text);
     told_[motion - 1] = true;
     program_.motions[motion - 1].flowMm3PerS = volume / seconds;
   }
