@@ -151,7 +151,7 @@ TEST_F(Files, mistakesAboutAxesNameFileAndKey) {
   EXPECT_THAT(axis(1, "pose", {0, 0, 0}), HasSubstr("'externalAxes[1].pose'"));
   EXPECT_THAT(
       complaint(cell, [](json& j) { j["externalAxes"][0]["bodies"][0]["name"] = "forearm"; }),
-      HasSubstr("taken already: 'forearm'"));
+      HasSubstr("already used: 'forearm'"));
   EXPECT_THAT(
       complaint(cell, [](json& j) { j["externalAxes"].push_back(j["externalAxes"][1]); }),
       HasSubstr("'externalAxes' too many: robot and external axes together may have 8 axes"));

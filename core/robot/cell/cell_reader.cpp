@@ -7,35 +7,29 @@
 //   robot                 id of a robot, or its whole description as in resources/robots/ID.json
 //   nozzle                {mount: "world" | "flange", pose, holder}: pose is base_T_tool or
 //                         flange_T_tool (z in the direction of extrusion); holder, optional,
-//                         carries
-//                         the head, shapes in the tool frame. The head itself comes from the
-//                         process.
+//                         carries the head, shapes in the tool frame. The head itself comes from
+//                         the process.
 //   platform              {mount: the other one, pose, thicknessMm, stem, plates}: pose is
 //                         flange_T_work or base_T_work, or with external axes the work frame in the
 //                         moving frame of the last one; the plate is the job's polygon, thicknessMm
 //                         thick below z = 0; stem, optional, carries it, shapes in the work frame;
 //                         plates, optional: the available ones, smallest first, as platforms are
 //                         written ("disc:120", "rect:200x150"). Or {mount: "world", pose, rod}: rod
-//                         is
-//                         {diameterMm, lengthMm, printableRadiusMm}, along x of the work frame,
+//                         is {diameterMm, lengthMm, printableRadiusMm}, along x of the work frame,
 //                         lengthMm free between its bearings, which are obstacles
 //   obstacles             list of {name, pose, shapes}, in the world; may be empty. pose, optional:
 //                         the frame of the shapes
 //   carriedKg             optional: mass on the flange before printing, kg; default: half a
-//   kilogram
-//                         for a plate, one for a head
+//                         kilogram for a plate, one for a head
 //   homeDeg               list: the robot's joints in the home pose (sliding ones in mm), with the
 //                         plate clear of the nozzle; external axes are then at 0
 //   travelAccelerationDegPerS2  optional: of the arm's joints in travels with their load (of a
-//   sliding
-//                         one as asTurn converts it), at most the values of the robot's file;
-//                         default
-//                         80, the usual default of controllers (1.4 rad/s2)
+//                         sliding one as asTurn converts it), at most the values of the robot's
+//                         file; default 80, the usual default of controllers (1.4 rad/s2)
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
 //                         the cell's own are named "holder", "head" and "platform"
 //   externalAxes          list, the first axis in the world, each next one on the moving side of
-//   the
-//                         one before it, the platform on the last; empty: none. {name, kind:
+//                         the one before it, the platform on the last; empty: none. {name, kind:
 //                         "turning" | "sliding", pose: in that frame at 0, axis: [x, y, z], its
 //                         direction in that pose, carries, bodies}; if turning: minDeg, maxDeg,
 //                         velocityDegPerS, accelerationDegPerS2, stepDeg (0: any position), end
@@ -43,13 +37,11 @@
 //                         accelerationMmPerS2, stepMm. carries, optional: "platform" or "robot".
 //                         Axes that carry the robot come first, starting with the one next to the
 //                         robot; their poses are in the base as it is with them at 0, which the
-//                         rest
-//                         of the file takes as the world. bodies, optional: bodies it moves, {name,
-//                         shapes} in its moving frame. A rod has one axis, along its x
+//                         rest of the file takes as the world. bodies, optional: bodies it moves,
+//                         {name, shapes} in its moving frame. A rod has one axis, along its x
 //   externalUnit          optional: the controller's name of the mechanical unit of these axes;
 //                         default: the last one's name. Axes below the robot beside others are a
-//                         unit
-//                         named after the last of them
+//                         unit named after the last of them
 #include "robot/cell.h"
 
 #include "base/files.h"

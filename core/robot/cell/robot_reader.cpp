@@ -7,8 +7,8 @@
 //   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist) |
 //                         "chain" (any six turning axes) | "scara" (two upright axes and a shaft
 //                         that slides and turns)
-//   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH;
-//                         opw: {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg: list of the
+//   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH; opw:
+//                         {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg: list of the
 //                         controller's joint values with the arm upright; chain: {joints, flange}:
 //                         joints a list of {pose, axis}, the pose of a joint's frame at zero in the
 //                         frame of the link before it and its axis in its own, flange the flange's
