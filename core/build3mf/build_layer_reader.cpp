@@ -257,7 +257,7 @@ private:
     const auto own = [&](std::string_view word, int otherwise) {
       const long long value = attributes.integerOr(word, otherwise, kOwnSpace);
       if (value < -1 || value > std::numeric_limits<int>::max())
-        throw wrong(base::message("'{attribute}' is no whole number"_text, word));
+        throw wrong(base::message("'{attribute}' is not an integer"_text, word));
       return static_cast<int>(value);
     };
     path_.layer = own("layer", frame_.layer);

@@ -147,7 +147,7 @@ private:
       if (std::find(kKnownSpaces.begin(), kKnownSpaces.end(), extension) == kKnownSpaces.end())
         throw Error(
             ErrorCode::UnreadableFile,
-            base::message("asks for the extension '{name}', which is not known"_text, extension));
+            base::message("requires the unknown extension '{name}'"_text, extension));
     }
   }
 

@@ -86,7 +86,7 @@ TEST_F(JobFile, ThePartComesBackAsItWasRead) {
   EXPECT_EQ(back.loaded->mesh->triangles, job.loaded->mesh->triangles);
   EXPECT_EQ(back.loaded->hash, job.loaded->hash);
   EXPECT_EQ(back.loaded->notes, job.loaded->notes);
-  EXPECT_EQ(base::english(back.loaded->notes.front()), "left out: 1 facet");
+  EXPECT_EQ(base::english(back.loaded->notes.front()), "omitted: 1 facet");
   EXPECT_EQ(back.loaded->found.boundaryEdges.count, 3u);
   EXPECT_EQ(back.loaded->found.boundaryEdges.at, job.loaded->found.boundaryEdges.at);
   EXPECT_FALSE(back.loaded->found.watertight);
@@ -273,8 +273,7 @@ TEST_F(JobFile, ContradictionsAreRefused) {
   const auto refused = [&](const char* what, auto&& change) {
     Job job = sampleJob();
     change(job);
-    EXPECT_NE(errorOf(project::jobBytes(job)).find("is inconsistent"), std::string::npos)
-        << what;
+    EXPECT_NE(errorOf(project::jobBytes(job)).find("is inconsistent"), std::string::npos) << what;
   };
   const auto withDecomposition = [&](auto&& change) {
     return [change](Job& job) {
