@@ -172,7 +172,7 @@ TEST(LatheLayers, BadInputIsToldInOneLine) {
   const TriangleMesh tube = test::revolved(test::tubeSection(), 128);
   expectRefusal(tube, platform::straightRod(12, 200), "the rod is thicker than the part");
   expectRefusal(tube, platform::straightRod(10, 200), "the rod is thicker than the part");
-  expectRefusal(tube, platform::straightRod(9.9, 200), "out over the rod, less than a layer");
+  expectRefusal(tube, platform::straightRod(9.9, 200), "beyond the rod, less than a layer");
   expectRefusal(tube, platform::straightRod(5, 40), "beyond an end of the rod");
   TriangleMesh beside = tube;
   for (auto& p : beside.vertices)
