@@ -76,13 +76,14 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
        "a segment of type 'polyline6d' among tool-paths of 2 axes"},
       {"extension", [](auto& f) { f.required = "tp p x"; }, "extension 'urn:somebody'"},
       {"undeclared", [](auto& f) { f.required = "tp zz"; }, "extension 'zz'"},
-      {"traversal", [](auto& f) { f.layerPath = "/../../etc/passwd"; }, "is no name of a part"},
-      {"dots within", [](auto& f) { f.layerPath = "/a/../b"; }, "is no name of a part"},
-      {"relative", [](auto& f) { f.layerPath = "Slices/L"; }, "is no name of a part"},
+      {"traversal", [](auto& f) { f.layerPath = "/../../etc/passwd"; },
+       "is not the name of a part"},
+      {"dots within", [](auto& f) { f.layerPath = "/a/../b"; }, "is not the name of a part"},
+      {"relative", [](auto& f) { f.layerPath = "Slices/L"; }, "is not the name of a part"},
       {"unrelated", [](auto& f) { f.related = false; }, "is not related to the model"},
-      {"no layers", [](auto& f) { f.layers.clear(); }, "holds no tool-paths"},
+      {"no layers", [](auto& f) { f.layers.clear(); }, "contains no tool-paths"},
       {"twice", [](auto& f) { f.extra = "<tp:toolpathlayer path=\"/Slices/L0.xml\"/>"; },
-       "is there twice"},
+       "duplicate layer"},
       {"missing layer", [](auto& f) { f.extra = "<tp:toolpathlayer path=\"/Slices/L5.xml\"/>"; },
        "is not related to the model"},
       {"laser",
@@ -112,7 +113,7 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
        [](auto& f) {
          f.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadwidth=\"1e300\"";
        },
-       "larger than anything printed"},
+       "or too large"},
       {"endless range",
        [](auto& f) {
          f.modifiers = "<tp:modifier attribute=\"beadwidth\" type=\"linear\" minvalue=\"1\" "
@@ -137,7 +138,7 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
        "'f' is given twice"},
       {"one point", [](auto& f) { second(f, ""); }, "fewer than two points"},
       {"other points", [](auto& f) { second(f, "<point x=\"1\" y=\"2\"/>"); },
-       "a point where none can be"},
+       "an unexpected point"},
       {"other segment",
        [](auto& f) { f.layers = {foreignLayer(foreignSegment("hatch", "<hatch/>"))}; },
        "a segment of type 'hatch'"},
@@ -148,7 +149,7 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
          second(f, point6d(1000, 0, 0, "f1=\"0\" f2=\"1\""));
        },
        "finer than"},
-      {"no layer", [](auto& f) { f.layers = {"<html/>"}; }, "is no layer"},
+      {"no layer", [](auto& f) { f.layers = {"<html/>"}; }, "is not a layer"},
       {"not closed", [](auto& f) { f.layers = {"<layer"}; }, "unclosed token"},
       {"entities",
        [](auto& f) {
