@@ -183,7 +183,7 @@ TEST(LatheLayers, BadInputIsToldInOneLine) {
   TriangleMesh open = tube;
   open.triangles.resize(open.triangles.size() - 2);
   expectRefusal(open, kRod, "not closed");
-  expectRefusal(tube, RodShape{{{0, 1}}, 0}, "two points at least");
+  expectRefusal(tube, RodShape{{{0, 1}}, 0}, "at least two points");
 }
 
 TEST(LatheLayers, SameForAnyNumberOfThreads) {
