@@ -77,7 +77,7 @@ TEST_F(CellEditorTest, AnObstacleFromAFileIsInTheWay) {
     type(editor, "placeY", 950.0);
     type(editor, "frameTurnZ", 30.0);
     ASSERT_TRUE(settled(editor));
-    EXPECT_TRUE(faults(editor).startsWith("Nothing is wrong")) << faults(editor).toStdString();
+    EXPECT_TRUE(faults(editor).startsWith("No problems")) << faults(editor).toStdString();
     keepPicture(editor, "obstacle_from_file");
     saveAs(editor, "with-stand");
   });

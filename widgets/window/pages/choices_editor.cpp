@@ -14,7 +14,7 @@
 namespace voluta::window {
 
 namespace {
-constexpr const char* kAutomatic = "auto"; // in the list of modes
+constexpr const char* kAutomatic = "auto"; // Entry in the list of modes
 
 QString named(const std::string& text) {
   return QString::fromStdString(text);
@@ -25,7 +25,7 @@ forms::ChoiceItem item(std::string_view id, base::Text label = {}, base::Text he
   return {name, label.empty() ? name : language::words(label), language::words(help)};
 }
 
-// What undo says of a choice.
+// Returns the name of a choice for undo.
 QString editNameOf(const QString& field) {
   if (field == "growth")
     return ChoicesEditor::tr("growth");
@@ -38,7 +38,7 @@ QString editNameOf(const QString& field) {
   return ChoicesEditor::tr("seed");
 }
 
-// What `to` has other than `from`, in words.
+// Describes the differences of `to` from `from`.
 QString changesOf(const project::Choices& from, const project::Choices& to) {
   QStringList parts;
   if (to.cell != from.cell)
@@ -50,11 +50,11 @@ QString changesOf(const project::Choices& from, const project::Choices& to) {
   if (to.scale != from.scale)
     parts << ChoicesEditor::tr("scale %1").arg(named(to.scale));
   if (to.parameters != from.parameters)
-    parts << ChoicesEditor::tr("the part as it lies");
+    parts << ChoicesEditor::tr("the part's orientation unchanged");
   return parts.join(QStringLiteral(", "));
 }
 
-// Is the platform a body whose file has gone?
+// Returns whether the platform is a body whose file is missing.
 bool bodyIsMissing(const project::Choices& choices) {
   return choices.platform.isBody() && !QFileInfo(named(choices.platform.file())).isFile();
 }
@@ -64,7 +64,7 @@ bool wantsBody(const project::Choices& choices) {
          !choices.platform.isBody();
 }
 
-// As typed; what cannot be read is for the run to say.
+// As typed; the run reports values that cannot be parsed.
 forms::RodProfile rodProfileOf(const project::Choices& choices) {
   const auto text = [&](const char* key) {
     const auto at = choices.parameters.find(key);
@@ -95,7 +95,7 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
   connect(form_, &forms::ChoicesForm::changed, this, &ChoicesEditor::change);
   connect(&document_, &document::Document::stateChanged, this, [this] {
     if (document_.choices().automatic && !document_.unusable())
-      form_->setNotice(wayChosen(), {}, false); // no file is read for it, however often this comes
+      form_->setNotice(wayChosen(), {}, false); // Called often, so no file is read here
   });
   connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
   connect(form_, &forms::ChoicesForm::rodProfileChanged, this, &ChoicesEditor::changeRod);
@@ -104,9 +104,9 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
 void ChoicesEditor::retranslate() {
   forms::ChoiceLists lists = choiceLists();
   const QString automatic = QString::fromLatin1(kAutomatic);
-  lists.modes.insert(lists.modes.begin(), {automatic, tr("Automatic"),
-                                           tr("The first way of building, and the first platform, "
-                                              "that nothing blocks.")});
+  lists.modes.insert(lists.modes.begin(),
+                     {automatic, tr("Automatic"),
+                      tr("The first way of building and platform without blocking findings.")});
   lists.platforms[automatic] = {project::PlatformUse::Plate, project::PlatformUse::Rod,
                                 project::PlatformUse::Body};
   form_->setLists(lists);
@@ -155,7 +155,7 @@ void ChoicesEditor::changeRod(const forms::RodProfile& profile) {
     c.parameters["rodSides"] = std::to_string(profile.sides);
   if (!profile.points.isEmpty())
     c.parameters["rodProfile"] = profile.points.toStdString();
-  document_.setChoices(c, tr("shape of the rod"));
+  document_.setChoices(c, tr("rod shape"));
 }
 
 void ChoicesEditor::switchMode(const std::string& mode) {
@@ -179,7 +179,7 @@ void ChoicesEditor::showNotice() {
   } else if (choices.automatic) {
     form_->setNotice(wayChosen(), {}, false);
   } else if (wantsBody(choices)) {
-    form_->setNotice(tr("Which body is printed on? Without one it is the plate."),
+    form_->setNotice(tr("Which body is printed on? If none is chosen, the plate."),
                      tr("Choose the body…"), false);
   } else if (wentAlong_.first == choices.mode && !wentAlong_.second.isEmpty()) {
     form_->setNotice(tr("Changed with it: %1.").arg(wentAlong_.second), {}, false);
@@ -203,7 +203,7 @@ void ChoicesEditor::pressNotice() {
   if (bodyIsMissing(choices) || wantsBody(choices))
     form_->choosePlatformFile();
   else
-    document_.setChoices(document::fitting(choices), tr("what fits the way of building"));
+    document_.setChoices(document::fitting(choices), tr("choices that fit the way of building"));
 }
 
 } // namespace voluta::window

@@ -84,7 +84,7 @@ void SimulatePage::resume() {
 
 void SimulatePage::retranslate() {
   solids_->setText(tr("Collision solids"));
-  solids_->setToolTip(tr("Shows the solids that are checked for collisions over the arm"));
+  solids_->setToolTip(tr("Shows the solids used for collision checks over the arm"));
   showResume();
 }
 
