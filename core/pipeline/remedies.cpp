@@ -387,7 +387,7 @@ std::span<const Remedy> remedies() {
         "Two beads wide, centred on the surface"_text, thickenSurface},
        {CloseRims, "closeRims", "Close the openings"_text,
         "Flat patches over the openings: the part becomes solid"_text, closeRims},
-       {DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowest point on the plate"_text,
+       {DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowers the part onto the plate"_text,
         dropToPlate},
        {ShrinkPlatform, "shrinkPlatform", "Shrink platform"_text,
         "To the part's contact area, which narrows the front"_text, shrinkPlatform},

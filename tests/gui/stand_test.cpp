@@ -69,7 +69,7 @@ TEST_F(StandTest, OneClickLaysThePartAndUndoTakesItBack) {
   EXPECT_NEAR(heightMm(), 24.0, 1e-6);
   EXPECT_EQ(marked(), 0);
   EXPECT_GT(differingShare(before, picture()), 0.02);
-  EXPECT_EQ(document().undoStack()->undoText(), "stand it this way");
+  EXPECT_EQ(document().undoStack()->undoText(), "change orientation");
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(settled());
   EXPECT_NEAR(heightMm(), 30.0, 1e-6);
