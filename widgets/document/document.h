@@ -102,8 +102,10 @@ public:
   // project's, and the document is clean if nothing has changed since.
   void saved(const QString& file, std::uint64_t revision, const project::Job& written);
 
-  // ---- results Returns the plan whose data of a stage is shown; null: none. It may not be that of
-  // the present choices: see state().
+  // ---- results
+
+  // Returns the plan whose data of a stage is shown; null: none. It may not be that of the present
+  // choices: see state().
   std::shared_ptr<const pipeline::PlanResult> result(project::Stage stage) const;
   // Returns the plan of the furthest stage that has one.
   std::shared_ptr<const pipeline::PlanResult> lastResult() const;
