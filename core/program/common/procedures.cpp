@@ -62,7 +62,7 @@ bool Procedures::findIn(std::size_t file, const Statement& outside) {
     if (first_.empty() && file == 0)
       first_ = name;
     if (!name.empty() && !procedures_.try_emplace(name, found).second)
-      out_.defect("the name is declared twice"_text);
+      out_.defect("a name is declared twice"_text);
     i = ended ? found.end : found.end - 1;
   }
   cameTo_[file] = !any;
