@@ -417,7 +417,7 @@ private:
     const auto pose = melfaPose(target);
     double away = 0.0;
     if (!pose || (scanner.take(',') && !scanner.number(away)) || !(std::abs(away) <= kMostMmPerS)) {
-      defect("a target that is no position in a robot's reach"_text);
+      defect("the target is not a position within a robot's reach"_text);
       return false;
     }
     m.target = plan::TargetKind::FlangePose;

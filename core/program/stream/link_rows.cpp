@@ -185,7 +185,7 @@ private:
   bool pose(const LinkRow& row, plan::ProgramMotion& m) {
     const auto said = poseOf(row.target);
     if (!said) {
-      defect("a target that is no position in a robot's reach"_text);
+      defect("the target is not a position within a robot's reach"_text);
       return false;
     }
     const bool onWork = form_.inFrame && nozzle_;
