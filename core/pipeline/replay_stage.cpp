@@ -131,8 +131,8 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
                                      result.name, base::number(result.value),
                                      base::number(result.limit)));
   if (verdict.deviations > 0)
-    failed.push_back(base::message("{places} place where the text is not what was planned|"
-                                   "{places} places where the text is not what was planned"_plural,
+    failed.push_back(base::message("{places} place where the program differs from the plan|"
+                                   "{places} places where the program differs from the plan"_plural,
                                    verdict.deviations));
   return failed;
 }
