@@ -1,5 +1,5 @@
-// The environment of a running stage: progress, cancellation, threads (docs/design.md, Progress and
-// cancel).
+// The environment of a running stage (docs/design.md, Progress and cancel): progress,
+// cancellation, threads.
 #pragma once
 
 #include "base/text.h"

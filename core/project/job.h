@@ -1,5 +1,5 @@
-// The project file: a part, the choices for it and the planned results (docs/design.md, Project
-// file).
+// The project file (docs/design.md, Project file): a part, the choices for it and the planned
+// results.
 #pragma once
 
 #include "geometry/placement.h"

@@ -1,5 +1,5 @@
-// Poses and joints as JSON text, degrees and mm, for `voluta-cli robot` (docs/design.md, Command
-// line).
+// Poses and joints as JSON text [mm, degrees] for `voluta-cli robot`
+// (docs/design.md, Command line).
 #pragma once
 
 #include "robot/robot_model.h"
