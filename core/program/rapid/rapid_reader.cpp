@@ -121,7 +121,7 @@ private:
   bool procedure() {
     std::string name;
     if (!takeName(name) || !takeMark('(') || !takeMark(')'))
-      defect("an invalid procedure header"_text);
+      defect("not a valid procedure header"_text);
     Procedure body{tokens_, token_};
     while (token_.kind != RapidTokenKind::End && !isWord("endmodule") && !isWord("endproc"))
       advance();
