@@ -30,7 +30,7 @@ void describe(QCommandLineParser& parser) {
   QCoreApplication::setApplicationName("voluta");
   QCoreApplication::setOrganizationName("voluta");
   QCoreApplication::setApplicationVersion(project::kVersion);
-  parser.setApplicationDescription("Plans prints with a robot arm.");
+  parser.setApplicationDescription("Plans 3D printing with robot arms.");
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("file", "mesh, project (.voluta) or sample:NAME", "[file]");
@@ -43,30 +43,30 @@ bool asksForWords(int argc, char** argv) {
   });
 }
 
-// Qt ends a program without a display by abort(), which leaves a core file.
+// Without a display, Qt ends a program by abort(), which leaves a core file.
 void leaveWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type != QtFatalMsg) {
     std::fprintf(stderr, "%s\n", qPrintable(message));
     return;
   }
-  std::fputs(
-      "voluta: no display can be opened. voluta-cli plans, verifies and draws without one.\n",
-      stderr);
+  std::fputs("voluta: cannot open a display. voluta-cli plans, verifies and draws "
+             "without one.\n",
+             stderr);
   std::_Exit(1);
 }
 
-// What a new project begins with. Throws Error where the program's data is not where it should be.
+// Checks the data that a new project uses. Throws Error if the program's data is missing.
 bool readUsualData() {
   const project::Choices usual;
   modes::cellOnAnyPlatform(usual, process::loadProcess(usual.tool().process));
   return true;
 }
 
-// In a box too: who starts a window from a menu sees no terminal.
+// Also shows the error in a dialog: users who start the window from a menu see no terminal.
 int leaveWith(const base::Error& error) {
   std::fprintf(stderr, "voluta: %s\n", error.what());
   const QString platform = QGuiApplication::platformName();
-  if (platform != "offscreen" && platform != "minimal") // nobody could close it there
+  if (platform != "offscreen" && platform != "minimal") // Such a dialog could not be closed
     QMessageBox::critical(nullptr, "Voluta", language::words(error.whole()));
   return cli::exitCodeOf(error.code());
 }
@@ -77,10 +77,10 @@ int main(int argc, char** argv) {
   describe(parser);
   if (asksForWords(argc, argv)) {
     const QCoreApplication words(argc, argv);
-    parser.process(words); // prints and leaves
+    parser.process(words); // Prints and exits
     return 0;
   }
-  // The surface format has to stand before the application does.
+  // The surface format must be set before the application is created.
   viewer::VtkView::setDefaultFormat();
   const QtMessageHandler usual = qInstallMessageHandler(leaveWithoutDisplay);
   QApplication app(argc, argv);

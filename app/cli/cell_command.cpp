@@ -49,7 +49,7 @@ ExitCode cellCheckCommand(const CheckCellOptions& options) {
   if (!checked.cell)
     return kUnusableInput;
   if (checked.faults.empty())
-    fmt::print("nothing is wrong with it\n");
+    fmt::print("no problems\n");
   return checked.faults.empty() ? kDone : kNotAll;
 }
 

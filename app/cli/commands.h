@@ -1,5 +1,5 @@
-// One function a sub-command: typed options in, exit code out. Results go to stdout, progress and
-// the one line about what went wrong to stderr.
+// One function per sub-command: takes typed options and returns the exit code. Results are written
+// to stdout, progress and the one-line error message to stderr.
 #pragma once
 
 #include "cli/exit_code.h"
@@ -24,11 +24,12 @@ struct PlanOptions {
   ProgressStyle progress = ProgressStyle::Bar;
 };
 ExitCode planCommand(const PlanOptions& options);
-// What fills a folder and comes to a report.
+// Work that fills a folder and returns a report.
 using ReportingWork =
     std::function<project::Report(const std::filesystem::path& folder, const base::RunContext&)>;
-// The folder appears when the work is done, and stays as it was otherwise. To stdout what was
-// planned, to stderr the one line that says why it is not complete. `title`: as progressSink().
+// Runs the work; the folder appears when the work is done, and is unchanged otherwise. Prints a
+// summary of the plan to stdout, and to stderr one line that says why it is not complete. `title`:
+// as for progressSink().
 ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path& folder,
                           int threads, ProgressStyle progress,
                           const std::shared_ptr<const base::Message>& title = {});
@@ -57,7 +58,7 @@ struct ResumeOptions {
   int threads = 1;
   ProgressStyle progress = ProgressStyle::Bar;
 };
-// Writes the rest of a print as a job of its own.
+// Writes the rest of a print as a new job.
 ExitCode resumeCommand(const ResumeOptions& options);
 
 struct InspectOptions {
@@ -67,53 +68,53 @@ struct InspectOptions {
 ExitCode inspectCommand(const InspectOptions& options);
 
 struct OrientOptions {
-  pipeline::PlanRequest request; // a part and how it is placed
+  pipeline::PlanRequest request; // A part and its placement
   bool json = false;
   int threads = 1;
 };
-// The ways in which a part can stand.
+// Prints the poses in which a part can stand.
 ExitCode orientCommand(const OrientOptions& options);
 
 struct RobotOptions {
   std::string id;
-  std::string forward, inverse; // comma separated; one of them
+  std::string forward, inverse; // Comma-separated; exactly one of them is set
 };
 ExitCode robotCommand(const RobotOptions& options);
 
 struct ImportRobotOptions {
-  std::filesystem::path urdf, folder; // folder: empty for the user's own
+  std::filesystem::path urdf, folder; // folder: empty for the user's data folder
   robot::UrdfOptions options;
-  std::string cell = "moving"; // or "fixed"
+  std::string cell = "moving"; // Or "fixed"
   int threads = 1;
 };
-// Writes a robot's file and a cell's from a URDF, and says what the robot is, what of it is assumed
-// and how to plan with it.
+// Writes robot and cell files from a URDF, and prints the kind of the robot, the assumed values and
+// the command for planning with it.
 ExitCode importRobotCommand(const ImportRobotOptions& options);
 
-// A table of points or poses that were measured (robot/measured/measured_json.h).
+// A table of measured points or poses (robot/measured/measured_json.h).
 struct MeasuredOptions {
   std::filesystem::path table;
-  std::string robot; // poses as its joints; empty: as poses
+  std::string robot; // The robot whose joints the rows contain; empty: the rows are poses
 };
 ExitCode cellFrameCommand(const MeasuredOptions& options);
 ExitCode cellTipCommand(const MeasuredOptions& options);
 
 struct ReachOptions {
-  project::Choices choices; // cell, process, platform and parameters count
+  project::Choices choices; // Uses cell, process, platform and parameters
   double heightMm = 150.0;
   bool json = false;
   int threads = 1;
 };
-// Where the head of a cell reaches, and where its nozzle, if it stands still, stood best.
+// Print where the head of a cell reaches, and the best position of its stationary nozzle.
 ExitCode cellReachCommand(const ReachOptions& options);
 ExitCode cellNozzleCommand(const ReachOptions& options);
 
 struct CheckCellOptions {
-  std::string cell; // id, or a file
+  std::string cell; // Id, or a file
   std::string process = "fdm-1.0";
   double partKg = 0.0;
 };
-// A line for each thing that the cell cannot do.
+// Prints one line for each limitation of the cell.
 ExitCode cellCheckCommand(const CheckCellOptions& options);
 
 struct ListOptions {

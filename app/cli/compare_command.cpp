@@ -15,7 +15,7 @@ namespace {
 using pipeline::CompareRow;
 using pipeline::RowState;
 
-// Fills the folders of the rows while they are planned: a plan is dropped once it is written.
+// Fills the folders of the rows during planning: each plan is released once it is written.
 class Writer {
 public:
   Writer(std::filesystem::path folder, bool pictures)
@@ -29,7 +29,7 @@ public:
     pipeline::RowFiles& files = files_.back();
     files.folder = pipeline::rowFolder(index, row.combination);
     const std::filesystem::path folder = folder_ / files.folder;
-    std::error_code failed; // writing into it says so
+    std::error_code failed; // Writing into it will report the error
     std::filesystem::create_directories(folder, failed);
     pipeline::writeOutputs(*result, folder, ctx.quiet());
     if (pictures_)
@@ -67,7 +67,7 @@ private:
       } catch (const base::Error& error) {
         if (error.code() == base::ErrorCode::CannotWrite)
           throw;
-        pictureTrouble_ = error.what(); // a comparison is of use without pictures
+        pictureTrouble_ = error.what(); // A comparison is useful without pictures
         pictures_ = false;
         return;
       }
@@ -96,7 +96,7 @@ std::string headOf(const pipeline::Figure& figure) {
                              : fmt::format("{} {}", base::english(figure.label), figure.unit);
 }
 
-// "auto (reverse)": what was asked for and what it came to.
+// "auto (reverse)": the requested scheme and the one chosen.
 std::string growthText(const CompareRow& row) {
   if (!row.combination.growth)
     return "-";
@@ -107,7 +107,7 @@ std::string growthText(const CompareRow& row) {
 
 using TextTable = std::vector<std::vector<std::string>>;
 
-// Width as a terminal shows it; the units are not ASCII.
+// Width in a terminal; the units are not ASCII.
 std::size_t shownWidth(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
@@ -159,21 +159,22 @@ void sayVerdict(const pipeline::Comparison& comparison, const pipeline::Ranking&
     if (const std::string reason = base::english(comparison.rows[i].reason()); !reason.empty())
       fmt::print("{}: {}{}\n", i + 1, reason,
                  comparison.rows[i].blocking() > 1
-                     ? fmt::format("; {} findings more", comparison.rows[i].blocking() - 1)
+                     ? fmt::format("; {} more findings", comparison.rows[i].blocking() - 1)
                      : "");
   fmt::print("rule: {}\n", pipeline::ruleText(weights));
   if (!ranking.best) {
-    fmt::print("best: none, as something blocks every row; nearest to it is row {}\n",
+    fmt::print("best: none, as every row has blocking findings; ranked first is row {}\n",
                ranking.order.front() + 1);
     return;
   }
   std::string tied;
   for (const std::size_t row : ranking.tied)
-    tied += fmt::format("{}{}", tied.empty() ? "; as good: row " : ", ", row + 1);
+    tied += fmt::format("{}{}", tied.empty() ? "; equal: row " : ", ", row + 1);
   fmt::print("best: row {}{}\n", *ranking.best + 1, tied);
 }
 
-// A best row: done. Planned rows that are all blocked: not all. None planned: as the first error.
+// Done if there is a best row; kNotAll if all planned rows are blocked; the first error if none was
+// planned.
 ExitCode exitCodeOf(const std::vector<CompareRow>& rows) {
   const auto any = [&](RowState state) {
     return std::any_of(rows.begin(), rows.end(),

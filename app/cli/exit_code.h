@@ -1,4 +1,4 @@
-// What the command line ends with (docs/design.md, Command line).
+// Exit codes of the command line (docs/design.md, Command line).
 #pragma once
 
 #include "base/error.h"
@@ -6,11 +6,11 @@
 namespace voluta::cli {
 
 enum ExitCode {
-  kDone = 0,          // done and verified
-  kInternal = 1,      // a mistake of the program
-  kUsage = 2,         // the request is wrong
-  kUnusableInput = 3, // the input cannot be used
-  kNotAll = 4,        // planned, but something can't be printed, reached or verified
+  kDone = 0,          // Done and verified
+  kInternal = 1,      // A bug in the program
+  kUsage = 2,         // The request is invalid
+  kUnusableInput = 3, // The input cannot be used
+  kNotAll = 4,        // Planned, but part of it cannot be printed, reached or verified
   kCancelled = 5
 };
 

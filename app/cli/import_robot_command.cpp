@@ -23,25 +23,25 @@ const char* solverOf(robot::ArmKind kind) {
   case robot::ArmKind::Other:
     break;
   }
-  return "of no kind with a closed form, solved numerically: nearly all branches, and plans take "
+  return "without a closed form, solved numerically: finds nearly all branches, and planning takes "
          "longer";
 }
 
 std::filesystem::path folderOf(const ImportRobotOptions& asked) {
   if (asked.folder.empty() && base::userDataFolder().empty())
-    throw base::Error(base::ErrorCode::Usage, "no folder for robots of one's own"_text, {},
-                      "name the folder: -o DIR"_text);
+    throw base::Error(base::ErrorCode::Usage, "no data folder for your own robots"_text, {},
+                      "give a folder: -o DIR"_text);
   if (std::filesystem::is_regular_file(asked.folder) || asked.folder.extension() == ".json")
     throw base::Error(base::ErrorCode::Usage,
-                      "is a file; a folder is wanted, for robots/ and cells/"_text,
-                      asked.folder.string(), "name the robot with --id"_text);
+                      "is a file; a folder for robots/ and cells/ is needed"_text,
+                      asked.folder.string(), "give the robot's id with --id"_text);
   return asked.folder.empty() ? base::userDataFolder() : asked.folder;
 }
 
 } // namespace
 
 ExitCode importRobotCommand(const ImportRobotOptions& asked) {
-  program::findDialect(asked.options.controller); // throws where there is none
+  program::findDialect(asked.options.controller); // Throws for an unknown format
   const std::filesystem::path folder = folderOf(asked);
   const robot::Mount nozzle = asked.cell == "fixed" ? robot::Mount::World : robot::Mount::Flange;
   const process::Process process = process::loadProcess(project::Choices().tool().process);

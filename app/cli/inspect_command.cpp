@@ -59,7 +59,7 @@ ExitCode inspectCells(const InspectOptions& options, const std::string& bytes) {
                    {"solid", std::count(object.solid.begin(), object.solid.end(), 1)},
                    {"platform", object.platform.size()}};
   geometry::Diagnosis surface = geometry::diagnose(voxel::surfaceOf(object));
-  surface.selfIntersections = {}; // where cells only touch
+  surface.selfIntersections = {}; // These are where cells only touch
   const char* const kFormat = "voxel text";
   if (options.json) {
     const Json all{{"file", options.part},

@@ -49,7 +49,7 @@ Json listRobots() {
 Json listFormats() {
   Json rows = Json::array();
   for (const program::Dialect& dialect : program::dialects()) {
-    Json options = Json::array(); // keys of parameters
+    Json options = Json::array(); // Keys of parameters
     for (const base::ParameterSpec& option : program::optionsOf(dialect))
       options.push_back(option.key);
     rows.push_back(Json{{"id", dialect.id},

@@ -1,4 +1,4 @@
-// voluta-cli: everything that the window can do, without one (docs/design.md, Command line).
+// voluta-cli: all functions of the window on the command line (docs/design.md, Command line).
 #include "cli/commands.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
@@ -43,7 +43,7 @@ std::string platformForms() {
   return project::platformForms({Plate, Rod, Body});
 }
 
-// T is made from the text. What it throws is said as it is.
+// Constructs T from the text. Its exceptions are reported unchanged.
 template <typename T>
 void addChoice(CLI::App& command, const std::string& name, T& into, const std::string& help) {
   command.add_option_function<std::string>(
@@ -68,27 +68,29 @@ struct Parsed {
   std::function<ExitCode()> run;
 };
 
-// What plans have in common, whichever way they are built.
+// Options common to plan and compare.
 struct PlanValues {
   std::string until = "replay", progress = "bar";
   std::vector<std::string> sets;
 };
 
-// The part, and how it comes to lie.
+// The part and its placement.
 void addPartOptions(CLI::App& command, pipeline::PlanRequest& request) {
   project::Choices& choices = request.choices;
   command.add_option("PART", request.item().part, "mesh file, or sample:NAME")->required();
   command.add_option("--cell", choices.cell, "robot cell (see: list cells), or FILE.json");
   command.add_option("--process", choices.tool().process,
                      "nozzle, material, speeds (see: list processes), or FILE.json");
-  command.add_option("--scale", choices.item().scale, "factor, or fit: largest <= 1 in reach");
-  command.add_option("--units", choices.item().units, "of the mesh's file: um, mm, cm, in, m");
+  command.add_option("--scale", choices.scale,
+                     "factor, or fit: the largest up to 1 that is in reach");
+  command.add_option("--units", choices.units, "units of the mesh file: um, mm, cm, in, m");
   command.add_option_function<std::string>(
       "--turn",
       [&choices](const std::string& turn) {
         choices.item().placement.rotation = project::parsedTurn(turn);
       },
-      "X,Y,Z: degrees about the fixed axes, one after the other (see: orient)");
+      "X,Y,Z: rotations in degrees about the fixed axes, in this order "
+      "(see: orient)");
 }
 
 void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValues& values) {
@@ -98,7 +100,7 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
   command.add_option("--until", values.until, "stop after this stage");
   command.add_option("--format", request.choices.formats, "program format")
       ->allow_extra_args(false);
-  command.add_option("--seed", request.choices.seed, "of the samplers");
+  command.add_option("--seed", request.choices.seed, "seed of the random samplers");
 }
 
 void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
@@ -116,7 +118,7 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
   };
   auto values = std::make_shared<Values>();
   values->options.threads = threads;
-  CLI::App* plan = app.add_subcommand("plan", "a part in, checked robot programs out");
+  CLI::App* plan = app.add_subcommand("plan", "plan a part and write verified robot programs");
   auto& request = values->options.request;
   addPlanOptions(*plan, request, *values);
   plan->add_option("-o", values->options.folder, "folder for job, report and programs")->required();
@@ -128,8 +130,8 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
         if (!request.choices.item().automatic)
           request.choices.item().mode = mode;
       },
-      "way of building; auto, unless given: the first that nothing blocks");
-  addChoice(*plan, "--growth", request.choices.item().growth,
+      "way of building; default auto: the first without blocking findings");
+  addChoice(*plan, "--growth", request.choices.growth,
             "growth scheme of curved mode: " + growthIds());
   plan->add_option_function<std::string>(
       "--platform",
@@ -137,7 +139,7 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
         request.choices.item().platform = project::Platform(platform);
         request.choices.item().platformStays = true;
       },
-      "what material starts on: " + platformForms());
+      "platform on which printing starts: " + platformForms());
   addRunOptions(*plan, values->options.threads, values->progress);
   plan->callback([values, &parsed] {
     parsed.run = [values] {
@@ -157,26 +159,25 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
   };
   auto values = std::make_shared<Values>();
   values->options.threads = threads;
-  CLI::App* compare = app.add_subcommand("compare", "ways of building a part, side by side");
+  CLI::App* compare = app.add_subcommand("compare", "compare ways of building a part");
   auto& compared = values->options.compared;
   addPlanOptions(*compare, compared.plan, *values);
   compare
       ->add_option("-o", values->options.folder,
                    "folder for compare.json and, for each row, report, programs and pictures")
       ->required();
-  compare
-      ->add_option("--modes", compared.modes, "M,...: ways of building; all of them unless given")
+  compare->add_option("--modes", compared.modes, "M,...: ways of building; default all")
       ->delimiter(',')
       ->allow_extra_args(false);
   addChoices(*compare, "--growths", compared.growths,
              "G,...: growth schemes of curved mode, of " + growthIds() + "; " +
-                 curved::GrowthScheme().id() + " unless given");
+                 curved::GrowthScheme().id() + " by default");
   addChoices(*compare, "--platforms", compared.platforms,
-             "P,...: what material starts on, of " + platformForms() + "; " +
-                 "the cell's plate unless given (planar: fit)");
+             "P,...: platforms, of " + platformForms() + "; " +
+                 "default the cell's plate (planar: fit)");
   compare
       ->add_option("--weight", values->weights,
-                   "FIGURE=NUMBER in the rule for the best. Rule: " +
+                   "FIGURE=NUMBER: weight in the ranking. Rule: " +
                        pipeline::ruleText(pipeline::defaultWeights()))
       ->allow_extra_args(false);
   compare->add_flag("--no-pictures", values->noPictures, "figures only");
@@ -206,7 +207,7 @@ void addVerify(CLI::App& app, Parsed& parsed, int threads) {
   values->options.threads = threads;
   CLI::App* verify = app.add_subcommand("verify", "replay a program from disk");
   verify->add_option("PROGRAM", values->options.program, "program file")->required();
-  verify->add_option("--job", values->options.job, "job.voluta it was made from")->required();
+  verify->add_option("--job", values->options.job, "job.voluta from which it was made")->required();
   addRunOptions(*verify, values->options.threads, values->progress);
   verify->callback([values, &parsed] {
     parsed.run = [values] {
@@ -225,19 +226,20 @@ void addResume(CLI::App& app, Parsed& parsed, int threads) {
   auto values = std::make_shared<Values>();
   values->options.threads = threads;
   pipeline::ResumeRequest& request = values->options.request;
-  CLI::App* resume = app.add_subcommand("resume", "the rest of a print that was stopped");
-  resume->add_option("JOB", request.job, "job.voluta that was being printed")->required();
+  CLI::App* resume = app.add_subcommand("resume", "plan the rest of a stopped print");
+  resume->add_option("JOB", request.job, "job.voluta of the stopped print")->required();
   CLI::Option_group* where = resume->add_option_group("where");
-  CLI::Option* bead = where->add_option("--bead", values->bead, "begin with this bead, from 1");
+  CLI::Option* bead =
+      where->add_option("--bead", values->bead, "start with this bead, numbered from 1");
   CLI::Option* line =
-      where->add_option("--at", values->line, "begin where this line of the program moves from");
+      where->add_option("--at", values->line, "start where the motion of this program line starts");
   where->require_option(1);
-  resume->add_option(
-      "--program", request.program,
-      "file that --at is a line of (the job's first program, where that is one file)");
+  resume->add_option("--program", request.program,
+                     "file to which --at refers (default: the job's first program, if it "
+                     "is a single file)");
   resume->add_option("-o", values->options.folder, "folder for job, report and programs")
       ->required();
-  resume->add_option("--format", request.formats, "program format (those of the job)")
+  resume->add_option("--format", request.formats, "program format (default: those of the job)")
       ->allow_extra_args(false);
   addRunOptions(*resume, values->options.threads, values->progress);
   resume->callback([values, bead, line, &parsed] {
@@ -254,7 +256,7 @@ void addResume(CLI::App& app, Parsed& parsed, int threads) {
 
 void addInspect(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* inspect = app.add_subcommand("inspect", "diagnosis of a mesh");
+  CLI::App* inspect = app.add_subcommand("inspect", "diagnose a mesh");
   inspect->add_option("PART", options->part, "mesh file")->required();
   inspect->add_flag("--json", options->json, "as JSON");
   inspect->callback(
@@ -264,7 +266,7 @@ void addInspect(CLI::App& app, Parsed& parsed) {
 void addOrient(CLI::App& app, Parsed& parsed, int threads) {
   auto options = std::make_shared<OrientOptions>();
   options->threads = threads;
-  CLI::App* orient = app.add_subcommand("orient", "ways in which a part can stand");
+  CLI::App* orient = app.add_subcommand("orient", "list the poses in which a part can stand");
   addPartOptions(*orient, options->request);
   orient->add_flag("--json", options->json, "as JSON");
   addThreads(*orient, options->threads);
@@ -279,23 +281,23 @@ void addOrient(CLI::App& app, Parsed& parsed, int threads) {
 CLI::App* addImportRobot(CLI::App& robot, Parsed& parsed, int threads) {
   auto options = std::make_shared<ImportRobotOptions>();
   options->threads = threads;
-  CLI::App* import = robot.add_subcommand("import", "a robot and a cell for it from a URDF");
+  CLI::App* import = robot.add_subcommand("import", "make a robot and a cell from a URDF");
   import->add_option("FILE", options->urdf, "URDF, xacro expanded")->required();
   import->add_option("--tip", options->options.tip, "link whose frame is the flange");
-  import->add_option("--base", options->options.base, "link whose frame poses are counted from");
-  import->add_option("--id", options->options.id, "what the robot is called");
+  import->add_option("--base", options->options.base, "link whose frame is the base of poses");
+  import->add_option("--id", options->options.id, "id of the robot");
   import->add_option("--controller", options->options.controller,
-                     "program format that it reads (see: list formats); csv, unless given");
+                     "program format of its controller (see: list formats); default csv");
   import->add_option("-o", options->folder,
-                     "folder for robots/ and cells/; the user's own, unless given");
+                     "folder for robots/ and cells/; default the user's data folder");
   import
       ->add_option("--cell", options->cell,
-                   "what stands still: moving (nozzle on the arm, plate "
-                   "on a table) or fixed (plate on the arm)")
+                   "moving (nozzle on the arm, plate on a table) or fixed (stationary "
+                   "nozzle, plate on the arm)")
       ->check(CLI::IsMember({"moving", "fixed"}));
   addThreads(*import, options->threads);
-  import->callback(
-      [options, &parsed] { parsed.run = [options] { return importRobotCommand(*options);
+  import->callback([options, &parsed] {
+    parsed.run = [options] { return importRobotCommand(*options);
 };
 } // namespace
 );
@@ -332,11 +334,11 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
                        "nozzle, material, speeds (see: list processes), or FILE.json");
     command.add_flag("--json", options->json, "as JSON");
   };
-  CLI::App* reach = cell.add_subcommand("reach", "where over its plate the head reaches");
+  CLI::App* reach = cell.add_subcommand("reach", "map where the head reaches over the plate");
   addOptions(*reach);
-  addChoice(*reach, "--platform", options->choices.item().platform,
-            "plate to map; the largest of the cell's, unless given");
-  reach->add_option("--height", options->heightMm, "mm above the plate, up to which")
+  addChoice(*reach, "--platform", options->choices.platform,
+            "plate to map; default the cell's largest");
+  reach->add_option("--height", options->heightMm, "maximum height above the plate in mm")
       ->check(CLI::Range(1.0, 5000.0));
   addThreads(*reach, options->threads);
   reach->callback([options, &parsed] {
@@ -345,7 +347,7 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
       return cellReachCommand(*options);
     };
   });
-  CLI::App* nozzle = cell.add_subcommand("nozzle", "where a nozzle that stands still stood best");
+  CLI::App* nozzle = cell.add_subcommand("nozzle", "find the best position of a stationary nozzle");
   addOptions(*nozzle);
   nozzle->callback([options, &parsed] {
     parsed.run = [options] {
@@ -356,30 +358,32 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
 }
 
 void addCell(CLI::App& app, Parsed& parsed, int threads) {
-  CLI::App* cell = app.add_subcommand("cell", "to set up a cell of one's own");
+  CLI::App* cell = app.add_subcommand("cell", "set up your own cell");
   cell->require_subcommand(1);
   auto measured = std::make_shared<MeasuredOptions>();
-  CLI::App* frame = cell->add_subcommand("frame", "the frame that points were touched in, as JSON");
+  CLI::App* frame = cell->add_subcommand("frame", "compute a frame from touched points, as JSON");
   frame
       ->add_option("TABLE", measured->table,
-                   "three rows x,y,z: origin, on x, beside it; or three or more rows of six: "
-                   "the point in the frame, and where it was touched")
+                   "three rows x,y,z: origin, a point on X, a point in the XY plane; or "
+                   "at least three rows of six: nominal point, touched point")
       ->required();
   frame->callback(
       [measured, &parsed] { parsed.run = [measured] { return cellFrameCommand(*measured); }; });
-  CLI::App* tip = cell->add_subcommand("tool-tip", "the tip that touched one point, as JSON");
+  CLI::App* tip = cell->add_subcommand(
+      "tool-tip", "compute the tool tip from poses that touch one point, as JSON");
   tip->add_option("TABLE", measured->table,
-                  "four or more rows x,y,z,qw,qx,qy,qz of the flange, or the robot's joints")
+                  "at least four rows x,y,z,qw,qx,qy,qz of the flange, or of the "
+                  "robot's joints")
       ->required();
-  tip->add_option("--robot", measured->robot, "robot whose joints the rows hold");
+  tip->add_option("--robot", measured->robot, "robot whose joints the rows contain");
   tip->callback(
       [measured, &parsed] { parsed.run = [measured] { return cellTipCommand(*measured); }; });
   auto checked = std::make_shared<CheckCellOptions>();
-  CLI::App* check = cell->add_subcommand("check", "what a cell cannot do, a line each");
+  CLI::App* check = cell->add_subcommand("check", "list the limitations of a cell, one per line");
   check->add_option("CELL", checked->cell, "cell (see: list cells), or FILE.json")->required();
   check->add_option("--process", checked->process,
                     "nozzle, material, speeds (see: list processes), or FILE.json");
-  check->add_option("--part-kg", checked->partKg, "mass of the part, kg")
+  check->add_option("--part-kg", checked->partKg, "mass of the part in kg")
       ->check(CLI::Range(0.0, 1000.0));
   check->callback(
       [checked, &parsed] { parsed.run = [checked] { return cellCheckCommand(*checked); }; });
@@ -388,7 +392,7 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
 
 void addList(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<ListOptions>();
-  CLI::App* list = app.add_subcommand("list", "what there is to choose from");
+  CLI::App* list = app.add_subcommand("list", "list the available choices");
   list->add_option("WHAT", options->what, "modes, cells, robots, formats, processes or parameters")
       ->required();
   list->add_flag("--json", options->json, "as JSON");
@@ -397,7 +401,7 @@ void addList(CLI::App& app, Parsed& parsed) {
 
 void addRender(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* render = app.add_subcommand("render", "a picture of a job, also without a display");
+  CLI::App* render = app.add_subcommand("render", "draw a picture of a job; needs no display");
   render->add_option("JOB", options->job, "job.voluta")->required();
   render->add_option("-o", options->picture, "PNG file to write")->required();
   render->add_option("--show", options->look.show, "part, voxels, pieces, layers, paths or robot");
@@ -413,7 +417,7 @@ void addRender(CLI::App& app, Parsed& parsed) {
       [options, &parsed] { parsed.run = [options] { return renderCommand(*options); }; });
 }
 
-// Values such as "-90,10" belong to their option though they begin with a dash.
+// Joins values such as "-90,10" with their option, as they begin with a dash.
 std::vector<std::string> joinedNegativeValues(int argc, char** argv) {
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
@@ -427,7 +431,8 @@ std::vector<std::string> joinedNegativeValues(int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Voluta plans prints with a robot arm and checks the programs it writes."};
+  CLI::App app{"Voluta plans 3D printing with robot arms and verifies the programs "
+               "it writes."};
   app.name("voluta-cli");
   app.set_version_flag("--version", project::kVersion);
   app.require_subcommand(1);

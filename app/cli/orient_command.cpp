@@ -22,7 +22,7 @@ struct Found {
   geometry::Placement placementOf(const placement::Way& way) const {
     return pipeline::standing(way, placed->placement);
   }
-  // Where it does not stand it is not among its ways.
+  // A pose in which the part does not stand is not in the list.
   bool liesBadly() const {
     const auto now = std::ranges::find_if(ways, &placement::Way::now);
     return !ways.empty() && (now == ways.end() || placement::liesBadly(*now, ways.front()));
@@ -67,7 +67,7 @@ Json jsonOf(const Found& found, const std::string& part) {
 
 void say(const Found& found) {
   if (found.ways.empty()) {
-    fmt::print("no way in which it stands was found\n");
+    fmt::print("no stable pose was found\n");
     return;
   }
   fmt::print("{:<24}{:>13}{:>14}{:>11}{:>22}{:>12}\n", "turn", "contact mm2", "overhang mm2",
@@ -79,7 +79,7 @@ void say(const Found& found) {
                fmt::format("{} of {}", way.missed, way.voxels), way.seconds / 60.0,
                way.now ? "  as it lies" : "");
   if (found.liesBadly())
-    fmt::print("it lies badly; to stand it the first way: plan PART --turn={}\n",
+    fmt::print("poor orientation; to use the first one: plan PART --turn={}\n",
                project::turnText(found.placementOf(found.ways.front()).rotation));
 }
 

@@ -11,7 +11,7 @@
 namespace voluta::cli {
 
 namespace {
-// The most pressing finding says in one line why the plan is not complete.
+// Prints the most severe finding as the one-line reason why the plan is not complete.
 void sayFindings(const plan::Findings& findings) {
   std::size_t blocking = 0;
   const plan::Finding* first = nullptr;
@@ -26,7 +26,7 @@ void sayFindings(const plan::Findings& findings) {
                                 : "";
   fmt::print(stderr, "{}: {}{} ({}){}\n", plan::stageName(plan::stageOf(*first)),
              plan::englishReason(*first), where, plan::englishRemedy(*first),
-             blocking > 1 ? fmt::format("; {} findings more in report.json", blocking - 1) : "");
+             blocking > 1 ? fmt::format("; {} more findings in report.json", blocking - 1) : "");
 }
 
 void sayResult(const project::Report& r) {

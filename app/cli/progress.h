@@ -9,11 +9,11 @@ namespace voluta::cli {
 
 enum class ProgressStyle { Bar, Json, None };
 
-// A sink of the style; a bar is drawn only on a terminal. Updates are limited to ten a second.
-// `title` comes before what is being done, where there is one; the run's thread may change it.
+// Returns a progress sink of the style; a bar is drawn only on a terminal. At most ten updates per
+// second. `title`, if given, precedes the current step; the thread of the run may change it.
 base::ProgressSink progressSink(ProgressStyle style,
                                 std::shared_ptr<const base::Message> title = {});
-// Ends a line that a bar has begun.
+// Ends the line of an unfinished bar.
 void endProgress(ProgressStyle style);
 
 } // namespace voluta::cli

@@ -38,7 +38,7 @@ Json jsonOf(const cells::ReachMap& map, const std::string& cell) {
           {"points", std::move(points)}};
 }
 
-// Tenths of the poses over each point, the plate seen from above, x to the right; * for all.
+// Prints tenths of the poses over each point, the plate seen from above, x to the right; * for all.
 void drawMap(const cells::ReachMap& map) {
   Eigen::Vector2i low = map.lattice().front(), high = low;
   for (const Eigen::Vector2i& at : map.lattice()) {
@@ -93,8 +93,8 @@ ExitCode cellNozzleCommand(const ReachOptions& options) {
   const robot::Cell cell = pipeline::cellToMap(options.choices, process);
   if (cell.nozzleMount() != robot::Mount::World)
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("in cell {cell} the nozzle goes with the arm"_text, cell.id()),
-                      {}, "take a cell whose nozzle stands still"_text);
+                      base::message("in cell {cell} the nozzle moves with the arm"_text, cell.id()),
+                      {}, "choose a cell with a stationary nozzle"_text);
   cells::NozzleSearch search;
   search.flange_T_work = cell.flange_T_moved();
   const auto frames = cells::reachableFrames(cell.robot(), search);
@@ -113,9 +113,9 @@ ExitCode cellNozzleCommand(const ReachOptions& options) {
                             {"framesNow", framesNow}}
                            .dump(2));
   else
-    fmt::print("{}: of {} frames of the plate {} do not face down; in a box of {:g} mm about the "
-               "nozzle are most at ({:g}, {:g}, {:g}): {}; where it stands, at ({:g}, {:g}, {:g}): "
-               "{}\n",
+    fmt::print("{}: of {} sampled frames of the plate, {} do not face down; a box of"
+               " {:g} mm around the nozzle contains the most at ({:g}, {:g}, {:g}): "
+               "{}; at the present position ({:g}, {:g}, {:g}): {}\n",
                cell.id(), search.samples, frames.size(), box.x(), place.at.x(), place.at.y(),
                place.at.z(), place.frames, now.x(), now.y(), now.z(), framesNow);
   return kDone;

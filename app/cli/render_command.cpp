@@ -25,7 +25,7 @@ std::pair<int, int> sizeOf(const std::string& text) {
     if (second.ec == std::errc() && second.ptr == end)
       return {width, height};
   }
-  throw Error(ErrorCode::Usage, base::message("'{text}' is no size of a picture"_text, text),
+  throw Error(ErrorCode::Usage, base::message("'{text}' is not a picture size"_text, text),
               "--size"_name, "give WIDTHxHEIGHT in pixels, such as 1280x800"_text);
 }
 

@@ -12,7 +12,7 @@ namespace voluta::cli {
 struct RenderOptions {
   std::filesystem::path job, picture;
   std::string size = "1280x800";
-  pictures::PictureOptions look; // but for its size
+  pictures::PictureOptions look; // Except its size
 };
 // Throws Error{Usage, UnreadableFile, UnusableInput, CannotWrite}.
 ExitCode renderCommand(const RenderOptions& options);

@@ -13,7 +13,7 @@ ExitCode resumeCommand(const ResumeOptions& options) {
         pipeline::ResumeResult resumed = pipeline::resumePrint(request, ctx.sub(0.0, 0.97));
         pipeline::writeOutputs(resumed.plan, folder, ctx.sub(0.97, 1.0),
                                {.pictures = pictures::proofPictures});
-        fmt::print("from bead {} of {}, waypoint {}; {:.0f} mm3 are laid, {:.0f} mm3 are left\n",
+        fmt::print("from bead {} of {}, waypoint {}; {:.0f} mm3 printed, {:.0f} mm3 left\n",
                    resumed.bead, resumed.plan.job.toolPlan->paths.size(), resumed.waypoint,
                    resumed.laidMm3, resumed.leftMm3);
         return resumed.plan.job.report;

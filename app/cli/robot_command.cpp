@@ -12,7 +12,7 @@ std::vector<double> numbers(std::string_view text, std::size_t count, const char
   const auto wrong = [&] {
     return base::Error(
         base::ErrorCode::Usage,
-        base::message("'{text}' is not {count} comma separated numbers"_text, text, count),
+        base::message("'{text}' must be {count} comma-separated numbers"_text, text, count),
         std::string(what));
   };
   std::vector<double> values;

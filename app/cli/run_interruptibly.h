@@ -1,4 +1,4 @@
-// Work on a thread of its own while this one waits for it or for Ctrl-C.
+// Runs work on another thread while this one waits for it or for Ctrl-C.
 #pragma once
 
 #include "base/outcome.h"
@@ -16,15 +16,17 @@
 
 namespace voluta::cli {
 
-// Blocks SIGINT and SIGTERM in this thread and those it starts; call it before any thread exists.
+// Blocks SIGINT and SIGTERM in this thread and the threads that it starts. Call it before any
+// thread exists.
 void blockInterrupts();
 
-// Waits until `done()` holds; true when SIGINT or SIGTERM came first. Needs blockInterrupts().
+// Waits until `done()` is true. Returns true if SIGINT or SIGTERM came first. Precondition:
+// blockInterrupts() was called.
 bool waitOrInterrupted(const std::function<bool()>& done);
 
-// Runs `work` and returns what it ends with. After an interrupt it is given 0.4 s to stop; work
-// that is still inside a library call then is left behind: `abandon` tidies up and the process
-// ends with exit code 5 (docs/design.md, Progress and cancel).
+// Runs `work` and returns its outcome. After an interrupt the work has 0.4 s to stop. If it is
+// still inside a library call then, `abandon` cleans up and the process ends with exit code 5
+// (docs/design.md, Progress and cancel).
 template <typename F>
 auto runInterruptibly(F work, int threads, base::ProgressSink sink,
                       const std::function<void()>& abandon) {
@@ -53,7 +55,7 @@ auto runInterruptibly(F work, int threads, base::ProgressSink sink,
   return outcome;
 }
 
-// What a run came to; nothing where it was cancelled. Throws Error with which it ended.
+// Returns the result of a run; nullopt if it was cancelled. Throws the Error with which it ended.
 template <typename T> std::optional<T> endedWith(base::Outcome<T> outcome) {
   if (const auto* error = std::get_if<base::Error>(&outcome))
     throw *error;
@@ -62,8 +64,8 @@ template <typename T> std::optional<T> endedWith(base::Outcome<T> outcome) {
   return std::nullopt;
 }
 
-// What a run that fills a folder came to: the folder is there now. Nothing where the run was
-// cancelled: one line says so. Throws Error with which the run ended.
+// Returns the result of a run that fills a folder, and moves the folder into place. Returns nullopt
+// and prints a line if the run was cancelled. Throws the Error with which it ended.
 template <typename T>
 std::optional<T> settled(base::Outcome<T> outcome, base::StagedFolder& staged,
                          const std::filesystem::path& folder) {

@@ -1,6 +1,6 @@
-// voluta-mesh-reader as-written|upright FILE: a mesh file through assimp, its triangles to standard
-// output as nine doubles each. Run by geometry/formats/foreign_reader.cpp, which says what the two
-// words mean.
+// voluta-mesh-reader as-written|upright FILE: reads a mesh file with assimp and writes its
+// triangles to standard output as nine doubles each. Run by geometry/formats/foreign_reader.cpp,
+// which explains the two words.
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   const bool collada = endsWith(file, ".dae");
   const bool gltf = endsWith(file, ".gltf") || endsWith(file, ".glb");
   Assimp::Importer importer;
-  // Whole scenes are asked for as they are; of COLLADA assimp makes y up where it is not told.
+  // Scenes are read as they are. In COLLADA files without an up axis, assimp assumes y.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, !upright);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);

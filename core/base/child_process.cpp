@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Reads to the end of the output or to a limit.
+// Reads until the output ends or a limit is reached.
 ChildResult::End readAll(int from, Clock::time_point until, std::size_t most, std::string& output) {
   std::string buffer(1 << 16, '\0');
   while (true) {
@@ -40,7 +40,7 @@ ChildResult::End readAll(int from, Clock::time_point until, std::size_t most, st
   }
 }
 
-// Ends as soon as the child does; after `until` it is killed.
+// Returns when the child ends; after `until` the child is killed.
 bool ends(pid_t child, Clock::time_point until, int& status) {
   while (true) {
     const pid_t done = ::waitpid(child, &status, WNOHANG);
@@ -72,7 +72,7 @@ ChildResult runChild(const std::filesystem::path& program,
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  // The caller may block signals that are meant for it alone.
+  // The caller may block signals that are meant only for it.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none;
@@ -100,7 +100,7 @@ ChildResult runChild(const std::filesystem::path& program,
     }
   } else if (WIFEXITED(status)) {
     result.code = WEXITSTATUS(status);
-    constexpr int kNoProgram = 127; // what a spawn that fails late ends with
+    constexpr int kNoProgram = 127; // Exit code of a spawn that fails late
     if (result.code == kNoProgram && result.output.empty())
       result.end = ChildResult::End::NotStarted;
   } else {

@@ -1,4 +1,4 @@
-// Another program, run to its end under a time limit: for work that may crash or never end.
+// Runs another program to its end under a time limit, for work that may crash or never end.
 #pragma once
 
 #include <chrono>
@@ -11,21 +11,22 @@ namespace voluta::base {
 
 struct ChildResult {
   enum class End { Exited, Crashed, TimedOut, TooMuchOutput, NotStarted } end = End::NotStarted;
-  int code = 0;       // with Exited
-  std::string output; // what it wrote to its standard output
+  int code = 0;       // Set with Exited
+  std::string output; // Its standard output
 };
 
 struct ChildLimits {
   std::chrono::milliseconds time{20000};
-  std::size_t bytes = std::size_t(1) << 31; // of output
+  std::size_t bytes = std::size_t(1) << 31; // Of output
 };
 
-// Standard input and error are /dev/null. A program over a limit is killed. Never throws but for
-// want of memory; its callers say what its end means.
+// Standard input and error are /dev/null. A program that exceeds a limit is killed. Throws only if
+// memory runs out; callers interpret how the program ended.
 ChildResult runChild(const std::filesystem::path& program,
                      const std::vector<std::string>& arguments, const ChildLimits& limits);
 
-// A program that comes with this one, in the same folder. Whether it is there, runChild tells.
+// Returns the path of a companion program in the folder of this one. runChild reports whether it
+// exists.
 std::filesystem::path programBeside(const std::string& name);
 
 } // namespace voluta::base

@@ -1,11 +1,11 @@
-// How long something takes, in words.
+// Durations as text.
 #pragma once
 
 #include "base/text.h"
 
 namespace voluta::base {
 
-// "12 s", "5 min 30 s", "2 h 29 min", rounded to the last unit.
+// Returns "12 s", "5 min 30 s" or "2 h 29 min", rounded to the last unit.
 Message duration(double seconds);
 
 } // namespace voluta::base

@@ -33,9 +33,9 @@ std::string readFile(const fs::path& path) {
     throw Error(ErrorCode::UnreadableFile, "no such file"_text, path.string());
   if (fs::is_directory(path, status))
     throw Error(ErrorCode::UnreadableFile, "is a directory, not a file"_text, path.string());
-  // A device or a pipe may never end.
+  // Reading a device or a pipe might never end.
   if (!fs::is_regular_file(path, status))
-    throw Error(ErrorCode::UnreadableFile, "is no ordinary file, but a device or a pipe"_text,
+    throw Error(ErrorCode::UnreadableFile, "is not a regular file, but a device or a pipe"_text,
                 path.string(), "copy it to a file first"_text);
   std::ifstream in(path, std::ios::binary);
   if (!in)

@@ -1,4 +1,4 @@
-// Files that are written whole or not at all, and read with clear errors.
+// Files that are written completely or not at all, and read with clear errors.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,18 @@
 
 namespace voluta::base {
 
-// The bytes of a file. Throws Error{UnreadableFile}: missing, a directory, unreadable.
+// Returns the bytes of a file. Throws Error{UnreadableFile} if it is missing, a directory or
+// unreadable.
 std::string readFile(const std::filesystem::path& path);
 
-// Writes to a sibling temporary and renames it over `path`. Throws Error{CannotWrite}; then `path`
-// is as it was.
+// Writes to a temporary file beside `path` and renames it. Throws Error{CannotWrite}; `path` is
+// then unchanged.
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
-// The parts one after the other, of which nothing is copied.
+// Writes the parts one after the other, without copying them.
 void writeFile(const std::filesystem::path& path, std::span<const std::string_view> parts);
 
-// Folder of the program's data (robots/, cells/, processes/): VOLUTA_RESOURCES if set, else
-// ../share/voluta beside the running program. Throws Error{UnreadableFile} when there is none.
+// Returns the folder of the program's data (robots/, cells/, processes/): VOLUTA_RESOURCES if set,
+// else ../share/voluta beside the running program. Throws Error{UnreadableFile} if there is none.
 std::filesystem::path resourceFolder();
 
 } // namespace voluta::base

@@ -1,4 +1,4 @@
-// Indices that files and meshes keep as int, for containers.
+// Converts indices that files and meshes store as int for use with containers.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A value in a JSON file that knows its file and its key, so that every complaint names both.
+// A value in a JSON file that knows its file and key, so that every error names both.
 #pragma once
 
 #include "base/error.h"
@@ -15,24 +15,24 @@ namespace voluta::base {
 
 class JsonNode {
 public:
-  // Reads and parses a file whose top is an object. Throws Error{UnreadableFile}: not there, not
-  // readable or not JSON; Error{UnusableInput}: no object.
+  // Reads and parses a file whose top level is an object. Throws Error{UnreadableFile} if it is
+  // missing, unreadable or not JSON; Error{UnusableInput} if it is no object.
   static JsonNode readFile(const std::filesystem::path& file);
-  // The same from its text; `file` names it in errors.
+  // The same from text; `file` names it in errors.
   static JsonNode parse(std::string_view text, const std::string& file);
 
-  // All below throw Error{UnusableInput} with the file as context and the key's path in the
-  // message.
-  JsonNode at(std::string_view key) const; // a member that must be there
+  // All functions below throw Error{UnusableInput} with the file as context and the key's path in
+  // the message.
+  JsonNode at(std::string_view key) const; // A required member
   bool has(std::string_view key) const;
-  // A typing error in an optional key must not pass in silence.
+  // Throws if there are other keys, so that a typing error in an optional key is reported.
   void allowOnly(std::initializer_list<std::string_view> keys) const;
 
   std::string text() const;
   bool boolean() const;
-  double number() const; // finite
+  double number() const; // Finite
   int integer() const;
-  std::vector<JsonNode> items() const; // of an array
+  std::vector<JsonNode> items() const; // Of an array
   double positive() const;             // number() > 0
   double notNegative() const;          // number() >= 0
 
@@ -42,7 +42,7 @@ private:
   JsonNode(std::shared_ptr<const nlohmann::json> root, const nlohmann::json* value,
            std::string file, std::string key);
 
-  std::shared_ptr<const nlohmann::json> root_; // keeps value_ alive
+  std::shared_ptr<const nlohmann::json> root_; // Keeps value_ alive
   const nlohmann::json* value_;
   std::string file_, key_;
 };

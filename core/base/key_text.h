@@ -1,5 +1,5 @@
-// What something is made from, as text: equal texts, equal values. Made from the very options that
-// it takes, member by member, so that none can be forgotten.
+// Cache key: canonical text of all inputs; equal keys mean equal results. Built from the options
+// themselves, member by member, so that none can be forgotten.
 #pragma once
 
 #include "base/members.h"
@@ -18,8 +18,8 @@ namespace voluta::base {
 
 class KeyText {
 public:
-  // Numbers, texts, enumerations; lists and Eigen's columns of these; structs of these, whose
-  // members are taken in their order; and whatever has a function keyOf(value) beside it, which
+  // Accepts numbers, texts, enumerations; lists and Eigen columns of these; structs of these, whose
+  // members are added in order; and any type with a function keyOf(value) in its namespace that
   // returns a text.
   template <typename T> KeyText& add(const T& value) {
     if constexpr (requires {
@@ -60,12 +60,13 @@ public:
 private:
   void addNumber(double value);
   void addWhole(std::int64_t value);
-  void addText(std::string_view value); // with its length, so that no two lists of texts are alike
+  // With its length, so that different lists of texts give different keys
+  void addText(std::string_view value);
 
   std::string text_;
 };
 
-// One line.
+// Returns the key as one line.
 template <typename... T> std::string keyText(const T&... values) {
   KeyText key;
   (key.add(values), ...);

@@ -1,4 +1,5 @@
-// Numbers four at a time (GCC's and Clang's vectors: operators, comparisons and ?: work by lane).
+// Vectors of four numbers (GCC's and Clang's vector types: operators, comparisons and ?: work per
+// lane).
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@ inline constexpr int kLanes = 4;
 using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
 using Ints = std::int32_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
 
-// Of four numbers side by side in memory, which need not be aligned.
+// Loads four consecutive numbers, which need not be aligned.
 template <typename Four, typename T> Four load(const T* first) {
   Four four;
   std::memcpy(&four, first, sizeof(four));
@@ -24,7 +25,7 @@ template <typename Four, typename T> void store(const Four& four, T* first) {
 inline Floats floatsOf(Ints v) {
   return __builtin_convertvector(v, Floats);
 }
-// Towards zero.
+// Rounds towards zero.
 inline Ints intsOf(Floats v) {
   return __builtin_convertvector(v, Ints);
 }
@@ -37,7 +38,7 @@ inline Floats max(Floats a, Floats b) {
 inline Floats absOf(Floats v) {
   return v < 0.0f ? -v : v;
 }
-// Of v >= 0.
+// Precondition: v >= 0.
 inline Floats fractionOf(Floats v) {
   return v - floatsOf(intsOf(v));
 }

@@ -1,4 +1,4 @@
-// A log file for whoever looks into a fault: what was done, in lines with their time.
+// A log file for diagnosing faults: the program's actions, one line each with its time.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@ namespace voluta::base {
 
 enum class LogLevel { Info, Warning, Error };
 
-// Copies write to the same file. To be written from any thread.
+// Copies write to the same file. Thread-safe.
 class Log {
 public:
   // Writes nothing.
   Log() = default;
-  // Goes on where the file ends; at `mostBytes` it becomes NAME.1.log, and so on to NAME.2.log, so
-  // that the three hold that much each at most. Makes the folder. Throws Error{CannotWrite}.
+  // Appends to the file; at `mostBytes` it becomes NAME.1.log, and that one NAME.2.log, so that
+  // each of the three has at most that size. Creates the folder. Throws Error{CannotWrite}.
   explicit Log(const std::filesystem::path& file, std::size_t mostBytes = 200000);
 
-  // One line, in the file at once; line ends within the message become spaces. What cannot be
-  // written is lost without a word: a log is no reason to stop.
+  // Writes one line, immediately; line breaks within the message become spaces. Write errors are
+  // ignored, since logging must not stop the program.
   void write(LogLevel level, std::string_view message) const;
 
 private:

@@ -1,4 +1,4 @@
-// Text that is put into XML or HTML.
+// Text for use in XML or HTML.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace voluta::base {
 
-// With entities for what is markup: & < > ".
+// Returns the text with entities for the markup characters & < > ".
 std::string escapedMarkup(std::string_view text);
 
 } // namespace voluta::base

@@ -1,4 +1,4 @@
-// The members of a plain struct in their order, without a list of them that could fall behind.
+// Access to the members of a plain struct in order, without a list that could become outdated.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace voluta::base {
 namespace detail {
 
 struct Anything {
-  template <typename T> operator T() const; // never called
+  template <typename T> operator T() const; // Never called
 };
 
 template <typename T, std::size_t... I> constexpr bool takes(std::index_sequence<I...>) {
@@ -33,8 +33,8 @@ template <typename T, std::size_t N = kMostMembers> constexpr std::size_t countM
 
 } // namespace detail
 
-// References to the members of an aggregate without base classes, of 20 members at most, none of
-// them an array or an optional.
+// Returns references to the members of an aggregate without base classes; at most 20 members, none
+// of them an array or an optional.
 template <typename T> auto members(const T& t) {
   static_assert(std::is_aggregate_v<T>);
   constexpr std::size_t n = detail::countMembers<T>();

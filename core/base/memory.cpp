@@ -19,7 +19,7 @@ std::string textOf(const char* file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// "max" and a file that is not there: unknown.
+// "max" and a missing file count as unknown.
 std::uint64_t numberIn(const char* file) {
   const std::string text = textOf(file);
   std::uint64_t value = 0;
@@ -60,7 +60,7 @@ void returnFreedMemory() {
 double peakResidentMb() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0; // Linux gives KiB
+  return static_cast<double>(usage.ru_maxrss) / 1024.0; // Linux reports KiB
 }
 
 } // namespace voluta::base

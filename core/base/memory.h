@@ -1,4 +1,4 @@
-// How much memory the machine can still give, and what was taken of it.
+// Available memory of the machine and memory use of this process.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +7,25 @@
 
 namespace voluta::base {
 
-// Bytes that can be taken without swapping: what the kernel calls available, or what the control
-// group of this process leaves, if that is less. The largest number where neither is known.
+// Returns the bytes that can be allocated without swapping: the kernel's estimate of available
+// memory, or the rest of this process's control group limit if that is less. Returns the largest
+// number if neither is known.
 std::uint64_t availableMemory();
 
-// The most that this process has held at once, in MiB.
+// Returns the peak resident memory of this process [MiB].
 double peakResidentMb();
 
-// Gives back to the system what was freed and is kept for the next time: stages and their steps
-// hold much while they last, and another one's blocks don't fit into theirs.
+// Returns freed heap pages to the operating system (malloc_trim). Stages hold much memory while
+// they run, and the freed blocks of one often do not fit the needs of the next.
 void returnFreedMemory();
 
-// Empties them and gives back what they hold, which `= {}` does not.
+// Empties the vectors and frees their storage, which `= {}` does not.
 template <typename... Ts> void freeStorage(std::vector<Ts>&... vectors) {
   (std::vector<Ts>().swap(vectors), ...);
 }
 
-// The number after `key` in text like that of /proc/meminfo, times 1024; 0: not there.
+// Returns the number after `key` in text like that of /proc/meminfo, times 1024; 0 if it is
+// missing.
 std::uint64_t kibibytesOf(std::string_view text, std::string_view key);
 
 } // namespace voluta::base

@@ -1,11 +1,11 @@
-// Numbers whose bits look like chance, the same each time.
+// Deterministic pseudo-random bits.
 #pragma once
 
 #include <cstdint>
 
 namespace voluta::base {
 
-// The mixing function of SplitMix64 (Steele, Lea & Flood 2014): one to one.
+// The mixing function of SplitMix64 (Steele, Lea & Flood 2014): a bijection.
 constexpr std::uint64_t mixedBits(std::uint64_t z) {
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
   z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;

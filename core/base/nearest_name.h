@@ -9,10 +9,10 @@
 
 namespace voluta::base {
 
-// The candidate with the least edit distance to `word` (case ignored; first of equals), or an
-// empty string when there are no candidates.
+// Returns the candidate with the smallest edit distance to `word` (ignoring case; the first of
+// equals), or an empty string if there are no candidates.
 std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);
-// "did you mean ...?", the remedy of an error; empty when there are no candidates.
+// Returns the remedy "did you mean ...?"; empty if there are no candidates.
 Message didYouMean(std::string_view word, const std::vector<std::string>& candidates);
 
 } // namespace voluta::base

@@ -21,7 +21,7 @@ std::vector<double> readRow(std::string_view line, const Message& place) {
     double value = 0.0;
     const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (status != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
-      throw Error(ErrorCode::UnusableInput, message("'{word}' is no number"_text, word), place);
+      throw Error(ErrorCode::UnusableInput, message("'{word}' is not a number"_text, word), place);
     row.push_back(value);
     line.remove_prefix(word.size());
   }
@@ -39,8 +39,8 @@ std::vector<std::vector<double>> readRows(std::string_view text, std::string_vie
       continue;
     if (!rows.empty() && row.size() != rows.front().size())
       throw Error(ErrorCode::UnusableInput,
-                  message("{found} numbers in a row, {wanted} in the first"_text, row.size(),
-                          rows.front().size()),
+                  message("{found} numbers in a row instead of {wanted} as in the first"_text,
+                          row.size(), rows.front().size()),
                   place);
     rows.push_back(std::move(row));
   }

@@ -1,4 +1,4 @@
-// Numbers that a user typed in one word, "5x200", "10,0,5", or put into a table.
+// Parses numbers that users type in one word, "5x200", "10,0,5", or put into a table.
 #pragma once
 
 #include "base/text.h"
@@ -9,13 +9,14 @@
 
 namespace voluta::base {
 
-// Is the text just as many finite numbers, the separator between them, blanks around them allowed?
-// Sets the values; what they are where it returns false is left open.
+// Returns whether the text has exactly as many finite numbers as `values`, with the separator
+// between them and optional blanks around them. Sets the values; if it returns false they are
+// unspecified.
 bool readNumbers(std::string_view text, char separator, std::initializer_list<double*> values);
 
-// The rows of a table of finite numbers, with commas, semicolons, tabs or blanks between them; what
-// follows a # and empty lines are no rows. `source`: what the table is called. Throws
-// Error{UnusableInput} with the line: what is no number, a row of another length than the first.
+// Returns the rows of a table of finite numbers, separated by commas, semicolons, tabs or blanks;
+// text after # and empty lines are ignored. `source`: the table's name. Throws Error{UnusableInput}
+// with the line if a value is no number or a row differs in length from the first.
 std::vector<std::vector<double>> readRows(std::string_view text, std::string_view source);
 
 } // namespace voluta::base

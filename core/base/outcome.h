@@ -1,4 +1,4 @@
-// The edge of a job: everything a stage can end with, as a value (docs/design.md, Errors).
+// The result of a job as a value: everything a stage can end with (docs/design.md, Errors).
 #pragma once
 
 #include "base/error.h"

@@ -1,4 +1,4 @@
-// The one place where work is spread over threads (workers.h behind it).
+// The one place where work is distributed over threads (workers.h implements it).
 #pragma once
 
 #include "base/run_context.h"
@@ -9,20 +9,21 @@
 
 namespace voluta::base {
 
-// Calls body(begin, end) for consecutive chunks of [0, count), each `grain` long but the last,
-// on up to ctx.threads() threads. The chunks do not depend on the number of threads, so results
-// written per index or per chunk are the same for any. Checks for cancel between chunks and
-// throws Cancelled; the first exception (by chunk order where several) leaves through here.
+// Calls body(begin, end) for consecutive chunks of [0, count), each `grain` long but the last, on
+// up to ctx.threads() threads. The chunks do not depend on the number of threads, so neither do
+// results written per index or per chunk. Checks for cancellation between chunks and throws
+// Cancelled. Rethrows the first exception (by chunk order).
 void parallelChunks(const RunContext& ctx, std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-// Calls body(index) for each of [0, count) the same way, one by one, and tells ctx how many are
-// done, as up to `share` of its work in the phase `phase`: from the calling thread, which takes
-// part.
+// Calls body(index) for each of [0, count) in the same way, one by one, and reports progress to
+// ctx, up to `share` of its work, in the phase `phase`. The calling thread reports and also takes
+// part in the work.
 void parallelWithProgress(const RunContext& ctx, std::size_t count, double share, const Text& phase,
                           const std::function<void(std::size_t index)>& body);
 
-// Sum of body(begin, end) over the chunks, added in chunk order: the same for any thread count.
+// Returns the sum of body(begin, end) over the chunks, added in chunk order: the same for any
+// number of threads.
 template <typename T>
 T parallelSum(const RunContext& ctx, std::size_t count, std::size_t grain, T zero,
               const std::function<T(std::size_t begin, std::size_t end)>& body) {

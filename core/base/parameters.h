@@ -1,5 +1,5 @@
-// Parameters declared once: form, validation, project file, command line and manual come from the
-// same table (docs/design.md, Parameters). A module exports its table and turns values into a typed
+// Parameters declared once: form, validation, project file, command line and manual use the same
+// table (docs/design.md, Parameters). A module exports its table and converts values to a typed
 // struct.
 #pragma once
 
@@ -18,21 +18,21 @@ using ParameterValue = std::variant<double, long long, bool, std::string>;
 enum class ParameterType { Number, Integer, Boolean, Choice, Text };
 
 struct Choice {
-  std::string id; // as it is typed
+  std::string id; // As typed
   Text label;
 };
 
 struct ParameterSpec {
-  std::string key; // unique over all tables, camelCase
+  std::string key; // Unique over all tables, camelCase
   ParameterType type = ParameterType::Number;
   std::string unit; // "mm", "mm/s", "deg", "" for none
   ParameterValue defaultValue;
-  double minimum = 0.0, maximum = 0.0; // inclusive; Number and Integer
+  double minimum = 0.0, maximum = 0.0; // Inclusive; Number and Integer
   std::vector<base::Choice> choices;   // Choice
-  Text group;                          // heading in the form
-  Text label;                          // a few words
-  Text help;                           // one sentence or two
-  bool simple = false;                 // shown in the simple form too
+  Text group;                          // Heading in the form
+  Text label;                          // A few words
+  Text help;                           // One or two sentences
+  bool simple = false;                 // Shown in the simple form too
 };
 
 ParameterSpec numberParameter(std::string key, std::string unit, double defaultValue,
@@ -53,11 +53,11 @@ ParameterSpec choiceParameter(std::string key, std::string defaultValue,
 class ParameterTable {
 public:
   ParameterTable() = default;
-  // Throws Error{Internal} when two specs share a key.
+  // Throws Error{Internal} if two specs share a key.
   explicit ParameterTable(std::vector<ParameterSpec> specs);
 
   const std::vector<ParameterSpec>& specs() const { return specs_; }
-  // nullptr when there is no such key.
+  // Returns nullptr if there is no such key.
   const ParameterSpec* find(std::string_view key) const;
   // Appends another module's table. Throws Error{Internal} on a shared key.
   void append(const ParameterTable& other);
@@ -66,8 +66,8 @@ private:
   std::vector<ParameterSpec> specs_;
 };
 
-// The value of `text` for `spec`. Throws Error{Usage} that names the key and its range, choices or
-// type, and for a wrong choice the nearest one.
+// Returns the value of `text` for `spec`. Throws Error{Usage} that names the key and its range,
+// choices or type, and for a wrong choice the nearest one.
 ParameterValue parseParameter(const ParameterSpec& spec, std::string_view text);
 std::string formatParameter(const ParameterValue& value);
 
@@ -77,7 +77,7 @@ public:
   explicit ParameterValues(ParameterTable table) : table_(std::move(table)) {}
 
   const ParameterTable& table() const { return table_; }
-  // Throws Error{Usage}: an unknown key (the nearest is named), a wrong value.
+  // Throws Error{Usage} for an unknown key (naming the nearest) or an invalid value.
   void set(std::string_view key, std::string_view text);
   // "key=value", as on the command line.
   void setAssignment(std::string_view assignment);
@@ -85,7 +85,8 @@ public:
   bool changed(std::string_view key) const;
   const std::map<std::string, ParameterValue, std::less<>>& changes() const { return changed_; }
 
-  // Precondition (Error{Internal}): the key exists and has that type. number() takes integers too.
+  // Precondition (Error{Internal}): the key exists and has that type. number() accepts integers
+  // too.
   double number(std::string_view key) const;
   long long integer(std::string_view key) const;
   bool boolean(std::string_view key) const;

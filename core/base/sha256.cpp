@@ -9,7 +9,7 @@ namespace voluta::base {
 
 namespace {
 
-// Fractions of the cube roots of the first 64 primes (FIPS 180-4, 4.2.2).
+// Fractional parts of the cube roots of the first 64 primes (FIPS 180-4, 4.2.2).
 constexpr std::array<std::uint32_t, 64> kRounds{
     0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
     0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
@@ -21,7 +21,7 @@ constexpr std::array<std::uint32_t, 64> kRounds{
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
 using State = std::array<std::uint32_t, 8>;
-// Fractions of the square roots of the first eight primes (5.3.3).
+// Fractional parts of the square roots of the first eight primes (5.3.3).
 constexpr State kBegin{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                        0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
 
@@ -63,7 +63,7 @@ std::string sha256(std::string_view bytes) {
   std::size_t at = 0;
   for (; bytes.size() - at >= 64; at += 64)
     take(state, data + at);
-  // What is left, a one, zeroes, and the length in bits (5.1.1).
+  // The remaining bytes, a one bit, zeros, and the length in bits (5.1.1).
   std::array<unsigned char, 128> last{};
   const std::size_t left = bytes.size() - at;
   for (std::size_t i = 0; i < left; ++i)

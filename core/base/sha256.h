@@ -1,4 +1,4 @@
-// The name of a file's content, as sha256sum gives it.
+// Hash of a file's content, as computed by sha256sum.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace voluta::base {
 
-// 64 hexadecimal digits (FIPS 180-4, section 6.2).
+// Returns 64 hexadecimal digits (FIPS 180-4, section 6.2).
 std::string sha256(std::string_view bytes);
 
 } // namespace voluta::base

@@ -15,7 +15,7 @@ ShownNumber shownNumber(double value, int digits) {
     return {value, 0};
   if (std::abs(value) < kLeast)
     return {};
-  // "3.48e+03": the library rounds, and knows the exponent after rounding.
+  // Formatted as "3.48e+03", because the library rounds and gives the exponent after rounding.
   const std::string text = fmt::format("{:.{}e}", value, digits - 1);
   const std::size_t e = text.find('e');
   const std::size_t point = std::min(text.find('.'), e);

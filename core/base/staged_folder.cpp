@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* kJournal = ".journal";
 constexpr const char* kReplaced = ".replaced";
-constexpr const char* kNote = ".note"; // in its place: kUnfinishedNote
+constexpr const char* kNote = ".note"; // Stored as kUnfinishedNote in the target
 constexpr std::string_view kNoteText =
     "An export into this folder was broken off: its files may be of two exports.\n"
     "Do not run them. Export again, or open or verify one of them with Voluta: either\n"
@@ -42,7 +42,8 @@ bool isFolder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path, status));
 }
 
-// The first folder at or above `path` that exists; for a target "a/b" without "a" that is ".".
+// Returns the first folder at or above `path` that exists; for a target "a/b" without "a" that is
+// ".".
 fs::path existingFolder(fs::path path) {
   while (!path.empty() && !isThere(path))
     path = path.parent_path();
@@ -54,7 +55,7 @@ fs::path wholePath(const fs::path& target) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-// Where a set for `target` may be staged: the first that can be used is.
+// Returns the candidate staging folders for `target`; the first usable one is taken.
 std::vector<fs::path> stagingPlaces(const fs::path& target) {
   const fs::path standing = existingFolder(target);
   if (standing != target)
@@ -71,7 +72,7 @@ std::string stagingPrefix(const fs::path& target) {
   return fmt::format(".{}.voluta-", target.filename().string());
 }
 
-// -1: another process is about it.
+// Returns -1 if another process is using the folder.
 int lockOf(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
@@ -84,17 +85,18 @@ void syncFolder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0)
     return;
-  ::fsync(descriptor); // not every file system can
+  ::fsync(descriptor); // Not every file system supports this
   ::close(descriptor);
 }
 
-// The staged set on its way into its folder. Each step can be done again: what was killed in the
-// middle is gone on with.
+// The staged set on its way into its folder. Each step can be repeated, so an interrupted move is
+// continued.
 class Set {
 public:
   Set(const fs::path& staging, const fs::path& target) : staging_(staging), target_(target) {}
 
-  // Throws Error{CannotWrite}: one cannot be moved; then those before it are back.
+  // Throws Error{CannotWrite} if a file cannot be moved; the files moved before it are then moved
+  // back.
   void moveIn(const std::vector<std::string>& names) const {
     std::error_code ignored;
     fs::create_directory(staging_ / kReplaced, ignored);
@@ -113,9 +115,10 @@ private:
                    old = staging_ / kReplaced / name;
     std::error_code status;
     if (!isThere(staged))
-      return status; // it is in its place
+      return status; // It is in its place already
     if (isThere(place) && !isThere(old)) {
-      // A file keeps its name until the new one has it; folders and some file systems cannot.
+      // A file keeps its name until the new one has it; folders and some file systems do not
+      // support this.
       const bool linked =
           !isFolder(place) && !isFolder(staged) && ::link(place.c_str(), old.c_str()) == 0;
       if (!linked)
@@ -139,7 +142,7 @@ private:
   fs::path staging_, target_;
 };
 
-// The target, then the names of what comes into it.
+// Returns the target, then the names of the files and folders to move into it.
 std::string journalText(const fs::path& target, const std::vector<std::string>& names) {
   std::string text = target.string() + '\n';
   for (const std::string& name : names)
@@ -154,7 +157,7 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-// From here to the end the journal counts.
+// While the journal exists, the new set is the valid one.
 void carryOut(const fs::path& staging, const fs::path& target,
               const std::vector<std::string>& names) {
   const fs::path note = target / kUnfinishedNote;
@@ -215,7 +218,7 @@ void StagedFolder::commit() {
     fs::create_directories(target_.parent_path(), status);
     if (status)
       throw cannotWrite(target_, status.message());
-    // mkdtemp's are for their owner alone.
+    // Folders made by mkdtemp are accessible to their owner only.
     const mode_t mask = ::umask(0);
     ::umask(mask);
     ::chmod(staging_.c_str(), 0777 & ~mask);

@@ -1,4 +1,4 @@
-// Wall time of a stage, for the report.
+// Wall-clock time of a stage, for the report.
 #pragma once
 
 #include <chrono>

@@ -26,7 +26,7 @@ NumberFormat numberFormat(std::string_view format) {
   return f;
 }
 
-// 0 for what would be written as -0.0.
+// Returns 0 for numbers that would be written as -0.0.
 double withoutIdleSign(double number, const NumberFormat& f) {
   return f.letter == 'f' && std::abs(number) < 0.5 * std::pow(10.0, -f.digits) ? 0.0 : number;
 }

@@ -1,6 +1,5 @@
-// What a user reads, as data: a sentence with named places and the values that belong there.
-// English is made of it at the edge (command line, report, log), every other language by the same
-// rules.
+// User-visible text as data: a sentence with named placeholders and their values. It is formatted
+// in English for command line, report and log, and in other languages by the same rules.
 #pragma once
 
 #include <concepts>
@@ -16,16 +15,16 @@ namespace voluta::base {
 
 class Text;
 
-// A place in a sentence: "{name}", "{name:.2f}" or "{name:.3g#}": how a number is written there,
-// and # where its unit is left out. begin and end are positions in the sentence.
+// A placeholder in a sentence: "{name}", "{name:.2f}" or "{name:.3g#}": the format of a number, and
+// # if its unit is omitted. begin and end are positions in the sentence.
 struct PlaceMark {
   std::size_t begin = 0, end = 0;
   std::string_view name, format;
   bool bare = false;
 };
-// The first place at `from` or behind it; other braces are text.
+// Finds the first placeholder at or after `from`; other braces are text.
 constexpr bool findPlace(std::string_view sentence, std::size_t from, PlaceMark& mark);
-// The names of places in the order in which they first come, each once.
+// Returns the names of the placeholders in order of first occurrence, without duplicates.
 std::vector<std::string_view> placeNames(std::string_view sentence);
 constexpr std::size_t countPlaces(std::string_view sentence);
 
@@ -33,12 +32,12 @@ constexpr std::size_t countPlaces(std::string_view sentence);
 
 namespace voluta {
 inline namespace literals {
-// "platform '{platform}' has no usable size"_text
+// "platform '{platform}' has no valid size"_text
 consteval base::Text operator""_text(const char* sentence, std::size_t length);
-// "{pieces} piece is not laid|{pieces} pieces are not laid"_plural: for one and for any other
+// "{pieces} piece is left out|{pieces} pieces are left out"_plural: for one and for any other
 // number. The first value that is a whole number decides.
 consteval base::Text operator""_plural(const char* sentences, std::size_t length);
-// A name in the code that no language changes: a key, an option, a format's id.
+// A name that no language translates: a key, an option, a format's id.
 inline std::string operator""_name(const char* name, std::size_t length) {
   return {name, length};
 }
@@ -49,15 +48,16 @@ namespace voluta::base {
 
 using namespace literals;
 
-// A sentence or a word of the program's own, in English. Made only from a literal with one of the
-// two marks above, by which it gets into the list for translators: nothing else can be said to a
-// user.
+// A sentence or a word of the program, in English. It can only be made from a literal with one of
+// the two suffixes above, which put it on the translators' list, so every text shown to users can
+// be translated.
 class Text {
 public:
-  constexpr Text() = default; // empty
+  constexpr Text() = default; // Empty
 
-  constexpr std::string_view english() const { return english_; } // for many, where that differs
-  constexpr std::string_view one() const { return one_; }         // empty: no form of its own
+  // For other numbers, if the forms differ
+  constexpr std::string_view english() const { return english_; }
+  constexpr std::string_view one() const { return one_; } // Empty: no separate form
   constexpr bool empty() const { return english_.empty(); }
   constexpr bool plural() const { return !one_.empty(); }
   friend constexpr bool operator==(const Text&, const Text&) = default;
@@ -110,7 +110,7 @@ inline Quantity seconds(double value) {
   return {value, Unit::Second};
 }
 
-// A point in mm, written "(1, 2, 3)".
+// A point [mm], written "(1, 2, 3)".
 struct Point {
   double x = 0.0, y = 0.0, z = 0.0;
   friend bool operator==(const Point&, const Point&) = default;
@@ -118,20 +118,20 @@ struct Point {
 
 struct Message;
 
-// What stands at a place. Text that comes from elsewhere (files, keys, ids, what a user typed, what
-// a library said) is a name and stays as it is in every language.
+// The value of a placeholder. Text from elsewhere (files, keys, ids, user input, library messages)
+// is a name and is not translated.
 class Value {
 public:
   using Data = std::variant<std::string, long long, Quantity, Point, Text, std::vector<Message>>;
 
-  Value();                      // an empty name
+  Value();                      // An empty name
   Value(std::string name);      // NOLINT(google-explicit-constructor)
   Value(std::string_view name); // NOLINT(google-explicit-constructor)
-  Value(const char*) = delete;  // a word of our own is a Text, a name in the code is "..."_name
+  Value(const char*) = delete;  // A word of the program is a Text, a name in the code is "..."_name
   template <std::integral T>
   requires(!std::same_as<T, bool> && !std::same_as<T, char>) Value(T whole)
       : Value(Whole{static_cast<long long>(whole)}) {} // NOLINT
-  template <std::floating_point T> Value(T) = delete;  // number(), mm() ... say what it is
+  template <std::floating_point T> Value(T) = delete;  // Use number(), mm() ... to state the unit
   Value(Quantity quantity);                            // NOLINT(google-explicit-constructor)
   Value(Point point);                                  // NOLINT(google-explicit-constructor)
   Value(Text word);                                    // NOLINT(google-explicit-constructor)
@@ -144,7 +144,7 @@ public:
   ~Value();
 
   const Data& data() const { return data_; }
-  bool empty() const; // an empty name, word or list
+  bool empty() const; // An empty name, word or list
   friend bool operator==(const Value& a, const Value& b);
 
 private:
@@ -155,7 +155,8 @@ private:
   Data data_;
 };
 
-// A sentence with its values, in the order in which their places first come in text.english().
+// A sentence with its values, in the order in which their placeholders first occur in
+// text.english().
 struct Message {
   Message();
   Message(Text text); // NOLINT(google-explicit-constructor): one without places
@@ -168,7 +169,7 @@ struct Message {
   std::vector<Value> values;
 };
 
-// A text with just as many places as there are values.
+// A text with exactly as many placeholders as there are values.
 template <std::size_t N> struct TextWithPlaces {
   consteval TextWithPlaces(Text given) : text(given) { // NOLINT(google-explicit-constructor)
     if (countPlaces(given.english()) != N)
@@ -185,14 +186,14 @@ template <typename... V> Message message(TextWithPlaces<sizeof...(V)> text, V&&.
   return Message(text.text, std::move(all));
 }
 
-// How a language writes what a message is made of. This one writes English, as reports have it.
+// Formats messages in a language. This class writes English, as in reports.
 class Language {
 public:
   virtual ~Language() = default;
-  // The sentence with its places; `count` where the number decides about its form.
+  // Returns the sentence with its placeholders; `count` is set if the number decides the form.
   virtual std::string sentence(Text text, std::optional<long long> count) const;
   virtual std::string whole(long long number) const;
-  // `format`: "g", "f" or empty (as "g"), `digits` significant ones or decimals.
+  // `format`: "g", "f" or empty (as "g"); `digits`: significant digits or decimals.
   virtual std::string number(double number, char format, int digits) const;
   virtual std::string withUnit(const std::string& number, Unit unit) const;
   virtual std::string list(const std::vector<std::string>& parts) const;
@@ -202,10 +203,10 @@ std::string inWords(const Message& message, const Language& language);
 std::string inWords(const Value& value, const Language& language);
 std::string english(const Message& message);
 std::string english(const Value& value);
-std::string english(Text text); // one without places
+std::string english(Text text); // For texts without placeholders
 std::vector<std::string> english(const std::vector<Message>& messages);
 
-// ---- what has to be known at compile time
+// ---- Needed at compile time
 
 constexpr bool findPlace(std::string_view s, std::size_t from, PlaceMark& mark) {
   const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };

@@ -1,4 +1,5 @@
-// mm, radians and seconds everywhere inside; other units only in readers, writers and forms.
+// Internal units are mm, radians and seconds; other units are used only in readers, writers and
+// forms.
 #pragma once
 
 #include <numbers>
@@ -6,7 +7,7 @@
 namespace voluta::base {
 
 inline constexpr double kPi = std::numbers::pi;
-inline constexpr double kTurn = 2.0 * kPi; // a whole one
+inline constexpr double kTurn = 2.0 * kPi; // A full turn
 
 constexpr double degreesToRadians(double degrees) {
   return degrees * kPi / 180.0;

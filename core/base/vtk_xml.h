@@ -1,4 +1,4 @@
-// Files of VTK's XML formats for other programs (ParaView), written without VTK.
+// Writes files in VTK's XML formats for other programs (ParaView), without VTK.
 #pragma once
 
 #include <cstddef>
@@ -11,26 +11,26 @@
 
 namespace voluta::base {
 
-// A file under way: elements with their arrays, whose values are appended raw and little-endian at
-// the end (https://docs.vtk.org, "VTK XML formats").
+// A file being written: elements with their arrays, whose values are appended raw and little-endian
+// at the end (https://docs.vtk.org, "VTK XML formats").
 class VtkXml {
 public:
-  // `type`: of the data set, e.g. "PolyData"; its element is open.
+  // `type`: of the data set, e.g. "PolyData"; its element is opened.
   using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
   explicit VtkXml(std::string_view type, Attributes attributes = {});
 
   void open(std::string_view element, Attributes attributes = {});
-  void close(); // the element opened last
+  void close(); // Closes the element opened last
 
-  // Within an element; T: float, double, std::uint8_t, std::int32_t, std::int64_t. `components`
-  // values make a tuple.
+  // Adds an array to the open element; T: float, double, std::uint8_t, std::int32_t, std::int64_t.
+  // `components` values form a tuple.
   template <typename T>
   void array(std::string_view name, const std::vector<T>& values, int components = 1);
-  // The same where a reader cannot know how many tuples there are (FieldData).
+  // As array(), for elements in which a reader cannot know the number of tuples (FieldData).
   template <typename T>
   void field(std::string_view name, const std::vector<T>& values, int components = 1);
 
-  // The bytes of the file; all elements are closed by it.
+  // Closes all elements and returns the bytes of the file.
   std::string finish();
 
 private:

@@ -15,8 +15,9 @@
 namespace voluta::base {
 
 #ifdef __SANITIZE_THREAD__
-// TBB is not built with the thread sanitizer, which therefore sees neither how it hands work over
-// nor how it waits: threads of our own, taken in turn by a count that orders nothing else.
+// TBB is not built with the thread sanitizer, which therefore does not see its hand-over and waits.
+// Under the sanitizer, plain threads take the work in turn from a counter that imposes no other
+// order.
 struct Workers::Pool {
   int threads;
 
@@ -34,13 +35,14 @@ struct Workers::Pool {
 };
 #else
 struct Workers::Pool {
-  // TBB has no more threads than the machine has cores, and warns of each arena that asks for more.
+  // TBB has at most as many threads as the machine has cores, and warns about each larger arena.
   explicit Pool(int threads) : arena(std::min(threads, oneapi::tbb::info::default_concurrency())) {}
   oneapi::tbb::task_arena arena;
 
   void onEach(std::size_t count, const std::function<void(std::size_t)>& work) {
     arena.execute([&] {
-      // Who waits here for others must not begin something else, which may hold what they need.
+      // A thread waiting here must not begin other work, which may hold resources that the awaited
+      // work needs.
       oneapi::tbb::this_task_arena::isolate([&] {
         oneapi::tbb::parallel_for(
             oneapi::tbb::blocked_range<std::size_t>(0, count, 1),

@@ -1,4 +1,4 @@
-// Threads that wait for work in between, so that small pieces of it are worth handing over.
+// Threads that are kept waiting between tasks, so that small pieces of work are worth distributing.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +7,18 @@
 
 namespace voluta::base {
 
-// The threads of a run; parallel.h is how to use them.
+// The threads of a run; use them through parallel.h.
 class Workers {
 public:
-  // threads >= 1, the caller's among them.
+  // threads >= 1, including the caller.
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  // Calls work(i) for every i in [0, count) and returns when all is done. `work` throws nothing.
-  // May be called from several threads, and from within `work`, which then waits for nothing else.
+  // Calls work(i) for every i in [0, count) and returns when all calls are done. `work` must not
+  // throw. May be called from several threads, and from within `work`, which then waits only for
+  // its own calls.
   void onEach(std::size_t count, const std::function<void(std::size_t)>& work);
 
 private:

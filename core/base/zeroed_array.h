@@ -1,5 +1,5 @@
-// An array of numbers that are all 0 at first. Only what is written to takes memory: a lattice over
-// a box costs what its filled part does.
+// An array of numbers that are initially 0. Only pages that are written to take memory: a lattice
+// over a box costs only its filled part.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,8 @@ public:
   const T* begin() const { return data_.get(); }
   const T* end() const { return data_.get() + size_; }
 
-  // Before element i is read and then written, from any thread: where an untouched page is read
-  // first, the kernel gives it twice, and stops the other threads to take the first one back.
+  // Call before element i is read and then written, from any thread. If an untouched page is read
+  // first, the kernel maps it twice and stops the other threads to take the first mapping back.
   void prepare(std::size_t i) {
     T zero{0};
     std::atomic_ref<T>(data_.get()[i])

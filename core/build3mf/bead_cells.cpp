@@ -22,7 +22,7 @@ bool isOfPart(const plan::ToolPath& path) {
   return path.kind != plan::PathKind::Support && !plan::isWaste(path.kind);
 }
 
-// The room of one segment; flat where its path begins and ends, round where it goes on.
+// The volume of one segment: flat where its path begins and ends, rounded where it continues.
 struct Room {
   Room(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i)
       : a(plan.position[i]), b(plan.position[i + 1]), up(plan.direction[i]),
@@ -82,14 +82,14 @@ geometry::TriangleMesh solidOfBeads(const plan::ToolPlan& plan, double pitchMm,
   });
   if (box.isEmpty() || !sections)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "holds neither an object nor beads that say how wide and high they are"_text);
+                      "contains neither an object nor beads with width and height"_text);
   voxel::VoxelGrid grid;
   grid.pitch = std::max(pitchMm, std::cbrt(box.volume() / kMostCells));
   grid.origin = (box.min() / grid.pitch).array().floor().matrix() * grid.pitch;
   const Vector3d cells = ((box.max() - grid.origin) / grid.pitch).array().ceil();
   if (!(cells.prod() <= 2.0 * kMostCells))
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "the beads reach too far to be filled with cells"_text);
+                      "the beads extend too far to be filled with cells"_text);
   grid.size = cells.cast<int>().cwiseMax(1);
   voxel::VoxelObject object;
   object.size = grid.size;
@@ -109,7 +109,7 @@ geometry::TriangleMesh solidOfBeads(const plan::ToolPlan& plan, double pitchMm,
   geometry::TriangleMesh solid = voxel::surfaceOf(object);
   if (solid.empty())
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "the beads are thinner than can be filled with cells"_text);
+                      "the beads are too thin to be filled with cells"_text);
   for (Vector3d& v : solid.vertices)
     v = grid.origin + grid.pitch * v;
   return solid;

@@ -1,4 +1,4 @@
-// The solid that beads make together, for tool-paths that come without the part they are of.
+// The solid formed by beads, for tool-paths that come without their part.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -10,12 +10,11 @@ class RunContext;
 
 namespace voluta::build3mf {
 
-// The surface of the cells, `pitchMm` wide, whose centres lie in the room that beads are laid for:
-// process::hatchOf wide, so that beads side by side leave nothing between them and the solid's
-// volume is the material's. Without supports and skirts. Closed; mm.
-// Preconditions (Error{Internal}): pitch > 0, arrays of one length.
-// Throws Error{UnusableInput}: a bead has no section, no beads, more cells than can be held;
-// Cancelled.
+// Returns the surface of the cells, `pitchMm` wide, whose centres are in the volume of the beads:
+// process::hatchOf wide, so that neighbouring beads leave no gap and the solid's volume is that of
+// the material. Without supports and skirts. Closed [mm]. Preconditions (Error{Internal}): pitch >
+// 0, arrays of one length. Throws Error{UnusableInput} if a bead has no section, there are no beads
+// or too many cells; Cancelled.
 geometry::TriangleMesh solidOfBeads(const plan::ToolPlan& plan, double pitchMm,
                                     const base::RunContext& ctx);
 

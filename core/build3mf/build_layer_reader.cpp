@@ -25,24 +25,24 @@ namespace {
 
 constexpr std::size_t kMostWaypoints = 20'000'000;
 constexpr double kFarthestMm = 1e6;
-constexpr double kStepMm = 0.1;      // within which a section that jumps changes
-constexpr double kSameShare = 1e-4;  // sections are the same within
-constexpr double kLeastWayMm = 1e-6; // shorter lines lay nothing
+constexpr double kStepMm = 0.1;      // Length over which a stepwise change of section is spread
+constexpr double kSameShare = 1e-4;  // Tolerance within which sections are the same
+constexpr double kLeastWayMm = 1e-6; // Shorter lines deposit nothing
 
-// A point's values by factor: at the line's begin and end; not a number: not given.
+// A point's values by factor, at the line's begin and end; NaN: not given.
 struct Factors {
   std::array<double, 4> from, to;
   Factors() { from.fill(nan()), to.fill(nan()); }
   static double nan() { return std::numeric_limits<double>::quiet_NaN(); }
 };
-struct Support { // a <sub>
+struct Support { // A <sub>
   double t = 0.0;
   std::array<double, 4> at{};
 };
 struct Point {
   Vector3d position = Vector3d::Zero();
   Quaterniond frame = Quaterniond::Identity();
-  Factors factors; // of the line that it closes
+  Factors factors; // Of the line that ends at this point
   std::vector<Support> supports;
 };
 
@@ -74,13 +74,14 @@ Factors factorsOf(const XmlAttributes& attributes) {
   return factors;
 }
 
-// A stretch of a line over which values change evenly.
+// A part of a line over which values change linearly.
 struct Piece {
   double from = 0.0, to = 1.0;
-  std::array<double, 3> begin{}, end{}; // in the order of Modulated
+  std::array<double, 3> begin{}, end{}; // In the order of Modulated
 };
 
-// The value of a factor along the line: its ends and the supports that have it.
+// Returns the value of a factor along the line, interpolated between its ends and the supports that
+// give it.
 double factorAt(const Point& point, std::size_t k, double t) {
   double t0 = 0.0, v0 = point.factors.from[k], t1 = 1.0, v1 = point.factors.to[k];
   for (const Support& s : point.supports) {
@@ -126,13 +127,13 @@ bool same(double a, double b) {
   return std::abs(a - b) <= kSameShare * std::max(std::abs(a), std::abs(b));
 }
 
-// Makes waypoints of the points of a segment.
+// Converts the points of a segment to waypoints.
 class Laying {
 public:
   Laying(const Profile& profile, const std::vector<Point>& points, plan::ToolPlan& into)
       : profile_(profile), points_(points), into_(into), first_(into.waypointCount()) {}
 
-  // How many waypoints it came to; fewer than two: it lays nothing.
+  // Returns the number of waypoints; fewer than two: the segment deposits nothing.
   std::size_t lay() {
     const Point* last = nullptr;
     for (const Point& point : points_) {
@@ -169,7 +170,7 @@ private:
   void add(const Point& a, const Point& b, double t, double width, double height, double speed) {
     if (into_.waypointCount() >= kMostWaypoints)
       throw Error(ErrorCode::UnusableInput, "more tool-path points than can be planned"_text);
-    // The shorter way round, blended and made a unit again (Part II, 1.4.2).
+    // Interpolated the shorter way round and normalised (Part II, 1.4.2).
     Quaterniond end = b.frame;
     if (a.frame.dot(end) < 0.0)
       end.coeffs() = -end.coeffs();
@@ -200,7 +201,7 @@ public:
     }
     if (!begun_) {
       if (name.word != "layer")
-        throw wrong("is no layer of tool-paths"_text);
+        throw wrong("is not a layer of tool-paths"_text);
       begun_ = true;
     } else if (name.word == "data") {
       inData_ = 1;
@@ -219,7 +220,7 @@ public:
     } else if (name.word == "point6d" || name.word == "point3d" || name.word == "point" ||
                name.word == "hatch") {
       if (!profile_ || name.word != pointWord())
-        throw wrong(base::message("a {point} where none can be"_text, name.word));
+        throw wrong(base::message("an unexpected {point}"_text, name.word));
       if (name.word == "hatch")
         addHatch(attributes);
       else
@@ -257,7 +258,7 @@ private:
     const auto own = [&](std::string_view word, int otherwise) {
       const long long value = attributes.integerOr(word, otherwise, kOwnSpace);
       if (value < -1 || value > std::numeric_limits<int>::max())
-        throw wrong(base::message("'{attribute}' is no whole number"_text, word));
+        throw wrong(base::message("'{attribute}' is not an integer"_text, word));
       return static_cast<int>(value);
     };
     path_.layer = own("layer", frame_.layer);
@@ -274,7 +275,7 @@ private:
     return sixAxes() ? "point6d" : "point3d";
   }
 
-  // Coordinates by their attributes' names; of two the layer gives the third.
+  // Coordinates by attribute name; of two the layer gives the third.
   template <std::size_t N>
   Vector3d positionOf(const XmlAttributes& attributes,
                       const std::array<std::string_view, N>& axes) const {
@@ -283,11 +284,11 @@ private:
       position[static_cast<Eigen::Index>(k)] =
           frame_.unitMm * static_cast<double>(attributes.integer(axes[k]));
     if (!(position.cwiseAbs().maxCoeff() <= kFarthestMm))
-      throw wrong("a point is more than a kilometre away"_text);
+      throw wrong("a point more than a kilometre away"_text);
     return position;
   }
 
-  // A line of its own.
+  // A separate line.
   void addHatch(const XmlAttributes& attributes) {
     points_.assign(2, Point());
     points_[0].position = positionOf<2>(attributes, {"x1", "y1"});
@@ -318,12 +319,12 @@ private:
 
   void addSupport(const XmlAttributes& attributes) {
     if (!profile_ || points_.empty())
-      throw wrong("a support point of a modifier outside a point"_text);
+      throw wrong("a modifier's support point outside a point"_text);
     Point& point = points_.back();
     Support support{attributes.number("t"), {}};
     const double before = point.supports.empty() ? 0.0 : point.supports.back().t;
     if (!(support.t > before) || !(support.t < 1.0))
-      throw wrong("the support points of a modifier do not rise between 0 and 1"_text);
+      throw wrong("a modifier's support points do not increase between 0 and 1"_text);
     for (std::size_t k = 0; k < kFactors.size(); ++k) {
       const std::string letter(1, kFactors[k]);
       support.at[k] = attributes.has(letter) ? factorOf(attributes, letter) : Factors::nan();
@@ -331,7 +332,7 @@ private:
     point.supports.push_back(support);
   }
 
-  // No factors finer than the modifier's type says (Part I, 4.2).
+  // Rejects factors finer than the modifier's type allows (Part I, 4.2).
   void checkFineness() const {
     for (std::size_t m = 0; m < 3; ++m) {
       if (!profile_->modified[m])
@@ -346,9 +347,9 @@ private:
                         [&](const Support& s) { return !std::isnan(s.at[modifier.factor]); });
         if ((linear && modifier.type == ModifierType::Constant) ||
             (bent && modifier.type != ModifierType::Nonlinear))
-          throw wrong(base::message("factors of '{attribute}' are finer than its modifier's "
-                                    "type"_text,
-                                    kModulatedNames[m]));
+          throw wrong(base::message(
+              "factors of '{attribute}' are finer than its modifier's type allows"_text,
+              kModulatedNames[m]));
       }
     }
   }
@@ -361,7 +362,7 @@ private:
       if (points_.size() < (type_ == "loop" ? 3 : 2))
         throw wrong("a segment of fewer than two points"_text);
       if (type_ == "loop")
-        points_.push_back(points_.front()); // a way of no length lays nothing
+        points_.push_back(points_.front()); // A zero-length path deposits nothing
       layPath();
     }
     profile_ = nullptr;
@@ -387,12 +388,12 @@ private:
   ReadBuild& into_;
   std::set<long long> parts_;
   std::map<long long, const Profile*> profiles_;
-  const Profile* profile_ = nullptr; // of the segment that is being read
+  const Profile* profile_ = nullptr; // Of the segment being read
   plan::ToolPath path_;
-  std::string type_; // of that segment
+  std::string type_; // Of that segment
   std::vector<Point> points_;
   std::size_t hatches_ = 0;
-  int inData_ = 0; // how deep in others' data
+  int inData_ = 0; // Nesting depth within other makers' data
   bool begun_ = false;
 };
 
@@ -412,7 +413,7 @@ void readLayer(std::string_view text, const std::string& where, const LayerFrame
   };
   geometry::scanXml(text, where, handler);
   if (!reader.begun())
-    throw Error(ErrorCode::UnreadableFile, "is no layer of tool-paths"_text, where);
+    throw Error(ErrorCode::UnreadableFile, "is not a layer of tool-paths"_text, where);
 }
 
 } // namespace voluta::build3mf

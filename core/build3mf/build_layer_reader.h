@@ -1,4 +1,4 @@
-// One layer part: segments of points (Part II).
+// Reads one layer part: segments of points (Part II).
 #pragma once
 
 #include "build3mf/build_profiles.h"
@@ -9,16 +9,17 @@
 
 namespace voluta::build3mf {
 
-// What points say: x and y, of a layer at its own height; z too; the tool's frame besides.
+// The coordinates of points: x and y, in a layer with its own height; also z; also the tool's
+// frame.
 enum class PathAxes { Planar, Three, Six };
 
-// What layer parts are read with.
+// The context for reading layer parts.
 struct LayerFrame {
   const Profiles& profiles;
-  double unitMm = 1.0; // a unit of coordinates
+  double unitMm = 1.0; // Size of a coordinate unit
   PathAxes axes = PathAxes::Six;
-  int layer = 0; // of paths that say none themselves
-  // Planar: where the nozzle goes, and how thick beads are that say nothing of it.
+  int layer = 0; // Of paths without a layer number
+  // Planar: height of the nozzle, and thickness of beads that give none.
   double topMm = 0.0, thicknessMm = 0.0;
 };
 

@@ -1,4 +1,5 @@
-// Names of the 3MF Toolpath Extension 1.0 (release candidate), of what it builds on, and our own.
+// Names of the 3MF Toolpath Extension 1.0 (release candidate), of the specifications it builds on,
+// and of Voluta's namespace.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -20,14 +21,14 @@ inline constexpr std::string_view kLayerRelation =
 inline constexpr std::string_view kModelRelation =
     "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 
-// Attributes of segments and profiles in our own namespace; others need not know them.
+// Attributes of segments and profiles in Voluta's namespace; other readers may ignore them.
 inline constexpr std::string_view kOwnSpace = "urn:voluta:toolpath:2026";
 
 // In the order of plan::PathKind; also the names of profiles.
 inline constexpr std::array<std::string_view, 6> kKindNames{"wall",  "infill",  "gap fill",
                                                             "skirt", "support", "prime"};
 
-// What a profile's modifiers may change here, by the profile's attribute.
+// Properties that a profile's modifiers may change, by the profile's attribute.
 enum class Modulated { Width, Height, Speed };
 inline constexpr std::array<std::string_view, 3> kModulatedNames{"beadwidth", "beadheight",
                                                                  "depositionspeed"};

@@ -13,13 +13,13 @@ using geometry::XmlAttributes;
 
 namespace {
 
-constexpr double kMostValue = 1e5; // mm or mm/s
+constexpr double kMostValue = 1e5; // [mm] or [mm/s]
 
 bool holds(const std::string& text, std::string_view word) {
   return text.find(word) != std::string::npos;
 }
 
-// Others' names say what a path is for, if in words of their own.
+// Other makers' profile names state the path's purpose too, in their own terms.
 plan::PathKind kindOf(const XmlAttributes& attributes, const std::string& name) {
   using enum plan::PathKind;
   const std::string_view own = attributes.text("kind", kOwnSpace);
@@ -46,7 +46,7 @@ ModifierType typeOf(std::string_view word) {
   if (word == "nonlinear")
     return ModifierType::Nonlinear;
   throw Error(ErrorCode::UnreadableFile,
-              base::message("a modifier of type '{type}', which is not known"_text, word));
+              base::message("a modifier of unknown type '{type}'"_text, word));
 }
 
 } // namespace
@@ -67,8 +67,7 @@ Profile profileOf(const XmlAttributes& attributes) {
       if (!(profile.nominal[m] > 0.0) || profile.nominal[m] > kMostValue)
         throw Error(
             ErrorCode::UnreadableFile,
-            base::message("'{attribute}' is not above 0, or larger than anything printed"_text,
-                          kModulatedNames[m]));
+            base::message("'{attribute}' is not above 0, or too large"_text, kModulatedNames[m]));
     }
   profile.kind = kindOf(attributes, profile.name);
   profile.waits = attributes.has("prewaittime") || attributes.has("postwaittime");
@@ -80,7 +79,7 @@ void addModifier(Profile& profile, const XmlAttributes& attributes) {
   const auto known = std::find(kModulatedNames.begin(), kModulatedNames.end(), of);
   if (known == kModulatedNames.end())
     throw Error(ErrorCode::UnreadableFile,
-                base::message("a modifier of '{attribute}', which cannot be followed"_text, of));
+                base::message("an unsupported modifier of '{attribute}'"_text, of));
   const auto m = static_cast<std::size_t>(known - kModulatedNames.begin());
   if (!(profile.nominal[m] > 0.0))
     throw Error(ErrorCode::UnreadableFile,
@@ -102,7 +101,7 @@ void addModifier(Profile& profile, const XmlAttributes& attributes) {
     if (profile.modified[other] &&
         (other == m || profile.modifiers[other].factor == modifier.factor))
       throw Error(ErrorCode::UnreadableFile,
-                  base::message("two modifiers of '{attribute}' or by one factor"_text, of));
+                  base::message("two modifiers of '{attribute}' or with the same factor"_text, of));
   profile.modified[m] = true;
   profile.modifiers[m] = modifier;
 }

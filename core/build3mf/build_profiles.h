@@ -1,5 +1,5 @@
-// Profiles of a toolpath resource and what their modifiers make of a point's factors (Part I, 4.1
-// and 4.2).
+// Profiles of a toolpath resource and how their modifiers apply a point's factors (Part I, 4.1 and
+// 4.2).
 #pragma once
 
 #include "build3mf/build_names.h"
@@ -14,33 +14,33 @@
 
 namespace voluta::build3mf {
 
-// How fine a modifier's values may be given, coarsest first.
+// Resolution of a modifier's values, coarsest first.
 enum class ModifierType : std::uint8_t { Constant, Linear, Nonlinear };
 
 struct Modifier {
   ModifierType type = ModifierType::Constant;
   double least = 0.0, most = 0.0;
-  std::size_t factor = 0; // in kFactors
+  std::size_t factor = 0; // Index in kFactors
 };
 
 struct Profile {
   std::string name;
-  std::array<double, 3> nominal{}; // in the order of Modulated; 0: not given
+  std::array<double, 3> nominal{}; // In the order of Modulated; 0: not given
   std::array<bool, 3> modified{};
   std::array<Modifier, 3> modifiers;
   plan::PathKind kind = plan::PathKind::Wall;
-  bool waits = false; // it has waits before or after a segment
+  bool waits = false; // It has waits before or after a segment
 };
 
-// Profiles by their UUID in small letters.
+// Profiles by their UUID in lower case.
 using Profiles = std::map<std::string, Profile>;
 
 std::string smallLetters(std::string_view text);
 
-// A profile without its modifiers. Throws Error{UnreadableFile}.
+// Returns a profile without its modifiers. Throws Error{UnreadableFile}.
 Profile profileOf(const geometry::XmlAttributes& attributes);
-// Puts a modifier into the profile. Throws Error{UnreadableFile}: of an attribute that cannot be
-// modified here or that the profile does not have, twice, of a range that is none.
+// Adds a modifier to the profile. Throws Error{UnreadableFile} for an attribute that cannot be
+// modified or that the profile lacks, for a duplicate, and for an invalid range.
 void addModifier(Profile& profile, const geometry::XmlAttributes& attributes);
 
 } // namespace voluta::build3mf

@@ -28,7 +28,7 @@ using geometry::XmlName;
 
 namespace {
 
-// Extensions that change nothing in tool-paths, or are read here.
+// Extensions that do not affect tool-paths, or are supported.
 constexpr std::array<std::string_view, 3> kKnownSpaces{
     kProductionSpace, kToolpathSpace,
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02"};
@@ -38,18 +38,18 @@ struct Resource {
   std::string type = "planar";
   Profiles profiles;
   struct Layer {
-    std::string path; // as given
+    std::string path; // As given
     std::optional<long long> top;
   };
   std::vector<Layer> layers;
-  long long bottom = 0; // of the first, where they are planar
+  long long bottom = 0; // Of the first layer, if they are planar
   bool workFrame = false;
 };
 struct Model {
   std::string unit = "millimeter";
-  std::vector<std::pair<long long, Resource>> resources; // by id, in the file's order
-  std::optional<long long> chosen;                       // by the build
-  bool items = false;                                    // does the build use an object
+  std::vector<std::pair<long long, Resource>> resources; // By id, in the file's order
+  std::optional<long long> chosen;                       // By the build
+  bool items = false;                                    // Whether the build uses an object
 };
 
 class ModelReader {
@@ -109,7 +109,7 @@ private:
       const auto [at, isNew] = resource().profiles.emplace(uuid, profileOf(attributes));
       if (!isNew)
         throw Error(ErrorCode::UnreadableFile,
-                    base::message("the profile '{uuid}' is there twice"_text, uuid));
+                    base::message("duplicate profile '{uuid}'"_text, uuid));
       profile_ = &at->second;
     } else if (word == "modifier") {
       if (!profile_)
@@ -134,7 +134,7 @@ private:
       profile_ = nullptr;
   }
 
-  // `prefixes`: of extensions that whoever reads this must know.
+  // `prefixes`: of extensions that readers must support.
   void require(std::string_view prefixes) const {
     while (!prefixes.empty()) {
       const std::size_t space = std::min(prefixes.find(' '), prefixes.size());
@@ -145,59 +145,60 @@ private:
       const auto declared = spaces_.find(prefix);
       const std::string extension = declared == spaces_.end() ? prefix : declared->second;
       if (std::find(kKnownSpaces.begin(), kKnownSpaces.end(), extension) == kKnownSpaces.end())
-        throw Error(
-            ErrorCode::UnreadableFile,
-            base::message("asks for the extension '{name}', which is not known"_text, extension));
+        throw Error(ErrorCode::UnreadableFile,
+                    base::message("requires the unknown extension '{name}'"_text, extension));
     }
   }
 
   Resource& resource() { return model_.resources.back().second; }
 
   Model model_;
-  std::map<std::string, std::string> spaces_; // by prefix
-  Profile* profile_ = nullptr;                // that is being read
-  int inData_ = 0;                            // how deep in others' data
+  std::map<std::string, std::string> spaces_; // By prefix
+  Profile* profile_ = nullptr;                // Profile being read
+  int inData_ = 0;                            // Nesting depth within other makers' data
 };
 
 const Resource& chosenResource(const Model& model, const std::string& where,
                                std::vector<base::Message>& notes) {
   if (model.resources.empty())
-    throw Error(ErrorCode::UnusableInput, "holds no tool-paths"_text, where);
+    throw Error(ErrorCode::UnusableInput, "contains no tool-paths"_text, where);
   if (model.chosen) {
     for (const auto& [id, resource] : model.resources)
       if (id == *model.chosen)
         return resource;
     throw Error(ErrorCode::UnreadableFile,
-                base::message("the build's tool-paths {id} are not there"_text, *model.chosen),
+                base::message("the build's tool-paths {id} are missing"_text, *model.chosen),
                 where);
   }
   if (model.resources.size() > 1)
-    notes.push_back(base::message("of {count} sets of tool-paths the first was taken"_text,
+    notes.push_back(base::message("the first of {count} sets of tool-paths was taken"_text,
                                   model.resources.size()));
   return model.resources.front().second;
 }
 
-// Throws Error{UnusableInput}: nothing that a nozzle lays.
+// Throws Error{UnusableInput} if the resource contains nothing that a nozzle deposits.
 PathAxes axesOf(const Resource& resource, const std::string& where) {
   if (resource.type == "6axis")
     return PathAxes::Six;
   if (resource.type == "3axis")
     return PathAxes::Three;
-  // A laser's are planar too, and say nothing of beads.
+  // Laser tool-paths are planar too, but have no beads.
   const bool beads = std::ranges::any_of(resource.profiles, [](const auto& entry) {
     const auto& nominal = entry.second.nominal;
     return std::ranges::any_of(nominal, [](double value) { return value > 0.0; });
   });
   if (resource.type != "planar" || !beads)
-    throw Error(ErrorCode::UnusableInput,
-                base::message("tool-paths of type '{type}' without beads; what a nozzle lays is "
-                              "read"_text,
-                              resource.type),
-                where);
+    throw Error(
+        ErrorCode::UnusableInput,
+        base::message(
+            "tool-paths of type '{type}' without beads; only beads from a nozzle are supported"_text,
+            resource.type),
+        where);
   return PathAxes::Planar;
 }
 
-// The member that an absolute path names. Throws Error{UnreadableFile}: it is none, or leads out.
+// Returns the package member of an absolute path. Throws Error{UnreadableFile} if it is not
+// absolute or leaves the package.
 std::string layerMember(const std::string& path, const std::string& where) {
   const auto leaves = [](std::string_view rest) {
     while (!rest.empty()) {
@@ -211,11 +212,12 @@ std::string layerMember(const std::string& path, const std::string& where) {
   };
   if (!path.starts_with('/') || leaves(std::string_view(path).substr(1)))
     throw Error(ErrorCode::UnreadableFile,
-                base::message("'{path}' is no name of a part in the package"_text, path), where);
+                base::message("'{path}' is not the name of a part in the package"_text, path),
+                where);
   return geometry::memberOf(path);
 }
 
-// Targets of the model's relations to layers, as absolute paths.
+// Returns the targets of the model's relations to layers, as absolute paths.
 std::set<std::string> relatedLayers(const geometry::ZipPackage& package, const std::string& model,
                                     const std::string& name) {
   const std::size_t slash = model.rfind('/');
@@ -235,8 +237,8 @@ std::set<std::string> relatedLayers(const geometry::ZipPackage& package, const s
   return targets;
 }
 
-// Do the directions look against the way in which the material grows? Tool frames of which z leads
-// into the part are as common as those of which it leads out; the extension leaves it open.
+// Returns whether the directions point against the growth of the material. Tool frames with z into
+// the part are as common as those with z out of it; the extension does not specify it.
 bool looksInward(const plan::ToolPlan& plan) {
   struct Sum {
     Vector3d place = Vector3d::Zero(), direction = Vector3d::Zero();
@@ -261,10 +263,10 @@ bool looksInward(const plan::ToolPlan& plan) {
     }
     before = &sum;
   }
-  constexpr double kClear = 0.3; // share of the way
+  constexpr double kClear = 0.3; // Share of the path
   if (std::abs(along) > kClear * way)
     return along < 0.0;
-  // Layers about one place: outward is away from it.
+  // Layers around one centre: outward is away from it.
   const Vector3d middle = all.place / std::max(all.count, 1.0);
   double out = 0.0, distance = 0.0;
   for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
@@ -285,11 +287,11 @@ bool holdsToolpaths(std::string_view bytes) {
     const std::string name;
     const geometry::ZipPackage package(bytes, name);
     const std::string model = package.member(geometry::mainModel(package, name));
-    // Whose space is only declared has a mesh.
+    // A model that only declares the namespace has a mesh.
     return model.find(kToolpathSpace) != std::string::npos &&
            model.find("toolpathresource") != std::string::npos;
   } catch (const Error&) {
-    return false; // whoever reads its mesh says what is wrong
+    return false; // The reader of its mesh reports the error
   }
 }
 
@@ -299,8 +301,8 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
   const Model model = ModelReader().read(package.member(member), where);
   const std::optional<double> unit = geometry::threemfUnitMm(model.unit);
   if (!unit)
-    throw Error(ErrorCode::UnreadableFile,
-                base::message("the unit '{unit}' is not known"_text, model.unit), where);
+    throw Error(ErrorCode::UnreadableFile, base::message("unknown unit '{unit}'"_text, model.unit),
+                where);
   ReadBuild read;
   const Resource& resource = chosenResource(model, where, read.notes);
   const PathAxes axes = axesOf(resource, where);
@@ -314,15 +316,14 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
     const std::string layer = layerMember(path, where);
     if (axes == PathAxes::Planar && (!top || *top < below))
       throw Error(ErrorCode::UnreadableFile,
-                  base::message("the layer '{path}' has no height above the one before"_text, path),
+                  base::message("layer '{path}' has no height above the previous one"_text, path),
                   where);
     if (!related.contains(path))
       throw Error(ErrorCode::UnreadableFile,
-                  base::message("the layer '{path}' is not related to the model"_text, path),
-                  where);
+                  base::message("layer '{path}' is not related to the model"_text, path), where);
     if (!seen.insert(layer).second)
-      throw Error(ErrorCode::UnreadableFile,
-                  base::message("the layer '{path}' is there twice"_text, path), where);
+      throw Error(ErrorCode::UnreadableFile, base::message("duplicate layer '{path}'"_text, path),
+                  where);
     const double unitMm = resource.unitFactor * *unit;
     LayerFrame frame{resource.profiles, unitMm, axes, static_cast<int>(seen.size()) - 1};
     if (axes == PathAxes::Planar) {
@@ -332,7 +333,7 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
     readLayer(package.member(layer), name + ", " + layer, frame, read);
   }
   if (read.plan.paths.empty())
-    throw Error(ErrorCode::UnusableInput, "holds no tool-paths"_text, where);
+    throw Error(ErrorCode::UnusableInput, "contains no tool-paths"_text, where);
   const auto waits = [](const auto& entry) { return entry.second.waits; };
   if (std::any_of(resource.profiles.begin(), resource.profiles.end(), waits))
     read.notes.emplace_back("waits before and after tool-paths are left out"_text);
@@ -340,7 +341,7 @@ ReadBuild readBuild(std::string_view bytes, const std::string& name, const base:
     for (Vector3d& direction : read.plan.direction)
       direction = -direction;
     read.notes.emplace_back(
-        "the frames of tool-paths look into the part; taken the other way round"_text);
+        "the frames of tool-paths point into the part; they were reversed"_text);
   }
   return read;
 }

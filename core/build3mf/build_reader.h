@@ -1,4 +1,5 @@
-// Tool-paths of 3 and 6 axes out of a 3MF package with the Toolpath Extension 1.0, whoever made it.
+// Reads 3- and 6-axis tool-paths from a 3MF package with the Toolpath Extension 1.0, from any
+// maker.
 #pragma once
 
 #include "base/text.h"
@@ -15,29 +16,32 @@ class RunContext;
 namespace voluta::build3mf {
 
 struct ReadBuild {
-  // In the model's build coordinates, mm. A width, height or speed of 0: the profile does not give
-  // one. Paths are segments, in the order of the file; layers are its layer parts, counted from 0,
-  // or what a file of our own says.
+  // In the model's build coordinates [mm]. A width, height or speed of 0: not given by the profile.
+  // Paths are segments, in the order of the file; layers are its layer parts, counted from 0, or as
+  // stated in a file written by Voluta.
   plan::ToolPlan plan;
-  bool hasObject = false;           // the model builds one, for geometry::readMesh
-  bool workFrame = false;           // a file of our own: coordinates are the work frame's
-  std::vector<base::Message> notes; // what was left out or read in one way of two, a sentence each
+  bool hasObject = false;           // The model builds one, for geometry::readMesh
+  bool workFrame = false;           // A file written by Voluta: coordinates are in the work frame
+  std::vector<base::Message> notes; // One sentence for each omission or ambiguity
 };
 
-// Does the package's model have tool-paths of the extension? False also for what is no 3MF package.
+// Returns whether the package's model has tool-paths of the extension; also false if it is no 3MF
+// package.
 bool holdsToolpaths(std::string_view bytes);
 
-// - "polyline3d": the nozzle stands along z. "polyline6d": along z of the point's frame, out of the
-//   bead; where the frames of all points look into what is printed, they are turned over, and told.
-// - Values follow the profile and its modifiers on beadwidth, beadheight and depositionspeed, of
-//   every type. A section that changes in a step does so within 0.1 mm behind the point.
-// - Waits of profiles are left out, and told.
-// Throws Error{UnreadableFile} with where it stands: no 3MF, damaged, not as the extension says
-// (a part, profile or layer that is not there or not related, a number that is none, a frame
-// without direction, a point's factor outside 0..1), a unit or a required extension that is not
-// known, a modifier of what cannot be modified here, part names that leave the package.
-// Throws Error{UnusableInput}: planar tool-paths without beads, none at all, too many points to be
-// read. Throws Cancelled. `name`: of the file, for errors.
+// - "polyline3d": the nozzle is along z. "polyline6d": along z of the point's frame, out of the
+//   bead; if the frames of all points point into the printed part, they are reversed, which is
+//   reported in notes.
+// - Values follow the profile and its modifiers of beadwidth, beadheight and depositionspeed, of
+//   every type. A stepwise change of section is spread over 0.1 mm after the point.
+// - Waits of profiles are left out and reported.
+//
+// Throws Error{UnreadableFile} with the position: not a 3MF package, damaged, or violating the
+// extension (a part, profile or layer that is missing or not related, an invalid number, a frame
+// without direction, a point's factor outside 0..1), an unknown unit or required extension, a
+// modifier of a property that cannot be modified, part names that leave the package. Throws
+// Error{UnusableInput} for planar tool-paths without beads, no tool-paths, or too many points.
+// Throws Cancelled. `name`: of the file, for errors.
 ReadBuild readBuild(std::string_view bytes, const std::string& name, const base::RunContext& ctx);
 
 } // namespace voluta::build3mf

@@ -23,28 +23,27 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kFarthestMm = 2e5; // in units of kUnitMm still a 32-bit number
+constexpr double kFarthestMm = 2e5; // Still fits a 32-bit number in units of kUnitMm
 constexpr const char* kHead = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 constexpr const char* kModelPart = "3D/3dmodel.model";
 
 using Text = std::back_insert_iterator<std::string>;
 
-// FNV-1a; two of them with different beginnings make the bits of a UUID.
+// FNV-1a; two hashes with different seeds form the bits of a UUID.
 std::uint64_t hashOf(std::string_view bytes, std::uint64_t hash) {
   for (const char c : bytes)
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
   return hash ^ hash >> 29;
 }
 
-// A name-based UUID in form (RFC 4122, version 8: of our own making), so that the same plan gets
-// the same ones.
+// A name-based UUID (RFC 4122, version 8: custom), so that equal plans get equal ones.
 std::string uuidOf(const std::string& of) {
   const std::uint64_t a = hashOf(of, 0xcbf29ce484222325ull), b = hashOf(of, 0x9e3779b97f4a7c15ull);
   return fmt::format("{:08x}-{:04x}-8{:03x}-{:04x}-{:012x}", a >> 32, a >> 16 & 0xffff, a & 0xfff,
                      0x8000 | (b >> 48 & 0x3fff), b & 0xffffffffffffull);
 }
 
-// As an attribute or a text; control characters have no place in XML.
+// For attributes or text; control characters are not allowed in XML.
 std::string escaped(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20)
@@ -69,7 +68,7 @@ struct Range {
 };
 
 struct Profile {
-  std::array<Range, 3> ranges; // in the order of Modulated
+  std::array<Range, 3> ranges; // In the order of Modulated
   bool used = false;
   std::string uuid;
 };
@@ -90,7 +89,7 @@ void check(const plan::ToolPlan& plan, const geometry::TriangleMesh& part) {
   for (const Vector3d& p : plan.position)
     if (!(p.cwiseAbs().maxCoeff() < kFarthestMm))
       throw base::Error(base::ErrorCode::CannotWrite,
-                        "a tool-path lies beyond what a build file can say"_text);
+                        "a tool-path is beyond the range of a build file"_text);
 }
 
 Profiles profilesOf(const plan::ToolPlan& plan, const std::string& seed) {
@@ -103,7 +102,7 @@ Profiles profilesOf(const plan::ToolPlan& plan, const std::string& seed) {
       profile.ranges[0].take(plan.widthMm[i]);
       profile.ranges[1].take(plan.heightMm[i]);
       if (i == path.first)
-        continue; // nothing is laid on the way there
+        continue; // Nothing is printed on the way there
       base::require(plan.speedMmPerS[i] > 0.0f, "a bead has a speed");
       profile.ranges[2].take(plan.speedMmPerS[i]);
     }
@@ -113,7 +112,7 @@ Profiles profilesOf(const plan::ToolPlan& plan, const std::string& seed) {
   return profiles;
 }
 
-// Paths [first, last) that stand in one layer part.
+// Paths [first, last) of one layer part.
 struct LayerPart {
   std::size_t first = 0, last = 0;
   std::string member() const { return fmt::format("Toolpath/Layers/layer{:05}.xml", number); }
@@ -121,8 +120,8 @@ struct LayerPart {
 };
 
 std::vector<LayerPart> layerPartsOf(const plan::ToolPlan& plan) {
-  // Most members that a zip without its 64-bit extension holds, but for the parts that are not
-  // layers; layers that follow on one another share a part where there are more.
+  // Maximum number of members in a zip without the 64-bit extension, minus the parts that are not
+  // layers. If there are more layers, consecutive ones share a part.
   constexpr std::size_t kMost = 60000;
   std::size_t stretches = 0;
   for (std::size_t p = 0; p < plan.paths.size(); ++p)
@@ -141,7 +140,7 @@ std::vector<LayerPart> layerPartsOf(const plan::ToolPlan& plan) {
   return parts;
 }
 
-// The frame with its z along `direction` that is turned least from `before`.
+// Returns the frame with its z along `direction` that is rotated least from `before`.
 Quaterniond frameAlong(const Vector3d& direction, const Quaterniond& before) {
   return (Quaterniond::FromTwoVectors(before * Vector3d::UnitZ(), direction) * before).normalized();
 }
@@ -162,7 +161,7 @@ void addFactors(Text out, const Profile& profile, const plan::ToolPlan& plan, st
   linear(2, kFactors[2], plan.speedMmPerS[i], plan.speedMmPerS[i]);
 }
 
-// What the producer expects, in microseconds.
+// The expected duration, in microseconds.
 long long microsecondsOf(const plan::ToolPlan& plan, const plan::ToolPath& path) {
   double seconds = 0.0;
   for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)

@@ -1,4 +1,4 @@
-// A plan's beads as a 3MF package that other programs can print: the Toolpath Extension 1.0.
+// Writes a plan's beads as a 3MF package that other programs can print: the Toolpath Extension 1.0.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -15,19 +15,20 @@ namespace voluta::build3mf {
 // NAME.build.3mf (Part I, chapter 3).
 inline constexpr const char* kEnding = ".build.3mf";
 
-// The whole package as bytes: the part as the object that is built, and every path of the plan, in
-// order, as a segment "polyline6d" (Part II, 1.4.2). The same input, the same bytes.
-// - Coordinates are the work frame's in units of 0.1 um (kUnitMm). A point's frame has its z along
-//   the waypoint's direction, from the bead into the nozzle; its x is free, and turns least from
-//   the frame of a path's point before.
-// - A profile a kind of path; beadwidth and beadheight (linear modifiers) and depositionspeed
-//   (constant) where they differ within it. Section and flow follow from them by
+// Returns the package as bytes: the part as the object to build, and every path of the plan, in
+// order, as a segment "polyline6d" (Part II, 1.4.2). Equal inputs give equal bytes.
+// - Coordinates are those of the work frame in units of 0.1 um (kUnitMm). A point's frame has its z
+//   along the waypoint's direction, from the bead into the nozzle; its x is free, and rotates as
+//   little as possible from the frame of the path's previous point.
+// - One profile per kind of path; beadwidth and beadheight (linear modifiers) and depositionspeed
+//   (constant) where they vary within it. Section and flow follow from them by
 //   process/bead_model.h: flow = area x speed.
-// - A layer part for each stretch of paths of one layer, in print order.
-// - A closed path ends in its first point again: for 6 axes there are no loops.
-// Preconditions (Error{Internal}): arrays of one length; widths, heights and speeds of what is laid
-// > 0; paths as ToolPlan says; the part has triangles. Throws Error{CannotWrite}: coordinates
-// beyond 200 m, more than a package can hold; Cancelled.
+// - One layer part for each run of paths of one layer, in print order.
+// - A closed path repeats its first point at the end: for 6 axes there are no loops.
+//
+// Preconditions (Error{Internal}): arrays of one length; widths, heights and speeds of printed
+// beads > 0; paths as ToolPlan specifies; the part has triangles. Throws Error{CannotWrite} for
+// coordinates beyond 200 m or more data than a package can hold; Cancelled.
 std::string writeBuild(const plan::ToolPlan& plan, const geometry::TriangleMesh& part,
                        const std::string& name, const base::RunContext& ctx);
 

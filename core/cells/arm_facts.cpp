@@ -20,7 +20,7 @@ using robot::JointVector;
 
 constexpr std::size_t kPoses = 4000;
 
-// The line about which a joint turns what is behind it, where the arm stands at q.
+// The line about which a joint turns the links behind it, for an arm at q.
 struct Line {
   Vector3d point, direction;
 };
@@ -31,15 +31,16 @@ Line axisOf(const robot::RobotModel& robot, JointVector q, int joint) {
   const Isometry3d move = robot.kinematics->flange(q) * from.inverse();
   const Eigen::AngleAxisd turn(move.linear());
   const Vector3d d = turn.angle() > 0.0 ? Vector3d(turn.axis()) : Vector3d::UnitZ();
-  // (1 - R) p = t has a line of solutions; the least-squares one is nearest to the origin.
+  // (1 - R) p = t has a line of solutions; the least-squares solution is the one nearest to the
+  // origin.
   const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - move.linear();
   return {rest.completeOrthogonalDecomposition().solve(move.translation()), d};
 }
 
-// Where the arm stands: on z = 0 of its base, unless the base's solids say otherwise. Capsules
-// reach over what they enclose, by their radius at most.
+// Returns the height of the arm's foot: z = 0 of its base, unless the base's solids exclude that.
+// Capsules extend beyond the enclosed geometry by at most their radius.
 double footOf(const robot::RobotModel& robot) {
-  double low = 0.0, high = 0.0; // where the solids' underside is between
+  double low = 0.0, high = 0.0; // bounds for the solids' underside
   bool first = true;
   for (const robot::Body& link : robot.links) {
     if (link.frame != 0)
@@ -102,7 +103,7 @@ ArmFacts armFacts(const robot::RobotModel& robot) {
     facts.reachMm = std::max(facts.reachMm, out.norm());
     ahead += out / static_cast<double>(poses.size());
   }
-  // An arm that reaches over itself as far as ahead has no side of its own.
+  // An arm that reaches as far backwards over itself as forwards has no preferred side.
   constexpr double kSided = 0.2;
   if (ahead.norm() > kSided * facts.reachMm) {
     const double step = base::degreesToRadians(15.0), angle = std::atan2(ahead.y(), ahead.x());

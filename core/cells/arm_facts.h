@@ -1,5 +1,5 @@
-// What of an arm decides where it can print: how far it reaches and to which side, where it stands,
-// where its flange points. Found by looking at many poses, so that every family has them.
+// Properties of an arm that determine where it can print: reach, preferred side, foot and flange
+// axis. They are computed by sampling poses and therefore exist for every arm family.
 #pragma once
 
 #include "robot/robot_model.h"
@@ -8,21 +8,23 @@
 
 namespace voluta::cells {
 
-// mm, in the base's frame, whose z is taken as up.
+// Lengths in mm, in the base's frame, whose z is assumed to point up.
 struct ArmFacts {
-  Eigen::Vector3d foot = Eigen::Vector3d::Zero(); // where joint 1's axis meets the arm's underside
-  double reachMm = 0.0;    // of the flange from joint 1's axis, at the height where it is largest
-  double aheadRad = 0.0;   // about z from x: where it reaches with joint 1 in the middle
-  bool uprightAxis = true; // joint 1's, within 5 degrees
-  // z along the last joint's axis, away from the arm. The identity where the flange's own z lies
-  // along that axis.
+  // intersection of joint 1's axis with the arm's underside
+  Eigen::Vector3d foot = Eigen::Vector3d::Zero();
+  double reachMm = 0.0; // maximum distance of the flange from joint 1's axis
+  // angle about z from x: direction of reach with joint 1 at the middle of its range
+  double aheadRad = 0.0;
+  bool uprightAxis = true; // whether joint 1's axis is upright within 5 degrees
+  // Frame with z along the last joint's axis, away from the arm. The identity if the flange's own z
+  // is parallel to that axis.
   Eigen::Matrix3d flange_R_outward = Eigen::Matrix3d::Identity();
 };
 
-// Precondition: links. Deterministic.
+// Precondition: the robot has links. Deterministic.
 ArmFacts armFacts(const robot::RobotModel& robot);
 
-// `count` poses drawn within the joints' limits, the same every time.
+// Returns `count` random poses within the joints' limits; deterministic.
 std::vector<robot::JointVector> drawnPoses(const std::vector<robot::JointLimits>& limits,
                                            std::size_t count);
 

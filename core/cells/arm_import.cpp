@@ -19,7 +19,7 @@ bool comesAlong(const std::string& id) {
   return fs::exists(base::resourceFolder() / "robots" / (id + ".json"), none);
 }
 
-// Bodies of a cell are told apart by their names.
+// Names of a cell's bodies must be unique.
 void freeNames(robot::RobotModel& robot) {
   for (robot::Body& link : robot.links)
     for (const char* taken : {"table", "holder", "head", "platform"})
@@ -43,10 +43,9 @@ void addPairs(const std::vector<std::pair<int, int>>& pairs, const char* when,
 ArmImport importArm(const fs::path& urdf, const robot::UrdfOptions& options, robot::Mount nozzle,
                     const process::Process& process, const base::RunContext& ctx) {
   if (!options.id.empty() && comesAlong(options.id))
-    throw base::Error(
-        base::ErrorCode::Usage,
-        base::message("a robot named '{id}' comes along with the program"_text, options.id), {},
-        "give the arm another name: --id"_text);
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("'{id}' is the name of a built-in robot"_text, options.id), {},
+                      "give the arm another name: --id"_text);
   ctx.report(0.0, "the arm's description"_text);
   ArmImport import{robot::readUrdf(urdf, options), robot::ArmKind::Other, {}};
   robot::RobotModel& robot = import.arm.model;

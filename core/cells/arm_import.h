@@ -1,5 +1,5 @@
-// An arm that comes as a URDF, made ready to print with: its robot's file, the file of a cell laid
-// out for it, and what was found, assumed and left out.
+// Import of an arm from a URDF file: the robot's description, a cell laid out for it, and notes on
+// assumptions and omitted data.
 #pragma once
 
 #include "base/run_context.h"
@@ -15,16 +15,15 @@
 namespace voluta::cells {
 
 struct ArmImport {
-  robot::UrdfRobot arm; // with its neverMeet
+  robot::UrdfRobot arm; // including its neverMeet
   robot::ArmKind kind = robot::ArmKind::Other;
   CellLayout layout;
-  std::vector<robot::LinkMesh> linkMeshes = {}; // what it looks like
+  std::vector<robot::LinkMesh> linkMeshes = {}; // for display
 };
 
-// `process`: whose head the nozzle is. Without an id in `options` an arm whose name is that of one
-// that comes along is called NAME-imported.
-// Throws what robot::readUrdf and layOut throw; Error{Usage}: options.id is the id of a robot that
-// comes along, whose place no other can take.
+// `process`: its head is used as the nozzle. Without an id in `options`, an arm with the name of a
+// built-in robot gets the id NAME-imported. Throws as robot::readUrdf and layOut, and Error{Usage}
+// if options.id is the id of a built-in robot, which cannot be replaced.
 ArmImport importArm(const std::filesystem::path& urdf, const robot::UrdfOptions& options,
                     robot::Mount nozzle, const process::Process& process,
                     const base::RunContext& ctx);

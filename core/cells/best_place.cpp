@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 constexpr double kSame = 1e-9;
 
-// Of a disc in a convex, counter-clockwise polygon.
+// Returns whether a convex, counter-clockwise polygon contains a disc.
 bool holdsDisc(const std::vector<Vector2d>& polygon, const Vector2d& at, double radius) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
@@ -48,7 +48,7 @@ Place placeAt(const ReachMap& map, const Standing& part, const Vector2d& at) {
   place.at = at;
   place.onPlate = holdsDisc(map.plate(), at, part.radiusMm);
   const std::vector<std::size_t> within = pointsWithin(map, at, part.radiusMm);
-  // Every point is asked for as many poses: the mean is the share.
+  // The same number of poses is tried at every point, so the mean is the share.
   double all = 0.0, upright = 0.0;
   for (const std::size_t point : within) {
     all += map.share(point, part.heightMm, part.tiltRad);

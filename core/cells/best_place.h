@@ -1,4 +1,4 @@
-// Where on the plate a part is best reached.
+// Search for the place on the plate where a part is reached best.
 #pragma once
 
 #include "cells/reach_map.h"
@@ -7,29 +7,29 @@
 
 namespace voluta::cells {
 
-// A part as far as reach is concerned: a cylinder that stands on the plate, and how far the nozzle
-// may have to tilt for it.
+// A part simplified for reach: a cylinder on the plate, and the largest tilt of the nozzle it may
+// need.
 struct Standing {
   double radiusMm = 0.0, heightMm = 0.0; // > 0
   double tiltRad = 0.0;
 };
 
 struct Place {
-  Eigen::Vector2d at = Eigen::Vector2d::Zero(); // of the cylinder's axis, work frame, mm
-  // Of the poses within the cylinder: of all, and of those upright.
+  Eigen::Vector2d at = Eigen::Vector2d::Zero(); // of the cylinder's axis, work frame [mm]
+  // Reached shares of the poses within the cylinder: of all, and of the upright ones.
   double share = 0.0, uprightShare = 0.0;
-  bool onPlate = false; // all of its foot
-  // Nothing of it is out of reach, upright at least, and it stands on the plate.
+  bool onPlate = false; // its whole foot
+  // Returns whether all its upright poses are reached and it is on the plate.
   bool good() const { return onPlate && uprightShare == 1.0; }
 };
 
-// The cylinder standing there. Poses within it: those of the map's points not further from its axis
-// than its radius, at the least the nearest point; heights and tilts as ReachMap::share().
+// Rates the cylinder at this position. Its poses: those at the map's points within its radius of
+// the axis, at least at the nearest point; heights and tilts as in ReachMap::share().
 Place placeAt(const ReachMap& map, const Standing& part, const Eigen::Vector2d& at);
 
-// Of all points of the map as axes the best: on the plate before beside it, then most of the
-// upright poses, then most of all, then nearest to the plate's middle (to 1e-9; then the first).
-// Precondition: the map has points.
+// Returns the best of all positions at points of the map: on the plate before off it, then the
+// largest upright share, then the largest share of all poses, then the nearest to the plate's
+// middle (to 1e-9; then the first). Precondition: the map has points.
 Place bestPlace(const ReachMap& map, const Standing& part);
 
 } // namespace voluta::cells

@@ -25,7 +25,7 @@ Frames framesAtRest(const robot::Cell& cell) {
   return frames;
 }
 
-// With the nozzle's z against the plate's.
+// Returns the pose with the nozzle's z against the plate's.
 Eigen::Isometry3d upright(const Eigen::Vector3d& tip, double turn) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = tip;
@@ -63,12 +63,12 @@ void checkRest(const CellCollision& collision, const Frames& frames,
                std::vector<CellFault>& faults) {
   if (const auto contact = collision.bodies(frames, {}))
     faults.push_back(
-        {base::message("at rest {first} meets {second}"_text, collision.nameOf(contact->first),
-                       collision.nameOf(contact->second)),
-         "move one of them, or let the arm rest otherwise"_text});
+        {base::message("in the home pose {first} collides with {second}"_text,
+                       collision.nameOf(contact->first), collision.nameOf(contact->second)),
+         "move one of them, or choose another home pose"_text});
 }
 
-// Lattice of 5 x 5 over the plate's box, as far as it is on the plate.
+// Returns a lattice of 5 x 5 over the plate's bounding box, restricted to the plate.
 ReachGrid coarseGrid(const robot::Prism& plate, const process::Process& process) {
   constexpr double kAcross = 5.0;
   Eigen::AlignedBox2d box;
@@ -83,8 +83,9 @@ ReachGrid coarseGrid(const robot::Prism& plate, const process::Process& process)
   return grid;
 }
 
-// What meets most often where the arm gets to, of the ways to each place the one that turns the
-// joints least from rest. None: it gets nowhere.
+// Returns the pair of bodies that collides most often where the arm reaches. At each place only the
+// solution with the smallest joint motion from home counts. Returns nullopt if the arm reaches no
+// place or nothing collides.
 std::optional<Contact> inTheWay(const robot::Cell& cell, const CellCollision& collision,
                                 const collision::Margins& margins, const ReachMap& map,
                                 const base::RunContext& ctx) {
@@ -133,7 +134,8 @@ void checkPlate(const robot::Cell& cell, const process::Process& process,
     return;
   if (const auto contact = inTheWay(cell, collision, margins, map, ctx))
     faults.push_back(
-        {base::message("wherever the nozzle gets to the plate, {first} meets {second}"_text,
+        {base::message("wherever the nozzle reaches the plate, {first} collides with "
+                       "{second}"_text,
                        collision.nameOf(contact->first), collision.nameOf(contact->second)),
          "move one of them, or make the stem or the nozzle longer"_text});
   else
@@ -145,10 +147,10 @@ void checkLoad(const robot::Cell& cell, double partKg, std::vector<CellFault>& f
   const double carried =
       cell.carriedKg() + (cell.nozzleMount() == robot::Mount::World ? partKg : 0.0);
   if (const std::optional<double>& most = cell.robot().payloadKg; most && carried > *most)
-    faults.push_back(
-        {base::message("the flange carries {carried:.3g} kg, the robot {most:.3g} kg"_text,
-                       base::number(carried), base::number(*most)),
-         "make it lighter, or take a stronger robot"_text});
+    faults.push_back({base::message("payload {carried:.3g} kg exceeds the robot's rating of "
+                                    "{most:.3g} kg"_text,
+                                    base::number(carried), base::number(*most)),
+                      "reduce the payload, or use a stronger robot"_text});
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// What a cell cannot do, seen before anything is planned in it.
+// Checks of a cell before anything is planned in it.
 #pragma once
 
 #include "base/run_context.h"
@@ -16,28 +16,29 @@ struct CellFault {
   base::Message what, remedy;
 };
 
-// In this order, each where it is so:
-// - the nozzle's tip, or the middle of its head, lies in a link or an obstacle at rest;
-// - at rest two bodies meet that are to keep apart;
-// - nowhere over the plate does the arm bring the nozzle upright to the first layer (25 places, 12
-//   turns), or it does, and bodies are always in the way: the pair that is most often, on
-//   the ways nearest to rest;
-// - what the flange carries, with partKg >= 0 on a plate that the arm holds, is beyond what the
-//   robot's maker rates it for.
-// A cell that holds a rod is not asked about its plate. Deterministic. Throws Cancelled.
+// Returns the faults found, in this order:
+// - the nozzle's tip, or the middle of its head, is inside a link or an obstacle in the home pose;
+// - two bodies that must keep apart collide in the home pose;
+// - the arm cannot bring the nozzle upright to the first layer anywhere over the plate (25 places,
+//   12 turns), or it always collides there: the most frequent pair, for the solutions nearest to
+//   the home pose;
+// - the flange's payload (with partKg >= 0 on a plate held by the arm) exceeds the robot's rating.
+//
+// Cells with a rod skip the check of the plate. Deterministic. Throws Cancelled.
 std::vector<CellFault> cellFaults(const robot::Cell& cell, const process::Process& process,
                                   double partKg, const base::RunContext& ctx);
 
-// Of these what keeps the cell from printing anything: the second and the third, with bodies no
-// nearer to each other than `margins`. Deterministic. Throws Cancelled.
+// Returns only the faults that prevent all printing: the second and the third, with a minimum
+// distance of bodies of `margins`. Deterministic. Throws Cancelled.
 std::vector<CellFault> printingFaults(const robot::Cell& cell, const process::Process& process,
                                       const collision::Margins& margins,
                                       const base::RunContext& ctx);
 
-// At rest, with the nozzle upright over the middle of the plate: the pose whose bodies are clearest
-// of each other, up to 20 mm; of those that are the same to 1 mm the one highest over the plate,
-// then the one that turns the joints least. Tried 180, 160 ... 20 mm above it, 16 turns about the
-// nozzle, all branches; external axes at 0. None: no such pose has its bodies clear.
+// Returns the best home pose with the nozzle upright over the middle of the plate: the one with the
+// largest clearance between bodies, up to 20 mm; among equal ones (to 1 mm) the highest above the
+// plate, then the one with the smallest joint values. Tries 180, 160 ... 20 mm above the plate, 16
+// turns about the nozzle, and all IK branches; external axes at 0. Returns nullopt if no such pose
+// is free of collisions.
 std::optional<robot::JointVector> clearestRest(const robot::Cell& cell,
                                                const process::Process& process);
 

@@ -23,26 +23,28 @@ using robot::BodyRole;
 using robot::JointVector;
 using robot::Mount;
 
-constexpr std::size_t kDrawn = 300;    // poses for what is mostly near
-constexpr double kTableBelowMm = 30.0; // the arm's underside: capsules reach over it
-constexpr double kNozzleMm = 200.0;    // tip from the flange; the head is 110 mm high
-// A nozzle that is bent against the flange: straight on it turning about the nozzle moves the last
-// joint alone, and where it leans the wrist comes near to straight.
+// number of poses for the search for bodies that are always near
+constexpr std::size_t kDrawn = 300;
+// distance below the arm's underside, since capsules extend beyond it
+constexpr double kTableBelowMm = 30.0;
+constexpr double kNozzleMm = 200.0; // tip from the flange; the head is 110 mm high
+// A nozzle that is bent relative to the flange. With a straight one, rotation about the nozzle
+// moves the last joint alone, and a tilted nozzle brings the wrist close to its singularity.
 constexpr double kBendRad = base::degreesToRadians(45.0);
 constexpr double kBeforeBendMm = 60.0, kBehindBendMm = 150.0;
 constexpr double kStemMm = 100.0;   // of a plate on the flange
-constexpr double kGantryMm = 600.0; // above the tip of a nozzle that stands
-constexpr double kSame = 0.01;      // shares that are nearly equal
-constexpr double kMostly = 0.5;     // of the poses within limits
-// Makers set limits so that a link does not run into the next but one: where solids meet at a
-// seventh of all poses, it is the solids that are too fat.
+constexpr double kGantryMm = 600.0; // above the tip of a stationary nozzle
+constexpr double kSame = 0.01;      // shares that differ by less count as equal
+constexpr double kMostly = 0.5;     // share of the poses within limits
+// Makers set limits such that a link does not collide with the next but one: if the solids
+// intersect at a seventh of all poses, the solids are too large.
 constexpr double kOftenNextButOne = 0.15;
 
 double toTens(double mm) {
   return 10.0 * std::round(0.1 * mm);
 }
 
-// Few poses: an arm that is solved numerically takes a millisecond for each.
+// Few poses: an arm that is solved numerically takes about 1 ms for each.
 PosePattern patternFor(double reachMm) {
   return {.radiusMm = std::clamp(5.0 * std::round(0.02 * reachMm), 40.0, 150.0),
           .shells = 4,
@@ -54,12 +56,12 @@ PosePattern patternFor(double reachMm) {
 struct Place {
   double out, up;   // mm, from joint 1's axis and from the arm's underside
   double offCentre; // of the grid, in steps
-  bool bent;        // is the nozzle
+  bool bent;        // whether the nozzle is bent
 };
-// `bends`: nozzles on the flange are tried straight and bent.
+// `bends`: nozzles on the flange are tried both straight and bent.
 std::vector<Place> placesFor(const ArmFacts& facts, Mount nozzle, bool bends) {
   const std::vector<double> outs{0.4, 0.5, 0.6, 0.7};
-  // A flange that looks up asks for more height than one that looks down.
+  // A flange that points up needs more height than one that points down.
   const std::vector<double> ups = nozzle == Mount::Flange
                                       ? std::vector<double>{0.05, 0.15, 0.3, 0.45}
                                       : std::vector<double>{0.4, 0.55, 0.7, 0.85, 1.0};
@@ -143,7 +145,7 @@ const robot::Body& bodyOf(const robot::Cell& cell, int i) {
   return cell.bodies()[static_cast<std::size_t>(i)];
 }
 
-// What of the cell itself is near an arm's link whatever the arm does.
+// Returns pairs of a link and another body of the cell that are near each other at most poses.
 std::vector<robot::UncheckedPair> nearInCell(const robot::Cell& cell) {
   std::vector<Frames> poses;
   for (const JointVector& q : drawnPoses(cell.limits(), kDrawn))
@@ -159,7 +161,8 @@ std::vector<robot::UncheckedPair> nearInCell(const robot::Cell& cell) {
   return never;
 }
 
-// Where no pose above the plate is clear: the pair of links that is in the way most often.
+// Returns the pair of links that collides most often if all poses above the plate collide; nullopt
+// otherwise.
 std::optional<std::pair<int, int>> blockingLinks(const robot::Cell& cell,
                                                  const process::Process& process) {
   constexpr int kTurns = 16;
@@ -218,7 +221,8 @@ struct Tried {
   CellScore score;
   double offCentre;
 };
-// By what can be printed there; of nearly as much, nearer to the middle of the grid.
+// Prefers the larger printable share; among nearly equal ones, the place nearer to the middle of
+// the grid.
 bool better(const Tried& a, const Tried& b) {
   const double is = std::round(a.score.meanOfTilts() / kSame),
                other = std::round(b.score.meanOfTilts() / kSame);
@@ -250,16 +254,16 @@ std::vector<std::pair<int, int>> neverNear(const robot::RobotModel& robot) {
 
 CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::Process& process,
                   const base::RunContext& ctx) {
-  constexpr int kRounds = 4; // of leaving out what meets at rest
+  constexpr int kRounds = 4; // of excluding pairs that collide at every home pose
   robot::RobotModel robot = given;
   const ArmFacts facts = armFacts(robot);
   constexpr double kShortestMm = 100.0, kLongestMm = 20000.0;
   if (!(facts.reachMm > kShortestMm && facts.reachMm < kLongestMm))
     throw base::Error(base::ErrorCode::UnusableInput,
-                      base::message("the arm reaches {reach} mm, which no arm does"_text,
+                      base::message("implausible reach of the arm: {reach} mm"_text,
                                     base::number(std::round(facts.reachMm))),
                       robot.id, "lengths in a URDF are metres"_text);
-  // Of a slow inverse a turn about a bent nozzle takes one each.
+  // With a slow IK every turn about a bent nozzle needs its own solution.
   const std::vector<Place> places = placesFor(facts, nozzle, robot.kinematics->isFast());
   const PosePattern pattern = patternFor(facts.reachMm);
   std::vector<std::pair<int, int>> meetAtRest;
@@ -268,7 +272,7 @@ CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::P
     std::optional<std::pair<int, int>> meeting;
     for (std::size_t i = 0; i < places.size(); ++i) {
       ctx.report((round + static_cast<double>(i) / static_cast<double>(places.size())) / kRounds,
-                 "places for the plate"_text);
+                 "searching a place for the plate"_text);
       robot::CellDescription cell = describe(robot, facts, nozzle, places[i]);
       cell.neverMeet = nearInCell(cellOf(cell, robot, process));
       const robot::Cell at = cellOf(cell, robot, process);
@@ -291,7 +295,7 @@ CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::P
                         std::move(one.score), meetAtRest, notesOf(facts)};
       layout.cell.home = rest->q;
       layout.cell.note = noteOf(layout, places.size());
-      ctx.report(1.0, "places for the plate"_text);
+      ctx.report(1.0, "searching a place for the plate"_text);
       return layout;
     }
     if (!meeting)
@@ -301,11 +305,11 @@ CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::P
   }
   throw base::Error(
       base::ErrorCode::UnusableInput,
-      base::message("the arm reaches above a plate nowhere, clear of itself and the table (reach "
-                    "{reach} mm)"_text,
+      base::message("no place found where the arm reaches above a plate without "
+                    "collision (reach {reach} mm)"_text,
                     base::number(std::round(facts.reachMm))),
       robot.id,
-      "look through its limits and solids in the description, or name its links: --base, --tip"_text);
+      "check the limits and solids in the description, or name its links: --base, --tip"_text);
 }
 
 } // namespace voluta::cells

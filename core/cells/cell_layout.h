@@ -1,5 +1,5 @@
-// A cell for an arm: where plate, nozzle and table stand, found by trying places and counting what
-// can be printed there (cells/cell_score.h).
+// Layout of a cell for an arm: positions of plate, nozzle and table, found by trying places and
+// counting the printable poses (cells/cell_score.h).
 #pragma once
 
 #include "base/run_context.h"
@@ -19,32 +19,31 @@ namespace voluta::cells {
 struct CellLayout {
   robot::CellDescription cell;
   RestPose rest;
-  PosePattern pattern; // what `score` counts
+  PosePattern pattern; // the poses that `score` counts
   CellScore score;
-  // Pairs of links (indices into RobotModel::links) that meet at every rest there is: solids too
-  // fat for the arm. They are left out of the robot's neverMeet that the search went by, and belong
-  // into it.
+  // Pairs of links (indices into RobotModel::links) that collide in every possible home pose
+  // because their solids are too large. They were ignored in the search in addition to the robot's
+  // neverMeet, and should be added to it.
   std::vector<std::pair<int, int>> meetAtRest;
-  std::vector<std::string> notes; // what the arm is taken for, a sentence each
+  std::vector<std::string> notes; // assumptions about the arm, one sentence each
 };
 
-// `robot`'s neverMeet holds what neverNear finds. `nozzle`: Flange for a nozzle
-// on the arm over a plate on the table, straight or bent by 45 degrees (an arm that is solved
-// numerically: straight), World for a plate on the arm below a nozzle that stands.
-// Of the places on a grid of shares of the reach the best by CellScore::meanOfTilts, of nearly
-// equal ones the nearest to the middle of the grid.
-// The cell's id is the robot's with -moving or -fixed.
+// `robot`: its neverMeet contains the result of neverNear. `nozzle`: Flange for a nozzle on the arm
+// above a plate on the table, straight or bent by 45 degrees (straight for an arm that is solved
+// numerically); World for a plate on the arm below a stationary nozzle. Returns the place with the
+// best CellScore::meanOfTilts from a grid of shares of the reach; among nearly equal ones, the
+// nearest to the middle of the grid. The cell's id is the robot's with -moving or -fixed.
 //
-// Throws Error{UnusableInput}: at no place does the arm reach above the plate, clear.
+// Throws Error{UnusableInput} if the arm reaches above the plate without collision at no place.
 CellLayout layOut(const robot::RobotModel& robot, robot::Mount nozzle,
                   const process::Process& process, const base::RunContext& ctx);
 
-// The cell of a description for searches: the plate smallPlate().
+// Returns the cell of a description, for searches: with smallPlate() as its plate.
 robot::Cell cellOf(const robot::CellDescription& description, const robot::RobotModel& robot,
                    const process::Process& process);
 
-// Links, not neighbours, that are nearer than kClearMm at most poses within limits; of a link and
-// the next but one at a seventh of them.
+// Returns pairs of links that are closer than kClearMm at most poses within the limits, except
+// neighbours; for a link and the next but one, at a seventh of the poses.
 std::vector<std::pair<int, int>> neverNear(const robot::RobotModel& robot);
 
 } // namespace voluta::cells

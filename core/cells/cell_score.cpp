@@ -18,7 +18,8 @@ using base::kPi;
 using Eigen::Vector3d;
 using robot::JointVector;
 
-constexpr double kPartShare = 0.77; // of the ball's radius, the part's
+// radius of the ball for the part, relative to the ball of poses
+constexpr double kPartShare = 0.77;
 
 std::vector<Vector3d> pointsOf(const PosePattern& pattern) {
   std::vector<Vector3d> points{{0, 0, 1}, {15, 0, 1}};
@@ -109,7 +110,7 @@ CellScore scoreOf(const robot::Cell& cell, const process::Process& process,
         CellScore score{none, none, none};
         Clear clear(cell, bodies, kPartShare * pattern.radiusMm);
         std::vector<JointVector> solutions;
-        int lastTurn = 0; // what was clear is likely to be clear at the next pose
+        int lastTurn = 0; // a turn that was clear is likely to be clear at the next pose
         for (std::size_t p = begin; p < end; ++p)
           for (std::size_t tilt = 0; tilt < tilts; ++tilt) {
             const double lean = base::degreesToRadians(pattern.tiltDeg[tilt]);

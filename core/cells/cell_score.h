@@ -1,7 +1,7 @@
-// How much of what a cell may be asked to print it reaches with all bodies clear. Poses: the tip at
-// points of a ball that stands on the plate, tilted to all sides, any turn about the nozzle; the
-// plate a disc of 40 mm; a ball of three quarters of that radius stands for the part, which links
-// must not touch.
+// Score of a cell: the share of printing poses it reaches without collisions. Poses: the tip at
+// points of a ball on the plate, tilted to all sides, with any turn about the nozzle. The plate is
+// a disc of 40 mm; a ball of three quarters of the radius represents the part, which links must not
+// touch.
 #pragma once
 
 #include "base/run_context.h"
@@ -12,20 +12,20 @@
 
 namespace voluta::cells {
 
-inline constexpr double kClearMm = 3.0; // what counts as clear: a plan keeps 2
+inline constexpr double kClearMm = 3.0; // minimum clearance; plans keep 2 mm
 
 struct PosePattern {
   double radiusMm = 65.0; // of the ball
-  int shells = 9;         // points on the ball's surface, as many again at half its radius
-  int sides = 8;          // of each tilt but the first
+  int shells = 9;         // points on the ball's surface, and as many at half its radius
+  int sides = 8;          // per tilt except the first
   int turns = 16;         // about the nozzle
-  std::vector<double> tiltDeg = {0, 30, 60, 90, 120}; // an arm that cannot tilt: the first alone
+  std::vector<double> tiltDeg = {0, 30, 60, 90, 120}; // for an arm that cannot tilt, only the first
 };
 
 struct CellScore {
-  std::vector<int> poses, reached, clear; // of each tilt
-  double share(std::size_t tilt) const;   // that is clear, 0..1
-  double share() const;                   // of all poses
+  std::vector<int> poses, reached, clear; // per tilt
+  double share(std::size_t tilt) const;   // of collision-free poses, 0..1
+  double share() const;                   // over all poses
   double meanOfTilts() const;
   CellScore& operator+=(const CellScore& other);
 };
@@ -33,7 +33,7 @@ struct CellScore {
 CellScore scoreOf(const robot::Cell& cell, const process::Process& process,
                   const PosePattern& pattern, const base::RunContext& ctx);
 
-// The corners of the disc of 40 mm that stands for the plate.
+// Returns the corners of the disc of 40 mm that represents the plate.
 std::vector<Eigen::Vector2d> smallPlate();
 
 } // namespace voluta::cells

@@ -1,4 +1,5 @@
-// Bodies that are near each other whatever the arm does: what encloses them is, not they.
+// Search for pairs of bodies that are near each other at any pose because their enclosing solids
+// are.
 #pragma once
 
 #include "robot/body.h"
@@ -8,15 +9,16 @@
 
 namespace voluta::cells {
 
-// The poses of all frames that bodies are in, at one pose of the arm (Kinematics::linkPoses,
+// The poses of all frames of bodies for one pose of the arm (Kinematics::linkPoses,
 // Cell::framePoses).
 using Frames = std::vector<Eigen::Isometry3d>;
 
-// Of two bodies in one frame each, mm; at most 0.5 mm off. Of two solids that are no capsules the
-// smaller is taken as the capsule of about its size. Not above capMm.
+// Returns the distance of two bodies [mm], each rigid in one frame, with an error of at most 0.5 mm
+// and limited to capMm. Of two solids that are not capsules, the smaller one is replaced by a
+// capsule of about its size.
 double distanceOf(const robot::Body& a, const robot::Body& b, const Frames& frames, double capMm);
 
-// The share of `poses`, 0..1, at which two bodies are nearer than nearMm.
+// Returns the share of `poses`, 0..1, at which two bodies are closer than nearMm.
 double nearShare(const robot::Body& a, const robot::Body& b, const std::vector<Frames>& poses,
                  double nearMm);
 

@@ -15,7 +15,7 @@ using Eigen::Vector3i;
 
 std::vector<Vector3d> reachableFrames(const robot::RobotModel& robot, const NozzleSearch& search) {
   std::mt19937_64 random(search.seed);
-  // As the standard's distributions differ from one library to the next.
+  // The standard library's distributions differ between implementations.
   const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1.0p-53; };
   std::vector<Vector3d> frames;
   robot::JointVector q(robot.dof());
@@ -70,9 +70,9 @@ public:
   }
 
   Vector3i low() const { return low_; }
-  Vector3i high() const { return low_ + size_; } // behind the last
+  Vector3i high() const { return low_ + size_; } // one past the last
 
-  // In the bins [from, to).
+  // Returns the sum over the bins [from, to).
   std::size_t in(const Vector3i& from, const Vector3i& to) const {
     const Vector3i a = clamped(from), b = clamped(to);
     std::size_t sum = 0;
@@ -80,7 +80,7 @@ public:
       const Vector3i c(corner & 1 ? a.x() : b.x(), corner & 2 ? a.y() : b.y(),
                        corner & 4 ? a.z() : b.z());
       const bool minus = std::popcount(static_cast<unsigned>(corner)) % 2 == 1;
-      sum += minus ? ~sums_[index(c)] + 1 : sums_[index(c)]; // whole numbers wrap round
+      sum += minus ? ~sums_[index(c)] + 1 : sums_[index(c)]; // unsigned integers wrap around
     }
     return sum;
   }

@@ -21,7 +21,7 @@ ObstacleSolids obstacleOfFile(const std::filesystem::path& file, double mmPerUni
   }
   const double longest = geometry::bounds(mesh).sizes().maxCoeff();
   if (!(longest > 0.0))
-    throw base::Error(base::ErrorCode::UnusableInput, "all of the mesh is one point"_text,
+    throw base::Error(base::ErrorCode::UnusableInput, "the whole mesh is a single point"_text,
                       file.string());
   return {robot::solidPieces(mesh, kMostPieces, ctx), longest};
 }

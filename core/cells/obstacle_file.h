@@ -1,4 +1,4 @@
-// An obstacle of a cell from a mesh's file.
+// Reading of a cell's obstacle from a mesh file.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,14 +11,14 @@ namespace voluta::cells {
 
 struct ObstacleSolids {
   std::vector<robot::Shape> solids;
-  double longestMm = 0.0; // of the mesh along an axis
+  double longestMm = 0.0; // largest extent of the mesh along an axis
 };
 
-// What the file holds as at most 16 solids (robot/urdf/solid_pieces.h), where it was drawn, upright
-// where the format says what is up. All formats that a part may come in
-// (geometry/formats/mesh_reader.h, foreign_reader.h); `mmPerUnit`: how long a unit is of those that
-// do not say. Throws Error{UnreadableFile, UnusableInput} as those; Error{UnusableInput}: all of it
-// is one point. Throws Cancelled. Precondition: mmPerUnit > 0.
+// Returns the file's content as at most 16 solids (robot/urdf/solid_pieces.h), in the file's
+// position, upright if the format defines the up direction. Accepts all formats of parts
+// (geometry/formats/mesh_reader.h, foreign_reader.h); `mmPerUnit`: length of a unit for formats
+// that do not state it. Throws Error{UnreadableFile, UnusableInput} as those, Error{UnusableInput}
+// if the whole mesh is one point, and Cancelled. Precondition: mmPerUnit > 0.
 ObstacleSolids obstacleOfFile(const std::filesystem::path& file, double mmPerUnit,
                               const base::RunContext& ctx);
 

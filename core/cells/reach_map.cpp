@@ -23,7 +23,7 @@ const robot::Prism& plateOrThrow(const robot::Cell& cell) {
   if (!plate)
     throw base::Error(base::ErrorCode::Usage,
                       base::message("cell {cell} has no plate to map"_text, cell.id()), {},
-                      "take a cell with a plate"_text);
+                      "use a cell with a plate"_text);
   return *plate;
 }
 
@@ -38,8 +38,8 @@ void check(const ReachGrid& grid) {
                 "a grid of reach: lists that ascend, one of everything");
 }
 
-// Looks for a way to a pose. What led to the last one is tried first: it decides how soon a way is
-// found, and not whether there is one.
+// Searches for a solution for a pose. The combination that solved the last pose is tried first,
+// which affects only the speed, not the result.
 class Reacher {
 public:
   Reacher(const robot::Cell& cell, const collision::CellCollision& collision,
@@ -49,7 +49,8 @@ public:
         near_(cell.home()) {}
 
   bool reaches(const Eigen::Vector3d& tip, const Direction& direction) {
-    // The head is round: whether it meets the plate hangs on tip and direction alone.
+    // The head is rotationally symmetric: its collision with the plate depends on tip and direction
+    // alone.
     if (collision_.headTouchesPlatform(poseOf(tip, direction, 0), margins_.headMm))
       return false;
     const std::size_t turns = static_cast<std::size_t>(grid_.turns);
@@ -209,7 +210,7 @@ ReachMap reachMap(const robot::Cell& cell, const process::Process& process, Reac
   const collision::CellCollision collision(cell, process);
   const std::vector<JointVector> axes = axisPlaces(cell, map.grid().axisPlaces);
   constexpr std::size_t kGrain = 4;
-  // A band of points at a time, so that there is progress to report.
+  // Points are processed in bands so that progress can be reported.
   const std::size_t count = map.points().size();
   const std::size_t band = kGrain * static_cast<std::size_t>(std::max(1, ctx.threads())) * 4;
   for (std::size_t begin = 0; begin < count; begin += band) {
@@ -226,7 +227,7 @@ ReachMap reachMap(const robot::Cell& cell, const process::Process& process, Reac
         }
     });
     ctx.report(static_cast<double>(begin + length) / static_cast<double>(count),
-               "where the head reaches"_text);
+               "reach of the head"_text);
   }
   return map;
 }

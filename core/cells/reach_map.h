@@ -1,7 +1,7 @@
-// Where over its plate, and at which tilt, a cell's nozzle gets: some turn about the nozzle and
-// some branch of the arm inside its limits, all bodies of the cell clear of each other, the head's
-// true shape among them. What is printed is no body here: the map is of the cell, whatever the
-// part.
+// Map of the positions over the plate, and the tilts, that a cell's nozzle reaches: with some turn
+// about the nozzle and some IK branch of the arm within its limits, without collisions between any
+// bodies of the cell, including the true shape of the head. Printed material is not considered: the
+// map depends on the cell, not on the part.
 #pragma once
 
 #include "base/run_context.h"
@@ -17,19 +17,19 @@
 
 namespace voluta::cells {
 
-// The poses that are tried.
+// The poses to try.
 struct ReachGrid {
   double spacingMm = 20.0;       // of points on the plate, one of them at the work frame's origin
-  std::vector<double> heightsMm; // of the tip over the plate, ascending, > 0
+  std::vector<double> heightsMm; // of the tip above the plate, ascending, > 0
   std::vector<double> tiltsRad;  // of the build direction from upright, ascending from 0, < pi
-  int azimuths = 12;             // to so many sides, the first towards x
+  int azimuths = 12;             // number of tilt directions, the first towards x
   int turns = 16;                // about the nozzle
-  int axisPlaces = 8;            // of each external axis, its rest besides (axisPlaces())
+  int axisPlaces = 8; // per external axis, in addition to its home position (axisPlaces())
 };
 
-// Heights from the process's first layer up to `heightMm`, tilts up to 60 degrees; as many points
-// across the plate as are seen well: 24 over its longer side, rounded to 5 mm.
-// Preconditions: the cell has a plate; heightMm > 0.
+// Returns a grid with heights from the process's first layer up to `heightMm`, tilts up to 60
+// degrees, and a resolution suited for display: 24 points over the plate's longer side, with the
+// spacing rounded to 5 mm. Preconditions: the cell has a plate; heightMm > 0.
 ReachGrid usualGrid(const robot::Cell& cell, const process::Process& process, double heightMm);
 
 // Build directions: upright, then each tilt to all sides.
@@ -40,23 +40,24 @@ struct Direction {
 };
 std::vector<Direction> directionsOf(const ReachGrid& grid);
 
-// Where the external axes are tried: all together at rest, then each at `places` values spread
-// evenly over its range (a turning one with a turn or more: over one turn from its lower limit or
-// -180 degrees, whichever is more), every combination. Without axes one empty entry.
+// Returns the positions of the external axes to try: all at home, then all combinations of `places`
+// values per axis spread evenly over its range (for a rotary axis with a range of a turn or more:
+// over one turn from its lower limit or -180 degrees, whichever is larger). Without axes, returns
+// one empty entry.
 std::vector<robot::JointVector> axisPlaces(const robot::Cell& cell, int places);
 
-// What was reached. Points are (column, row) of a lattice about the work frame's origin; only those
-// on the plate count.
+// The reached poses. Points are (column, row) of a lattice around the work frame's origin; only
+// those on the plate count.
 class ReachMap {
 public:
-  // Nothing reached yet. `plate`: convex, counter-clockwise.
+  // Creates a map with nothing reached. `plate`: convex, counter-clockwise.
   ReachMap(ReachGrid grid, std::vector<Eigen::Vector2d> plate);
 
   const ReachGrid& grid() const { return grid_; }
   const std::vector<Eigen::Vector2d>& plate() const { return plate_; }
   const std::vector<Direction>& directions() const { return directions_; }
-  const std::vector<Eigen::Vector2d>& points() const { return points_; } // on the plate, mm
-  // Of points(): its column and row, which neighbours share but for one.
+  const std::vector<Eigen::Vector2d>& points() const { return points_; } // on the plate [mm]
+  // Column and row of each of points(); they differ by 1 in one of both between neighbours.
   const std::vector<Eigen::Vector2i>& lattice() const { return lattice_; }
 
   bool reached(std::size_t point, std::size_t height, std::size_t direction) const {
@@ -66,10 +67,10 @@ public:
     reached_[index(point, height, direction)] = is ? 1 : 0;
   }
 
-  // Share of the poses reached over a point, at heights up to heightMm (the lowest always counts)
-  // and tilts up to tiltRad (upright always counts), in [0, 1].
+  // Returns the share of poses reached above a point, at heights up to heightMm (the lowest always
+  // counts) and tilts up to tiltRad (upright always counts), in [0, 1].
   double share(std::size_t point, double heightMm, double tiltRad) const;
-  // Over all points: of those at this tilt alone.
+  // Returns the share over all points for this tilt alone.
   double shareOfTilt(std::size_t tilt) const;
 
 private:
@@ -83,10 +84,10 @@ private:
   std::vector<std::uint8_t> reached_;
 };
 
-// `margins`: how near bodies may come to each other, as for a motion. Preconditions
-// (Error{Internal}): as ReachGrid says. Throws Error{Usage} where the cell has no plate (a rod);
-// Cancelled. A cell that brings the nozzle to one direction only (Cell::tilts()) is asked for
-// upright poses alone: other tilts are left out of the grid. Same result for any number of threads.
+// `margins`: minimum distances of bodies, as for a motion. Preconditions (Error{Internal}): see
+// ReachGrid. Throws Error{Usage} if the cell has no plate (a rod), and Cancelled. For a cell with
+// only one nozzle direction (Cell::tilts()), tilts other than upright are removed from the grid.
+// The result does not depend on the number of threads.
 ReachMap reachMap(const robot::Cell& cell, const process::Process& process, ReachGrid grid,
                   const collision::Margins& margins, const base::RunContext& ctx);
 

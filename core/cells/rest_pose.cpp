@@ -67,7 +67,7 @@ std::optional<RestPose> restPose(const robot::Cell& cell, const process::Process
                                  double reachMm) {
   const collision::CellCollision bodies(cell, process);
   const JointVector zero = JointVector::Zero(cell.dof());
-  // An arm that cannot tilt has no singular pose but a stretched one.
+  // An arm that cannot tilt is singular only when stretched.
   const double enough = cell.tilts() ? kFromSingular : 0.0;
   std::vector<JointVector> solutions;
   std::vector<Eigen::Isometry3d> frames;

@@ -16,7 +16,8 @@ double pointDistance(const Disc& disc, const Vector3d& point) {
   return std::hypot(up, std::max(0.0, (r - up * disc.normal).norm() - disc.radius));
 }
 
-// The least value of a convex function over [low, high], or the first found at or below `enough`.
+// Returns the minimum of a convex function over [low, high], or the first value found at or below
+// `enough`.
 template <typename Value>
 double leastOf(const Value& value, double low, double high, double enough) {
   constexpr int kSteps = 20; // 7e-5 of the range

@@ -1,4 +1,4 @@
-// Beads by their sections themselves, for what lies nearer to them than cells can tell.
+// Exact bead sections, for collision checks at distances that the grid does not resolve.
 #pragma once
 
 #include "collision/shape_distance.h"
@@ -12,7 +12,7 @@
 
 namespace voluta::collision {
 
-// A bead's solid between two waypoints: a flat middle `along` from `start`, `halfFlat` to either
+// Solid of a bead between two waypoints: a flat strip `along` from `start`, `halfFlat` to either
 // side, grown by `radius`: its section is a rectangle with half-round sides.
 struct BeadSection {
   Eigen::Vector3d start, along, side; // side: unit, across
@@ -21,18 +21,18 @@ struct BeadSection {
 // Precondition: i + 1 < plan.waypointCount().
 BeadSection beadSection(const plan::ToolPlan& plan, std::size_t i);
 
-// The distance of the disc to the bead's solid, at most 0 where they meet; the search ends as soon
-// as it knows that. mm, to 1e-3.
+// Returns the distance of the disc from the bead's solid, at most 0 if they intersect; the search
+// then stops early. mm, to 1e-3.
 double discDistance(const Disc& disc, const BeadSection& bead);
 
 class BeadSections {
 public:
   BeadSections() = default;
-  // `segments`: the first waypoints of those that stay where they are laid, ascending.
+  // `segments`: first waypoints of the segments that stay where they are printed, ascending.
   BeadSections(const plan::ToolPlan& plan, const std::vector<std::uint32_t>& segments);
 
-  // Does the disc reach into a bead that is laid before the head is at waypoint `printing`? What
-  // the path that is printed there laid over its last two widths is soft and does not count.
+  // Returns whether the disc reaches into a bead that is printed before the head is at waypoint
+  // `printing`. The last two bead widths of the path printed there are soft and do not count.
   // `normal` points away from the beads.
   bool reachedBy(const Disc& disc, std::size_t printing) const;
 
@@ -45,8 +45,8 @@ private:
   bool isSoft(std::size_t waypoint, std::size_t printing) const;
 
   std::vector<BeadSection> beads_;
-  std::vector<std::uint32_t> laidAt_; // a bead: the waypoint that it leads to
-  std::vector<Place> places_;         // a waypoint
+  std::vector<std::uint32_t> laidAt_; // per bead: its end waypoint
+  std::vector<Place> places_;         // per waypoint
   geometry::BoxGrid near_;
 };
 

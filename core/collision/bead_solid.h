@@ -1,4 +1,4 @@
-// The solid of one laid segment, as deposits see it.
+// Solid of one printed segment, as used for depositing it in the grid.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -11,9 +11,9 @@
 namespace voluta::collision {
 
 // The bead between waypoints i and i + 1 of one path: the section of process/bead_model.h (a
-// rectangle with half-round ends, height h below the tip) swept along the segment, turned with
-// the waypoints' directions and rounded at both ends. Widths, heights and directions run linearly;
-// a point is judged by the section at the nearest place of the bead's middle line.
+// rectangle with half-round ends, height h below the tip) swept along the segment, rotated with the
+// waypoints' directions and rounded at both ends. Widths, heights and directions are interpolated
+// linearly; a point is tested against the section at the nearest position on the bead's centreline.
 class BeadSolid {
 public:
   // Precondition: i + 1 < plan.waypointCount().
@@ -54,16 +54,17 @@ public:
     return beyond * beyond + up * up <= quarter;
   }
 
-  // Corners of a box that holds the bead.
+  // Corners of a box that contains the bead.
   Eigen::Vector3d low() const { return centre0_.cwiseMin(centre0_ + along_) - extent(); }
   Eigen::Vector3d high() const { return centre0_.cwiseMax(centre0_ + along_) + extent(); }
 
 private:
   double reach() const { return 0.5 * std::max({width0_, width1_, height0_, height1_}); }
-  // How far it goes from its middle line along each axis.
+  // Returns its extent from the centreline along each axis.
   Eigen::Vector3d extent() const {
-    // On the arc between two unit directions a component is no further from 0 than the further
-    // end's over the cosine of half the arc, and no nearer than the nearer end's, if on one side.
+    // On the arc between two unit directions a component is at most the larger end's absolute value
+    // divided by the cosine of half the arc, and, if both are on one side, at least the smaller
+    // end's.
     const Eigen::Array3d up0 = direction0_.normalized(), up1 = (direction0_ + turn_).normalized();
     const double cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + (up0 * up1).sum())));
     if (cosine < 0.5)

@@ -44,7 +44,7 @@ struct CellCollision::Assembly {
 
 namespace {
 
-// A direction in which solids of this kind are often apart: their axis.
+// A direction in which solids of this kind are often separated: their axis.
 Vector3d axisOf(const robot::Shape& shape) {
   if (const auto* f = std::get_if<robot::Frustum>(&shape))
     return (f->p1 - f->p0).normalized();
@@ -53,7 +53,7 @@ Vector3d axisOf(const robot::Shape& shape) {
   return Vector3d::UnitZ();
 }
 
-// Gap of the two along a direction of the base; <= their distance.
+// Returns the gap between the two along a direction of the base; a lower bound of their distance.
 double gap(const robot::Shape& a, const Isometry3d& base_T_a, const robot::Shape& b,
            const Isometry3d& base_T_b, const Vector3d& direction) {
   const double reachA =
@@ -65,7 +65,7 @@ double gap(const robot::Shape& a, const Isometry3d& base_T_a, const robot::Shape
 
 } // namespace
 
-// A solid where it stands, with what every other is held against.
+// A solid at its pose, with precomputed data for tests against others.
 struct CellCollision::PosedSolid {
   PosedSolid(const Solid& s, const Isometry3d& pose)
       : solid(&s), base_T_solid(&pose), centre(pose * s.ball.centre) {
@@ -76,7 +76,7 @@ struct CellCollision::PosedSolid {
   }
   const Solid* solid;
   const Isometry3d* base_T_solid;
-  Vector3d centre, p0, p1; // of its ball; of a capsule's segment
+  Vector3d centre, p0, p1; // of its bounding sphere; of a capsule's segment
 };
 
 // The cell's bodies at a pose.
@@ -95,7 +95,7 @@ public:
     }
   }
 
-  // The distance of two of them, or a lower bound of it that is above `enough`.
+  // Returns the distance of two of them, or a lower bound of it above `enough`.
   double distance(int a, int b, double enough) const {
     const Body &one = bodies_[static_cast<std::size_t>(a)],
                &other = bodies_[static_cast<std::size_t>(b)];
@@ -113,7 +113,7 @@ private:
     return std::span(solids_).subspan(body.first, body.count);
   }
 
-  std::vector<Body> bodies_; // as the cell's
+  std::vector<Body> bodies_; // in the order of the cell's
   std::vector<PosedSolid> solids_;
 };
 
@@ -154,7 +154,7 @@ double CellCollision::distance(const PosedSolid& a, const PosedSolid& b, double 
   const double balls = (a.centre - b.centre).norm() - a.solid->ball.radius - b.solid->ball.radius;
   if (balls > enough)
     return balls;
-  // A capsule is taken into the other's frame, where that one lies ready.
+  // The capsule is transformed into the other's frame, where that one is precomputed.
   const auto* capsuleA = std::get_if<robot::Capsule>(&a.solid->shape);
   const auto* capsuleB = std::get_if<robot::Capsule>(&b.solid->shape);
   if (capsuleA && capsuleB)
@@ -227,8 +227,8 @@ std::optional<Contact> CellCollision::bodies(const Frames& base_T_frame,
   return std::nullopt;
 }
 
-// Calls visit(body, its index, work_T_body) for those that may meet the part but the head; ends
-// where it returns true.
+// Calls visit(body, its index, work_T_body) for bodies that may collide with the part, except the
+// head; stops if it returns true.
 template <typename Visit>
 void CellCollision::forBodiesAgainstPart(const Frames& base_T_frame, Visit&& visit) const {
   const Isometry3d work_T_base =
@@ -264,7 +264,7 @@ bool CellCollision::headTouchesPart(const Isometry3d& work_T_tool, const Growing
 
 bool CellCollision::touchesPlatform(const Assembly& assembly, const Isometry3d& work_T_assembly,
                                     double marginMm) const {
-  // Mostly all of it is above the plate.
+  // Fast path: usually all of it is above the plate.
   const Vector3d down = work_T_assembly.linear().transpose() * -Vector3d::UnitZ();
   double deepest = -std::numeric_limits<double>::infinity();
   for (const Solid& solid : assembly.solids)
@@ -317,7 +317,7 @@ double CellCollision::clearance(const Frames& base_T_frame, double capMm,
       *nearest = pair;
     least = std::min(least, distance);
   };
-  // What is near already tells of most others that they are further.
+  // Start with the nearest pair: its distance prunes most of the others.
   const std::size_t first = nearest && *nearest < freePairs_.size() ? *nearest : 0;
   for (std::size_t pair = first; pair < freePairs_.size(); ++pair)
     look(pair);

@@ -1,4 +1,4 @@
-// Do the bodies of a cell meet each other, or the part printed so far?
+// Collision checks between the bodies of a cell, and with the part printed so far.
 #pragma once
 
 #include "collision/growing_part.h"
@@ -17,24 +17,25 @@
 
 namespace voluta::collision {
 
-// How far bodies have to keep from each other. mm.
+// Clearances between bodies [mm].
 struct Margins {
-  double bodiesMm = 2.0; // body to body, but for the head and the plate
-  double partMm = 2.0;   // body to printed part, but for the head
+  double bodiesMm = 2.0; // body to body, except head and plate
+  double partMm = 2.0;   // body to printed part, except the head
   double headMm = 0.0;   // eroded head (process::erodedHead) to plate and printed part
 };
 
-// What meets: indices into Cell::bodies(); kPrintedPart for the part itself.
+// Colliding pair: indices into Cell::bodies(); kPrintedPart for the part itself.
 inline constexpr int kPrintedPart = -1;
 struct Contact {
   int first = 0, second = kPrintedPart;
 };
 
-// Keeps what every query needs of a cell: shapes placed in their bodies' frames, bounding balls,
-// the head less the process's contact tolerance. All queries are const and may run in parallel.
+// Holds data of a cell that every query needs: shapes placed in their bodies' frames, bounding
+// spheres, the head reduced by the process's contact tolerance. All queries are const and may run
+// in parallel.
 class CellCollision {
 public:
-  // `cell` must outlive this.
+  // `cell` must outlive the object.
   CellCollision(const robot::Cell& cell, const process::Process& process);
   ~CellCollision();
   CellCollision(const CellCollision&) = delete;
@@ -45,26 +46,26 @@ public:
   // Poses of the cell's frames, as Cell::framePoses, for the queries below.
   using Frames = std::vector<Eigen::Isometry3d>;
 
-  // The first of cell.checkedPairs() that is closer than its margin. Frusta and prisms against
-  // each other go through FCL as polyhedra around them (at most 0.25 % too large); all else is
-  // exact.
+  // Returns the first of cell.checkedPairs() that is closer than its margin. Frusta and prisms are
+  // tested against each other by FCL as circumscribed polyhedra (at most 0.25 % too large); all
+  // other pairs are exact.
   std::optional<Contact> bodies(const Frames& base_T_frame, const Margins& margins) const;
 
-  // The first of cell.bodiesAgainstPart() but the head that comes closer than margins.partMm to
-  // a cell filled before waypoint `before`.
+  // Returns the first of cell.bodiesAgainstPart(), except the head, that is closer than
+  // margins.partMm to a cell filled before waypoint `before`.
   std::optional<Contact> bodiesAndPart(const Frames& base_T_frame, const GrowingPart& part,
                                        std::size_t before, const Margins& margins) const;
 
-  // The eroded head, grown by marginMm less half a cell of the part's grid (nearer the grid cannot
-  // tell), against the part. The head is round, so this depends on tip and axis alone, not on the
-  // joints. `before` and `printing` as in GrowingPart::headTouches.
+  // Tests the eroded head, grown by marginMm minus half a cell of the part's grid (the grid's
+  // resolution), against the part. The head is round, so the result depends on tip and axis only,
+  // not on the joints. `before` and `printing` as in GrowingPart::headTouches.
   bool headTouchesPart(const Eigen::Isometry3d& work_T_tool, const GrowingPart& part,
                        std::size_t before, double marginMm,
                        std::optional<std::size_t> printing = std::nullopt) const;
-  // The eroded head against the plate and what carries it.
+  // Tests the eroded head against the plate and its carrier.
   bool headTouchesPlatform(const Eigen::Isometry3d& work_T_tool, double marginMm) const;
-  // What holds the head, and stands fast in the tool frame, against the plate, what carries it and
-  // the part. This too depends on tip and axis alone where the holder is round.
+  // Tests the bodies that hold the head and are fixed in the tool frame against the plate, its
+  // carrier and the part. If the holder is round, this too depends on tip and axis only.
   bool holderTouches(const Eigen::Isometry3d& work_T_tool, const GrowingPart& part,
                      std::size_t before, const Margins& margins) const;
 
@@ -72,20 +73,20 @@ public:
   std::optional<Contact> any(const Frames& base_T_frame, const GrowingPart& part,
                              std::size_t before, const Margins& margins) const;
 
-  // Least distance between bodies of a checked pair, and of bodies to the part, the head's to
-  // plate and part left out (it is meant to be there); never more than capMm. mm.
-  // `nearest`: which pair is looked at first and, where one is below the cap, which is the nearest;
-  // poses alike are told sooner so.
+  // Returns the minimum distance between bodies of a checked pair, and of bodies to the part,
+  // without the head's to plate and part (where contact is intended); at most capMm. mm. `nearest`:
+  // the pair to test first; set to the nearest pair if one is below the cap. Passing it on speeds
+  // up queries at similar poses.
   double clearance(const Frames& base_T_frame, double capMm, std::size_t* nearest = nullptr) const;
   double clearanceToPart(const Frames& base_T_frame, const GrowingPart& part, std::size_t before,
                          double capMm) const;
 
-  // Those pairs one by one, of bodies and of a body and the part. distanceOf returns the pair's
-  // distance, or a lower bound of it that is no less than capMm.
+  // The same pairs individually, of bodies and of a body and the part. distanceOf returns the
+  // pair's distance, or a lower bound of it that is at least capMm.
   std::vector<Contact> clearancePairs() const;
   double distanceOf(const Contact& pair, const Frames& base_T_frame, const GrowingPart& part,
                     std::size_t before, double capMm) const;
-  // A ball that holds the body, in its frame.
+  // Returns a sphere that contains the body, in its frame.
   Ball ballAbout(int body) const;
 
   // "forearm", "platform", "printed part", ...
@@ -99,11 +100,11 @@ private:
   // The pose has to outlive them.
   static void placeSolids(const Assembly& assembly, const Eigen::Isometry3d& pose,
                           std::vector<PosedSolid>& to);
-  // The distance, or a lower bound of it that is above `enough`.
+  // Returns the distance, or a lower bound of it above `enough`.
   static double distance(const PosedSolid& a, const PosedSolid& b, double enough);
   static double distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
                          double enough);
-  // Does it come nearer than marginMm to the plate or what carries it?
+  // Returns whether it is closer than marginMm to the plate or its carrier.
   bool touchesPlatform(const Assembly& assembly, const Eigen::Isometry3d& work_T_assembly,
                        double marginMm) const;
   template <typename Visit>
@@ -111,14 +112,14 @@ private:
   bool isHeadAndPlatform(int a, int b) const;
 
   const robot::Cell& cell_;
-  std::vector<Assembly> assemblies_; // as cell.bodies()
+  std::vector<Assembly> assemblies_; // in the order of cell.bodies()
   std::unique_ptr<Assembly> erodedHead_;
   std::unique_ptr<Revolved> revolvedHead_; // the same
   const Eigen::Isometry3d work_T_platform_ = Eigen::Isometry3d::Identity();
-  std::vector<PosedSolid> platformSolids_;     // of plate and what carries it
+  std::vector<PosedSolid> platformSolids_;     // of the plate and its carrier
   std::vector<int> holders_;                   // of cell.bodies()
   std::size_t solidCount_ = 0;                 // of all bodies
-  std::vector<std::pair<int, int>> freePairs_; // that are checked, but for head and plate
+  std::vector<std::pair<int, int>> freePairs_; // checked pairs without head and plate
   double platformTopMm_;                       // in the work frame
 };
 

@@ -68,15 +68,15 @@ FillTimes::FillTimes(const voxel::VoxelGrid& grid, ReversedTimes leads, const ba
 
 namespace {
 
-// Walks the octree of blocks with something filled in time, nearest first. `signedDistance` is
-// that of a solid; a block's cell centres lie within `radius` of its middle.
+// Traverses the octree of blocks that contain cells filled in time, nearest first. `signedDistance`
+// is that of a solid; the cell centres of a block are within `radius` of its middle.
 template <typename LeastAt, typename Distance> class Descent {
 public:
   Descent(const voxel::VoxelGrid& grid, const LeastAt& leastAt, const Distance& signedDistance,
           std::uint32_t before)
       : grid_(grid), leastAt_(leastAt), signedDistance_(signedDistance), before_(before) {}
 
-  // Is a filled cell's centre at a signed distance <= margin?
+  // Returns whether the centre of a filled cell has a signed distance <= margin.
   bool touches(int level, const Vector3i& block, double margin) const {
     const double d = signedDistance_(middle(level, block));
     const double radius = radiusOf(level);
@@ -92,7 +92,7 @@ public:
     return false;
   }
 
-  // Lowers `best` to the least signed distance of a filled cell's centre in the block.
+  // Lowers `best` to the smallest signed distance of a filled cell's centre in the block.
   void nearest(int level, const Vector3i& block, double d, double& best) const {
     if (level == 0) {
       best = std::min(best, d);
@@ -163,7 +163,7 @@ bool FillTimes::holds(const Eigen::Vector3d& point, std::uint32_t before) const 
 }
 
 double FillTimes::topBefore(std::uint32_t before) const {
-  // Moments grow upwards.
+  // The times increase with height.
   const auto end = std::ranges::partition_point(
       fromUp_, [before](std::uint32_t least) { return least < before; });
   return grid_.centre(0, 0, static_cast<int>(end - fromUp_.begin()) - 1).z();
@@ -176,7 +176,7 @@ bool FillTimes::touches(const Distance& signedDistance, double lowestMm, double 
   const int top = static_cast<int>(pyramid_.size());
   if (leastAt(top, Vector3i::Zero()) >= before)
     return false;
-  // What is not at least as high as the solid's lowest point, grown, is not in it.
+  // Cells below the lowest point of the grown solid cannot be inside it.
   constexpr double kRounding = 1e-6;
   if (topBefore(before) < lowestMm - marginMm - kRounding)
     return false;

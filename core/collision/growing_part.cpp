@@ -23,12 +23,12 @@ namespace {
 
 constexpr std::size_t kMostCells = std::size_t{1} << 29;
 constexpr std::size_t kSegmentsAChunk = 1024;
-// Of the ground, which is there before waypoint 0; beads fill cells from 1 on.
+// Time of the ground, which exists before waypoint 0; beads fill cells from 1 on.
 constexpr std::uint32_t kFromTheStart = 0;
 constexpr double kMostGroundCells = 1 << 24;
 constexpr double kRodChordMm = 0.01;
 
-// First waypoint of every segment that stays where it is laid (not the gaps between paths).
+// First waypoint of every segment that stays where it is printed (excluding gaps between paths).
 std::vector<std::uint32_t> segmentsOf(const plan::ToolPlan& plan) {
   std::vector<std::uint32_t> segments;
   segments.reserve(plan.waypointCount());
@@ -67,18 +67,18 @@ voxel::VoxelGrid gridAround(const plan::ToolPlan& plan, const std::vector<std::u
                                                        return part;
                                                      });
   base::require(low.allFinite() && high.allFinite(), "waypoints are finite");
-  // Whole multiples of the pitch, so that a part that grows elsewhere has the same cells.
+  // An integer multiple of the pitch, so that a part that grows elsewhere has the same cells.
   grid.origin = (low / pitch).array().floor().matrix() * pitch;
   const Vector3d cells = ((high - grid.origin) / pitch).array().ceil();
   if (cells.x() * cells.y() * cells.z() > static_cast<double>(kMostCells))
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "the part is too large for a collision grid of this fineness"_text, {},
+                      "the part is too large for a collision grid of this resolution"_text, {},
                       "scale the part down"_text);
   grid.size = cells.cast<int>();
   return grid;
 }
 
-// The cells of a grid whose centres are in a box, or no further outside than rounding.
+// The cells of a grid whose centres are inside a box, allowing for rounding.
 struct CellBox {
   Vector3i low, high;
 };
@@ -90,7 +90,7 @@ CellBox centresIn(const voxel::VoxelGrid& grid, const Vector3d& low, const Vecto
           (last + kRounding).floor().matrix().cast<int>().cwiseMin(grid.size - Vector3i::Ones())};
 }
 
-// Is what fills the cell so far, if anything, later?
+// Returns whether the cell is empty or filled later than this.
 bool isLater(std::uint32_t& cell, std::uint32_t lead) {
   return std::atomic_ref<std::uint32_t>(cell).load(std::memory_order_relaxed) < lead;
 }
@@ -102,7 +102,7 @@ void raise(std::uint32_t& cell, std::uint32_t value) {
   }
 }
 
-// Fills the cells of a segment, which lie in the box, but those that are filled before it.
+// Fills the cells of a segment, all inside the box, unless they are filled earlier.
 void deposit(const BeadSolid& bead, const CellBox& box, std::uint32_t segment,
              const voxel::VoxelGrid& grid, FillTimes::ReversedTimes& leads) {
   const auto& [low, high] = box;
@@ -126,7 +126,7 @@ void requireArrays(const plan::ToolPlan& plan) {
   base::require(plan.waypointCount() < GrowingPart::kNeverFilled, "fewer than 2^32 - 1 waypoints");
 }
 
-// Blocks of a grid in which a cell is to be filled anew.
+// Blocks of a grid that contain a cell to be refilled.
 class Emptied {
 public:
   explicit Emptied(const voxel::VoxelGrid& grid) {
@@ -155,7 +155,7 @@ private:
   std::vector<std::uint8_t> marks_;
 };
 
-// Of what is filled before waypoint `before`: the ground is there before the first.
+// Time for queries before waypoint `before`: the ground exists before the first.
 std::uint32_t momentOf(std::size_t before) {
   return static_cast<std::uint32_t>(
       std::clamp<std::size_t>(before, kFromTheStart + 1, GrowingPart::kNeverFilled));
@@ -231,7 +231,7 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other,
   requireArrays(itsPlan);
   const std::vector<std::uint32_t> segments = segmentsOf(plan), its = segmentsOf(itsPlan);
   const std::vector<std::uint32_t> same = sameSegments(plan, segments, itsPlan, its, ctx);
-  // By the first waypoint of a segment of the other plan: the lead that it has here, or 0.
+  // Indexed by the first waypoint of a segment of the other plan: its lead in this plan, or 0.
   std::vector<std::uint32_t> leadHere(itsPlan.waypointCount(), 0);
   std::vector<char> known(segments.size(), 0);
   for (std::size_t s = 0; s < its.size(); ++s)
@@ -244,7 +244,7 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other,
   const voxel::VoxelGrid grid = gridAround(plan, segments, there.pitch, ctx);
   FillTimes::ReversedTimes leads(grid.cellCount());
   Emptied emptied(grid);
-  // Both origins are whole multiples of the pitch.
+  // Both origins are integer multiples of the pitch.
   const Vector3i shift =
       ((there.origin - grid.origin) / grid.pitch).array().round().matrix().cast<int>();
   const Vector3i low = shift.cwiseMax(0), high = (shift + there.size).cwiseMin(grid.size);

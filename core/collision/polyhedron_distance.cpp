@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int kSides = 48;
-constexpr double kLeastRadius = 1e-3; // FCL wants polygons, not points, at a cone's tip
+constexpr double kLeastRadius = 1e-3; // FCL requires a polygon, not a point, at the tip of a cone
 
 // Two rings of n vertices each, bottom counter-clockwise seen from above, and their faces.
 std::shared_ptr<fcl::Convexd> drum(std::vector<Vector3d> vertices, int n) {

@@ -1,4 +1,4 @@
-// Distances between convex solids that have no closed form here, by FCL.
+// Distances between convex solids without a closed form here, computed by FCL.
 #pragma once
 
 #include "robot/body.h"
@@ -8,8 +8,8 @@
 
 namespace voluta::collision {
 
-// A polyhedron around a box, frustum or prism (round sides become 48 planes, at most 0.22 %
-// further out). Immutable; queries may run in parallel.
+// A polyhedron around a box, frustum or prism (round sides become 48 planes, at most 0.22 % further
+// out). Immutable; queries may run in parallel.
 class Polyhedron {
 public:
   // Precondition: not a capsule.
@@ -17,7 +17,7 @@ public:
   ~Polyhedron();
   Polyhedron(Polyhedron&&) noexcept;
 
-  // Distance of two polyhedra placed in one frame; <= 0 where they overlap. mm.
+  // Returns the distance of two polyhedra in a common frame; <= 0 if they overlap. mm.
   static double distance(const Polyhedron& a, const Eigen::Isometry3d& frame_T_a,
                          const Polyhedron& b, const Eigen::Isometry3d& frame_T_b);
 

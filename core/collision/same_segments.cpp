@@ -24,7 +24,7 @@ bool same(const plan::ToolPlan& a, std::uint32_t s, const plan::ToolPlan& b, std
   return sameWaypoint(a, s, b, t) && sameWaypoint(a, s + std::size_t{1}, b, t + std::size_t{1});
 }
 
-// Of where it begins and ends.
+// Hash of its start and end.
 std::uint64_t hashOf(const plan::ToolPlan& plan, std::uint32_t segment) {
   std::uint64_t hash = 0;
   for (const std::size_t i : {std::size_t{segment}, segment + std::size_t{1}})

@@ -1,4 +1,4 @@
-// Which segments of a plan are another plan's too: most of them, where a few beads were moved or
+// Finds the segments that two plans have in common: most of them, if a few beads were moved or
 // added.
 #pragma once
 
@@ -16,9 +16,9 @@ namespace voluta::collision {
 
 inline constexpr std::uint32_t kNoSegment = std::numeric_limits<std::uint32_t>::max();
 
-// Segments by their first waypoint. Per segment of `its`, the index in `of` (a list of `plan`'s) of
-// one that fills the same, or kNoSegment; these indices rise. Not each that is there need be found:
-// not those whose order changed. Throws Cancelled.
+// Segments are given by their first waypoint. Returns for each segment of `its` the index in `of`
+// (of `plan`) of a segment that fills the same cells, or kNoSegment; these indices are increasing.
+// The matching may be incomplete: segments whose order changed are not found. Throws Cancelled.
 std::vector<std::uint32_t> sameSegments(const plan::ToolPlan& plan,
                                         const std::vector<std::uint32_t>& of,
                                         const plan::ToolPlan& itsPlan,

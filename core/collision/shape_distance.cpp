@@ -43,7 +43,7 @@ double FrustumProfile::signedDistance(double rho, double z) const {
   const double toCaps = std::max(-z, z - length_);
   if (length_ > 0.0 && toSide <= 0.0 && toCaps <= 0.0)
     return std::max(toSide, toCaps); // inside: the nearest of the planes
-  // Straight above or below a cap; else the slant is nearest, with its ends.
+  // Directly above or below a cap; otherwise the slant or one of its ends is nearest.
   if (z <= 0.0 && rho <= r0_)
     return -z;
   if (z >= length_ && rho <= r1_)
@@ -231,19 +231,20 @@ double capsuleDistance(const robot::Capsule& capsule, const PlacedShape& convex,
         const auto at = [&](double t) { return s.signedDistance(capsule.p0 + t * axis); };
         double low = 0.0, high = 1.0, atLow = at(0.0), atHigh = at(1.0);
         double best = std::min(atLow, atHigh);
-        // A signed distance changes by at most the way gone, so the ends bound the inside.
+        // A signed distance changes by at most the distance travelled, so the ends bound the
+        // interior.
         if (length < 1e-6 || 0.5 * (atLow + atHigh - length) - radius > enough)
           return best - radius;
         constexpr double golden = 0.6180339887498949;
         constexpr double kPlaceMm = 1e-4, kExactMm = 1e-6;
         double t1 = high - golden * (high - low), t2 = low + golden * (high - low);
         double f1 = at(t1), f2 = at(t2);
-        // Two probes that differ by less than rounding still bracket the least of a convex
-        // function; the value, not the place, is what has to be exact.
+        // Two probes that differ by less than rounding still bracket the minimum of a convex
+        // function; only the value has to be exact, not its position.
         while ((high - low) * length > kPlaceMm) {
           best = std::min({best, f1, f2});
-          // It lies above the chords beside, drawn on: the one between the probes where it goes on
-          // down beyond the lower, those outside between them.
+          // The function is above the extended neighbouring chords: above that between the probes
+          // on the far side of the lower one, above the outer chords between the probes.
           const double left = (t1 - low), between = t2 - t1, right = high - t2;
           const double beyond =
               f1 < f2 ? f1 - (f2 - f1) * left / between : f2 - (f1 - f2) * right / between;

@@ -1,5 +1,5 @@
-// Exact signed distances from points to the solids of robot/body.h, and distances between solids
-// that reduce to them.
+// Exact signed distances from points to the solids of robot/body.h, and the distances between
+// solids that reduce to them.
 #pragma once
 
 #include "robot/body.h"
@@ -10,8 +10,8 @@
 
 namespace voluta::collision {
 
-// The same solids placed in another frame, with what every query would compute again kept ready.
-// signedDistance(point): mm, negative inside, exact in and out. Points and solid in one frame.
+// Solids placed in another frame, with precomputed data for queries. signedDistance(point): mm,
+// negative inside, exact inside and outside. Points and solid in one frame.
 class PlacedCapsule {
 public:
   PlacedCapsule(const robot::Capsule& shape, const Eigen::Isometry3d& frame_T_shape);
@@ -80,17 +80,19 @@ struct Disc {
   double radius = 0.0;
 };
 
-// Frusta about the z axis of their frame, such as a head's, as one solid.
+// Frusta about the z axis of their frame, e.g. those of a head, as one solid.
 class Revolved {
 public:
   // Precondition: both ends of each on the axis.
   explicit Revolved(const std::vector<robot::Frustum>& frusta);
-  // Less than 0 in any of them; the least of theirs. Of a point so far from the axis.
+  // Returns the minimum of the frusta's distances; negative inside any of them. rho: distance of
+  // the point from the axis.
   double signedDistance(double rho, double z) const;
-  // Its first end, which is flat, where it stands; grown by a margin (negative: shrunk). `normal`
-  // points into the solid.
+  // Returns its flat first end as placed, grown by a margin (negative: shrunk). `normal` points
+  // into the solid.
   Disc underside(const Eigen::Isometry3d& frame_T_solid, double marginMm) const;
-  // Height of its lowest point over the origin of a frame in which its axis is this (unit).
+  // Returns the height of its lowest point above the origin of a frame in which its axis is `axis`
+  // (unit).
   double lowest(const Eigen::Vector3d& axis) const;
 
 private:
@@ -125,26 +127,26 @@ double signedDistance(const PlacedShape& shape, const Eigen::Vector3d& point);
 // Point in the shape's own frame.
 double signedDistance(const robot::Shape& shape, const Eigen::Vector3d& point);
 
-// A ball that holds the shape.
+// A sphere that contains the shape.
 struct Ball {
   Eigen::Vector3d centre;
   double radius;
 };
 Ball boundingBall(const PlacedShape& shape);
 
-// How far the shape reaches along a unit direction of its own frame, mm: no point of it lies
-// further.
+// Returns the maximum extent of the shape along a unit direction of its own frame [mm].
 double support(const robot::Shape& shape, const Eigen::Vector3d& direction);
 
-// Distance of two segments p0 p1 and q0 q1 (either may be a point). mm.
-// Source: Ericson, Real-Time Collision Detection, 5.1.9.
+// Distance of two segments p0 p1 and q0 q1 (either may be a point). mm. Source: Ericson, Real-Time
+// Collision Detection, 5.1.9.
 double segmentDistance(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
                        const Eigen::Vector3d& q0, const Eigen::Vector3d& q1);
 
-// Distance of a capsule to a convex solid, in one frame: the least signed distance along its axis
-// (a convex function of the place on it) less its radius. Negative: they overlap, by at least as
-// much as the value says. mm, to 1e-4 mm. Searching ends early, with a value on the right side of
-// it, once the answer is known to be above `enough` (pass infinity for the distance itself).
+// Returns the distance of a capsule to a convex solid, in one frame: the minimum signed distance
+// along its axis (a convex function of the position on it) minus its radius. Negative: they
+// overlap, by at least that amount. mm, to 1e-4 mm. The search ends early, with a value on the
+// right side of it, once the result is known to be above `enough` (pass infinity for the distance
+// itself).
 double capsuleDistance(const robot::Capsule& capsule, const PlacedShape& convex, double enough);
 
 } // namespace voluta::collision

@@ -10,21 +10,22 @@ using Eigen::Vector3d;
 using robot::JointVector;
 
 namespace {
-constexpr double kMostTurnRad = 0.25; // of all joints together, that speeds are taken over
-constexpr double kStep = 1e-4;        // rad or mm, of the differences
-constexpr double kInexact = 1.001;    // of speeds by differences
-constexpr double kSameSpeed = 1e-4;   // mm and rad a unit of the joint
-constexpr double kDistanceMm = 1e-4;  // that distances are exact to
+// of all joints together, for which speeds are considered constant
+constexpr double kMostTurnRad = 0.25;
+constexpr double kStep = 1e-4;       // rad or mm, of the finite differences
+constexpr double kInexact = 1.001;   // error bound of the speeds by finite differences
+constexpr double kSameSpeed = 1e-4;  // mm and rad per unit of the joint
+constexpr double kDistanceMm = 1e-4; // accuracy of distances
 
-// What a joint does to a frame, a unit of the joint: the speed of its point that lies at the
-// base's origin, and its turn.
+// Motion of a frame per unit of a joint: the speed of its point at the base's origin, and its
+// angular velocity.
 struct Twist {
   Vector3d speed = Vector3d::Zero(), turn = Vector3d::Zero();
 
   bool isSame(const Twist& other) const {
     return (speed - other.speed).norm() < kSameSpeed && (turn - other.turn).norm() < kSameSpeed;
   }
-  // Of any point of a ball.
+  // Upper bound for all points of a sphere.
   double most(const Ball& ball) const {
     return kInexact * ((speed + turn.cross(ball.centre)).norm() + turn.norm() * ball.radius);
   }
@@ -42,14 +43,14 @@ struct WayClearance::Stretch {
   const Contact& pair;
   std::size_t before;
   JointVector from, to;
-  double fromMm, toMm; // distances, or less
-  double wayMm;        // of the one's points seen from the other, at most
+  double fromMm, toMm; // distances, or lower bounds
+  double wayMm;        // upper bound of the relative displacement of points of the two
 };
 
 struct WayClearance::Speeds {
-  std::vector<double> step;              // a joint that moves
+  std::vector<double> step;              // per moving joint
   double turnRad = 0.0;                  // of all of them
-  std::vector<std::vector<Twist>> twist; // a joint that moves, a frame
+  std::vector<std::vector<Twist>> twist; // per moving joint, per frame
   std::vector<Ball> ball;                // as balls_, in the base
 };
 
@@ -105,8 +106,9 @@ WayClearance::Speeds WayClearance::speedsAt(const JointVector& q, const JointVec
   return speeds;
 }
 
-// What moves both alike changes nothing between them. While other joints turn, what a joint does to
-// a point grows by no more than the point has moved, for each radian.
+// A joint that moves both bodies alike does not change their distance. While other joints turn, the
+// displacement that a joint causes at a point grows per radian by at most the displacement of the
+// point.
 double WayClearance::wayOf(const Contact& pair, const Speeds& speeds) const {
   const robot::Cell& cell = collision_.cell();
   const auto frameOf = [&](int body) {

@@ -1,4 +1,4 @@
-// The least clearance along whole motions, not only at the points that are looked at.
+// Minimum clearance along whole motions, not only at sampled points.
 #pragma once
 
 #include "collision/cell_collision.h"
@@ -9,28 +9,29 @@
 
 namespace voluta::collision {
 
-// How far below the true least distance a reported one may be, mm.
+// Maximum amount by which a reported distance is below the true minimum [mm].
 inline constexpr double kWayExactMm = 0.1;
 
 class WayClearance {
 public:
-  // Both must outlive it.
+  // Both arguments must outlive the object.
   WayClearance(const CellCollision& collision, const GrowingPart& part);
 
-  // The joints go from `from` to `to`, with everything in place that is filled before waypoint
-  // `before`. Returns `leastMm` if all pairs (CellCollision::clearancePairs) keep that far apart
-  // all the way; else a distance that none of them comes closer than, at most kWayExactMm below
-  // the true one and not below 0. Between two poses a pair comes no closer than half of what its
-  // distances there leave over the way that its points go at most; where that does not tell, the
-  // way is halved. `detour`: how much further the joints may go than evenly from one to the other,
-  // as a factor.
+  // The joints move from `from` to `to`; all material filled before waypoint `before` is present.
+  // Returns `leastMm` if all pairs (CellCollision::clearancePairs) keep that distance all the way.
+  // Otherwise returns a lower bound of the minimum distance, at most kWayExactMm below the true one
+  // and not negative. Between two poses, the distance of a pair is at least half of (the sum of its
+  // distances at both minus the maximum displacement of its points); where that is not sufficient,
+  // the interval is halved. `detour`: factor by which the joints' path may be longer than linear
+  // interpolation.
   double along(const robot::JointVector& from, const robot::JointVector& to, std::size_t before,
                double leastMm, double detour = 1.0) const;
 
 private:
   using Frames = CellCollision::Frames;
-  struct Stretch; // of a pair: its ends, the distances there, how far its points go at most
-  struct Speeds;  // of all bodies, of each joint that moves
+  // of a pair: its ends, the distances there, the maximum displacement of its points
+  struct Stretch;
+  struct Speeds; // of all bodies, for each moving joint
   double alongPiece(const robot::JointVector& from, const robot::JointVector& to,
                     std::size_t before, double leastMm, double detour) const;
   double refined(const Stretch& stretch, double leastMm) const;
@@ -40,7 +41,8 @@ private:
   const CellCollision& collision_;
   const GrowingPart& part_;
   std::vector<Contact> pairs_;
-  std::vector<Ball> balls_; // about bodies, in their frames; last about the part, in the work frame
+  // about bodies, in their frames; the last one about the part, in the work frame
+  std::vector<Ball> balls_;
 };
 
 } // namespace voluta::collision

@@ -8,7 +8,7 @@ namespace {
 
 struct Tables {
   std::array<CubeEdge, 12> edges{};
-  std::array<std::uint8_t, 12> faces{}; // bit f: the edge lies on face f
+  std::array<std::uint8_t, 12> faces{}; // Bit f: the edge is on face f
   std::array<std::vector<std::vector<int>>, 256> loops;
 };
 
@@ -21,7 +21,7 @@ int edgeBetween(const std::array<CubeEdge, 12>& edges, int a, int b) {
   return -1;
 }
 
-// Corners of face 2 axis + side, counter-clockwise seen from outside.
+// Returns the corners of face 2 axis + side, counter-clockwise seen from outside.
 std::array<int, 4> faceCorners(int axis, int side) {
   const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = side << axis;
   if (side == 1)
@@ -44,8 +44,8 @@ Tables makeTables() {
   }
   for (int below = 0; below < 256; ++below) {
     // Around a face, a run of corners below the level starts at one crossed edge and ends at
-    // another: the loop goes from the one to the other. An edge is the start of a run on one of
-    // its faces and the end on the other, so `next` closes loops.
+    // another; the loop leads from the first to the second. An edge starts a run on one of its
+    // faces and ends one on the other, so `next` forms closed loops.
     std::array<int, 12> next;
     next.fill(-1);
     const auto isBelow = [&](int corner) { return (below >> corner & 1) != 0; };

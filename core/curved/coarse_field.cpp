@@ -17,11 +17,12 @@ namespace {
 
 constexpr float kUnset = std::numeric_limits<float>::infinity();
 
-// The coarse grid: cells of `factor` fine ones each way, an empty border, the plate on a boundary.
+// The coarse grid: cells of `factor` fine cells per axis, an empty border, and the plate on a cell
+// boundary.
 struct Coarsening {
   int factor = 2;
   int plateLayer = 0;
-  Eigen::Vector3i shift = Eigen::Vector3i::Zero(); // fine cells to add before dividing
+  Eigen::Vector3i shift = Eigen::Vector3i::Zero(); // Fine cells to add before dividing
   voxel::VoxelGrid grid;
 
   explicit Coarsening(const VoxelGraph& graph) {
@@ -42,7 +43,7 @@ struct Coarsening {
   }
 };
 
-// Values continue from set voxels to unset ones, ring by ring, as means of set neighbours.
+// Extends the values from set voxels to unset ones, ring by ring, as means of the set neighbours.
 void continueField(const VoxelGraph& graph, std::vector<float>& field) {
   std::vector<std::int32_t> open;
   for (std::size_t v = 0; v < graph.size(); ++v)

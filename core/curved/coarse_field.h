@@ -1,4 +1,4 @@
-// The field of a part with very many voxels, found on a coarser grid.
+// Computes the field of a part with very many voxels on a coarser grid.
 #pragma once
 
 #include "base/run_context.h"
@@ -10,14 +10,14 @@
 
 namespace voluta::curved {
 
-// Above this many voxels a finer field tells nothing more: its cells would be far smaller than a
-// layer is high.
+// Maximum number of voxels of the field's grid. A finer grid adds nothing: its cells would be far
+// smaller than the layer height.
 inline constexpr std::size_t kFieldVoxels = 600'000;
 
-// smoothField() of the cells of a grid `factor` times as coarse that hold a voxel of the graph,
-// interpolated with its gradients to the voxels, pits taken out: mm, one a voxel. The factor is the
-// least whole number with which no more than kFieldVoxels / 2 cells are expected. Voxels whose
-// coarse cell cannot be laid continue their neighbours. The plate stays between two layers of
+// Returns the field per voxel [mm]: smoothField() of the coarse cells that contain a voxel of the
+// graph, interpolated with its gradients to the voxels, with pits removed. The coarsening factor is
+// the smallest integer for which at most kFieldVoxels / 2 cells are expected. Voxels whose coarse
+// cell cannot be printed extend their neighbours' values. The plate is between two layers of coarse
 // cells. Throws Cancelled.
 std::vector<float> coarseField(const VoxelGraph& graph,
                                const std::vector<Eigen::Vector2d>& platform,

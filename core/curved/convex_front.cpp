@@ -11,11 +11,12 @@ namespace voluta::curved {
 namespace {
 
 constexpr std::size_t kBlock = 8;
-// Along axes that a facet faces less, columns say little of what is near it.
+// If a facet faces an axis less than this, columns along the axis are not meaningful for the voxels
+// near it.
 constexpr double kFacing = 0.5;
 using Cell2 = std::array<std::int32_t, 2>;
 
-// As std::floor and std::ceil, which are calls where the processor need not have them.
+// Like std::floor and std::ceil, which are function calls on some processors.
 int floored(double x) {
   const int whole = static_cast<int>(x);
   return whole - (x < whole);
@@ -25,7 +26,8 @@ int ceiled(double x) {
   return whole + (x > whole);
 }
 
-// Corners of the hull of points sorted by (x, y), without those on its sides (Andrew's chain).
+// Returns the corners of the hull of points sorted by (x, y), without points on its sides (Andrew's
+// monotone chain).
 std::vector<Cell2> planarHull(const std::vector<Cell2>& sorted) {
   if (sorted.size() < 3)
     return sorted;
@@ -132,7 +134,7 @@ void ConvexFront::refreshSlice(std::size_t k) {
 }
 
 void ConvexFront::gatherCandidates() {
-  // What survived in its z-slice must survive in its y-slice too.
+  // A candidate must survive the hull of its z-slice and that of its y-slice.
   for (auto& row : ofRow_)
     row.clear();
   for (std::size_t k = 0; k < slice_.size(); ++k)
@@ -208,7 +210,7 @@ void ConvexFront::replaceFacets(const std::vector<HullFacet>& hull) {
   std::vector<std::int32_t> made;
   for (const auto& [corners, h] : added)
     made.push_back(addFacet(corners, *h));
-  // A line that meets the rim of a facet that went may meet one that stays there.
+  // A column that meets the rim of a removed facet may also meet a facet that remains.
   for (const std::int32_t slot : kept) {
     const Corners& corners = cornersOf(slot);
     if (anew || std::any_of(corners.begin(), corners.end(), [&](std::int32_t c) {
@@ -265,9 +267,9 @@ double ConvexFront::below(std::size_t f, const LatticePoint& p) const {
   return offset_[f] - (nx_[f] * p.x() + ny_[f] * p.y() + nz_[f] * p.z());
 }
 
-// A point of a convex body lies on a facet exactly when it is an end of the line through it along
-// an axis that the facet faces: strictly between the ends of all three lines is strictly inside.
-// The ends span an octahedron, which lies inside and answers for most of what is deeper.
+// A point of a convex body is on a facet exactly if it is an end of the line through it along an
+// axis that the facet faces: strictly between the ends of all three lines means strictly inside.
+// The six ends span an octahedron inside the body, which decides most deeper points.
 std::optional<bool> ConvexFront::deeperByColumns(std::size_t v, const LatticePoint& p,
                                                  double depth) const {
   double spanned = 0.0;
@@ -338,8 +340,8 @@ inline std::array<int, 2> ConvexFront::cellsBelow(const Facet& facet, int axis, 
           std::min(graph_.grid.size[axis] - 1, floored(upper ? at + 1e-9 : at + reach))};
 }
 
-// What lies within `depth` below the facet's plane there. Near the rim columns may pass it by; the
-// facet's neighbour sees to those.
+// Collects the voxels within `depth` below the facet's plane in this column. Columns can miss
+// voxels near the rim; those belong to the neighbouring facet.
 inline void ConvexFront::gatherColumn(std::size_t slot, int axis, double facing, double depth,
                                       int cu, int cw, std::vector<std::int32_t>& out) {
   const Surface& surface = surface_[static_cast<std::size_t>(axis)];
@@ -440,8 +442,8 @@ void ConvexFront::onNewFacets(std::vector<std::int32_t>& out) {
 template <typename Visit>
 void ConvexFront::eachRow(const Facet& facet, int axis, Visit&& visit) const {
   const Surface& surface = surface_[static_cast<std::size_t>(axis)];
-  // Corners in cells, by their row: a voxel's centre is at its whole index. They lie on the
-  // lattice, so that rows compare exactly.
+  // Corners in cells: a voxel's centre has integer coordinates. Corners are on the lattice, so that
+  // rows compare exactly.
   struct Corner {
     double u, w;
   };

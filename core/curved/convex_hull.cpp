@@ -12,10 +12,10 @@ namespace {
 
 struct Facet {
   std::array<int, 3> corner;
-  std::array<int, 3> neighbour{-1, -1, -1}; // over the side corner[s] -> corner[s + 1]
+  std::array<int, 3> neighbour{-1, -1, -1}; // Neighbour across the side corner[s] -> corner[s + 1]
   Eigen::Vector3d normal;
   double offset = 0.0;
-  int firstOutside = -1; // list of points in front of it, linked through next_
+  int firstOutside = -1; // First of the points in front of it, linked through next_
   int furthest = -1;
   double furthestDistance = 0.0;
   int visit = 0;
@@ -55,7 +55,7 @@ private:
     return static_cast<int>(facets_.size()) - 1;
   }
 
-  // Puts p on the list of the first of the facets [first, end) that it is in front of.
+  // Adds p to the list of the first of the facets [first, end) that it is in front of.
   void assign(int p, std::size_t first) {
     for (std::size_t f = first; f < facets_.size(); ++f) {
       const double d = distance(facets_[f], p);
@@ -109,7 +109,7 @@ private:
       return false;
     if (normal.dot(point(d) - point(a)) > 0.0)
       std::swap(b, c);
-    // Outward: abc sees d behind it.
+    // Outward: d is behind abc.
     addFacet(a, b, c);
     addFacet(a, d, b);
     addFacet(b, d, c);
@@ -128,7 +128,7 @@ private:
 
   int corner(int f, int s) { return facet(f).corner[static_cast<std::size_t>(s % 3)]; }
 
-  // Adds the furthest point in front of facet `start`.
+  // Adds the point that is farthest in front of facet `start`.
   void grow(int start) {
     const int p = facet(start).furthest;
     ++visit_;
@@ -148,7 +148,7 @@ private:
         }
       }
 
-    // A side is met before its far facet is known to be visible only when it is not, so the
+    // A side is added before its far facet is classified only if that facet is not visible, so the
     // horizon is final. It is one cycle: each corner starts exactly one side of it.
     const std::size_t firstNew = facets_.size();
     for (const Side& side : horizon_) {

@@ -26,16 +26,19 @@ namespace voluta::curved {
 
 namespace {
 
-// Share of the pitch below which an edge of a raw level is taken out, before and after trimming.
+// Edges of a raw level shorter than this share of the pitch are collapsed, before and after
+// trimming.
 constexpr double kShortRaw = 0.3, kShortTrimmed = 0.2;
-// A place is laid in other than whole levels where it has the volume of a patch so many beads wide.
+// Partial levels are used where the affected volume is that of a patch with edges of this many bead
+// widths.
 constexpr double kBeadsToChange = 2.0;
-// Half of so many voxels may lie outside the part: fewer leave a seam with one side only.
+// Minimum volume of a change, in voxels. Half of them may be outside the part; with fewer, the seam
+// would have only one side.
 constexpr double kVoxelsToChange = 60.0;
-// Share of a bead's width in which the height of a last layer may change.
+// Scale of the height changes of a last layer, as a share of the bead width.
 constexpr double kFineShare = 1.0 / 6.0;
 
-// The spacing near `wanted` of which a whole number reaches the part's highest level.
+// Returns the spacing near `wanted` that divides the part's highest level evenly.
 double fittedSpacing(const LevelField& field, const geometry::TriangleMesh& part, double wanted) {
   double top = 0.0;
   for (const Eigen::Vector3d& v : part.vertices)
@@ -46,7 +49,8 @@ double fittedSpacing(const LevelField& field, const geometry::TriangleMesh& part
   return top / std::max(1.0, std::round(top / wanted));
 }
 
-// For each cell, the component of printed voxels (by 26 neighbours) it belongs to, -1 elsewhere.
+// Returns for each cell the component of printed voxels (26 neighbours) that it belongs to, -1
+// elsewhere.
 std::vector<int> componentsOf(const Decomposition& d, const base::RunContext& ctx) {
   std::vector<int> of(d.grid.cellCount(), -1);
   std::vector<std::size_t> front;
@@ -89,7 +93,7 @@ int groupOf(const layers::Patch& patch, const Decomposition& d, const std::vecto
   return 0;
 }
 
-// Of the boundary vertices from the part's surface, but for inner rims.
+// Returns the maximum distance of boundary vertices from the part's surface, without inner rims.
 double farthestOf(const layers::PatchesOfLevel& level, const geometry::MeshQuery& part) {
   double farthest = 0.0;
   for (std::size_t p = 0; p < level.patches.size(); ++p) {

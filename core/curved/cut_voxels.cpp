@@ -9,7 +9,7 @@ void CutVoxels::find(const std::vector<std::uint8_t>& present,
   node_.resize(graph_.size());
   for (const std::int32_t v : among)
     node_[static_cast<std::size_t>(v)] = {};
-  std::int32_t time = 1; // 0 is the platform's
+  std::int32_t time = 1; // 0 is the platform's time
   for (const std::int32_t start : among) {
     const auto root = static_cast<std::size_t>(start);
     if (!present[root] || !graph_.onPlatform[root] || node_[root].enter >= 0)

@@ -1,4 +1,4 @@
-// How much hangs on a single voxel: articulation points of the part's graph.
+// How many voxels depend on a single voxel: articulation points of the part's graph.
 #pragma once
 
 #include "curved/voxel_graph.h"
@@ -8,18 +8,18 @@
 
 namespace voluta::curved {
 
-// Keeps what it works in, so that asking again costs only what is left by then.
+// Keeps its working memory, so that repeated searches only cost the remaining voxels.
 class CutVoxels {
 public:
   // Keeps a reference.
   explicit CutVoxels(const VoxelGraph& graph) : graph_(graph) {}
 
-  // Looks through the voxels with present[v]; `among` holds them all and maybe others. One
-  // depth-first search from a root that stands for the platform (Hopcroft and Tarjan 1973).
+  // Searches the voxels with present[v]; `among` contains all of them and possibly others. One
+  // depth-first search from a root that represents the platform (Hopcroft and Tarjan 1973).
   void find(const std::vector<std::uint8_t>& present, const std::vector<std::int32_t>& among);
 
-  // How many other present voxels lose every way to the platform when v goes (0 for most).
-  // Precondition: v was present and reached.
+  // Returns how many other present voxels lose all connection to the platform when v is removed (0
+  // for most). Precondition: v was present and reached.
   std::int32_t lossWithout(std::size_t v) const { return node_[v].loss; }
 
 private:

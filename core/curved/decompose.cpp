@@ -26,9 +26,9 @@ namespace voluta::curved {
 
 namespace {
 
-// The front's normal for each voxel, hulls taken before each group of equal key; with a head, for
-// what lies deeper than half a cell inside the hull, a direction in which that head clears all
-// groups before. Marks those in `byHead`.
+// Returns the front's normal for each voxel, with the hull of all groups of smaller key. If there
+// is a head, voxels deeper than half a cell inside the hull get a direction in which that head
+// clears all previous groups; they are marked in `byHead`.
 std::vector<Eigen::Vector3f>
 frontNormals(const VoxelGraph& graph, const std::vector<std::int32_t>& key,
              const std::vector<Eigen::Vector3f>& wish, const process::HeadShape* head,
@@ -73,7 +73,7 @@ void store(const VoxelGraph& graph, const std::vector<std::int32_t>& rank,
     }
 }
 
-// Front normals for ranks without a field.
+// Returns the front normals for ranks without a field.
 std::vector<Eigen::Vector3f> normalsOfRanks(const VoxelGraph& graph,
                                             const std::vector<std::int32_t>& rank,
                                             const base::RunContext& ctx) {
@@ -93,7 +93,7 @@ void storeField(const VoxelGraph& graph, const std::vector<float>& field, Decomp
     out.field[graph.cellOf(v)] = field[v];
 }
 
-// The field of what was laid, and ranks that follow it.
+// Computes the field of the printed voxels, and ranks that follow it.
 void fitField(const VoxelGraph& graph, const Growth& growth, const CurvedOptions& options,
               Decomposition& out, const DecompositionWatch& watch, const base::RunContext& ctx) {
   base::Stopwatch clock;
@@ -166,17 +166,17 @@ base::ParameterTable curvedParameters() {
   return base::ParameterTable({
       base::numberParameter(
           "voxelMm", "mm", 0.8, 0.1, 10.0, "Layers"_text, "Voxel width"_text,
-          "Width of the voxels that growth works on; layers are not bound to it."_text, true),
+          "Voxel width used for growth; the layer height is independent of it."_text, true),
       base::choiceParameter(
           "frontShape", "auto",
           {{"auto", "auto"_text}, {"flat", "flat"_text}, {"nozzle", "nozzle"_text}}, "Layers"_text,
           "Front"_text,
-          "Shape of the head that must clear all that is printed earlier: a flat "
-          "one as wide as needed, or the head as it is: where voxels would be "
-          "lost otherwise (nozzle) and under wide roofs (nozzle and auto)."_text),
+          "Head shape that must clear the part printed so far: a flat head of "
+          "unlimited width, or the real head where voxels would be lost "
+          "otherwise (nozzle) and under wide roofs (nozzle and auto)."_text),
       base::integerParameter("fieldRounds", 8, 0, 30, "Layers"_text, "Field rounds"_text,
-                             "How often growth and smooth field are fitted to each other at "
-                             "most. 0: layers from the ranks."_text),
+                             "Maximum rounds of fitting growth and smooth field to each other. 0: "
+                             "layers from the ranks."_text),
   });
 }
 
@@ -192,7 +192,7 @@ Decomposition decompose(const voxel::SolidVoxels& voxels,
   const VoxelGraph graph = voxelGraph(voxels.grid, voxels.solid, voxels.plateLayer(), platform);
   if (std::find(graph.onPlatform.begin(), graph.onPlatform.end(), 1) == graph.onPlatform.end())
     throw base::Error(base::ErrorCode::UnusableInput, "the part does not touch the platform"_text,
-                      {}, "drop it to the plate or choose a platform under it"_text);
+                      {}, "drop it to the plate, or choose a platform below it"_text);
 
   Decomposition out;
   out.grid = voxels.grid;

@@ -13,12 +13,12 @@ namespace voluta::curved {
 
 namespace {
 
-// A node this near to a level (share of the pitch) counts as just below it: a level that runs
-// through voxel centres would else be cut at random by the last digits of the field.
+// A node this near to a level (share of the pitch) counts as just below it. Otherwise a level
+// through voxel centres would be cut at random by rounding errors of the field.
 constexpr double kSnap = 1e-3;
-// Over more voxels than these the slope at a place says nothing of how far the next level is.
+// [voxels]: beyond this distance the local slope does not predict where the next level is.
 constexpr double kFarGuess = 2.0;
-// Steeper than this against the plate, level 0 is no first layer in the usual sense.
+// If its direction's z component is smaller, level 0 is not treated as a first layer on the plate.
 constexpr double kFlat = 0.8;
 
 struct CellKey {
@@ -93,7 +93,7 @@ private:
     double thickness = up + down;
     const double bottom = p.z() - down * direction.z(), top = p.z() + up * direction.z();
     if (out_.level == 0 && direction.z() > kFlat && top > 0.1 * spacing_) {
-      // All of it where the field starts at the plate, less the further it does not.
+      // Full shift if the field starts at the plate; less with the distance from it.
       const double share = std::clamp(2.0 - std::abs(bottom) / (0.25 * spacing_), 0.0, 1.0);
       position += direction * (share * (0.5 * top - p.z()) / direction.z());
       thickness += share * (top / direction.z() - thickness);
@@ -107,7 +107,8 @@ private:
     return static_cast<int>(out_.surface.vertices.size()) - 1;
   }
 
-  // Distance along `way` to where the field has changed by `change` or ends, `most` at most.
+  // Returns the distance along `way` at which the field has changed by `change` or ends; at most
+  // `most`.
   double walk(const Eigen::Vector3d& p, const Eigen::Vector3d& way, double change,
               double most) const {
     const double step = 0.25 * field_.grid().pitch;
@@ -119,9 +120,10 @@ private:
     return most;
   }
 
-  // Distance from the mid-surface along sign * direction to the level half a spacing away: secant
-  // steps in the interpolated field, or the first-order guess where the field ends or jumps. Where
-  // the field is flat that guess is far outside the part: there it is walked.
+  // Returns the distance from the mid-surface along sign * direction to the level half a spacing
+  // away, by secant steps in the interpolated field, or the first-order guess where the field ends
+  // or jumps. Where the field is flat, that guess can be far outside the part; walk() replaces it
+  // there.
   double march(const Eigen::Vector3d& p, const Eigen::Vector3d& direction, double slope,
                double sign) const {
     const double half = 0.5 * spacing_;
@@ -162,8 +164,8 @@ private:
     return out_.surface.vertices[static_cast<std::size_t>(v)];
   }
 
-  // Cuts the best-shaped ears first; a diagonal never lies in a face of the cube, where the
-  // neighbour might put the same one.
+  // Cuts the best-shaped ears first. Never uses a diagonal in a face of the cube, as the
+  // neighbouring cube might use the same one.
   void fillPolygon(const CellKey& key, const LevelField::Cell& cell, std::vector<int> loop) {
     std::vector<int>& p = polygon_;
     auto& triangles = out_.surface.triangles;
@@ -213,7 +215,7 @@ private:
   std::unordered_map<std::uint64_t, int> vertexOf_;
 };
 
-// The cells each level passes through, in grid order, of those that are wanted.
+// Returns the cells that each level passes through, in grid order, restricted to wanted cells.
 template <typename Wanted>
 std::vector<std::vector<CellKey>> cellsOfLevels(const LevelField& field, double spacing,
                                                 Wanted&& wanted, const base::RunContext& ctx) {
@@ -257,7 +259,7 @@ RawLevel levelThrough(const LevelField& field, int level, double spacing,
   return builder.take();
 }
 
-// Leaves of a slab's surface what is laid of it.
+// Removes the parts of a slab's surface that are not printed.
 void keepWhatIsLaid(RawLevel& level, const LevelField& field, const PartialLevels& partial,
                     const Slab& slab) {
   const auto& vertices = level.surface.vertices;

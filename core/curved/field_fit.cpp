@@ -19,7 +19,7 @@ void eachVoxel(const VoxelGraph& graph, const base::RunContext& ctx, Body&& body
   });
 }
 
-// Turns unit d onto the cone d . n >= -limit, in the plane of both.
+// Rotates the unit vector d onto the cone d . n >= -limit, in the plane of d and n.
 Eigen::Vector3f turnOffOverhang(const Eigen::Vector3f& d, const Eigen::Vector3f& n, float limit) {
   const float along = d.dot(n);
   if (along >= -limit)
@@ -59,7 +59,7 @@ std::vector<Eigen::Vector3f> fieldGradient(const VoxelGraph& graph, const std::v
 
 std::vector<Eigen::Vector3f> surfaceNormals(const VoxelGraph& graph, const base::RunContext& ctx) {
   const voxel::VoxelGrid& grid = graph.grid;
-  // Blurred solid on the grid, cells outside count as empty, below the plate as what is above.
+  // Blurred solid on the grid: cells outside are empty, cells below the plate equal those above it.
   std::vector<float> solid(grid.cellCount(), 0.0f), next(solid.size());
   for (std::size_t c = 0; c < solid.size(); ++c)
     solid[c] = graph.voxelAt[c] >= 0 ? 1.0f : 0.0f;

@@ -16,7 +16,7 @@ namespace voluta::curved {
 
 namespace {
 
-// How many of the values lie below each of the limits, which are sorted.
+// Returns, for each of the sorted limits, the number of values below it.
 std::vector<std::size_t> numberBelow(const std::vector<float>& values,
                                      const std::vector<float>& limits) {
   std::vector<std::size_t> number(limits.size() + 1, 0);
@@ -35,15 +35,15 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
   const auto middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);
   std::nth_element(halves.begin(), middle, halves.end());
   const double median = std::max(1e-3f, *middle);
-  // From the nominal height at the median to the least height there.
+  // Candidate scales range from the nominal height at the median slope to the minimum height there.
   const double nominal = 1.0 / median;
   constexpr int kSteps = 60;
   constexpr double kLeastGain =
-      1e-3; // share of voxels that a height further from nominal must save
+      1e-3; // Share of voxels that a height further from nominal must gain
   const auto scaleAt = [&](int i) {
     return nominal * std::pow(limits.heightMm / limits.minMm, i / double{kSteps});
   };
-  // Thickness h / (scale slope) within [min, max].
+  // Slopes whose thickness h / (scale * slope) is within [min, max].
   const auto low = [&](int i) {
     return static_cast<float>(limits.heightMm / (limits.maxMm * scaleAt(i)));
   };
@@ -77,9 +77,9 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
 
 namespace {
 
-// Voxels whose centre lies deeper than half a cell inside the hull of the platform and all voxels
-// of earlier levels, and that the head does not reach: their share and depth. spacing: height of a
-// level in units of `field`, > 0.
+// Computes the share and depth of the inaccessible voxels: their centre is more than half a cell
+// inside the hull of the platform and all voxels of earlier levels, and the head does not reach
+// them. spacing: height of a level in units of `field`, > 0.
 void scoreAccess(const VoxelGraph& graph, const std::vector<float>& field,
                  const std::vector<Eigen::Vector3f>& gradient, double spacing,
                  const process::HeadShape* head, FieldScore& score, std::vector<std::int32_t>& deep,

@@ -13,13 +13,13 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 struct Front {
   float value;
   std::int32_t voxel;
-  // Least first; of equals the least index, so that the order is one.
+  // Orders by least value, then by least index, so that the order is unique.
   bool operator<(const Front& other) const {
     return value != other.value ? value > other.value : voxel > other.voxel;
   }
 };
 
-// A priority queue of values >= 0 that hardly ever fall back: a small heap for each span of values.
+// A priority queue for values >= 0 that rarely decrease: one small heap per span of values.
 class FrontQueue {
 public:
   bool empty() const { return count_ == 0; }
@@ -54,12 +54,12 @@ public:
   }
 
 private:
-  static constexpr float kSpan = 0.25f; // cells
+  static constexpr float kSpan = 0.25f; // Cells
   std::vector<std::vector<Front>> spans_{1};
   std::size_t current_ = 0, count_ = 0;
 };
 
-// First order solution of |grad T| = 1 from the least known values along each axis.
+// First-order solution of |grad T| = 1 from the smallest known values along each axis.
 float eikonal(std::array<float, 3> axisMin) {
   std::sort(axisMin.begin(), axisMin.end());
   float solution = axisMin[0] + 1.0f;
@@ -141,8 +141,8 @@ public:
   }
 
 private:
-  // Most of a field has no pits: what it rises to from the platform, step by step over faces and
-  // steeply enough, stays as it is, whatever the order of the steps.
+  // Most of a field has no pits. Voxels that rise from the platform steeply enough, face by face,
+  // keep their values, whatever the order of the steps.
   void keepWhatRises() {
     std::vector<std::int32_t> open;
     const auto keep = [&](std::size_t v, float value) {
@@ -164,8 +164,8 @@ private:
     }
   }
 
-  // Of `rest`, none of it known, what steps [first, end) reach from what is known, and what faces
-  // reach from there.
+  // Raises the voxels of `rest`, all of them unknown, that steps [first, end) reach from known
+  // voxels, and those that faces reach from there.
   void raise(const std::vector<std::int32_t>& rest, std::size_t first, std::size_t end,
              const base::RunContext& ctx) {
     for (const std::int32_t v : rest) {
@@ -192,7 +192,7 @@ private:
     }
   }
 
-  // Whether v comes lower by a step from u.
+  // Returns whether a step from u lowers the value of v.
   bool reach(std::size_t v, std::size_t u, std::size_t step) {
     const float by = std::max(field_[v], value_[u] + slope_ * kNeighbourDistance[step]);
     if (by >= value_[v])

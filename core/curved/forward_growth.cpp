@@ -77,7 +77,7 @@ private:
     blocks_.remove(shadowed_);
   }
 
-  // The front has taken the layer in already.
+  // Records the layer; the front already includes it.
   void lay() {
     ++out_.ranks;
     for (const std::int32_t v : layer_)
@@ -91,21 +91,21 @@ private:
         }
   }
 
-  // Finds the next layer and brings the front up to it; an empty layer where nothing can follow.
+  // Finds the next layer and extends the front by it; the layer stays empty if growth ends.
   void advance() {
     waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
                                   [&](std::int32_t v) { return front_.inside(v); }),
                    waiting_.end());
     propose();
     while (!layer_.empty() && !choose()) {
-      // Nothing of it is safe now; it may be after voxels that the field held back so far.
+      // No voxel of the layer is safe now; some may be after voxels that the field has held back.
       waiting_.insert(waiting_.begin(), layer_.begin(), layer_.end());
       raiseThreshold();
       propose();
     }
   }
 
-  // Moves what the field lets go on from waiting_ to layer_.
+  // Moves the voxels that the field releases from waiting_ to layer_.
   void propose() {
     const auto free = [&] {
       return std::stable_partition(waiting_.begin(), waiting_.end(), [&](std::int32_t v) {
@@ -121,7 +121,8 @@ private:
     waiting_.erase(waiting_.begin(), held);
   }
 
-  // To the next step at which something that was held back may go on. Precondition: something was.
+  // Raises the threshold to the next step that releases a voxel. Precondition: the field holds back
+  // at least one.
   void raiseThreshold() {
     std::int32_t next = std::numeric_limits<std::int32_t>::max();
     for (const std::int32_t v : waiting_)
@@ -131,8 +132,8 @@ private:
     threshold_ = (next - 1) / step * step + step;
   }
 
-  // Cuts the layer down to what may be laid and brings the front up to it. False, and nothing
-  // changed, where nothing of it is safe but more may still be proposed.
+  // Reduces the layer to the voxels that may be printed and extends the front by them. Returns
+  // false and changes nothing if no voxel is safe but more may still be proposed.
   bool choose() {
     trial_ = front_;
     for (const std::int32_t v : layer_)
@@ -162,7 +163,7 @@ private:
     return true;
   }
 
-  // What laying the whole layer would shadow.
+  // Finds the voxels that printing the whole layer would shadow.
   void findShadowed() {
     for (const std::int32_t v : layer_)
       inLayer_[static_cast<std::size_t>(v)] = 1;
@@ -180,8 +181,8 @@ private:
     blocks_.remove(shadowed_);
   }
 
-  // Leaves of the layer what shadows fewer than `limit` further voxels. False where that would
-  // leave none.
+  // Keeps the voxels of the layer that together shadow fewer than `limit` further voxels. Returns
+  // false if none would be left.
   bool reduce(const std::vector<std::int32_t>& tried, std::size_t limit) {
     std::vector<std::int32_t> safe, unsafe;
     swallowed_.clear();
@@ -193,7 +194,8 @@ private:
         front_.add(v, swallowed_);
         safe.push_back(v);
       } else {
-        unsafe.push_back(v); // no safe one can swallow it: that hull would hold all of its own
+        // No safe voxel can swallow it, as that hull would contain everything v itself swallows
+        unsafe.push_back(v);
       }
     }
     front_.clearGuards();
@@ -211,7 +213,7 @@ private:
       front_.guard(v);
   }
 
-  // Voxels shadowed by that voxel of the layer which shadows fewest.
+  // Returns the number of voxels shadowed by the voxel of the layer that shadows fewest.
   std::size_t leastLoss() {
     std::size_t least = shadowed_.size();
     guardShadowed();
@@ -230,10 +232,10 @@ private:
   ForwardScheme scheme_;
   ForwardOptions options_;
   const base::RunContext& ctx_;
-  std::vector<LatticePoint> points_; // centres of voxels, then the platform's corners
+  std::vector<LatticePoint> points_; // Centres of voxels, then the platform's corners
   IncrementalFront front_, trial_;
   LiveBlocks blocks_;
-  std::vector<std::uint8_t> found_; // has been waiting
+  std::vector<std::uint8_t> found_; // Has been in waiting_
   std::vector<std::uint8_t> inLayer_;
   std::vector<std::int32_t> waiting_, layer_, shadowed_, swallowed_, height_;
   std::int32_t threshold_ = 0;
@@ -253,25 +255,20 @@ base::ParameterTable forwardParameters() {
   return base::ParameterTable({
       base::integerParameter(
           "growthIsp", 1, 0, 1000000, "Layers"_text, "Shadowed per layer"_text,
-          "Growth incremental, adaptive, guided: a layer takes voxels as long as it cuts off fewer "
-          "than this many others. 1: none. 0: fewer than the whole layer would."_text),
+          "Growth incremental, adaptive, guided: a layer takes voxels as long as it shadows fewer than this many others. 1: none. 0: fewer than the whole layer would."_text),
       base::choiceParameter(
           "growthQueue", "flooding",
           {{"flooding", "flooding"_text}, {"insertion", "insertion"_text}}, "Layers"_text,
-          "Order of trying"_text,
-          "Growth incremental: a layer's voxels are tried outwards from the first "
-          "one (flooding) or in the order they were found (insertion)."_text),
-      base::choiceParameter("growthBoundary", "outside",
-                            {{"outside", "outside"_text}, {"inside", "inside"_text}}, "Layers"_text,
-                            "Voxels on the front"_text,
-                            "The sources' schemes: whether a voxel that lies exactly on the convex "
-                            "front can still be laid (outside) or is cut off by it (inside)."_text),
-      base::choiceParameter("growthSacrifice", "layer",
-                            {{"layer", "layer"_text}, {"least", "least"_text}}, "Layers"_text,
-                            "Where nothing is safe"_text,
-                            "Growth incremental, adaptive, guided: where every voxel of a layer "
-                            "would cut others off, lay all of it as the source does (layer) or "
-                            "only what cuts off fewest (least)."_text),
+          "Order of tries"_text,
+          "Growth incremental: order in which a layer's voxels are tried: outwards from the first one (flooding) or as they were found (insertion)."_text),
+      base::choiceParameter(
+          "growthBoundary", "outside", {{"outside", "outside"_text}, {"inside", "inside"_text}},
+          "Layers"_text, "Voxels on the front"_text,
+          "The sources' schemes: whether a voxel exactly on the convex front can still be printed (outside) or is shadowed by it (inside)."_text),
+      base::choiceParameter(
+          "growthSacrifice", "layer", {{"layer", "layer"_text}, {"least", "least"_text}},
+          "Layers"_text, "If no voxel is safe"_text,
+          "Growth incremental, adaptive, guided: if every voxel of a layer would shadow others, print the whole layer, as the source does (layer), or only the voxels that shadow fewest (least)."_text),
   });
 }
 

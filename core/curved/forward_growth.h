@@ -1,4 +1,4 @@
-// Forward growth as the sources do it. All four schemes may lose voxels.
+// Forward growth by the four schemes of the sources. All of them may lose voxels.
 #pragma once
 
 #include "base/parameters.h"
@@ -12,19 +12,22 @@
 namespace voluta::curved {
 
 enum class ForwardScheme {
-  Greedy,      // algorithm 1 of the dissertation (3.4.2), GCFA of the thesis
-  Incremental, // algorithm 2: of each layer only what shadows nothing, voxel by voxel (GCFA-ISP)
-  Adaptive,    // algorithm 3: the same, halving the layer
-  Guided       // algorithms 4 and 5: adaptive, held back by the peeling field
+  Greedy, // Algorithm 1 of the dissertation (3.4.2), GCFA of the thesis
+  // Algorithm 2: voxel by voxel, only the part of each layer that shadows nothing (GCFA-ISP)
+  Incremental,
+  Adaptive, // Algorithm 3: the same, by halving the layer
+  Guided    // Algorithms 4 and 5: adaptive, held back by the peeling field
 };
 
-// How Incremental orders a layer's voxels before it tries them (list Q).
+// How Incremental orders the voxels of a layer before trying them (list Q).
 enum class QueueOrder { Insertion, Flooding };
 
-// What is lost where no voxel of a layer is safe.
+// Voxels that are lost where no voxel of a layer is safe.
 enum class Sacrifice {
-  Layer, // what the whole layer shadows (as printed)
-  Least  // no more than its most harmless voxel shadows, for as many of the layer as that allows
+  Layer, // All that the whole layer shadows (as published)
+  // At most as many as the layer's most harmless voxel shadows; the layer keeps as many voxels as
+  // that allows
+  Least
 };
 
 struct ForwardOptions {
@@ -34,46 +37,48 @@ struct ForwardOptions {
   QueueOrder queue = QueueOrder::Flooding;
   Boundary boundary = Boundary::Outside;
   Sacrifice sacrifice = Sacrifice::Layer;
-  std::int32_t fieldStep = 1; // Guided: by how much the threshold of the peeling field rises, >= 1
+  std::int32_t fieldStep = 1; // Guided: increment of the peeling field's threshold, >= 1
 };
 
 struct ForwardGrowth {
-  std::vector<std::int32_t> rank;    // per voxel: 1 stands on the platform; 0: never laid
-  std::int32_t ranks = 0;            // layers
+  std::vector<std::int32_t> rank;    // Per voxel: 1 on the platform; 0: never printed
+  std::int32_t ranks = 0;            // Number of layers
   std::vector<std::int32_t> peeling; // peelingField(), Guided only, else empty
-  std::size_t reduced = 0;           // layers cut down so that they shadow less
-  std::size_t sacrificed = 0;        // layers of which nothing was safe
+  std::size_t reduced = 0;           // Layers reduced so that they shadow less
+  std::size_t sacrificed = 0;        // Layers without any safe voxel
 };
 
-// Every voxel of rank r > 1 has an AM-stable neighbour of lower rank and lies not inside the hull
-// of the platform and all lower ranks (`boundary` says what is inside); rank 1 are all voxels on
-// the platform. Nothing depends on the number of threads. Throws Cancelled.
+// Every voxel of rank r > 1 has an AM-stable neighbour of lower rank and is not inside the hull of
+// the platform and all lower ranks (`boundary` defines inside); rank 1 is all voxels on the
+// platform. The result does not depend on the number of threads. Throws Cancelled.
 //
-// What differs from the printed algorithms:
-// - A layer is proposed from the neighbours of all that is laid, not of the last layer only. For
-//   Greedy it is the same; otherwise a voxel that was held back would be found again only by the
-//   chance of a neighbour in a later layer. Algorithm 5 needs it too: as printed its current layer
-//   stays empty after the threshold was raised, and growth ends.
-// - Shadowed is a voxel inside the front that is neither laid nor still waiting for its turn in
-//   the layer at hand: such a voxel may be laid with this layer. The thesis counts it.
-// - Algorithm 3, line 11, adds sets that shadow; only those that do not are added. Halving is run
-//   to single voxels as an order: a set whose hull swallows nothing is one whose voxels can be
-//   added one after the other, so both give the same layer, and none needs a hull of its own.
-// - Algorithm 2 of the thesis, line 6, is inverted: the layer is taken whole when it shadows no
-//   more than is shadowed already. The threshold counts from there, for each layer anew; a count
-//   of all that was ever shadowed would end prevention once it is reached.
+// Differences from the published algorithms:
+// - A layer is proposed from the neighbours of all printed voxels, not of the last layer only. For
+//   Greedy the result is the same; otherwise a voxel that was held back would be found again only
+//   if a later layer happens to have it as a neighbour. Algorithm 5 needs it too: as published its
+//   current layer stays empty after the threshold was raised, and growth ends.
+// - A voxel is shadowed if it is inside the front, not printed, and not waiting in the current
+//   layer: such a voxel may be printed with this layer. The thesis counts it.
+// - Algorithm 3, line 11, adds sets that shadow; here only sets that do not shadow are added.
+//   Halving runs down to single voxels and serves as an order: the voxels of a set whose hull
+//   swallows nothing can be added one after the other, so both give the same layer, and no set
+//   needs a hull of its own.
+// - Algorithm 2 of the thesis, line 6, is inverted: the layer is taken whole if it shadows no more
+//   than is shadowed already. The threshold counts from there, for each layer anew; a count of all
+//   voxels ever shadowed would end prevention once it is reached.
 // - Flooding starts from the layer's first voxel instead of a random one.
-// - Where no voxel of a layer is safe, it is laid whole and what it shadows is lost, as printed
-//   (Sacrifice::Layer). Guided first lets go on what its field still holds back: only where nothing
-//   at all is safe is something lost.
-// - Algorithm 2 tests one voxel after the other with a hull from scratch; the same answers come
-//   from one hull that keeps, facet by facet, the voxels it must not swallow (incremental_front.h).
+// - Where no voxel of a layer is safe, the whole layer is printed and the voxels it shadows are
+//   lost, as published (Sacrifice::Layer). Guided first releases voxels that its field still holds
+//   back and loses voxels only if nothing at all is safe.
+// - Algorithm 2 tests one voxel after the other with a hull from scratch; here one hull that keeps,
+//   facet by facet, the voxels it must not swallow gives the same answers (incremental_front.h).
 ForwardGrowth forwardGrowth(const VoxelGraph& graph, ForwardScheme scheme,
                             const ForwardOptions& options, const base::RunContext& ctx);
 
-// growthIsp, growthQueue, growthBoundary, growthSacrifice: ForwardOptions for a user.
+// The user's parameters for ForwardOptions: growthIsp, growthQueue, growthBoundary,
+// growthSacrifice.
 base::ParameterTable forwardParameters();
-// From values over a table that has them.
+// Precondition: the table of `values` contains forwardParameters().
 ForwardOptions forwardOptions(const base::ParameterValues& values);
 
 } // namespace voluta::curved

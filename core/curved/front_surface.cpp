@@ -13,7 +13,7 @@ namespace {
 
 using Corners = std::vector<Eigen::Vector2d>;
 
-// Ends (x, y) of the rows of one slice, those that the slice's planar hull needs.
+// Returns the row ends (x, y) of one slice that the slice's planar hull needs.
 Corners sliceCorners(const Decomposition& d, std::int32_t rank, int k) {
   const Eigen::Vector3i& size = d.grid.size;
   Corners ends;

@@ -1,4 +1,4 @@
-// The convex front as a surface, for pictures.
+// The convex front as a surface, for display.
 #pragma once
 
 #include "curved/decomposition.h"
@@ -8,10 +8,10 @@
 
 namespace voluta::curved {
 
-// The hull of the platform and the centres of all voxels (support too) of rank 1 to `rank`, mm,
-// closed and facing outward: the front that voxels of the next rank must not lie inside
+// Returns the hull of the platform and the centres of all voxels (supports included) of rank 1 to
+// `rank` [mm], closed and facing outward: voxels of the next rank must not be inside this front
 // (dissertation 3.4.1). Corners of the platform are rounded to a sixteenth of a cell, as in growth.
-// Empty where nothing is laid yet. Precondition (Error{Internal}): one rank a cell, a platform of
+// Empty if nothing is printed yet. Precondition (Error{Internal}): one rank per cell, a platform of
 // three corners or more.
 geometry::TriangleMesh frontSurface(const Decomposition& decomposition, std::int32_t rank);
 

@@ -28,7 +28,7 @@ double dot(const std::vector<float>& a, const std::vector<float>& b, const base:
 
 using Cell = std::array<std::int32_t, 3>;
 
-// Numbers of cells, even i + j + k first, otherwise in the given order.
+// Returns the cells' new numbers: even i + j + k first, otherwise in the given order.
 std::vector<std::int32_t> redFirstOrder(const std::vector<Cell>& cells, std::size_t& reds) {
   std::vector<std::int32_t> place(cells.size());
   const auto red = [](const Cell& c) { return (c[0] + c[1] + c[2]) % 2 == 0; };
@@ -64,8 +64,8 @@ GridSolver::Level GridSolver::finestLevel(const VoxelGraph& graph, Cells& cells)
   return finest;
 }
 
-// Which cell of two each way a cell is in, and what that takes from it. `cells`: those of the fine
-// level, then the coarse one's. `size` as they.
+// Builds the coarser level, which merges 2 x 2 x 2 cells, and links the fine level to it. `cells`
+// and `size` are those of the fine level on entry and of the coarser one on return.
 GridSolver::Level GridSolver::coarserLevel(Level& fine, Cells& cells, Eigen::Vector3i& size) {
   const voxel::VoxelGrid half{.size = (size + Eigen::Vector3i::Ones()) / 2};
   const auto indexOf = [&](const Cell& c) { return half.index(c[0] / 2, c[1] / 2, c[2] / 2); };
@@ -203,7 +203,7 @@ namespace {
 
 constexpr std::array<float, kRun> kNothing{};
 
-// What begins at each neighbour of a run's first cell; `none` stands for those that are not there.
+// Returns pointers to the rows of neighbours of a run's cells; `none` replaces missing rows.
 template <typename Run>
 std::array<const float*, 6> rowsBeside(const Run& run, const float* x, const float* none) {
   std::array<const float*, 6> row{};
@@ -281,7 +281,7 @@ void GridSolver::cycle(std::size_t depth, const base::RunContext& ctx) {
       smooth(level, false, ctx);
     return;
   }
-  // From zero: what is red has only zeros about it.
+  // The sweep starts from zero, so all neighbours of a red cell are zero.
   base::parallelChunks(ctx, level.reds, kGrain, [&](std::size_t from, std::size_t to) {
     for (std::size_t c = from; c < to; ++c)
       level.x[c] = level.b[c] * level.inverseDiagonal[c];

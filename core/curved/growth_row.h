@@ -1,4 +1,4 @@
-// A scheme of growth: in which order voxels are laid.
+// A growth scheme: computes the order in which voxels are printed.
 #pragma once
 
 #include "base/run_context.h"
@@ -17,33 +17,35 @@
 namespace voluta::curved {
 
 struct Growth {
-  std::vector<std::int32_t> rank; // per voxel: n >= 1 its layer, 0 not laid
+  std::vector<std::int32_t> rank; // Per voxel: layer n >= 1; 0: not printed
   std::int32_t ranks = 0;
   std::size_t laid = 0;
-  // How deep, in cells, a voxel's centre may lie inside the hull of the platform and all lower
-  // ranks: 0, or more for `relaxed` voxels.
+  // Maximum depth [cells] of a voxel's centre inside the hull of the platform and all lower ranks:
+  // 0, or more for `relaxed` voxels.
   double epsilon = 0.0;
   std::size_t relaxed = 0;
-  std::vector<Eigen::Vector3f> headDirection; // as Peeling::headDirection
-  std::size_t byHead = 0;                     // voxels inside the flat front that the head reaches
-  std::string scheme;     // that made it, where a row runs another one; empty: its own
-  double peelSeconds = 0; // peeling, or the peeling field of guided growth
-  double growSeconds = 0; // forward growth; further passes of auto and reverse
+  std::vector<Eigen::Vector3f> headDirection; // As Peeling::headDirection
+  std::size_t byHead = 0;                     // Voxels inside the flat front that the head reaches
+  // The scheme that produced it, if a row runs another one; empty: the row's scheme
+  std::string scheme;
+  double peelSeconds = 0; // Peeling, or the peeling field of guided growth
+  double growSeconds = 0; // Forward growth; further passes of auto and reverse
 };
 
 struct GrowthInput {
   const VoxelGraph& graph;
-  const ForwardOptions& forward;  // of the sources' schemes
-  const process::HeadShape* head; // null: a flat front
+  const ForwardOptions& forward;  // For the sources' schemes
+  const process::HeadShape* head; // Null: a flat front
 };
 
 struct GrowthRow {
-  std::string_view id; // as it is typed
-  base::Text label;    // in plain words
-  base::Text help;     // a sentence
-  // Does it peel: then ForwardOptions mean nothing to it, and a field is fitted to its ranks.
+  std::string_view id; // As typed by users
+  base::Text label;
+  base::Text help; // One sentence
+  // Whether the scheme peels: it then ignores ForwardOptions, and a field is fitted to its ranks.
   bool peels = false;
-  // Fills in all but `laid`. What holds of the ranks says grow(). Throws Cancelled.
+  // Fills in all members but `laid`. grow() documents the properties of the ranks. Throws
+  // Cancelled.
   Growth (*grow)(const GrowthInput& in, const base::RunContext& ctx) = nullptr;
 };
 

@@ -26,21 +26,20 @@ const std::vector<GrowthRow>& growthRows() {
   static const std::vector<GrowthRow> kRows{
       {"auto", "Automatic"_text, "Peels the part and keeps the best of several passes"_text, true,
        growByPeeling},
-      {"reverse", "Peeling, turned round"_text,
-       "Takes voxels off from outside while the rest keeps its support; printed in the opposite "
-       "order"_text,
+      {"reverse", "Reverse peeling"_text,
+       "Removes voxels from outside while the rest stays supported; printed in the opposite order"_text,
        true, growByPeeling},
       {"guided", "Guided by peeling"_text,
        "Grows from the platform, held back by the peeling field"_text, false,
        forward<ForwardScheme::Guided>},
       {"adaptive", "Halved layers"_text,
-       "Grows from the platform; a layer that would cut voxels off is halved until it does not"_text,
+       "Grows from the platform; a layer that would shadow voxels is halved until it does not"_text,
        false, forward<ForwardScheme::Adaptive>},
       {"incremental", "Voxel by voxel"_text,
-       "Grows from the platform; a layer takes each voxel that cuts off no other"_text, false,
+       "Grows from the platform; a layer takes each voxel that shadows no other"_text, false,
        forward<ForwardScheme::Incremental>},
       {"greedy", "Greedy"_text,
-       "Grows from the platform by whole layers, whatever they cut off"_text, false,
+       "Grows from the platform by whole layers, whatever they shadow"_text, false,
        forward<ForwardScheme::Greedy>},
   };
   return kRows;

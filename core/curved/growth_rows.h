@@ -1,4 +1,4 @@
-// The schemes of growth that a user may choose from: one row each.
+// The growth schemes offered to users: one row each.
 #pragma once
 
 #include "curved/growth_row.h"
@@ -7,7 +7,7 @@
 
 namespace voluta::curved {
 
-// In the order they are offered; the first is the one unless another is chosen.
+// Returns the rows in display order; the first is the default.
 const std::vector<GrowthRow>& growthRows();
 
 } // namespace voluta::curved

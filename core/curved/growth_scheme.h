@@ -1,4 +1,4 @@
-// The scheme of growth that was chosen.
+// The chosen growth scheme.
 #pragma once
 
 #include "curved/growth_row.h"
@@ -11,7 +11,7 @@ namespace voluta::curved {
 
 class GrowthScheme {
 public:
-  GrowthScheme(); // automatic
+  GrowthScheme(); // Automatic
   // Throws Error{Usage} for an unknown id, naming the nearest.
   explicit GrowthScheme(std::string_view id);
   // Precondition: a row of growthRows().
@@ -31,7 +31,7 @@ inline std::string keyOf(const GrowthScheme& scheme) {
   return scheme.id();
 }
 
-// All there are, in the order they are offered.
+// Returns all schemes in display order.
 std::vector<GrowthScheme> growthSchemes();
 
 } // namespace voluta::curved

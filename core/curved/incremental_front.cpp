@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kBlock = 8;
 constexpr double kNowhere = std::numeric_limits<double>::max();
 
-// The lattice point nearest to the middle of the lowest and the highest of the points.
+// Returns the lattice point nearest to the middle of the bounding box of the points.
 LatticePoint between(const std::vector<LatticePoint>& points) {
   const auto [low, high] = std::minmax_element(
       points.begin(), points.end(),
@@ -79,7 +79,7 @@ void IncrementalFront::build(const std::vector<std::int32_t>& corners) {
       facetOfSide[{c[s], c[(s + 1) % 3]}] = f;
   }
   hint_ = 0;
-  // Inside now is inside for ever.
+  // The hull only grows, so a point inside stays inside.
   if (!empty())
     heart_ = between(at);
   hasHeart_ = !empty();
@@ -94,8 +94,8 @@ void IncrementalFront::build(const std::vector<std::int32_t>& corners) {
 }
 
 // The ray from the heart through p leaves the hull through one facet (or an edge of two), and p is
-// outside when it is in front of that. Walking there from facet to facet, always over a side that
-// has p beyond it, takes a few steps from where the last point was.
+// outside if it is in front of that facet. The walk from facet to facet, always over a side that
+// has p beyond it, takes a few steps from the facet of the previous point.
 std::int32_t IncrementalFront::facetBefore(std::int32_t p, double above) const {
   constexpr int kMostSteps = 300;
   const LatticePoint& at = point(p);

@@ -19,7 +19,7 @@ Eigen::Vector3d cellOf(const VoxelGraph& graph, std::int32_t v) {
   return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
 }
 
-// Brings one half of [first, last) before the other and returns where the second begins: strictly
+// Partitions [first, last) into halves and returns the start of the second one, which is strictly
 // between the two for 2 voxels or more.
 Voxel halve(const VoxelGraph& graph, Voxel first, Voxel last) {
   const auto n = static_cast<double>(last - first);
@@ -55,7 +55,7 @@ void halveDown(const VoxelGraph& graph, Voxel first, Voxel last) {
 
 std::vector<std::int32_t> floodingOrder(const VoxelGraph& graph,
                                         const std::vector<std::int32_t>& layer) {
-  // Ties go to the voxel that comes first in the layer.
+  // Ties are resolved in favour of the earlier voxel of the layer.
   using Entry = std::pair<float, std::size_t>;
   std::unordered_map<std::int32_t, std::size_t> place;
   for (std::size_t i = 0; i < layer.size(); ++i)

@@ -14,8 +14,8 @@ namespace voluta::curved {
 namespace {
 
 constexpr int kCentre = 13;
-// The field's slope stays below this (a layer is at least 0.4 of 0.8 mm); steeper fits come from
-// voxels with hardly a neighbour and would throw the ring far off.
+// Maximum slope of the field (a layer is at least 0.4 of 0.8 mm); steeper fits come from voxels
+// with very few neighbours and would throw the outer ring far off.
 constexpr double kMaxSlope = 3.0;
 constexpr std::size_t kGrain = 4096;
 
@@ -23,7 +23,7 @@ Eigen::Vector3i offsetOf(int bit) {
   return {bit % 3 - 1, bit / 3 % 3 - 1, bit / 9 - 1};
 }
 
-// For each of the 27 voxels of a block, those of the block that touch it.
+// Returns, for each of the 27 voxels of a block, the voxels of the block that touch it.
 const std::array<std::uint32_t, 27>& touching() {
   static const std::array<std::uint32_t, 27> masks = [] {
     std::array<std::uint32_t, 27> m{};
@@ -36,7 +36,7 @@ const std::array<std::uint32_t, 27>& touching() {
   return masks;
 }
 
-// The part of `mask` that hangs together with its lowest bit.
+// Returns the part of `mask` connected to its lowest bit.
 std::uint32_t connectedGroup(std::uint32_t mask) {
   std::uint32_t group = mask & (~mask + 1), front = group;
   while (front != 0) {
@@ -49,8 +49,8 @@ std::uint32_t connectedGroup(std::uint32_t mask) {
   return group;
 }
 
-// Levels from ranks: a few rounds of averaging over pairs of opposite neighbours take the steps out
-// and leave what is even as it is, at the rim too.
+// Computes levels from ranks: a few rounds of averaging over pairs of opposite neighbours remove
+// the steps and preserve linear regions, at the rim too.
 void smoothRanks(std::vector<double>& value, const std::vector<int>& printed,
                  const std::vector<std::uint8_t>& isPrinted, const std::array<int, 27>& neighbour,
                  const base::RunContext& ctx) {
@@ -142,7 +142,7 @@ void LevelField::fitGradients(const std::vector<int>& printed, const base::RunCo
         normal += w * o * o.transpose();
         right += w * (value(u) - value(v)) * o;
       }
-      // Where neighbours span no volume, the slope across them is taken as zero.
+      // Where the neighbours span no volume, the slope across them is taken as zero.
       normal.diagonal().array() += 1e-7 * (normal.trace() + 1e-3);
       Eigen::Vector3d g = normal.ldlt().solve(right) / grid_.pitch;
       const double slope = g.norm();
@@ -172,7 +172,7 @@ void LevelField::extrapolate(const std::vector<int>& printed, const base::RunCon
     const Eigen::Vector3i at = padded.cell(static_cast<std::size_t>(v));
     for (int n = 0; n < 27; ++n) {
       const Eigen::Vector3i o = offsetOf(n);
-      // Printed voxels never lie on the padding, so nothing is lost by staying off its far side.
+      // Printed voxels are never on the padding, so neighbours beyond it can be skipped.
       if (!padded.contains(at.x() + o.x(), at.y() + o.y(), at.z() + o.z()))
         continue;
       if (kind_[static_cast<std::size_t>(v + neighbour_[static_cast<std::size_t>(n)])] ==

@@ -1,5 +1,5 @@
-// Voxels that are not laid yet, by blocks, so that those which a larger front would shadow are
-// found without asking about each.
+// Voxels not printed yet, in blocks, so that the voxels shadowed by a larger front are found
+// without testing each one.
 #pragma once
 
 #include "curved/incremental_front.h"
@@ -12,7 +12,7 @@ namespace voluta::curved {
 
 class LiveBlocks {
 public:
-  // All voxels live.
+  // Starts with all voxels live.
   explicit LiveBlocks(const VoxelGraph& graph);
 
   void remove(const std::vector<std::int32_t>& voxels) {
@@ -20,13 +20,13 @@ public:
       live_[static_cast<std::size_t>(v)] = 0;
   }
 
-  // Live voxels inside the front, in a fixed order.
+  // Appends the live voxels inside the front, in a fixed order.
   void inside(const IncrementalFront& front, std::vector<std::int32_t>& out);
 
 private:
   struct Block {
-    Eigen::Vector3d centre, halfSize; // of the box of its centres of voxels, on the lattice
-    std::vector<std::int32_t> voxels; // those that were live when it was last looked through
+    Eigen::Vector3d centre, halfSize; // Bounding box of the block's voxel centres, on the lattice
+    std::vector<std::int32_t> voxels; // The voxels that were live at the last search
   };
 
   std::vector<std::uint8_t> live_;

@@ -16,15 +16,15 @@ namespace {
 
 struct Group {
   std::vector<std::int32_t> voxels;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); // of the member nearest to the mean
-  Loss loss = Loss::Unreached;                      // of what it begins with
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); // Centre of the member nearest to the mean
+  Loss loss = Loss::Unreached;                      // Loss of the first member
   std::size_t cascade = 0;
-  std::int32_t root = -1; // the shadowed member that could have been laid first
+  std::int32_t root = -1; // The shadowed member that could have been printed first
   std::int32_t rootRank = 0;
-  std::int32_t coveredAt = 0; // rank after which the front covers the root, 0: not found
+  std::int32_t coveredAt = 0; // Rank after which the front covers the root, 0: not found
   std::array<Eigen::Vector3d, 3> cover{
       Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
-      Eigen::Vector3d::Zero()}; // corners of the facet over it then, mm
+      Eigen::Vector3d::Zero()}; // Corners of the facet over it then [mm]
 };
 
 class Missed {
@@ -46,7 +46,7 @@ private:
     return graph_.grid.centre(c[0], c[1], c[2]);
   }
 
-  // Least rank after which v could have been supported; 0: never.
+  // Returns the lowest rank after which v could have been supported; 0: never.
   std::int32_t supportedFrom(std::size_t v) const {
     if (graph_.onPlatform[v])
       return 1;
@@ -113,7 +113,7 @@ private:
     }
   }
 
-  // One growth over again, asking after each rank which roots the front covers by now.
+  // Repeats the growth and checks after each rank which roots the front now covers.
   void findCovers() {
     constexpr std::size_t kMost = 20;
     const std::size_t examined = std::min(kMost, groups_.size());
@@ -188,7 +188,7 @@ plan::Finding findingOf(const Group& group) {
 
 void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decomposition,
                     const base::RunContext& ctx) {
-  // From below the plate too: what lies there is missed as well.
+  // Voxels below the plate are included, as they are missed as well.
   const VoxelGraph graph =
       voxelGraph(voxels.grid, voxels.solid, voxels.plateLayer(), decomposition.platform);
   decomposition.loss.assign(decomposition.rank.size(), Loss::None);

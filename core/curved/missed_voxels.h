@@ -1,4 +1,4 @@
-// What growth could not lay, told in words.
+// Findings about the voxels that growth could not print.
 #pragma once
 
 #include "curved/decomposition.h"
@@ -6,11 +6,12 @@
 
 namespace voluta::curved {
 
-// Says of each voxel of rank -1 why: unreached where no way through the part leads from the
-// platform to it, shadowed where something laid would have carried it, else cascade. Describes
-// their connected groups, largest first: the twenty largest get a finding of their own (of shadowed
-// ones from which step on the front covers them, and with which facet), the rest one together.
-// Fills loss, the counts and findings. Expects grid, rank and platform. Throws Cancelled.
+// Determines why each voxel of rank -1 was missed: unreached if there is no path through the part
+// from the platform, shadowed if something printed would have carried it, else cascade. Describes
+// their connected groups, largest first: the twenty largest get a finding each (for shadowed ones
+// with the step from which the front covers them, and the facet), the rest one finding together.
+// Fills loss, the counts and findings. Precondition: grid, rank and platform are set. Throws
+// Cancelled.
 void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decomposition,
                     const base::RunContext& ctx);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInside = 1e-6; // cells: touching is not inside
 
-// Steps to the 26 neighbours of a cell and the 48 like (2, 1, 0) and (2, 1, 1) between them.
+// Steps to the 26 neighbours of a cell and the 48 steps of type (2, 1, 0) and (2, 1, 1) in between.
 const std::vector<Eigen::Vector3d>& directions() {
   static const std::vector<Eigen::Vector3d> all = [] {
     std::vector<Eigen::Vector3d> out;
@@ -82,7 +82,7 @@ double NozzleReach::radiusBetween(double low, double high) const {
 
 bool NozzleReach::clear(std::size_t v, const Eigen::Vector3d& d) const {
   const Eigen::Vector3d tip(graph_.cell[v][0], graph_.cell[v][1], graph_.cell[v][2]);
-  // The head's lowest points lie on the rims of its sections.
+  // The lowest points of the head are on the rims of its sections.
   const double plate = graph_.plateLayer - 0.5;
   const double sink = std::sqrt(std::max(0.0, 1.0 - d.z() * d.z()));
   for (const process::HeadSection& s : sections_)

@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t kGrain = 4096;
 constexpr int kSmoothing = 2;
-// Around a place beyond the limits, as much is changed with it as lies this near to them.
+// Tolerance on the limits: around a place beyond them, this much more is changed with it.
 constexpr double kSlack = 0.08;
 constexpr double kSteepest = 1e-3;
 
-// Visits the neighbours of a cell that share a side with it.
+// Visits the neighbours that share a face with a cell.
 template <typename F> void besideCell(const voxel::VoxelGrid& grid, std::size_t cell, F&& f) {
   const Eigen::Vector3i c = grid.cell(cell);
   for (int axis = 0; axis < 3; ++axis)
@@ -37,8 +37,8 @@ PartialLevels::PartialLevels(const LevelField& field, const Options& options,
   const double least = options.heightMinMm, most = options.heightMaxMm;
   base::require(options.spacingMm > 0.0 && least > 0.0 && least <= most,
                 "a positive spacing and height limits in order");
-  // Halves and doubles are within the limits where these are a factor of two apart; else what is
-  // changed is as far beyond one of them as it was beyond the other.
+  // Halving and doubling keep thicknesses within the limits if these differ by a factor of two or
+  // more. Otherwise a changed slab is as far beyond one limit as it was beyond the other.
   const double even = 0.5 * std::log2(2.0 * least * most);
   const bool wide = 2.0 * least <= most;
   splitAt_ = wide ? std::max(std::log2((1.0 - kSlack) * most), std::log2(2.0 * least)) : even;
@@ -96,8 +96,8 @@ void PartialLevels::leaveSmallPlaces(const base::RunContext& ctx) {
   const double cell = grid.pitch * grid.pitch * grid.pitch;
   std::vector<std::size_t> place;
   std::vector<std::uint8_t> seen;
-  // beyond(t) is how far past the limit a thickness is where a change begins (> 0), and
-  // strictly(t) whether it is past what can be laid.
+  // beyond(t) returns whether a thickness is past the value `changeAt` at which a change begins,
+  // and strictly(t) whether it is past the printable limit.
   const auto visit = [&](float changeAt, auto&& beyond, auto&& strictly) {
     seen.assign(thickness_.size(), 0);
     for (std::size_t seed = 0; seed < thickness_.size(); ++seed) {
@@ -132,7 +132,7 @@ void PartialLevels::leaveSmallPlaces(const base::RunContext& ctx) {
   for (int scale = 1; scale <= kCoarsest; ++scale) {
     const auto at = static_cast<float>(cutAbove(scale)),
                limit = static_cast<float>(std::log2(options_.heightMinMm) - (scale - 1));
-    // A hair above, so that what is left as it is counts as cut.
+    // Slightly above, so that unchanged places count as cut.
     visit(
         at + 1e-4f, [&](float t) { return t <= at; }, [&](float t) { return t < limit; });
   }
@@ -210,7 +210,7 @@ double PartialLevels::margin(const Slab& slab, const Eigen::Vector3d& point,
   const double mid = midOf(slab);
   for (Slab outer = slab; outer.scale < kCoarsest;) {
     outer = {outer.scale + 1, outer.index >> 1};
-    // Larger slabs that are laid nowhere are cut everywhere.
+    // Larger slabs that are used nowhere are cut everywhere.
     if (outer.scale > 0 && (used_ & ~(bit(outer.scale) - 1)) == 0)
       break;
     const Eigen::Vector3d there = point + (midOf(outer) - mid) / slope2 * gradient;

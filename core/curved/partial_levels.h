@@ -1,5 +1,4 @@
-// Where a level of the field is too thick or too thin to be laid as it is, and what is laid
-// instead.
+// Splits and merges levels of the field that are too thick or too thin to be printed as one layer.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,25 +10,25 @@
 
 namespace voluta::curved {
 
-// What lies between two values of the field: [index w, (index + 1) w) with w = 2^scale * spacing.
-// Scale 0 is a whole level; below it a part of one; above it levels that are laid as one.
+// The region between two values of the field: [index w, (index + 1) w) with w = 2^scale * spacing.
+// Scale 0 is a whole level; negative scales are parts of a level, positive ones merged levels.
 struct Slab {
   int scale = 0, index = 0;
 };
 
-// Share of levels by slabs, so that each point of the part is in exactly one: going down from the
-// largest scale, a slab is left whole or cut into its halves, as told by the thickness that a level
-// would have at its middle. Levels stay whole where that lies within the limits. That thickness is
-// known to a voxel, smoothed; places too small to be worth a patch are left as they are.
+// Partition of the part into slabs. From the largest scale downwards, a slab is kept whole or cut
+// into halves, depending on the thickness that a level would have at its middle. Levels stay whole
+// where that is within the limits. The thickness is stored per voxel and smoothed; places too small
+// for a patch of their own are not changed.
 class PartialLevels {
 public:
-  // Scales that are tried: levels are quartered at most, and four laid as one.
+  // Range of scales: levels are at most quartered, and at most four are merged.
   static constexpr int kFinest = -2, kCoarsest = 2;
 
   struct Options {
     double spacingMm = 0.8; // of whole levels, in the field
     double heightMinMm = 0.4, heightMaxMm = 1.0;
-    double leastVolumeMm3 = 4.0; // beyond the limits, for a place to be changed
+    double leastVolumeMm3 = 4.0; // minimum volume beyond the limits for a place to be changed
   };
   // Preconditions: 0 < heightMinMm <= heightMaxMm, spacingMm > 0. Throws Cancelled.
   PartialLevels(const LevelField& field, const Options& options, const base::RunContext& ctx);
@@ -37,17 +36,18 @@ public:
   double spacingMm() const { return options_.spacingMm; }
   double widthMm(int scale) const;
   double midOf(const Slab& slab) const { return (slab.index + 0.5) * widthMm(slab.scale); }
-  // Bottom of a slab in units of the finest: what slabs are ordered by.
+  // Returns the bottom of a slab in units of the finest scale, by which slabs are sorted.
   static int bottomOf(const Slab& slab) { return slab.index << (slab.scale - kFinest); }
 
-  // Some place is laid otherwise than by whole levels.
+  // Returns whether any place differs from whole levels.
   bool any() const { return used_ != wholeOnly(); }
   bool uses(int scale) const { return (used_ & bit(scale)) != 0; }
-  // False only where no slab of this scale is laid near the cell (LevelField::cell).
+  // Returns false only if no slab of this scale is used near the cell (LevelField::cell).
   bool mayHold(int scale, int i, int j, int k) const;
 
-  // Positive where the slab is laid at a point of its middle surface, zero at its rim, negative
-  // where it is cut or part of a larger one. `gradient` of the field there.
+  // Returns a positive value if the slab is used at a point of its middle surface, zero at its rim,
+  // a negative one if it is cut or part of a larger slab there. `gradient`: of the field at the
+  // point.
   double margin(const Slab& slab, const Eigen::Vector3d& point,
                 const Eigen::Vector3d& gradient) const;
 

@@ -12,7 +12,7 @@
 namespace voluta::curved {
 
 namespace {
-// Of so many voxels, so small a share missed is not worth minutes of further passes.
+// For this many voxels, a missed share this small is not worth minutes of further passes.
 constexpr std::size_t kManyVoxels = 200'000;
 constexpr double kFewMissed = 1e-4;
 } // namespace

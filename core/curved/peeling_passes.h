@@ -1,4 +1,4 @@
-// Growth by peeling, in as many passes as are worth it.
+// Growth by peeling in several passes.
 #pragma once
 
 #include "base/run_context.h"
@@ -6,15 +6,15 @@
 
 namespace voluta::curved {
 
-// Peels (reverse_growth.h) with sheets of 0.6 cells. When that lays every voxel the platform
-// reaches, it is the answer, or all but 0.01 % of more than 200,000; otherwise two further passes
-// (sheets of 0.6 and 1 cell, the tolerance of half a cell for whole sheets where nothing else can
-// go on) are run, restarts included, and the best is kept: fewest missed, then fewest relaxed, then
-// fewest layers. Which order it is does not matter to the evenness of the field, as that starts
-// from distances and not from ranks.
+// Peels (reverse_growth.h) with sheets of 0.6 cells. Returns that result if it prints every voxel
+// reachable from the platform, or all but 0.01 % of more than 200,000. Otherwise runs two further
+// passes (sheets of 0.6 and 1 cell, with the tolerance of half a cell for whole sheets where
+// peeling is stuck), including restarts, and returns the better one: fewest missed, then fewest
+// relaxed voxels, then fewest layers. The choice of the order does not affect the evenness of the
+// field, which is computed from distances and not from ranks.
 //
-// With a head: where peeling would have to give voxels up, those that this head reaches past all
-// that is laid before them are laid all the same. Throws Cancelled.
+// With a head: where peeling would have to give up voxels, those that the head reaches past all
+// earlier material are printed nevertheless. Throws Cancelled.
 Growth growByPeeling(const GrowthInput& in, const base::RunContext& ctx);
 
 } // namespace voluta::curved

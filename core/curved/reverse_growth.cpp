@@ -14,12 +14,12 @@ namespace voluta::curved {
 
 namespace {
 
-// Guided: a voxel that waits for more than kLate levels is late; cells by which it may lie deeper
-// for each further level, and at most.
+// Guided: a voxel that has waited for more than kLate levels is late; cells by which it may be
+// deeper for each further level, and the maximum.
 constexpr double kLate = 1.0, kEasedPerCell = 0.25, kEasedMost = 0.75;
 
-// Where nothing can go on: distances are made anew once this share of the voxels went since, and so
-// many voxels may be given new ones otherwise.
+// If peeling is stuck: distances are recomputed once this share of the voxels was removed since the
+// last time; otherwise at most kRerouted voxels get new distances.
 constexpr std::size_t kStale = 32, kRerouted = 256;
 
 class Peeler {
@@ -79,7 +79,8 @@ private:
       if (present_[v])
         highest = std::max(highest, guide_[v]);
     const auto step = static_cast<float>(options_.levelStep);
-    std::vector<std::vector<std::int32_t>> passed; // per round, or the one before: rounding
+    // per round; may be one round early because of rounding
+    std::vector<std::vector<std::int32_t>> passed;
     for (std::size_t v = 0; v < graph_.size(); ++v)
       if (present_[v]) {
         const auto at = static_cast<std::size_t>(
@@ -98,8 +99,8 @@ private:
     level_ = 0.0f;
   }
 
-  // What hangs back behind the level holds up all that carries it, often for the sake of a fraction
-  // of a cell: the longer it waits, the deeper it may lie.
+  // A voxel that stays behind the level blocks all voxels that support it, often for a fraction of
+  // a cell: the longer it waits, the deeper it may be.
   double toleranceOf(std::size_t v, double tolerance) const {
     if (guide_.empty())
       return tolerance;
@@ -115,8 +116,8 @@ private:
     return !options_.allowance.empty() && options_.allowance[v] > 0.0f;
   }
 
-  // Guided: how deep below the front voxels are looked for. A sheet, and further down what is late
-  // or allowed to lie there.
+  // Guided: depth below the front to which voxels are searched: a sheet, or deeper for voxels that
+  // are late or have an allowance.
   static double lookedFor(const PeelOptions& options) {
     double most = std::max(options.sheet, options.eases ? kEasedMost : 0.0);
     for (const float allowed : options.allowance)
@@ -125,7 +126,7 @@ private:
     return most;
   }
 
-  // Tells whether anything was peeled.
+  // Returns whether anything was peeled.
   bool round(double sheet, double tolerance) {
     ctx_.checkpoint();
     ++round_;
@@ -170,7 +171,7 @@ private:
     return peeled > 0;
   }
 
-  // What lies on the front itself, if it may go at all, goes for good. Tells whether anything went.
+  // Removes the removable voxels on the front itself, for good. Returns whether any was removed.
   bool peelFrontOnly() {
     if (laysInside(options_.tolerance))
       return false;
@@ -184,14 +185,14 @@ private:
     return !proposed_.empty();
   }
 
-  // Whether some voxels may lie inside the front.
+  // Returns whether some voxels may be inside the front.
   bool laysInside(double tolerance) const {
     return tolerance > 0.0 || options_.eases || !options_.allowance.empty();
   }
 
   bool late(std::size_t v) const { return guide_.empty() || guide_[v] > level_; }
 
-  // Takes what may go, farthest from the platform first, for the time being.
+  // Removes the removable candidates tentatively, farthest from the platform first.
   void propose(std::vector<std::int32_t>& candidates) {
     sortByDistance(candidates);
     for (const std::int32_t v : candidates) {
@@ -204,7 +205,7 @@ private:
     }
   }
 
-  // All that is near the front, whether or not anything on the front may go.
+  // Proposes all voxels near the front, whether or not those on the front can be removed.
   void proposeNear(double sheet) {
     if (guide_.empty())
       front_.nearSurface(sheet, candidates_);
@@ -213,7 +214,8 @@ private:
     propose(candidates_);
   }
 
-  // Of what the level has passed: mostly little, so each is asked whether it is near the front.
+  // Candidates among the voxels that the level has passed. These are few, so each is checked for
+  // being near the front.
   void gatherWaiting(double sheet) {
     std::erase_if(waiting_, [&](std::int32_t v) { return !present_[static_cast<std::size_t>(v)]; });
     candidates_.clear();
@@ -263,7 +265,7 @@ private:
       out_.level[v] = std::min(guide_[v], level_ + static_cast<float>(options_.levelSlack));
   }
 
-  // The voxels that lose every way to the platform with `cut`, `many` in all.
+  // Collects the at most `many` voxels that are cut off from the platform without `cut`.
   void gatherLoss(std::size_t cut, std::size_t many) {
     loss_.clear();
     ++visit_;
@@ -291,10 +293,10 @@ private:
     }
   }
 
-  // Where nothing can go on, each voxel on the front is the last support of another. First it is
-  // asked whether that is so by older distances only, then whether what rests on one could as well
-  // rest on others nearby: mostly a loop is opened there, and nothing is lost. If not, the voxel on
-  // which the fewest hang goes all the same.
+  // If peeling is stuck, each voxel on the front is the last support of another. First checks
+  // whether that is due to outdated distances only, then whether the voxels that rest on one could
+  // rest on others nearby: usually this opens a loop, and nothing is lost. Otherwise removes the
+  // voxel that supports the fewest others.
   bool goOnWhenStuck() {
     front_.nearSurface(0.0, candidates_);
     if (candidates_.empty())
@@ -340,8 +342,9 @@ private:
     return true;
   }
 
-  // Takes of the candidates, no two side by side, those of which all that rests on them can rest on
-  // others; only the first where fewest relaxed and missed count for more than time (relaxSheets).
+  // Removes candidates, no two of them adjacent, if all voxels that rest on them can rest on
+  // others. With relaxSheets, where fewer relaxed and missed voxels count more than time, only the
+  // first.
   bool takeRerouted() {
     sortByDistance(candidates_);
     ++round_;
@@ -374,8 +377,8 @@ private:
            round(options_.sheet + 0.5, options_.stuckTolerance);
   }
 
-  // Lays what hangs on one voxel although it lies inside the front, last what is nearest to the
-  // voxel. False, and nothing done, where some of it lies too deep.
+  // Peels the voxels that rest on one voxel although they are inside the front, those nearest to it
+  // last. Returns false and changes nothing if some of them are too deep.
   bool relaxLoss() {
     constexpr std::size_t kMost = 64;
     if (options_.stuckTolerance <= options_.tolerance || loss_.size() > kMost)
@@ -393,7 +396,8 @@ private:
       front_.rebuild();
       return false;
     }
-    // Breadth first from the voxel that carries them, so each is laid after one before it here.
+    // Reverse breadth-first order from the voxel that supports them: each is printed after its
+    // support.
     for (std::size_t i = loss_.size(); i-- > 0;) {
       ++round_;
       const auto x = static_cast<std::size_t>(loss_[i]);
@@ -405,8 +409,8 @@ private:
     return true;
   }
 
-  // Lays what hangs on one voxel where the head itself clears all that is earlier, last what is
-  // nearest to the voxel, as far as that goes.
+  // Peels the voxels that rest on one voxel as long as the head is clear of all earlier material,
+  // those nearest to it last.
   bool reachLoss() {
     if (options_.head == nullptr)
       return false;
@@ -439,7 +443,7 @@ private:
     return any;
   }
 
-  // Ranks count from the platform; rounds that peeled nothing leave no gap.
+  // Reverses the order: ranks count from the platform, without gaps for rounds that peeled nothing.
   void turnRound() {
     std::vector<std::int32_t> rankOf(static_cast<std::size_t>(round_) + 1, 0);
     for (const std::int32_t r : out_.rank)
@@ -460,13 +464,13 @@ private:
   std::optional<NozzleReach> reach_;
   std::vector<std::uint8_t> present_;
   SupportOrder support_;
-  double deepest_;                    // guided: below the front, where voxels are looked for
-  std::vector<std::int32_t> waiting_; // guided: present ones that the level has passed, or nearly
+  double deepest_;                    // guided: depth below the front to which voxels are searched
+  std::vector<std::int32_t> waiting_; // guided: present voxels that the level has passed, or nearly
   CutVoxels cuts_;
   std::vector<std::int32_t> removedIn_; // round
-  std::vector<std::int32_t> onFront_;   // on the front when last looked at, and not gone then
+  std::vector<std::int32_t> onFront_;   // on the front at the last update and not removed then
   std::vector<std::int32_t> candidates_, proposed_, loss_;
-  std::vector<std::uint8_t> shadowed_; // per taken voxel
+  std::vector<std::uint8_t> shadowed_; // per proposed voxel
   std::vector<std::uint32_t> visitedIn_;
   std::uint32_t visit_ = 0;
   std::int32_t round_ = 0;
@@ -475,7 +479,7 @@ private:
   Peeling out_;
 };
 
-// What stood on what was given up falls too; the rest keeps its order.
+// Drops voxels that rested on given-up ones; the rest keeps its order.
 std::size_t dropUnsupported(const VoxelGraph& graph, Peeling& peeling) {
   std::vector<std::vector<std::int32_t>> byRank(static_cast<std::size_t>(peeling.ranks) + 1);
   for (std::size_t v = 0; v < graph.size(); ++v)

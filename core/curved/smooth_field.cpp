@@ -13,20 +13,22 @@ namespace voluta::curved {
 
 namespace {
 
-constexpr float kChanged = 0.3f; // a growth that lowers the field by more holds it there
+constexpr float kChanged = 0.3f; // a growth that lowers the field by more than this holds it there
 constexpr float kScreenStart = 0.001f, kScreenFree = 0.003f, kScreenHeld = 0.02f,
                 kScreenPressed = 0.3f;
-// Fewer voxels than this may be inaccessible, and more must be within the limits, for a field to be
-// good enough; above it, layers may overhang more where that helps.
+// A field is good enough if a smaller share of voxels than kAccessible is inaccessible and a larger
+// one than kWithin is within the limits. As long as more voxels are inaccessible, the overhang
+// limit may be relaxed.
 constexpr double kAccessible = 0.0012, kWithin = 0.9965, kDeepest = 1.4;
-constexpr double kStalled = 0.6; // a round that leaves more than this share of them
-// Cells that roofs may lag behind a flat front, and behind one of the head's shape; the share of
-// voxels under roofs beyond 60 degrees that the latter is worth its time for.
+// a round that leaves more than this share of the inaccessible voxels
+constexpr double kStalled = 0.6;
+// Cells by which roofs may lag behind a flat front, and behind one of the head's shape; share of
+// voxels under roofs flatter than 60 degrees above which the latter is worth its time.
 constexpr float kRoofFlat = 0.65f, kRoofByHead = 1.2f;
 constexpr double kRoofs = 0.012;
 constexpr float kOverhangFirst = 0.66f, kOverhangStep = 0.12f;
 
-// Marks the neighbours of what is marked, and theirs.
+// Marks the neighbours of marked voxels, and theirs.
 void widen(const VoxelGraph& graph, std::vector<std::uint8_t>& marked) {
   for (int ring = 0; ring < 2; ++ring) {
     const std::vector<std::uint8_t> inner = marked;
@@ -38,8 +40,8 @@ void widen(const VoxelGraph& graph, std::vector<std::uint8_t>& marked) {
   }
 }
 
-// The screen grows where growth and field disagree and around that, and decays elsewhere; around
-// what lies deep inside the front it is strong at once.
+// Increases the screen where growth and field disagree and around it, and lets it decay elsewhere.
+// Around voxels deep inside the front it is strong at once.
 void adaptScreen(const VoxelGraph& graph, const std::vector<float>& field,
                  const std::vector<float>& target, const std::vector<std::int32_t>& deep,
                  std::vector<float>& screen) {
@@ -57,8 +59,8 @@ void adaptScreen(const VoxelGraph& graph, const std::vector<float>& field,
                            : std::max(kScreenFree, screen[v] * 0.5f);
 }
 
-// How far, in cells, voxels may lag behind the front by the slope of the surface they are at: all
-// the way under roofs flatter than 32 degrees, not at all at 53 degrees and steeper.
+// Returns how far [cells] voxels may lag behind the front, by the slope of their surface: the full
+// amount under roofs flatter than 32 degrees, zero at 53 degrees and steeper.
 std::vector<float> roofAllowance(const std::vector<Eigen::Vector3f>& normals, float cells) {
   constexpr float kSteep = 0.6f, kFlat = 0.85f;
   std::vector<float> allowance(normals.size());
@@ -69,9 +71,9 @@ std::vector<float> roofAllowance(const std::vector<Eigen::Vector3f>& normals, fl
 
 struct Front {
   const process::HeadShape* head; // null: flat
-  float roofCells;                // that roofs may lag
-  bool givesWay;                  // overhang, while too much stays inaccessible,
-  double roofsMost;               // but not once more than this share of roofs has come of it
+  float roofCells;                // allowed lag of roofs
+  bool givesWay;                  // relax the overhang while too much stays inaccessible,
+  double roofsMost;               // but not once it produces more than this share of roofs
 };
 
 class Rounds {
@@ -109,7 +111,7 @@ public:
     for (int round = 0; round < rounds_; ++round) {
       ctx.report((round + 0.5) / (rounds_ + 0.5), "field"_text);
       field = withoutPits(graph_, field, kPitSlope, ctx);
-      // Growth along the field goes on beside its judgement, which may make it needless.
+      // Guided growth runs in parallel with the score, which may make it superfluous.
       FieldScore score;
       Peeling grown;
       const base::CancelToken ends;

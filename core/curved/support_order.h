@@ -1,4 +1,4 @@
-// Which voxel carries which while a set is peeled.
+// Support relation between the voxels of a set while it is peeled.
 #pragma once
 
 #include "base/run_context.h"
@@ -10,43 +10,44 @@
 namespace voluta::curved {
 
 // A set of voxels with a distance each. A voxel rests on its neighbours of lower distance (of equal
-// ones: lower index, where ties carry); it must keep one of them, unless it stands on the platform.
+// distance and lower index, if ties carry); it has to keep one of them, unless it is on the
+// platform.
 class SupportOrder {
 public:
-  // Chamfer distances from the platform over the voxels with present[v] (flood()), ties carry.
-  // `present` holds exactly what is reached afterwards. Keeps references.
+  // Chamfer distances from the platform over the voxels with present[v] (flood()); ties carry.
+  // Afterwards `present` contains exactly the voxels that were reached. Keeps references.
   SupportOrder(const VoxelGraph& graph, std::vector<std::uint8_t>& present,
                const base::RunContext& ctx);
-  // Given distances, > 0 where a voxel is present: ties do not carry.
+  // With given distances, > 0 for present voxels; ties do not carry.
   SupportOrder(const VoxelGraph& graph, std::vector<std::uint8_t>& present,
                const std::vector<std::int32_t>& order, const base::RunContext& ctx);
 
-  // Distances anew for what is present: costs what is left, not what there was.
+  // Recomputes the distances of the present voxels; the cost depends on their number only.
   void flood(const base::RunContext& ctx);
-  // Lets v go, which the caller has taken out of `present`; drop() it then. What rested on nothing
-  // else, `most` voxels at most, gets distances by other ways: those a flood would find over it,
-  // from the distances around as they are (Ramalingam and Reps 1996, for what only grows). False,
-  // and nothing done, where it is more than that or has no other way. Precondition: nothing is
-  // lifted.
+  // Removes v, which the caller has taken out of `present`; call drop() afterwards. Voxels that
+  // rested on nothing else, at most `most`, get new distances over other ways: those that a flood
+  // would find from the surrounding distances (Ramalingam and Reps 1996, for increases only).
+  // Returns false and changes nothing if there are more or they have no other way. Precondition: no
+  // voxel is lifted.
   bool reroute(std::size_t v, std::size_t most);
-  // What is present, in the order of voxels, as of the last flood().
+  // The present voxels, in the order of voxels, as of the last flood().
   const std::vector<std::int32_t>& remaining() const { return remaining_; }
 
-  // Later voxels come before earlier ones.
+  // Returns whether a comes after b: larger distance, or equal distance and larger index.
   bool later(std::size_t a, std::size_t b) const {
     return distance_[a] != distance_[b] ? distance_[a] > distance_[b] : a > b;
   }
 
-  // Whether everything that rests on v keeps another support.
+  // Returns whether all voxels that rest on v keep another support.
   bool allows(std::size_t v) const;
-  // v carries nothing for the time being, and again.
+  // Tentatively removes v as a support, and puts it back.
   void lift(std::size_t v) { change(v, -1); }
   void putBack(std::size_t v) { change(v, 1); }
-  // v, lifted before, is gone for good; `present` is the caller's.
+  // Removes v, which was lifted before, for good; the caller updates `present`.
   void drop(std::size_t v) { supports_[v] = kFree; }
 
 private:
-  // More than a voxel's neighbours could ever take from it: asks nothing of them.
+  // More supports than a voxel has neighbours: it never loses the last one.
   static constexpr std::uint8_t kFree = 64;
 
   bool uprootAll(std::size_t from, std::size_t most);
@@ -64,15 +65,15 @@ private:
   std::vector<std::uint8_t>& present_;
   bool tiesCarry_;
   std::vector<std::int32_t> remaining_;
-  // reroute(): what rests on nothing any more, its distances before, and what rests on one less, as
-  // often as it does; marks of the uprooted.
+  // reroute(): voxels that lost all supports, their previous distances, and voxels that lost a
+  // support, once per lost support; marks of the uprooted.
   std::vector<std::int32_t> uprooted_, lessened_;
   std::vector<float> was_;
   std::vector<std::uint32_t> mark_;
   std::uint32_t marked_ = 0;
   std::vector<float> distance_;
   std::vector<std::uint8_t>
-      supports_; // neighbours it rests on that stay, of voxels off the platform
+      supports_; // per voxel off the platform: number of present neighbours that it rests on
   std::vector<std::uint32_t> carries_; // bit n: the n-th neighbour rests on it
 };
 

@@ -1,4 +1,4 @@
-// The part's voxels as a graph: numbered, with their AM-stable neighbours and the platform.
+// The part's voxels as a graph: indices, AM-stable neighbours and the platform.
 #pragma once
 
 #include "curved/convex_hull.h"
@@ -11,22 +11,22 @@
 
 namespace voluta::curved {
 
-// Steps to the 18 AM-stable neighbours (definition 1: L1 distance 1 or 2 within one cell each way,
-// so faces and edges but not corners). The first six are faces: -x +x -y +y -z +z.
+// Steps to the 18 AM-stable neighbours (definition 1: L1 distance 1 or 2 within one cell per axis,
+// i.e. faces and edges but not corners). The first six are faces: -x +x -y +y -z +z.
 inline constexpr int kNeighbours = 18;
 extern const std::array<Eigen::Vector3i, kNeighbours> kNeighbourStep;
 extern const std::array<float, kNeighbours> kNeighbourDistance; // in cells
 
-// Lattice of the convex front: 16 units a cell, x and y from the grid's corner, z from the plate.
+// Lattice of the convex front: 16 units per cell, x and y from the grid's corner, z from the plate.
 inline constexpr double kLatticePerCell = 16.0;
 
 struct VoxelGraph {
   voxel::VoxelGrid grid;
-  int plateLayer = 0;                            // k of the cells that stand on the plate
+  int plateLayer = 0;                            // k of the cells on the plate
   std::vector<std::int32_t> voxelAt;             // per cell of the grid, -1: no voxel
   std::vector<std::array<std::int16_t, 3>> cell; // per voxel, in grid order
   std::vector<std::array<std::int32_t, kNeighbours>> neighbour; // per voxel, -1: none
-  std::vector<std::uint8_t> onPlatform;                         // per voxel: stands on the platform
+  std::vector<std::uint8_t> onPlatform;                         // per voxel: is on the platform
   std::vector<LatticePoint> platform;                           // corners on the lattice, z = 0
 
   std::size_t size() const { return cell.size(); }
@@ -39,15 +39,15 @@ struct VoxelGraph {
   }
 };
 
-// A flat part, one cell deep in y, grows with the planar hull of its cells and the platform: its
-// front is the hull with a platform that reaches this far to both sides, whose section with the
-// plane of the cells is just that planar hull.
+// A flat part, one cell deep in y, grows with the planar hull of its cells and the platform. Its
+// front is the hull with a platform that extends this far to both sides, whose section with the
+// plane of the cells is that planar hull.
 inline constexpr double kFlatPlatformCells = 1000.0;
 
-// The graph of the cells with use[cell] != 0 that lie above the plate. `platform` is a convex
-// polygon on z = 0, mm, counter-clockwise; a voxel stands on it when it lies in the plate's layer
-// and its centre is over the polygon or within 1e-6 cells of it.
-// Preconditions (Error{Internal}): use has one entry a cell; the platform has 3 corners or more.
+// Returns the graph of the cells with use[cell] != 0 above the plate. `platform` is a convex
+// polygon on z = 0, mm, counter-clockwise; a voxel is on it if it belongs to the plate's layer and
+// its centre is over the polygon or within 1e-6 cells of it. Preconditions (Error{Internal}): use
+// has one entry per cell; the platform has at least 3 corners.
 VoxelGraph voxelGraph(const voxel::VoxelGrid& grid, const std::vector<std::uint8_t>& use,
                       int plateLayer, const std::vector<Eigen::Vector2d>& platform);
 

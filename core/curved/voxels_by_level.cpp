@@ -8,7 +8,7 @@ namespace voluta::curved {
 VoxelsByLevel::VoxelsByLevel(const std::vector<std::int32_t>& level) {
   const std::int32_t highest =
       level.empty() ? -1 : std::max(-1, *std::max_element(level.begin(), level.end()));
-  // Where each level begins, then where its next voxel goes.
+  // Start of each level, then position of its next voxel (counting sort).
   std::vector<std::size_t> next(static_cast<std::size_t>(highest) + 2, 0);
   for (const std::int32_t l : level)
     if (l >= 0)

@@ -1,4 +1,4 @@
-// Voxels one level after the other.
+// Voxels grouped by level.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@ namespace voluta::curved {
 
 class VoxelsByLevel {
 public:
-  // level: one a voxel; what has a negative one is left out.
+  // level: one per voxel; voxels with a negative level are left out.
   explicit VoxelsByLevel(const std::vector<std::int32_t>& level);
 
-  // Of the levels that have voxels, lowest first.
+  // Number of levels that have voxels; they are sorted from the lowest.
   std::size_t levels() const { return first_.size() - 1; }
-  // The voxels of the n-th of them, ascending.
+  // Returns the voxels of the n-th of these levels, ascending.
   std::span<const std::int32_t> of(std::size_t n) const {
     return {voxels_.data() + first_[n], first_[n + 1] - first_[n]};
   }

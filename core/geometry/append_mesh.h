@@ -1,11 +1,11 @@
-// Two meshes as one.
+// Concatenation of two meshes.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
 
 namespace voluta::geometry {
 
-// Adds the vertices and triangles of `other` behind those of `mesh`.
+// Appends the vertices and triangles of `other` to `mesh`.
 inline void appendMesh(TriangleMesh& mesh, const TriangleMesh& other) {
   const int offset = static_cast<int>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());

@@ -1,4 +1,4 @@
-// The rims of the holes of a mesh.
+// The boundary loops of a mesh with holes.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -7,10 +7,10 @@
 
 namespace voluta::geometry {
 
-// Closed loops of vertices along edges with one triangle, in the direction in which a patch that
-// fills the hole runs (against the triangles). Loops do not visit a vertex twice: where they would,
-// they are cut. Chains that do not close (at misoriented triangles) are left out. Ordered by
-// their least vertex, which comes first.
+// Returns closed loops of vertices along edges with one triangle, in the direction of a patch that
+// fills the hole (opposite to the triangles). A loop that would visit a vertex twice is split.
+// Chains that do not close (at misoriented triangles) are omitted. Sorted by their smallest vertex,
+// which comes first.
 std::vector<std::vector<int>> boundaryLoops(const TriangleMesh& mesh);
 
 } // namespace voluta::geometry

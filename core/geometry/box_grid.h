@@ -1,4 +1,4 @@
-// Which of many small boxes lie near a place.
+// Grid for finding the small boxes near a place.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,10 +12,10 @@ namespace voluta::geometry {
 class BoxGrid {
 public:
   BoxGrid() = default;
-  // `cellMm` > 0: about as wide as the boxes; cells are wider where there would be too many.
+  // `cellMm` > 0: about the width of the boxes; cells are wider if there would be too many.
   BoxGrid(std::span<const Eigen::AlignedBox3d> boxes, double cellMm);
 
-  // Calls visit(index) for every box that may meet `near`, some of them more than once, until it
+  // Calls visit(index) for every box that may intersect `near`, for some more than once, until it
   // returns true. Returns whether it did.
   template <typename Visit> bool any(const Eigen::AlignedBox3d& near, const Visit& visit) const {
     if (items_.empty() || !near.intersects(around_))
@@ -47,7 +47,7 @@ private:
   Eigen::AlignedBox3d around_;
   double cellMm_ = 1.0;
   Eigen::Array3i size_ = Eigen::Array3i::Zero();
-  std::vector<std::uint32_t> first_, items_; // of each cell its boxes, one entry more
+  std::vector<std::uint32_t> first_, items_; // the boxes of each cell; first_ has one entry more
 };
 
 } // namespace voluta::geometry

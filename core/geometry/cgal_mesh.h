@@ -1,4 +1,4 @@
-// To and from CGAL's half-edge mesh; for .cpp files only.
+// Conversion to and from CGAL's half-edge mesh; for .cpp files only.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -12,7 +12,8 @@ namespace voluta::geometry {
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalMesh = CGAL::Surface_mesh<CgalKernel::Point_3>;
 
-// Nothing when the triangles are no oriented manifold. Vertices without triangles are left out.
+// Returns nullopt if the triangles are not an oriented manifold. Vertices without triangles are
+// omitted.
 inline std::optional<CgalMesh> toCgal(const TriangleMesh& mesh) {
   CgalMesh out;
   std::vector<CgalMesh::Vertex_index> vertices(mesh.vertices.size());

@@ -41,7 +41,7 @@ std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points, 
   std::vector<Eigen::Vector2d> polygon = hullOf(std::move(points));
   if (marginMm == 0.0)
     return polygon;
-  // Sum with a 16-gon about the disc of the margin.
+  // Minkowski sum with a 16-gon around the disc of the margin.
   std::vector<Eigen::Vector2d> widened;
   const double radius = marginMm / std::cos(base::kPi / 16.0);
   for (const Eigen::Vector2d& p : polygon)

@@ -1,4 +1,4 @@
-// Convex polygons in the plane: hulls of points, and what is in them.
+// Convex polygons in the plane: convex hulls and point containment.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,13 +6,14 @@
 
 namespace voluta::geometry {
 
-// Corners counter-clockwise, without corners on its sides (to 1e-9 of twice a triangle's area).
-// Of fewer than three points that are not in line, at most two of them. Widened by marginMm >= 0.
+// Returns the convex hull, counter-clockwise, without vertices on its sides (to 1e-9 of twice a
+// triangle's area), widened by marginMm >= 0. Returns at most two points if the input has fewer
+// than three that are not collinear.
 std::vector<Eigen::Vector2d> convexPolygon(std::vector<Eigen::Vector2d> points,
                                            double marginMm = 0.0);
 
-// Is the point in the polygon (convex, counter-clockwise) or on its sides? Not in one without
-// corners.
+// Returns whether the point is in the polygon (convex, counter-clockwise) or on its sides; false
+// for an empty polygon.
 bool inConvexPolygon(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& point);
 
 } // namespace voluta::geometry

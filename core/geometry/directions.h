@@ -1,4 +1,4 @@
-// Directions in space: the angle between two, and many spread evenly.
+// Angle between two directions; evenly distributed directions.
 #pragma once
 
 #include "base/units.h"
@@ -10,15 +10,17 @@
 
 namespace voluta::geometry {
 
-// 0 .. pi, exact for small angles too. Lengths do not matter; neither is zero.
+// Returns the angle in [0, pi], accurate for small angles too. Vectors need not be normalized, but
+// must not be zero.
 inline double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   if (a == b)
     return 0.0;
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// The n-th unit vector of a spiral that goes round by the golden angle from one to the next. With
-// z, in [-1, 1], in even steps they are spread evenly over the sphere, or the zone that z spans.
+// Returns the n-th unit vector of a spiral whose azimuth advances by the golden angle. With z in
+// even steps within [-1, 1], the vectors are evenly distributed over the sphere, or over the zone
+// that z spans.
 inline Eigen::Vector3d onSpiral(int n, double z) {
   const double golden = base::kPi * (3.0 - std::sqrt(5.0));
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));

@@ -9,7 +9,7 @@ namespace voluta::geometry {
 
 namespace {
 
-// By the high vertex, those of one as they come.
+// Sorts by the high vertex; stable.
 void sortFew(std::vector<HalfEdge>::iterator begin, std::vector<HalfEdge>::iterator end) {
   constexpr std::ptrdiff_t kFew = 24;
   if (end - begin > kFew) {
@@ -25,7 +25,7 @@ void sortFew(std::vector<HalfEdge>::iterator begin, std::vector<HalfEdge>::itera
 } // namespace
 
 std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh, const std::vector<int>& triangles) {
-  // By the low vertex first, counted; few share one, in the order of triangles and sides.
+  // Counting sort by the low vertex; few edges share one, in the order of triangles and sides.
   std::vector<std::uint32_t> next(mesh.vertices.size() + 1, 0);
   const auto eachSide = [&](auto&& visit) {
     for (const int t : triangles) {
@@ -41,7 +41,7 @@ std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh, const std::vecto
   std::partial_sum(next.begin(), next.end(), next.begin());
   std::vector<HalfEdge> edges(3 * triangles.size());
   eachSide([&](const HalfEdge& edge) { edges[next[static_cast<std::size_t>(edge.low)]++] = edge; });
-  // Each has gone on to where the next one's begin.
+  // Each entry of `next` is now at the start of the following vertex.
   std::uint32_t begin = 0;
   for (std::size_t v = 0; v + 1 < next.size(); begin = next[v++])
     sortFew(edges.begin() + begin, edges.begin() + next[v]);

@@ -1,4 +1,4 @@
-// The undirected edges of a mesh with the triangles at them.
+// The undirected edges of a mesh with their triangles.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -8,7 +8,7 @@
 
 namespace voluta::geometry {
 
-// Side `side` of `triangle` runs from corner side to corner (side + 1) % 3.
+// Side `side` of `triangle` runs from corner `side` to corner (side + 1) % 3.
 struct HalfEdge {
   int low = 0, high = 0; // vertices, low <= high
   int triangle = 0;
@@ -16,9 +16,10 @@ struct HalfEdge {
   bool forward = true; // runs from low to high
 };
 
-// All 3 n sides, those of one edge together; sorted by (low, high, triangle, side).
+// Returns all 3 n sides, sorted by (low, high, triangle, side), so that those of one edge are
+// adjacent.
 std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh);
-// The same of some of its triangles, which ascend.
+// Same for a subset of triangles, in ascending order.
 std::vector<HalfEdge> sortedHalfEdges(const TriangleMesh& mesh, const std::vector<int>& triangles);
 
 // Calls body(begin, end) for the half-edges of each edge.
@@ -38,7 +39,7 @@ class UnionFind {
 public:
   explicit UnionFind(std::size_t size);
   int find(int item);
-  // Joins the sets of a and b under the smaller root. Returns false when they were one already.
+  // Joins the sets of a and b under the smaller root. Returns false if they were one set already.
   bool join(int a, int b);
 
 private:

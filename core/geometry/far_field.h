@@ -1,4 +1,4 @@
-// Solid angle of a cluster of triangles seen from afar.
+// Far-field approximation of the solid angle of a cluster of triangles.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +6,7 @@
 
 namespace voluta::geometry {
 
-// Moments of a cluster of triangles about a fixed origin; they add up.
+// Moments of a cluster of triangles about a fixed origin; additive.
 struct FarFieldSums {
   double area = 0.0;
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero(); // integral of x
@@ -15,7 +15,7 @@ struct FarFieldSums {
   std::array<Eigen::Matrix3d, 3> second = {           // integral of n_i x x^T
       Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
 
-  // Corners relative to the origin.
+  // Vertices relative to the origin.
   void addTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
   void add(const FarFieldSums& other);
 };
@@ -25,11 +25,11 @@ struct FarFieldSums {
 class FarField {
 public:
   FarField() = default;
-  // The sums' origin, and the box of the cluster.
+  // `origin`: of the sums; `low`, `high`: bounding box of the cluster.
   FarField(const FarFieldSums& sums, const Eigen::Vector3d& origin, const Eigen::Vector3d& low,
            const Eigen::Vector3d& high);
 
-  // Whether p is further from the centre than `ratio` times the furthest corner of the box.
+  // Returns whether p is further from the centre than `ratio` times the furthest corner of the box.
   bool isFar(const Eigen::Vector3d& p, double ratio) const {
     return (centre_ - p).squaredNorm() > ratio * ratio * radius_ * radius_;
   }

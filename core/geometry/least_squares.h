@@ -1,4 +1,4 @@
-// Overdetermined linear equations, compiled once.
+// Least-squares solution of overdetermined linear equations, compiled once.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,12 +6,12 @@
 namespace voluta::geometry {
 
 struct LeastSquares {
-  Eigen::VectorXd x;     // where |rows x - right| is least
-  Eigen::Index rank = 0; // of the rows; less than their columns: x is one of many
+  Eigen::VectorXd x;     // minimizes |rows x - right|
+  Eigen::Index rank = 0; // of the rows; if less than their columns, x is one of many solutions
 };
 
-// By a rank-revealing QR decomposition (Householder, columns pivoted). Precondition: as many values
-// as rows.
+// Solves by a rank-revealing QR decomposition (Householder, column pivoting). Precondition: one
+// value per row.
 LeastSquares leastSquares(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right);
 
 } // namespace voluta::geometry

@@ -4,11 +4,11 @@
 
 namespace voluta::geometry {
 
-// By hand: Eigen's brings a singular value decomposition into every build.
+// Implemented here because Eigen's version pulls a singular value decomposition into every build.
 Eigen::Quaterniond leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d a = from.normalized(), b = to.normalized();
   const double cosine = a.dot(b);
-  constexpr double kOpposite = -1.0 + 1e-12; // no axis to be had from their product
+  constexpr double kOpposite = -1.0 + 1e-12; // their cross product gives no axis
   if (cosine < kOpposite) {
     const Eigen::Vector3d axis = a.unitOrthogonal();
     return {0.0, axis.x(), axis.y(), axis.z()};

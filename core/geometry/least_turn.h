@@ -1,11 +1,11 @@
-// The turn from one direction to another.
+// The smallest rotation from one direction to another.
 #pragma once
 
 #include <Eigen/Geometry>
 
 namespace voluta::geometry {
 
-// By the least angle; of opposite directions about any axis across them. Neither is zero.
+// For opposite directions the axis is any perpendicular one. Precondition: neither is zero.
 Eigen::Quaterniond leastTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 } // namespace voluta::geometry

@@ -1,5 +1,4 @@
-// Union and difference of closed meshes in one place: CGAL's corefinement is compiled once for
-// both.
+// Union and difference of closed meshes; compiles CGAL's corefinement once for both.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -10,10 +9,10 @@ namespace voluta::geometry {
 
 enum class BooleanOperation { Union, Difference };
 
-// What the operation makes of two meshes (CGAL Polygon_mesh_processing, corefinement). Nothing
-// where one of them is no closed, oriented manifold or the result is none, and where CGAL finds a
-// precondition broken, among them, with `refuseSelfIntersections`, a mesh that cuts itself where
-// the two meet.
+// Returns the result of the operation on two meshes (CGAL Polygon_mesh_processing, corefinement).
+// Returns nullopt if one of them or the result is not a closed, oriented manifold, and if CGAL
+// finds a broken precondition, including, with `refuseSelfIntersections`, self-intersections where
+// the two meshes intersect.
 std::optional<TriangleMesh> meshBoolean(BooleanOperation operation, const TriangleMesh& first,
                                         const TriangleMesh& second, bool refuseSelfIntersections);
 

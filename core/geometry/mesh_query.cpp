@@ -19,10 +19,10 @@ namespace {
 
 constexpr int kLeafTriangles = 4;
 constexpr int kBins = 16;
-// Beyond this depth nodes are halved by count, which bounds the depth and so the stacks.
+// Below this depth nodes are split at the median, which bounds the depth and thereby the stacks.
 constexpr int kHeuristicDepth = 40;
 constexpr std::size_t kStack = 128;
-// A cluster is far when its centre is further than this many of its radii.
+// A cluster is far if the distance to its centre exceeds this many of its radii.
 constexpr double kFar = 2.4;
 
 double halfArea(const AlignedBox3d& box) {
@@ -39,8 +39,8 @@ struct Split {
   double at = 0.0;
 };
 
-// The cut of least surface area cost between kBins slabs of the centroids' box, along its longest
-// side: the two others hardly ever cost less, and take twice as long to tell.
+// Returns the cut of lowest surface area cost between kBins slabs of the centroids' box, along its
+// longest side. The two other axes are rarely cheaper, and testing them takes twice as long.
 Split bestSplit(const std::vector<AlignedBox3d>& boxes, const int* begin, const int* end) {
   AlignedBox3d centres;
   for (const int* i = begin; i != end; ++i)
@@ -269,7 +269,7 @@ std::optional<MeshQuery::Hit> MeshQuery::firstHit(const Vector3d& a, const Vecto
     if (!segment.mayTouch(node.low, node.high, best.t))
       continue;
     if (node.count == 0) {
-      // The child whose near side comes first along the segment is looked at first.
+      // Visit the child that the segment enters first.
       const auto left = static_cast<std::size_t>(node.first);
       const Vector3d apart =
           (nodes_[left + 1].low + nodes_[left + 1].high) - (nodes_[left].low + nodes_[left].high);

@@ -27,7 +27,7 @@ TriangleMesh place(const TriangleMesh& mesh, double scale, const Placement& plac
   base::require(q.allFinite() && q.norm() > 0.0, "place: a rotation that is finite and not zero");
   base::require(placement.centreMm.allFinite() && std::isfinite(placement.liftMm),
                 "place: centre and lift finite");
-  // Skipped where they change nothing: adding 0 or turning by nothing would still turn -0 to 0.
+  // Skipped where they change nothing: adding 0 or an identity rotation would still change -0 to 0.
   TriangleMesh placed;
   if (q.head<3>().isZero(0.0)) {
     placed = placeOnPlate(mesh, scale);
@@ -48,7 +48,7 @@ TriangleMesh place(const TriangleMesh& mesh, double scale, const Placement& plac
 Eigen::Quaterniond rotationLayingFlat(const Vector3d& normal) {
   base::require(normal.allFinite() && normal.norm() > 0.0, "rotationLayingFlat: a direction");
   const Vector3d n = normal.normalized();
-  // Upside down has no shortest way: about x then.
+  // For the opposite direction the shortest rotation is not unique: rotate about x.
   if (n.z() > 1.0 - 1e-12)
     return Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
   return leastTurn(n, -Vector3d::UnitZ()).normalized();
@@ -62,9 +62,9 @@ UnitGuess guessUnits(const TriangleMesh& mesh) {
   const auto suggest = [&](const char* unit, base::Text words, double scale) {
     guess.unit = unit;
     guess.scale = scale;
-    guess.note = base::message(
-        "longest side {longest:.4g}: perhaps the file is in {unit} (scale {scale})"_text,
-        base::mm(guess.longestSideMm), words, base::number(scale));
+    guess.note =
+        base::message("longest side {longest:.4g}: the file may be in {unit} (scale {scale})"_text,
+                      base::mm(guess.longestSideMm), words, base::number(scale));
   };
   if (guess.longestSideMm > 10000.0)
     suggest("um", "micrometres"_text, 0.001);

@@ -1,4 +1,4 @@
-// The axes along which points are spread.
+// Principal axes of a set of points.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,8 +6,8 @@
 
 namespace voluta::geometry {
 
-// Columns: unit, at right angles to each other, the direction of least spread first; their sense is
-// any. Precondition: points.
+// Columns: orthonormal, the direction of smallest spread first; signs are arbitrary. Precondition:
+// at least one point.
 Eigen::Matrix3d principalAxes(const std::vector<Eigen::Vector3d>& points);
 
 } // namespace voluta::geometry

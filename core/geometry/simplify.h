@@ -1,4 +1,4 @@
-// A mesh with fewer triangles, for searches that only need its gross shape.
+// Simplifies meshes for searches that only need the rough shape.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -7,8 +7,8 @@
 
 namespace voluta::geometry {
 
-// Edges collapsed (Lindstrom and Turk 1998) until no more than about `triangles` are left. A mesh
-// that is small enough, or no manifold, comes back as it is.
+// Collapses edges (Lindstrom and Turk 1998) until about `triangles` are left. A mesh that is small
+// enough, or not manifold, is returned unchanged.
 TriangleMesh simplified(const TriangleMesh& mesh, std::size_t triangles);
 
 } // namespace voluta::geometry

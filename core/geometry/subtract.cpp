@@ -7,7 +7,7 @@ namespace voluta::geometry {
 std::optional<TriangleMesh> subtract(const TriangleMesh& part, const TriangleMesh& other) {
   if (other.empty())
     return part;
-  // A part that cuts itself has no inside to take away from.
+  // Fails for a part that intersects itself, which has no well-defined inside.
   return meshBoolean(BooleanOperation::Difference, part, other, true);
 }
 

@@ -1,4 +1,4 @@
-// One solid less another.
+// Difference of two solids.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -7,9 +7,9 @@
 
 namespace voluta::geometry {
 
-// What of `part` lies outside `other`: closed, outward, cut exactly along where the two meet
-// (corefinement; Loriot et al., CGAL Polygon_mesh_processing). Empty where nothing is left. Nothing
-// where either is not closed, or the part cuts itself where the two meet.
+// Returns `part` minus `other`: closed, facing outward, cut exactly along their intersection
+// (corefinement; Loriot et al., CGAL Polygon_mesh_processing). Empty if nothing is left. Returns
+// nullopt if either is not closed, or the part intersects itself near the cut.
 std::optional<TriangleMesh> subtract(const TriangleMesh& part, const TriangleMesh& other);
 
 } // namespace voluta::geometry

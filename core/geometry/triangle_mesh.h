@@ -1,4 +1,4 @@
-// The one mesh type: parts, pieces, patches, platforms.
+// The common mesh type of parts, pieces, patches and platforms.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace voluta::geometry {
 
-// Indexed triangles, counter-clockwise seen from outside. mm.
+// Indexed triangles, counter-clockwise seen from outside [mm].
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> triangles;

@@ -15,8 +15,9 @@ double ratio(double part, double whole) {
   return whole > 0.0 ? part / whole : 0.0;
 }
 
-// Sign of the cross product of p and q, both seen from the segment's line, exact; where it is zero,
-// the sign after shifting the line by (e, e^2) for a vanishing e > 0. Antisymmetric in p, q.
+// Returns the exact sign of the cross product of p and q, both relative to the segment's line; if
+// it is zero, the sign after shifting the line by (e, e^2) for a vanishing e > 0. Antisymmetric in
+// p, q.
 int sideOf(const Vector3d& p, const Vector3d& q) {
   const double left = p.x() * q.y(), right = p.y() * q.x();
   if (left != right) // rounding is monotone
@@ -99,8 +100,8 @@ std::optional<double> SegmentTest::cross(const Vector3d& a, const Vector3d& b,
                                          const Vector3d& c) const {
   if (point_)
     return std::nullopt;
-  // A corner's sheared place depends on nothing but the corner, and sides are exact in it: the
-  // neighbours of an edge or a vertex agree on who is crossed.
+  // A corner's sheared position depends on the corner only, and sides are exact in it: triangles
+  // that share an edge or a vertex give consistent results.
   const Vector3d sa = shear(a), sb = shear(b), sc = shear(c);
   const int sideA = sideOf(sb, sc), sideB = sideOf(sc, sa);
   if (sideA == 0 || sideA != sideB || sideB != sideOf(sa, sb))

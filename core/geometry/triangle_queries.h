@@ -1,4 +1,4 @@
-// One triangle or segment against a point, one triangle against a segment.
+// Queries of points and segments against a triangle or a segment.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,30 +6,31 @@
 
 namespace voluta::geometry {
 
-// The point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5). Right for
-// degenerate triangles too.
+// Returns the point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
+// Correct for degenerate triangles too.
 Eigen::Vector3d closestPointOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                        const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-// From p to the segment ab, which may be a point.
+// Returns the distance of p from the segment ab, which may be a point.
 double distanceToSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                          const Eigen::Vector3d& b);
 
-// Signed solid angle of abc seen from p, in (-2 pi, 2 pi]; positive when p is behind a
+// Signed solid angle of abc seen from p, in (-2 pi, 2 pi]; positive if p is behind a
 // counter-clockwise triangle (van Oosterom and Strackee 1983, eq. 8).
 double solidAngle(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                   const Eigen::Vector3d& c);
 
-// A segment prepared for many triangles.
+// A segment prepared for tests against many triangles.
 class SegmentTest {
 public:
   // Precondition: finite ends. A segment of length zero crosses nothing.
   SegmentTest(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-  // Parameter t of the crossing with abc, in [0,1]; see MeshQuery::hits for what it guarantees.
+  // Returns the parameter t of the crossing with abc, in [0,1]; guarantees as in MeshQuery::hits.
   std::optional<double> cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const Eigen::Vector3d& c) const;
-  // Whether the part of the segment with t in [0, tMax] may touch the box; never wrongly false.
+  // Returns whether the part of the segment with t in [0, tMax] may touch the box; never wrongly
+  // false.
   bool mayTouch(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double tMax) const;
 
 private:

@@ -37,7 +37,7 @@ Eigen::Vector3d anglesOf(const Eigen::Quaterniond& rotation, const Eigen::Vector
   const double cosine = std::hypot(r(0, 0), r(1, 0));
   const double y = std::atan2(-r(2, 0), cosine);
   if (cosine < 1e-7) {
-    // X and Z turn about the same line: what is shown for X stays, Z takes the rest.
+    // Gimbal lock, X and Z rotate about the same line: keep the displayed X, Z takes the rest.
     const double x = near.x();
     const double sign = y > 0.0 ? 1.0 : -1.0;
     const double together = std::atan2(-r(0, 1), r(1, 1)); // z - sign * x

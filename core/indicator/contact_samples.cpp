@@ -20,7 +20,8 @@ using robot::JointVector;
 namespace {
 
 constexpr std::size_t kChunk = 16;
-// How much of the samples' number one round may add at most, so that those behind see them.
+// A round adds at most 1 / kRoundShare of the present samples, so that later rounds take them into
+// account.
 constexpr std::size_t kRoundShare = 4;
 
 struct Pair {
@@ -45,8 +46,8 @@ public:
       add(f);
   }
 
-  // One round over pairs that are further apart than `least` and were not halved yet; `ofBorder`:
-  // of those of which one collides. False: there are none, or no room.
+  // One round over pairs that are further apart than `least` and not yet halved; `ofBorder`: over
+  // pairs of which exactly one collides. Returns false if there are none, or no room.
   bool round(double least, bool ofBorder, std::size_t most) {
     if (samples_.size() >= most)
       return false;
@@ -55,7 +56,7 @@ public:
       return std::tie(y.apart, x.a, x.b) < std::tie(x.apart, y.a, y.b);
     });
     const std::size_t room = std::min(most - samples_.size(), samples_.size() / kRoundShare + 1);
-    // Some will be too near to others; beyond this many the rest can wait for the next round.
+    // Some will be too near to others; the rest beyond this number waits for the next round.
     pairs.resize(std::min(pairs.size(), 2 * room));
     std::bernoulli_distribution half(0.5);
     std::vector<Fresh> fresh;
@@ -106,7 +107,7 @@ private:
     onContact_.push_back(f.onContact);
   }
 
-  // Squared, of all samples to a point.
+  // Returns the squared distances of all samples to a point.
   Eigen::VectorXd distances(const Eigen::VectorXd& point) const {
     return (points_.leftCols(static_cast<Eigen::Index>(samples_.size())).colwise() - point)
         .colwise()
@@ -121,7 +122,8 @@ private:
            });
   }
 
-  // Samples on the contact space with those of their nearest neighbours that are further apart.
+  // Returns the pairs of a sample on the contact space and one of its nearest neighbours that are
+  // further apart than `least`.
   std::vector<Pair> pairsApart(double least, bool ofBorder) const {
     std::vector<std::vector<Pair>> found(samples_.size());
     base::parallelChunks(ctx_, samples_.size(), kChunk, [&](std::size_t b, std::size_t e) {
@@ -162,10 +164,11 @@ private:
   const ContactSampling& options_;
   const base::RunContext& ctx_;
   std::mt19937_64 engine_;
-  Eigen::MatrixXd points_; // a column a sample
+  Eigen::MatrixXd points_; // a column per sample
   std::vector<JudgedJoints> samples_;
   std::vector<char> onContact_;
-  std::array<std::set<std::pair<std::size_t, std::size_t>>, 2> halved_; // of the border or not
+  // Inside, and across the border
+  std::array<std::set<std::pair<std::size_t, std::size_t>>, 2> halved_;
 };
 
 } // namespace
@@ -180,8 +183,8 @@ std::vector<JudgedJoints> contactSamples(const std::vector<JointVector>& first,
                 "samples are denser at the border");
   Sampler sampler(limits, collides, project, options, ctx);
   sampler.begin(first);
-  // Half of them are left for the border, whatever the surface's size. Where it needs fewer,
-  // samples get closer everywhere, and the border with them.
+  // Half of the samples are reserved for the border, regardless of the surface's size. If it needs
+  // fewer, the spacing is reduced everywhere, the border included.
   const std::size_t even = (options.samples + sampler.size()) / 2;
   for (double apart = options.evenRad; apart > options.borderRad; apart *= 0.5) {
     while (sampler.round(apart, false, even)) {

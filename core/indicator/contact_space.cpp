@@ -72,22 +72,23 @@ std::optional<JointVector> ContactSpace::project(const JointVector& from) const 
     const double distance = left.norm();
     if (distance <= kThereMm)
       return q;
-    // How fast the tip goes where it should, by each joint. Where the arm moves the surface under
-    // a fixed nozzle it goes the other way.
+    // Compute the tip's speed towards the surface per joint. If the arm moves the surface below a
+    // fixed nozzle, the sign is reversed.
     Eigen::Isometry3d base_T_flange;
     const robot::ArmJacobian jacobian = twists_.jacobian(q, base_T_flange, links);
     const Eigen::Isometry3d base_T_work = cell_.base_T_work(q);
     const Vector3d wanted = (movesNozzle ? 1.0 : -1.0) * (base_T_work.linear() * left) / distance;
     const Vector3d tip = base_T_work * cell_.work_T_tool(q).translation();
     const Vector3d lever = tip - base_T_flange.translation();
-    JointVector rate = JointVector::Zero(q.size()); // mm a rad
+    JointVector rate = JointVector::Zero(q.size()); // mm per rad
     for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
       const Vector3d velocity = jacobian.col(j).head<3>(), turn = jacobian.col(j).tail<3>();
       rate[j] = robot::fromTurn(limits[static_cast<std::size_t>(j)].kind,
                                 wanted.dot(velocity + turn.cross(lever)));
     }
     const double all = rate.squaredNorm();
-    if (all < 1.0) // nowhere near: a whole radian would not bring it a millimetre on
+    // The arm cannot approach: a whole radian would move the tip by less than a millimetre
+    if (all < 1.0)
       return std::nullopt;
     for (Eigen::Index j = 0; j < rate.size(); ++j)
       q[j] += robot::fromTurn(limits[static_cast<std::size_t>(j)].kind, distance * rate[j] / all);

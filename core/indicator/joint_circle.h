@@ -1,5 +1,5 @@
-// Joints as points whose straight distance is the step between them: a turning joint is a point of
-// the unit circle, so that whole turns change nothing, a sliding one a coordinate of its own.
+// Joints as points whose Euclidean distance is the step between them: a turning joint is a point on
+// the unit circle, so that whole turns do not matter, a sliding one a single coordinate.
 #pragma once
 
 #include "robot/robot_model.h"
@@ -9,13 +9,13 @@
 
 namespace voluta::indicator {
 
-// How many coordinates such a point has.
+// Returns the number of coordinates of such a point.
 Eigen::Index circleSize(const std::vector<robot::JointLimits>& limits);
-// q: as many joints as there are limits. Small steps have the length of their turns, rad (sliding
-// joints by robot::asTurn); half a turn has length 2.
+// q: one joint per limit. The length of a small step is that of its rotations [rad] (sliding joints
+// by robot::asTurn); half a turn has length 2.
 Eigen::VectorXd onCircle(const robot::JointVector& q,
                          const std::vector<robot::JointLimits>& limits);
-// Joints half way from a to b, turning ones the shorter way round, within (-pi, pi].
+// Returns the joints half way from a to b, turning ones the shorter way round, within (-pi, pi].
 robot::JointVector halfWay(const robot::JointVector& a, const robot::JointVector& b,
                            const std::vector<robot::JointLimits>& limits);
 

@@ -44,13 +44,13 @@ LearnedIndicator::LearnedIndicator(const std::vector<JudgedJoints>& samples,
   const bool first = samples.front().collides;
   if (std::all_of(samples.begin(), samples.end(),
                   [&](const JudgedJoints& s) { return s.collides == first; })) {
-    // Nothing to tell apart: the same everywhere, on the right side of any bias.
+    // Nothing to distinguish: the same value everywhere, on the correct side for any bias.
     constant_ = first ? 1.0 : -1.0;
     towards_.resize(0, size);
     return;
   }
 
-  // libsvm wants rows of (index from 1, value), each closed by an index of -1.
+  // The library expects rows of (index from 1, value), each terminated by an index of -1.
   const auto row = static_cast<std::size_t>(size) + 1;
   std::vector<svm_node> nodes(samples.size() * row);
   std::vector<svm_node*> rows;
@@ -69,7 +69,8 @@ LearnedIndicator::LearnedIndicator(const std::vector<JudgedJoints>& samples,
   svm_set_print_string_function([](const char*) {});
   const Model model(svm_train(&problem, &parameters));
 
-  const double sign = model->label[0] > 0 ? 1.0 : -1.0; // which side it has made positive
+  // The sign of the class that libsvm made positive
+  const double sign = model->label[0] > 0 ? 1.0 : -1.0;
   const Eigen::Index n = model->l;
   towards_.resize(n, size);
   offsets_.resize(n);
@@ -131,7 +132,7 @@ double carefulBias(const LearnedIndicator& learned, const std::vector<JudgedJoin
       values.push_back(learned.value(s.q));
   if (values.empty())
     return 0.0;
-  // Below 0 is free: the first value that is not to be missed comes to lie at 0.
+  // Below 0 is free: the bias moves the first value that must not be missed to 0.
   const auto missed = static_cast<std::ptrdiff_t>(mostMissed * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + missed, values.end());
   return -values[static_cast<std::size_t>(missed)];

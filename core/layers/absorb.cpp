@@ -18,7 +18,7 @@ constexpr double kHardly = 0.05;
 
 using base::at;
 
-// What a patch is asked again and again; made when a sliver first comes near.
+// Data of a patch for repeated queries; created when a sliver first comes near it.
 struct Host {
   std::vector<double> area; // a third of the triangles around each vertex; 0 on the boundary
 };
@@ -63,7 +63,8 @@ Sliver measure(const Patch& piece) {
   return c;
 }
 
-// A vertex that takes part of a sliver: towards it (+1 along its direction, -1 against it).
+// A vertex that absorbs part of a sliver, by growing towards it (side: +1 along its direction, -1
+// against it).
 struct Taker {
   std::size_t patch;
   int vertex;
@@ -121,7 +122,7 @@ Absorbed absorbSlivers(std::vector<Patch>& patches, const std::vector<Patch>& sl
       ++result.refused;
       continue;
     }
-    // Rising evenly until the sliver is used up; those that are full drop out.
+    // All takers rise equally until the sliver is used up; full ones drop out.
     double remaining = sliver.volume;
     std::sort(takers.begin(), takers.end(), [](const Taker& a, const Taker& b) {
       return std::tie(a.capacity, a.patch, a.vertex) < std::tie(b.capacity, b.patch, b.vertex);

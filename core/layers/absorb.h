@@ -1,4 +1,4 @@
-// What becomes of pieces of layers that are too small for a bead.
+// Absorption of pieces of layers that are too small for a bead by neighbouring patches.
 #pragma once
 
 #include "layers/layer_stack.h"
@@ -8,12 +8,13 @@
 namespace voluta::layers {
 
 struct AbsorbOptions {
-  double heightMaxMm = 1.0; // to which patches may be thickened
-  double beadWidthMm = 1.2; // about as far round a sliver the patch takes part
-  double leastShare = 0.0; // of a sliver's volume that must find room: else nothing is done with it
+  double heightMaxMm = 1.0; // maximum thickness of a thickened patch
+  double beadWidthMm = 1.2; // the patch takes part up to about this far around a sliver
+  // share of a sliver's volume for which there must be room; otherwise it is left unchanged
+  double leastShare = 0.0;
 };
 
-// A piece, or what is left of it, that is not laid.
+// A piece, or the rest of it, that is not printed.
 struct DroppedPiece {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double areaMm2 = 0.0, volumeMm3 = 0.0;
@@ -21,16 +22,17 @@ struct DroppedPiece {
 };
 
 struct Absorbed {
-  std::size_t merged = 0; // slivers of which hardly anything (5 %) is left
+  std::size_t merged = 0; // slivers of which at most 5 % are left
   double mergedVolumeMm3 = 0.0;
-  std::size_t refused = 0; // less than leastShare of them found room
+  std::size_t refused = 0; // slivers with room for less than leastShare
   std::vector<DroppedPiece> dropped;
 };
 
-// Lets the patches right under and over each sliver take its volume: inner vertices that face it
-// are thickened towards it, evenly, to heightMaxMm at most (their middle moves by half as much;
-// boundary vertices stay where they are, on the part). Volume of patches grows by what is merged.
-// In the order of `slivers`; patches in any order, those of support left as they are.
+// Distributes each sliver's volume to the patches directly below and above it: inner vertices that
+// face it are thickened evenly towards it, up to heightMaxMm (their mid-surface moves by half as
+// much; boundary vertices stay on the part's surface). The patches' volume grows by the merged
+// volume. Slivers are processed in the given order; patches may be in any order. Support patches do
+// not change.
 Absorbed absorbSlivers(std::vector<Patch>& patches, const std::vector<Patch>& slivers,
                        const AbsorbOptions& options);
 

@@ -1,4 +1,4 @@
-// Coordinates in which a layer lies flat: what winds around an axis is straight there.
+// Flat coordinates of a layer, in which windings around an axis are straight lines.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,15 +8,15 @@
 
 namespace voluta::layers {
 
-// Per vertex (u, v), mm: u around, v along (Castelli, appendix A). A vertex's u stands for all that
-// differ by whole periods; over an edge it changes by less than half of one.
+// Per vertex (u, v) [mm]: u around the axis, v along it (Castelli, appendix A). u is unique up to
+// whole periods; along an edge it changes by less than half a period.
 struct Chart {
   std::vector<Eigen::Vector2d> at; // empty: the surface has no chart
-  double periodMm = 0.0;           // > 0; 0: u comes back to itself nowhere
+  double periodMm = 0.0;           // > 0; 0: u is not periodic
 
   bool empty() const { return at.empty(); }
 
-  // From vertex a to b, the short way round.
+  // From vertex a to b, the shorter way around.
   Eigen::Vector2d between(int a, int b) const {
     Eigen::Vector2d d = of(b) - of(a);
     if (periodMm > 0.0)

@@ -15,11 +15,12 @@ namespace voluta::layers {
 namespace {
 
 constexpr int kRounds = 8;
-// Shape of a triangle: 4 sqrt(3) area / sum of squared sides, 1 when equilateral. What is better
-// than this needs no help; a collapse may leave nothing worse unless it was worse before.
+// Shape of a triangle: 4 sqrt(3) area / sum of squared sides, 1 for an equilateral one. Triangles
+// better than kGoodShape are left alone; after a collapse none may be worse than kFairShape unless
+// it was worse before.
 constexpr double kGoodShape = 0.4, kFairShape = 0.15;
-constexpr double kWeldMm = 1e-3; // shorter edges go whatever shape that leaves
-constexpr double kTurned = 0.3;  // cosine: a triangle may not turn further in a collapse
+constexpr double kWeldMm = 1e-3; // shorter edges are removed regardless of the resulting shape
+constexpr double kTurned = 0.3;  // cosine: largest rotation of a triangle's normal in a collapse
 constexpr double kCrease = 0.85; // cosine: edges sharper than this are not flipped
 
 using Triangle = std::array<int, 3>;
@@ -36,14 +37,14 @@ double shapeOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
   return sides > 0.0 ? 2.0 * std::sqrt(3.0) * twiceArea(a, b, c).norm() / sides : 0.0;
 }
 
-// What a round looks up, built anew for each: of the triangles it was given, those around each
-// vertex and the edges, from their lower vertex in order.
+// Look-up tables, rebuilt for each round from the active triangles: the triangles around each
+// vertex, and the edges sorted by their lower vertex.
 struct Ring {
   std::vector<geometry::HalfEdge> halfEdges;
   std::vector<int> first, triangles;       // triangles around each vertex
-  std::vector<std::uint8_t> boundaryEdges; // how many boundary edges end at a vertex (up to 255)
-  std::vector<std::uint8_t> bad;           // a vertex of an edge with more than two triangles
-  std::vector<std::array<int, 2>> along;   // its two boundary neighbours, where it has two
+  std::vector<std::uint8_t> boundaryEdges; // number of boundary edges at a vertex (up to 255)
+  std::vector<std::uint8_t> bad;           // 1: vertex of an edge with more than two triangles
+  std::vector<std::array<int, 2>> along;   // its two boundary neighbours, if it has two
 
   Ring(const geometry::TriangleMesh& mesh, const std::vector<int>& active)
       : first(mesh.vertices.size() + 1, 0), triangles(3 * active.size()),
@@ -87,7 +88,7 @@ public:
     dropDegenerate();
   }
 
-  // One round of collapses; returns how many were done.
+  // One round of collapses; returns their number.
   int collapse() {
     auto& mesh = s_.surface;
     const std::vector<std::uint8_t> mayChange = changed();
@@ -141,7 +142,7 @@ public:
     return done;
   }
 
-  // One round of flips; returns how many were done.
+  // One round of flips; returns their number.
   int flip() {
     auto& mesh = s_.surface;
     const std::vector<std::uint8_t> mayChange = changed();
@@ -192,8 +193,8 @@ public:
   }
 
 private:
-  // Vertices at which something was done, or left for being beside it, since they were looked at
-  // last: an answer is no other where there are none of them.
+  // Returns the vertices that were changed, or locked by a neighbouring change, since the last
+  // round of the kind: elsewhere the result would be the same again.
   std::vector<std::uint8_t> changed() const {
     std::vector<std::uint8_t> mask(afterCollapse_);
     for (std::size_t v = 0; v < mask.size(); ++v)
@@ -201,7 +202,7 @@ private:
     return mask;
   }
 
-  // All triangles around vertices that are so many edges from one of a set or fewer.
+  // Returns all triangles around vertices within this number of edges from the set.
   std::vector<int> trianglesNear(std::vector<std::uint8_t> near, int edges) const {
     const auto& triangles = s_.surface.triangles;
     const auto touches = [&](const Triangle& t) {
@@ -228,7 +229,7 @@ private:
       locked[at(v)] = 1;
   }
 
-  // Worst shape left when u moves onto v; -1 where it may not.
+  // Returns the worst shape after moving u onto v; -1 if that is not allowed.
   double qualityOf(const Ring& ring, const std::vector<std::uint8_t>& locked, int u, int v,
                    bool boundaryEdge) const {
     if (locked[at(u)] || locked[at(v)] || ring.bad[at(u)] || ring.bad[at(v)])
@@ -246,7 +247,7 @@ private:
               options_.boundaryToleranceMm)
         return -1.0;
     }
-    // Link condition: u and v may share no neighbour but those across their edge.
+    // Link condition: u and v must share no neighbours except those opposite their edge.
     int shared = 0, edgeTriangles = 0;
     neighbours_.clear();
     ring.around(v, [&](int t) {
@@ -303,7 +304,8 @@ private:
 
   LevelSurface& s_;
   CleanOptions options_;
-  std::vector<std::uint8_t> afterCollapse_, afterFlip_; // vertices locked by the last of each
+  // vertices locked by the last round of each kind
+  std::vector<std::uint8_t> afterCollapse_, afterFlip_;
   mutable std::vector<int> neighbours_, mine_;
 };
 

@@ -22,10 +22,13 @@ namespace {
 // Cosines of 25 and 40 degrees.
 constexpr double kAlong = 0.9063, kAside = 0.7660;
 constexpr double kOnSurface = 1e-3; // mm
-// mm; a rim on a top that rises at 25 degrees is still on the surface so far inside.
+// [mm] offset from the boundary; small enough that with a rim on a top inclined by 25 degrees the
+// point is still within kOnSurface.
 constexpr double kInwards = 2e-3;
-constexpr double kStartShare = 0.1; // of a height: so far below a vertex the way to the top begins
-constexpr double kOff = 0.05;       // mm; heights this far from the right one split an edge
+// relative to half the height: the search for the top begins this far below a vertex
+constexpr double kStartShare = 0.1;
+// [mm] edges are split where heights differ by more from the interpolated one
+constexpr double kOff = 0.05;
 constexpr int kRounds = 4;
 
 using base::at;
@@ -47,15 +50,15 @@ double thicknessAt(const std::vector<Patch>& patches, const StackQuery::Place& p
   return (p.thicknessMm[at(t[0])] + p.thicknessMm[at(t[1])] + p.thicknessMm[at(t[2])]) / 3.0;
 }
 
-// What a vertex is to become: so thick, its foot moved so far up.
+// The target of a vertex: its height and the displacement of its foot along the direction.
 struct Aim {
   double heightMm = 0.0, liftMm = 0.0;
 };
 
-// The part's surface over a point of a patch.
+// The part's surface above a point of a patch.
 struct Over {
   double farMm = 0.0; // along the direction
-  double share = 1.0; // 1 where it runs along the layers, 0 where it stands too steep
+  double share = 1.0; // 1 if it is parallel to the layers, 0 if it is too steep
 };
 
 class Follower {
@@ -72,7 +75,8 @@ public:
   bool any() const {
     return std::any_of(over_.begin(), over_.end(), [](const auto& o) { return o.has_value(); });
   }
-  // A box around what is between the surface over the vertices and the patch under them.
+  // Returns a box around the region between the surface above the vertices and the patch below
+  // them.
   Eigen::AlignedBox3d box() const {
     Eigen::AlignedBox3d box;
     for (std::size_t v = 0; v < over_.size(); ++v)
@@ -83,7 +87,7 @@ public:
     return box;
   }
 
-  // `own` is the index of this one among `patches`, `near` those that meet the box.
+  // `own`: the index of this patch in `patches`; `near`: those that intersect the box.
   void run(const std::vector<Patch>& patches, const StackQuery& query, int own,
            const std::vector<int>& near) {
     patches_ = &patches;
@@ -103,14 +107,15 @@ public:
 
 private:
   const Eigen::Vector3d& point(int v) const { return s_.surface.vertices[at(v)]; }
-  // Where a vertex is looked at: not at walls and rims themselves, which a line may miss.
+  // The point that represents a vertex in queries: moved off walls and rims, which a line could
+  // miss.
   Eigen::Vector3d place(int v) const { return point(v) + inwards_[at(v)]; }
 
   void move(std::size_t v, double up) {
     Eigen::Vector3d& x = s_.surface.vertices[v];
     if (isFixed_[v] || up == 0.0)
       return;
-    // What ends at a wall moves up along the wall.
+    // Vertices at a wall move up along the wall.
     const bool isAtWall = isBoundary_[v] && part_.query().closest(x, kOnSurface).triangle >= 0;
     x += up * s_.direction[v];
     if (!isAtWall)
@@ -155,12 +160,12 @@ private:
     const bool isLast = hits_.empty();
     if (!isLast && (hits_.size() > 1 || own >= most))
       return aim;
-    // Of the last patch, its height to the surface; what of that is too much the one below takes.
+    // The last patch gets its height to the surface; the patch below takes the excess.
     const double last = isLast ? own : thicknessAt(*patches_, hits_.front());
     const double wanted =
         isLast ? 0.5 * own + over->farMm : over->farMm - hits_.front().distance + 0.5 * last;
     const double excess = wanted - options_.heightMaxMm;
-    // So much is no matter of a top: another level should have been there.
+    // A larger excess is not caused by the top: there should have been another level.
     if (excess > 0.5 * last)
       return aim;
     if (!isLast) {
@@ -210,9 +215,10 @@ private:
            static_cast<std::uint64_t>(std::max(a, b));
   }
 
-  // Splits edges along which heights are not as between their ends; false when there are none.
+  // Splits edges along which heights deviate from linear interpolation; returns false if there are
+  // none.
   bool split() {
-    std::unordered_map<std::uint64_t, int> middleOf; // -1: stays whole
+    std::unordered_map<std::uint64_t, int> middleOf; // -1: not split
     bool any = false;
     for (std::size_t t = 0; t < s_.surface.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -266,7 +272,7 @@ private:
     over_.pop_back();
   }
 
-  // Middles are of sides (0,1), (1,2), (2,0); -1 where a side stays whole.
+  // `middle`: midpoints of sides (0,1), (1,2), (2,0); -1 for sides that are not split.
   void appendSplit(const std::array<int, 3>& t, const std::array<int, 3>& middle,
                    std::vector<std::array<int, 3>>& out) const {
     const int count = (middle[0] >= 0) + (middle[1] >= 0) + (middle[2] >= 0);
@@ -280,7 +286,7 @@ private:
       out.push_back(middle);
       return;
     }
-    // Turned so that with one middle it is on (a, b), with two (a, b) is whole.
+    // Rotated so that a single midpoint is on (a, b), and with two midpoints (a, b) is not split.
     std::size_t k = 0;
     while ((middle[k] >= 0) != (count == 1))
       ++k;
@@ -305,7 +311,7 @@ private:
   const PartBoundary& part_;
   TopOptions options_;
   std::vector<std::optional<Over>> over_; // per vertex
-  std::vector<Eigen::Vector3d> inwards_;  // per vertex, zero but at the boundary
+  std::vector<Eigen::Vector3d> inwards_;  // per vertex, zero except at the boundary
   const std::vector<Patch>* patches_ = nullptr;
   const StackQuery* query_ = nullptr;
   std::vector<int> earlier_, later_;               // patches nearby
@@ -325,7 +331,7 @@ void followTop(LayerStack& stack, const PartBoundary& part, const TopOptions& op
     LevelSurface surface;
     std::optional<Follower> follower;
   };
-  std::vector<std::unique_ptr<Followed>> followed(n); // null where no top is near
+  std::vector<std::unique_ptr<Followed>> followed(n); // null if no top is near
   base::parallelChunks(ctx, n, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       if (stack.patches[p].group == kSupportGroup)
@@ -341,7 +347,7 @@ void followTop(LayerStack& stack, const PartBoundary& part, const TopOptions& op
     if (one != nullptr)
       around.push_back(one->follower->box());
   const StackQuery query(stack.patches, around, 0.0, ctx);
-  // Each looks at the others as they were.
+  // All patches use the unmodified others.
   base::parallelChunks(ctx, n, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
       if (followed[p] != nullptr)

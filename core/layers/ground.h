@@ -1,4 +1,4 @@
-// What the first layer lies on.
+// The ground below the first layer.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,8 +7,8 @@
 namespace voluta::layers {
 
 struct Ground {
-  // Distance of a point from the ground, mm, negative inside. Empty: the plate z = 0. Called from
-  // many threads at once.
+  // Returns the distance of a point from the ground [mm], negative inside. Empty: the plate z = 0.
+  // Must be thread-safe.
   std::function<double(const Eigen::Vector3d&)> heightMm = {};
 
   double over(const Eigen::Vector3d& p) const { return heightMm ? heightMm(p) : p.z(); }

@@ -13,9 +13,9 @@ namespace voluta::layers {
 
 namespace {
 
-// An island over an island is found in the next round; deeper piles are no longer small.
+// An island on an island is found in the next round; deeper stacks are no longer small.
 constexpr int kRounds = 6;
-// What lies on a patch is no further from it than this.
+// Patches that rest on a patch are at most this far from it.
 constexpr double kNearMm = 3.0;
 
 } // namespace
@@ -43,7 +43,7 @@ AbsorbedIslands absorbIslands(LayerStack& stack, const IslandOptions& options,
       AbsorbOptions with = absorb;
       if (geometry::area(stack.patches[p].surface) > options.dropMm2)
         with.leastShare = std::max(absorb.leastShare, options.leastMerged);
-      // Patches of its own layer take nothing, so that it may stay in the stack meanwhile.
+      // Patches of the same layer do not absorb, so the patch may stay in the stack meanwhile.
       Absorbed one = absorbSlivers(stack.patches, {stack.patches[p]}, with);
       if (one.refused > 0)
         continue;

@@ -1,4 +1,4 @@
-// Patches that would begin in the air.
+// Removal of islands: patches without support below.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,25 +11,27 @@
 namespace voluta::layers {
 
 struct IslandOptions {
-  double supportReach = 1.25; // as checkSupport: a foot so much further still lies on what is below
-  double supportedShare = 0.02; // with less of its area on something a patch is an island
-  double leastMerged = 0.5;     // share of its volume that has to find room, for it to go
-  double dropMm2 = 20.0;        // smaller ones go in any case
+  // as in checkSupport: enlarges the distance at which a foot still counts as supported
+  double supportReach = 1.25;
+  double supportedShare = 0.02; // a patch with a smaller supported share of its area is an island
+  // share of its volume that neighbours must have room for, so that it may be removed
+  double leastMerged = 0.5;
+  double dropMm2 = 20.0; // smaller ones are removed in any case
 };
 
-// For beads so wide: islands smaller than four of them across go in any case.
+// For beads of this width: islands of less than four by four widths are removed in any case.
 IslandOptions islandOptions(double beadWidthMm);
 
 struct AbsorbedIslands {
   Absorbed absorbed;
-  std::vector<SupportCheck> support; // of each patch that is left
+  std::vector<SupportCheck> support; // of each remaining patch
 };
 
-// Takes out islands, from below, and lets the patches over them have their volume (absorbSlivers),
-// so that what began in the air becomes an overhang that hangs on its neighbours; again while that
-// leaves new islands. Large ones that find no room stay as they are: the part needs support there.
-// Support patches neither go nor take anything. Order is kept, layers are numbered anew.
-// Precondition: print order. Throws Cancelled.
+// Removes islands from below and distributes their volume to neighbouring patches (absorbSlivers),
+// so that the unsupported region becomes an overhang carried by its neighbours; repeats while that
+// creates new islands. Large ones without enough room remain: the part needs support there. Support
+// patches are neither removed nor changed. The order is kept, layers are renumbered. Precondition:
+// print order. Throws Cancelled.
 AbsorbedIslands absorbIslands(LayerStack& stack, const IslandOptions& options,
                               const AbsorbOptions& absorb, const base::RunContext& ctx,
                               const Ground& ground = {});

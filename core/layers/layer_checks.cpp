@@ -16,7 +16,7 @@ namespace {
 
 using base::at;
 
-constexpr std::size_t kMostSamples = 400; // a patch
+constexpr std::size_t kMostSamples = 400; // per patch
 constexpr double kRounding = 1e-9;        // mm
 constexpr double kDownwards = 0.5;
 
@@ -34,7 +34,8 @@ double mostThickness(const LayerStack& stack) {
   return most;
 }
 
-// Reach of what supports a point: from its middle to the middle of what it lies on.
+// Returns the search radius for the support of a point: from its mid-surface to that of the patch
+// below.
 double reachOf(double mostThicknessMm, double reachShare) {
   return (1.0 + reachShare) * mostThicknessMm;
 }
@@ -65,7 +66,8 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
       continue;
     }
     const Eigen::Vector3d down = -patch.direction[at(tri[0])];
-    // What ends beside it carries nothing: half the way at least has to lead downwards.
+    // A patch that ends beside the point does not carry it: at least half of the distance must be
+    // downwards.
     const auto carries = [&](const StackQuery::Place& place) {
       if (place.patch < 0)
         return false;
@@ -74,7 +76,8 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
       return (place.point - centre).norm() <= reachShare * halves &&
              (place.point - centre).dot(down) >= kDownwards * halves;
     };
-    // What is under it is nearest to a point a thickness down; else anything straight below.
+    // The support is nearest to a point one thickness below; otherwise anything straight below
+    // counts.
     int lower = -1;
     const StackQuery::Place found =
         query.closest(earlier, centre + 2.0 * half * down, 2.0 * half * reachShare);

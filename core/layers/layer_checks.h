@@ -1,4 +1,4 @@
-// What can be measured on layers of any mode.
+// Measurements on layers of any mode.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,10 +11,10 @@
 
 namespace voluta::layers {
 
-// report.json, "layers". Area-weighted, so that areaMm2 * thicknessMeanMm is the volume. Supports
-// apart.
+// The "layers" section of report.json. Area-weighted, so that areaMm2 * thicknessMeanMm is the
+// volume. Without supports, unless noted.
 struct LayerStatistics {
-  int count = 0; // layers, also those of supports alone
+  int count = 0; // layers, including those that only contain supports
   std::size_t patches = 0;
   double areaMm2 = 0.0;
   double thicknessMeanMm = 0.0, thicknessStdMm = 0.0, thicknessP01Mm = 0.0, thicknessP99Mm = 0.0;
@@ -27,25 +27,25 @@ struct HeightLimits {
 };
 LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits = {});
 
-// A checker for tests: each entry is for the patch of the same index.
+// Boundary check for tests; each entry is for the patch of the same index.
 struct BoundaryCheck {
-  double farthestMm = 0.0; // of a boundary vertex from the part's surface
+  double farthestMm = 0.0; // largest distance of a boundary vertex from the part's surface
   double onSurface = 1.0;  // share of the boundary's length whose ends are within the tolerance
-  bool simple = true;      // every boundary vertex has two boundary edges; edges have <= 2 sides,
-                           // which run opposite ways
+  // every boundary vertex has two boundary edges; edges have <= 2 sides with opposite orientations
+  bool simple = true;
 };
 std::vector<BoundaryCheck> checkBoundaries(const LayerStack& stack, const geometry::MeshQuery& part,
                                            double toleranceMm, const base::RunContext& ctx);
 
-// What is under a patch: the ground, or an earlier patch. At sampled triangles the foot (half
-// a thickness against direction) is within reachShare of the two half thicknesses, and half of them
-// lower at least.
+// Result of the search for the ground or an earlier patch below a patch. At sampled triangles the
+// foot (half a thickness against the direction) must be within reachShare of the two half
+// thicknesses, and at least half of that distance downwards.
 struct SupportCheck {
   double supportedFraction = 1.0; // of the area
-  int lower = -1;                 // index of a patch under it (the one met most often), -1: ground
-  Eigen::Vector3d unsupportedAt = Eigen::Vector3d::Zero(); // a place without support, if any
+  int lower = -1;                 // index of a patch below it (the most frequent one), -1: ground
+  Eigen::Vector3d unsupportedAt = Eigen::Vector3d::Zero(); // an unsupported place, if any
 };
-// Of `which` patches (ascending); empty stands for all.
+// Checks the patches `which` (ascending); empty: all.
 std::vector<SupportCheck> checkSupport(const LayerStack& stack, double reachShare,
                                        const base::RunContext& ctx,
                                        const std::vector<std::size_t>& which = {},

@@ -1,4 +1,4 @@
-// What is told of layers of any mode.
+// Findings about layers that all modes share.
 #pragma once
 
 #include "layers/absorb.h"
@@ -12,7 +12,7 @@
 
 namespace voluta::layers {
 
-// Pieces of layers that are not laid.
+// Pieces of layers that are not printed.
 struct NotLaid {
   std::size_t pieces = 0;
   double volumeMm3 = 0.0;
@@ -20,11 +20,11 @@ struct NotLaid {
 };
 NotLaid notLaid(const std::vector<DroppedPiece>& dropped);
 
-// "slivers", where there are any: blocking from that share of the whole volume on.
+// Returns the finding "slivers" if there are any; it blocks from this share of the whole volume on.
 std::optional<plan::Finding> sliversFinding(const NotLaid& slivers, double laidMm3,
                                             double blockingShare);
 
-// Patches that are on nothing (IslandOptions::supportedShare).
+// Unsupported patches (IslandOptions::supportedShare).
 struct InAir {
   std::size_t patches = 0;
   Eigen::Vector3d firstAt = Eigen::Vector3d::Zero();

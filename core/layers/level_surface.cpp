@@ -83,7 +83,7 @@ void keepPositive(LevelSurface& s, const std::vector<double>& values) {
       kept.push_back(t);
     if (count == 0 || count == 3)
       continue;
-    std::size_t k = 0; // the corner that is unlike the others
+    std::size_t k = 0; // the corner that differs from the others
     while (keeps(t[k]) != (count == 1))
       ++k;
     const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3], ab = cut(a, b), ca = cut(c, a);

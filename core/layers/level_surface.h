@@ -1,4 +1,4 @@
-// A level surface on its way to becoming patches: what modes hand to trimming.
+// A level surface before it becomes patches: the modes' input to trimming.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -12,32 +12,33 @@
 namespace voluta::layers {
 
 // The mid-surface of one level with its attributes per vertex (as in Patch). It may have several
-// components and, before trimming, reaches beyond the part.
+// components and, before trimming, extends beyond the part.
 struct LevelSurface {
   geometry::TriangleMesh surface;              // counter-clockwise seen against `direction`
-  std::vector<double> thicknessMm;             // > 0, as the field gives it: not yet clamped
+  std::vector<double> thicknessMm;             // > 0, as given by the field: not yet clamped
   std::vector<Eigen::Vector3d> direction;      // unit
   std::vector<Eigen::Vector3d> clearDirection; // unit
-  // 1: on a rim where the level ends inside the part because another takes over. Empty: nowhere.
+  // 1: on a rim where the level ends inside the part because another level continues. Empty: none.
   std::vector<std::uint8_t> innerRim;
   Chart chart;
   int level = 0;
 };
 
-// Appends the vertex (1 - t) a + t b of the segment between vertices a and b, attributes blended;
-// returns its index. Directions stay unit; the vertex is on the inner rim only where both ends are.
+// Appends the vertex (1 - t) a + t b on the segment between vertices a and b with interpolated
+// attributes; returns its index. Directions remain unit vectors; the vertex is on the inner rim
+// only if both ends are.
 int appendBlend(LevelSurface& surface, int a, int b, double t);
 
-// Appends a vertex at `position` with attributes blended by `weights` over the corners of a
+// Appends a vertex at `position` with attributes interpolated by `weights` over the corners of a
 // triangle (weights sum to 1); returns its index.
 int appendBlend(LevelSurface& surface, const std::array<int, 3>& corners,
                 const Eigen::Vector3d& weights, const Eigen::Vector3d& position);
 
-// Keeps what of the surface has values >= 0 (one a vertex, linear between): triangles are cut, the
-// new boundary is an inner rim.
+// Keeps the part of the surface with values >= 0 (one value per vertex, linear in between):
+// triangles are cut, and the new boundary is an inner rim.
 void keepPositive(LevelSurface& surface, const std::vector<double>& values);
 
-// Drops vertices that no triangle uses; order of the others is kept.
+// Drops vertices that no triangle uses; the order of the others is kept.
 void dropUnusedVertices(LevelSurface& surface);
 
 } // namespace voluta::layers

@@ -37,7 +37,7 @@ PartBoundary::PartBoundary(const geometry::TriangleMesh& part, double cellMm,
   for (std::size_t t = 0; t < part.triangles.size(); ++t) {
     if (t % 4096 == 0)
       ctx.checkpoint();
-    // A hair wider than the cells, so that a facet on the boundary of two marks both.
+    // Slightly wider than the cells, so that a facet on the boundary of two cells marks both.
     const voxel::TriangleBoxTest test(part.corner(t, 0), part.corner(t, 1), part.corner(t, 2),
                                       0.5 * cell_ * (1.0 + 1e-6));
     Eigen::AlignedBox3d of(part.corner(t, 0));
@@ -104,7 +104,7 @@ void PartBoundary::crossings(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
     return;
   const Eigen::Vector3d step = b - a;
   const auto enters = [&](int triangle) { return normal(triangle).dot(step) < 0.0; };
-  // How many shells the start is in: as many as are left before they are entered.
+  // The number of shells that contain the start: as many as are left before they are entered.
   int depth = 0, least = 0;
   for (const auto& hit : hits) {
     depth += enters(hit.triangle) ? 1 : -1;

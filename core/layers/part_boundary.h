@@ -1,4 +1,4 @@
-// The part's surface as something to cut with.
+// The part's surface, prepared for trimming.
 #pragma once
 
 #include "base/run_context.h"
@@ -12,29 +12,29 @@
 
 namespace voluta::layers {
 
-// A closed (or nearly closed) mesh, facing outward. Safe from many threads once made.
+// A closed (or nearly closed) mesh, facing outward. Thread-safe after construction.
 class PartBoundary {
 public:
-  // cellMm > 0: width of the cells that tell at once where the surface is far.
+  // cellMm > 0: width of the cells that exclude places far from the surface.
   PartBoundary(const geometry::TriangleMesh& part, double cellMm, const base::RunContext& ctx);
 
-  // False only where the segment certainly meets no facet. Cheap.
+  // Returns false only if the segment certainly intersects no facet. Fast.
   bool mayCross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
-  // Where a segment goes in or out; entering and leaving alternate.
+  // A point where a segment enters or leaves the part; entering and leaving alternate.
   struct Crossing {
     double t = 0.0; // in [0,1] from a to b
     int triangle = -1;
     bool entering = false;
   };
-  // All of them, sorted by t, replacing `out`. Pairs less than minGapMm apart are left out: a
-  // graze.
+  // Replaces `out` by all crossings, sorted by t. Pairs less than minGapMm apart are left out, as
+  // the segment only grazes the surface.
   void crossings(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double minGapMm,
                  std::vector<Crossing>& out) const;
 
   bool inside(const Eigen::Vector3d& p) const { return query_.inside(p); }
   const geometry::MeshQuery& query() const { return query_; }
-  // Unit normal of a facet; zero for a degenerate one.
+  // Returns the unit normal of a facet; zero if it is degenerate.
   const Eigen::Vector3d& normal(int triangle) const {
     return normal_[static_cast<std::size_t>(triangle)];
   }

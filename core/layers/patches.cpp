@@ -15,7 +15,7 @@ namespace {
 
 using base::at;
 
-// One vertex for each fan of triangles at it that hangs together by edges.
+// Creates one vertex for each edge-connected fan of triangles around a vertex.
 void splitTouchingFans(LevelSurface& s) {
   auto& triangles = s.surface.triangles;
   const std::vector<geometry::HalfEdge> edges = geometry::sortedHalfEdges(s.surface);
@@ -60,7 +60,7 @@ void splitTouchingFans(LevelSurface& s) {
   }
 }
 
-// Is every point of the patch nearer to its boundary than `distance`?
+// Returns whether every point of the patch is closer to its boundary than `distance`.
 bool narrower(const geometry::TriangleMesh& mesh, double distance) {
   const std::vector<geometry::HalfEdge> edges = geometry::sortedHalfEdges(mesh);
   std::vector<std::pair<int, int>> boundary;
@@ -71,7 +71,8 @@ bool narrower(const geometry::TriangleMesh& mesh, double distance) {
     boundary.emplace_back(edges[b].low, edges[b].high);
     perimeter += (mesh.vertices[at(edges[b].low)] - mesh.vertices[at(edges[b].high)]).norm();
   });
-  // A strip's area is its width times half its boundary, so only long pieces need the search.
+  // The area of a strip is its width times half its boundary; therefore only long pieces need the
+  // search.
   if (geometry::area(mesh) > distance * perimeter)
     return false;
   const auto isNear = [&](const Eigen::Vector3d& p) {

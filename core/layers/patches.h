@@ -1,4 +1,4 @@
-// From a trimmed level surface to the patches that are laid.
+// Splitting of a trimmed level surface into printable patches.
 #pragma once
 
 #include "layers/layer_stack.h"
@@ -18,10 +18,10 @@ struct PatchesOfLevel {
   std::vector<Patch> slivers; // too small for a bead
 };
 
-// The pieces that hang together by edges, each a patch; a vertex in which a boundary touches
-// itself becomes two, so that boundary loops are simple. Pieces with less area than a round bead
-// (pi/4 w^2) or narrower than half a bead everywhere are slivers (see absorbSlivers). Patch::layer
-// is the surface's level.
+// Makes a patch of each edge-connected piece; a vertex at which a boundary touches itself is
+// duplicated, so that boundary loops are simple. Pieces with less area than a round bead (pi/4 w^2)
+// or everywhere narrower than half a bead are slivers (see absorbSlivers). Patch::layer is the
+// surface's level.
 PatchesOfLevel makePatches(const LevelSurface& surface, const PatchOptions& options);
 
 } // namespace voluta::layers

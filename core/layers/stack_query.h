@@ -1,4 +1,4 @@
-// Where points and segments meet the patches of a stack.
+// Nearest-point and segment queries on the patches of a stack.
 #pragma once
 
 #include "base/run_context.h"
@@ -12,25 +12,25 @@
 
 namespace voluta::layers {
 
-// Patches are named by their index. Copies what it needs: what becomes of the patches later does
-// not matter to it. Safe from many threads once made.
+// Patches are identified by index. Copies the required data, so later changes of the patches have
+// no effect. Thread-safe after construction.
 class StackQuery {
 public:
-  // Of the patches that come within reachMm of one of `around`.
+  // Only patches within reachMm of one of the boxes `around` are included.
   StackQuery(const std::vector<Patch>& patches, const std::vector<Eigen::AlignedBox3d>& around,
              double reachMm, const base::RunContext& ctx);
 
-  // Those whose box meets this one, ascending, from `first` up to but without `end`.
+  // Returns those in [first, end) whose box intersects this one, ascending.
   std::vector<int> near(const Eigen::AlignedBox3d& box, int first, int end) const;
 
   struct Place {
     int patch = -1, triangle = -1; // -1: none
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    double distance = 0.0; // mm; from a, of hits
+    double distance = 0.0; // mm; for hits the distance from a
   };
-  // The nearest point of `patches` (ascending) within reachMm.
+  // Returns the nearest point of `patches` (ascending) within reachMm.
   Place closest(const std::vector<int>& patches, const Eigen::Vector3d& p, double reachMm) const;
-  // Where the segment a-b meets them, from a on; replaces `out`.
+  // Replaces `out` by the intersections of the segment a-b, sorted from a.
   void hits(const std::vector<int>& patches, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
             std::vector<Place>& out) const;
 

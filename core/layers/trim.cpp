@@ -31,7 +31,7 @@ std::uint64_t edgeKey(int a, int b) {
          static_cast<std::uint32_t>(std::max(a, b));
 }
 
-// A shift in [-1, 1]^3 that depends on the index alone.
+// Returns a shift in [-1, 1]^3 that depends on the index alone.
 Eigen::Vector3d shiftOf(std::size_t index) {
   Eigen::Vector3d s;
   for (int axis = 0; axis < 3; ++axis) {
@@ -42,12 +42,12 @@ Eigen::Vector3d shiftOf(std::size_t index) {
   return s;
 }
 
-// Distance of x from the line through p and q.
+// Returns the distance of x from the line through p and q.
 double aside(const Eigen::Vector3d& x, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
   return (x - p).cross(q - p).norm() / (q - p).norm();
 }
 
-// The plane of a triangle as 2D coordinates.
+// 2D coordinates in the plane of a triangle.
 struct PlaneFrame {
   Eigen::Vector3d origin, u, v, normal;
   PlaneFrame(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -80,7 +80,7 @@ public:
 
 private:
   struct Edge {
-    int low = 0; // vertex the crossings are measured from
+    int low = 0; // vertex from which crossings are measured
     std::vector<Crossing> crossings;
     int cutVertex = -1;
   };
@@ -92,7 +92,7 @@ private:
       ctx_.checkpoint();
   }
 
-  // Looks up the crossings of every edge that may have some and was not looked at yet.
+  // Computes the crossings of all edges that may have some and were not examined yet.
   void findCrossings() {
     std::vector<Crossing> found;
     for (const auto& t : s_.surface.triangles)
@@ -115,7 +115,8 @@ private:
     return found == edges_.end() ? nullptr : &found->second;
   }
 
-  // Splits each edge that is crossed more than once, between its crossings. False when none was.
+  // Splits each edge that is crossed more than once, between its crossings. Returns false if there
+  // was none.
   bool splitManyCrossed() {
     findCrossings();
     std::unordered_map<std::uint64_t, std::vector<int>> splits; // from the lower vertex upwards
@@ -170,7 +171,7 @@ private:
       out.push_back({polygon[at(f[0])], polygon[at(f[1])], polygon[at(f[2])]});
   }
 
-  // inside_[v] for every vertex.
+  // Sets inside_[v] for every vertex.
   void classify() {
     const std::size_t n = s_.surface.vertices.size();
     geometry::UnionFind sets(n);
@@ -200,7 +201,7 @@ private:
         continue;
       const std::size_t root = at(sets.find(static_cast<int>(v)));
       if (votesIn[root] > 0 && votesOut[root] > 0) {
-        // Edges that lie in a facet or a mesh with holes: the flood can't be trusted here.
+        // With edges in a facet or a mesh with holes, the flood fill is unreliable.
         poll();
         inside_[v] = part_.inside(s_.surface.vertices[v]);
         continue;
@@ -215,7 +216,7 @@ private:
     }
   }
 
-  // The vertex where edge a-b leaves the part; a and b differ in inside_.
+  // Returns the vertex where edge a-b leaves the part; a and b differ in inside_.
   int cutVertex(int a, int b) {
     Edge& edge = edges_[edgeKey(a, b)];
     if (edge.cutVertex >= 0)
@@ -248,7 +249,7 @@ private:
       if (in == 0 || in == 3)
         continue;
       poll();
-      // Turn the triangle so that the boundary runs from side (1,2) or (0,1) to side (2,0).
+      // Rotate the triangle so that the boundary runs from side (1,2) or (0,1) to side (2,0).
       std::size_t k = 0;
       while (!(in == 1 ? inside_[at(t[k])] != 0 : inside_[at(t[(k + 2) % 3])] == 0))
         ++k;
@@ -265,8 +266,8 @@ private:
     s_.surface.triangles = std::move(kept);
   }
 
-  // Appends what the boundary has between vertices `from` and `to` of a triangle. The inside is to
-  // the left of it.
+  // Appends the refined boundary between vertices `from` and `to` of a triangle. The inside is to
+  // its left.
   void refineChord(const std::array<int, 3>& t, int from, int to, int depth,
                    std::vector<int>& polygon) {
     const Eigen::Vector3d p = point(from), q = point(to), middle = 0.5 * (p + q);
@@ -277,14 +278,15 @@ private:
     const PlaneFrame plane(point(t[0]), point(t[1]), point(t[2]));
     Eigen::Vector3d x, weights;
     int facet = -1;
-    // A corner near one end of the chord leaves its middle near the surface: look for it first.
+    // A corner close to one end of the chord leaves the chord's midpoint near the surface;
+    // therefore search for corners first.
     if (!(cornerBetween(t, plane, from, to, x, weights) && (x - p).norm() < 2.0 * length &&
           (x - q).norm() < 2.0 * length && aside(x, p, q) > kShortChord)) {
       if (length < 2.0 * options_.chordMm ||
           part_.query().closest(middle, kOnSurface).triangle >= 0)
         return;
-      // How far it bulges is told in the triangle's plane: where the part's surface runs nearly
-      // along it, or a wall is thin, some other place of the surface is nearer.
+      // The bulge is measured in the triangle's plane: if the part's surface is nearly parallel to
+      // it, or a wall is thin, the nearest point may be on another part of the surface.
       const double reach =
           std::max({(point(t[0]) - point(t[1])).norm(), (point(t[1]) - point(t[2])).norm(),
                     (point(t[2]) - point(t[0])).norm()});
@@ -310,8 +312,8 @@ private:
     refineChord(t, between, to, depth + 1, polygon);
   }
 
-  // Barycentric weights of a point of the triangle's plane; false when it is not inside. A corner
-  // that pokes out by less than the gaps that are passed over is moved inside.
+  // Computes the barycentric weights of a point in the triangle's plane; returns false if it is
+  // outside. A corner that protrudes by less than minGapMm is moved inside.
   bool weightsIn(const std::array<int, 3>& t, const PlaneFrame& plane, Eigen::Vector3d& x,
                  Eigen::Vector3d& weights) const {
     const Eigen::Vector2d a = plane.flat(point(t[0])), b = plane.flat(point(t[1])),
@@ -335,8 +337,8 @@ private:
     return true;
   }
 
-  // Where a sharp edge of the part pierces the triangle: the facets at both ends of the chord meet
-  // its plane in one point.
+  // Finds the point where a sharp edge of the part pierces the triangle: the intersection of the
+  // facets at both ends of the chord with the triangle's plane.
   bool cornerBetween(const std::array<int, 3>& t, const PlaneFrame& plane, int from, int to,
                      Eigen::Vector3d& x, Eigen::Vector3d& weights) {
     const int f = facetOf_[from], g = facetOf_[to];

@@ -1,4 +1,4 @@
-// Layers for other programs to look at (VTK's XML format for polygons).
+// Export of layers in VTK's XML format for polygons, for viewing in other programs.
 #pragma once
 
 #include "layers/layer_stack.h"
@@ -7,8 +7,8 @@
 
 namespace voluta::layers {
 
-// The bytes of layers.vtp: all patches as triangles; point data `thickness` (mm), `direction`; cell
-// data `layer`, `group`, `patch`. Written by base/vtk_xml.h.
+// Returns the bytes of layers.vtp: all patches as triangles; point data `thickness` (mm),
+// `direction`; cell data `layer`, `group`, `patch`. Uses base/vtk_xml.h.
 std::string writeLayersVtp(const LayerStack& stack);
 
 } // namespace voluta::layers

@@ -1,4 +1,4 @@
-// The cell that was chosen, before there is a platform in it.
+// Loads the chosen cell before its platform is known.
 #pragma once
 
 #include "process/process.h"
@@ -7,8 +7,8 @@
 
 namespace voluta::modes {
 
-// With a platform of some size, for what does not depend on the platform. Reads its file. Throws
-// Error{Usage, UnreadableFile, UnusableInput}.
+// Returns the chosen cell with a placeholder platform of fixed size, for callers that do not depend
+// on the platform. Reads the cell's file. Throws Error{Usage, UnreadableFile, UnusableInput}.
 robot::Cell cellOnAnyPlatform(const project::Choices& choices, const process::Process& process);
 
 } // namespace voluta::modes

@@ -21,7 +21,8 @@ namespace voluta::modes {
 
 namespace {
 
-// The head that the front may have the shape of, shrunk by what counts as contact; none for flat.
+// Returns the head shape for a front shaped like the nozzle, shrunk by the contact tolerance; an
+// empty shape for a flat front.
 process::HeadShape frontHead(const ModeChoices& in) {
   if (in.values.text("frontShape") == "flat")
     return {};
@@ -33,7 +34,7 @@ struct CurvedPlan {
   project::Platform platform;
   curved::CurvedOptions growth;
   bool supports;
-  double bridgeMm; // of supports; 0: there are none
+  double bridgeMm; // longest bridge of supports [mm]; 0 without supports
 };
 
 CurvedPlan planOf(const ModeChoices& in) {
@@ -56,7 +57,8 @@ CurvedPlan planOf(const ModeChoices& in) {
   return plan;
 }
 
-// What a pedestal as wide as the part's foot would save of columns (Boge 2019, 6.2.3 and 6.4).
+// Returns a finding if a pedestal as wide as the part's foot would save at least half of the voxels
+// that need columns (Boge 2019, 6.2.3 and 6.4).
 std::optional<plan::Finding> pedestalGains(const voxel::SolidVoxels& part, const CurvedPlan& plan,
                                            std::size_t missedHere, const base::RunContext& ctx) {
   if (missedHere == 0 || plan.platform.marginMm())
@@ -156,8 +158,8 @@ Mode curvedMode() {
             {"voxelMm", "frontShape", "fieldRounds", "growthIsp", "growthQueue", "growthBoundary",
              "growthSacrifice", "supports", "overhangAngle"}};
   mode.grows = true;
-  // Near a plate a flat front loses what the head as it is reaches; what is lost all the same is
-  // little, and thin columns carry it.
+  // Near a plate a flat front misses voxels that the real head reaches. The nozzle-shaped front
+  // misses few, and thin columns support those.
   mode.defaults = {{"frontShape", "nozzle"}, {"supports", "auto"}};
   return mode;
 }

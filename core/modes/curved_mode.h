@@ -1,4 +1,4 @@
-// Curved layers, as a mode of the road.
+// Mode "curved": curved layers.
 #pragma once
 
 #include "modes/mode.h"

@@ -1,4 +1,4 @@
-// Supports on the way through curved mode: what is grown, what is told, what is laid.
+// Supports in curved mode: growth, report and layers.
 #pragma once
 
 #include "base/run_context.h"
@@ -15,21 +15,22 @@
 
 namespace voluta::modes {
 
-// The part's voxels with support where it is wanted. Where it is not, or where growth
-// misses nothing, `solid` is the part and there are no columns. bridgeMm: as SupportOptions. Throws
-// as support::supportsFor().
+// Returns the part's voxels together with the supports they need. If `wanted` is false or growth
+// misses nothing, `solid` is the part and there are no columns. bridgeMm: as
+// SupportOptions::bridgeMm. Throws as support::supportsFor().
 support::Supports supportsOf(const voxel::SolidVoxels& part,
                              const std::vector<Eigen::Vector2d>& platform,
                              const curved::CurvedOptions& growth, double bridgeMm, bool wanted,
                              const base::RunContext& ctx);
 
-// Tells the support's voxels in a decomposition of part and support together apart from the part's.
+// Marks the support's voxels in a decomposition of part and support.
 void markSupports(const support::Supports& supports, curved::Decomposition& decomposition);
 
-// Puts what supports did into the stage: misses before and after, volume, findings, seconds.
+// Adds the supports' results to the stage: missed voxels before and after, volume, findings,
+// seconds.
 void tellSupports(const support::Supports& supports, DecomposeStage& stage);
 
-// Slices of the support as the process lays them. Empty where there is none.
+// Returns slices of the support with the process's layer heights; empty if there is no support.
 std::vector<curved::SupportPatch> supportPatches(const curved::Decomposition& decomposition,
                                                  const geometry::TriangleMesh& part,
                                                  const curved::LayerOptions& cut,

@@ -1,4 +1,4 @@
-// Text parameters that may name a file instead of saying everything themselves.
+// Text parameters whose value may name a file.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@ namespace voluta::modes {
 
 struct FileParameter {
   std::string_view key;
-  std::string_view patterns; // of names, separated by blanks
-  std::string_view prefix;   // stands before the name in the parameter's text
+  std::string_view patterns; // file name patterns, separated by blanks
+  std::string_view prefix;   // precedes the file name in the parameter's text
 };
 
 const std::vector<FileParameter>& fileParameters();

@@ -1,5 +1,5 @@
-// What a mode does with its choices: typed options are made from them, and it sees nothing else of
-// them. So its key, made from the same options, tells all that it depends on.
+// A function of a mode that sees the user's choices only through typed options. Its cache key is
+// made from the same options and therefore covers everything its result depends on.
 #pragma once
 
 #include "base/key_text.h"
@@ -23,7 +23,7 @@ template <typename Signature> class FromOptions;
 
 template <typename Out, typename... In> class FromOptions<Out(In...)> {
 public:
-  FromOptions() = default; // nothing
+  FromOptions() = default; // empty
   template <typename Options>
   FromOptions(Options (*options)(const ModeChoices&), Out (*make)(const Options&, In...))
       : key_([options](const ModeChoices& in) { return base::keyText(options(in)); }),
@@ -32,9 +32,10 @@ public:
         }) {}
 
   explicit operator bool() const { return static_cast<bool>(make_); }
-  // Empty where there is nothing. Throws as making the options does.
+  // Returns the cache key; an empty string if this is empty. Throws as the conversion to Options
+  // does.
   std::string key(const ModeChoices& in) const { return key_ ? key_(in) : std::string(); }
-  // Precondition: not nothing.
+  // Precondition: not empty.
   Out operator()(const ModeChoices& in, In... input) const {
     return make_(in, std::forward<In>(input)...);
   }

@@ -28,15 +28,14 @@ using Eigen::Vector2d, Eigen::Vector3d;
 robot::CellRod cellRod(const ModeChoices& in) {
   const robot::Cell cell = cellOnAnyPlatform(in.choices, in.process);
   if (!cell.rod())
-    throw base::Error(
-        base::ErrorCode::Usage,
-        base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text,
-                      in.choices.item().mode, base::dataName(in.choices.cell)),
-        {}, "give --cell lathe"_text);
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("mode {mode} needs a rod, but cell {cell} has none"_text,
+                                    in.choices.mode, base::dataName(in.choices.cell)),
+                      {}, "give --cell lathe"_text);
   return *cell.rod();
 }
 
-// Where the profile ends, the rod goes on as thick as it is.
+// Extends the profile to the rod's ends, with the rod's own radius there.
 std::vector<Vector2d> within(const platform::RodShape& rod, std::vector<Vector2d> profile) {
   const Vector2d first = rod.profile.front(), last = rod.profile.back();
   if (profile.front().x() > first.x()) {
@@ -52,12 +51,12 @@ std::vector<Vector2d> within(const platform::RodShape& rod, std::vector<Vector2d
   return profile;
 }
 
-// The rod that is chosen, and the cell's own.
+// The chosen rod, and the dimensions of the cell's own rod.
 struct RodPlan {
   project::Platform platform;
   int sides;
-  std::string profile; // rodProfileText
-  std::string axis;    // of the part's: "auto", "x", "y" or "z"
+  std::string profile; // as returned by rodProfileText()
+  std::string axis;    // of the part: "auto", "x", "y" or "z"
   double ownDiameterMm, ownLengthMm, printableRadiusMm;
 };
 
@@ -88,14 +87,14 @@ substrate::AxisFit axisOf(const geometry::TriangleMesh& mesh, const std::string&
                         : substrate::axisAlong(mesh, Vector3d::Unit(axis[0] - 'x'));
 }
 
-// Lays the platform's body on the rod; its part goes with it.
+// Returns the motion that puts the platform's body onto the rod; its part moves with it.
 Eigen::Isometry3d motionOntoRod(const geometry::TriangleMesh& body, double scale,
                                 const std::string& axis) {
   return motionOf(body, scale, substrate::placementOnAxis(body, scale, axisOf(body, axis)));
 }
 
 struct PlacePlan {
-  project::Platform platform; // a body brings its part along
+  project::Platform platform; // a body determines the part's placement
   double bodyScale;
   std::string axis;
 };
@@ -113,9 +112,10 @@ geometry::Placement placeOnRod(const PlacePlan& plan, const geometry::TriangleMe
   return substrate::placementOnAxis(part, scale, axisOf(part, plan.axis));
 }
 
-// Within the cell's radius about the part's own axis, and within the rod's length.
+// Returns the largest scale up to 1 at which the part stays within the cell's printable radius
+// around its axis and within the rod's length.
 double fittingScale(const RodPlan& plan, const geometry::TriangleMesh& part, double unitMm) {
-  constexpr double kWithin = 1.0 - 1e-9; // whatever rounding does
+  constexpr double kWithin = 1.0 - 1e-9; // margin for rounding errors
   const auto profile = rodShape(plan).profile;
   const double half = std::min(-profile.front().x(), profile.back().x());
   const geometry::TriangleMesh placed = geometry::place(
@@ -177,7 +177,7 @@ LathePlan lathePlan(const ModeChoices& in) {
 std::shared_ptr<const DecomposeStage> decompose(const LathePlan& plan, const DecomposeInput& input,
                                                 const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  ctx.report(0.0, "take the rod out of the part"_text);
+  ctx.report(0.0, "subtract the rod from the part"_text);
   auto stage = std::make_shared<DecomposeStage>();
   stage->platform = platformOf(plan.rod, input.placed);
   const substrate::RodSurface rod = surfaceOf(stage->platform);
@@ -216,7 +216,8 @@ Mode latheMode() {
             {"rodAxis", "rodSides", "rodProfile", "rodLayers", "firstLayerMm", "overhangAngle"}};
   mode.platforms = {project::PlatformUse::Rod, project::PlatformUse::Body};
   mode.aroundRod = true;
-  // Castelli 2020, 5.3.1: a rod of 5 mm, 200 mm long, and a nozzle that lays 0.25 mm on it.
+  // Castelli 2020, 5.3.1: a rod 5 mm in diameter and 200 mm long, and a nozzle that prints 0.25 mm
+  // layers on it.
   mode.usual = {"lathe", "fdm-0.35", project::Platform("rod:5x200")};
   mode.place = {placePlan, placeOnRod};
   mode.fittingScale = {rodPlan, fittingScale};
@@ -230,26 +231,28 @@ base::ParameterTable latheParameters() {
       base::choiceParameter(
           "rodAxis", "auto",
           {{"auto", "auto"_text}, {"x", "x"_text}, {"y", "y"_text}, {"z", "z"_text}}, "Rod"_text,
-          "axis of the part"_text,
-          "Which of the part's own axes is laid on the rod; auto: the one that "
-          "its sides run along."_text,
+          "part axis"_text,
+          "The axis of the part that is aligned with the rod. auto: the axis parallel to "
+          "its sides."_text,
           true),
-      base::integerParameter("rodSides", 0, 0, 64, "Rod"_text, "sides of the rod"_text,
-                             "0: a round rod; 3 or more: a prism, measured over its corners."_text,
+      base::integerParameter("rodSides", 0, 0, 64, "Rod"_text, "rod sides"_text,
+                             "0: round rod. 3 or more: prism; its diameter is measured "
+                             "across the corners."_text,
                              true),
       base::textParameter(
-          "rodProfile", "Rod"_text, "profile of the rod"_text,
-          "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a "
-          "step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight."_text),
+          "rodProfile", "Rod"_text, "rod profile"_text,
+          "Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file "
+          "with such pairs. A step needs two pairs at the same x. Beyond the pairs the "
+          "rod keeps its own diameter. Empty: straight."_text),
       base::choiceParameter("rodLayers", "radius",
                             {{"radius", "radius"_text}, {"offset", "offset"_text}}, "Rod"_text,
                             "layers around the rod"_text,
-                            "At constant radius about the axis, or at constant distance from the "
-                            "rod's profile."_text,
+                            "Layers at constant radius around the axis, or at constant "
+                            "distance from the rod's profile."_text,
                             true),
       base::numberParameter("firstLayerMm", "mm", 0.0, 0.0, 10.0, "Layers"_text, "first layer"_text,
-                            "Modes lathe and substrate: height of the layer on the ground; 0: as "
-                            "high as the others."_text),
+                            "Modes lathe and substrate: height of the first layer. 0: "
+                            "same as the other layers."_text),
   });
 }
 

@@ -1,4 +1,4 @@
-// Layers wound around a turning rod, as a mode of the road.
+// Mode "lathe": layers wound around a turning rod.
 #pragma once
 
 #include "base/parameters.h"
@@ -8,7 +8,8 @@ namespace voluta::modes {
 
 Mode latheMode();
 
-// rodAxis, rodSides, rodProfile, rodLayers, and firstLayerMm, which mode substrate has too.
+// Parameters rodAxis, rodSides, rodProfile, rodLayers, and firstLayerMm, which mode substrate also
+// uses.
 base::ParameterTable latheParameters();
 
 } // namespace voluta::modes

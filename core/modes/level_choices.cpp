@@ -12,12 +12,12 @@ substrate::LevelOptions levelOptions(const ModeChoices& in) {
   const process::Process& p = in.process;
   const double first = in.values.number("firstLayerMm");
   if (first != 0.0 && (first < p.layerHeightMinMm || first > p.layerHeightMaxMm))
-    throw base::Error(
-        base::ErrorCode::Usage,
-        base::message("{value} is beyond process {process}"_text, base::mm(first), p.id),
-        "firstLayerMm"_name,
-        base::message("give 0, or {least#} to {most}"_text, base::mm(p.layerHeightMinMm),
-                      base::mm(p.layerHeightMaxMm)));
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("{value} is outside the limits of process {process}"_text,
+                                    base::mm(first), p.id),
+                      "firstLayerMm"_name,
+                      base::message("give 0, or {least#} to {most}"_text,
+                                    base::mm(p.layerHeightMinMm), base::mm(p.layerHeightMaxMm)));
   return {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm, first, p.beadWidthMm};
 }
 

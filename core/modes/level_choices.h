@@ -1,4 +1,4 @@
-// What modes whose layers follow a ground have in common.
+// Options and report shared by the modes whose layers follow a ground surface (lathe, substrate).
 #pragma once
 
 #include "modes/mode.h"
@@ -10,13 +10,13 @@
 
 namespace voluta::modes {
 
-// Heights, bead and firstLayerMm. Throws Error{Usage} for a first layer that the process cannot
-// lay.
+// Returns layer heights, bead width and firstLayerMm. Throws Error{Usage} if the first layer is
+// outside the process's limits.
 substrate::LevelOptions levelOptions(const ModeChoices& in);
 substrate::OverhangRule overhangRule(const ModeChoices& in);
 
-// Puts a decomposition into so many layers, and what of the part leans out over them, into the
-// stage's report and findings.
+// Adds the number of layers and the part's overhang over the ground to the stage's report and
+// findings.
 void tellLevels(const substrate::OverhangRule& rule, int layers,
                 const substrate::Overhang& overhang, substrate::GroundKind ground,
                 DecomposeStage& stage);

@@ -1,5 +1,5 @@
-// A way of building a part. A mode takes a placed part to a LayerStack; all that follows is the
-// same road for every mode.
+// A mode, that is, a way of decomposing a part into layers. A mode turns a placed part into a
+// LayerStack; all later stages are the same for every mode.
 #pragma once
 
 #include "base/parameters.h"
@@ -26,25 +26,25 @@
 
 namespace voluta::modes {
 
-// What a decomposition is made from.
+// Input of a mode's decomposition.
 struct DecomposeInput {
   const LoadStage& placed;
-  // partVoxels() of the placed part; kept ones where there are.
+  // Returns partVoxels() of the placed part, from the cache if possible.
   std::function<std::shared_ptr<const PartVoxels>(double voxelMm, const base::RunContext&)> voxels;
-  // Called on the running thread with what has come out so far: ranks, then the field as rounds
-  // improve it. May be empty.
+  // Called on the running thread with intermediate results: the ranks first, then the field after
+  // each round of smoothing. May be empty.
   std::function<void(std::shared_ptr<const curved::Decomposition>)> onPreview = {};
-  // Is a plan with these findings of no use? Then the stage may end with what there is, and nobody
-  // keeps it. May be empty: every plan is.
+  // Returns whether a plan with these findings will be discarded. The stage may then stop early
+  // with an incomplete result, which is not cached. If empty, every plan is kept.
   std::function<bool(const plan::Findings&)> isRejected = {};
 };
 
-// What a mode is printed with unless something else is chosen.
+// The cell, process and platform a mode uses unless the user chooses others.
 struct Defaults {
   std::string cell, process;
   project::Platform platform;
 };
-// As Choices begin.
+// Returns the defaults of project::Choices.
 Defaults usualOnPlate();
 
 struct Mode {
@@ -52,36 +52,37 @@ struct Mode {
   base::Text label;
   FromOptions<std::shared_ptr<const DecomposeStage>(const DecomposeInput&, const base::RunContext&)>
       decompose;
-  // The mesh is the part as it is placed, less what the ground takes of it.
+  // The mesh is the placed part without the volume that the ground occupies.
   FromOptions<std::shared_ptr<const LayersStage>(
       const DecomposeStage&, const geometry::TriangleMesh&, const base::RunContext&)>
       layers;
-  project::ResultKind result; // of `decompose`
-  // Keys of those of modeParameters() that have a say in it; takesParameter() knows the others.
+  project::ResultKind result; // type of the result of `decompose`
+  // Keys of the entries of modeParameters() that affect this mode; takesParameter() also handles
+  // the other parameters.
   std::vector<std::string> parameters;
-  bool grows = false;   // by the scheme that is chosen
-  bool cuts = false;    // the part into pieces
-  bool upright = false; // are its layers level, the nozzle upright over all of them
-  // What it takes a platform as, the usual way first.
+  bool grows = false;   // grows voxels by the chosen growth scheme
+  bool cuts = false;    // cuts the part into pieces
+  bool upright = false; // all layers are horizontal and the nozzle stays upright
+  // Accepted uses of a platform, the default first.
   std::vector<project::PlatformUse> platforms = {project::PlatformUse::Plate};
-  bool aroundRod = false; // does it need a cell with a rod
+  bool aroundRod = false; // needs a cell with a rod
   Defaults usual = usualOnPlate();
-  // Where a part lies that nobody has placed, for geometry::place with this scale. Nothing: as
-  // geometry::Placement's defaults.
+  // Returns the default placement for geometry::place() at this scale. If empty, the defaults of
+  // geometry::Placement.
   FromOptions<geometry::Placement(const geometry::TriangleMesh&, double scale)> place = {};
-  // What scale "fit" comes to, of a mesh with units so many mm long. Nothing: what is in the
-  // robot's reach on a plate.
+  // Returns the scale that "fit" stands for, for a mesh whose unit is unitMm long. If empty, the
+  // part is fitted into the robot's reach on a plate.
   FromOptions<double(const geometry::TriangleMesh&, double unitMm)> fittingScale = {};
-  // What material starts on, where that does not wait for a decomposition. Nothing: a plate, as
-  // plateOf() has it.
+  // Returns the surface the material starts on, if that does not depend on the decomposition. If
+  // empty, a plate as returned by plateOf().
   FromOptions<platform::PlatformSolid(const LoadStage&)> platform = {};
-  // Parameters whose default is another one in this mode, as text.
+  // Parameters with another default value in this mode, and that value as text.
   std::vector<std::pair<std::string_view, std::string_view>> defaults = {};
 
   bool requiresParameter(std::string_view parameter) const;
 };
 
-// Statistics as the report has them.
+// Converts layer statistics to the report's fields.
 project::LayersReport reportOf(const layers::LayerStatistics& statistics);
 
 } // namespace voluta::modes

@@ -43,9 +43,9 @@ base::ParameterTable modeParameters() {
 }
 
 bool takesParameter(const Mode& mode, std::string_view key) {
-  if (key == "voxelMm") // also the unit of parts that are voxels
+  if (key == "voxelMm") // also the unit of voxel objects
     return true;
-  if (key == "orient") // a mode that lays parts itself does not turn them
+  if (key == "orient") // a mode that places parts itself does not reorient them
     return !mode.place;
   return !modeParameters().find(key) || mode.requiresParameter(key);
 }

@@ -1,4 +1,4 @@
-// The ways of building a part: one row a mode.
+// The table of all modes.
 #pragma once
 
 #include "base/parameters.h"
@@ -10,14 +10,14 @@
 namespace voluta::modes {
 
 const std::vector<Mode>& modeTable();
-// Null: no mode has that id.
+// Returns nullptr if no mode has that id.
 const Mode* modeNamed(std::string_view id);
 // Precondition: the id is known.
 const Mode& findMode(std::string_view id);
 
-// What all modes ask for.
+// Returns the parameters of all modes.
 base::ParameterTable modeParameters();
-// Has a parameter, of a mode or of any stage, a say in what that mode makes?
+// Returns whether a parameter (of a mode or of any stage) affects the results of that mode.
 bool takesParameter(const Mode& mode, std::string_view key);
 
 } // namespace voluta::modes

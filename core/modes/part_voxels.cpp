@@ -14,10 +14,10 @@ namespace voluta::modes {
 
 namespace {
 constexpr std::size_t kMostListed = 5;
-constexpr double kLeastVoxelMm = 0.1; // of the parameter voxelMm
+constexpr double kLeastVoxelMm = 0.1; // minimum of the parameter voxelMm
 
-// Which of the two kinds, and what it needs beside its own values: the voxel width that would do,
-// or none does.
+// Chooses between the two kinds: `fits`, with the voxel width that resolves the wall, or `tooThin`,
+// with the minimum voxel width, if no allowed width does.
 plan::Finding thinFinding(plan::FindingKind fits, plan::FindingKind tooThin, double thicknessMm,
                           std::vector<plan::NamedValue> values, const voxel::ThinPlace& place,
                           std::size_t facets) {

@@ -1,4 +1,4 @@
-// A part's voxels, and what can be said of them before they are grown.
+// The voxels of a placed part, and findings about walls thinner than a voxel.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,22 +11,22 @@
 
 namespace voluta::modes {
 
-// A voxel object's own cells, or those of the placed mesh, voxelMm > 0 wide. Findings: walls of the
-// mesh that are thinner than that. Throws as voxel::checkVoxelDemand() where memory would not
-// do, and as voxel::solidVoxels(); Cancelled.
+// Voxelizes the placed mesh with cells of voxelMm > 0; for a voxel object, returns its own cells.
+// The findings report walls of the mesh that are thinner than a voxel. Throws as
+// voxel::checkVoxelDemand() if memory does not suffice, as voxel::solidVoxels(), and Cancelled.
 struct PartVoxels {
-  static constexpr project::Stage kStage = project::Stage::Decompose; // a part of it
+  static constexpr project::Stage kStage = project::Stage::Decompose; // part of the Decompose stage
   std::shared_ptr<const voxel::SolidVoxels> voxels;
   plan::Findings findings;
-  double seconds = 0.0; // that it took
+  double seconds = 0.0; // computing time
 };
 std::shared_ptr<const PartVoxels> partVoxels(const LoadStage& placed, double voxelMm,
                                              const base::RunContext& ctx);
 
-// Places whose walls are thinner than a voxel of `voxelMm`: five findings at most for the largest,
-// and one for the rest. None of them blocks; the value "fits" is the voxel
-// width that holds the wall, none where no voxel is that narrow. Precondition: voxelMm > 0. Throws
-// Cancelled.
+// Returns findings for walls thinner than a voxel of `voxelMm`: at most five for the largest places
+// and one for all others. None of them blocks. The value "fits" is the voxel width that resolves
+// the wall; it is absent if the parameter does not allow a voxel that narrow. Precondition: voxelMm
+// > 0. Throws Cancelled.
 plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxelMm,
                                 const base::RunContext& ctx);
 

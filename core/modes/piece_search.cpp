@@ -20,16 +20,17 @@ base::ParameterTable pieceSearchParameters() {
       base::choiceParameter("planarScheme", "beam",
                             {{"beam", "beam"_text}, {kGreedy, "greedy"_text}}, "Pieces"_text,
                             "scheme"_text,
-                            "Mode planar: beam keeps several partial results and asks of the "
-                            "head's true shape; greedy is the published scheme, by the part's "
-                            "skeleton."_text,
+                            "Mode planar: beam is a beam search that checks the true "
+                            "shape of the head; greedy is the published scheme, based on "
+                            "the part's skeleton."_text,
                             true),
-      base::integerParameter("pieceClusters", 0, 0, 12, "Pieces"_text, "thicknesses"_text,
-                             "Scheme greedy: how many thicknesses the part's branches are told "
-                             "apart by. 0: as many as stand apart."_text),
+      base::integerParameter("pieceClusters", 0, 0, 12, "Pieces"_text, "thickness classes"_text,
+                             "Scheme greedy: number of thickness classes that "
+                             "distinguish the part's branches. 0: automatic."_text),
       base::textParameter("pieceRoot", "Pieces"_text, "root"_text,
-                          "Scheme greedy: x,y,z (mm) of a place on what is printed first; it must "
-                          "stand on the plate. Empty: what stands on it with most area."_text),
+                          "Scheme greedy: a point x,y,z (mm) on the piece to print "
+                          "first; that piece must touch the plate. Empty: the piece with "
+                          "the largest contact area."_text),
   });
 }
 
@@ -44,8 +45,8 @@ std::optional<Eigen::Vector3d> pieceRoot(const std::string& text) {
     return std::nullopt;
   Eigen::Vector3d root;
   if (!base::readNumbers(text, ',', {&root.x(), &root.y(), &root.z()}))
-    throw base::Error(base::ErrorCode::Usage, base::message("\"{text}\" is no point"_text, text),
-                      "pieceRoot"_name, "write x,y,z in mm, as 10,0,5"_text);
+    throw base::Error(base::ErrorCode::Usage, base::message("\"{text}\" is not a point"_text, text),
+                      "pieceRoot"_name, "write x,y,z in mm, such as 10,0,5"_text);
   return root;
 }
 

@@ -1,4 +1,4 @@
-// How mode planar looks for pieces: the schemes and their parameters.
+// Mode planar's search for pieces: the schemes and their parameters.
 #pragma once
 
 #include "base/parameters.h"
@@ -12,23 +12,24 @@
 
 namespace voluta::modes {
 
-// planarScheme, pieceClusters, pieceRoot.
+// Parameters planarScheme, pieceClusters, pieceRoot.
 base::ParameterTable pieceSearchParameters();
 
-// How pieces are searched for; of the scheme that is chosen only.
+// Search options; only those of the chosen scheme are set.
 struct PieceSearch {
   bool greedy = false;
   int clusters = 0;
-  std::string root; // pieceRoot
+  std::string root; // value of the parameter pieceRoot
 };
 PieceSearch pieceSearch(const base::ParameterValues& values);
 
-// "x,y,z" in mm, of the placed part; empty: none. Throws Error{Usage}.
+// Parses "x,y,z" [mm, coordinates of the placed part]; returns nullopt for a blank text. Throws
+// Error{Usage} if the text is not a point.
 std::optional<Eigen::Vector3d> pieceRoot(const std::string& text);
 std::string pieceRootText(const Eigen::Vector3d& root);
 
-// Pieces by the chosen scheme. Throws as beamDecompose and greedyDecompose; Error{Usage} for a root
-// that is no point.
+// Decomposes the part into pieces by the chosen scheme. Throws as beamDecompose and
+// greedyDecompose, and Error{Usage} if the root is not a point.
 planar::PlanarDecomposition searchPieces(const geometry::TriangleMesh& part,
                                          const planar::PlanarOptions& options,
                                          const PieceSearch& search, const base::RunContext& ctx);

@@ -26,9 +26,10 @@ namespace voluta::modes {
 
 namespace {
 
-// Planes as JSON, in the order they are cut or laid in; empty: none are given.
+// Slicing options, and given planes as JSON in the order in which they cut; empty if none are
+// given.
 struct SlicePlan {
-  planar::SliceOptions options; // but for the plate
+  planar::SliceOptions options; // without the plate
   std::string planes;
 };
 
@@ -56,8 +57,8 @@ SlicePlan flatSlicePlan(const ModeChoices& in) {
   return plan;
 }
 
-// "white PLA, red PLA": one a piece, from the first again where there are more pieces; the
-// process's where none is named.
+// Parses "white PLA, red PLA": one material per piece, starting over if there are more pieces.
+// Returns the process's material if none is named.
 std::vector<std::string> materialsOf(const ModeChoices& in) {
   std::vector<std::string> materials;
   const std::string text = in.values.text("pieceMaterials") + ",";
@@ -91,11 +92,11 @@ void tellPieces(const planar::PlanarDecomposition& d, const planar::RiskRule& ru
 struct PiecesPlan {
   planar::RiskRule rule;
   process::HeadShape head;
-  planar::PlanarPlatform carrier; // but for the plate
+  planar::PlanarPlatform carrier; // without the plate
   project::Platform platform;
   std::vector<std::string> materials;
-  std::string cuts;        // instead of a search
-  double cutWidthMm = 0.0; // with them
+  std::string cuts;        // given cuts, instead of a search
+  double cutWidthMm = 0.0; // width of the given cuts
   PieceSearch search;
 };
 
@@ -115,14 +116,15 @@ PiecesPlan piecesPlan(const ModeChoices& in) {
   return plan;
 }
 
-// Motion says which waypoints.
+// The finding has no position: the motion stage reports the waypoints concerned.
 plan::Finding blockedPieces(const planar::PlanarDecomposition& d) {
   return plan::makeFinding(plan::FindingKind::BlockedPieces,
                            {{"blocked", d.blockedPieces}, {"pieces", d.pieces.size()}},
                            std::nullopt, d.blockedPieces);
 }
 
-// What holds all pieces to the plate may be much less than what the part stands on.
+// The pieces that are printed on the plate may have a much smaller base area than the whole part,
+// and they hold all other pieces.
 std::optional<plan::Finding> smallFoot(const geometry::TriangleMesh& part,
                                        const std::vector<planar::Piece>& pieces,
                                        const planar::RiskRule& rule) {
@@ -174,7 +176,8 @@ decomposePlanar(const PiecesPlan& plan, const DecomposeInput& input, const base:
 
 struct FlatPlan {
   double voxelMm;
-  bool supports; // carry what would be missed else; the layers tell what they cannot
+  // if true, supports carry all missed voxels, and the layers stage reports those it cannot support
+  bool supports;
   planar::RiskRule rule;
   project::Platform platform;
   std::vector<std::string> materials;
@@ -276,27 +279,27 @@ base::ParameterTable planarModeParameters() {
   base::ParameterTable table({
       base::numberParameter("overhangAngle", "deg", 45.0, 0.0, 80.0, "Layers"_text,
                             "overhang angle"_text,
-                            "How far a face may lean over from the upright without support, in "
-                            "every mode but curved."_text,
+                            "Largest overhang, measured from the vertical, that prints "
+                            "without support; in all modes except curved."_text,
                             true),
       base::textParameter(
-          "pieceMaterials", "Pieces"_text, "materials of pieces"_text,
-          "Mode planar: a material or filament for each piece, separated by commas; from "
-          "the first again where there are more pieces. Empty: the process's."_text),
+          "pieceMaterials", "Pieces"_text, "piece materials"_text,
+          "Mode planar: materials or filaments of the pieces, separated by commas. The "
+          "list starts over if there are more pieces. Empty: the process's material."_text),
       base::textParameter(
           "cutPlanes", "Pieces"_text, "cutting planes"_text,
-          "Mode planar: a JSON file, or its text, with a point and a normal for each "
-          "plane that cuts the part, in turn. Empty: they are searched for."_text),
+          "Mode planar: a JSON file or JSON text with a point and a normal for each "
+          "cutting plane, in cutting order. Empty: automatic."_text),
       base::booleanParameter("adaptiveLayers", false, "Layers"_text, "adaptive layers"_text,
-                             "Modes planar and flat: thinner layers where the surface leans, "
-                             "within the process's limits."_text),
+                             "Modes planar and flat: thinner layers where the surface is "
+                             "inclined, within the process's limits."_text),
       base::numberParameter("cuspMm", "mm", 0.3, 0.05, 2.0, "Layers"_text, "step height"_text,
-                            "Adaptive layers: how far the edges of layers may stand out of the "
-                            "surface."_text),
+                            "Adaptive layers: largest distance between the edges of "
+                            "layers and the surface."_text),
       base::textParameter(
-          "layerPlanes", "Layers"_text, "planes of layers"_text,
-          "Mode flat: a JSON file, or its text, with the plane or quadrilateral of each "
-          "layer. Empty: layers along z."_text),
+          "layerPlanes", "Layers"_text, "layer planes"_text,
+          "Mode flat: a JSON file or JSON text with the plane or quadrilateral of each "
+          "layer. Empty: horizontal layers."_text),
   });
   table.append(pieceSearchParameters());
   return table;

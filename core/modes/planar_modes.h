@@ -1,4 +1,4 @@
-// Planar pieces and plain flat slicing, as modes of the road.
+// Modes "planar" (planar pieces) and "flat" (plain flat slicing).
 #pragma once
 
 #include "base/parameters.h"
@@ -12,15 +12,15 @@ namespace voluta::modes {
 Mode planarMode();
 Mode flatMode();
 
-// overhangAngle, pieceMaterials, cutPlanes, adaptiveLayers, cuspMm, layerPlanes, and those of
-// pieceSearchParameters.
+// Parameters overhangAngle, pieceMaterials, cutPlanes, adaptiveLayers, cuspMm, layerPlanes, and
+// those of pieceSearchParameters().
 base::ParameterTable planarModeParameters();
 
-// When faces of pieces need support.
+// Returns the rule that decides which faces of pieces are risky, i.e. need support.
 planar::RiskRule riskRule(const ModeChoices& in);
 
-// The text of `layerPlanes` or `cutPlanes`: planes as JSON as they are, else those in the file that
-// it names. Throws Error{UnreadableFile}.
+// Returns the JSON text of `layerPlanes` or `cutPlanes`: the value itself if it is JSON, otherwise
+// the content of the file it names. Throws Error{UnreadableFile}.
 std::string planesText(const std::string& value);
 
 } // namespace voluta::modes

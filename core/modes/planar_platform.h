@@ -1,4 +1,4 @@
-// The platform of planar mode: the plate that was chosen, on what carries it in the cell.
+// The platform of planar mode: the chosen plate and the bodies that carry it in the cell.
 #pragma once
 
 #include "planar/decomposition.h"
@@ -10,13 +10,13 @@
 
 namespace voluta::modes {
 
-// What carries the plate in the chosen cell: its thickness and the frusta about z below it. Throws
-// as cellOnAnyPlatform().
+// Returns the bodies that carry the plate in the chosen cell: its thickness and the frusta about z
+// below it. Throws as cellOnAnyPlatform().
 planar::PlanarPlatform carrierOf(const project::Choices& choices, const process::Process& process);
 
-// `own`: the polygon that the part brought along, which a plate that is made for the part then
-// follows; where there is none, that is made for the first piece. Throws Error{Usage}: what is no
-// plate.
+// Adds the chosen plate to `carrier`. `own`: polygon of the part's own platform. A plate of
+// automatic size follows it, or is fitted to the first piece if `own` is empty. Throws Error{Usage}
+// if `platform` is not a plate.
 planar::PlanarPlatform planarPlatform(planar::PlanarPlatform carrier,
                                       const project::Platform& platform,
                                       const std::vector<Eigen::Vector2d>& own);

@@ -1,4 +1,4 @@
-// The plate that a part's voxels are grown from.
+// The plate from which a part's voxels are grown.
 #pragma once
 
 #include "project/platform.h"
@@ -9,9 +9,9 @@
 
 namespace voluta::modes {
 
-// Its corners, convex, counter-clockwise, mm. `own`: the plate that the part brought along, which
-// one that is made for the part then follows; empty: none, and that is the hull of the cells that
-// stand on it. Throws as Platform::plateAround() and curved::platformFit().
+// Returns the plate's corners [mm], convex and counter-clockwise. `own`: polygon of the part's own
+// platform. A plate of automatic size follows it, or the convex hull of the cells that touch the
+// plate if `own` is empty. Throws as Platform::plateAround() and curved::platformFit().
 std::vector<Eigen::Vector2d> plateOf(const project::Platform& platform,
                                      const voxel::SolidVoxels& voxels,
                                      const std::vector<Eigen::Vector2d>& own = {});

@@ -16,14 +16,14 @@ std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Platfo
     throw base::Error(base::ErrorCode::UnusableInput, what, platform.file(), remedy);
   };
   if (loaded->cells)
-    fail("a platform is a mesh, not a voxel object"_text,
+    fail("a platform must be a mesh, not a voxel object"_text,
          "give an STL, OBJ, PLY, OFF or 3MF file"_text);
   const std::shared_ptr<const geometry::TriangleMesh> mesh =
       loaded->open
           ? std::make_shared<geometry::TriangleMesh>(project::closedPart(*loaded, ctx).mesh)
           : loaded->mesh;
   if (!geometry::isWatertight(*mesh))
-    fail("the platform's mesh is not closed"_text, "mend it in a modelling program"_text);
+    fail("the platform's mesh is not closed"_text, "repair it in a modelling program"_text);
   return mesh;
 }
 

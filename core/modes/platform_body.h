@@ -1,4 +1,4 @@
-// A platform that is a body: its file, and where that puts it and the part.
+// Platforms given as a body: reading the mesh, and placing body and part together.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,15 +11,15 @@
 
 namespace voluta::modes {
 
-// A platform's body as the file has it, mended; null for others. Throws
-// Error{UnreadableFile, UnusableInput} also where it is not closed.
+// Returns the platform's body in the file's coordinates, repaired; null if the platform is not a
+// body. Throws Error{UnreadableFile, UnusableInput}, also if the mesh is not closed.
 std::shared_ptr<const geometry::TriangleMesh> platformBody(const project::Platform& platform,
                                                            const base::RunContext& ctx = {});
 
-// The motion of geometry::place: work = motion * (scale * file).
+// Returns the motion that geometry::place applies: work = motion * (scale * file).
 Eigen::Isometry3d motionOf(const geometry::TriangleMesh& mesh, double scale,
                            const geometry::Placement& placement);
-// The placement that moves a mesh so.
+// Returns the placement with which geometry::place applies this motion to the mesh.
 geometry::Placement placementBy(const geometry::TriangleMesh& mesh, double scale,
                                 const Eigen::Isometry3d& motion);
 geometry::TriangleMesh moved(const geometry::TriangleMesh& mesh, double scale,

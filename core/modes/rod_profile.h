@@ -1,4 +1,4 @@
-// The rod's profile as the user types it.
+// Parsing of the rod's profile as typed by the user.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,12 +7,12 @@
 
 namespace voluta::modes {
 
-// "x,r x,r ..." or a file that holds such pairs, as text that names no file: pairs separated by
-// blanks or lines. Empty stays empty. Throws Error{Usage} for what is neither, saying which pair;
-// Error{UnreadableFile}.
+// Returns the pairs of a profile as text, separated by blanks or line breaks. `value`: "x,r x,r
+// ..." or the name of a file with such pairs; empty stays empty. Throws Error{Usage}, with the
+// pair's number, if the value is neither, and Error{UnreadableFile}.
 std::string rodProfileText(const std::string& value);
 
-// Points (x, radius), mm, of rodProfileText's text. Throws Error{Usage}.
+// Parses the text returned by rodProfileText() into points (x, radius) [mm]. Throws Error{Usage}.
 std::vector<Eigen::Vector2d> rodProfile(const std::string& text);
 
 } // namespace voluta::modes

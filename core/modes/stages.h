@@ -1,5 +1,5 @@
-// What modes take and make: the stages up to the layers, each with its payload, its findings, its
-// part of the report and its seconds (docs/design.md, Stages).
+// Results of the stages up to the layers, each with its payload, its findings, its part of the
+// report and its computing times (docs/design.md, Stages).
 #pragma once
 
 #include "geometry/placement.h"
@@ -21,22 +21,22 @@ namespace voluta::modes {
 struct LoadStage {
   static constexpr project::Stage kStage = project::Stage::Load;
   double scale = 1.0;
-  geometry::Placement placement;                      // what the choices' came to
+  geometry::Placement placement;                      // resolved from the choices
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
-  // Of a text voxel object; null and empty for a mesh.
+  // Only for a voxel object in text format; null and empty for a mesh.
   std::shared_ptr<const voxel::SolidVoxels> voxels; // its cells, placed like `part`
-  std::vector<Eigen::Vector2d> platform; // hull of its own platform cells, work frame; empty where
-                                         // it was tipped over
-  project::ModelReport report;           // but for the file's name and notes
-  plan::Findings findings;               // of the placement
+  // convex hull of its own platform cells, work frame; empty if the part was tipped over
+  std::vector<Eigen::Vector2d> platform;
+  project::ModelReport report; // without the file's name and notes
+  plan::Findings findings;     // of the placement
   project::Timings timings;
 };
 
 struct DecomposeStage {
   static constexpr project::Stage kStage = project::Stage::Decompose;
-  platform::PlatformSolid platform; // what material starts on, work frame
+  platform::PlatformSolid platform; // the surface material starts on, work frame
   project::ModeResult result;
-  project::DecompositionReport report; // but for the mode
+  project::DecompositionReport report; // without the mode
   plan::Findings findings;
   project::Timings timings;
 };
@@ -45,7 +45,7 @@ struct LayersStage {
   static constexpr project::Stage kStage = project::Stage::Layers;
   std::shared_ptr<const layers::LayerStack> layers;
   project::LayersReport report;
-  double supportVolumeMm3 = 0.0; // of supports that came with the layers
+  double supportVolumeMm3 = 0.0; // of supports made together with the layers
   plan::Findings findings;
   project::Timings timings;
 };

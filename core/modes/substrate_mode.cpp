@@ -26,7 +26,8 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kContactShare = 0.5; // of a layer's height: what is no higher stands on z = 0
+// share of a layer's height; points up to that height count as on z = 0
+constexpr double kContactShare = 0.5;
 
 substrate::LevelShape shapeOf(const ModeChoices& in) {
   const std::string shape = in.values.text("layerShape");
@@ -38,22 +39,22 @@ substrate::LevelShape shapeOf(const ModeChoices& in) {
 
 constexpr std::string_view kMeshPrefix = "mesh:";
 
-// The platform's body stands where geometry::place puts it by default; the part goes with it, and
-// so does an end surface.
+// geometry::place puts the platform's body at its default placement; the part and an end surface
+// move with it.
 Eigen::Isometry3d motionToMiddle(const geometry::TriangleMesh& body, double scale) {
   return motionOf(body, scale, geometry::Placement{});
 }
 
 struct GroundPlan {
   project::Platform platform;
-  double standsMm; // what is no higher stands on z = 0
+  double standsMm; // points up to this height count as on z = 0
 };
 
 GroundPlan groundPlan(const ModeChoices& in) {
   return {in.choices.item().platform, kContactShare * in.process.layerHeightMm};
 }
 
-// As it is typed; of a file counts what it holds.
+// The parameter as typed. Its key contains the content of a named file instead of the name.
 struct EndChoice {
   std::string text;
 };
@@ -66,10 +67,10 @@ std::string keyOf(const EndChoice& end) {
 
 struct SurfacePlan {
   GroundPlan ground;
-  double scale; // of the files' meshes; 0: to fit
+  double scale; // of the meshes in files; 0: to fit
   substrate::LevelOptions levels;
   substrate::LevelShape shape;
-  std::string centre; // x,y,z
+  std::string centre; // "x,y,z" [mm] or empty
   EndChoice end;
   substrate::OverhangRule overhang;
 };
@@ -79,7 +80,7 @@ substrate::EndSurface endSurface(const SurfacePlan& plan) {
   substrate::EndSurface end;
   const auto fail = [&] {
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("endSurface '{text}' is none"_text, text), {},
+                      base::message("endSurface '{text}' is not an end surface"_text, text), {},
                       "write flat, flat:Z, radius:R or mesh:FILE, in mm"_text);
   };
   const std::size_t colon = text.find(':');
@@ -100,7 +101,7 @@ substrate::EndSurface endSurface(const SurfacePlan& plan) {
     const auto body = platformBody(plan.ground.platform);
     if (!body)
       throw base::Error(base::ErrorCode::Usage,
-                        "endSurface mesh:FILE goes with a platform that is a body"_text, {},
+                        "endSurface mesh:FILE requires a platform that is a body"_text, {},
                         base::message("give --platform {platforms}, or endSurface flat:Z"_text,
                                       project::platformForms({project::PlatformUse::Body})));
     end.mesh = std::make_shared<geometry::MeshQuery>(
@@ -118,16 +119,17 @@ substrate::SubstrateOptions substrateOptions(const SurfacePlan& plan) {
   if (const std::string& text = plan.centre; !text.empty()) {
     Vector3d& c = options.centre.emplace();
     if (!base::readNumbers(text, ',', {&c.x(), &c.y(), &c.z()}))
-      throw base::Error(base::ErrorCode::Usage,
-                        base::message("layerCentre '{text}' is no point"_text, text.substr(0, 40)),
-                        {}, "write x,y,z in mm"_text);
+      throw base::Error(
+          base::ErrorCode::Usage,
+          base::message("layerCentre '{text}' is not a point"_text, text.substr(0, 40)), {},
+          "write x,y,z in mm"_text);
   }
   options.end = endSurface(plan);
   return options;
 }
 
 struct PlacePlan {
-  project::Platform platform; // a body brings its part along
+  project::Platform platform; // a body determines the part's placement
   double bodyScale;
 };
 
@@ -144,7 +146,8 @@ geometry::Placement placeOnSurface(const PlacePlan& plan, const geometry::Triang
               : geometry::Placement{};
 }
 
-// Corners of what of a mesh is no higher than heightMm.
+// Returns points that enclose the mesh's parts up to heightMm: vertices, and edges cut at that
+// height.
 std::vector<Vector2d> standing(const geometry::TriangleMesh& mesh, double heightMm) {
   std::vector<Vector2d> on;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -190,7 +193,7 @@ SurfacePlan surfacePlan(const ModeChoices& in) {
 std::shared_ptr<const DecomposeStage>
 decompose(const SurfacePlan& plan, const DecomposeInput& input, const base::RunContext& ctx) {
   const base::Stopwatch watch;
-  ctx.report(0.0, "take the surface out of the part"_text);
+  ctx.report(0.0, "subtract the surface from the part"_text);
   auto stage = std::make_shared<DecomposeStage>();
   const substrate::SubstrateOptions options = substrateOptions(plan);
   stage->platform = platformOf(plan.ground, input.placed);
@@ -245,19 +248,20 @@ base::ParameterTable substrateParameters() {
                              {"sphere", "sphere"_text},
                              {"cylinder", "cylinder"_text},
                              {"flatten", "flatten"_text}},
-                            "Surface"_text, "shape of layers"_text,
-                            "Mode substrate: at constant distance from the surface, on spheres, on "
-                            "cylinders along x, or from the surface to an end surface, thicker "
-                            "where the way is longer."_text,
+                            "Surface"_text, "layer shape"_text,
+                            "Mode substrate: layers at constant distance from the "
+                            "surface, on spheres, on cylinders along x, or flattening "
+                            "from the surface to an end surface with varying thickness."_text,
                             true),
       base::textParameter(
-          "layerCentre", "Surface"_text, "centre of layers"_text,
-          "Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that "
-          "the part stands on, or below the part."_text),
+          "layerCentre", "Surface"_text, "layer centre"_text,
+          "Centre of spheres and cylinders: x,y,z in mm. Empty: that of the sphere or "
+          "cylinder below the part, or a point below the part."_text),
       base::textParameter(
           "endSurface", "Surface"_text, "end surface"_text,
-          "Layers that flatten end on it: flat (at the part's top), flat:Z, radius:R (a "
-          "wider cylinder) or mesh:FILE, placed with the platform's."_text),
+          "Surface on which flattening layers end: flat (at the part's top), flat:Z, "
+          "radius:R (a larger cylinder) or mesh:FILE, placed together with the "
+          "platform's mesh."_text),
   });
 }
 

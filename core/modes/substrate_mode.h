@@ -1,4 +1,4 @@
-// Layers on a surface that is already there, as a mode of the road.
+// Mode "substrate": layers on an existing surface.
 #pragma once
 
 #include "base/parameters.h"
@@ -8,7 +8,7 @@ namespace voluta::modes {
 
 Mode substrateMode();
 
-// layerShape, layerCentre, endSurface.
+// Parameters layerShape, layerCentre, endSurface.
 base::ParameterTable substrateParameters();
 
 } // namespace voluta::modes

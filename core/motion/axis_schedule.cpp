@@ -23,24 +23,24 @@ namespace {
 
 constexpr double kStep = base::degreesToRadians(15.0);
 constexpr double kFreeLean = base::degreesToRadians(20.0);
-// Of a rung: a little for any lean, more where it goes beyond what is free.
+// Cost of a rung's tilt from upright: small for any tilt, larger beyond kFreeLean.
 constexpr double kLeanScale = base::degreesToRadians(30.0), kAnyLean = 0.001, kMuchLean = 0.2;
-constexpr double kFreeAsideMm = 100.0, kAsideScaleMm = 100.0; // likewise, of what slides
-constexpr double kStartTravel = 0.3; // a radian, with the nozzle lifted; while printing it is 1
-constexpr double kBlocked = 20.0;    // of a position in which the arm does not get there
+constexpr double kFreeAsideMm = 100.0, kAsideScaleMm = 100.0; // The same for the offset by slides
+constexpr double kStartTravel = 0.3; // Per radian, with the nozzle lifted; 1 while printing
+constexpr double kBlocked = 20.0;    // Of a position that the arm cannot reach
 constexpr int kSearches = 6;
-constexpr int kTurnStride = 2;       // of the turns about the nozzle that are tried
-constexpr double kSmoothing = 200.0; // waves under about 24 waypoints go
+constexpr int kTurnStride = 2;       // Only every kTurnStride-th nozzle rotation is tried
+constexpr double kSmoothing = 200.0; // Removes waves shorter than about 24 waypoints
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Positions of the axes that are tried: all that have each at a whole step within its limits.
+// The positions of the axes that are tried: all combinations of whole steps within the limits.
 class Grid {
 public:
   explicit Grid(const robot::Cell& cell) : cell_(cell) {
     const Vector3d up =
         cell.externalAxes().front().before_T_axis.linear().transpose() * Vector3d::UnitZ();
     for (const robot::ExternalAxis& axis : cell.externalAxes()) {
-      // One that runs on needs no more than a turn either way.
+      // A continuous axis needs at most one turn either way.
       const double low = axis.runsOn ? -base::kTurn : axis.limits.min;
       const double high = axis.runsOn ? base::kTurn : axis.limits.max;
       steps_.push_back(robot::fromTurn(axis.limits.kind, kStep));
@@ -63,7 +63,8 @@ public:
       axes[static_cast<Eigen::Index>(k)] = steps_[k] * (first_[k] + place(node, k));
     return axes;
   }
-  // How far slides have a point of the work frame from before the arm at home, mm along each.
+  // Returns how far [mm] slides move a point of the work frame away from the arm at home; the
+  // maximum over the slides.
   double asideMm(int node, const Vector3d& point) const {
     double aside = 0.0;
     for (const Slide& slide : slides_) {
@@ -72,13 +73,13 @@ public:
     }
     return aside;
   }
-  // The work frame's direction that is up there.
+  // Returns the direction of the work frame that points up in this position.
   const Vector3d& upAt(int node) const { return up_[static_cast<std::size_t>(node)]; }
 
   struct Move {
-    int by = 0; // what it adds to a node's number
+    int by = 0; // Difference of the node numbers
     double cost = 0.0;
-    std::vector<int> steps; // an axis: -1, 0, 1
+    std::vector<int> steps; // Per axis: -1, 0, 1
   };
   const std::vector<Move>& moves() const { return moves_; }
   bool allows(int node, const Move& move) const {
@@ -91,9 +92,10 @@ public:
   }
 
 private:
-  // Where a point of the work frame is along a slide, from the tip at home: along . point + offset.
+  // The coordinate of a point of the work frame along a slide, relative to the tip at home: along .
+  // point + offset.
   struct Slide {
-    std::vector<Vector3d> along; // of each node
+    std::vector<Vector3d> along; // Per node
     std::vector<double> offsetMm;
   };
 
@@ -134,19 +136,19 @@ private:
   }
 
   const robot::Cell& cell_;
-  std::vector<double> steps_; // of each axis, rad or mm
+  std::vector<double> steps_; // Per axis [rad or mm]
   std::vector<int> first_, counts_, strides_;
   int nodes_ = 1;
   std::vector<Slide> slides_;
   std::vector<Vector3d> up_;
-  std::vector<Move> moves_; // to stay is the first
+  std::vector<Move> moves_; // The first is no move
 };
 
 double leanOf(const Vector3d& direction, const Vector3d& up) {
   return std::acos(std::clamp(direction.dot(up), -1.0, 1.0));
 }
 
-// A part that a slide holds beside the arm is out of its reach sooner or later.
+// A part that a slide holds off to the side of the arm will get out of reach.
 double asideCost(double mm) {
   const double all = mm / kAsideScaleMm, much = std::max(0.0, mm - kFreeAsideMm) / kAsideScaleMm;
   return kAnyLean * all * all + kMuchLean * much * much;
@@ -224,7 +226,7 @@ private:
     return false;
   }
 
-  // Rad, of what slides by robot::asTurn.
+  // Returns the travel [rad]; slides count by robot::asTurn.
   double travelTo(const JointVector& axes) const {
     double travel = 0.0;
     for (std::size_t k = 0; k < scene_.cell.externalAxes().size(); ++k) {
@@ -235,7 +237,7 @@ private:
     return travel;
   }
 
-  // One node a rung.
+  // Returns one node per rung.
   std::vector<int> cheapest(const Grid& grid) const {
     const auto nodes = static_cast<std::size_t>(grid.size());
     std::vector<double> cost(nodes), before(nodes);
@@ -250,7 +252,7 @@ private:
           best = kStartTravel * travelTo(grid.at(node));
         else
           for (std::size_t m = 0; m < grid.moves().size(); ++m) {
-            // Every move has its opposite among them.
+            // The moves contain the opposite of each move.
             const Grid::Move& move = grid.moves()[m];
             if (!grid.allows(node, move))
               continue;
@@ -276,7 +278,8 @@ private:
     return way;
   }
 
-  // Whether the arm gets to what is new on the way. False: nothing new is in its way.
+  // Tests whether the arm reaches the untested positions along the path. Returns whether one of
+  // them is blocked.
   bool lookAt(const Grid& grid, const std::vector<int>& way) {
     std::vector<std::size_t> todo;
     for (std::size_t r = 0; r < way.size(); ++r)
@@ -295,7 +298,7 @@ private:
     return blocked;
   }
 
-  // Linear in the way between rungs, evened out.
+  // Returns the axes at each waypoint: linear between rungs, then smoothed.
   std::vector<JointVector> along(const Grid& grid, const std::vector<int>& way) const {
     std::vector<JointVector> axes{grid.at(way.front())};
     for (std::size_t r = 1; r < rungs_.size(); ++r) {
@@ -324,8 +327,9 @@ private:
   const base::RunContext& ctx_;
   std::size_t first_, count_;
   const RobotState& from_;
-  std::vector<std::size_t> rungs_;                      // waypoints
-  std::map<std::pair<std::size_t, int>, bool> reached_; // rung and node: does the arm get there
+  std::vector<std::size_t> rungs_; // Waypoints
+  // Per rung and node: whether the arm reaches it
+  std::map<std::pair<std::size_t, int>, bool> reached_;
 };
 
 } // namespace

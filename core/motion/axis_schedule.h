@@ -1,5 +1,5 @@
-// Where external axes that carry the platform go along a path: a positioner, not a rod. Chosen
-// before the arm's way, which has them as given (path_ladder.h).
+// Positions of the external axes that carry the platform (a positioner, not a rod) along a path.
+// They are chosen before the arm's motion, which takes them as given (path_ladder.h).
 #pragma once
 
 #include "motion/motion_scene.h"
@@ -14,15 +14,15 @@ class RunContext;
 
 namespace voluta::motion {
 
-// The external axes at each of the waypoints [first, first + count), to follow on from.axes.
-// They stay where they are as long as no direction of the path leans further than 20 degrees from
-// upright there and the arm reaches it clear of everything. Else the cheapest way over a grid of
-// their positions (turns of 15 degrees, slides of 26 mm): leaning costs, being held aside, moving,
-// and positions in which the arm, in some branch and turn about the nozzle, gets to the path and
-// meets nothing are gone through as far as a few searches find them; then it is evened out along
-// the path. Always within the axes' limits; no promise that the arm follows. Preconditions: the
-// cell has external axes and no rod; count >= 1. Throws Cancelled. The same for any number of
-// threads.
+// Returns the external axes at each of the waypoints [first, first + count), continuing from
+// from.axes. They stay in place as long as no direction of the path is tilted more than 20 degrees
+// from upright there and the arm reaches the whole path without collision. Otherwise returns the
+// cheapest path over a grid of axis positions (rotations of 15 degrees, slides of 26 mm), smoothed
+// along the tool-path. Tilting, lateral offset and moving have a cost, and so has every position
+// that the arm cannot reach without collision in any IK branch and nozzle rotation, as far as a few
+// searches discover it. The result is always within the axes' limits, but the arm may be unable to
+// follow. Preconditions: the cell has external axes and no rod; count >= 1. Throws Cancelled. The
+// result is independent of the number of threads.
 std::vector<robot::JointVector> axisSchedule(const MotionScene& scene, std::size_t first,
                                              std::size_t count, const RobotState& from,
                                              const base::RunContext& ctx);

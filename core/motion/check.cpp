@@ -17,13 +17,12 @@ using robot::JointVector;
 namespace {
 
 constexpr std::size_t kChunk = 256;
-constexpr double kStraightStep = 0.02;                     // rad
-constexpr double kJointStep = base::degreesToRadians(0.5); // rad, for joint moves
-constexpr double kNearRad = 0.3; // of a joint between steps of a straight move
+constexpr double kStraightStep = 0.02;                     // [rad], for straight moves
+constexpr double kJointStep = base::degreesToRadians(0.5); // [rad], for joint moves
+constexpr double kNearRad = 0.3; // Maximum step of a joint within a straight move
 
-// The states between the ends of one motion: of a straight one where the nozzle goes straight,
-// which near a singular wrist is far from where the joints would go by themselves. Under a rod the
-// arm hardly moves.
+// The states between the ends of one motion. In a straight motion the nozzle moves straight, which
+// near a singular wrist is far from joint interpolation. Above a rod the arm hardly moves.
 class Between {
 public:
   Between(const robot::Cell& cell, const JointVector& from, const JointVector& to, bool straight)
@@ -34,7 +33,7 @@ public:
     }
   }
 
-  // Asked for with rising t, from 0 to 1.
+  // Call with increasing t, from 0 to 1.
   const JointVector& at(double t) {
     JointVector q = from_ + t * (to_ - from_);
     if (straight_) {
@@ -64,8 +63,8 @@ bool isStraight(plan::MoveKind move) {
   return move == plan::MoveKind::Linear || move == plan::MoveKind::Wipe;
 }
 
-// `leastMm`, or what is kept along one motion where that is less. Where the nozzle goes straight
-// the joints do not: from step to step nearly so.
+// Returns `leastMm`, or the clearance along one motion if that is smaller. In a straight move of
+// the nozzle the joints move nearly linearly only from step to step.
 double clearanceOnWay(const MotionScene& scene, const collision::WayClearance& ways,
                       plan::MoveKind move, const JointVector& from, const JointVector& to,
                       std::size_t before, double leastMm) {
@@ -89,7 +88,8 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
                                 const std::vector<std::size_t>& headBefore, double capMm,
                                 const base::RunContext& ctx) {
   const std::size_t n = trajectory.pointCount();
-  // The waypoint a point is, or is on the way to; past the last one all that was printed is there.
+  // The waypoint of each point, or the waypoint it leads to; after the last one the whole part is
+  // present.
   std::vector<std::size_t> next(n, 0);
   for (std::size_t last : trajectory.waypoint)
     if (last != plan::kNoWaypoint)
@@ -138,8 +138,8 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
       const bool printing = trajectory.move[i] == plan::MoveKind::Print;
       const JointVector q = jointsAt(i);
       scene.cell.framePoses(q, frames);
-      // The head at waypoints was looked at before: it is round, the arm changes nothing in that,
-      // unless directions lean.
+      // The head was checked at the waypoints already. It is round, so the arm's pose does not
+      // matter, unless directions may tilt.
       std::optional<collision::Contact> contact;
       const bool divides = trajectory.waypoint[i] == plan::kNoWaypoint;
       if (divides || scene.options.leans() > 0.0)
@@ -162,7 +162,8 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
           Between between(scene.cell, last, q, isStraight(trajectory.move[i]));
           for (int k = 1; k < pieces && !contact; ++k) {
             scene.cell.framePoses(between.at(static_cast<double>(k) / pieces), frames);
-            // Where printing stops or starts the head is at work too until it has left.
+            // The head also counts as printing where printing stops or starts, until it has
+            // departed.
             const bool atWork = printing || trajectory.waypoint[i] != plan::kNoWaypoint ||
                                 trajectory.move[i - 1] == plan::MoveKind::Print;
             contact = headInPart(frames, i, atWork && next[i] < headBefore.size());
@@ -189,7 +190,7 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
     check.collisions.insert(check.collisions.end(), some.begin(), some.end());
   takeLeast();
 
-  // Between the points.
+  // Clearance between the points.
   const collision::WayClearance ways(scene.collision, scene.part);
   base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
     double& clearance = least[b / kChunk];

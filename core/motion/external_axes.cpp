@@ -13,25 +13,26 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kAlongRod = 1e-6; // part of a unit direction across the rod that says nothing
+// Component of a unit direction perpendicular to the rod below which it has no angle
+constexpr double kAlongRod = 1e-6;
 
 double onStep(const robot::ExternalAxis& axis, double value) {
   return axis.step > 0.0 ? axis.step * std::round(value / axis.step) : value;
 }
 
-// About x.
+// Returns v rotated about x.
 Vector3d turnedAboutX(const Vector3d& v, double angleRad) {
   const double c = std::cos(angleRad), s = std::sin(angleRad);
   return {v.x(), c * v.y() - s * v.z(), s * v.y() + c * v.z()};
 }
 
-// What lies behind an axis, in what that one moves.
+// Returns the transform from an axis' moving frame to the next axis or the work frame.
 const Eigen::Isometry3d& behind(const robot::Cell& cell, std::size_t axis) {
   return axis + 1 < cell.externalAxes().size() ? cell.externalAxes()[axis + 1].before_T_axis
                                                : cell.axis_T_work();
 }
 
-// Angle about x, from y to z.
+// Returns the angle about x, from y towards z.
 double angleOf(const Vector3d& v) {
   return std::atan2(v.z(), v.y());
 }
@@ -117,7 +118,7 @@ std::vector<double> uprightAngles(const plan::ToolPlan& plan, const robot::Cell&
     angles[i] = last;
   }
 
-  // Half a step more than the limits allow: rounding may go either way.
+  // Half a step inside the limits, since rounding may go either way.
   const double low = axis.limits.min + 0.5 * axis.step;
   const double high = axis.limits.max - 0.5 * axis.step;
   const auto reach = [&](double offset) {

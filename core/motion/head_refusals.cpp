@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kChunk = 256;
 constexpr double kSlackMm = 1e-6;
 
-// Off the one direction of a cell that has no other.
+// Returns whether a direction deviates from the only one of a cell that cannot tilt the nozzle.
 bool leans(const Eigen::Vector3d& direction) {
   return std::hypot(direction.x(), direction.y()) > robot::kUprightFlangeRad ||
          direction.z() <= 0.0;
@@ -30,7 +30,7 @@ std::vector<std::size_t> headBefore(const plan::ToolPlan& plan) {
   std::vector<std::size_t> before(plan.waypointCount());
   for (const plan::ToolPath& path : plan.paths) {
     std::size_t tail = path.first;
-    double way = 0.0; // from the tail to here
+    double way = 0.0; // Distance from the tail to here
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
       if (i > path.first)
         way += (plan.position[i] - plan.position[i - 1]).norm();

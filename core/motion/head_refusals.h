@@ -1,4 +1,4 @@
-// Where the head itself, whatever the arm does, would be in the way.
+// Finds waypoints at which the head itself would collide, whatever the arm's pose.
 #pragma once
 
 #include "motion/motion_scene.h"
@@ -13,14 +13,14 @@ class RunContext;
 
 namespace voluta::motion {
 
-// For each waypoint the first one of the same path that lies within two bead widths of way before
-// it: what was laid from there on is soft and shaped by the nozzle, and no obstacle to the head.
+// Returns for each waypoint the first one of the same path within two bead widths of path length
+// before it: material deposited from there on is soft and shaped by the nozzle, so it is no
+// obstacle to the head.
 std::vector<std::size_t> headBefore(const plan::ToolPlan& plan);
 
-// Where the head would meet the platform, or the part filled before `headBefore` (one a waypoint):
-// for each waypoint None, HeadPart or HeadPlatform; BeyondRod where the cell does not print at all,
-// Leans where its arm cannot lean the nozzle so.
-// Throws Cancelled.
+// Returns for each waypoint None, or HeadPart or HeadPlatform if the head would collide with the
+// part filled before `headBefore` (one per waypoint) or the platform, BeyondRod if the cell cannot
+// print there at all, or Leans if its arm cannot tilt the nozzle that far. Throws Cancelled.
 std::vector<Refusal> headRefusals(const MotionScene& scene,
                                   const std::vector<std::size_t>& headBefore,
                                   const base::RunContext& ctx);

@@ -15,7 +15,8 @@ std::vector<JerkStencil> jerkStencils(const std::vector<double>& times) {
       d[k] = (a[k] - b[k]) / over;
     return d;
   };
-  // The weights of a step before, for the step after it: everything is one point further back.
+  // Returns the weights of the previous step relative to the step after it: each moves back by one
+  // point.
   const auto shifted = [](const Weights& w) { return Weights{w[1], w[2], w[3], 0.0}; };
   std::vector<JerkStencil> stencils;
   const std::size_t n = times.size();
@@ -48,8 +49,9 @@ std::vector<JerkStencil> jerkStencils(const std::vector<double>& times) {
 
 std::array<double, 5> fivePointJerk(const std::vector<double>& times, std::size_t i) {
   base::require(i >= 2 && i + 2 < times.size(), "fivePointJerk: two points on both sides");
-  // Third derivative of each Lagrange polynomial: its divisor, and six times the sum of the other
-  // points' times with the sign turned, seen from times[i], plus what t^4 leaves at t = 0: nothing.
+  // Third derivative of each Lagrange polynomial at times[i] (t = 0): six times the negated sum of
+  // the other points' times, divided by the product of the time differences. The term of t^4
+  // vanishes at t = 0.
   std::array<double, 5> t{}, weights{};
   for (std::size_t k = 0; k < 5; ++k)
     t[k] = times[i + k - 2] - times[i];

@@ -1,5 +1,5 @@
-// Directions that lean a little aside: by how much, within which cone, and how the tool goes with
-// it.
+// Small tilts of nozzle directions: their amount, the cone they are limited to, and the tool
+// orientation that results.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,16 +7,17 @@
 
 namespace voluta::motion {
 
-// A lean is a turn about an axis across the nozzle, as a vector of the tool's x and y; its length
-// (rad) is how far the direction then is from the tool's own.
+// A lean is a rotation about an axis across the nozzle, as a vector of the tool's x and y; its
+// length [rad] is the angle between the new direction and the tool's own.
 inline Eigen::Quaterniond leant(const Eigen::Quaterniond& tool, const Eigen::Vector2d& lean) {
   const double half = 0.5 * lean.norm();
   const double sine = half < 1e-9 ? 0.5 : std::sin(half) / (2.0 * half);
   return tool * Eigen::Quaterniond(std::cos(half), sine * lean.x(), sine * lean.y(), 0.0);
 }
 
-// How the leant tool turns, in its own axes, as its lean changes: a column for each part of it (the
-// right Jacobian of rotations: Lynch and Park, Modern Robotics, 3.2.3).
+// Returns the angular rate of the leant tool, in its own axes, per change of its lean: one column
+// per component of the lean (the right Jacobian of rotations: Lynch and Park, Modern Robotics,
+// 3.2.3).
 inline Eigen::Matrix<double, 3, 2> leanRates(const Eigen::Vector2d& lean) {
   const double angle = lean.norm();
   const bool none = angle < 1e-4;
@@ -28,7 +29,7 @@ inline Eigen::Matrix<double, 3, 2> leanRates(const Eigen::Vector2d& lean) {
   return rates;
 }
 
-// Leans shorter than `rad`, told by two numbers of any size.
+// The leans shorter than `rad`, parametrised by two unbounded numbers.
 struct LeanCone {
   double rad = 0.0;
 
@@ -39,7 +40,7 @@ struct LeanCone {
   Eigen::Vector2d freeOf(const Eigen::Vector2d& lean) const {
     return lean / std::sqrt(rad * rad - lean.squaredNorm());
   }
-  // Of the lean by `free`.
+  // Derivative of the lean by `free`.
   Eigen::Matrix2d slope(const Eigen::Vector2d& free) const {
     const double s = 1.0 / std::sqrt(1.0 + free.squaredNorm());
     return rad * s * (Eigen::Matrix2d::Identity() - s * s * free * free.transpose());

@@ -22,7 +22,7 @@ JointVector jointsAt(const plan::Trajectory& t, std::size_t point) {
 }
 
 std::vector<SpeedUse> speedsOf(const plan::Trajectory& t, const robot::Cell& cell) {
-  constexpr double kLeastS = 1e-6; // shorter steps tell no speed
+  constexpr double kLeastS = 1e-6; // Shorter steps give no meaningful speed
   std::vector<SpeedUse> speeds(static_cast<std::size_t>(t.dof));
   for (std::size_t i = 1; i < t.pointCount(); ++i) {
     const double step = t.timeS[i] - t.timeS[i - 1];
@@ -50,7 +50,7 @@ double reachOf(const robot::RobotModel& robot) {
 }
 
 double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double reachMm) {
-  constexpr double kStep = 1e-5; // rad, or of the reach, of the central differences
+  constexpr double kStep = 1e-5; // Step of the central differences: rad, or a share of the reach
   const int dof = robot.dof();
   Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 8> jacobian(6, dof);
   for (int j = 0; j < dof; ++j) {
@@ -61,13 +61,14 @@ double isotropyAt(const robot::RobotModel& robot, const JointVector& q, double r
     more[j] += step;
     const Eigen::Isometry3d a = robot.kinematics->flange(less), b = robot.kinematics->flange(more);
     jacobian.col(j).head<3>() = (b.translation() - a.translation()) / (2.0 * kStep * reachMm);
-    // Of so small a turn what is skew is the turn itself.
+    // For such a small rotation the skew part of the matrix is the rotation vector.
     const Eigen::Matrix3d turn = b.linear() * a.linear().transpose();
     jacobian.col(j).tail<3>() =
         Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) /
         (4.0 * kStep);
   }
-  // Singular values are the roots of the eigenvalues of the smaller of J J' and J' J, ascending.
+  // Singular values are the square roots of the eigenvalues of the smaller of J J' and J' J,
+  // ascending.
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
   const Square square =
       dof < 6 ? Square(jacobian.transpose() * jacobian) : Square(jacobian * jacobian.transpose());

@@ -34,9 +34,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kRounds = 10; // of planning again what meets on a closer look
+// Rounds of planning again without waypoints that collide in the finished motion
+constexpr int kRounds = 10;
 
-// Of the bead from the waypoint before to this one, mm3.
+// Returns the volume of the bead from the previous waypoint to this one [mm3].
 double beadTo(const plan::ToolPlan& plan, std::size_t i) {
   const auto section = [&](std::size_t w) {
     return process::beadArea(plan.widthMm[w], plan.heightMm[w]);
@@ -53,7 +54,7 @@ double materialOf(const plan::ToolPlan& plan) {
   return volume;
 }
 
-// Material that cannot be printed: the beads to and from waypoints that no motion gets to.
+// Material that cannot be printed: the beads to and from waypoints that no motion reaches.
 class Loss {
 public:
   explicit Loss(const plan::ToolPlan& plan)
@@ -76,7 +77,7 @@ private:
   std::vector<char> isLost_;
 };
 
-// Whether no other way to plan the path gets to the waypoint.
+// Returns whether no other plan of the path can reach the waypoint.
 bool isFinal(Refusal why) {
   return why != Refusal::NoConnection && why != Refusal::CloserLook && why != Refusal::None;
 }
@@ -115,7 +116,7 @@ public:
                             static_cast<double>(plan_.waypointCount()),
                  "motion"_text);
       planPath(p, ctx);
-      // Where external axes go depends on how a path is split: another way may get there.
+      // The motion of external axes depends on how a path is split: a different split may reach it.
       for (const Refused& r : ways_[p].refused)
         if (isFinal(r.why) && cell_.externalAxes().empty())
           loss.add(plan_.paths[p], r.waypoint);
@@ -132,13 +133,14 @@ public:
   }
 
 private:
-  // What becomes of a path.
+  // The planned runs and the refused waypoints of a path.
   struct PathWay {
     std::vector<Run> runs;
     std::vector<Refused> refused;
   };
 
-  // What is refused of the paths that are planned, and by the head of the others.
+  // Returns findings only: the refusals of the planned paths, and the head's refusals of the
+  // others.
   MotionResult givenUp(std::size_t plannedPaths) {
     std::vector<Refused> refused;
     for (std::size_t p = 0; p < plan_.paths.size(); ++p) {
@@ -154,7 +156,7 @@ private:
     return std::exchange(result_, {});
   }
 
-  // Whatever is planned begins and ends there.
+  // Every motion begins and ends at home.
   std::optional<collision::Contact> contactAtHome() const {
     collision::CellCollision::Frames frames;
     cell_.framePoses(home_.q, frames);
@@ -167,7 +169,8 @@ private:
         ways_[p].refused.push_back({plan_.paths[p].first + w, Refusal::Collision, contact});
   }
 
-  // The paths that have such waypoints, ascending, but those that do without them already.
+  // Marks these waypoints as refused and returns their paths, ascending, except for waypoints that
+  // are left out already.
   std::vector<std::size_t> avoid(const std::vector<std::size_t>& waypoints) {
     std::set<std::size_t> paths;
     for (const std::size_t w : waypoints) {
@@ -180,8 +183,8 @@ private:
     return {paths.begin(), paths.end()};
   }
 
-  // The waypoints on the way to which the finished motion meets something. One that follows the
-  // last is not among them.
+  // Returns the waypoints towards which the finished motion collides. Collisions after the last
+  // waypoint are not included.
   std::vector<std::size_t> collidingWaypoints() const {
     std::vector<std::size_t> waypoints;
     for (const TrajectoryCollision& c : check_.collisions)
@@ -216,8 +219,8 @@ private:
     ways_[p] = std::move(way);
   }
 
-  // What the paths have become, joined; what meets on the closer look is planned again, without the
-  // places where it does.
+  // Joins the planned paths. Waypoints towards which the finished motion collides are left out, and
+  // their paths are planned again.
   MotionResult joined(const base::RunContext& ctx) {
     join(ctx);
     for (int round = 0; round < kRounds; ++round) {
@@ -237,7 +240,7 @@ private:
     return std::exchange(result_, {});
   }
 
-  // Connects, times and checks what the paths have become.
+  // Connects, times and checks the planned paths.
   void join(const base::RunContext& ctx) {
     base::Stopwatch watch;
     std::vector<Run> runs;
@@ -342,7 +345,7 @@ private:
     for (std::size_t w = 0; w < timeOf.size(); ++w)
       if (timeOf[w] < 0.0) {
         result_.skipped.push_back(w);
-        timeOf[w] = w > 0 ? timeOf[w - 1] : 0.0; // when it would have been its turn
+        timeOf[w] = w > 0 ? timeOf[w - 1] : 0.0; // When it would have been printed
       }
     s.minClearanceMm = check_.minClearanceMm;
     s.minClearanceAtS = t.timeS[check_.closestPoint];
@@ -387,7 +390,7 @@ private:
         add(caught ? plan::FindingKind::NoWayFrom : plan::FindingKind::NoWayTo, w, timeOf[w],
             waypoints, {{"place", placeOf(scene_, w)}, {"pieces", pieces}});
       });
-    // A gap here and there is told, and what the replay makes of it counts.
+    // Small gaps are reported but do not block; the replay judges their effect.
     if (s.leftOutFraction <= plan::kBlockingShare) {
       for (plan::Finding& f : result_.findings)
         f.blocking = false;
@@ -439,11 +442,11 @@ private:
   RobotState home_;
   KnownTransfers transfers_;
   std::vector<std::size_t> headBefore_;
-  std::vector<Refusal> refusals_; // of waypoints, before any path is planned
-  std::vector<PathWay> ways_;     // a path
+  std::vector<Refusal> refusals_; // Of waypoints, before any path is planned
+  std::vector<PathWay> ways_;     // One per path
   std::optional<collision::Contact> homeMeets_;
-  std::vector<SkippedPiece> skipped_; // for want of a way
-  std::vector<Refused> refusedAgain_; // where runs were planned again to be come to
+  std::vector<SkippedPiece> skipped_; // For lack of a transfer
+  std::vector<Refused> refusedAgain_; // Of runs that were planned again from another state
   TrajectoryCheck check_;
   MotionResult result_;
 };

@@ -1,4 +1,4 @@
-// What can be asked of the motion stage.
+// The options of the motion stage.
 #pragma once
 
 #include "base/parameters.h"
@@ -9,47 +9,48 @@
 
 namespace voluta::motion {
 
-// What is done to the turns about the nozzle that the ladder gave.
+// How the rotations about the nozzle that the ladder chose are smoothed.
 enum class TurnMethod {
   None,
-  Evened,   // waves of a few waypoints are taken out (even_turns.h)
-  WholePath // the least jerk over each whole run (smooth_run.h): twice the motion's time
+  Evened,   // Waves of a few waypoints are removed (even_turns.h)
+  WholePath // Minimum jerk over each whole run (smooth_run.h): doubles the planning time
 };
 
-// How the nozzle stands about its own axis (tool_frames.h).
+// Rotation of the nozzle about its own axis (tool_frames.h).
 enum class NozzleTurn {
-  Free, // as the arm goes best: all turns are tried
+  Free, // Best for the arm: all rotations are tried
   Tangent,
   WorkAxis,
   Rodrigues
 };
 
 struct MotionOptions {
-  int samples = 24;          // turns about the nozzle that are tried
-  double rungMm = 5.0;       // distance of rungs of the ladder graph along a path
-  double rungTurnRad = 0.35; // and the turn of the nozzle after which there is one sooner
-  double maxStepRad = 0.25;  // largest joint step between waypoints
-  double deviationMm = 0.02; // of the nozzle from its straight way between targets
-  // Head: directions have kept more where they could; what the grid leaves in doubt is the
-  // replay's to judge.
+  int samples = 24;          // Number of rotations about the nozzle that are tried
+  double rungMm = 5.0;       // Distance of the ladder graph's rungs along a path
+  double rungTurnRad = 0.35; // Rotation of the nozzle after which the next rung comes sooner
+  double maxStepRad = 0.25;  // Maximum joint step between waypoints
+  // Maximum deviation of the nozzle from its straight path between targets
+  double deviationMm = 0.02;
+  // Head: directions keep more clearance where they can; the replay judges cases that the grid
+  // cannot decide.
   collision::Margins printing{2.0, 2.0, -0.1};
-  collision::Margins travelling{2.0, 2.0, 0.6}; // head: beyond the eroded one
-  double liftMm = 2.0;                          // before a transfer
-  double hopMm = 3.0;                           // transfers no longer than this lift less
+  collision::Margins travelling{2.0, 2.0, 0.6}; // Head: beyond the eroded one
+  double liftMm = 2.0;                          // Before a transfer
+  double hopMm = 3.0;                           // Transfers no longer than this lift less
   double hopLiftMm = 1.0;
-  std::uint64_t seed = 1;    // of the sampling planner
-  int treeIterations = 4000; // of the sampling planner, a transfer
+  std::uint64_t seed = 1;    // Of the sampling planner
+  int treeIterations = 4000; // Of the sampling planner, per transfer
   NozzleTurn turn = NozzleTurn::Free;
-  TurnMethod smoothing = TurnMethod::Evened; // of free turns
-  // How far directions may lean where whole paths are smoothed. At 5 degrees jerk is less still,
-  // but some travels were found to lose their straight way.
+  TurnMethod smoothing = TurnMethod::Evened; // Of free rotations
+  // Maximum tilt from the planned direction when whole paths are smoothed. 5 degrees reduces jerk
+  // further, but some travels then lost their straight path.
   double leanRad = base::degreesToRadians(3.0);
-  // How far external axes that move along a path may then go from where their schedule has them;
-  // slides by robot::fromTurn.
+  // Maximum deviation from the schedule of external axes that move along a path; sliding axes by
+  // robot::fromTurn.
   double axesRad = base::degreesToRadians(15.0);
-  double enoughMm = 10.0; // further from everything than that no pose is worth seeking
-  double nearCost = 1.0;  // rad: of a rung of the ladder graph where something is just not met
-  double wipeMm = 0.0;    // along the bead before the lift, the extruder off
+  double enoughMm = 10.0; // Clearance above which no better pose is sought
+  double nearCost = 1.0;  // Cost [rad] of a rung of the ladder graph at the clearance limit
+  double wipeMm = 0.0;    // Along the bead before the lift, extruder off
 
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
@@ -57,7 +58,7 @@ struct MotionOptions {
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleTurn, redundancySamples,
 // turnSmoothing, directionConeDeg.
 base::ParameterTable motionParameters();
-// Throws nothing when `values` are over a table with motionParameters().
+// Does not throw if `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);
 
 } // namespace voluta::motion

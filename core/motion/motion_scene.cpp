@@ -13,12 +13,13 @@ using Eigen::Vector3d;
 using robot::JointVector;
 
 namespace {
-constexpr double kLeverMm = robot::kSlideMmPerRad; // of an arm's joint: a small one, to be careful
+// Lever of an arm's joint: a small, conservative value
+constexpr double kLeverMm = robot::kSlideMmPerRad;
 } // namespace
 
 double MotionScene::bend(const Vector3d& from, const Vector3d& to, double angle) const {
   if (cell.nozzleMount() == robot::Mount::Flange)
-    return 0.0; // the tool centre is the tip itself
+    return 0.0; // The tool centre is the tip itself
   const double lever = std::max(from.norm(), to.norm());
   return lever * angle * angle / 8.0 + (to - from).norm() * angle / 4.0;
 }
@@ -49,10 +50,10 @@ bool MotionScene::goesStraight(const RobotState& from, const RobotState& to) con
   if (sideOf(from.q) * sideOf(to.q) >= 0)
     return true;
   constexpr int kSteps = 16;
-  constexpr double kThere = 1e-4; // rad
+  constexpr double kThere = 1e-4; // [rad]
   std::vector<JointVector> scratch;
   JointVector q = from.q;
-  double travelled = 0.0; // of the joint that goes furthest in each step
+  double travelled = 0.0; // Sum over the steps of the largest joint step
   for (int k = 1; k <= kSteps; ++k) {
     const double t = static_cast<double>(k) / kSteps;
     JointVector last = q;
@@ -92,13 +93,13 @@ bool solveNear(const robot::Cell& cell, const Vector3d& tip, const Quaterniond& 
 std::vector<double> leversOf(const plan::ToolPlan& plan, const robot::Cell& cell) {
   const std::size_t count = cell.externalAxes().size();
   std::vector<double> levers(count, 1.0);
-  if (cell.rod()) { // round, and so is what holds it
+  if (cell.rod()) { // The rod and its holder are rotationally symmetric
     double radius = 0.0;
     for (const Vector3d& p : plan.position)
       radius = std::max(radius, p.tail<2>().norm());
     return {radius};
   }
-  const auto bodiesReach = [&](int frame) { // from the frame's origin
+  const auto bodiesReach = [&](int frame) { // Measured from the frame's origin
     double reach = 0.0;
     for (const robot::Body& body : cell.bodies())
       if (body.frame == frame)

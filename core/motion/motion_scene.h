@@ -1,4 +1,4 @@
-// What planners of one job share, and how finely a move of theirs is to be divided.
+// Inputs shared by the planners of one job, and how finely their moves are divided.
 #pragma once
 
 #include "collision/cell_collision.h"
@@ -13,11 +13,12 @@
 
 namespace voluta::motion {
 
-// How far each external axis' turn takes what it moves at most, mm a radian; 1 of one that slides.
-// Of a rod what is printed counts, of others also the bodies that they move.
+// Returns the lever of each external axis: the maximum distance by which a rotation moves its load
+// [mm/rad]; 1 for a sliding axis. For a rod only the printed part counts, for other axes also the
+// bodies that they move.
 std::vector<double> leversOf(const plan::ToolPlan& plan, const robot::Cell& cell);
 
-// All referenced objects outlive it.
+// All referenced objects must outlive it.
 struct MotionScene {
   const plan::ToolPlan& plan;
   const robot::Cell& cell;
@@ -25,34 +26,35 @@ struct MotionScene {
   const collision::GrowingPart& part;
   const MotionOptions& options;
 
-  // At most how far the nozzle leaves its straight way on the part, in mm, where flange poses are
-  // interpolated between two tips over a turn of `angle`. With the plate on the flange
-  // tip(t) = R(t)^T (n - o(t)), o straight and R even: its second derivative is the tip's swing
-  // about the plate's centre and twice turn times travel, an eighth of which is the sagitta.
+  // Returns an upper bound [mm] for the nozzle's deviation from its straight path on the part when
+  // flange poses are interpolated between two tips over a rotation of `angle`. With the plate on
+  // the flange tip(t) = R(t)^T (n - o(t)), o straight and R uniform: its second derivative is the
+  // tip's swing about the plate's centre and twice rotation times travel, an eighth of which is the
+  // sagitta.
   double bend(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
-  // Into how many steps such a move is to be divided.
+  // Returns the number of steps into which such a move must be divided.
   int divisions(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double angle) const;
 
-  // How far joints are apart for whoever looks between them, rad: the largest step of the arm's
-  // (sliding ones by robot::asTurn), or what external axes take the part, where that is further
-  // than a joint would at an arm's lever.
+  // Returns the joint distance that matters for checks between two poses [rad]: the largest joint
+  // step of the arm (sliding joints by robot::asTurn), or the distance by which external axes move
+  // the part, where that is further than a joint would move it at an arm's lever.
   double span(const robot::JointVector& a, const robot::JointVector& b) const;
 
-  // ArmTwists::singularSide.
+  // Returns ArmTwists::singularSide.
   int sideOf(const robot::JointVector& q) const;
-  // Does a controller that takes the nozzle straight from one state to the other, in small steps
-  // and each time to the joints next to those before, come to those of the other without a detour?
-  // Not where it passes beside a singular pose and the two are on different sides of that: a joint
-  // would race, or all end elsewhere.
+  // Returns whether a controller that moves the nozzle straight from one state to the other, in
+  // small steps to the nearest joints each time, reaches the joints of the other state without a
+  // detour. False if the path passes beside a singular pose and the two states are on different
+  // sides of it: a joint would race, or the motion would end in another configuration.
   bool goesStraight(const RobotState& from, const RobotState& to) const;
 
-  std::vector<double> leversMm = {}; // of the external axes: leversOf
+  std::vector<double> leversMm = {}; // Of the external axes: leversOf
   robot::ArmTwists twists = robot::ArmTwists(*cell.robot().kinematics);
 };
 
-// The joints that bring the nozzle there, nearest to `near` (largest step of the arm's, rad,
-// sliding ones by robot::asTurn); false when there are none within maxStep. `scratch` is memory for
-// the call.
+// Finds the joints that bring the nozzle there, nearest to `near` (largest step of the arm's joints
+// [rad], sliding ones by robot::asTurn). Returns false if there are none within maxStep. `scratch`
+// is memory for the call.
 bool solveNear(const robot::Cell& cell, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
                const robot::JointVector& near, double maxStep,
                std::vector<robot::JointVector>& scratch, robot::JointVector& q);

@@ -1,4 +1,4 @@
-// Poses of the nozzle for a tip and a direction, carried along paths without needless turns.
+// Tool poses for a tip and a direction, carried along paths with minimum rotation.
 #pragma once
 
 #include "geometry/least_turn.h"
@@ -8,16 +8,17 @@
 
 namespace voluta::motion {
 
-// Orientation of the tool frame (z = -direction) reached from `last` by the least rotation.
+// Returns the orientation of the tool frame (z = -direction) reached from `last` by the smallest
+// rotation.
 inline Eigen::Quaterniond carried(const Eigen::Quaterniond& last,
                                   const Eigen::Vector3d& direction) {
   const Eigen::Vector3d now = -(last * Eigen::Vector3d::UnitZ());
   return (geometry::leastTurn(now, direction) * last).normalized();
 }
 
-// The one to begin with: upright, x along the work frame's x.
+// Returns the initial orientation: upright, x along the work frame's x.
 inline Eigen::Quaterniond uprightTool() {
-  return Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0); // half a turn about x: z down
+  return Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0); // Half a turn about x: z down
 }
 
 inline Eigen::Quaterniond turned(const Eigen::Quaterniond& tool, double angle) {
@@ -31,7 +32,7 @@ inline Eigen::Isometry3d toolPose(const Eigen::Vector3d& tip, const Eigen::Quate
   return pose;
 }
 
-// Rotation angle between two orientations, 0 .. pi.
+// Returns the rotation angle between two orientations, 0 .. pi.
 inline double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
   const double c = std::min(1.0, std::abs(a.dot(b)));
   const double s = (a.coeffs() - (a.dot(b) < 0.0 ? -1.0 : 1.0) * b.coeffs()).norm();

@@ -1,4 +1,4 @@
-// What is not printed, and why.
+// Waypoints that are not printed, and why.
 #pragma once
 
 #include "collision/cell_collision.h"
@@ -11,19 +11,19 @@ namespace voluta::motion {
 // Why a waypoint is not printed.
 enum class Refusal : std::uint8_t {
   None,
-  Unreachable, // no joints within limits, whatever the turn about the nozzle
-  Collision,   // every way to be there meets something: `contact` is the commonest
-  Leans,       // out of upright, which is all that the cell's arm can do
-  HeadPart,    // the head would be in the part, whatever the arm does
+  Unreachable, // No joints within limits at any rotation about the nozzle
+  Collision,   // Every pose collides: `contact` is the most frequent collision
+  Leans,       // Tilted direction, while the cell's arm only prints upright
+  HeadPart,    // The head would be in the part at every pose of the arm
   HeadPlatform,
-  BeyondRod,   // further out, or further along, than the cell prints around its rod
-  CloserLook,  // something meets there where the motion is looked at more closely
-  NoConnection // could be reached, but from neither neighbour without a lift
+  BeyondRod,   // Further from the rod's axis, or further along it, than the cell prints
+  CloserLook,  // A collision was found in the closer check of the motion
+  NoConnection // Reachable, but from neither neighbour without a lift
 };
 struct Refused {
   std::size_t waypoint = 0;
   Refusal why = Refusal::None;
-  collision::Contact contact; // Collision
+  collision::Contact contact; // Set for Collision
 };
 
 } // namespace voluta::motion

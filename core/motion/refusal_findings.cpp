@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostFindings = 100;
 
-// Of a place by itself, and of the first of further ones.
+// Kind for a single place, and kind for the first of several further ones.
 struct Kinds {
   plan::FindingKind one, more;
 };

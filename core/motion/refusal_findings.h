@@ -1,4 +1,4 @@
-// What could not be printed, in words.
+// Findings for waypoints that cannot be printed.
 #pragma once
 
 #include "motion/motion_scene.h"
@@ -10,13 +10,13 @@
 
 namespace voluta::motion {
 
-// One finding for each row of neighbouring waypoints refused for the same reason; from the 100th
-// on, one for all of a reason, and always one for all that lean. `whenS(waypoint)`: when the
-// program is there.
+// Returns one finding for each row of neighbouring waypoints refused for the same reason; from the
+// 100th on, one for all of a reason, and always one for all that lean. `whenS(waypoint)`: program
+// time at the waypoint [s].
 plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene& scene,
                           const std::function<double(std::size_t)>& whenS);
 
-// "layer 12, x 3.1 y -4.0 z 20.2"
+// Returns e.g. "layer 12, x 3.1 y -4.0 z 20.2".
 base::Message placeOf(const MotionScene& scene, std::size_t waypoint);
 
 } // namespace voluta::motion

@@ -32,7 +32,7 @@ void append(plan::Trajectory& to, const robot::JointVector& q, double time, Move
   to.extrudedMm3.push_back(volume);
 }
 
-// The way back: from its end to `home`.
+// Returns the reversed transfer, from its end to `home`.
 Transfer reversed(const Transfer& way, const RobotState& home) {
   Transfer back;
   back.kind = way.kind;
@@ -51,7 +51,8 @@ void appendWay(plan::Trajectory& to, const RobotState& from, const Transfer& way
            k + 1 == way.points.size() ? arrivesAt : plan::kNoWaypoint, volume);
 }
 
-// Seconds from `point` for each point up to the end of its run, which begins from rest there.
+// Returns the times [s] from `point` for each point up to the end of its run, which starts from
+// rest there.
 std::vector<double> timesFromRest(const plan::Trajectory& t, std::size_t point, std::size_t end,
                                   const plan::ToolPlan& plan, const robot::Cell& cell,
                                   const TimingLimits& limits) {
@@ -137,10 +138,10 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   base::require(point + 1 < t.pointCount() && t.move[point + 1] == MoveKind::Print &&
                     t.waypoint[point] < plan.waypointCount(),
                 "a point at which printing goes on");
-  constexpr int kThorough = 5; // times the usual search
+  constexpr int kThorough = 5; // Multiple of the usual search effort
   const std::size_t waypoint = t.waypoint[point];
   const auto path = static_cast<std::size_t>(plan::pathOf(plan, waypoint) - plan.paths.data());
-  // All of the path is in it, also what the cut run has laid.
+  // Includes the whole path, so also the beads already printed by the interrupted run.
   const PrintedBounds surround = printedBoundsOf(plan)[path + 1];
   const collision::CellCollision collision(cell, process);
   const MotionScene scene{plan, cell, collision, part, options, leversOf(plan, cell)};
@@ -164,10 +165,11 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
   appendWay(all, home, *way, waypoint, process.travelSpeedMmPerS, limits);
 
-  std::size_t end = point + 1; // of the run
+  std::size_t end = point + 1; // End of the run
   while (end < t.pointCount() && t.move[end] == MoveKind::Print)
     ++end;
-  // An axis' steps are no acceleration, and its smooth way is not kept: it goes on as it went.
+  // An axis with steps has no acceleration limit, and its unstepped path is not stored, so its run
+  // keeps the original times.
   const bool steps = std::any_of(cell.externalAxes().begin(), cell.externalAxes().end(),
                                  [](const robot::ExternalAxis& axis) { return axis.step > 0.0; });
   const bool cut = t.move[point] == MoveKind::Print && !steps;

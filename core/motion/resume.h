@@ -1,4 +1,4 @@
-// The rest of a motion, from a place in it on, with the part as it stands then.
+// The rest of a motion from a given point on, with the part as printed up to there.
 #pragma once
 
 #include "collision/growing_part.h"
@@ -17,33 +17,34 @@ class RunContext;
 
 namespace voluta::motion {
 
-// Where printing can be taken up at `point` or, where nothing is laid right behind it, next: a
-// point that is a waypoint and from which a Print move leads on; within a bead the waypoint before
-// `point`. None: nothing is printed from there on.
+// Returns the point at which printing can resume at or after `point`: a point that is a waypoint
+// and from which a Print move leads on; within a bead the last waypoint before `point`. Returns
+// nullopt if nothing is printed from there on.
 std::optional<std::size_t> resumePoint(const plan::Trajectory& trajectory, std::size_t point);
-// Where the path's first bead that is printed begins. None: it is not printed, nor is any after it.
+// Returns the start of the path's first printed bead. Returns nullopt if neither the path nor any
+// later one is printed.
 std::optional<std::size_t> resumePointOfPath(const plan::Trajectory& trajectory,
                                              const plan::ToolPlan& plan, std::size_t path);
 
-// Where the bead begins that is being printed on the way to `point`, or the next one: at its
-// beginning, as of resumePointOfPath. None: nothing is printed from there on.
+// Returns the start of the bead being printed on the way to `point`, or of the next one: as
+// resumePointOfPath. Returns nullopt if nothing is printed from there on.
 std::optional<std::size_t> resumePointOfBead(const plan::Trajectory& trajectory, std::size_t point);
 
-// Points [first, last) as a motion of its own: times and material from 0, the first one reached by
-// a Joint move from rest. Precondition (Error{Internal}): first < last <= pointCount.
+// Returns points [first, last) as a separate motion: times and material from 0, the first point
+// reached by a Joint move from rest. Precondition (Error{Internal}): first < last <= pointCount.
 plan::Trajectory partOf(const plan::Trajectory& trajectory, std::size_t first, std::size_t last);
 
 struct Resumed {
-  // The motion up to the place, from there home along the way on which the rest comes, and the
-  // rest: from home, approach, and all that is left as it was planned.
+  // The motion up to the point, then home along the reversed approach, then the rest: from home,
+  // approach, and all remaining motions as planned.
   plan::Trajectory trajectory;
-  std::size_t firstPoint = 0; // of the rest: home
+  std::size_t firstPoint = 0; // Start of the rest: home
 };
 
-// Takes `trajectory` up at `point` (resumePoint). The approach is planned clear of the cell and of
-// what is laid by then; the rest keeps its joints, and its times but for the run that is cut, which
-// begins from rest. None: no way leads there from home. Preconditions: `part` was grown from
-// `plan`, the trajectory moves along it, and is the cell's. Throws Cancelled.
+// Resumes `trajectory` at `point` (resumePoint). The approach is planned clear of the cell and of
+// the part printed so far. The rest keeps its joints and its times, except that the interrupted run
+// starts from rest. Returns nullopt if no transfer from home is found. Preconditions: `part` was
+// grown from `plan`, the trajectory moves along it, and is the cell's. Throws Cancelled.
 std::optional<Resumed> resumeAt(const plan::Trajectory& trajectory, std::size_t point,
                                 const plan::ToolPlan& plan, const robot::Cell& cell,
                                 const process::Process& process, const collision::GrowingPart& part,

@@ -1,4 +1,4 @@
-// A stretch of a path that is printed without lifting, in joints.
+// A part of a path printed without lifting, in joint space.
 #pragma once
 
 #include "plan/trajectory.h"
@@ -10,28 +10,29 @@
 
 namespace voluta::motion {
 
-// Where the nozzle is and how the arm stands. Tip and tool orientation in the work frame.
+// Nozzle pose and joints. Tip and tool orientation are in the work frame.
 struct RobotState {
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero(); // mm
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero(); // [mm]
   Eigen::Quaterniond tool = Eigen::Quaterniond::Identity();
   robot::JointVector q;
-  robot::JointVector axes = {}; // where external ones would be without steps; q holds the nearest
+  // Positions of external axes without their steps; q has the nearest step
+  robot::JointVector axes = {};
 
   Eigen::Vector3d direction() const { return -(tool * Eigen::Vector3d::UnitZ()); }
 };
 
 struct RunPoint {
   RobotState at;
-  std::size_t waypoint = plan::kNoWaypoint; // none where a step was divided
-  std::size_t next = 0;                     // the waypoint that it is, or that it is on the way to
-  double volumeMm3 = 0.0;                   // laid on the way from the point before
-  double speedMmPerS = 0.0;                 // wanted on the way from the point before
+  std::size_t waypoint = plan::kNoWaypoint; // None where a step was divided
+  std::size_t next = 0;                     // This point's waypoint, or the next one
+  double volumeMm3 = 0.0;                   // Deposited since the previous point
+  double speedMmPerS = 0.0;                 // Desired speed from the previous point
 };
 
 struct Run {
-  std::size_t path = 0;         // index in ToolPlan::paths
-  std::vector<RunPoint> points; // the first is arrived at without printing
-  // The joints of each with the turns that the ladder gave, for the statistics.
+  std::size_t path = 0;         // Index in ToolPlan::paths
+  std::vector<RunPoint> points; // The first point is reached without printing
+  // The joints per point with the rotations chosen by the ladder, for the statistics.
   std::vector<robot::JointVector> ladder;
 };
 

@@ -15,10 +15,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-// A travel lifts high at least so often, in waypoints, so that long programs can be cut into files
-// where the nozzle stands clear of the part.
+// A travel lifts high at least once per this many waypoints, so that long programs can be cut into
+// files where the nozzle is clear of the part.
 constexpr std::size_t kHighEvery = 2000;
-constexpr int kThorough = 5; // times the usual search, where a piece would be lost else
+// Multiple of the usual search effort, used where a piece would be lost otherwise
+constexpr int kThorough = 5;
 
 class Connector {
 public:
@@ -36,7 +37,7 @@ public:
     ctx_.checkpoint();
     for (std::size_t r = 0; r < runs.size(); ++r) {
       ctx_.report(static_cast<double>(r) / static_cast<double>(runs.size()), "transfers"_text);
-      // Those that were planned to follow on another state than the arm has now.
+      // The remaining runs were planned from another state than the arm has now.
       if (otherBranch_) {
         const RobotState from = kept().empty() ? home_ : kept().back().points.back().at;
         for (Run& run : planned(runs[r], from))
@@ -60,15 +61,15 @@ private:
 
   std::size_t afterLast() { return kept().back().points.back().next + 1; }
 
-  // Puts the run behind the last kept one; `ahead`: the way found from the run before it in the
-  // plan, which is of use where that is the last kept one, whole.
+  // Appends the run to the kept ones. `ahead`: the transfer found from the previous run of the
+  // plan, which is valid only if that is the last kept run, uncut.
   void take(Run run, std::optional<Transfer> ahead) {
     const std::size_t before = run.points.front().next;
     const PrintedBounds& surround = bounds_[run.path];
     std::optional<Transfer> way;
     if (!kept().empty() && !wayHome_) {
       way = lastIsWhole_ ? std::move(ahead) : between(kept().back(), run);
-      // What is not printed may be taken for printed: `before` counts it.
+      // Waypoints that were skipped may be treated as printed: `before` counts them.
       if (!way && !retreatHome(before, surround) && !retreat(before, surround) &&
           !retreatHome(afterLast(), surround)) {
         skipPath(run, 0, run.points.size(), true);
@@ -121,7 +122,7 @@ private:
                : stateAt(scene_.cell, homeAfter(scene_.cell, kept().back().points.back().at.q));
   }
 
-  // Where the last kept run ends, the arm goes home: is there a way?
+  // Plans the way home from the end of the last kept run; returns whether there is one.
   bool retreatHome(std::size_t before, const PrintedBounds& surround) {
     const RunPoint& end = kept().back().points.back();
     for (const TransferPlanner* planner : {&usual_, &thorough_})
@@ -140,8 +141,8 @@ private:
                      });
   }
 
-  // There was none: the last kept run ends sooner, or is not printed, or some before it neither.
-  // False: that helps nothing, and all is as it was.
+  // If there is no way home: shortens the last kept run, or drops it and some before it. Returns
+  // false if this does not help; nothing is changed then.
   bool retreat(std::size_t before, const PrintedBounds& surround) {
     constexpr std::size_t kMostRuns = 3;
     for (std::size_t runs = 0; runs < std::min(kMostRuns, kept().size()); ++runs) {
@@ -186,7 +187,7 @@ private:
     run.ladder = jointsOf(run.points);
   }
 
-  // From where the arm rests to a point of the run.
+  // Returns the transfer from the rest pose to a point of the run.
   std::optional<Transfer> approach(const TransferPlanner& planner, const Run& run, std::size_t at,
                                    const PrintedBounds& surround) {
     const RunPoint& start = run.points[at];
@@ -198,7 +199,7 @@ private:
                      });
   }
 
-  // The way begins where the arm has been brought to rest.
+  // Prepends the way home after the last kept run, if there is one.
   void setOut(Transfer& way) {
     if (!wayHome_)
       return;
@@ -206,7 +207,7 @@ private:
     wayHome_.reset();
   }
 
-  // The run's waypoints planned again, to follow on `from`.
+  // Plans the run's waypoints again, starting from `from`.
   std::vector<Run> planned(const Run& run, const RobotState& from) {
     std::vector<Run> runs;
     const std::size_t first = run.points.front().next, last = run.points.back().next;
@@ -214,8 +215,8 @@ private:
     return runs;
   }
 
-  // The run as it is printed coming from where the arm rests: in another branch of the arm, or
-  // turned otherwise. False: that helps nothing.
+  // Prints the run from the rest pose in another branch of the arm or with other rotations. Returns
+  // false if this does not help.
   bool inAnotherBranch(const Run& run, const PrintedBounds& surround) {
     const std::size_t refusedBefore = result_.refused.size();
     std::vector<Run> runs = planned(run, rest());
@@ -234,8 +235,8 @@ private:
     return false;
   }
 
-  // From where the arm rests to the run's start, looked for harder, or as near to that as it comes;
-  // what comes before is lost then.
+  // Plans the transfer from the rest pose to the run's start with more effort, or to the nearest
+  // point of the run that can be reached; earlier points are lost.
   std::optional<Transfer> fromHome(Run& run, const PrintedBounds& surround) {
     const std::size_t n = run.points.size();
     std::optional<Transfer> way = approach(thorough_, run, 0, surround);
@@ -276,16 +277,17 @@ private:
   TransferPlanner usual_, thorough_;
   std::vector<PrintedBounds> bounds_;
   ConnectedRuns result_;
-  std::optional<Transfer> wayHome_; // the way home from the last kept run, once it was needed
-  bool lastIsWhole_ = false;        // the last kept run is the last one that was taken, uncut
-  bool otherBranch_ = false;        // a run was planned again: those after it do not follow on it
+  std::optional<Transfer> wayHome_; // The way home from the last kept run, once needed
+  bool lastIsWhole_ = false;        // The last kept run is the last one taken, uncut
+  // A run was planned again: later runs no longer continue from its state
+  bool otherBranch_ = false;
 };
 
 } // namespace
 
 std::vector<PrintedBounds> printedBoundsOf(const plan::ToolPlan& plan) {
   std::vector<PrintedBounds> balls;
-  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero(); // the platform's middle
+  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero(); // The platform's middle
   for (const plan::ToolPath& path : plan.paths) {
     balls.push_back({0.5 * (low + high), 0.5 * (high - low).norm()});
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {

@@ -1,4 +1,5 @@
-// Runs in order, with the ways between them: from home to the first one, on from each, home again.
+// Runs in order with the transfers between them: from home to the first run, between runs, and home
+// again.
 #pragma once
 
 #include "motion/ladder/path_planner.h"
@@ -19,35 +20,36 @@ namespace voluta::motion {
 
 struct Sequence {
   std::vector<Run> runs;
-  std::vector<Transfer> ways; // to runs[i]; one more: home again
+  std::vector<Transfer> ways; // To runs[i]; one more: home again
 };
 
-// Waypoints of one run that no way leads to, or none away from.
+// Waypoints of one run that no transfer reaches or leaves.
 struct SkippedPiece {
-  std::vector<std::size_t> waypoints; // ascending
-  bool caught = false;                // the arm would not get away from where they end
+  std::vector<std::size_t> waypoints; // Ascending
+  bool caught = false;                // No transfer leads away from their end
 };
 
 struct ConnectedRuns {
   Sequence sequence;
   std::vector<SkippedPiece> skipped;
-  std::vector<Refused> refused; // where runs were planned again
+  std::vector<Refused> refused; // Of runs that were planned again
 };
 
-// Balls around what is printed before each path; one more: around everything.
+// Returns bounding spheres of the material printed before each path; one more: of all of it.
 std::vector<PrintedBounds> printedBoundsOf(const plan::ToolPlan& plan);
 
-// The state that the joints are.
+// Returns the robot state with these joints.
 RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 
-// Finds the ways. Where none leads from a run to the next, the arm goes home and comes from there;
-// where that fails too, the run is planned again as it is come to from home, in another branch of
-// the arm, and those that follow it are planned again to follow on it.
-// A way to the next run begins with a wipe where options.wipeMm asks for one and it is free.
-// Where it would not get away from a run's end, that run ends where it does; where it cannot come
-// to a run's start, that run begins where it can. What is lost so is a piece of that run, at the
-// worst all of it, and never what follows. The last way, home, is always there where a run is.
-// Throws Cancelled. `known`: of this scene; grows.
+// Finds the transfers. If none leads from a run to the next, the arm goes via home. If that fails
+// too, the run is planned again from home in another branch of the arm, and later runs are planned
+// again from its end.
+//
+// A transfer to the next run begins with a wipe if options.wipeMm is positive and the wipe is
+// collision-free. If the arm cannot leave a run's end, the run is shortened to a point that it can
+// leave; if it cannot reach a run's start, the run begins at the first point that it can reach. So
+// at worst the whole run is lost, but never later ones. The last transfer, home, always exists if
+// there is a run. Throws Cancelled. `known`: transfers of this scene; new ones are added.
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
                           PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx);
 

@@ -10,16 +10,17 @@ namespace voluta::motion {
 
 namespace {
 
-// An external axis' steps are not its acceleration: the motor takes them as they come on a smooth
-// way.
+// The steps of an external axis are no accelerations: the motor smooths them to a continuous
+// motion.
 robot::JointVector withoutSteps(const RobotState& state) {
   robot::JointVector q = state.q;
   q.tail(state.axes.size()) = state.axes;
   return q;
 }
 
-// Where a joint goes fastest between two states of a straight way, near a singular wrist much
-// faster than between its ends: TimedPoint::most. Empty where that is not found.
+// Returns TimedPoint::most for a straight move: the fastest motion of each joint between two
+// states, which near a wrist singularity is much faster than the mean. Empty if there is no
+// continuous IK solution.
 robot::JointVector mostBetween(const robot::Cell& cell, const RobotState& from,
                                const RobotState& to) {
   constexpr int kSteps = 8;
@@ -57,11 +58,11 @@ std::vector<robot::JointVector> jointsOf(const std::vector<RunPoint>& points) {
 }
 
 std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<RunPoint>& points) {
-  constexpr double kCloserLook = 0.3; // of a joint's limit, from point to point
+  constexpr double kCloserLook = 0.3; // share of a joint's velocity limit, from point to point
   const auto isFast = [&](const RunPoint& from, const RunPoint& to) {
     const double way = (to.at.tip - from.at.tip).norm();
     if (to.speedMmPerS <= 0.0 || cell.rod())
-      return false; // under a rod the arm hardly moves
+      return false; // with a rod the arm hardly moves
     for (Eigen::Index j = 0; j < to.at.q.size(); ++j)
       if (std::abs(to.at.q[j] - from.at.q[j]) * to.speedMmPerS >
           kCloserLook * way * cell.limits()[static_cast<std::size_t>(j)].velocity)

@@ -1,4 +1,4 @@
-// What timesOf() (timing.h) takes, of runs and of the ways between them.
+// Input of timesOf() (timing.h) for runs and for the transfers between them.
 #pragma once
 
 #include "motion/run.h"
@@ -16,12 +16,12 @@ namespace voluta::motion {
 
 TimingLimits timingLimits(const robot::Cell& cell, const process::Process& process);
 
-// The joints of a run's points, external axes where they would be without steps.
+// Returns the joints of a run's points, with external axes as if they had no steps.
 std::vector<robot::JointVector> jointsOf(const std::vector<RunPoint>& points);
 
-// Of a run's points, which are printed without a stop.
+// Returns the points of a run, which is printed without a stop.
 std::vector<TimedPoint> timedPoints(const robot::Cell& cell, const std::vector<RunPoint>& points);
-// Of a way that begins at `from`: one more than it has points.
+// Returns the points of a transfer that begins at `from`: one more than the transfer has.
 std::vector<TimedPoint> timedPoints(const RobotState& from, const Transfer& transfer,
                                     double speedMmPerS);
 

@@ -9,17 +9,18 @@ namespace voluta::motion {
 
 namespace {
 
-// Motion of the arm counts as way too, so that turning on the spot takes time as well. A rod's does
-// not: it carries what the nozzle moves over.
+// Converts motion of the arm to path length, so that rotations on the spot take time as well.
+// Rotation of a rod is excluded: it carries the surface that the nozzle moves over.
 constexpr double kMmPerRad = 50.0;
 constexpr double kLeastSeconds = 1e-4;
-constexpr double kTravelJointSpeed = 0.5; // of the limit, for joint moves
-// Off a line: as near as programs join joint motions (program/dialect.cpp); a step of a rod's motor
-// and more.
+constexpr double kTravelJointSpeed = 0.5; // relative to the limit, for joint moves
+// Tolerances for collinear joint moves: as small as that for joining joint motions in programs
+// (program/dialect.cpp); and a little more than a step of a rod's motor.
 constexpr double kSameLineRad = 1e-5, kSameStepsRad = 0.0025;
 constexpr int kRounds = 200;
 
-// Time of one segment with ramps from v0 to v1 (peak at most cap) of a given acceleration.
+// Returns the time of one segment with ramps from v0 to v1 (peak at most cap) at the given
+// acceleration.
 double rampTime(double length, double v0, double v1, double cap, double acceleration) {
   const double peak = std::max(
       {v0, v1, std::min(cap, std::sqrt(acceleration * length + 0.5 * (v0 * v0 + v1 * v1)))});
@@ -27,7 +28,7 @@ double rampTime(double length, double v0, double v1, double cap, double accelera
   return (2.0 * peak - v0 - v1) / acceleration + std::max(0.0, length - ramps) / peak;
 }
 
-// Speed through a corner whose cutting circle stays within `cut` of it.
+// Returns the speed through a corner on a circle that stays within `cut` of it.
 double cornerSpeed(const Eigen::Vector3d& in, const Eigen::Vector3d& out, double cut,
                    double acceleration) {
   const double a = in.norm(), b = out.norm();
@@ -40,7 +41,8 @@ double cornerSpeed(const Eigen::Vector3d& in, const Eigen::Vector3d& out, double
   return std::sqrt(acceleration * cut * sine / (1.0 - sine));
 }
 
-// Between points: a way that arm and nozzle go together, and how fast.
+// The segments between points: path length of arm and nozzle combined, and speed and acceleration
+// limits.
 struct Segments {
   std::vector<double> length, cap, ramp; // mm, mm/s, mm/s2
 };
@@ -55,7 +57,8 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
     const double way = (to.tip - from.tip).norm();
     robot::JointVector dq = (to.q - from.q).cwiseAbs();
     const auto armTurn = [&] { return robot::asTurns(dq, limits.joints).head(arm).maxCoeff(); };
-    // A joint move's way is that of its joints alone, so that its pieces are one ramped motion.
+    // The path of a joint move is that of its joints alone, so that its pieces form one ramped
+    // motion.
     const double arms = kMmPerRad * armTurn();
     s.length[i] = std::max(1e-6, to.jointMove && arm == dof ? arms : std::hypot(way, arms));
     if (to.most.size() > 0)
@@ -72,7 +75,7 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
     const double turn = armTurn();
     if (to.jointMove && limits.travelRadPerS2 > 0.0 && turn > 0.0)
       s.ramp[i] = std::min(s.ramp[i], limits.travelRadPerS2 * s.length[i] / turn);
-    // A rod turns with the way, so that its acceleration is the way's.
+    // A rod turns with the path; therefore its acceleration limits that of the path.
     for (Eigen::Index j = arm; j < dof; ++j)
       if (dq[j] > 0.0)
         s.ramp[i] =
@@ -83,7 +86,7 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
   return s;
 }
 
-// Does a joint motion go on as the one before, so that both are one?
+// Returns whether a joint motion continues the preceding one, so that both form one motion.
 bool goesOn(const robot::JointVector& a, const robot::JointVector& b, const robot::JointVector& c,
             double sameRad) {
   const robot::JointVector in = b - a, way = c - a;
@@ -94,7 +97,7 @@ bool goesOn(const robot::JointVector& a, const robot::JointVector& b, const robo
   return at >= 0.0 && at <= 1.0 && (in - at * way).cwiseAbs().maxCoeff() <= sameRad;
 }
 
-// At each point, mm/s.
+// Returns the speed limit at each point [mm/s].
 std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
                                  const std::vector<double>& length, const TimingLimits& limits) {
   const std::size_t n = length.size();
@@ -104,12 +107,12 @@ std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
   corner[0] = corner[n] = 0.0;
   for (std::size_t i = 1; i < n; ++i) {
     const bool turns = points[i].jointMove && points[i + 1].jointMove;
-    // Controllers that are given no rounding stand between joint motions.
+    // Without blending, controllers stop between joint motions.
     if (points[i].stop ||
         (turns && !goesOn(points[i - 1].q, points[i].q, points[i + 1].q, sameRad)))
       corner[i] = 0.0;
     else if (!points[i].jointMove && !points[i + 1].jointMove) {
-      // In terms of the tip's speed; the profile's runs on the longer, mixed way.
+      // Converts the tip's speed to that of the profile, which runs on the longer, combined path.
       const double tip =
           cornerSpeed(points[i].tip - points[i - 1].tip, points[i + 1].tip - points[i].tip,
                       limits.cornerMm, limits.accelerationMmPerS2);
@@ -120,7 +123,7 @@ std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
   return corner;
 }
 
-// Seconds of each segment, by ramps that look ahead and back.
+// Computes the duration [s] of each segment, with ramps from a forward and a backward pass.
 void setDurations(const Segments& s, const std::vector<double>& corner, std::vector<double>& dt) {
   const std::size_t n = s.length.size();
   std::vector<double> v(n + 1);
@@ -135,7 +138,7 @@ void setDurations(const Segments& s, const std::vector<double>& corner, std::vec
     dt[i] = rampTime(s.length[i], v[i], v[i + 1], s.cap[i], s.ramp[i]);
 }
 
-// Lowers caps where joints would be accelerated too hard; false: nowhere.
+// Lowers caps where joint accelerations exceed their limits; returns false if there are none.
 bool lowerCaps(const std::vector<TimedPoint>& points, const TimingLimits& limits,
                const std::vector<double>& dt, Segments& segments) {
   const std::size_t n = dt.size();

@@ -1,4 +1,4 @@
-// When the robot is where: a trapezoidal profile with look-ahead.
+// Timing of motions: a trapezoidal velocity profile with look-ahead.
 #pragma once
 
 #include "plan/trajectory.h"
@@ -13,32 +13,35 @@ namespace voluta::motion {
 struct TimingLimits {
   std::vector<robot::JointLimits> joints;
   double accelerationMmPerS2 = 500.0;
-  double cornerMm = 0.05;     // how far a corner may be cut, for the speed through it
-  double jointFraction = 0.9; // of velocity and acceleration limits that is used
-  // Of the arm's joints in joint moves, rad/s2, sliding ones by robot::asTurn; 0: as in all others.
+  double cornerMm = 0.05;     // maximum deviation at a corner, which limits the speed through it
+  double jointFraction = 0.9; // usable share of the velocity and acceleration limits
+  // Acceleration of the arm's joints in joint moves [rad/s2], sliding ones by robot::asTurn; 0: as
+  // in all other moves.
   double travelRadPerS2 = 0.0;
-  int arm = 0; // the first so many joints are the arm's, those behind them a rod's; 0: all are
+  // number of the arm's joints, which come first, followed by a rod's; 0: all are the arm's
+  int arm = 0;
 };
 
-// A point of a motion and how it is to be reached from the one before.
+// A point of a motion and the move that reaches it from the preceding point.
 struct TimedPoint {
   robot::JointVector q;
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero(); // work frame, mm
-  double speedMmPerS = 0.0; // wanted tip speed on the way here; unused for joint moves
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero(); // work frame [mm]
+  double speedMmPerS = 0.0; // wanted tip speed of the move; unused for joint moves
   bool jointMove = false;
-  bool stop = false; // comes to rest here; first and last point always do
-  // How far each joint would go on the way here if it went all the way as fast as where it goes
-  // fastest. Empty: evenly.
+  bool stop = false; // rests here; the first and the last point always do
+  // Displacement of each joint during the move if it moved at its peak speed throughout. Empty:
+  // constant speed.
   robot::JointVector most = {};
 };
 
-// Seconds from the first point (0) to each. Between points the tip (or the arm's fastest joint,
-// where the tip hardly moves) follows speed ramps of at most accelerationMmPerS2, and of what a rod
-// allows that turns with it; speeds are at most the wanted ones, those at which every joint keeps
-// its velocity limit, and at corners those of a circle that cuts the corner by cornerMm. Then
-// speeds are lowered until every joint's acceleration, from one step's mean velocity to the next
-// one's over the time between their middles, keeps its limit. Between joint moves that do not go on
-// along one line in joint space the arm stands, as controllers do. Precondition: limits for every
+// Returns the times [s] from the first point (0) to each point. Between points the tip (or the
+// arm's fastest joint where the tip hardly moves) follows speed ramps of at most
+// accelerationMmPerS2, and at most the acceleration that a rod turning along allows. Speeds are
+// limited to the wanted ones, to those at which every joint keeps its velocity limit, and at
+// corners to those of a circle that deviates from the corner by cornerMm. Speeds are then lowered
+// until every joint's acceleration (difference of the mean velocities of two consecutive segments
+// over the time between their midpoints) keeps its limit. Between joint moves that are not
+// collinear in joint space the arm stops, as with real controllers. Precondition: limits for every
 // joint, all positive.
 std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits);
 

@@ -1,17 +1,16 @@
-// A part of which the robot gets to much too little.
+// Result for a part that is largely out of the robot's reach.
 #pragma once
 
 #include <optional>
 
 namespace voluta::motion {
 
-// Of the waypoints. What more of them are out of reach is a part that is too large, not a place
-// here and there.
+// Share of the waypoints. If more are out of reach, the part is too large as a whole.
 inline constexpr double kTooLargeShare = 0.1;
 
 struct TooLarge {
-  double share = 0.0;         // of the waypoints, out of reach: more than kTooLargeShare
-  std::optional<double> size; // of its size, at which the robot gets to it (size_in_reach.h)
+  double share = 0.0;         // share of the waypoints out of reach: more than kTooLargeShare
+  std::optional<double> size; // share of its size at which the robot reaches it (size_in_reach.h)
 };
 
 } // namespace voluta::motion

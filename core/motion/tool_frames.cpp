@@ -14,9 +14,10 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kOpen = 1e-6; // of a hint's part across the direction, that says nothing
+constexpr double kOpen = 1e-6; // a hint whose share across the direction is smaller determines no x
 
-// z against the direction, x as near to `hint` as can be; `last` carried where that is open.
+// Returns the frame with z against the direction and x as close to `hint` as possible; `last`
+// carried along if the hint does not determine x.
 Quaterniond towards(const Vector3d& hint, const Vector3d& direction, const Quaterniond& last) {
   const Vector3d z = -direction.normalized();
   const Vector3d x = hint - hint.dot(z) * z;

@@ -1,4 +1,4 @@
-// trajectory.csv of the debug output (docs/design.md, Command line).
+// The file trajectory.csv of the debug output (docs/design.md, Command line).
 #pragma once
 
 #include "plan/trajectory.h"
@@ -9,10 +9,10 @@
 
 namespace voluta::motion {
 
-// One row a point under a header row: timeS, q1Deg ... qNDeg (q3Mm of a sliding joint; joints
-// behind those of `kinds` turn), extrudedMm3, extrudedMm (length of filament of the given
-// diameter), waypoint (-1 for none), move (print, linear, joint). Precondition: filamentDiameterMm
-// > 0.
+// Returns one row per point below a header row: timeS, q1Deg ... qNDeg (q3Mm for a sliding joint;
+// joints beyond those of `kinds` are revolute), extrudedMm3, extrudedMm (length of filament of the
+// given diameter), waypoint (-1 for none), move (print, linear, joint). Precondition:
+// filamentDiameterMm > 0.
 std::string trajectoryCsv(const plan::Trajectory& trajectory,
                           const std::vector<robot::JointKind>& kinds = {},
                           double filamentDiameterMm = 1.75);

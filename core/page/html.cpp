@@ -107,7 +107,7 @@ std::string checks(const Sheet& sheet) {
   return text + "</table>\n";
 }
 
-// Cells of one colour that follow one another in a row are one rectangle.
+// Draws consecutive cells of one colour in a row as one rectangle.
 std::string svg(const CellMap& map, const std::vector<Swatch>& legend) {
   std::string text = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" "
                                  "shape-rendering=\"crispEdges\"><title>{}</title>\n",

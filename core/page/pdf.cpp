@@ -15,7 +15,7 @@ namespace voluta::page {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr double kWidth = 210.0, kHeight = 297.0, kMargin = 12.0; // mm, as all lengths below
+constexpr double kWidth = 210.0, kHeight = 297.0, kMargin = 12.0; // [mm], as all lengths below
 constexpr double kText = kWidth - 2.0 * kMargin;
 constexpr double kBodyPt = 8.0, kSmallPt = 6.8;
 
@@ -78,19 +78,20 @@ public:
     if (const cairo_status_t status = cairo_surface_status(surface_.get());
         status != CAIRO_STATUS_SUCCESS)
       throw base::Error(base::ErrorCode::CannotWrite,
-                        base::message("the PDF is not made: {why}"_text,
+                        base::message("the PDF could not be created: {why}"_text,
                                       std::string(cairo_status_to_string(status))));
     return std::move(bytes_);
   }
 
 private:
-  // Returns the height that the text takes; draws it at y_, `x` from the left margin.
+  // Returns the height of the text; draws it at y_, `x` from the left margin.
   double text(const std::string& bytes, double x, double width, const TextStyle& style,
               bool draw = true) {
-    const std::string words = validText(bytes); // of other bytes cairo makes no file
+    const std::string words = validText(bytes); // Cairo fails on invalid UTF-8
     cairo_save(cairo_.get());
     cairo_translate(cairo_.get(), kMargin + x, y_);
-    cairo_scale(cairo_.get(), 1.0 / kPointsPerMm, 1.0 / kPointsPerMm); // glyphs are set in points
+    // Glyphs are measured in points
+    cairo_scale(cairo_.get(), 1.0 / kPointsPerMm, 1.0 / kPointsPerMm);
     const Layout layout(pango_cairo_create_layout(cairo_.get()));
     const Font font(pango_font_description_from_string(style.fixed ? "DejaVu Sans Mono, monospace"
                                                                    : "DejaVu Sans, sans"));
@@ -183,7 +184,7 @@ private:
     Reading reading{png};
     const Surface picture(cairo_image_surface_create_from_png_stream(readOn, &reading));
     if (cairo_surface_status(picture.get()) != CAIRO_STATUS_SUCCESS)
-      throw base::Error(base::ErrorCode::Internal, "a picture of a sheet is no PNG"_text);
+      throw base::Error(base::ErrorCode::Internal, "a picture of the sheet is not a PNG"_text);
     const double scale = width / cairo_image_surface_get_width(picture.get());
     cairo_save(cairo_.get());
     cairo_translate(cairo_.get(), kMargin + x, y_);

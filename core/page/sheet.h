@@ -1,5 +1,5 @@
-// One sheet to hand over, as data: what it says and shows, in reading order. Two writers lay it out
-// alike on A4: HTML for a browser, PDF for a printer.
+// A one-page report as data, in reading order. Two writers lay it out alike on A4: HTML for a
+// browser, PDF for a printer.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
   friend bool operator==(const Colour&, const Colour&) = default;
 };
-// "#rrggbb".
+// Returns "#rrggbb".
 std::string hex(Colour colour);
 
 enum class Mark : std::uint8_t { Passed, Failed, Note };
 
 struct Picture {
-  std::string png; // bytes
+  std::string png; // Bytes of a PNG file
   std::string caption;
 };
 
@@ -26,7 +26,7 @@ struct Fact {
   std::string label, value;
 };
 
-// One thing that was checked: the sentence with figure and limit, and where it is at its worst.
+// One check: its sentence with figure and limit, and its worst place.
 struct Check {
   Mark mark = Mark::Note;
   std::string sentence, place;
@@ -40,7 +40,7 @@ struct Swatch {
 struct CellMap {
   static constexpr int kNothing = -1;
   int width = 0, height = 0;
-  std::vector<int> swatch; // index, or kNothing
+  std::vector<int> swatch; // Index, or kNothing
   std::string caption;
 };
 
@@ -50,7 +50,7 @@ struct HashedFile {
 
 struct Sheet {
   std::string language = "en"; // BCP 47
-  std::string title, issued;   // issued: by what program, when
+  std::string title, issued;   // issued: program and date
   Mark verdictMark = Mark::Passed;
   std::string verdict, verdictDetail;
   std::vector<Picture> pictures;
@@ -65,12 +65,12 @@ struct Sheet {
   std::string footer;
 };
 
-// Stands alone: styles and pictures are inside.
+// Returns a self-contained page, with styles and pictures embedded.
 std::string html(const Sheet& sheet);
-// Files that do not fit on the first page go on on the next. Throws Error{CannotWrite}.
+// Files that do not fit on the first page continue on the next. Throws Error{CannotWrite}.
 std::string pdf(const Sheet& sheet);
 
-// What both writers share.
+// Shared by both writers.
 struct SheetColours {
   Colour ink{0x1c, 0x23, 0x2b}, quiet{0x5d, 0x67, 0x73}, rule{0xd4, 0xda, 0xe0};
   Colour passed{0x1b, 0x6b, 0x4a}, failed{0xa8, 0x2a, 0x2a}, note{0x5d, 0x67, 0x73};

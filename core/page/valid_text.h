@@ -1,4 +1,4 @@
-// Text that every viewer reads.
+// Makes text valid UTF-8.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace voluta::page {
 
-// UTF-8: bytes that are none, as a file's name may have, become replacement characters.
+// Returns the text with invalid bytes, which file names may contain, replaced by replacement
+// characters.
 std::string validText(std::string_view bytes);
 
 } // namespace voluta::page

@@ -46,24 +46,25 @@ bool fits(const AutomaticWay& way, const project::Choices& choices) {
           project::Platform(way.platform) == choices.item().platform);
 }
 
-// nullptr: none that choices with their mode and platform come from.
+// Returns the way named in `choices` if it has their mode and platform, else nullptr.
 const AutomaticWay* namedWay(const project::Choices& choices) {
   const auto& ways = automaticWays();
   const auto named = std::ranges::find(ways, choices.item().automaticWay, &AutomaticWay::id);
   return named != ways.end() && fits(*named, choices) ? &*named : nullptr;
 }
 
-// The way that choices were taken from; nullptr: none of the table.
+// Returns the way that the choices belong to; nullptr if no way of the table matches.
 const AutomaticWay* wayOf(const project::Choices& choices) {
   if (const AutomaticWay* named = namedWay(choices))
     return named;
   const auto& ways = automaticWays();
   const auto first = std::ranges::find_if(
-      ways, [&](const AutomaticWay& way) { return fits(way, choices); }); // named by none of these
+      // The choices name none of these ways
+      ways, [&](const AutomaticWay& way) { return fits(way, choices); });
   return first == ways.end() ? nullptr : &*first;
 }
 
-// Does it lower the layers? Not those of a user who has said how high they are.
+// Returns whether the way reduces the layer height. A height set by the user is kept.
 bool lowers(const project::Choices& choices) {
   const AutomaticWay* way = wayOf(choices);
   return way && way->lowLayers && !choices.item().parameters.contains(kLayerHeight);
@@ -80,7 +81,7 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   const base::ParameterValues values = parameterValues(choices);
   const robot::Cell cell = modes::cellOnAnyPlatform(choices, chosenProcess(choices, values));
   const bool rod = cell.rod().has_value();
-  std::vector<project::Choices> all, hands; // each way, and what it comes to by hand
+  std::vector<project::Choices> all, hands; // Each way, and the equivalent manual choices
   const auto add = [&](const modes::Mode& mode, const project::Platform& platform,
                        std::string_view id) {
     project::Choices way = choices;
@@ -109,8 +110,8 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
   if (all.empty())
     throw base::Error(
         base::ErrorCode::Usage,
-        base::message("no way of building takes platform {platform} in cell {cell}"_text,
-                      choices.item().platform.text(), base::dataName(choices.cell)),
+        base::message("no way of building supports platform {platform} in cell {cell}"_text,
+                      choices.platform.text(), base::dataName(choices.cell)),
         {}, "choose another platform, or another cell"_text);
   return all;
 }
@@ -152,7 +153,7 @@ base::Message nameOfWay(const project::Choices& choices) {
   const base::Text name = supported ? way->nameWithSupports : way->name;
   if (!lowers(choices))
     return name;
-  return base::message("{way}, {height} high"_text, name, base::mm(lowLayerMm(choices)));
+  return base::message("{way}, {height} each"_text, name, base::mm(lowLayerMm(choices)));
 }
 
 } // namespace voluta::pipeline

@@ -1,4 +1,5 @@
-// Mode auto: the first way of building that nothing blocks and of which no bead hangs too far.
+// Mode auto: tries ways of building in order and picks the first one without blocking findings and
+// without long unsupported beads.
 #pragma once
 
 #include "base/text.h"
@@ -11,40 +12,48 @@
 
 namespace voluta::pipeline {
 
-// A way that is tried: mode and platform, and parameters unless the user has changed them.
+// One candidate of mode auto: a mode, a platform and parameter values that apply unless the user
+// has changed them.
 struct AutomaticWay {
-  std::string_view id; // kept in projects: stays when ways are put in between
+  std::string_view id; // Saved in projects: must not change when ways are inserted
   std::string_view mode, platform;
-  base::Text name, nameWithSupports; // what a user reads
+  base::Text name, nameWithSupports; // Shown to the user
   std::map<std::string, std::string> parameters = {};
-  bool lowLayers = false; // of a quarter of what the process has between its least and usual height
+  // Layer height a quarter of the way from the process's minimum to its usual height
+  bool lowLayers = false;
 };
 
-// In the order they are tried: what needs no support first, then curved layers with thin columns
-// where growth would lose something, then what an ordinary printer does, once more in lower layers,
-// which cover thin and slanted places better; last what needs a pedestal made for the part.
+// Returns the ways in the order in which they are tried: first those without supports, then curved
+// layers with thin support columns where growth would lose voxels, then flat layers with supports
+// as on an ordinary printer, then the same in lower layers, which cover thin and slanted regions
+// better, and last curved layers on a pedestal made for the part.
 const std::vector<AutomaticWay>& automaticWays();
 
-// Those of them, and of the modes for rods and bodies, that go with the cell (level layers alone
-// where it cannot lean the nozzle) and, where it stays, the platform of automatic choices: the
-// choices with each way's mode and platform. Throws Error{Usage}: there is none.
+// Returns `choices` once per applicable way, with that way's mode and platform. A way applies if it
+// suits the cell (level layers only, if the cell cannot tilt the nozzle) and, if
+// choices.platformStays, the chosen platform. Falls back to the modes for rods and bodies. Throws
+// Error{Usage} if no way applies.
 std::vector<project::Choices> automaticChoices(const project::Choices& choices);
 
-// Whether automatic choices name a way that has their mode and platform: that of an earlier plan.
+// Returns whether the choices are automatic and name a way that has their mode and platform, as
+// those of an earlier plan do.
 bool namesWay(const project::Choices& choices);
 
-// What automatic choices stand for: the way that they name, where they have its mode and platform,
-// else the first that would be tried. Others as they are. Throws as automaticChoices().
+// Returns automatic choices with the way that they name, if it has their mode and platform, else
+// with the first way that would be tried. Returns other choices unchanged. Throws as
+// automaticChoices().
 project::Choices wayOrFirst(const project::Choices& choices);
 
-// As somebody would choose by hand what automatic choices, with the mode of one of the ways, come
-// to: with the way's parameters. Others as they are.
+// Returns the manual choices that are equivalent to automatic choices with the mode of one of the
+// ways: the way's parameters are filled in. Returns other choices unchanged.
 project::Choices resolved(project::Choices choices);
 
-// Returns what resolved() would set if the user had changed no parameter. Empty for other choices.
+// Returns the parameters that resolved() would set if the user had changed none. Empty for manual
+// choices.
 std::map<std::string, std::string> parametersOfWay(project::Choices choices);
 
-// Returns the name of the way, e.g. "flat layers with supports"; for choices by hand, the mode's.
+// Returns the name of the way, e.g. "flat layers with supports"; for manual choices the mode's
+// label.
 base::Message nameOfWay(const project::Choices& choices);
 
 } // namespace voluta::pipeline

@@ -1,4 +1,4 @@
-// A cell's file, as it is edited, looked at: can it be read, and what can it not do?
+// Checks a cell file while it is being edited: whether it can be read, and its faults.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,17 +11,19 @@
 
 namespace voluta::pipeline {
 
-// `text`: what the file of a cell of that id would hold. With the largest of its plates, a disc of
-// 200 mm where it has none. Throws Error{UnreadableFile, UnusableInput} as robot::Cell::readText().
+// Returns the cell that `text`, the content of the file of cell `id`, describes, with the largest
+// of its plates, or with a disc of 200 mm if it has none. Throws Error{UnreadableFile,
+// UnusableInput} as robot::Cell::readText().
 robot::Cell cellOfText(const std::string& text, const std::string& id,
                        const process::Process& process);
 
 struct CheckedCell {
-  std::shared_ptr<const robot::Cell> cell; // null: it cannot be read
-  std::vector<cells::CellFault> faults;    // why not, or what it cannot do
+  std::shared_ptr<const robot::Cell> cell; // nullptr if the text cannot be read
+  std::vector<cells::CellFault> faults;    // The reading error, or the cell's limitations
 };
 
-// The cell of that text, and its faults. `partKg` as cells::cellFaults(). Throws Cancelled.
+// Returns the cell described by `text`, and its faults. `partKg` as in cells::cellFaults(). Throws
+// Cancelled.
 CheckedCell checkedCell(const std::string& text, const std::string& id,
                         const process::Process& process, double partKg,
                         const base::RunContext& ctx);

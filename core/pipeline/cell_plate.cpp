@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRoomMm = 3.0;     // about what stands on a plate
-constexpr double kStandingMm = 0.5; // above a part's lowest point
+constexpr double kRoomMm = 3.0;     // Margin around the foot and the supports
+constexpr double kStandingMm = 0.5; // Above the part's lowest point
 
 } // namespace
 
@@ -46,7 +46,7 @@ std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::Triangl
                                 const PlateNeeds& needs) {
   if (cell.plates().empty())
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("cell {cell} comes without plates"_text, cell.id()), {},
+                      base::message("cell {cell} has no plates"_text, cell.id()), {},
                       "give --platform disc:DIAMETER, or another platform"_text);
   std::vector<Vector2d> points;
   if (needs.supports)

@@ -1,4 +1,4 @@
-// Which of the plates that a cell comes with carries a part.
+// Selects the plate of a cell that carries a part.
 #pragma once
 
 #include "base/parameters.h"
@@ -10,24 +10,25 @@
 
 namespace voluta::pipeline {
 
-// Hull of a placed part's lowest points, as far as they count as what it stands on.
+// Returns the convex hull of a placed part's lowest vertices, up to 0.5 mm above the lowest: its
+// contact area.
 std::vector<Eigen::Vector2d> footOf(const geometry::TriangleMesh& part);
-// Corners of the largest of the cell's plates; none where it comes without.
+// Returns the corners of the cell's largest plate; empty if the cell has no plates.
 std::vector<Eigen::Vector2d> largestPlate(const robot::Cell& cell);
 
-// What stands on the plate beside the part's foot.
+// Additional space that the plate must provide.
 struct PlateNeeds {
-  bool supports = false;    // under all of the part
-  bool prime = false;       // a bead beside all of the part (toolpath/prime_path.h)
-  bool primeIsRing = false; // around it
+  bool supports = false;    // Supports below the whole part
+  bool prime = false;       // A priming bead next to the whole part (toolpath/prime_path.h)
+  bool primeIsRing = false; // The priming bead surrounds the part
   double primeLengthMm = 0.0;
 };
 PlateNeeds plateNeeds(const base::ParameterValues& values);
 
-// Returns the corners of the smallest of the cell's plates that carries `part` (placed, mm), with a
-// margin around its foot, and has room for what `needs` says. If none has room for the prime, the
-// smallest that carries the part; if none carries it, the largest. Throws Error{Usage} if the cell
-// has no plates.
+// Returns the corners of the smallest of the cell's plates that carries `part` (placed, [mm]) with
+// a margin around its foot and has room for `needs`. If no plate has room for the priming bead,
+// returns the smallest one that carries the part; if none carries it, the largest. Throws
+// Error{Usage} if the cell has no plates.
 std::vector<Eigen::Vector2d> cellPlate(const robot::Cell& cell, const geometry::TriangleMesh& part,
                                        const PlateNeeds& needs);
 

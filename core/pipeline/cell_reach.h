@@ -1,4 +1,4 @@
-// The reach of the cell that was chosen, and of a part in it.
+// The reach map of the chosen cell, and the cylinder that stands for a part in it.
 #pragma once
 
 #include "base/run_context.h"
@@ -12,23 +12,26 @@
 
 namespace voluta::pipeline {
 
-inline constexpr double kPlateOfNoneMm = 200.0; // disc, in a cell that comes without plates
-// Build directions that are asked for where nothing says which a part needs.
+// Diameter of the disc used for cells without plates
+inline constexpr double kPlateOfNoneMm = 200.0;
+// Maximum tilt of the build directions that are mapped when the part's own tilt is unknown.
 inline constexpr double kMappedTiltRad = 1.0471975511965976; // 60 degrees
 
-// The chosen cell with the plate that is mapped: the choices' own where it is one of a fixed size,
-// else the largest of the cell's; without any a disc of 200 mm. Throws as robot::loadCell().
+// Returns the chosen cell with the plate that is mapped: the plate of the choices if it has a fixed
+// size, else the cell's largest plate, or a disc of 200 mm if the cell has none. Throws as
+// robot::loadCell().
 robot::Cell cellToMap(const project::Choices& choices, const process::Process& process);
 
-// The cell's map from the first layer up to heightMm, tilts up to kMappedTiltRad, with the
-// clearances that a motion keeps. Throws Error{Usage}: names, parameters, no plate; Cancelled.
+// Returns the cell's reach map from the first layer up to heightMm, for tilts up to kMappedTiltRad,
+// with the clearances that motion planning keeps. Throws Error{Usage} for invalid names and
+// parameters and for a missing plate; throws Cancelled.
 cells::ReachMap cellReach(const project::Choices& choices, double heightMm,
                           const base::RunContext& ctx);
-// What it is made from, as text. Throws as cellReach().
+// Returns the cache key of cellReach(). Throws as cellReach().
 std::string cellReachKey(const project::Choices& choices, double heightMm);
 
-// A part (placed, mm, not empty) as a cylinder about the middle of its bounding box, and where that
-// stands.
+// Return a part (placed, [mm], not empty) as a cylinder about the centre of its bounding box, and
+// that centre.
 cells::Standing standingOf(const geometry::TriangleMesh& part);
 Eigen::Vector2d middleOf(const geometry::TriangleMesh& part);
 

@@ -1,4 +1,4 @@
-// What a cell's files say, as part of a stage's key.
+// The content of a cell's files, as part of a stage's cache key.
 #pragma once
 
 #include "robot/cell.h"
@@ -7,8 +7,9 @@
 
 namespace voluta::pipeline {
 
-// Returns the cell's id and its robot's with the hashes of their files. An arm's drawn shape does
-// not count. `choice`: Choices::cell, which the cell was loaded from. Throws as robot::loadCell().
+// Returns the cell's id and its robot's id with the hashes of their files. The visual meshes of an
+// arm do not count. `choice`: the Choices::cell that the cell was loaded from. Throws as
+// robot::loadCell().
 std::string cellText(const robot::Cell& cell, const std::string& choice);
 
 } // namespace voluta::pipeline

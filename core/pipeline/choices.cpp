@@ -32,22 +32,22 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-// `unknown`: with a place for the name.
+// `unknown` has a placeholder for the name.
 void checkName(base::Text unknown, const std::string& name, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw Error(ErrorCode::Usage, base::Message(unknown, {name}), {},
                 base::didYouMean(name, known));
 }
 
-// A choice of data may be a text of the user's own.
+// A cell or process may be given as the text of a user's file instead of a name.
 void checkData(base::Text unknown, const std::string& choice,
                const std::vector<std::string>& known) {
   if (!base::isDataText(choice))
     checkName(unknown, choice, known);
 }
 
-// Puts in the defaults that go with a process: the bead's own sizes, and lengths that were chosen
-// for beads of 1.2 x 0.8 mm. These grow with larger beads, and stay as they are for finer ones.
+// Sets the defaults that depend on the process: its bead sizes, and lengths tuned for beads of 1.2
+// x 0.8 mm. These lengths grow with larger beads and stay unchanged for finer ones.
 void followProcess(std::vector<base::ParameterSpec>& specs, const process::Process& p) {
   constexpr double kHeightMm = 0.8, kWidthMm = 1.2;
   const double higher = std::max(1.0, p.layerHeightMm / kHeightMm);
@@ -70,36 +70,34 @@ void followProcess(std::vector<base::ParameterSpec>& specs, const process::Proce
 
 base::ParameterTable allParameters() {
   base::ParameterTable table({
-      base::numberParameter(
-          "layerHeightMm", "mm", 0.8, 0.05, 10.0, "Layers"_text, "layer height"_text,
-          "Wanted height of a layer; the process limits what it may become."_text, true),
+      base::numberParameter("layerHeightMm", "mm", 0.8, 0.05, 10.0, "Layers"_text,
+                            "layer height"_text,
+                            "Nominal layer height; limited by the process."_text, true),
       base::numberParameter("beadWidthMm", "mm", 1.2, 0.1, 20.0, "Beads"_text, "bead width"_text,
-                            "Wanted width of a bead; the process limits what it may become."_text,
-                            true),
+                            "Nominal bead width; limited by the process."_text, true),
       base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads"_text, "step"_text,
-                            "Longest distance of waypoints along a tool-path."_text),
-      base::numberParameter("retractMm", "mm", 0.0, 0.0, 8.0, "Beads"_text,
-                            "filament drawn back"_text,
-                            "For each travel, where the extruder can; 0: stays as it is."_text),
+                            "Maximum distance between waypoints along a tool-path."_text),
+      base::numberParameter(
+          "retractMm", "mm", 0.0, 0.0, 8.0, "Beads"_text, "retraction"_text,
+          "Filament retracted for each travel, if the extruder can; 0: none."_text),
       base::booleanParameter("givenToolPaths", true, "Beads"_text, "tool-paths of the file"_text,
-                             "A 3MF with tool-paths (.build.3mf) is printed along these. Off: its "
-                             "object is planned anew."_text),
+                             "Prints a 3MF with tool-paths (.build.3mf) along these. Off: plans "
+                             "its object again."_text),
       base::booleanParameter("output.build3mf", false, "Output"_text, "write a build file"_text,
-                             "Adds NAME.build.3mf: the tool-paths of the plan in 6 axes for other "
-                             "programs (3MF Toolpath Extension)."_text),
-      base::booleanParameter("output.proof", true, "Output"_text,
-                             "write a proof of each program"_text,
-                             "Adds a page to hand over beside each program, NAME.proof.html and "
-                             "NAME.proof.pdf: the verdict, what was checked, and how near to its "
-                             "limits it comes; its figures as NAME.proof.json; and "
-                             "NAME.printed.stl, the part as printed, as a solid."_text),
+                             "Adds NAME.build.3mf: the plan's 6-axis tool-paths for other programs"
+                             " (3MF Toolpath Extension)."_text),
+      base::booleanParameter("output.proof", true, "Output"_text, "write verification reports"_text,
+                             "Adds a verification report to each program, NAME.proof.html and "
+                             "NAME.proof.pdf: the verdict, the checks and the margins to the "
+                             "limits; its figures as NAME.proof.json; and NAME.printed.stl, the "
+                             "part as printed, as a solid."_text),
       base::booleanParameter("output.debug", false, "Output"_text,
-                             "write what every stage made"_text,
+                             "write intermediate results"_text,
                              "Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, "
                              "toolpath.vtp and trajectory.csv."_text),
       base::booleanParameter("output.refused", false, "Output"_text, "write refused programs"_text,
-                             "Also writes programs that the replay refused, as refused-NAME, to "
-                             "be looked at and never to be run."_text),
+                             "Also writes programs that the replay refused, as refused-NAME. For "
+                             "inspection only: never run them."_text),
   });
   table.append(modes::modeParameters());
   table.append(openSurfaceParameters());
@@ -126,10 +124,11 @@ void setParameters(project::Choices& choices, const std::vector<std::string>& as
                 base::message("infill density {density} cannot be printed yet: parts are filled "
                               "solid"_text,
                               base::number(density)),
-                std::string(project::kInfillDensity), "leave it out"_text);
+                std::string(project::kInfillDensity), "omit it"_text);
   for (const auto& [key, value] : values.changes())
-    choices.item().parameters[key] = base::formatParameter(value);
-  // Planes and profile go with the choices, wherever a project is opened again.
+    choices.parameters[key] = base::formatParameter(value);
+  // Store the content of planes and profile files in the choices, so that the project can be
+  // reopened anywhere.
   for (const char* key : {"layerPlanes", "cutPlanes"})
     if (const auto planes = choices.item().parameters.find(key);
         planes != choices.item().parameters.end() && !planes->second.empty())
@@ -154,7 +153,7 @@ base::ParameterTable parametersOf(const project::Choices& choices) {
   try {
     followProcess(specs, process::loadProcess(choices.tool().process));
   } catch (const base::Error&) {
-    // The run that meets the process says what is wrong with it.
+    // The stage that loads the process reports its error.
   }
   return base::ParameterTable(std::move(specs));
 }
@@ -196,12 +195,12 @@ void requireOptionsApply(const project::Choices& choices,
         choices,
         modes::cellOnAnyPlatform(choices, chosenProcess(choices, parameterValues(choices))));
     if (std::ranges::find_first_of(written, having) == written.end())
-      throw Error(ErrorCode::Usage,
-                  base::message("{option} is an option of {having}; written are {formats}"_text,
-                                key, fmt::format("{}", fmt::join(having, ", ")),
-                                fmt::format("{}", fmt::join(written, ", "))),
-                  {},
-                  base::message("leave it out, or give --format {format}"_text, having.front()));
+      throw Error(
+          ErrorCode::Usage,
+          base::message("{option} applies to {having}, but the chosen formats are {formats}"_text,
+                        key, fmt::format("{}", fmt::join(having, ", ")),
+                        fmt::format("{}", fmt::join(written, ", "))),
+          {}, base::message("omit it, or give --format {format}"_text, having.front()));
   }
 }
 
@@ -214,7 +213,8 @@ process::Process chosenProcess(const project::Choices& choices,
     field = values.number(key);
     if (field < least || field > most)
       throw Error(ErrorCode::Usage,
-                  base::message("{value} is beyond process {process}"_text, base::mm(field), p.id),
+                  base::message("{value} is outside the limits of process {process}"_text,
+                                base::mm(field), p.id),
                   std::string(key),
                   base::message("give {least#} to {most}"_text, base::mm(least), base::mm(most)));
   };
@@ -230,8 +230,8 @@ process::Process chosenProcess(const project::Choices& choices,
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {
   constexpr const char* kWidth = "voxelMm";
   if (!loaded.cells)
-    return project::lengthUnit(choices.item().units).mm;
-  // A part is as large with any process and in any mode.
+    return project::lengthUnit(choices.units).mm;
+  // The part's size must not depend on the defaults of a process or mode.
   base::ParameterValues values(allParameters());
   if (const auto own = choices.item().parameters.find(kWidth);
       own != choices.item().parameters.end())
@@ -248,16 +248,16 @@ robot::Cell fittingCell(const project::Choices& choices, const process::Process&
   for (const modes::Mode& mode : modes::modeTable())
     if (mode.aroundRod == !winds)
       modesThere.emplace_back(mode.id);
-  throw Error(
-      ErrorCode::Usage,
-      winds ? base::message("mode {mode} prints around a rod, and cell {cell} holds none"_text,
-                            choices.item().mode, base::dataName(choices.cell))
-            : base::message("cell {cell} holds a rod, and mode {mode} prints on a plate"_text,
-                            base::dataName(choices.cell), choices.item().mode),
-      {},
-      winds ? base::Message("give --cell lathe"_text)
-            : base::message("give --mode {modes}, or another cell"_text,
-                            fmt::format("{}", fmt::join(modesThere, ", "))));
+  throw Error(ErrorCode::Usage,
+              winds
+                  ? base::message("mode {mode} prints around a rod, but cell {cell} has none"_text,
+                                  choices.mode, base::dataName(choices.cell))
+                  : base::message("cell {cell} has a rod, but mode {mode} prints on a plate"_text,
+                                  base::dataName(choices.cell), choices.mode),
+              {},
+              winds ? base::Message("give --cell lathe"_text)
+                    : base::message("give --mode {modes}, or another cell"_text,
+                                    fmt::format("{}", fmt::join(modesThere, ", "))));
 }
 
 toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
@@ -310,22 +310,22 @@ void checkChoices(const project::Choices& given) {
                               choices.item().mode, choices.item().platform.kind().word),
                 {},
                 base::message("give --platform {platforms}"_text, project::platformForms(taken)));
-  const bool laysItself = static_cast<bool>(modes::findMode(choices.item().mode).place);
-  if (const auto orient = choices.item().parameters.find("orient");
-      laysItself && orient != choices.item().parameters.end() && orient->second != "none")
-    throw Error(
-        ErrorCode::Usage,
-        base::message("orient={orient} turns parts on a plate; mode {mode} lays them itself"_text,
-                      orient->second, choices.item().mode),
-        {}, "give orient=none"_text);
-  static_cast<void>(project::lengthUnit(choices.item().units));
-  if (project::parsedScale(choices.item().scale) == 0.0 && choices.item().platform.isBody())
+  const bool laysItself = static_cast<bool>(modes::findMode(choices.mode).place);
+  if (const auto orient = choices.parameters.find("orient");
+      laysItself && orient != choices.parameters.end() && orient->second != "none")
+    throw Error(ErrorCode::Usage,
+                base::message("orient={orient} is for parts on a plate; mode {mode} places them "
+                              "itself"_text,
+                              orient->second, choices.mode),
+                {}, "give orient=none"_text);
+  static_cast<void>(project::lengthUnit(choices.units));
+  if (project::parsedScale(choices.scale) == 0.0 && choices.platform.isBody())
     throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part"_text,
                 {}, "give a number"_text);
   const geometry::Placement& place = choices.item().placement;
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
       !place.centreMm.allFinite() || !std::isfinite(place.liftMm))
-    throw Error(ErrorCode::Usage, "the placement is not a turn and a place in mm"_text);
+    throw Error(ErrorCode::Usage, "the placement is not a rotation and a position in mm"_text);
 }
 
 void takeOwnFiles(project::Choices& choices) {

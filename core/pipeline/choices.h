@@ -1,4 +1,4 @@
-// From what the user typed to what the stages take.
+// Converts the user's choices to the options of the stages.
 #pragma once
 
 #include "base/parameters.h"
@@ -16,66 +16,70 @@
 
 namespace voluta::pipeline {
 
-// Every module's parameters in one table.
+// Returns the parameters of all modules in one table.
 base::ParameterTable allParameters();
-// Checks "key=value" texts against the table and keeps them in choices.parameters.
-// Throws Error{Usage}, also for a value that cannot be printed yet.
+// Checks "key=value" texts against the table and stores them in choices.parameters. Throws
+// Error{Usage}, also for a value that cannot be printed yet.
 void setParameters(project::Choices& choices, const std::vector<std::string>& assignments);
 
-// allParameters() without those that are not offered yet: no form, list or help shows them.
+// Returns allParameters() without those that are not offered yet and therefore appear in no form,
+// list or help.
 base::ParameterTable offeredParameters();
 
-// allParameters() with the defaults that a mode has; as they are where no mode has that id.
+// Returns allParameters() with the defaults of a mode; unchanged if no mode has that id.
 base::ParameterTable parametersOf(std::string_view mode);
-// With those of the process too: sizes of its beads, and lengths that grow with wider beads. The
-// mode's alone where the process cannot be read.
+// As above, with the defaults of the process too: its bead sizes, and lengths that grow with wider
+// beads. If the process cannot be read, only the mode's defaults apply.
 base::ParameterTable parametersOf(const project::Choices& choices);
 
-// The values of choices.parameters over allParameters(). Throws Error{Usage}.
+// Returns the values of choices.parameters on top of allParameters(). Throws Error{Usage}.
 base::ParameterValues parameterValues(const project::Choices& choices);
 
-// The ids of choices.formats, or what stands in for an empty list in this cell.
+// Returns the ids of choices.formats, or this cell's default formats if the list is empty.
 std::vector<std::string> chosenFormats(const project::Choices& choices, const robot::Cell& cell);
 
-// Throws Error{Usage} for an option of programs that is among `assignments` ("key=value") and that
-// none of the formats to be written has.
+// Throws Error{Usage} if `assignments` ("key=value") contains an option of programs that none of
+// the formats to be written has.
 void requireOptionsApply(const project::Choices& choices,
                          const std::vector<std::string>& assignments);
 
-// The process of choices with the parameters layerHeightMm, beadWidthMm and stepMm put in.
-// Throws Error{Usage}: unknown process, a value outside the process's limits (names them).
+// Returns the process of the choices with the parameters layerHeightMm, beadWidthMm and stepMm
+// applied. Throws Error{Usage} for an unknown process, and for a value outside the process's limits
+// (names the limits).
 process::Process chosenProcess(const project::Choices& choices,
                                const base::ParameterValues& values);
 
-// Millimetres that a unit of length of the loaded part's mesh stands for at scale 1. For a voxel
-// object the user's voxelMm, else its default without what a mode or a process make of it.
-// Throws Error{Usage}: the parameters.
+// Returns the length [mm] of one unit of the loaded part's mesh at scale 1. For a voxel object this
+// is the user's voxelMm, or else the parameter's default regardless of mode and process. Throws
+// Error{Usage} for invalid parameters.
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices);
 
-// modes::cellOnAnyPlatform. Throws Error{Usage} also where the mode needs a rod and the cell has
-// none, or the cell has one and the mode does not print on it.
+// As modes::cellOnAnyPlatform. Also throws Error{Usage} if the mode needs a rod and the cell has
+// none, or if the cell has a rod and the mode does not print on one.
 robot::Cell fittingCell(const project::Choices& choices, const process::Process& process);
 
-// What the stages after the layers are asked for; of the tool-paths' but for the platform.
+// Returns the tool-path options for these values; the platform is not included.
 toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
                                             const process::Process& process);
 motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int seed);
 
-// When faces of pieces need support. Throws Error{Usage}: parameters, process.
+// Returns the rule by which faces of pieces need support. Throws Error{Usage} for invalid
+// parameters or an unknown process.
 planar::RiskRule riskRule(const project::Choices& choices);
 
-// What material starts on where nobody chose it for the choices' mode: the plate of their cell that
-// fits; in a cell without plates, for what no plate carries, and for pieces, which a head has to
-// reach from below their bases, the first kind of the table.
-// Throws Error{Usage}: names that nothing answers to; as loadCell.
+// Returns the default platform for the mode of the choices: the smallest plate of the cell that
+// carries the part. In cells without plates, in modes that print on no plate, and for modes that
+// cut the part into pieces (whose bases the head has to reach from below) it is the first kind of
+// the platform table. Throws Error{Usage} for unknown names; throws as loadCell.
 project::Platform usualPlatform(const project::Choices& choices);
 
-// Throws Error{Usage} for a placement that is no rotation or not finite, and for any name that
-// nothing answers to, naming the nearest.
+// Throws Error{Usage} for a placement that is not a rotation or not finite, and for unknown names
+// (suggests the nearest).
 void checkChoices(const project::Choices& choices);
 
-// Replaces file names of cell and process (FILE.json) by the text of these files, so that a project
-// keeps what it was made with. Throws Error{UnreadableFile, UnusableInput} naming the file.
+// Replaces the file names of cell and process (FILE.json) by the content of these files, so that a
+// project keeps the data it was planned with. Throws Error{UnreadableFile, UnusableInput} naming
+// the file.
 void takeOwnFiles(project::Choices& choices);
 
 } // namespace voluta::pipeline

@@ -15,7 +15,7 @@ namespace voluta::pipeline {
 
 namespace {
 
-// Does this choice go into the mode's decomposition?
+// Returns whether the mode's decomposition depends on this choice.
 template <typename T>
 bool dependsOnChoice(const modes::Mode& mode, const modes::ModeChoices& in,
                      T project::ItemChoices::*choice, const std::vector<T>& trials) {
@@ -28,7 +28,7 @@ bool dependsOnChoice(const modes::Mode& mode, const modes::ModeChoices& in,
   return keys.size() > 1;
 }
 
-// One of each kind that the mode prints on, but for those that need a file.
+// Returns one platform of each kind that the mode prints on, except kinds that need a file.
 std::vector<project::Platform> usualPlatforms(const modes::Mode& mode) {
   std::vector<project::Platform> platforms;
   for (const project::PlatformKind* kind : project::platformKindsFor(mode.platforms))
@@ -37,7 +37,8 @@ std::vector<project::Platform> usualPlatforms(const modes::Mode& mode) {
   return platforms;
 }
 
-// The part once for all; a request that has it is left as it is.
+// Returns the request with the part loaded, so that it is loaded only once; unchanged if it is
+// loaded already.
 PlanRequest withPart(PlanRequest request, const base::RunContext& ctx) {
   if (!request.item().loaded)
     request.item().loaded =
@@ -53,7 +54,8 @@ bool takesBodies(const modes::Mode& mode) {
          mode.platforms.end();
 }
 
-// For parts of the same kind, in the same cell: on a plate, around a rod, on a surface.
+// Returns whether both modes print the same kind of part in the same cell: on a plate, around a
+// rod, or on a surface.
 bool isLike(const modes::Mode& a, const modes::Mode& b) {
   return a.aroundRod == b.aroundRod && takesBodies(a) == takesBodies(b);
 }

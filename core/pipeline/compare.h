@@ -1,4 +1,5 @@
-// The same part in the same cell, built in several ways: modes x growth schemes x platforms.
+// Plans the same part in the same cell in several ways (modes x growth schemes x platforms) and
+// compares the results.
 #pragma once
 
 #include "base/error.h"
@@ -17,13 +18,13 @@ namespace voluta::pipeline {
 // One way of building.
 struct Combination {
   std::string mode;
-  std::optional<curved::GrowthScheme> growth; // none: means nothing to the mode
+  std::optional<curved::GrowthScheme> growth; // nullopt: the mode has no growth scheme
   project::Platform platform;
 
   friend bool operator==(const Combination&, const Combination&) = default;
 };
 
-// A list that is empty stands for what the choices name; `modes` for all modes.
+// An empty list stands for the value of the choices; an empty `modes` for all modes.
 struct CompareOptions {
   PlanRequest plan;
   std::vector<std::string> modes;
@@ -31,55 +32,55 @@ struct CompareOptions {
   std::vector<project::Platform> platforms;
 };
 
-// In the order they are planned: by mode, platform, growth; none twice. Growth schemes and
-// platforms vary only the modes whose decomposition asks for them; a mode without platforms has the
-// first. Throws Error{Usage}: any choice that nothing answers to.
+// Returns the combinations in planning order: by mode, platform, growth; without duplicates. Growth
+// schemes and platforms vary only in modes whose decomposition depends on them; a mode without
+// platforms gets the first one. Throws Error{Usage} for an unknown choice.
 std::vector<Combination> combinations(const CompareOptions& options);
 
 project::Choices choicesOf(const Combination& combination, project::Choices choices);
 
 enum class RowState {
-  Clear,   // planned, and nothing blocks
-  Blocked, // planned, but something cannot be printed, reached or verified
-  Failed   // cannot be planned
+  Clear,   // Planned, without blocking findings
+  Blocked, // Planned, but part of it cannot be printed, reached or verified
+  Failed   // Cannot be planned
 };
 
 struct CompareRow {
   Combination combination;
-  base::Message error;                   // why it could not be planned; empty: it was
-  base::ErrorCode errorCode{};           // of `error`
-  std::optional<project::Stage> reached; // the last stage that was done
-  project::Report report;                // of what was planned
-  double seconds = 0.0;                  // that it took here: kept stages are not made again
+  base::Message error;                   // Why it could not be planned; empty if it was planned
+  base::ErrorCode errorCode{};           // Code of `error`
+  std::optional<project::Stage> reached; // The last completed stage
+  project::Report report;                // Report of the completed stages
+  double seconds = 0.0;                  // Run time; stages taken from the cache take none
 
   RowState state() const;
-  // Findings that block.
+  // Returns the number of blocking findings.
   std::size_t blocking() const;
-  // The first of them with its stage, or the error; empty: it is clear.
+  // Returns the first blocking finding with its stage, or the error; empty if the row is clear.
   base::Message reason() const;
 };
 
 struct Comparison {
-  std::string part;         // file name without folder
-  project::Choices choices; // mode, growth and platform are each row's own
+  std::string part;         // File name without folder
+  project::Choices choices; // Mode, growth and platform differ per row
   project::Stage until = project::Stage::Replay;
   std::vector<CompareRow> rows;
   double seconds = 0.0;
   int threads = 1;
 };
 
-// Called on the running thread.
+// Callbacks; run on the thread that calls compare().
 struct CompareWatch {
-  // Once, before the first is planned.
+  // Called once, before the first combination is planned.
   std::function<void(const std::vector<Combination>&)> planned;
   std::function<void(std::size_t row)> begins;
-  // `result`: null where it could not be planned. Dropped by compare() afterwards.
+  // `result` is nullptr if planning failed. compare() releases it afterwards.
   std::function<void(std::size_t row, const CompareRow&, std::shared_ptr<PlanResult> result)> ended;
 };
 
-// Plans the combinations one after the other. The part is loaded, placed and cut into voxels once.
-// What cannot be planned is a row with its reason. Throws Error{Usage, UnreadableFile,
-// UnusableInput} where the choices or the part itself will not do, and Cancelled.
+// Plans the combinations one after the other. Loads, places and voxelizes the part only once. A
+// combination that cannot be planned becomes a row with its reason. Throws Error{Usage,
+// UnreadableFile, UnusableInput} if the choices or the part itself are invalid, and Cancelled.
 Comparison compare(const CompareOptions& options, const base::RunContext& ctx,
                    const CompareWatch& watch = {});
 

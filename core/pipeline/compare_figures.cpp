@@ -39,7 +39,7 @@ bool moves(const CompareRow& row) {
   return came(row, Stage::Motion) && row.report.motion.waypoints > 0;
 }
 
-// A figure of the report as it is, where it means something.
+// Returns a field of the report, or nullopt where it does not apply.
 template <auto kPart, auto kMember, bool (*kMeans)(const CompareRow&)>
 Value plain(const CompareRow& row) {
   if (!kMeans(row))
@@ -68,7 +68,7 @@ double weightOf(const Figure& figure, const Weights& weights) {
   return set == weights.end() ? figure.weight : set->second;
 }
 
-// Smaller is better, 0 is best.
+// Returns the figure as a loss: smaller is better, 0 is best.
 Value lossOf(const Figure& figure, const CompareRow& row) {
   const Value value = figure.of(row);
   return value && figure.moreIsBetter ? Value(1.0 - *value) : value;
@@ -102,7 +102,7 @@ const std::vector<Figure>& figures() {
 }
 
 Value uniformMisses(const CompareRow& row) {
-  // Voxels that nothing was grown on.
+  // In these modes, missed voxels are those that no layer was grown on.
   const modes::Mode* mode = modes::modeNamed(row.combination.mode);
   return mode && mode->result == project::ResultKind::InPieces
              ? plain<&project::ItemReport::decomposition,
@@ -128,9 +128,8 @@ void setWeight(Weights& weights, const std::string& assignment) {
   for (const Figure& figure : figures())
     known.emplace_back(figure.key);
   if (std::find(known.begin(), known.end(), key) == known.end())
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("no figure is called '{key}'"_text, key), "--weight"_name,
-                      base::didYouMean(key, known));
+    throw base::Error(base::ErrorCode::Usage, base::message("unknown figure '{key}'"_text, key),
+                      "--weight"_name, base::didYouMean(key, known));
   double value = -1.0;
   if (equals != std::string::npos) {
     const char* end = assignment.data() + assignment.size();
@@ -139,7 +138,7 @@ void setWeight(Weights& weights, const std::string& assignment) {
   }
   if (!std::isfinite(value) || value < 0.0)
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("'{text}' is no weight"_text, assignment), "--weight"_name,
+                      base::message("'{text}' is not a weight"_text, assignment), "--weight"_name,
                       base::message("give {key}=NUMBER, 0 or more"_text, key));
   weights[key] = value;
 }
@@ -192,8 +191,8 @@ std::string ruleText(const Weights& weights) {
   for (const Figure& figure : figures())
     if (const double weight = weightOf(figure, weights); weight > 0.0)
       sum += fmt::format("{}{:g} {}", sum.empty() ? "" : ", ", weight, figure.key);
-  return fmt::format("nothing that blocks comes first; then the least sum of weight x share of "
-                     "the largest figure ({})",
+  return fmt::format("ways without blocking findings first, then the lowest sum of weight x "
+                     "share of the largest figure ({})",
                      sum.empty() ? "all weights are 0" : sum);
 }
 

@@ -17,7 +17,7 @@ Json orNull(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
-// Counts are written as such.
+// Counts are written as integers.
 Json number(const std::optional<double>& value, bool count) {
   if (!value)
     return Json();

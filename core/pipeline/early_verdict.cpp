@@ -12,9 +12,10 @@ namespace voluta::pipeline {
 
 namespace {
 
-// A replay lets a controller lay up to 5 % more or less than planned over a bead, and some of the
-// beads' length count as it is; it weighs against the part's volume or its cells', 2 % apart at
-// most.
+// Margin between the planned material and the figure that replay measures. In a replay the flow of
+// a controller may deviate from the plan by up to 5 % over a bead without being counted, part of
+// the bead length counts as it is, and the reference is the volume of the part or of its cells,
+// which differ by at most 2 %.
 constexpr double kLeeway = 0.08;
 
 double partMaterial(const plan::ToolPlan& toolPlan) {
@@ -41,7 +42,7 @@ std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
   const double volume = std::abs(geometry::volume(part));
   if (!(volume > 0.0))
     return std::nullopt;
-  // What flows before each bead while the nozzle stands counts too.
+  // Priming before each bead, with the nozzle at rest, adds material too.
   const double standing =
       static_cast<double>(toolPlan.paths.size()) * process.primeS * process.maxFlowMm3PerS / volume;
   const double ratio = partMaterial(toolPlan) / volume;

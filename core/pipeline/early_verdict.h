@@ -1,4 +1,4 @@
-// What a replay of a plan's program is bound to find, known before there is one.
+// Predicts from the tool-paths a failure that the replay of any program would report.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -10,9 +10,9 @@
 
 namespace voluta::pipeline {
 
-// Returns the finding where the material of the part's beads is so much or so little that no
-// program of theirs has a mass ratio that passes (replay::ReplayThresholds). `part`: what a replay
-// weighs it against, closed.
+// Returns the finding Mass if the beads of the part contain so much or so little material that no
+// program of them can have a mass ratio within replay::ReplayThresholds; else nullopt. `part`: the
+// closed mesh that replay uses as the reference.
 std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
                                             const geometry::TriangleMesh& part,
                                             const process::Process& process);

@@ -1,4 +1,4 @@
-// How full a part is: the share of it in cubes that beads fill.
+// Fill map of a part: the share of it, per cube, that beads fill.
 #pragma once
 
 #include "base/run_context.h"
@@ -13,16 +13,17 @@ class GrowingPart;
 
 namespace voluta::pipeline {
 
-// Of cubes `cellMm` wide: what share of the part in them is filled with beads; below 0: no part.
+// The share of the part filled by beads, per cube of edge `cellMm`; < 0 for a cube outside the
+// part.
 struct FillMap {
   double cellMm = 0.0;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); // work frame
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); // In the work frame
   Eigen::Vector3i size = Eigen::Vector3i::Zero();
-  std::vector<double> filled; // x runs fastest
+  std::vector<double> filled; // x varies fastest
 };
 
-// Of what of the part lies in each cube, by the cells of `growing`; cubes are a fortieth of the
-// part's longest side wide, or a cell. Throws Cancelled.
+// Computes the map with the cells of `growing`. A cube's edge is 1/40 of the part's longest side,
+// but at least one cell. Throws Cancelled.
 FillMap fillMap(const geometry::TriangleMesh& part, const collision::GrowingPart& growing,
                 const base::RunContext& ctx);
 

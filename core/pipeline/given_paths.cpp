@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// From the mesh's coordinates to the work frame.
+// Transform from the mesh's coordinates to the work frame.
 struct Laid {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Vector3d shift = Vector3d::Zero();
@@ -29,7 +29,7 @@ Laid laidBy(const project::LoadedPart& loaded, const modes::LoadStage& placed) {
   Laid laid;
   laid.turn = placed.placement.rotation.normalized().toRotationMatrix();
   laid.shift = placed.part->vertices[0] - laid.turn * loaded.mesh->vertices[0];
-  // Of a file in the work frame nothing is left but rounding.
+  // For a file in the work frame the remaining shift is only rounding error.
   if (laid.turn.isIdentity(0.0) && laid.shift.cwiseAbs().maxCoeff() < 1e-9)
     laid.shift.setZero();
   return laid;
@@ -57,10 +57,10 @@ public:
     return std::move(plan_);
   }
 
-  std::size_t filled = 0, slowed = 0; // points
+  std::size_t filled = 0, slowed = 0; // Numbers of waypoints
 
 private:
-  // Waypoints on the way to `i` where that is long. A little longer than a step is a step.
+  // Subdivides a long segment that ends at waypoint `i`. Segments up to 1.5 steps stay undivided.
   void divide(std::size_t i) {
     constexpr double kSlack = 1.5;
     const double way = (given_.position[i] - given_.position[i - 1]).norm();
@@ -87,7 +87,7 @@ private:
     height = height > 0.0f ? height : static_cast<float>(process_.layerHeightMm);
     width = width > 0.0f ? width : static_cast<float>(process_.beadWidthMm);
     speed = speed > 0.0f ? speed : static_cast<float>(process_.speedMmPerS);
-    // A bead is no higher than wide; the same section, then.
+    // The bead model needs height <= width: use a square of equal area.
     if (height > width)
       height = width = std::sqrt(height * width);
     plan_.widthMm.push_back(width);
@@ -165,9 +165,8 @@ std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loa
 }
 
 void requireOwnSize(const project::Choices& choices) {
-  if (project::parsedScale(choices.item().scale) != 1.0 || choices.item().units != "mm")
-    throw base::Error(base::ErrorCode::Usage,
-                      "tool-paths of a file are printed in the size that it gives"_text, {},
+  if (project::parsedScale(choices.scale) != 1.0 || choices.units != "mm")
+    throw base::Error(base::ErrorCode::Usage, "the tool-paths of a file cannot be scaled"_text, {},
                       "leave scale and units as they are, or give givenToolPaths=false"_text);
 }
 

@@ -1,4 +1,5 @@
-// Tool-paths that came with the part (project::LoadedPart::toolPaths) instead of layers of our own.
+// Tool-paths that were loaded with the part (project::LoadedPart::toolPaths) and replace planned
+// layers.
 #pragma once
 
 #include "base/parameters.h"
@@ -14,30 +15,31 @@
 
 namespace voluta::pipeline {
 
-// Is the part printed along the tool-paths that it brings? The mode then says only what material
-// starts on.
+// Returns whether the part is printed along the tool-paths of its file. The mode then only
+// determines the platform.
 bool takesGivenPaths(const project::LoadedPart& loaded, const base::ParameterValues& values);
 
-// The choices for such a part where the way of building is looked for: on the cell's plate, or
-// around its rod. Others as they are. Throws Error{Usage}: there is none.
+// Returns the choices for such a part if the way of building is automatic: on the cell's plate, or
+// around its rod. Returns other choices unchanged. Throws Error{Usage} if no way applies.
 project::Choices choicesForGivenPaths(project::Choices choices);
 
-// Where such a part lies unless the user has placed it: where the file says, if that is in the work
-// frame; none: as others.
+// Returns the default placement of such a part: that of the file if it is in the work frame;
+// nullopt if the part is placed as others are.
 std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loaded);
 
-// Throws Error{Usage}: a scale or a unit by which beads would be another size.
+// Throws Error{Usage} if the scale or unit of the choices would change the size of the beads.
 void requireOwnSize(const project::Choices& choices);
 
-// Of the mode's result what such a part needs: what it starts on. Findings and report are left out,
-// since they are about layers that are not made.
+// Returns the stage with only the mode's platform, result kind and timings. Findings and report are
+// omitted because they describe layers that are not made.
 std::shared_ptr<const modes::DecomposeStage> onlyGround(const modes::DecomposeStage& made);
-// No layers; the report counts those of the tool-paths.
+// Returns a stage without layers; its report counts the layers of the tool-paths.
 std::shared_ptr<const modes::LayersStage> layersOfGiven(const plan::ToolPlan& given);
 
-// The tool-paths where `placed` has the part, with waypoints no further apart than the process's
-// step, sections and speeds of the process where the file gives none, and no more flow than its
-// extruder gives; the last two are told. Throws Cancelled.
+// Returns the tool-paths transformed to the pose of `placed`. Waypoints are at most a step of the
+// process apart (1.5 steps count as one), missing sections and speeds are taken from the process,
+// and speeds are limited to the extruder's maximum flow; findings report the last two. Throws
+// Cancelled.
 std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPart& loaded,
                                                         const modes::LoadStage& placed,
                                                         const process::Process& process,

@@ -17,7 +17,7 @@ namespace {
 
 using Polygon = std::vector<Eigen::Vector2d>;
 
-// Longer side, mm.
+// Returns the plate's longer side [mm].
 double lengthMm(const Polygon& plate) {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& corner : plate)
@@ -25,7 +25,7 @@ double lengthMm(const Polygon& plate) {
   return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
 
-// The foot's middle over the plate's own.
+// Returns whether the plate carries a foot of this size at its centre, rotated by 0 or 90 degrees.
 bool carries(const Polygon& plate, const Eigen::Vector2d& foot) {
   const auto isOn = [&](double x, double y) {
     return geometry::inConvexPolygon(plate, {x, y}) && geometry::inConvexPolygon(plate, {-x, y}) &&
@@ -50,7 +50,7 @@ std::optional<std::string> cellWithLargerPlate(const project::Choices& choices,
   for (const std::string& id : robot::cellIds()) {
     project::Choices other = choices;
     other.cell = id;
-    // A cell of the user's own that cannot be read is none to offer.
+    // Skip a cell of the user that cannot be read.
     const auto read = base::outcomeOf([&] { return modes::cellOnAnyPlatform(other, process); });
     const auto* cell = std::get_if<robot::Cell>(&read);
     if (!cell || cell->rod() || (now.tilts() && !cell->tilts()))

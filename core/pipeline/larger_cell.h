@@ -1,4 +1,4 @@
-// A cell with more room than the one that was chosen.
+// Suggests a cell with a larger plate than the chosen one.
 #pragma once
 
 #include "project/choices.h"
@@ -10,10 +10,9 @@
 namespace voluta::pipeline {
 
 // Returns the id of the cell whose largest plate is the smallest one that is longer than that of
-// the chosen cell and carries a foot of that size, turned by a right angle or not; of equals the
-// first. It moves the nozzle or the plate as the chosen one does where there is such a cell.
-// nullopt: there is none, or the mode prints around a rod. Throws Error{Usage} for a cell or a
-// process that nothing answers to.
+// the chosen cell and carries a foot of that size, rotated by 0 or 90 degrees; the first of equals.
+// Prefers cells that move the nozzle or the plate as the chosen one does. Returns nullopt if there
+// is none, or if the mode prints around a rod. Throws Error{Usage} for an unknown cell or process.
 std::optional<std::string> cellWithLargerPlate(const project::Choices& choices,
                                                const Eigen::Vector2d& footMm);
 

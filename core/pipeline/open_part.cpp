@@ -23,8 +23,9 @@ base::ParameterTable openSurfaceParameters() {
            {kClose, "close"_text},
            {kThicken, "thicken"_text}},
           "Placement"_text, "Open surfaces"_text,
-          "What becomes of a part whose surface has wide rims or no thickness: it is refused, its "
-          "rims are closed with patches, or the surface becomes a wall two beads wide."_text,
+          "How a part whose surface has wide openings or no thickness is handled: "
+          "refuse it, close the openings with patches, or thicken the surface to a "
+          "wall two beads wide."_text,
           true),
   });
 }

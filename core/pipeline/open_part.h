@@ -1,4 +1,4 @@
-// The choice `openSurfaces`: what becomes of a part that encloses nothing.
+// The parameter `openSurfaces`: handling of parts that do not enclose a volume.
 #pragma once
 
 #include "base/parameters.h"
@@ -18,25 +18,25 @@ inline constexpr const char* kRefuseOpenSurfaces = "refuse";
 
 base::ParameterTable openSurfaceParameters();
 
-// Width of the wall that an open surface is thickened to, mm: two beads.
+// Wall thickness to which open surfaces are thickened: two bead widths [mm].
 double openSurfaceWallMm(const process::Process& process);
-// What decides about the mesh of an open part, as text; empty where it is refused.
+// Cache key: all inputs that determine the mesh of an open part. Empty if such parts are refused.
 std::string openSurfacesKey(const base::ParameterValues& values, const process::Process& process);
 
-// The part as it is planned: a part that encloses a volume stays as it is.
+// Prepares the mesh for planning. A part that encloses a volume is left unchanged.
 class OpenPart {
 public:
-  // All three outlive this.
+  // All three arguments must outlive the object.
   OpenPart(const project::LoadedPart& loaded, const base::ParameterValues& values,
            const process::Process& process);
 
-  // In the units of the part's file; `scale`: mm of one of them. Throws Error{UnusableInput}: it
-  // cannot be closed or thickened. Throws Cancelled.
+  // Returns the mesh in the units of the part's file; `scale` is millimetres per unit. Throws
+  // Error{UnusableInput} if it cannot be closed or thickened; Cancelled.
   std::shared_ptr<const geometry::TriangleMesh> mesh(double scale, const base::RunContext& ctx);
-  // That the part is open, which blocks, or what was done about it and which defects the mesh that
-  // was made last still has.
+  // Returns the finding that the part is open (blocking), or how it was closed or thickened and
+  // which defects the mesh returned last still has.
   plan::Findings findings() const;
-  // What was mended to make it, a sentence each.
+  // Repairs made for the last mesh, one sentence each.
   const std::vector<base::Message>& repairs() const { return repairs_; }
 
 private:
@@ -46,9 +46,9 @@ private:
   const project::LoadedPart& loaded_;
   std::string choice_;
   double wallMm_;
-  std::shared_ptr<const geometry::TriangleMesh> mesh_; // made last
-  double scale_ = 0.0;                                 // for which it was thickened
-  std::vector<base::Message> repairs_, remains_;       // of it
+  std::shared_ptr<const geometry::TriangleMesh> mesh_; // the last result of mesh()
+  double scale_ = 0.0;                                 // scale for which mesh_ was thickened
+  std::vector<base::Message> repairs_, remains_;       // of mesh_
 };
 
 } // namespace voluta::pipeline

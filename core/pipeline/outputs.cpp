@@ -23,7 +23,7 @@ constexpr const char* kReportName = "report.json";
 
 void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem::path& folder,
                  const base::RunContext& ctx) {
-  std::error_code failed; // writing into it says so
+  std::error_code failed; // a failure is reported when a file is written
   std::filesystem::create_directories(folder, failed);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     ctx.checkpoint();
@@ -70,13 +70,13 @@ void writeProgram(const CheckedProgram& checked, const std::filesystem::path& fo
 } // namespace
 
 namespace {
-// What stops the plan before what is only worth knowing; each in the order of the stages.
+// Sorts blocking findings first; otherwise they keep the order of the stages.
 void writeReport(project::Report report, const std::filesystem::path& folder) {
   std::ranges::stable_partition(report.findings, &plan::Finding::blocking);
   base::writeFile(folder / kReportName, project::reportJson(report));
 }
 
-// Its tool-paths are the whole part's: of a print that is taken up again there is none.
+// The build file contains the whole part's tool-paths, so a resumed print has none.
 bool writesBuildFile(const PlanResult& result) {
   return result.buildFile && result.job.toolPlan && result.job.resumedAt == 0;
 }

@@ -15,10 +15,10 @@ PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformS
                        const base::RunContext& ctx)
     : toolPlan_(toolPlan), cell_(cell), ground_(platform),
       pitchMm_(collision::growingPitch(toolPlan, process)) {
-  ground_.rod.reset(); // it is a body of the cell
+  ground_.rod.reset(); // a rod is a body of the cell
   if (toolPlan.paths.empty())
     return;
-  // A rod is a body of the cell here, and ground there.
+  // In the motion stage a rod is a body of the cell; in `grown` it is ground cells.
   if (grown && !platform.rod)
     growing_ = *grown;
   else

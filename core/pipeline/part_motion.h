@@ -1,5 +1,5 @@
-// The Motion stage: from tool-paths to the robot's motion on the platform, once, and again without
-// places where a replay found that something meets.
+// The Motion stage: plans the robot's motion along the tool-paths on the platform, and plans again
+// without the waypoints at which a replay found collisions.
 #pragma once
 
 #include "base/run_context.h"
@@ -25,19 +25,19 @@ namespace voluta::pipeline {
 
 class PartMotion {
 public:
-  // Lays the part that grows, or takes what toolpathStage() has `grown` on the platform.
-  // toolPlan, cell and process must outlive the object. Throws Cancelled.
+  // Deposits the growing part, or uses `grown` from toolpathStage(), on the platform. toolPlan,
+  // cell and process must outlive the object. Throws Cancelled.
   PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
              const robot::Cell& cell, const process::Process& process,
              const motion::MotionOptions& options,
              std::shared_ptr<const collision::GrowingPart> grown, const base::RunContext& ctx);
   ~PartMotion();
 
-  // Once. Gives up where more than `mostLeftOut` of the material cannot be printed: the stage has
-  // findings and no trajectory then. Throws Cancelled.
+  // Call once. Gives up if more than the fraction `mostLeftOut` of the material cannot be printed;
+  // the stage then has findings but no trajectory. Throws Cancelled.
   std::shared_ptr<const MotionStage> plan(const base::RunContext& ctx, double mostLeftOut = 1.0);
-  // After plan: without these waypoints and those of earlier calls; only their paths are planned
-  // again. Throws Cancelled.
+  // Call after plan(). Plans again without these waypoints and those of earlier calls; replans only
+  // the affected paths. Throws Cancelled.
   std::shared_ptr<const MotionStage> planWithout(const std::vector<std::size_t>& waypoints,
                                                  const base::RunContext& ctx);
 
@@ -48,12 +48,12 @@ private:
   const plan::ToolPlan& toolPlan_;
   const robot::Cell& cell_;
   platform::PlatformSolid ground_;
-  double pitchMm_; // of the growing part's cells
-  // Only while something is planned: it is large, and laid in a fraction of a second. The planner
-  // refers to it where it stands.
+  double pitchMm_; // cell size of the growing part
+  // Exists only during planning: it is large, and is rebuilt in a fraction of a second. The planner
+  // keeps a reference to it.
   std::optional<collision::GrowingPart> growing_;
-  std::unique_ptr<motion::MotionPlanner> planner_; // null: nothing to print
-  double depositS_ = 0.0;                          // not told of yet
+  std::unique_ptr<motion::MotionPlanner> planner_; // null if there is nothing to print
+  double depositS_ = 0.0;                          // deposit time not reported yet
 };
 
 } // namespace voluta::pipeline

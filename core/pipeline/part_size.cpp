@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTinyMm = 1.0, kHugeMm = 2000.0;
 
-// Half of all the area of thin places is over walls thinner than that.
+// Returns the area-weighted median thickness of the thin places.
 double usualMm(std::vector<voxel::ThinPlace> places, double areaMm2) {
   std::ranges::sort(places, {}, &voxel::ThinPlace::usualMm);
   double sum = 0.0;
@@ -41,7 +41,7 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
   const double area =
       std::accumulate(places.begin(), places.end(), 0.0,
                       [](double sum, const voxel::ThinPlace& p) { return sum + p.areaMm2; });
-  // A wall has two sides.
+  // A wall has two sides, hence half the area.
   const double volume =
       std::accumulate(places.begin(), places.end(), 0.0, [](double sum, const voxel::ThinPlace& p) {
         return sum + 0.5 * p.areaMm2 * p.usualMm;
@@ -51,7 +51,7 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
   if (places.empty() || share <= plan::kBlockingShare)
     return {};
   const double usual = usualMm(places, area);
-  // To a hundredth, upwards: rounding down would leave it too thin.
+  // Round up to a hundredth: rounding down would leave the wall too thin.
   const double wanted = std::ceil(100.0 * scale * least / std::max(usual, 1e-6)) / 100.0;
   std::vector<plan::NamedValue> values{{"share", base::percent(100.0 * share)},
                                        {"usual", base::mm(usual)},
@@ -62,7 +62,7 @@ plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
   plan::Finding thin =
       plan::makeFinding(room ? plan::FindingKind::ThinPart : plan::FindingKind::ThinPartInReach,
                         std::move(values), places.front().at);
-  // A bead stands over a thin wall by what it is wider, or leaves the wall out.
+  // A bead overfills a thin wall by the difference in width, or the wall is left out.
   const double wrong = std::accumulate(
       places.begin(), places.end(), 0.0, [&](double sum, const voxel::ThinPlace& p) {
         return sum + 0.5 * p.areaMm2 * std::min(least - p.usualMm, p.usualMm);

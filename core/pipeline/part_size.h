@@ -1,4 +1,4 @@
-// Is the part of a size that can be printed, and its walls of a bead's?
+// Checks whether the part has a printable size and its walls are at least one bead wide.
 #pragma once
 
 #include "base/run_context.h"
@@ -12,21 +12,21 @@
 
 namespace voluta::pipeline {
 
-// A part shorter than a millimetre or longer than two metres was drawn in other units: nothing can
-// be planned for it. Else what of it is thinner than the process's least bead, where that is more
-// than may be left out (plan::kBlockingShare); it blocks where beads would stand over, or what they
-// leave out would miss, more of the part than a replay lets pass. `reach`: the scale up to which
-// the part is in reach; it takes half a second, and is asked for only where walls are thin. Throws
-// Cancelled.
+// Returns a blocking finding for parts smaller than 1 mm or larger than 2 m: they were drawn in
+// other units. Otherwise returns the share of the part that is thinner than the process's minimum
+// bead width, if that exceeds plan::kBlockingShare. That finding blocks if overfill by wide beads,
+// or the walls left out, would exceed the replay's threshold for overfill. `reach` returns the
+// maximum scale within the robot's reach; it takes half a second and is called only if walls are
+// thin. Throws Cancelled.
 plan::Findings sizeFindings(const geometry::TriangleMesh& part, double scale,
                             const std::function<double()>& reach, const process::Process& process,
                             const base::RunContext& ctx);
 
-// A scale to offer: to three digits, downwards, as more than `most` would leave the part too large.
+// Returns `most` rounded down to three digits: rounding up would leave the part too large.
 double scaleWithin(double most);
 
-// That the robot gets to too little of a part that stands at `scale`, and the scale at which it
-// would get to it; nullopt: the part has no other.
+// Returns the finding that the robot reaches too little of a part of scale `scale`, with the scale
+// at which it would reach enough. nullopt: no other scale can be offered.
 plan::Finding tooLargeFinding(const motion::TooLarge& told, std::optional<double> scale);
 
 } // namespace voluta::pipeline

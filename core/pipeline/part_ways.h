@@ -1,4 +1,4 @@
-// How a placed part could stand otherwise, and whether it should.
+// Alternative orientations of a placed part, and whether one of them should be used.
 #pragma once
 
 #include "base/run_context.h"
@@ -16,30 +16,33 @@
 
 namespace voluta::pipeline {
 
-// Is it for the user to say how the part stands? Some modes lay it themselves.
+// Returns whether the user chooses the part's orientation. Some modes place the part themselves.
 bool standsFreely(const project::Choices& choices);
 
-// placement::waysToStand() of the part as it was placed; of a voxel object quarter turns only.
-// Throws Error{Usage}: a parameter, the part's size; Cancelled.
+// Returns placement::waysToStand() of the part as placed; for a voxel object only quarter turns.
+// Throws Error{Usage} for parameters or the part's size; Cancelled.
 std::vector<placement::Way> partWays(const modes::LoadStage& placed,
                                      const project::Choices& choices,
                                      const process::Process& process, const base::RunContext& ctx);
-// What they are made from, as text, but for how the part is turned. `scale`: of the placed part.
+// Cache key: all inputs of partWays() except the part's rotation. `scale` is that of the placed
+// part.
 std::string partWaysKey(const project::LoadedPart& loaded, double scale,
                         const project::Choices& choices, const process::Process& process);
 
-// The placement that stands the part so, on the plate. `placed`: with which the way was found.
+// Returns the placement that puts the part on the plate in this orientation. `placed`: the
+// placement from which the way was computed.
 geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed);
 
-// Where a part lies badly (placement::liesBadly): told, with the way that is best.
+// Findings of poor orientation (placement::liesBadly), with the best alternative.
 struct StandStage {
   static constexpr project::Stage kStage = project::Stage::Load;
   plan::Findings findings;
 };
-// What it is made from, as text: nothing of a platform, so that ways of building share it.
+// Cache key of the StandStage. It does not depend on the platform, so that ways of building share
+// the result.
 std::string standKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
                      const project::Choices& choices, const process::Process& process);
-// Nothing is told of parts that the mode or a search (orient) lays. Throws as partWays().
+// Returns no findings for parts that the mode or a search (orient) orients. Throws as partWays().
 std::shared_ptr<const StandStage> standStage(const modes::LoadStage& placed,
                                              const project::Choices& choices,
                                              const process::Process& process,

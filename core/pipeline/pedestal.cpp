@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Group codes and values, a line each (AutoCAD R12 DXF: POLYLINE, its closed flag, VERTEX).
+// Group codes and values, one per line (AutoCAD R12 DXF: POLYLINE, its closed flag, VERTEX).
 std::string polylineDxf(const std::vector<Vector2d>& outline, std::string_view layer) {
   std::string text = fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n", layer);
   for (const Vector2d& p : outline)
@@ -41,7 +41,8 @@ geometry::TriangleMesh meshOf(const robot::Prism& prism) {
   return mesh;
 }
 
-// Is the platform's own place, the work frame's z, beneath the part's box?
+// Returns whether the platform's own position, the z axis of the work frame, is below the part's
+// bounding box.
 bool coversAxis(const geometry::TriangleMesh& part) {
   const Eigen::AlignedBox3d box = geometry::bounds(part);
   return (box.min().head<2>().array() <= 0.0).all() && (box.max().head<2>().array() >= 0.0).all();
@@ -64,7 +65,7 @@ std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan) {
   if (const robot::Prism* foot = robot::footOf(*plan.cell)) {
     outlines += polylineDxf(foot->polygon, "FOOT");
     const geometry::TriangleMesh slab = meshOf(*foot);
-    // As two bodies in one another a slicer takes them for one too.
+    // If the union fails, the bodies overlap in the file; slicers treat them as one body as well.
     auto joined = geometry::meshBoolean(geometry::BooleanOperation::Union, solid, slab, false);
     if (joined)
       solid = *std::move(joined);

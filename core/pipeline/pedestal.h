@@ -1,4 +1,4 @@
-// The pedestal that a part stands on with platform fit, as files for whoever makes it.
+// The pedestal of a fitted platform (platform `fit`), as files for manufacturing it.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -9,15 +9,16 @@
 
 namespace voluta::pipeline {
 
-// pedestal.dxf (its outline seen from above, a closed polyline of AutoCAD R12, mm; on a layer FOOT
-// the foot's, where it lies beside what carries it: robot/plate.h) and pedestal.stl (the solid).
-// Both in the work frame: the origin is where the cell carries it, z = 0 its top. None where the
-// platform is not made for the part, or not known yet.
+// Returns pedestal.dxf (the outline in plan view, a closed polyline of AutoCAD R12 [mm]; layer FOOT
+// has the foot's outline if the pedestal is offset from its carrier: robot/plate.h) and
+// pedestal.stl (the solid). Both are in the work frame: the origin is where the cell carries the
+// platform, z = 0 is its top. Returns no files if the platform is not made for the part or not
+// known yet.
 std::vector<plan::ProgramFile> pedestalFiles(const PlanResult& plan);
 
-// How far the cell's platform lies beside what carries it, so that it would float, mm. 0: it is
-// carried; as a pedestal is that is made beneath the part, which has a foot as far as its stem.
-// A part that stands beside its place has none. `part`: placed.
+// Returns the gap between the cell's platform and its carrier, by which it would float [mm]. 0: the
+// platform is carried. So is a pedestal made below the part, which has a foot that extends to its
+// stem, unless the part is placed beside the platform's position. `part`: placed.
 double adriftMm(const project::Platform& platform, const geometry::TriangleMesh& part,
                 const robot::Cell& cell);
 

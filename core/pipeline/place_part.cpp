@@ -27,14 +27,14 @@
 namespace voluta::pipeline {
 
 namespace {
-// Tilt to which every point of a part has to be within reach of a nozzle that stands; layers that
-// wrap the sides of a part ask for about this much. A nozzle that the arm carries tilts as far over
-// few places only, and flat layers need no tilt: there a part fits that is reached from above, and
-// what leans further than the arm gets is told when it is moved.
+// Tilt up to which every point of a part has to be reachable by a fixed nozzle; layers that wrap
+// around the sides of a part need about this much. A nozzle carried by the arm tilts this far in
+// few places only, and flat layers need no tilt: there the part only has to be reachable from
+// above. Motion planning reports places that need more tilt than the arm reaches.
 constexpr double kReachTiltRad = 1.75;
 
-// Largest scale at which the ball about the part's box, standing on the plate, is in reach;
-// `enough` where it is no smaller than that.
+// Returns the largest scale at which the bounding sphere of the part's box, standing on the plate,
+// is within reach; returns `enough` if the scale is at least that.
 double reachingScale(const geometry::TriangleMesh& mesh, double unit,
                      const geometry::Placement& placement, const robot::Cell& cell,
                      std::optional<double> enough = std::nullopt) {
@@ -49,7 +49,7 @@ double reachingScale(const geometry::TriangleMesh& mesh, double unit,
   return robot::reachableBallRadius(cell, tilt) / radius;
 }
 
-// The object's cells and platform where `stage.part` has come to lie.
+// Sets the object's voxels and platform at the position of `stage.part`.
 void placeCells(const project::LoadedPart& loaded, double pitch,
                 const geometry::Placement& placement, const base::RunContext& ctx,
                 modes::LoadStage& stage) {
@@ -160,7 +160,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
     placeCells(loaded, stage->scale * unit, stage->placement, ctx, *stage);
   if (choices.item().platform.isOfCell())
     stage->platform = cellPlate(fittingCell(choices, process), *stage->part, plateNeeds(values));
-  // First of all, and of the mesh that was placed last.
+  // Insert them first. They describe the mesh that was placed last.
   const plan::Findings open = shape.findings();
   stage->findings.insert(stage->findings.begin(), open.begin(), open.end());
   stage->report.repairs = shape.repairs();

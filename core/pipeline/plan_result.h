@@ -1,4 +1,4 @@
-// What a plan is asked for, what it returns, and who is told while it is made.
+// Request and result of a plan, and the observers called while it is made.
 #pragma once
 
 #include "base/text.h"
@@ -16,13 +16,13 @@ namespace voluta::pipeline {
 
 struct RequestedItem {
   std::string part;                                  // path of a mesh, or "sample:NAME"
-  std::shared_ptr<const project::LoadedPart> loaded; // used instead of `part` when set
+  std::shared_ptr<const project::LoadedPart> loaded; // used instead of `part` if set
 };
 
 struct PlanRequest {
   std::vector<RequestedItem> items = {RequestedItem{}}; // as choices.items
   project::Choices choices;
-  project::Stage until = project::Stage::Replay; // the plan ends after it
+  project::Stage until = project::Stage::Replay; // last stage to plan
 
   RequestedItem& item(std::size_t i = 0) { return items.at(i); }
   const RequestedItem& item(std::size_t i = 0) const { return items.at(i); }
@@ -32,32 +32,32 @@ struct PlannedItem {
   std::shared_ptr<const modes::LoadStage> placed; // null before Load is done
 };
 
-// Copies are cheap: whatever is large is shared.
+// Cheap to copy: all large data are shared.
 struct PlanResult {
   project::Job job;                                 // choices, results and report
   std::vector<PlannedItem> items = {PlannedItem{}}; // as the job's
   std::shared_ptr<const process::Process> process;
   std::shared_ptr<const robot::Cell> cell; // with the job's platform; null before Decompose is done
-  std::vector<std::shared_ptr<const CheckedProgram>> checked; // one a format, refused ones too
-  bool debug = false;                                         // --set output.debug=true
-  bool keepRefused = false;                                   // --set output.refused=true
-  bool proofs = false;                                        // --set output.proof=true
-  bool buildFile = false;                                     // --set output.build3mf=true
+  // one per format, including refused ones
+  std::vector<std::shared_ptr<const CheckedProgram>> checked;
+  bool debug = false;       // --set output.debug=true
+  bool keepRefused = false; // --set output.refused=true
+  bool proofs = false;      // --set output.proof=true
+  bool buildFile = false;   // --set output.build3mf=true
 
   PlannedItem& item(std::size_t i = 0) { return items.at(i); }
   const PlannedItem& item(std::size_t i = 0) const { return items.at(i); }
 };
 
-// Called on the running thread as soon as a stage is done, taken from the cache or not, with all
-// that is there so far.
+// Called on the running thread after each stage, computed or cached, with the results so far.
 using StageObserver = std::function<void(project::Stage, const PlanResult&)>;
 
-// Called on the running thread with what a decomposition that is being made has come to: its ranks,
-// then its field as rounds improve it; and with the plan, which has its Load stage by then.
+// Called on the running thread with the intermediate results of a decomposition: its ranks, then
+// the field after each improving round; and with the plan, whose Load stage is done by then.
 using PreviewObserver =
     std::function<void(std::shared_ptr<const curved::Decomposition>, const PlanResult&)>;
 
-// Which way of building mode auto is planning.
+// The way of building that mode auto is planning now.
 struct WayInTurn {
   base::Message name; // "flat layers with supports"
   std::size_t number = 1, count = 1;
@@ -66,7 +66,7 @@ struct WayInTurn {
 // Called on the running thread before each way.
 using WayObserver = std::function<void(const WayInTurn&)>;
 
-// Each may be empty.
+// Any of them may be empty.
 struct PlanObservers {
   StageObserver onStage = {};
   PreviewObserver onPreview = {};

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Surface faces that a mesh file should not have many more of.
+// Soft limit for the faces of the mesh file.
 constexpr double kMostFaces = 4e5;
 
 double pitchFor(const plan::ToolPlan& plan, const process::Process& process) {
@@ -25,12 +25,13 @@ double pitchFor(const plan::ToolPlan& plan, const process::Process& process) {
         box.extend(plan.position[i]);
   const Vector3d size = box.isEmpty() ? Vector3d::Zero().eval() : box.sizes();
   const double area =
-      2.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()); // of its box
+      // surface of its bounding box
+      2.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
   return std::max(0.5 * process.layerHeightMm, std::sqrt(area / kMostFaces));
 }
 
-// Fills the voids between beads: shells that look inwards, of no more than so much. A larger one is
-// a cavity of the part.
+// Fills voids between beads, i.e. shells that face inwards with a volume up to `mostMm3`. Larger
+// ones are cavities of the part.
 geometry::TriangleMesh withoutPores(const geometry::TriangleMesh& mesh, double mostMm3) {
   const geometry::Components shells = geometry::components(mesh);
   std::vector<double> volume(static_cast<std::size_t>(shells.count), 0.0);
@@ -49,7 +50,7 @@ geometry::TriangleMesh withoutPores(const geometry::TriangleMesh& mesh, double m
   return geometry::subMesh(mesh, keep);
 }
 
-// Every vertex moves by `share` of the way to the mean of its neighbours.
+// Moves every vertex by `share` of the distance to the mean of its neighbours.
 void relax(geometry::TriangleMesh& mesh, double share) {
   std::vector<Vector3d> sum(mesh.vertices.size(), Vector3d::Zero());
   std::vector<int> count(mesh.vertices.size(), 0);
@@ -70,10 +71,10 @@ void relax(geometry::TriangleMesh& mesh, double share) {
 geometry::TriangleMesh printedSolid(const plan::ToolPlan& plan, const process::Process& process,
                                     const base::RunContext& ctx) {
   const double bead = process.beadWidthMm * process.beadWidthMm * process.layerHeightMm;
-  constexpr double kPoreBeads = 8.0; // two bead widths both ways, two layers high
+  constexpr double kPoreBeads = 8.0; // two bead widths in both directions, two layers high
   geometry::TriangleMesh solid =
       withoutPores(build3mf::solidOfBeads(plan, pitchFor(plan, process), ctx), kPoreBeads * bead);
-  // Taubin (1995): what the first step shrinks, the second swells again.
+  // Taubin (1995): the second step undoes the shrinkage of the first.
   constexpr double kSmooth = 0.5, kSwell = -0.53;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {

@@ -8,11 +8,11 @@
 
 namespace voluta::pipeline {
 
-// The solid that the part's beads make together (build3mf/bead_cells.h): closed, without walls
-// inside where beads lie side by side, its volume the material's; supports and waste left out.
-// Pores of less than about two beads are filled. Steps of its cells are smoothed. About half a
-// layer fine, coarser for large parts. mm. Throws Error{UnusableInput}: beads without a section;
-// Cancelled.
+// Returns the union of the part's beads (build3mf/bead_cells.h) [mm]: closed, without inner walls
+// between adjacent beads, its volume that of the material; without supports and waste. Pores of
+// less than about two beads are filled and the steps between cells smoothed. The resolution is
+// about half a layer, coarser for large parts. Throws Error{UnusableInput} for beads without a
+// section; Cancelled.
 geometry::TriangleMesh printedSolid(const plan::ToolPlan& plan, const process::Process& process,
                                     const base::RunContext& ctx);
 

@@ -13,14 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder as the files of one program see it.
+// The folder of a program, in which its file names are resolved.
 class Folder {
 public:
   explicit Folder(const fs::path& file) : folder_(file.parent_path()) {
     const std::string name = file.filename().string();
     refused_ = name.starts_with(kRefusedPrefix);
   }
-  // Where the file lies that a program's text calls by this name.
+  // Returns the path of the file that a program's text calls by this name.
   fs::path pathOf(const std::string& name) const {
     const fs::path refused = folder_ / (std::string(kRefusedPrefix) + name);
     return refused_ && fs::exists(refused) ? refused : folder_ / name;
@@ -31,8 +31,8 @@ private:
   bool refused_ = false;
 };
 
-// The first file of the program that `file` is of; nothing where none of these has it, or where the
-// first is not there.
+// Returns the first file of the program that contains `file`; nullopt if no program does, or if the
+// first file does not exist.
 std::optional<std::string> firstOf(const fs::path& file,
                                    const std::vector<project::ProgramReport>& written,
                                    const Folder& folder) {
@@ -53,7 +53,7 @@ struct Read {
   }
 };
 
-// A file and all that it goes on in, each once.
+// Returns a file and all files that it continues in, each once.
 FoundProgram programFrom(const std::string& name, const fs::path& path, const fs::path& named,
                          const Folder& folder) {
   Read read;
@@ -79,7 +79,7 @@ FoundProgram findProgram(const fs::path& file, const std::vector<project::Progra
   if (const std::optional<std::string> first = firstOf(file, written, folder)) {
     FoundProgram whole = programFrom(*first, folder.pathOf(*first), file, folder);
     if (whole.named < whole.files.size())
-      return whole; // else what lies there does not go on in the file
+      return whole; // otherwise a file of that name is unrelated
   }
   return programFrom(file.filename().string(), file, file, folder);
 }

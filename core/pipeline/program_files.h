@@ -1,4 +1,4 @@
-// A program on disk, with the files that it goes on in.
+// Reads a program from disk with the files that it continues in.
 #pragma once
 
 #include "plan/program.h"
@@ -13,19 +13,20 @@
 
 namespace voluta::pipeline {
 
-// Before the names of a program's files where the replay refused it.
+// Prefix of the file names of programs that the replay refused.
 inline constexpr std::string_view kRefusedPrefix = "refused-";
 
 struct FoundProgram {
   const program::Dialect* dialect = nullptr; // never null
-  std::vector<plan::ProgramFile> files;      // each once; what is run first
-  std::size_t named = 0;                     // of these the one that was asked for
+  std::vector<plan::ProgramFile> files;      // each once, in the order of execution
+  std::size_t named = 0;                     // index of the requested file
 };
 
-// The program that a file is of: all files of the one among `written`, of a job, that has a file of
-// this name, where its first file lies beside it; else the file and what it goes on in. Files of a
-// refused program bear the names by which they call each other.
-// Throws Error{UnreadableFile}: a file is missing; Error{UnusableInput}: no known format.
+// Returns the program that contains a file: all files of the program in `written` (of a job) that
+// has a file of this name, if its first file is in the same folder; otherwise the file and those it
+// continues in. Files of a refused program are returned under the names by which they call each
+// other. Throws Error{UnreadableFile} if a file is missing; Error{UnusableInput} for an unknown
+// format.
 FoundProgram findProgram(const std::filesystem::path& file,
                          const std::vector<project::ProgramReport>& written);
 

@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What all programs of a plan have in common.
+// Data shared by all programs of a plan.
 struct Measured {
   plan::Trajectory trajectory; // of the programs, from their start
   motion::MotionMargins margins;
@@ -49,17 +49,17 @@ std::string now() {
   return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(std::time(nullptr)));
 }
 
-// Finds places of one program by points of the plan's motion and by positions on the part.
+// Finds places in one program by points of the plan's motion and by positions on the part.
 class Places {
 public:
   Places(const PlanResult& result, const CheckedProgram& checked)
       : plan_(*result.job.toolPlan), whole_(*result.job.trajectory), cell_(*result.cell),
         checked_(checked), resumedAt_(result.job.resumedAt) {}
 
-  // `point` of the programs' own motion.
+  // `point` counts from the start of the programs' own motion.
   ProofPlace ofPoint(std::size_t point) const { return at(resumedAt_ + point); }
 
-  // Of the waypoint nearest to it.
+  // Returns the place of the nearest waypoint.
   ProofPlace near(const std::optional<Eigen::Vector3d>& position) const {
     if (!position)
       return {};
@@ -96,7 +96,7 @@ private:
     return place;
   }
 
-  // Of the bead that is laid there, or that was laid before.
+  // Returns the layer of the bead printed at the point, or of the last one before it.
   int layerOf(std::size_t point) const {
     for (std::size_t i = point + 1; i-- > 0;)
       if (const std::size_t waypoint = whole_.waypoint[i]; waypoint != plan::kNoWaypoint) {
@@ -206,7 +206,7 @@ Json replayJson(const Proof& proof) {
               {"textDeviations", proof.deviations}};
 }
 
-// Where the shares stand in the text: in one line, not in thousands.
+// Placeholder for the shares, which are inserted as one line instead of thousands.
 constexpr const char* kFilled = "@filled@";
 
 Json fillJson(const FillMap& fill) {

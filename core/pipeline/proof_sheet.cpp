@@ -1,4 +1,4 @@
-// What a proof says to who runs the program and to who gets the part: verdict first, then each
+// The text of a proof for the operator and the recipient of the part: first the verdict, then each
 // margin as a sentence with its limit and its worst place.
 #include "base/duration.h"
 #include "pipeline/proof.h"
@@ -21,9 +21,9 @@ base::Quantity share(double fraction) {
   return base::percent(100.0 * fraction);
 }
 
-// The fill map's classes, fullest first: beads with round edges that touch fill nine tenths, and
-// the material that is pressed between them the rest. Colours that eyes of every kind tell apart,
-// none of them the red of what failed.
+// Classes of the fill map, fullest first. Touching beads with round edges fill nine tenths of the
+// volume, the material pressed between them the rest. The colours are safe for colour-blind readers
+// and none of them is the red of failed checks.
 struct FillClass {
   double least; // share
   page::Colour colour;
@@ -41,7 +41,7 @@ int fillClassOf(double filled) {
       std::min<std::ptrdiff_t>(found - kFillClasses.begin(), std::ssize(kFillClasses) - 1));
 }
 
-// The mean along the view. `across`: the axis to the right; z is up.
+// Returns the mean along the view. `across`: the axis that points right; z is up.
 page::CellMap viewOf(const FillMap& fill, int across) {
   const int along = 1 - across;
   page::CellMap map{fill.size[across], fill.size.z(), {}, {}};
@@ -64,7 +64,7 @@ page::CellMap viewOf(const FillMap& fill, int across) {
   return map;
 }
 
-// No line ends between a number and its unit.
+// Keeps numbers and their units on one line (no-break spaces).
 std::string unbroken(std::string text) {
   constexpr std::string_view kUnits[] = {" %", " mm", " g", " min", " h", " s", " cm"};
   constexpr std::string_view kFixedSpace = "\u00a0";
@@ -85,21 +85,21 @@ public:
       : proof_(proof), verdict_(proof.verdict), language_(language) {}
 
   page::Sheet make() {
-    sheet_.title =
-        say(message("{part}: proof of the {format} program"_text, proof_.part, proof_.format));
+    sheet_.title = say(message("{part}: verification report of the {format} program"_text,
+                               proof_.part, proof_.format));
     sheet_.issued = say(message("Voluta {version}, {date}"_text, proof_.version, proof_.date));
     facts();
-    sheet_.checksTitle = say("What was checked, and where it comes nearest to its limit"_text);
+    sheet_.checksTitle = say("Checks, with the closest approach to each limit"_text);
     beadChecks();
     programChecks();
     motionChecks();
     verdict();
     maps();
     files();
-    sheet_.footer =
-        say(message("Positions are mm in the work frame: from the middle of the platform's top, z "
-                    "out of it. The part as printed, as a solid: {file}"_text,
-                    proof_.printed));
+    sheet_.footer = say(
+        message("Positions are in mm in the work frame: origin at the centre of the "
+                "platform's top, z pointing out of it. The printed part as a solid: {file}"_text,
+                proof_.printed));
     return std::move(sheet_);
   }
 
@@ -155,27 +155,25 @@ private:
   void beadChecks() {
     const project::ThresholdsReport& limits = verdict_.thresholds;
     check(verdict_.coveredFraction >= limits.covered,
-          message("Fill: {share:.1f} of the part is filled; {limit:.0f} are required."_text,
+          message("Fill: {share:.1f} of the part is filled; at least {limit:.0f} required."_text,
                   share(verdict_.coveredFraction), share(limits.covered)),
           place(proof_.gap));
     check(verdict_.overfillFraction <= limits.overfill,
-          message("Overfill: {share:.1f} of the part's volume lies outside it or found no room; at "
-                  "most {limit:.0f}."_text,
+          message("Overfill: {share:.1f} of the part's volume lies outside it or in places "
+                  "already full; at most {limit:.0f} allowed."_text,
                   share(verdict_.overfillFraction), share(limits.overfill)),
           place(proof_.overfill));
-    check(
-        std::abs(verdict_.massRatio - 1.0) <= limits.mass,
-        message("Amount: {share:.1f} of the part's volume is laid; {least:.0f#} to {most:.0f} are "
-                "allowed."_text,
-                share(verdict_.massRatio), share(1.0 - limits.mass), share(1.0 + limits.mass)));
+    check(std::abs(verdict_.massRatio - 1.0) <= limits.mass,
+          message("Amount: {share:.1f} of the part's volume is deposited; {least:.0f#} to "
+                  "{most:.0f} allowed."_text,
+                  share(verdict_.massRatio), share(1.0 - limits.mass), share(1.0 + limits.mass)));
     check(verdict_.unsupportedFraction <= limits.unsupported,
-          message("Unsupported: {share:.2f} of the bead length has nothing beneath it; at most "
-                  "{limit:.1f}."_text,
+          message("Unsupported: {share:.2f} of the bead length; at most {limit:.1f} allowed."_text,
                   share(verdict_.unsupportedFraction), share(limits.unsupported)),
           place(proof_.unsupported));
     check(Mark::Note,
-          message("Half-carried: {share:.1f} of the bead length lies on less than half its "
-                  "width."_text,
+          message("Partly supported: {share:.1f} of the bead length is supported over less "
+                  "than half its width."_text,
                   share(verdict_.halfCarriedFraction)),
           place(proof_.halfCarried));
     const double bridge = proof_.process.bridgeMm;
@@ -188,18 +186,18 @@ private:
   void programChecks() {
     const project::ThresholdsReport& limits = verdict_.thresholds;
     check(verdict_.flowErrorFraction <= limits.flowError,
-          message("Bead section: wrong by more than 5 % over {share:.2f} of the printed length; at "
-                  "most {limit:.0f}."_text,
+          message("Bead section: off by more than 5 % over {share:.2f} of the printed length; "
+                  "at most {limit:.0f} allowed."_text,
                   share(verdict_.flowErrorFraction), share(limits.flowError)),
           place(proof_.flowError));
     check(verdict_.maxDeviationMm <= limits.deviationMm,
-          message("Path: the nozzle leaves its planned path by {way:.3f} at most; {limit:.2f} are "
-                  "allowed."_text,
+          message("Path: the nozzle deviates from the planned path by up to {way:.3f}; at most "
+                  "{limit:.2f} allowed."_text,
                   base::mm(verdict_.maxDeviationMm), base::mm(limits.deviationMm)),
           place(proof_.deviation));
     if (proof_.deviations > 0)
-      check(false, message("{places} place where the text is not what was planned|"
-                           "{places} places where the text is not what was planned"_plural,
+      check(false, message("{places} place where the program differs from the plan|{places} places "
+                           "where the program differs from the plan"_plural,
                            proof_.deviations));
   }
 
@@ -210,34 +208,34 @@ private:
       nozzleChecks();
   }
 
-  // Of a program that says where the nozzle is, not where the arm is.
+  // For programs that contain nozzle positions but no joint values.
   void nozzleChecks() {
     const project::ThresholdsReport& limits = verdict_.thresholds;
     check(verdict_.collisions <= limits.collisions,
-          message("Collisions of head, plate and part: {collisions}; none is allowed."_text,
+          message("Collisions of head, plate and part: {collisions}; none allowed."_text,
                   verdict_.collisions));
     check(verdict_.limitViolations <= limits.limitViolations,
-          message("Limits of flow and blends: {violations} violations; none is allowed."_text,
+          message("Limits of flow and blends: {violations} violations; none allowed."_text,
                   verdict_.limitViolations));
-    check(Mark::Note, "Arm, joints and their limits: not checked, as the program says where the "
-                      "nozzle is and not where the arm is."_text);
+    check(Mark::Note, "Arm, joints and their limits: not checked, as the program contains nozzle "
+                      "positions but no joint values."_text);
   }
 
   void armChecks() {
     const project::ThresholdsReport& limits = verdict_.thresholds;
     check(verdict_.collisions <= limits.collisions,
-          message("Collisions: {collisions}; none is allowed."_text, verdict_.collisions));
+          message("Collisions: {collisions}; none allowed."_text, verdict_.collisions));
     check(verdict_.collisions <= limits.collisions ? Mark::Passed : Mark::Note,
-          message("Closest approach of arm, plate and part: {way:.1f} apart."_text,
+          message("Minimum clearance between arm, plate and part: {way:.1f}."_text,
                   base::mm(proof_.clearance.value)),
           place(proof_.clearance.place));
     check(verdict_.limitViolations <= limits.limitViolations,
-          message("Limits of joints, speeds and flow: {violations} violations; none is "
-                  "allowed."_text,
+          message("Limits of joints, speeds and flow: {violations} violations; none allowed."_text,
                   verdict_.limitViolations));
     jointChecks();
     check(Mark::Note,
-          message("Singular poses: isotropy falls to {ratio:.3f} (0 is singular, 1 is even)."_text,
+          message("Singularities: isotropy is at least {ratio:.3f} (0 is singular, 1 is "
+                  "isotropic)."_text,
                   base::number(proof_.isotropy.value)),
           place(proof_.isotropy.place));
   }
@@ -245,22 +243,22 @@ private:
   void jointChecks() {
     if (proof_.joints.empty())
       return;
-    // Degrees and mm side by side: near is near in either.
+    // Compares degrees with mm: a small margin is small in either unit.
     const auto nearest = std::ranges::min_element(
         proof_.joints, {}, [](const Proof::Joint& joint) { return joint.margin.value; });
-    check(nearest->margin.value >= 0.0 ? Mark::Passed : Mark::Note,
-          message("Joint range: joint {name} comes nearest to its limit, {angle:.1f} from it."_text,
-                  nearest->name,
-                  nearest->slides ? base::mm(nearest->margin.value)
-                                  : base::degrees(nearest->margin.value)),
-          place(nearest->margin.place));
+    check(
+        nearest->margin.value >= 0.0 ? Mark::Passed : Mark::Note,
+        message("Joint range: joint {name} has the smallest margin to its limit, {angle:.1f}."_text,
+                nearest->name,
+                nearest->slides ? base::mm(nearest->margin.value)
+                                : base::degrees(nearest->margin.value)),
+        place(nearest->margin.place));
     const auto fastest = std::ranges::max_element(
         proof_.joints, {}, [](const Proof::Joint& joint) { return joint.speed.value; });
-    check(
-        fastest->speed.value <= 1.0 ? Mark::Passed : Mark::Note,
-        message("Joint speed: joint {name} comes nearest to its limit, at {share:.0f} of it."_text,
-                fastest->name, share(fastest->speed.value)),
-        place(fastest->speed.place));
+    check(fastest->speed.value <= 1.0 ? Mark::Passed : Mark::Note,
+          message("Joint speed: joint {name} is closest to its limit, at {share:.0f} of it."_text,
+                  fastest->name, share(fastest->speed.value)),
+          place(fastest->speed.place));
   }
 
   base::Message howItWasMeasured() const {
@@ -289,21 +287,21 @@ private:
                                          : "Refused: do not run this program."_text);
     sheet_.verdictDetail = say(verdict_.passed ? howItWasMeasured() : howItFailed(failed));
     if (proof_.foreign)
-      sheet_.verdictDetail += " " + say("It is for another controller than the cell's own."_text);
+      sheet_.verdictDetail += " " + say("It is for another controller than the cell's."_text);
     if (proof_.rest)
-      sheet_.verdictDetail += " " + say("It prints the rest of a part that was stopped."_text);
+      sheet_.verdictDetail += " " + say("It prints the rest of a stopped print."_text);
   }
 
   void maps() {
     sheet_.mapsTitle =
-        say("How full the part is: the mean along the view, of beads with round edges"_text);
+        say("Fill of the part: mean along the view, for beads with round edges"_text);
     sheet_.maps = {viewOf(proof_.fill, 0), viewOf(proof_.fill, 1)};
     sheet_.maps[0].caption = say("from the front (x to the right, z up)"_text);
     sheet_.maps[1].caption = say("from the side (y to the right, z up)"_text);
     for (std::size_t i = 0; i < kFillClasses.size(); ++i) {
       const base::Quantity least = share(kFillClasses[i].least);
       const base::Message label =
-          i == 0 ? message("{share:.0f} and more filled"_text, least)
+          i == 0 ? message("at least {share:.0f} filled"_text, least)
           : i + 1 == kFillClasses.size()
               ? message("less than {share:.0f}"_text, share(kFillClasses[i - 1].least))
               : message("{least:.0f#} to {most:.0f}"_text, least, share(kFillClasses[i - 1].least));
@@ -312,7 +310,7 @@ private:
   }
 
   void files() {
-    sheet_.filesTitle = say("Program files, with the SHA-256 of each"_text);
+    sheet_.filesTitle = say("Program files with their SHA-256"_text);
     for (const Proof::File& file : proof_.files)
       sheet_.files.push_back(
           {file.name, say(message("{bytes} bytes"_text, file.bytes)), file.sha256});

@@ -1,4 +1,4 @@
-// How a proof is written: in which language, and with which pictures.
+// Language and pictures of a proof.
 #pragma once
 
 #include "base/text.h"
@@ -14,7 +14,7 @@ namespace voluta::pipeline {
 struct ProofStyle {
   std::shared_ptr<const base::Language> language = std::make_shared<base::Language>(); // never null
   std::string languageCode = "en";                                                     // BCP 47
-  // Returns two PNGs: the part, and the part as printed. Empty: the page has no pictures.
+  // Returns two PNGs: the part, and the part as printed. If empty, the page has no pictures.
   std::function<std::vector<std::string>(const project::Job&)> pictures = {};
 };
 

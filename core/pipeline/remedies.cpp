@@ -21,21 +21,21 @@ constexpr double kRoomMm = 20.0;
 
 using Edited = std::optional<project::Choices>;
 
-// In mode auto any of its ways may take a parameter.
+// In mode auto the parameter may be one of any way.
 bool takes(const project::Choices& choices, const std::string& key) {
   const modes::Mode* mode = modes::modeNamed(choices.item().mode);
   return choices.item().automatic || (mode && modes::takesParameter(*mode, key));
 }
 
-// None where the value is what it is already, or no stage knows the parameter.
+// Returns nullopt if the parameter already has this value or no stage knows it.
 std::optional<project::Choices> withParameter(const project::Choices& choices,
                                               const std::string& key, const std::string& value) {
   const base::ParameterTable table = parametersOf(choices);
   const base::ParameterSpec* spec = table.find(key);
   if (!spec || !takes(choices, key))
     return std::nullopt;
-  // In mode auto the way that was taken has values of its own.
-  const std::map<std::string, std::string> taken = resolved(choices).item().parameters;
+  // In mode auto the chosen way sets some parameters itself.
+  const std::map<std::string, std::string> taken = resolved(choices).parameters;
   const auto chosen = taken.find(key);
   const std::string now =
       chosen == taken.end() ? base::formatParameter(spec->defaultValue) : chosen->second;
@@ -64,8 +64,8 @@ std::optional<project::Choices> turnLeastRisky(const plan::Finding&,
   return withParameter(choices, "orient", "leastRisky");
 }
 
-// The value times `factor` within the parameter's range and `limit`; none where it is there
-// already.
+// Multiplies the value by `factor`, within the parameter's range and `limit`. Returns nullopt if it
+// is at that limit already.
 Edited withMultiple(const project::Choices& choices, const std::string& key, double factor,
                     double limit) {
   const base::ParameterValues values = parameterValues(choices);
@@ -88,7 +88,7 @@ Edited moreTurns(const plan::Finding&, const project::Choices& choices) {
 
 constexpr double kLeastClearanceMm = 0.5, kMostClearanceMm = 20.0;
 
-// Of the arm and of the part; none where neither changes.
+// Changes the clearances of arm and part. Returns nullopt if neither changes.
 Edited withClearances(const project::Choices& choices, double factor, double limit) {
   const Edited arm = withMultiple(choices, "bodyClearanceMm", factor, limit);
   const Edited part = withMultiple(arm ? *arm : choices, "partClearanceMm", factor, limit);
@@ -103,7 +103,7 @@ Edited moreClearance(const plan::Finding&, const project::Choices& choices) {
   return withClearances(choices, 2.0, kMostClearanceMm);
 }
 
-// Half as high, as far as the process goes.
+// Halves the layer height, down to the process's minimum.
 Edited lowerLayers(const plan::Finding&, const project::Choices& choices) {
   const process::Process p = chosenProcess(choices, parameterValues(choices));
   const double wanted = std::max(0.5 * p.layerHeightMm, p.layerHeightMinMm);
@@ -112,7 +112,7 @@ Edited lowerLayers(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "layerHeightMm", base::formatParameter(wanted));
 }
 
-// Waypoints are as far apart as the process says, unless the user says otherwise.
+// The waypoint spacing is that of the process unless the user sets it.
 Edited withSteps(const project::Choices& choices, double factor, double limit) {
   const double now = chosenProcess(choices, parameterValues(choices)).stepMm;
   const double wanted =
@@ -132,8 +132,8 @@ Edited shorterMotions(const plan::Finding&, const project::Choices& choices) {
   return withSteps(choices, 0.5, kShortestMm);
 }
 
-// In mode auto too it is then the user's. None where it is that already, or the mode builds on
-// other things than plates.
+// Sets the platform; in mode auto it is then the user's choice. Returns nullopt if it is that
+// platform already, or the mode does not build on plates.
 Edited withPlatform(const project::Choices& choices, const project::Platform& platform) {
   const modes::Mode* mode = modes::modeNamed(choices.item().mode);
   if (!mode || !platform.isForAnyOf(mode->platforms) || choices.item().platform.isBody() ||
@@ -145,7 +145,7 @@ Edited withPlatform(const project::Choices& choices, const project::Platform& pl
   return changed;
 }
 
-// Room for supports beside the part.
+// Makes room for supports beside the part.
 std::optional<project::Choices> widenPlatform(const plan::Finding&,
                                               const project::Choices& choices) {
   const std::optional<double> margin = choices.item().platform.marginMm();
@@ -154,7 +154,7 @@ std::optional<project::Choices> widenPlatform(const plan::Finding&,
   return withPlatform(choices, choices.item().platform.withMarginMm(kRoomMm));
 }
 
-// One with room for supports, on a stem of its own.
+// Makes a platform with room for supports, on its own stem.
 Edited makePlatform(const plan::Finding&, const project::Choices& choices) {
   return choices.item().platform.marginMm()
              ? std::nullopt
@@ -165,7 +165,7 @@ Edited cellPlate(const plan::Finding&, const project::Choices& choices) {
   return withPlatform(choices, project::Platform("cell"));
 }
 
-// The parameter is for layers that are planes.
+// The parameter applies to planar layers only.
 std::optional<project::Choices> adaptLayers(const plan::Finding&, const project::Choices& choices) {
   constexpr const char* kAdaptive = "adaptiveLayers";
   const modes::Mode* mode = modes::modeNamed(choices.item().mode);
@@ -178,13 +178,13 @@ std::optional<project::Choices> turnPart(const plan::Finding&, const project::Ch
   return withParameter(choices, "orient", "fewestMissed");
 }
 
-// Voxels are shadowed by a front that spans the platform: the least one is the contact area.
+// A front that spans the platform shadows voxels; the smallest platform is the contact area.
 std::optional<project::Choices> shrinkPlatform(const plan::Finding&,
                                                const project::Choices& choices) {
   return withPlatform(choices, project::Platform::madeForPart(0.0));
 }
 
-// "0.35 mm" is a value's number, in its own unit.
+// Parses the number of a value such as "0.35 mm", in the value's unit.
 std::optional<double> numberOf(const plan::Finding& finding, std::string_view name) {
   const base::Value* value = finding.value(name);
   if (!value)
@@ -236,7 +236,8 @@ std::optional<project::Choices> scaleAsTold(const plan::Finding& finding,
   return changed.item().scale == choices.item().scale ? std::nullopt : std::optional(changed);
 }
 
-// The widest bead that is narrow enough, or narrower than now: finer ones take longer.
+// Chooses the process with the widest bead that is narrow enough, or narrower than now: finer
+// processes take longer.
 std::optional<project::Choices> finerProcess(const plan::Finding& finding,
                                              const project::Choices& choices) {
   const std::optional<double> usual = numberOf(finding, "usual");
@@ -281,7 +282,7 @@ std::optional<project::Choices> scaleToFit(const plan::Finding&, const project::
   return changed;
 }
 
-// None where the size is not the user's own number.
+// Returns nullopt if the user did not enter the scale as a number.
 Edited scaledBy(const project::Choices& choices, double factor) {
   const double scale = project::parsedScale(choices.item().scale);
   constexpr double kRound = 1e4;
@@ -323,7 +324,7 @@ Edited usualCell(const plan::Finding&, const project::Choices& choices) {
   return mode ? withCell(choices, mode->usual.cell) : std::nullopt;
 }
 
-// Where the finding says how large a foot is to be carried, one that carries it.
+// If the finding gives the size of a foot to be carried, chooses a cell that carries it.
 Edited largerCell(const plan::Finding& finding, const project::Choices& choices) {
   const Eigen::Vector2d foot(numberOf(finding, "length").value_or(0.0),
                              numberOf(finding, "width").value_or(0.0));
@@ -346,10 +347,10 @@ std::optional<project::Choices> printFlat(const plan::Finding&, const project::C
       !choices.item().platform.isForAnyOf(flat.platforms))
     return std::nullopt;
   project::Choices changed = choices;
-  changed.item().mode = flat.id;
-  changed.item().automatic = changed.item().platformStays = false;
-  if (choices.item().automatic) // as its way does
-    changed.item().parameters.try_emplace("supports", "auto");
+  changed.mode = flat.id;
+  changed.automatic = changed.platformStays = false;
+  if (choices.automatic) // the process belongs to the way
+    changed.parameters.try_emplace("supports", "auto");
   return changed;
 }
 
@@ -361,7 +362,7 @@ std::optional<project::Choices> chooseWay(const plan::Finding&, const project::C
   return changed;
 }
 
-// From what mode auto does not try, on a rod or a body, to the plate of a usual cell.
+// Changes from rods and bodies, which mode auto does not try, to the plate of a usual cell.
 Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
   if (std::ranges::any_of(automaticWays(),
                           [&](const AutomaticWay& way) { return way.mode == choices.item().mode; }))
@@ -384,74 +385,74 @@ std::span<const Remedy> remedies() {
   using enum plan::RemedyId;
   static constexpr auto kRemedies = std::to_array<Remedy>(
       {{ThickenSurface, "thickenSurface", "Thicken to a wall"_text,
-        "Two beads wide, half of it on either side of the surface"_text, thickenSurface},
-       {CloseRims, "closeRims", "Close the rims"_text,
-        "Flat patches over the rims: the part becomes solid"_text, closeRims},
-       {DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowest point on the plate"_text,
+        "Two beads wide, centred on the surface"_text, thickenSurface},
+       {CloseRims, "closeRims", "Close the openings"_text,
+        "Flat patches over the openings: the part becomes solid"_text, closeRims},
+       {DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowers the part onto the plate"_text,
         dropToPlate},
        {ShrinkPlatform, "shrinkPlatform", "Shrink platform"_text,
-        "To the area that the part stands on: the front spans less"_text, shrinkPlatform},
+        "To the part's contact area, which narrows the front"_text, shrinkPlatform},
        {MakePlatform, "makePlatform", "Make a platform for the part"_text,
-        "As wide as the part's foot and 20 mm more, on a stem of its own"_text, makePlatform},
+        "The part's footprint plus 20 mm, on its own stem"_text, makePlatform},
        {CellPlate, "cellPlate", "Use the cell's plate"_text,
-        "The smallest of the cell's plates that carries the part"_text, cellPlate},
+        "The cell's smallest plate that carries the part"_text, cellPlate},
        {AddSupports, "addSupports", "Add supports"_text,
-        "Thin columns that break off, as few as can be"_text, addSupports},
+        "As few thin break-away columns as possible"_text, addSupports},
        {WidenPlatform, "widenPlatform", "Widen the platform"_text,
-        "By 20 mm all round, so that supports have something to stand on"_text, widenPlatform},
+        "By 20 mm on all sides, to give supports a base"_text, widenPlatform},
        {AdaptLayers, "adaptLayers", "Adapt the layers"_text,
-        "Lower ones where the surface leans: steps leave less of it empty"_text, adaptLayers},
-       {LowerLayers, "lowerLayers", "Print lower layers"_text,
-        "Half as high, as far as the process goes"_text, lowerLayers},
-       {MoreTurns, "moreTurns", "Try more turns"_text,
-        "Twice as many turns about the nozzle at each place; planning takes longer"_text,
+        "Thinner layers on sloping surfaces, to reduce the gaps at steps"_text, adaptLayers},
+       {LowerLayers, "lowerLayers", "Print thinner layers"_text,
+        "Half the layer height, within the process's range"_text, lowerLayers},
+       {MoreTurns, "moreTurns", "Try more rotations"_text,
+        "Twice as many rotations about the nozzle per point; planning takes longer"_text,
         moreTurns},
        {LessClearance, "lessClearance", "Allow less clearance"_text,
-        "Half the distance that the arm keeps from itself and from the part"_text, lessClearance},
+        "Half the distance of the arm from itself and from the part"_text, lessClearance},
        {MoreClearance, "moreClearance", "Keep more clearance"_text,
-        "Twice the distance that the arm keeps from itself and from the part"_text, moreClearance},
+        "Twice the distance of the arm from itself and from the part"_text, moreClearance},
        {ShorterMotions, "shorterMotions", "Use shorter motions"_text,
-        "Waypoints half as far apart; the program gets longer"_text, shorterMotions},
+        "Half the waypoint spacing; the program gets longer"_text, shorterMotions},
        {LongerMotions, "longerMotions", "Use longer motions"_text,
-        "Waypoints twice as far apart"_text, longerMotions},
+        "Twice the waypoint spacing"_text, longerMotions},
        {TurnLeastRisky, "turnLeastRisky", "Turn the part"_text,
-        "Searches the way to lie in which least area needs support"_text, turnLeastRisky},
+        "Searches the orientation with the smallest area to support"_text, turnLeastRisky},
        {TurnPart, "turnPart", "Turn the part"_text,
-        "Searches the way to lie in which fewest voxels are missed"_text, turnPart},
-       {StandBest, "standBest", "Stand it the best way"_text,
-        "With the most contact for what leans over, and the fewest voxels missed"_text, standBest},
+        "Searches the orientation with the fewest missed voxels"_text, turnPart},
+       {StandBest, "standBest", "Use best orientation"_text,
+        "Most contact relative to the overhang, and fewest missed voxels"_text, standBest},
        {NarrowVoxels, "narrowVoxels", "Use voxel width {fits}"_text,
         "Narrow enough for this wall; narrower voxels take longer"_text, narrowVoxels},
        {ScaleUp, "scaleUp", "Print at scale {scale}"_text,
-        "As large as the least bead needs it"_text, scaleAsTold},
+        "Large enough for the narrowest bead"_text, scaleAsTold},
        {FinerProcess, "finerProcess", "Use a finer process"_text,
-        "With the widest bead that these walls have room for"_text, finerProcess},
-       {ScaleToFit, "scaleToFit", "Scale to fit"_text, "As large as the robot reaches"_text,
-        scaleToFit},
+        "With the widest bead that fits these walls"_text, finerProcess},
+       {ScaleToFit, "scaleToFit", "Scale to fit"_text,
+        "The largest scale within the robot's reach"_text, scaleToFit},
        {ScaleToReach, "scaleToReach", "Print at scale {scale}"_text,
-        "As large as the robot gets to all of it"_text, scaleAsTold},
+        "The largest scale that the robot reaches entirely"_text, scaleAsTold},
        {ScaleToPlate, "scaleToPlate", "Print at scale {scale}"_text,
-        "As large as the cell's largest plate carries"_text, scaleAsTold},
-       {Shrink, "shrink", "Print it smaller"_text, "A fifth smaller than now"_text, shrink},
-       {Enlarge, "enlarge", "Print it larger"_text, "Half as large again"_text, enlarge},
-       {UnitsMetres, "unitsMetres", "It is in metres"_text, "A thousand times as large"_text,
+        "The largest scale that the cell's plates carry"_text, scaleAsTold},
+       {Shrink, "shrink", "Print it smaller"_text, "20 % smaller"_text, shrink},
+       {Enlarge, "enlarge", "Print it larger"_text, "50 % larger"_text, enlarge},
+       {UnitsMetres, "unitsMetres", "The file is in metres"_text, "Scales it by 1000"_text,
         unitsMetres},
-       {UnitsInches, "unitsInches", "It is in inches"_text, "25.4 times as large"_text,
+       {UnitsInches, "unitsInches", "The file is in inches"_text, "Scales it by 25.4"_text,
         unitsInches},
-       {UnitsMicrometres, "unitsMicrometres", "It is in micrometres"_text,
-        "A thousandth of the size"_text, unitsMicrometres},
-       {CentrePart, "centrePart", "Centre the part"_text,
-        "Over the middle of the platform's place"_text, centrePart},
+       {UnitsMicrometres, "unitsMicrometres", "The file is in micrometres"_text,
+        "Scales it by 0.001"_text, unitsMicrometres},
+       {CentrePart, "centrePart", "Centre the part"_text, "On the platform's position"_text,
+        centrePart},
        {UsualProcess, "usualProcess", "Use the usual process"_text,
-        "Nozzle, head and material that this way of building comes with"_text, usualProcess},
+        "The default nozzle, head and material of this way of building"_text, usualProcess},
        {UsualCell, "usualCell", "Use the usual cell"_text,
-        "Robot and plate that this way of building comes with"_text, usualCell},
-       {LargerCell, "largerCell", "Use a larger cell"_text, "The next one with a larger plate"_text,
-        largerCell},
+        "The default robot and plate of this way of building"_text, usualCell},
+       {LargerCell, "largerCell", "Use a larger cell"_text,
+        "The next cell with a larger plate"_text, largerCell},
        {PrintFlat, "printFlat", "Print in flat layers"_text,
-        "As an ordinary printer does, the nozzle upright throughout"_text, printFlat},
+        "Like an ordinary printer, with the nozzle upright"_text, printFlat},
        {ChooseWay, "chooseWay", "Let Voluta choose"_text,
-        "Tries the ways of building one after the other, until nothing hangs or is missed"_text,
+        "Tries the ways of building in turn until nothing is unsupported or missed"_text,
         chooseWay},
        {PrintOnPlate, "printOnPlate", "Print on a plate"_text,
         "In a usual cell; Voluta chooses the way of building"_text, printOnPlate}});
@@ -465,8 +466,8 @@ std::vector<RemedyAction> remediesFor(const plan::Finding& finding,
   for (const Remedy& remedy : remedies()) {
     if (std::ranges::find(wanted, remedy.id) == wanted.end())
       continue;
-    // Choices that cannot be planned as they are (a value beyond the process) leave some nothing to
-    // go by.
+    // Some cures fail for choices that cannot be planned (such as a value the process does not
+    // allow).
     auto outcome = base::outcomeOf([&] { return remedy.cure(finding, choices); });
     auto* cured = std::get_if<Edited>(&outcome);
     if (!cured || !*cured)

@@ -1,4 +1,4 @@
-// What cures a finding, as an edit of the choices: one row a remedy.
+// Remedies of findings as edits of the choices, one row per remedy.
 #pragma once
 
 #include "plan/finding.h"
@@ -15,14 +15,15 @@ namespace voluta::pipeline {
 struct Remedy {
   plan::RemedyId id;
   std::string_view name; // "addSupports"
-  base::Text label;      // "Add supports"; may have places for values of the finding
+  base::Text label;      // "Add supports"; may have placeholders for values of the finding
   base::Text help;
-  // What the choices become. None where it would change nothing, or where there is nothing to do it
-  // with. Precondition: the kind of the finding has this remedy among its cures.
+  // Returns the changed choices; nullopt if nothing would change or the remedy cannot be applied.
+  // Precondition: the kind of the finding lists this remedy among its cures.
   std::optional<project::Choices> (*cure)(const plan::Finding&, const project::Choices&);
 };
 
-// One row a RemedyId, in the order they are offered: what changes least of the part first.
+// Returns one row per RemedyId, in the order in which they are offered: smallest change of the part
+// first.
 std::span<const Remedy> remedies();
 
 struct RemedyAction {
@@ -30,7 +31,7 @@ struct RemedyAction {
   base::Message label;
   project::Choices choices;
 };
-// What can be done about a finding of a plan with these choices.
+// Returns the remedies that apply to a finding of a plan with these choices.
 std::vector<RemedyAction> remediesFor(const plan::Finding& finding,
                                       const project::Choices& choices);
 

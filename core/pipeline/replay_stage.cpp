@@ -20,7 +20,7 @@ program::ProgramInput programInput(const ProgramStageInput& in,
   return {in.toolPlan, trajectory, in.cell, in.process, in.name, in.options, in.job};
 }
 
-// What was printed before the program begins, as motions of its dialect, of no line.
+// Returns the motions printed before the program begins, in its dialect and with line 0.
 std::vector<plan::ProgramMotion>
 motionsBefore(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
   const plan::Trajectory before = motion::partOf(in.trajectory, 0, in.firstPoint);
@@ -31,7 +31,7 @@ motionsBefore(const std::string& format, const ProgramStageInput& in, const base
   return std::move(read.motions);
 }
 
-// What `use` makes of what a program is written from.
+// Calls `use` with the input a program is written from.
 template <typename F> auto withInput(const ProgramStageInput& in, const F& use) {
   if (in.firstPoint == 0)
     return use(programInput(in, in.trajectory));
@@ -43,7 +43,7 @@ template <typename F> auto withInput(const ProgramStageInput& in, const F& use) 
 
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points) {
   const std::size_t first = in.firstPoint > 0 ? points.pointOf[in.firstPoint] : 0;
-  // A point stands for those before it that were left out, and ends where the last of them does.
+  // A merged point stands in for the omitted points before it and ends where the last of them ends.
   std::vector<std::size_t> commonPoint(points.trajectory->pointCount(), 0);
   for (std::size_t point = 0; point < points.pointOf.size(); ++point)
     commonPoint[points.pointOf[point]] = point;
@@ -72,7 +72,7 @@ program::JobHead headOf(const ProgramStageInput& said) {
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
                     const ProgramStageInput& in, const base::RunContext& ctx,
                     replay::JudgedRuns* judged) {
-  ctx.report(0.0, base::message("replay {format}"_text, format));
+  ctx.report(0.0, base::message("replaying {format}"_text, format));
   plan::ReadProgram read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
   if (in.firstPoint > 0) {
     std::vector<plan::ProgramMotion> motions = motionsBefore(format, in, ctx);
@@ -91,7 +91,7 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
       replay::replayProgram({std::move(read), in.toolPlan, in.trajectory, in.cell, in.process,
                              in.part, in.platform, in.firstPoint, in.commonPoint},
                             {}, ctx.sub(0.1, 1.0), judged);
-  // The program's own time, not that of what was printed before it.
+  // Exclude the time of the motions printed before this program.
   const auto& seconds = back.verdict.motionS;
   back.verdict.durationS -= std::accumulate(
       seconds.begin(), seconds.begin() + static_cast<std::ptrdiff_t>(back.firstMotion), 0.0);
@@ -132,8 +132,8 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
                                      result.name, base::number(result.value),
                                      base::number(result.limit)));
   if (verdict.deviations > 0)
-    failed.push_back(base::message("{places} place where the text is not what was planned|"
-                                   "{places} places where the text is not what was planned"_plural,
+    failed.push_back(base::message("{places} place where the program differs from the plan|"
+                                   "{places} places where the program differs from the plan"_plural,
                                    verdict.deviations));
   return failed;
 }
@@ -144,7 +144,7 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
                                                    replay::JudgedRuns* judged) {
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
-  ctx.report(0.0, base::message("write {format}"_text, format));
+  ctx.report(0.0, base::message("writing {format}"_text, format));
   const program::MergedPoints points =
       program::pointsFor(format, programInput(in, in.trajectory), ctx.sub(0.0, 0.05));
   const ProgramStageInput said = saying(in, points);
@@ -170,12 +170,12 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   checked->passed = verdict.passed;
   checked->failed = failedThresholds(verdict);
   checked->slow = slowSpans(said.trajectory, verdict.pointOf, verdict.motionS);
-  // Of a text that is not what was planned, its motions are not the plan's.
+  // With deviations, the text's motions do not correspond to the plan's waypoints.
   if (verdict.deviations == 0)
     checked->collidingWaypoints = std::move(verdict.collidingWaypoints);
   checked->maxDeviationMm = verdict.maxDeviationMm;
   checked->maxDeviationRad = verdict.maxDeviationRad;
-  // Lines are of this program's text, and there are several programs.
+  // Line numbers refer to this program's text, and a job may have several programs.
   for (plan::Finding& finding : verdict.findings)
     finding.program.format = format;
   checked->findings = std::move(verdict.findings);

@@ -1,4 +1,4 @@
-// A program's text back through its reader and the second opinion.
+// Reads a program's text back and verifies it by replay; fills the report's program rows.
 #pragma once
 
 #include "base/run_context.h"
@@ -15,38 +15,40 @@
 
 namespace voluta::pipeline {
 
-// Of motions behind those of what was printed before, of no line.
+// With Job::resumedAt, the motions of the part printed before precede those of the text; they have
+// line 0.
 struct ReadBack {
-  std::size_t firstMotion = 0; // of the text
+  std::size_t firstMotion = 0; // index of the text's first motion
   std::vector<plan::ProgramDefect> defects;
   replay::Verification verdict;
 };
 
-// The same with these points in place of the trajectory's: what a dialect says of it
-// (program::pointsFor), and the job's hash as it is without. The caller keeps them alive.
+// Returns `in` with the dialect's merged points (program::pointsFor) in place of the trajectory's
+// points, and with the hash of the job as it is without merging. The caller keeps `in` and `points`
+// alive.
 ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoints& points);
 
-// What a job's programs and what lies beside them are called: as the part; the rest of a print that
-// is taken up again apart from the first.
+// Returns the file stem of a job's programs and of the files beside them: the part's name; the rest
+// of a resumed print gets a suffix.
 std::string programsName(const project::Job& job);
 
-// What the head of a program says that is written from these (the points of its dialect: saying).
+// Returns the head of the program that is written from `said` (see saying()).
 program::JobHead headOf(const ProgramStageInput& said);
 
-// Reads `files` as `format` and replays them against what they were written from. `judged`: as
-// replay::replayProgram takes it.
+// Reads `files` as `format` and replays them against the planned motion. `judged`: as for
+// replay::replayProgram.
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
                     const ProgramStageInput& planned, const base::RunContext& ctx,
                     replay::JudgedRuns* judged = nullptr);
 
 project::ReplayReport replayReport(const replay::Verification& verdict);
 
-// "coveredFraction 0.9512 (limit 0.97)" and the like, of what failed.
+// Returns the failed thresholds as text, e.g. "coveredFraction 0.9512 (limit 0.97)".
 std::vector<base::Message> failedThresholds(const replay::Verification& verdict);
 
-// Puts what a program came to into the report and its findings. The first program, the cell's own
-// unless the user chose others only, carries the verdict; one that does not decide, for another
-// controller, is only told where it is refused.
+// Adds a program's row and findings to the report. The first program (the cell's own unless the
+// user chose others only) carries the verdict. A program that does not decide, because it is for
+// another controller, only adds a finding where it is refused.
 void tellProgram(const CheckedProgram& checked, bool first, bool decides, project::Report& report,
                  plan::Findings& findings);
 

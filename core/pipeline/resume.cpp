@@ -29,18 +29,18 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-// The file that a line is of: the one that is given, or one of the job's first program.
+// Returns the given program file, or else the first file of the job's first program.
 std::filesystem::path fileOfLine(const ResumeRequest& request, const project::Job& job) {
   if (!request.program.empty())
     return request.program;
   const auto& programs = job.report.programs;
   if (programs.empty() || programs.front().files.empty())
-    throw Error(ErrorCode::Usage, "the job has no program that a line could be of"_text, {},
+    throw Error(ErrorCode::Usage, "the job has no program to take the line from"_text, {},
                 "give --program"_text);
   return request.job.parent_path() / programs.front().files.front();
 }
 
-// Files with motions, in the order in which they are run.
+// Returns the files with motions, in the order of execution.
 std::vector<std::size_t> filesWithMotions(const plan::ReadProgram& read) {
   std::vector<std::size_t> files;
   for (const plan::ProgramMotion& m : read.motions)
@@ -49,8 +49,8 @@ std::vector<std::size_t> filesWithMotions(const plan::ReadProgram& read) {
   return files;
 }
 
-// The motion that stands at a line or after it. Where no file is given, of the only one that has
-// motions: in another the same line is another place of the part.
+// Returns the first motion at or after the requested line. Without a given file it is of the only
+// file with motions: in several files the same line means different places of the part.
 std::size_t motionAt(const ResumeRequest& request, const FoundProgram& found,
                      const plan::ReadProgram& read) {
   const std::vector<std::size_t> moving = filesWithMotions(read);
@@ -60,8 +60,8 @@ std::size_t motionAt(const ResumeRequest& request, const FoundProgram& found,
                            found.files[moving.front()].name, found.files[moving.back()].name);
   if (request.program.empty() && moving.size() > 1)
     throw Error(ErrorCode::Usage,
-                base::message("line {line} may be of any of {count} files"_text, *request.line,
-                              moving.size()),
+                base::message("line {line} is ambiguous: the program has {count} files"_text,
+                              *request.line, moving.size()),
                 found.files.front().name, std::move(remedy));
   const std::size_t file =
       request.program.empty() && !moving.empty() ? moving.front() : found.named;
@@ -70,12 +70,12 @@ std::size_t motionAt(const ResumeRequest& request, const FoundProgram& found,
   });
   if (motion == read.motions.end())
     throw Error(ErrorCode::Usage,
-                base::message("no motion stands at line {line} or after it"_text, *request.line),
+                base::message("no motion at or after line {line}"_text, *request.line),
                 found.files[file].name, std::move(remedy));
   return static_cast<std::size_t>(motion - read.motions.begin());
 }
 
-// The point of the job's trajectory from which the motion of a line leads on.
+// Returns the point of the job's trajectory from which the motion at the line starts.
 std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
                         const base::RunContext& ctx) {
   const FoundProgram found = findProgram(fileOfLine(request, job), job.report.programs);
@@ -95,10 +95,10 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
   if (!alignment.deviations.empty() || alignment.gaveUp)
     throw Error(ErrorCode::UnusableInput, "not a program of this job"_text,
                 found.files[found.named].name);
-  // A piece of a joint motion has no point of its own: the one that it leads to.
+  // A piece of a joint motion has no planned point; take the point it leads to.
   while (alignment.pointOf[at] == replay::kUnmatched)
     ++at;
-  // Of those that one motion stands for, the last.
+  // If one motion stands in for several points, take the last of them.
   const auto end = std::ranges::upper_bound(points.pointOf, alignment.pointOf[at]);
   const std::size_t point =
       job.resumedAt + static_cast<std::size_t>(end - points.pointOf.begin()) - 1;
@@ -110,16 +110,15 @@ std::size_t pointOf(const ResumeRequest& request, const project::Job& job,
   std::optional<std::size_t> point;
   if (request.bead) {
     if (*request.bead < 1 || *request.bead > job.toolPlan->paths.size())
-      throw Error(ErrorCode::Usage,
-                  base::message("there is no bead {bead}; the plan has {beads}"_text, *request.bead,
-                                job.toolPlan->paths.size()));
+      throw Error(ErrorCode::Usage, base::message("no bead {bead}: the plan has {beads} beads"_text,
+                                                  *request.bead, job.toolPlan->paths.size()));
     point = motion::resumePointOfPath(*job.trajectory, *job.toolPlan, *request.bead - 1);
   } else {
     base::require(request.line.has_value(), "a bead or a line");
     point = motion::resumePoint(*job.trajectory, pointOfLine(request, job, ctx));
   }
   if (!point)
-    throw Error(ErrorCode::UnusableInput, "nothing is printed from there on"_text, {},
+    throw Error(ErrorCode::UnusableInput, "nothing is printed after that place"_text, {},
                 "choose an earlier place"_text);
   return *point;
 }
@@ -132,7 +131,7 @@ void done(project::Job& job, project::Stage stage, const plan::Findings& finding
   job.reached = stage;
 }
 
-// The Replay stage of a job that is taken up again.
+// Runs the Replay stage of a resumed job.
 void writePrograms(PlanResult& result, const base::RunContext& ctx) {
   project::Job& job = result.job;
   const std::vector<std::string> formats = chosenFormats(job.choices, *result.cell);
@@ -184,7 +183,7 @@ private:
   project::Job& job() { return result_.plan.job; }
   project::Report& report() { return job().report; }
 
-  // What the job says of motion and programs is about the whole.
+  // The job's motion and program records describe the whole print.
   void forgetRest() {
     const auto trajectory = job().trajectory;
     const project::MotionReport motion = report().motion;
@@ -196,7 +195,7 @@ private:
 
   bool move(const base::RunContext& ctx) {
     base::Stopwatch watch;
-    ctx.report(0.0, "the part as it stands"_text);
+    ctx.report(0.0, "computing the part printed so far"_text);
     const plan::ToolPlan& plan = *job().toolPlan;
     const process::Process& process = *result_.plan.process;
     const double pitch = collision::growingPitch(plan, process);
@@ -226,7 +225,7 @@ private:
     return true;
   }
 
-  // The last look at the rest, as the whole had one (motion/check.h).
+  // Final check of the rest, as done for the whole motion (motion/check.h).
   void measure(const motion::Resumed& resumed, const collision::GrowingPart& growing,
                const base::RunContext& ctx) {
     const base::ParameterValues values = parameterValues(job().choices);
@@ -271,8 +270,8 @@ PlanResult writeRest(project::Job job, const base::RunContext& ctx) {
 ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx) {
   base::finishStaged(std::filesystem::absolute(request.job).parent_path());
   project::Job job = project::readJob(request.job);
-  if (!job.item().part || !job.toolPlan || !job.trajectory)
-    throw Error(ErrorCode::UnusableInput, "the job holds no motion to take up"_text,
+  if (!job.part || !job.toolPlan || !job.trajectory)
+    throw Error(ErrorCode::UnusableInput, "the job has no motion to resume"_text,
                 request.job.string(), "plan it without --until"_text);
   const std::size_t point = pointOf(request, job, ctx);
   return resumeJob(std::move(job), point, request.formats, ctx);

@@ -1,4 +1,4 @@
-// The rest of a print that was stopped: from a bead or a line of its program on.
+// Resumes a stopped print from a bead or from a line of its program.
 #pragma once
 
 #include "base/run_context.h"
@@ -14,38 +14,39 @@
 namespace voluta::pipeline {
 
 struct ResumeRequest {
-  std::filesystem::path job; // planned to its motion
-  // One of them. A bead is a path of the plan, from 1, begun anew. A line, from 1, is of a motion
-  // of `program`: what it moves away from is where the print goes on; of a line that lays nothing
-  // the next that does.
+  std::filesystem::path job; // a job planned up to its motion
+  // Exactly one of them is set. `bead`: a path of the plan, 1-based, printed again from its start.
+  // `line`: 1-based; of a motion of `program`. The print resumes at that motion's start point; if
+  // the motion deposits nothing, at the next one that does.
   std::optional<std::size_t> bead, line;
-  // The file that the line is of, of any program of the job. Empty: of the first program, beside
-  // the job, the only file that has motions.
+  // The file that `line` refers to, of any program of the job. Empty: the only file with motions of
+  // the job's first program, beside the job.
   std::filesystem::path program;
-  std::vector<std::string> formats; // empty: the job's
+  std::vector<std::string> formats; // empty: the job's formats
 };
 
 struct ResumeResult {
-  PlanResult plan;          // of the rest: its programs, and the motion with what came before
-  std::size_t bead = 0;     // from 1
-  std::size_t waypoint = 0; // at which it begins
+  PlanResult plan;      // the rest: its programs, and the motion including the part printed before
+  std::size_t bead = 0; // 1-based
+  std::size_t waypoint = 0; // at which the rest begins
   double laidMm3 = 0.0, leftMm3 = 0.0;
 };
 
-// The part stands as it is when that place is come to. From home the arm approaches clear of it
-// (motion/resume.h), and the rest is as it was planned. Its programs are written, read back and
-// replayed behind what was printed before, so that the verdict is on the whole part. Where no way
-// leads there, that is a finding, and there are no programs.
-// Throws Error{UnreadableFile}: the job, the program. Throws Error{UnusableInput}: no motion in the
-// job, not its program, nothing left to print. Throws Error{Usage}: no such bead or line, a line
-// that may be of several files, a format that is not known; Cancelled.
+// Plans and writes the rest of a print, with the part as printed so far. The arm approaches from
+// home clear of that part (motion/resume.h); after that the rest is as planned before. Its programs
+// are written, read back and replayed after the motions printed before, so that the verdict covers
+// the whole part. If no collision-free way leads to the place, the result has a finding and no
+// programs. Throws Error{UnreadableFile} for the job or the program; Error{UnusableInput} if the
+// job has no motion, the program is not the job's or nothing is left to print; Error{Usage} if
+// there is no such bead or line, the line may be of several files or a format is unknown;
+// Cancelled.
 ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx);
-// The same for a job at hand, from a point of its trajectory (motion::resumePoint).
+// Same for a job in memory, from a point of its trajectory (motion::resumePoint).
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,
                        const base::RunContext& ctx);
 
-// The programs of a job that is taken up again (resumedAt > 0) written anew, as its choices have
-// them now; its motion stays. Precondition (Error{Internal}): it is planned to its motion.
+// Writes the programs of a resumed job (resumedAt > 0) again with its present choices; the motion
+// stays. Precondition (Error{Internal}): the job is planned up to its motion.
 PlanResult writeRest(project::Job job, const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

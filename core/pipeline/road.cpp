@@ -15,8 +15,8 @@ namespace voluta::pipeline {
 
 namespace {
 
-// Loads the part where that is not done. Does it bring its tool-paths? Then the request's choices
-// are those for them.
+// Loads the part if that is not done. If the part brings its own tool-paths, replaces the request's
+// choices by those for given paths and returns true.
 bool takesGivenPathsOf(PlanRequest& request, const base::RunContext& ctx) {
   if (!request.item().loaded)
     request.item().loaded =
@@ -33,7 +33,7 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, Sta
                     const PlanObservers& observers) {
   checkChoices(request.choices);
   PlanRequest given = request;
-  // While somebody edits, the part lies and grows in the way that the last plan chose.
+  // While the user edits, the part is placed and decomposed in the way that the last search chose.
   const bool searches = request.until > project::Stage::Decompose || !namesWay(request.choices);
   if (request.choices.item().automatic && !takesGivenPathsOf(given, ctx) && searches)
     return planAutomatically(given, ctx, cache, observers);

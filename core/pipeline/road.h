@@ -1,4 +1,4 @@
-// The whole road (docs/design.md, The road): the one place that knows every stage.
+// The complete pipeline (docs/design.md, The road): the only place that knows every stage.
 #pragma once
 
 #include "base/run_context.h"
@@ -13,13 +13,12 @@
 
 namespace voluta::pipeline {
 
-// Stages whose key is in the cache are taken from there. The report's timings are what each stage
-// took when it was made, `total` what this plan took.
-// Mode auto chooses anew, but for a plan that ends with Load or Decompose and whose choices name
-// the way of an earlier one.
-// Throws Error{Usage}: unknown names, values out of range; Error{UnreadableFile, UnusableInput}:
-// the part. Whatever cannot be printed, reached or verified is in job.report.findings.
-// Example:
+// Plans a part up to request.until. Stages whose key is in the cache are taken from it. The
+// report's timings are those of each stage's original run; `total` is the time of this call. Mode
+// auto searches again, unless the plan ends with Load or Decompose and the choices name the way
+// that an earlier search chose. Throws Error{Usage} for unknown names and values out of range,
+// Error{UnreadableFile, UnusableInput} for the part. Anything that cannot be printed, reached or
+// verified is in job.report.findings. Example:
 //   pipeline::PlanRequest request;
 //   request.part = "sample:vase";
 //   request.choices.mode = "flat";
@@ -29,16 +28,16 @@ namespace voluta::pipeline {
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx,
                     StageCache* cache = nullptr, const PlanObservers& observers = {});
 
-// The keys that the stages of this request have, whatever its `until`. What is shown and has
-// another key is out of date. Reads the cell's and the process's file; takes about a millisecond.
+// Returns the keys of all stages for this request, regardless of its `until`. A displayed result
+// with another key is out of date. Reads the cell and process files; takes about a millisecond.
 // Precondition: request.loaded. Throws Error{Usage} as planPart does.
 project::StageKeys stageKeys(const PlanRequest& request);
 
-// A reopened job as planPart left it, but for the programs. Throws Error{Usage, UnreadableFile,
-// UnusableInput} where its cell or process is not there any more.
+// Returns a reopened job as planPart returned it, without the programs. Throws Error{Usage,
+// UnreadableFile, UnusableInput} if its cell or process no longer exists.
 PlanResult resultOf(project::Job job);
 
-// No blocking finding, and the replay passed where the road came that far.
+// Returns whether the report has no blocking finding, which includes a failed replay.
 bool nothingBlocks(const project::Report& report);
 
 struct VerifyResult {
@@ -46,12 +45,13 @@ struct VerifyResult {
   project::ReplayReport replay;
   plan::Findings findings;
 };
-// Replays a program from disk, with all its files whichever is named, against the plan in a job
-// file. A program whose head names another job or cell is told first. Throws Error{UnreadableFile,
-// UnusableInput (no motion is understood in it), Usage}.
+// Replays a program from disk against the plan in a job file. All files of the program are read,
+// whichever of them is named. If the program's head names another job or cell, that finding comes
+// first. Throws Error{UnreadableFile}, Error{UnusableInput} if no motion of the program is
+// understood, Error{Usage}.
 VerifyResult verifyProgram(const std::filesystem::path& program, const std::filesystem::path& job,
                            const base::RunContext& ctx);
-// Against a job at hand. Precondition: it has part, tool-plan and trajectory.
+// Same for a job in memory. Precondition: it has a part, a tool-plan and a trajectory.
 VerifyResult verifyProgram(const std::filesystem::path& program, const project::Job& job,
                            const base::RunContext& ctx);
 

@@ -1,4 +1,4 @@
-// What mode auto says about its search: the same words on the command line and in the window.
+// Texts about mode auto's search, shared by the command line and the window.
 #pragma once
 
 #include "base/text.h"
@@ -12,8 +12,8 @@ namespace voluta::pipeline {
 // Returns "Trying pieces (2 of 4)".
 base::Message tryingText(const WayInTurn& way);
 
-// Returns "Chosen: flat layers with supports" or that nothing passes, with the values used.
-// Precondition: mode auto has tried something.
+// Returns "Chosen: flat layers with supports" with the values used, or a text that no way passes.
+// Precondition: mode auto has tried at least one way.
 base::Message chosenText(const project::Report& report);
 
 // Returns one sentence for each way that was tried and not chosen: its name and why.

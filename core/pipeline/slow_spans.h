@@ -1,4 +1,4 @@
-// Where a controller takes longer than was planned.
+// Spans in which a controller takes longer than planned.
 #pragma once
 
 #include "plan/trajectory.h"
@@ -8,15 +8,16 @@
 
 namespace voluta::pipeline {
 
-// On the plan's clock, seconds; `moreS` is how much longer the controller takes for it.
+// Times on the plan's clock [s]; `moreS`: the extra time of the controller.
 struct SlowSpan {
   double fromS = 0.0, toS = 0.0, moreS = 0.0;
 };
 
-// `motionS`: the controller's seconds of each motion; `pointOf`: its point of the trajectory
-// (replay::Verification). A motion is slow where its section would be off (replay/section_errors.h)
-// if its flow were a rate, kSlowShare. Spans nearer to each other than a thousandth of the plan's
-// time are one: finer is not seen.
+// Returns the spans in which the controller is slower than planned. `motionS`: the controller's
+// time of each motion [s]; `pointOf`: its point of the trajectory (replay::Verification). A motion
+// is slow if it takes longer by more than kSlowShare: with the flow as a rate its bead's section
+// would then be off (replay/section_errors.h). Spans closer together than a thousandth of the
+// plan's time are merged, as a finer resolution is not visible.
 inline constexpr double kSlowShare = 0.05;
 std::vector<SlowSpan> slowSpans(const plan::Trajectory& trajectory,
                                 const std::vector<std::size_t>& pointOf,

@@ -67,7 +67,7 @@ void StageCache::clear() {
 }
 
 namespace {
-// Is its mode one that there is, and the result of that mode's kind?
+// Returns whether the job's mode exists and its result is of that mode's kind.
 bool holdsResult(const project::Job& job) {
   const modes::Mode* mode = modes::modeNamed(job.choices.item().mode);
   return mode && mode->result == project::kindOf(job.item().result);
@@ -102,9 +102,8 @@ void seedCache(StageCache& cache, const project::Job& job) {
     firstFinding += record.findings;
     stage->report = report;
     stage->timings = record.timings;
-    // A voxel object's placed cells are not in the file: they are soon made again.
-    const bool whole = T::kStage == project::Stage::Load
-                           ? !job.item().loaded || !job.item().loaded->cells
+    // The file lacks a voxel object's placed cells; they are quick to compute again.
+    const bool whole = T::kStage == project::Stage::Load        ? !job.loaded || !job.loaded->cells
                        : T::kStage == project::Stage::Decompose ? holdsResult(job)
                                                                 : true;
     if (whole && *job.reached >= T::kStage && !record.key.empty())

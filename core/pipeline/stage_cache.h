@@ -1,4 +1,4 @@
-// Results of stages, kept by what went into them.
+// Cache of stage results, keyed by the text of their inputs.
 #pragma once
 
 #include "project/stage.h"
@@ -21,16 +21,17 @@ struct Job;
 
 namespace voluta::pipeline {
 
-// Good for several threads at once. T is one of the stage values of pipeline/stages.h, each of
-// which names its stage.
+// Thread-safe. T is one of the stage values of pipeline/stages.h, which name their stage.
 class StageCache {
 public:
-  // Keeps the last `kept` results of each stage and slot. `behind` outlives it: what is kept here
-  // is kept there too, and what is found there is kept here.
+  // Keeps the last `kept` results of each stage and slot. `behind` is a second cache that must
+  // outlive this one: results kept here are also kept there, and results found there are copied
+  // here.
   explicit StageCache(std::size_t kept = 3, StageCache* behind = nullptr)
       : kept_(kept), behind_(behind) {}
 
-  // nullptr: not kept. `slot`: a format's id for programs, "voxels" for a decomposition's.
+  // Returns nullptr if nothing is cached. `slot`: a program's format id, or "voxels" for the voxels
+  // of a decomposition.
   template <typename T>
   std::shared_ptr<const T> find(const std::string& key, const std::string& slot = {}) {
     return std::static_pointer_cast<const T>(findAny(T::kStage, slot, key));
@@ -50,18 +51,18 @@ private:
   void keepHere(project::Stage stage, const std::string& slot, const std::string& key, Value value);
 
   std::size_t kept_;
-  StageCache* behind_; // null: none
+  StageCache* behind_; // may be null
   std::mutex mutex_;
-  // Latest first.
+  // Most recently used first.
   std::map<std::pair<project::Stage, std::string>, std::vector<std::pair<std::string, Value>>>
       shelves_;
 };
 
-// What a job read from disk holds of its first stage, and the plate of its cell: not the cells of a
-// voxel object. Throws Error{Usage, UnreadableFile, UnusableInput} where its cell cannot be read.
+// Returns the Load stage of a job read from disk with the plate of its cell, but without the cells
+// of a voxel object. Throws Error{Usage, UnreadableFile, UnusableInput} if its cell cannot be read.
 std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job);
-// Puts what a job read from disk holds into the cache, so that a plan of the same choices makes
-// only what is not in the file (the programs).
+// Puts the results of a job read from disk into the cache, so that a plan with the same choices
+// computes only the results that the file lacks (the programs).
 void seedCache(StageCache& cache, const project::Job& job);
 
 } // namespace voluta::pipeline

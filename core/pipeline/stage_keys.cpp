@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 namespace voluta::platform {
-// Among options it is not known yet: what it comes to is told by the keys of the stages before.
+// The platform among the options is not known yet; the keys of the earlier stages determine it.
 static std::string keyOf(const PlatformSolid&) {
   return {};
 }
@@ -24,8 +24,9 @@ namespace voluta::pipeline {
 
 namespace {
 
-// The process in the parts that stages take, so that what a stage does not take does not make it
-// run again. A new member of the process does not compile before it is in one of them.
+// The process, split by the stages that use it, so that a stage does not run again because of a
+// value it does not use. The structured binding forces every new member of the process to be
+// considered here.
 struct ProcessKeys {
   std::string bead, head, travel, material;
 };
@@ -41,7 +42,7 @@ ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
                speed, travelSpeed, acceleration, tolerance, bridge, bridgeSpeed, maxFlow, prime,
                retract, material, head] = process;
-  static_cast<void>(label); // nothing is made from it
+  static_cast<void>(label); // The label affects no result.
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
                         bridge, bridgeSpeed, maxFlow),
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
@@ -50,7 +51,7 @@ ProcessKeys keysOf(const process::Process& process) {
 }
 
 bool isMended(const project::LoadedPart& loaded, const project::Choices& choices) {
-  return choices.item().repair && !loaded.found.clean(); // a clean mesh stays as it is
+  return choices.repair && !loaded.found.clean(); // A clean mesh needs no repair.
 }
 
 std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,
@@ -79,7 +80,7 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   return text + "to fit\n" + cell + mode.fittingScale.key(in) + keysOf(in.process).head;
 }
 
-// All that a program is written and judged by.
+// All inputs of writing and judging a program, apart from its format.
 std::string programText(const std::string& partName, const process::Process& p) {
   const ProcessKeys keys = keysOf(p);
   return base::keyText(partName) + keys.material + keys.bead + keys.head + keys.travel;
@@ -98,8 +99,8 @@ std::string next(const std::string& before, project::Stage stage, const std::str
 
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
                           const base::ParameterValues& values, const process::Process& process) {
-  const robot::Cell cell = fittingCell(choices, process); // the platform has its own text
-  const modes::Mode& mode = modes::findMode(choices.item().mode);
+  const robot::Cell cell = fittingCell(choices, process); // The platform has its own text.
+  const modes::Mode& mode = modes::findMode(choices.mode);
   const modes::ModeChoices in{choices, values, process};
   const std::string cellKey = cellText(cell, choices.cell);
 
@@ -117,7 +118,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
                                     processKeys.bead + processKeys.head);
   put(project::Stage::Motion,
       processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));
-  // With the options that the formats have.
+  // Includes the program options of each format.
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
     formats += format + " " + optionsText(format, program::programOptions(values));

@@ -1,4 +1,4 @@
-// What goes into each stage, as text (docs/design.md, Stages: cached by what went in).
+// Cache keys of the stages: their inputs as text (docs/design.md, Stages: cached by what went in).
 #pragma once
 
 #include "base/parameters.h"
@@ -14,23 +14,23 @@
 
 namespace voluta::pipeline {
 
-// A stage's key is that of the stage before and what it adds itself, so that a change reaches all
-// that follows and nothing else. Throws Error{Usage, UnreadableFile, UnusableInput}: the cell.
-// Precondition: the choices are checked.
+// Returns the keys of all stages. A stage's key is the key of the stage before plus its own inputs,
+// so that a change invalidates exactly the stages that depend on it. Throws Error{Usage,
+// UnreadableFile, UnusableInput} for the cell. Precondition: the choices are checked.
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
                           const base::ParameterValues& values, const process::Process& process);
 
-// The keys of a job from those of its items: up to Layers all items', then the joined layers' by
-// the settings that the items share. Those of a single item are its own.
-// Precondition: there is one at least.
+// Returns the keys of a job from those of its items: up to Layers all items' keys, then the joined
+// layers' keys with the settings that the items share. A single item's keys are the job's.
+// Precondition: at least one item.
 project::StageKeys joinedKeys(std::span<const project::StageKeys> items, layers::PrintOrder order);
 
-// What decides about a placed part, as text: nothing of a platform, so that ways of building share
-// what is made of the part alone.
+// Returns the inputs that determine a placed part, as text. It excludes the platform, so that ways
+// of building share results that depend on the part alone.
 std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadStage& placed,
                           const modes::ModeChoices& in);
 
-// The key of one program of the Replay stage.
+// Returns the key of one program of the Replay stage.
 std::string programKey(const project::StageKeys& keys, const std::string& partName,
                        const process::Process& process, const program::ProgramOptions& options,
                        const std::string& format);

@@ -28,7 +28,8 @@ namespace voluta::pipeline {
 
 namespace {
 
-constexpr int kRounds = 6; // of moving without what the replay found
+// Rounds of replanning the motion without the waypoints that replay found colliding
+constexpr int kRounds = 6;
 
 // One plan: its stages in order, each taken from the cache or made.
 class StageRunner {
@@ -78,10 +79,10 @@ private:
     return context_.cachedOrMade<T>(keys_[project::indexOf(T::kStage)], {}, make);
   }
 
-  // Notes that a stage is done; is there more to do?
+  // Records that a stage is complete. Returns whether to continue.
   bool done(project::Stage stage, const plan::Findings& findings, const project::Timings& timings) {
     project::StageRecord& record = job().stages[project::indexOf(stage)];
-    const bool whole = !context_.isRejected(); // else it ended early
+    const bool whole = !context_.isRejected(); // False: the stage ended early
     record = {whole ? keys_[project::indexOf(stage)] : std::string(), findings.size(), timings};
     report().findings.insert(report().findings.end(), findings.begin(), findings.end());
     report().timings += timings;
@@ -173,8 +174,8 @@ private:
         *result_.job.toolPlan, result_.job.item().platform, *result_.cell, *process_,
         motionOptionsOf(values_, choices_.seed), std::exchange(grown_, {}), ctx);
   }
-  // What the planner keeps to plan some paths again is as large as the motion. It is asked where
-  // there was hardly room, and there motion mostly left something out itself: else it is let go.
+  // Keep the planner only if motion skipped waypoints: then replay is likely to require replanning
+  // of some paths. Its state is as large as the trajectory.
   std::shared_ptr<const MotionStage> moved(const base::RunContext& ctx) {
     std::unique_ptr<PartMotion> moving = partMotion(ctx.sub(0, 0.05));
     std::shared_ptr<const MotionStage> stage =
@@ -199,14 +200,14 @@ private:
     return done(project::Stage::Motion, findings, motion_->timings) && job().trajectory;
   }
 
-  // The motion without these waypoints too, at which a replay found that something meets.
+  // Replans the motion without these waypoints too, at which replay found collisions.
   bool replanSkipping(const std::vector<std::size_t>& met) {
     const std::size_t told = job().stages[project::indexOf(project::Stage::Motion)].findings;
     report().findings.resize(report().findings.size() - told);
     const base::RunContext ctx = span(project::Stage::Replay).quiet();
     if (!moving_) {
       moving_ = partMotion(ctx);
-      moving_->plan(ctx); // once more, or for the first time where the motion came from the cache
+      moving_->plan(ctx); // Again, or for the first time if the motion came from the cache
     }
     motion_ = moving_->planWithout(met, ctx);
     fresh_ = true;
@@ -227,19 +228,20 @@ private:
     keepFresh();
     plan::Findings findings;
     project::Timings timings;
-    bool told = false; // the verdict
+    bool told = false; // The verdict has been reported
     for (std::size_t i = 0; i < result_.checked.size(); ++i) {
       timings += result_.checked[i]->timings;
       const bool counts = decides(*result_.checked[i]), first = !told && counts;
       told = told || first;
       tellProgram(*result_.checked[i], first, counts, report(), findings);
     }
-    if (isHopeless()) // there may be formats that were not written
+    if (isHopeless()) // Some formats may not have been written
       context_.reject(project::Stage::Replay, findings);
     done(project::Stage::Replay, findings, timings);
   }
 
-  // In a trial: a program fails by other figures than by what meets, which no other motion mends.
+  // In a trial: returns whether a program fails for another reason than collisions, which no other
+  // motion can repair.
   bool isHopeless() const {
     return context_.isTrial() && std::ranges::any_of(result_.checked, [this](const auto& checked) {
              return decides(*checked) &&
@@ -250,10 +252,11 @@ private:
     return program::decidesOnPlan(checked.program.format, chosenFormats(choices_, *result_.cell),
                                   *result_.cell);
   }
-  // Of a program for another controller, whose way there is another, only what is met here and
-  // there: for that little it is not to be refused either.
+  // Returns the colliding waypoints to skip. In a program for another controller, which moves
+  // differently, many collisions are not worth replanning; only isolated ones are, so that they
+  // alone do not get the program refused.
   std::vector<std::size_t> metIn(const CheckedProgram& checked) const {
-    constexpr double kHereAndThere = 0.002; // of the waypoints
+    constexpr double kHereAndThere = 0.002; // Share of the waypoints
     const auto waypoints = static_cast<double>(result_.job.toolPlan->waypointCount());
     return decides(checked) || static_cast<double>(checked.collidingWaypoints.size()) <=
                                    kHereAndThere * waypoints
@@ -261,7 +264,7 @@ private:
                : std::vector<std::size_t>();
   }
 
-  // `untilMet`: not what follows a program in which something meets.
+  // `untilMet`: stop after the first program with collisions.
   void write(bool untilMet) {
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
     const auto printed = project::printedOf(job());
@@ -284,7 +287,7 @@ private:
                             span(project::Stage::Replay).sub(at / count, (at + 1.0) / count),
                             &judged);
       };
-      // What is kept was written for the motion before.
+      // Cached programs were written for the previous motion.
       result_.checked.push_back(
           fresh_ ? make()
                  : context_.cachedOrMade<CheckedProgram>(keyOf(formats[i]), formats[i], make));
@@ -296,7 +299,8 @@ private:
                       format);
   }
 
-  // Motion and programs together: what is kept belongs together, whenever a plan is cancelled.
+  // Caches motion and programs together, so that the cache stays consistent whenever a plan is
+  // cancelled.
   void keepFresh() {
     if (!fresh_ || !context_.cache() ||
         context_.isRejected()) // the programs are of the motion before
@@ -316,8 +320,9 @@ private:
   std::vector<std::unique_ptr<ItemStages>> items_;
   std::shared_ptr<const layers::LayerStack> layers_; // of all items, in print order
   std::shared_ptr<const MotionStage> motion_;
-  std::shared_ptr<const collision::GrowingPart> grown_; // by tool-paths made here, for their motion
-  std::unique_ptr<PartMotion> moving_;                  // null: let go
+  // Volume filled by the tool-paths made here, handed to motion planning
+  std::shared_ptr<const collision::GrowingPart> grown_;
+  std::unique_ptr<PartMotion> moving_; // nullptr: released
   bool fresh_ = false;                                  // the motion is another one than its key's
   project::StageKeys keys_;
   PlanResult result_;

@@ -1,4 +1,4 @@
-// One plan: the stages of a chosen way of building in order, each taken from the cache or made.
+// Plans one way of building: runs its stages in order, taking each from the cache or computing it.
 #pragma once
 
 #include "base/run_context.h"
@@ -9,20 +9,19 @@
 
 namespace voluta::pipeline {
 
-// Why a way of building cannot pass, and after which stage that was known.
+// Why a way of building is rejected, and the stage that found it.
 struct Rejection {
   project::Stage stage;
   plan::Finding finding;
 };
 
-// A plan that is of use only if nothing blocks it.
+// A plan that is discarded as soon as a finding blocks it.
 struct Trial {
-  std::optional<Rejection> rejection; // set where the plan ended early
+  std::optional<Rejection> rejection; // Set if the plan ended early
 };
 
-// As planPart for choices by hand. With a trial, the plan ends as soon as it is known that
-// something blocks it: what a stage had left to do then is not done, and that stage is not kept in
-// the cache. Throws as planPart does.
+// As planPart for manual choices. In a trial, the plan ends at the first blocking finding: the rest
+// of that stage is skipped, and the stage is not cached. Throws as planPart does.
 PlanResult planChosenWay(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
                          const PlanObservers& observers, Trial* trial = nullptr);
 

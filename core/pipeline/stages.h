@@ -1,5 +1,5 @@
-// Each stage as a pure function from what goes in to a value that can be kept: its payload, its
-// findings, its part of the report and its seconds (docs/design.md, Stages).
+// The stages as pure functions. Each returns a value that can be cached: its result, its findings,
+// its part of the report and its timings (docs/design.md, Stages).
 #pragma once
 
 #include "base/run_context.h"
@@ -44,54 +44,56 @@ struct ToolpathStage {
 
 struct MotionStage {
   static constexpr project::Stage kStage = project::Stage::Motion;
-  std::shared_ptr<const plan::Trajectory> trajectory; // null when nothing is left to print
+  std::shared_ptr<const plan::Trajectory> trajectory; // null if nothing is left to print
   project::MotionReport report;
-  std::optional<motion::TooLarge> tooLarge; // told before the findings, by who knows the scale
+  // Reported before the findings, by the caller that knows the scale
+  std::optional<motion::TooLarge> tooLarge;
   plan::Findings findings;
   project::Timings timings;
 };
 
-// A place in a program's text. line is 1-based; 0: nowhere in particular.
+// A place in a program's text. `line` is 1-based; 0: no particular line.
 struct TextLine {
   std::uint32_t file = 0, line = 0;
 };
 
-// One program, read back and replayed; the Replay stage is one of these for each format.
+// One program, read back and replayed. The Replay stage has one of these per format.
 struct CheckedProgram {
   static constexpr project::Stage kStage = project::Stage::Replay;
-  plan::Program program; // files named as if it passed
+  plan::Program program; // its files are named as if it passed
   project::ReplayReport verdict;
-  plan::Findings findings;            // of this format
-  std::vector<TextLine> findingLines; // of each finding
+  plan::Findings findings;            // of this format only
+  std::vector<TextLine> findingLines; // the line of each finding
   bool passed = false;
-  std::vector<base::Message> failed;           // the thresholds that were not kept
+  std::vector<base::Message> failed;           // the exceeded thresholds
   std::vector<std::size_t> collidingWaypoints; // as Verification::collidingWaypoints
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
-  std::vector<SlowSpan> slow;       // of its controller
-  std::vector<TextLine> pointLines; // of each point of the trajectory; line 0: it has none
+  std::vector<SlowSpan> slow;       // spans in which its controller is slow
+  std::vector<TextLine> pointLines; // the line of each point of the trajectory; line 0: none
   project::Timings timings;
   replay::WorstPlaces worst;
-  std::size_t deviations = 0; // places where the text is not what was planned
-  bool armChecked = false;    // replay::Verification's
+  std::size_t deviations = 0; // places where the text differs from the plan
+  bool armChecked = false;    // as replay::Verification::armChecked
 };
 
-// The line of each point of the trajectory that `program` was written from. A point whose motion is
-// missing from the text has line 0.
+// Returns the line of each point of the trajectory that `program` was written from. A point whose
+// motion is missing from the text has line 0.
 std::vector<TextLine> linesOfPoints(const CheckedProgram& program,
                                     const plan::Trajectory& trajectory);
 
-// The loaded part turned, scaled and put where it is to lie. A voxel object's cells are unitMm()
-// times the scale wide and stay as they are where it is turned by quarter turns and lifted by whole
-// cells; elsewhere its surface is cut into new cells, which is told. Throws Error{Usage}: the
-// scale; Cancelled.
+// Returns the loaded part rotated, scaled and placed. The cells of a voxel object are unitMm()
+// times the scale wide. They are kept if the object is rotated by quarter turns and lifted by whole
+// cells; otherwise its surface is voxelized again, which a finding reports. Throws Error{Usage} for
+// the scale; Cancelled.
 std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loaded,
                                                   const project::Choices& choices,
                                                   const process::Process& process,
                                                   const base::RunContext& ctx = {});
-// Can the part be printed at another size? Of cells and of bodies to print on there is no other.
+// Returns whether the part can be printed at another scale. Voxel objects and parts printed onto
+// bodies cannot.
 bool takesAnyScale(const project::LoadedPart& loaded, const project::Choices& choices);
 
-// Whether the part is of a size to print, and its walls wide enough (part_size.h).
+// Findings on the part's size and on the width of its walls (part_size.h).
 struct SizeStage {
   static constexpr project::Stage kStage = project::Stage::Load;
   plan::Findings findings;
@@ -101,35 +103,37 @@ std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
                                            const project::Choices& choices,
                                            const process::Process& process,
                                            const base::RunContext& ctx);
-// Where the mesh lies before any search for a better place: as the user has laid it, else as the
-// mode does.
+// Returns the placement before any search for a better one: the user's if there is one, else the
+// mode's.
 geometry::Placement placementByHandOrMode(const geometry::TriangleMesh& mesh, double scale,
                                           const modes::ModeChoices& in);
-// What material will start on, as far as that can be told before a decomposition: what the mode
-// builds on, else the plate. Throws Error{Usage, UnusableInput}: the platform.
+// Returns the surface that printing will start on, as far as it is known before a decomposition:
+// the mode's own base, else the plate. Throws Error{Usage, UnusableInput} for the platform.
 platform::PlatformSolid plannedPlatform(const modes::LoadStage& placed,
                                         const project::Choices& choices);
-// What of the choices it is made from, as text. Throws Error{Usage}: a parameter.
+// Returns the choices that determine plannedPlatform(), as text. Throws Error{Usage} for a
+// parameter.
 std::string plannedPlatformKey(const project::Choices& choices);
-// Defects that could not be mended, as findings. Of an open part none: loadStage() tells what
-// becomes of it.
+// Returns the defects that could not be repaired, as findings. Returns none for an open part:
+// loadStage() reports how it is handled.
 plan::Findings remainingDefects(const project::LoadedPart& loaded);
 plan::Findings defectFindings(const std::vector<base::Message>& remains);
 
 struct MadeToolpaths {
   std::shared_ptr<const ToolpathStage> stage;
-  // Of its tool-paths (toolpath::ToolpathResult's), for the stage that follows; too large to keep.
+  // The part grown along these tool-paths (toolpath::ToolpathResult), for the next stage; too large
+  // to cache.
   std::shared_ptr<const collision::GrowingPart> grown;
 };
-// `options`: but for the platform.
+// `options`: all but the platform, which is set here.
 MadeToolpaths toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
                             const platform::PlatformSolid& platform,
                             const process::Process& process, toolpath::ToolpathOptions options,
                             const base::RunContext& ctx);
 
-// Writes the program, reads it back and replays it. `name`: of the part, without extension.
+// Input of programStage(). `name`: of the part, without extension.
 struct ProgramStageInput {
-  const geometry::TriangleMesh& part; // what is to be printed
+  const geometry::TriangleMesh& part; // the part to print
   const platform::PlatformSolid& platform;
   const plan::ToolPlan& toolPlan;
   const plan::Trajectory& trajectory;
@@ -137,11 +141,12 @@ struct ProgramStageInput {
   const process::Process& process;
   std::string name;
   program::ProgramOptions options = {};
-  std::size_t firstPoint = 0; // of the trajectory at which the program begins: Job::resumedAt
-  std::string job = {};       // program::ProgramInput::job
-  std::vector<std::size_t> commonPoint = {}; // replay::ReplayInput's
+  std::size_t firstPoint = 0; // trajectory point at which the program begins: Job::resumedAt
+  std::string job = {};       // as program::ProgramInput::job
+  std::vector<std::size_t> commonPoint = {}; // as replay::ReplayInput::commonPoint
 };
-// `judged`: of programs of the same motion (replay/verification.h).
+// Writes the program, reads it back and replays it. `judged`: results shared by the programs of one
+// motion (replay/verification.h).
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
                                                    const ProgramStageInput& in,
                                                    const base::RunContext& ctx,

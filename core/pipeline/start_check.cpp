@@ -23,7 +23,7 @@ namespace {
 using Eigen::Vector2d;
 using Polygon = std::vector<Vector2d>;
 
-constexpr double kLeastMm = 3.0; // about a foot that is a point or a line
+constexpr double kLeastMm = 3.0; // margin around a footprint that is a point or a line
 
 Eigen::AlignedBox2d boxOf(const Polygon& polygon) {
   Eigen::AlignedBox2d box;
@@ -32,7 +32,7 @@ Eigen::AlignedBox2d boxOf(const Polygon& polygon) {
   return box;
 }
 
-// The largest scale at which the foot, middle over middle, is within the plate.
+// Returns the largest scale at which the footprint, centred on the plate, is within the plate.
 double shareWithin(const Polygon& foot, const Polygon& plate) {
   const Vector2d footMiddle = boxOf(foot).center(), plateMiddle = boxOf(plate).center();
   double scale = INFINITY;
@@ -54,14 +54,14 @@ Polygon quarterTurned(Polygon polygon) {
   return polygon;
 }
 
-// A platform that mode auto makes is no way out of it: whoever wants one larger than any plate says
-// so.
+// Mode auto does not get around a plate that is too small by making a platform: the user has to
+// choose a larger platform explicitly.
 bool isForCellPlates(const project::Choices& choices) {
   return choices.item().platform.isOfCell() ||
          (choices.item().automatic && !choices.item().platformStays);
 }
 
-// Without corners: the part stands on no plate.
+// Returns the plate's outline; empty if the part is on no plate.
 Polygon plateUnder(const modes::LoadStage& placed, const project::Choices& choices,
                    const Polygon& foot) {
   const project::Platform& platform = choices.item().platform;
@@ -83,7 +83,7 @@ std::optional<plan::Finding> largerThanPlates(const Polygon& foot, const robot::
   const double fits = std::max(shareWithin(foot, plate), shareWithin(quarterTurned(foot), plate));
   if (fits >= 1.0)
     return std::nullopt;
-  // As it stands, so that nobody has to turn it.
+  // For the present orientation, so that the user need not turn the part.
   const double scale = scaleWithin(scaleNow * shareWithin(foot, plate));
   const Vector2d size = boxOf(foot).sizes();
   return plan::makeFinding(plan::FindingKind::LargerThanPlates,
@@ -116,9 +116,9 @@ std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
     return stage;
   const robot::Cell cell = robot::loadCell(choices.cell, process, plate);
   if (cell.rod())
-    return stage; // told by who looks for a plate there
-  if (adriftMm(choices.item().platform, *placed.part, cell) > 0.0)
-    return stage; // told by who makes the platform: nothing is the matter with the cell
+    return stage; // Reported where a plate is needed there.
+  if (adriftMm(choices.platform, *placed.part, cell) > 0.0)
+    return stage; // Reported where the platform is made; the cell is not at fault.
   const collision::Margins margins =
       motionOptionsOf(parameterValues(choices), choices.seed).printing;
   for (const cells::CellFault& fault : cells::printingFaults(cell, process, margins, ctx))

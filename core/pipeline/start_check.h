@@ -1,5 +1,5 @@
-// Whether a plan can come to anything, seen in about a second before it is made: an arm that cannot
-// move with the chosen head, a part that no plate carries.
+// A check of about a second before planning: finds plans that cannot succeed because the arm cannot
+// move with the chosen head or because no plate is large enough for the part.
 #pragma once
 
 #include "base/run_context.h"
@@ -16,22 +16,21 @@ namespace voluta::pipeline {
 
 struct StartStage {
   static constexpr project::Stage kStage = project::Stage::Load;
-  plan::Findings findings; // of a plan that is not worth making
+  plan::Findings findings; // of a plan that cannot succeed
 };
 
-// What it is made from, as text. Nothing of a mode, so that ways of building share it. Throws as
-// startStage().
+// Returns the inputs of startStage() as text. They exclude the mode, so that ways of building share
+// the result. Throws as startStage().
 std::string startKey(const modes::LoadStage& placed, const project::Choices& choices,
                      const process::Process& process);
 
-// Blocking findings, none where the plan may succeed:
-// - CellCannotPrint: at rest two bodies of the cell meet, or the head gets to no place over the
-//   plate (cells::printingFaults());
-// - LargerThanPlates: the part is to stand on the cell's plate, or mode auto may choose its
-//   platform, and its foot is larger than the largest of the cell's plates, turned by a right angle
-//   too.
-// Nothing is checked around a rod, on a body, or on a platform that would float (pedestal.h).
-// Throws Error{Usage}: names, parameters; Cancelled.
+// Returns blocking findings; none if the plan may succeed:
+// - CellCannotPrint: two bodies of the cell collide in the home pose, or the head reaches no place
+//   above the plate (cells::printingFaults());
+// - LargerThanPlates: the part is placed on the cell's plate, or mode auto may choose its platform,
+//   and the part's footprint is larger than the largest of the cell's plates, also when turned by a
+//   right angle. Checks nothing around a rod, on a body, or on a platform that would float
+//   (pedestal.h). Throws Error{Usage} for names and parameters; Cancelled.
 std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
                                              const project::Choices& choices,
                                              const process::Process& process,

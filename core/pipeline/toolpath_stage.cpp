@@ -1,4 +1,3 @@
-// From layers to tool-paths.
 #include "pipeline/stages.h"
 #include "toolpath/plan_toolpaths.h"
 

@@ -1,4 +1,4 @@
-// The choice `orient`: a part is turned before it is planned.
+// The parameter `orient`: rotates a part before it is planned.
 #pragma once
 
 #include "base/parameters.h"
@@ -13,24 +13,24 @@
 namespace voluta::pipeline {
 
 struct TurnedPart {
-  geometry::Placement placement; // the chosen one, turned further
-  plan::Findings findings;       // what was won, or that nothing was; none of them blocks
+  geometry::Placement placement; // the given placement, rotated further
+  plan::Findings findings; // the improvement found, or that there is none; none of them blocks
   double seconds = 0.0;
 };
 
-// How a way to lie is searched for.
+// Parameters of the search for an orientation.
 struct TurnPlan {
-  std::string objective; // of the parameter orient; "none": as it lies
-  double voxelMm = 0.0;  // width of the voxels it will be grown on
+  std::string objective; // value of the parameter orient; "none": keep the orientation
+  double voxelMm = 0.0;  // voxel width for growing the part
   double overhangRad = 0.0;
-  project::Platform platform; // where voxels are missed
+  project::Platform platform; // on which missed voxels are counted
 };
-// Without what a search that is not asked for would take.
+// If no search is required, the values that only a search uses are left at zero.
 TurnPlan turnPlan(const project::Choices& choices, const base::ParameterValues& values);
 
-// `placed`: the part where `placement` puts it. `voxelMm`: instead of the plan's. `onlyQuarters`:
-// only turns that keep its own cells. Without a search the placement stays. Throws as
-// placement::bestOrientation(); Cancelled.
+// Searches for the orientation. `placed`: the part placed by `placement`. `voxelMm`: replaces the
+// plan's voxel width. `onlyQuarters`: only quarter turns, which keep the part's own cells. Without
+// a search the placement is returned unchanged. Throws as placement::bestOrientation(); Cancelled.
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
                       const TurnPlan& plan, double voxelMm, bool onlyQuarters,
                       const base::RunContext& ctx);

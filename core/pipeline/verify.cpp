@@ -20,7 +20,7 @@ base::Message inWords(const program::JobHead& head) {
                        head.job, head.cell, head.robot);
 }
 
-// A program that says that it is another job's: nothing where it says nothing, or is this one's.
+// Returns a finding if the program's head names another job; nullopt if it names this job or none.
 std::optional<plan::Finding> otherOrigin(const std::vector<plan::ProgramFile>& files,
                                          const program::JobHead& own) {
   const std::optional<program::JobHead> head = program::readJobHead(files);
@@ -31,15 +31,15 @@ std::optional<plan::Finding> otherOrigin(const std::vector<plan::ProgramFile>& f
                            {{"program", inWords(*head)}, {"job", inWords(own)}});
 }
 
-// A binary, or a text in a language that is not known: there is nothing to judge.
+// Binary files and texts in an unknown language contain nothing to judge.
 void requireMotions(const ReadBack& back, const std::string& format,
                     const std::filesystem::path& program) {
   const auto& defects = back.defects;
   if (back.verdict.motionPlaces.size() > back.firstMotion || defects.empty())
     return;
   throw base::Error(base::ErrorCode::UnusableInput,
-                    base::message("no motion of format {format} is in it: line {line}: {what}"_text,
-                                  format, defects.front().line, defects.front().reason),
+                    base::message("no {format} motion found: line {line}: {what}"_text, format,
+                                  defects.front().line, defects.front().reason),
                     program.string());
 }
 } // namespace
@@ -50,7 +50,7 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const std::file
   const project::Job planned = project::readJob(job);
   if (!planned.item().part || !planned.toolPlan || !planned.trajectory)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "the job holds no motion to verify against"_text, job.string(),
+                      "the job has no motion to verify against"_text, job.string(),
                       "plan it without --until"_text);
   return verifyProgram(program, planned, ctx);
 }
@@ -81,7 +81,7 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   requireMotions(back, format, program);
   replay::Verification& verdict = back.verdict;
   if (std::optional<plan::Finding> other = otherOrigin(found.files, headOf(said))) {
-    // Of a program whose motions are this job's all the same, its head is only worth knowing.
+    // If the motions are this job's anyway, a foreign head is only worth mentioning.
     other->blocking = !verdict.passed;
     verdict.findings.insert(verdict.findings.begin(), std::move(*other));
   }

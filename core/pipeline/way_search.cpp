@@ -18,9 +18,9 @@ namespace voluta::pipeline {
 
 namespace {
 
-constexpr double kLoaded = 0.02; // share of the time until the part is loaded
+constexpr double kLoaded = 0.02; // share of the progress for loading the part
 
-// Whether a finding is about the part as it was loaded, so that every way of building has it.
+// Returns whether a finding concerns the loaded part, so that every way of building has it.
 bool concernsPartAlone(plan::FindingKind kind) {
   using enum plan::FindingKind;
   return kind == OpenRims || kind == SheetModel || kind == TinyPart || kind == HugePart;
@@ -66,8 +66,9 @@ public:
 private:
   struct Candidate {
     project::Choices way;
-    std::size_t tried = 0;              // its row of tried_
-    std::unique_ptr<StageCache> stages; // that it came to, to be planned to its end from there
+    std::size_t tried = 0; // index of its row in tried_
+    // its results so far, from which it can be planned to its end
+    std::unique_ptr<StageCache> stages;
     PlanResult result = {};
     project::Stage rejectedBy = {};
   };
@@ -79,8 +80,8 @@ private:
     return planChosenWay(one, ctx, &stages, observers_, trial);
   }
 
-  // Defects that are left in the mesh which this way would build. Of a part that cannot be placed
-  // there are none: the way itself says why.
+  // Returns whether the mesh that this way would print has defects. A part that cannot be placed
+  // has none here: planning the way itself reports the reason.
   bool hasDefects(const project::Choices& way) {
     if (!request_.item().loaded->open)
       return !remainingDefects(*request_.item().loaded).empty();
@@ -96,15 +97,15 @@ private:
                                        &plan::Finding::kind) != placed->job.report.findings.end();
   }
 
-  // Returns true where the search ends with this way.
+  // Returns true if the search ends with this way.
   bool tryWay(const project::Choices& way, const base::RunContext& ctx) {
     project::TriedReport& row = tried_.emplace_back();
     row.way = way.item().automaticWay;
     row.name = nameOfWay(way);
-    row.mode = way.item().mode;
-    row.platform = way.item().platform.text();
-    if (modes::findMode(way.item().mode).cuts && hasDefects(way)) {
-      row.reason = "pieces are not cut out of a mesh with defects"_text;
+    row.mode = way.mode;
+    row.platform = way.platform.text();
+    if (modes::findMode(way.mode).cuts && hasDefects(way)) {
+      row.reason = "a mesh with defects cannot be cut into pieces"_text;
       return false;
     }
     Trial trial;
@@ -134,12 +135,12 @@ private:
   }
 
   void keepFailed(Candidate candidate) {
-    candidate.result = {}; // its stages are kept
+    candidate.result = {}; // The stages stay in the candidate's cache.
     if (!failed_ || candidate.rejectedBy > failed_->rejectedBy)
       failed_ = std::move(candidate);
   }
 
-  // Returns true where no bead is unsupported over too much.
+  // Returns true if no bead is unsupported over more than the material bridges.
   bool keepPassed(Candidate candidate) {
     const plan::Findings& findings = candidate.result.job.report.findings;
     const auto bridge =
@@ -155,7 +156,7 @@ private:
     return candidate.result.job.report.replay.longestUnsupportedMm;
   }
 
-  // With supports, a way of which growth missed nothing without them is the same.
+  // If growth misses nothing without supports, the same way with supports gives the same plan.
   void noteLosses(const Candidate& candidate) {
     const project::DecompositionReport& r = candidate.result.job.report.item().decomposition;
     if (modes::findMode(candidate.way.item().mode).grows && r.voxels > 0 && r.missedVoxels == 0)
@@ -192,7 +193,7 @@ private:
   std::vector<project::TriedReport> tried_;
   std::optional<Candidate> passed_, failed_; // the best so far
   std::vector<project::Choices> missedNothing_;
-  bool isPartRefused_ = false;       // then no other way of building would pass
+  bool isPartRefused_ = false;       // if so, no other way of building can pass
   std::optional<base::Error> error_; // of the first way that could not be planned
 };
 

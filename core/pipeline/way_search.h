@@ -1,4 +1,4 @@
-// Mode auto: plans one way of building after the other (automatic.h) and chooses one of them.
+// Mode auto: plans several ways of building (automatic.h) one after another and chooses one.
 #pragma once
 
 #include "base/run_context.h"
@@ -7,10 +7,10 @@
 
 namespace voluta::pipeline {
 
-// Returns the plan of the first way that nothing blocks and of which no bead is unsupported over
-// more than the material bridges. Where such beads are in every way that passes, the plan in which
-// the longest of them is shortest; where no way passes, the plan of the way that came furthest,
-// planned to its end. Precondition: request.choices.automatic. Throws as planPart().
+// Returns the first plan that nothing blocks and that has no unsupported bead longer than the
+// material bridges. If all plans that pass have such beads, returns the plan in which the longest
+// of them is shortest. If no plan passes, returns the plan of the way that got furthest, planned to
+// its end. Precondition: request.choices.automatic. Throws as planPart().
 PlanResult planAutomatically(const PlanRequest& request, const base::RunContext& ctx,
                              StageCache* cache, const PlanObservers& observers);
 

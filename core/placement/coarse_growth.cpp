@@ -33,7 +33,7 @@ bool touchesPlate(const voxel::SolidVoxels& part) {
 
 CoarseGrowth grown(const voxel::SolidVoxels& part, const PlatformOf& platformOf,
                    const base::RunContext& ctx) {
-  // Of films that are thinner than what a cell lets graze it.
+  // Films too thin for a voxel do not touch the plate.
   if (!touchesPlate(part))
     return {part.count, part.count};
   const std::vector<Eigen::Vector2d> platform =
@@ -62,7 +62,7 @@ double coarseWidth(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond&
 std::vector<CoarseGrowth> coarseGrowths(const geometry::TriangleMesh& mesh,
                                         const std::vector<Eigen::Quaterniond>& turns,
                                         const CoarseGrid& grid, const base::RunContext& ctx) {
-  constexpr std::size_t kAtOnce = 4; // so that few grids are there at a time
+  constexpr std::size_t kAtOnce = 4; // limits the number of grids in memory
   std::vector<CoarseGrowth> growths(turns.size());
   for (std::size_t begin = 0; begin < turns.size(); begin += kAtOnce) {
     const double at = static_cast<double>(begin) / static_cast<double>(turns.size());

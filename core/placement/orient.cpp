@@ -64,7 +64,7 @@ public:
       const std::size_t first = found_.size();
       const Candidate winner = found_[best()];
       for (const Eigen::Quaterniond& turn : nearTheBest(kSmallTurn))
-        // What could not win even without a loss is not grown.
+        // Skip candidates that could not win even without a missed voxel.
         if (add(turn) && found_.back().keyWith(0) >= winner.key())
           found_.pop_back();
       growCoarse(first, 0.6, 0.8);
@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  // False where the part would not stand or lies like that already.
+  // Returns false if the part would not stand or has that orientation already.
   bool add(const Eigen::Quaterniond& turn) {
     constexpr double kSame = 0.02;
     Candidate c;
@@ -114,7 +114,7 @@ private:
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return found_[a].key() < found_[b].key();
     });
-    // As it lies, where that is hardly worse.
+    // Prefer the present orientation if it is hardly worse.
     const Candidate &first = found_[order[0]], &asLoaded = found_[0];
     if (asLoaded.score.stands && asLoaded.missed == first.missed &&
         asLoaded.score.riskyMm2 <= kStays * first.score.riskyMm2) {
@@ -125,7 +125,7 @@ private:
   }
   std::size_t best() const { return sorted()[0]; }
 
-  // The best few, tipped a little.
+  // Returns the best few, tilted slightly.
   std::vector<Eigen::Quaterniond> nearTheBest(double degrees) const {
     std::vector<Eigen::Quaterniond> near;
     std::vector<std::size_t> order = sorted();
@@ -150,7 +150,7 @@ private:
 
   CoarseGrid grid(double pitchMm) const { return {pitchMm, options_.centreMm, options_.platform}; }
 
-  // Counts what the candidates from `first` on miss.
+  // Computes the missed voxels of the candidates from `first` on.
   void growCoarse(std::size_t first, double from, double to) {
     std::vector<Eigen::Quaterniond> turns;
     for (std::size_t n = first; n < found_.size(); ++n)
@@ -165,7 +165,7 @@ private:
   const OrientOptions& options_;
   const base::RunContext& ctx_;
   OrientationMeasure measure_;
-  std::vector<Candidate> found_; // the first: as it lies
+  std::vector<Candidate> found_; // the first is the present orientation
   double coarseMm_ = 0.0;
 };
 
@@ -175,12 +175,11 @@ base::ParameterTable orientParameters() {
   return base::ParameterTable({
       base::choiceParameter("orient", "none",
                             {{"none", "none"_text},
-                             {"leastRisky", "least risky"_text},
-                             {"fewestMissed", "fewest missed"_text}},
+                             {"leastRisky", "minimum overhang"_text},
+                             {"fewestMissed", "fewest missed voxels"_text}},
                             "Placement"_text, "Turn the part"_text,
-                            "Looks for a better way for the part to lie, from where it was put: "
-                            "with the least overhanging area, or with the fewest voxels missed by "
-                            "growth."_text,
+                            "Searches for a better orientation of the part: with the smallest "
+                            "overhanging area, or with the fewest voxels missed by growth."_text,
                             true),
   });
 }

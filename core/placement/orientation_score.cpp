@@ -21,7 +21,7 @@ OrientationMeasure::OrientationMeasure(const geometry::TriangleMesh& mesh, doubl
   normal_.reserve(mesh.triangles.size());
   const Eigen::Vector3d middle = geometry::bounds(mesh).center();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double volume = 0.0; // six times
+  double volume = 0.0; // six times the volume
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Eigen::Vector3d a = mesh.corner(t, 0) - middle, b = mesh.corner(t, 1) - middle,
                           c = mesh.corner(t, 2) - middle;
@@ -101,7 +101,7 @@ Eigen::Vector3d OrientationMeasure::settled(const Eigen::Vector3d& down) const {
 }
 
 std::vector<Eigen::Vector3d> OrientationMeasure::flatPlaces(std::size_t most) const {
-  constexpr double kSteps = 30.0; // of a unit normal's coordinates
+  constexpr double kSteps = 30.0; // per unit of a normal's coordinates
   std::map<std::array<int, 3>, Eigen::Vector3d> places;
   for (const Eigen::Vector3d& n : normal_) {
     const double area = n.norm();

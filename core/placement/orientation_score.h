@@ -1,4 +1,4 @@
-// How a turned part would stand: what can be told from its facets alone.
+// Assessment of a part's orientation from its facets alone.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -9,40 +9,42 @@
 namespace voluta::placement {
 
 struct OrientationScore {
-  double contactMm2 = 0.0; // of facets that face down within the contact depth, seen from above
-  double riskyMm2 = 0.0;   // of facets that overhang by more than the angle, but for the contact
+  double contactMm2 = 0.0; // projected area of the facets that face down within the contact depth
+  double riskyMm2 = 0.0;   // of facets that overhang by more than the angle, without the contact
   double heightMm = 0.0;
-  double middleMm = 0.0; // height of the volume's centre
+  double middleMm = 0.0; // height of the volume's centroid
   bool stands = false;   // the contact is at least kLeastContact of volume^(2/3)
 };
 
-// A ball as big as 100,000 voxels has 0.08 at a depth of one voxel, the tip of an ear 0.01.
+// For comparison: a ball of 100,000 voxels has 0.08 at a depth of one voxel, the tip of an ear
+// 0.01.
 inline constexpr double kLeastContact = 0.02;
 
 class OrientationMeasure {
 public:
-  // contactDepthMm > 0: height above the plate up to which material counts as lying on it.
-  // overhangRad: a facet of normal n is risky where n_z + sin(overhangRad) < 0 (RoboFDM, eq. 1).
-  // Precondition (Error{Internal}): mesh not empty. It stays as it is while this is used.
+  // contactDepthMm > 0: height above the plate up to which facets count as contact. overhangRad: a
+  // facet of normal n is risky if n_z + sin(overhangRad) < 0 (RoboFDM, eq. 1). Precondition
+  // (Error{Internal}): mesh not empty. It must stay unchanged while this is used.
   OrientationMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm, double overhangRad);
 
-  // Of the mesh turned by `turn` and put on the plate.
+  // Returns the score of the mesh rotated by `turn` and placed on the plate.
   OrientationScore of(const Eigen::Matrix3d& turn) const;
   const Eigen::Vector3d& centre() const { return centre_; }
-  // Does it stay so by itself: is the volume's centre over the hull of the contact?
+  // Returns whether the part is stable: the volume's centroid is above the hull of the contact.
   bool balances(const Eigen::Matrix3d& turn) const;
 
-  // A part that rests with the direction `down` (unit) down settles on what is flat there: the mean
-  // normal of the contact's facets within a degree, where they are half of the contact or more;
-  // else `down`.
+  // Returns the direction that a part with the direction `down` (unit) down settles to on a flat
+  // place: the mean normal of the contact's facets within a degree, if they are at least half of
+  // the contact; else `down`.
   Eigen::Vector3d settled(const Eigen::Vector3d& down) const;
 
-  // Outward normals of the mesh's largest flat places, the largest first, at most `most`; facets
-  // within about two degrees of each other count as one.
+  // Returns outward normals of the mesh's largest flat places, largest first, at most `most`;
+  // facets within about two degrees of each other count as one place.
   std::vector<Eigen::Vector3d> flatPlaces(std::size_t most) const;
 
 private:
-  // Along `up`, of each triangle's middle; and the least and most of any of them.
+  // Along `up`: the height of each triangle's centroid, and the minimum and maximum height of the
+  // mesh.
   struct Heights {
     std::vector<double> middle;
     double low, high;

@@ -17,7 +17,8 @@ struct Facet {
   double size = 0.0;      // its length
 };
 
-// The hull's facets, the largest first. Lengths in steps of a lattice over the mesh's box.
+// Returns the hull's facets, largest first. Lengths are in steps of a lattice over the mesh's
+// bounding box.
 std::vector<Facet> hullFacets(const geometry::TriangleMesh& mesh) {
   const Eigen::AlignedBox3d box = geometry::bounds(mesh);
   const double step = 2.0 * (curved::kLatticeLimit - 1.0);
@@ -42,7 +43,8 @@ std::vector<Facet> hullFacets(const geometry::TriangleMesh& mesh) {
 std::vector<Eigen::Vector3d> restingPlaces(const geometry::TriangleMesh& mesh, std::size_t most) {
   base::require(!mesh.empty(), "restingPlaces: facets");
   const double near = std::cos(base::degreesToRadians(3.0));
-  constexpr std::size_t kPerPlace = 8; // faces of many small facets are not begun by a large one
+  // Margin, because faces that consist of many small facets are found late
+  constexpr std::size_t kPerPlace = 8;
   const std::vector<Facet> facets = hullFacets(mesh);
   std::vector<bool> taken(facets.size(), false);
   std::vector<Facet> places;

@@ -1,4 +1,4 @@
-// What a part can lie on: the faces of its convex hull.
+// The faces of a part's convex hull on which it can rest.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -8,10 +8,10 @@
 
 namespace voluta::placement {
 
-// Outward unit normals of the faces of the mesh's convex hull, the largest face first, at most
-// `most`. Facets of the hull within three degrees of a larger one count to its face; its normal is
-// their mean by area. Turns with the mesh, but for the order of faces of equal size. A mesh in one
-// plane has none. Precondition (Error{Internal}): mesh not empty.
+// Returns outward unit normals of the faces of the mesh's convex hull, largest first, at most
+// `most`. Facets of the hull within three degrees of a larger one belong to its face, whose normal
+// is their area-weighted mean. The result rotates with the mesh, except for the order of faces of
+// equal size. A planar mesh has none. Precondition (Error{Internal}): mesh not empty.
 std::vector<Eigen::Vector3d> restingPlaces(const geometry::TriangleMesh& mesh, std::size_t most);
 
 } // namespace voluta::placement

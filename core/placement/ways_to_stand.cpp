@@ -22,22 +22,23 @@ namespace {
 
 using geometry::angleBetween;
 
-// Of the box's diagonal: a sheet has little volume for its size.
+// Minimum cell width as a share of the bounding box's diagonal: a sheet has little volume for its
+// size.
 constexpr double kLeastCell = 0.005;
 constexpr std::size_t kPlaces = 48, kGrown = 10;
-constexpr double kLeastShare = 0.125; // of the largest contact; less is an edge or some corners
-constexpr double kBroader = 4.0;      // contact of a better way over that of a bad one
+constexpr double kLeastShare = 0.125; // of the largest contact; less is an edge or a few corners
+constexpr double kBroader = 4.0; // ratio of the better orientation's contact to that of a poor one
 
-// A way before it is grown.
+// An orientation before it is grown.
 struct Candidate {
-  Eigen::Vector3d down; // of the mesh
+  Eigen::Vector3d down; // in the mesh's frame
   OrientationScore score;
-  double angle = 0.0; // from how the mesh lies
+  double angle = 0.0; // from the present orientation
 
   Eigen::Quaterniond turn() const { return geometry::rotationLayingFlat(down); }
 };
 
-// What hangs over for each part that stands.
+// Returns the overhanging area per contact area.
 double overhangShare(const OrientationScore& s) {
   return s.riskyMm2 / std::max(s.contactMm2, 1e-9);
 }
@@ -50,9 +51,9 @@ bool isPoorFoot(const OrientationScore& now, const OrientationScore& better) {
   return small || burdened;
 }
 
-// The footprint of a turned part: its narrowest rectangle.
+// The footprint of a rotated part: its minimum bounding rectangle.
 struct Footprint {
-  double angle = 0.0;    // of its longer side, towards the end where more of the volume is
+  double angle = 0.0;    // of its longer side, towards the end with more of the volume
   double acrossMm = 0.0; // its diagonal
 };
 Footprint footprint(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& turn,
@@ -88,7 +89,7 @@ public:
   WaySearch(const geometry::TriangleMesh& mesh, const WaysOptions& options,
             const base::RunContext& ctx)
       : mesh_(mesh), options_(options), ctx_(ctx),
-        // A chamfer of just that angle is none, whatever rounding makes of it.
+        // A chamfer of exactly that angle is not an overhang, regardless of rounding.
         measure_(mesh, options.process.layerHeightMm, options.overhangRad + 1e-3),
         area_(geometry::area(mesh)), now_(candidate(-Eigen::Vector3d::UnitZ())) {
     for (Candidate& c : scored())
@@ -125,7 +126,7 @@ public:
     return way;
   }
 
-  // Of no way could more be said, whatever it misses.
+  // Returns whether the present orientation can be poor at all, whatever it misses.
   bool mayLieBadly(const Way& now) const {
     return !now.score.stands || now.missedShare() > plan::kBlockingShare ||
            std::ranges::any_of(places_,
@@ -141,7 +142,7 @@ private:
     return c;
   }
 
-  // Those that stand, the one with most contact first.
+  // Returns the orientations in which the part stands, largest contact first.
   std::vector<Candidate> scored() const {
     std::vector<Eigen::Vector3d> downs = restingPlaces(mesh_, kPlaces);
     if (options_.quarterTurns)
@@ -176,7 +177,8 @@ private:
     places_.push_back(std::move(c));
   }
 
-  // To a hundredth: of one direction, or of directions that a symmetry takes into each other.
+  // Returns whether both agree within one per cent: the same direction, or directions that a
+  // symmetry maps to each other.
   bool same(const Candidate& a, const Candidate& b) const {
     const auto within = [](double x, double y, double of) { return std::abs(x - y) <= 0.01 * of; };
     const OrientationScore &p = a.score, &q = b.score;
@@ -185,7 +187,8 @@ private:
            within(p.middleMm, q.middleMm, p.heightMm);
   }
 
-  // Worth a growth: those of most contact and those of least overhang.
+  // Returns the candidates worth a growth: those with the largest contact and those with the
+  // smallest overhang.
   std::vector<Candidate> promising() const {
     if (places_.size() <= kGrown)
       return places_;
@@ -201,7 +204,8 @@ private:
             w.score.heightMm};
   }
 
-  // Turned about the vertical besides, so that its voxels are the same however the mesh lies.
+  // Returns a rotation that is also normalized about the vertical, so that the voxels do not depend
+  // on the mesh's present orientation.
   std::pair<Eigen::Quaterniond, Footprint> upright(const Candidate& c) const {
     const Eigen::Quaterniond turn = c.turn();
     const Footprint foot = footprint(mesh_, turn.toRotationMatrix(), measure_.centre());
@@ -264,7 +268,7 @@ std::vector<Way> waysToStand(const geometry::TriangleMesh& mesh, const WaysOptio
                              const base::RunContext& ctx) {
   check(mesh, options);
   std::vector<Way> ways = WaySearch(mesh, options, ctx).ways();
-  ctx.report(1.0, "ways to stand"_text);
+  ctx.report(1.0, "orientations"_text);
   return ways;
 }
 

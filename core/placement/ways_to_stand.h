@@ -1,4 +1,4 @@
-// The few ways in which a part can stand on the plate, to choose from.
+// The few useful orientations of a part on the plate, to choose from.
 #pragma once
 
 #include "base/run_context.h"
@@ -14,58 +14,60 @@
 namespace voluta::placement {
 
 struct Way {
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity(); // from how the mesh lies
-  OrientationScore score;                                   // contact within the first layer
-  // What one pass of reverse growth misses, over the hull of what touches the plate, on voxels
-  // that are the same size for all ways of a part.
+  // Relative to the mesh's present orientation
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  OrientationScore score; // contact within the first layer
+  // Voxels that one pass of reverse growth misses, on the hull of the voxels on the plate; the
+  // voxel size is the same for all orientations of a part.
   double voxelMm = 0.0;
   std::size_t voxels = 0, missed = 0;
   double seconds = 0.0; // estimatedSeconds()
-  bool now = false;     // as the mesh lies
+  bool now = false;     // the mesh's present orientation
 
-  double missedShare() const; // of its voxels
+  double missedShare() const; // share of its voxels
 };
 
 struct WaysOptions {
-  process::Process process;                // its layer height is the contact's depth
-  double overhangRad = 0.7853981633974483; // beyond which a facet is risky
-  bool quarterTurns = false;               // only those
-  std::size_t voxels = 8000;               // of the grid, about; none narrower than a layer is high
-  std::size_t most = 4;                    // ways
+  process::Process process;                // its layer height is the contact depth
+  double overhangRad = 0.7853981633974483; // facets beyond it are risky
+  bool quarterTurns = false;               // true: quarter turns only
+  std::size_t voxels = 8000; // approximate size of the grid; voxels are at least a layer high
+  std::size_t most = 4;      // number of orientations
 };
 
-// The time that a way takes, roughly: the volume by what flows from the nozzle at the process's
-// bead and speed, and for each layer's height up to the part's a prime, a travel across the part's
-// footprint (its diagonal) and the ramps of that travel. Supports, reach and slow places are not in
-// it: it compares ways of one part, and is no promise. volumeMm3, heightMm, acrossMm >= 0.
+// Returns a rough estimate of the printing time: the volume by the flow at the process's bead and
+// speed, plus for each layer up to the part's height a prime, a travel across the part's footprint
+// (its diagonal) and the ramps of that travel. Ignores supports, reach and slow places: it only
+// serves to compare orientations of one part. volumeMm3, heightMm, acrossMm >= 0.
 double estimatedSeconds(double volumeMm3, double heightMm, double acrossMm,
                         const process::Process& process);
 
-// The best ways for the mesh (mm) to stand, at most options.most, the best first: fewest missed
-// voxels (steps of plan::kBlockingShare), then least risky area for the contact, then least height.
-// Tried are how it lies and the resting places of its hull, those on which it balances with an
-// eighth of the largest contact or more. Only what stands counts (kLeastContact): a part that lies
-// on a tip is not among its own ways, one that stands always is.
-// Ways are distinct: not turned about the vertical only, not within 15 degrees of each other (but
-// for how it lies), nor of the same contact, height, overhang and height of the middle, as those of
-// a symmetric part are; of those the nearest to how it lies is taken. Figures do not depend on how
-// the mesh lies but for what rounding does. Same result for any number of threads.
-// Preconditions (Error{Internal}): mesh not empty, most >= 1. Throws Error{Usage} as
-// voxel::solidVoxels(); Cancelled.
+// Returns the best orientations of the mesh (mm), at most options.most, best first: fewest missed
+// voxels (in steps of plan::kBlockingShare), then minimum risky area per contact, then minimum
+// height. Considers the present one and the resting places of its hull on which it balances with at
+// least an eighth of the largest contact. Only orientations in which the part stands count
+// (kLeastContact): if it stands at present, that orientation is always included, else never.
+// Orientations are distinct: they differ by more than a rotation about the vertical, by more than
+// 15 degrees (except from the present one), and in contact, height, overhang or centroid height,
+// unlike those of a symmetric part; of equal ones the nearest to the present one is taken. The
+// figures do not depend on the mesh's present orientation, except for rounding. Same result for any
+// number of threads. Preconditions (Error{Internal}): mesh not empty, most >= 1. Throws
+// Error{Usage} as voxel::solidVoxels(); Cancelled.
 std::vector<Way> waysToStand(const geometry::TriangleMesh& mesh, const WaysOptions& options,
                              const base::RunContext& ctx);
 
-// Does a part lie badly, and would do better in that other way? It does not stand; or it misses
-// twice what the other misses, and by more of the part than may be left out (plan::kBlockingShare).
-// Or its foot is poor beside the other's, which misses no more than that: a quarter of the contact
-// without less overhang; or more overhang than contact, and four times as much for each mm2 of it.
+// Returns whether the present orientation is poor compared with another: the part does not stand;
+// or it misses twice as many voxels, and by a larger share of the part than may be omitted
+// (plan::kBlockingShare); or its contact is poor while the other misses no more: a quarter of the
+// other's contact without less overhang, or more overhang than contact, and four times as much per
+// mm² of contact.
 bool liesBadly(const Way& now, const Way& better);
 
 struct BetterWay {
   Way now, best;
 };
-// The first of waysToStand() where the mesh lies badly beside it. Costs one growth where it does
-// not. Preconditions and errors as there.
+// Returns the present orientation and the first of waysToStand() if the present one is poor in
+// comparison. Costs one growth if it is not. Preconditions and errors as there.
 std::optional<BetterWay> betterWay(const geometry::TriangleMesh& mesh, const WaysOptions& options,
                                    const base::RunContext& ctx);
 

@@ -65,7 +65,8 @@ base::Message factOf(const Finding& finding) {
 base::Message reasonOf(const Finding& finding) {
   base::Message fact = factOf(finding);
   const ProgramLine& at = finding.program;
-  // Numbers of lines are looked up in the text: they are written as editors write them.
+  // Line numbers are written without digit grouping, as editors show them, since users look them up
+  // in the text.
   const std::string file = std::to_string(at.file), line = std::to_string(at.line);
   if (at.line > 0)
     fact = at.file > 0

@@ -1,4 +1,5 @@
-// What cannot be printed, reached or verified, as data (docs/design.md, Findings): never an error.
+// Findings: places that cannot be printed, reached or verified, as data (docs/design.md, Findings).
+// A finding is never an error.
 #pragma once
 
 #include "base/text.h"
@@ -15,54 +16,55 @@ namespace voluta::plan {
 
 enum class FindingKind : std::uint8_t; // finding_kinds.h
 
-// A value by the name that its place has in the sentences of its kind.
+// A value, with the name of its placeholder in the texts of its finding kind.
 struct NamedValue {
   std::string_view name;
   base::Value value;
   friend bool operator==(const NamedValue&, const NamedValue&) = default;
 };
 
-// Where in the text of a program.
+// A position in a program's text.
 struct ProgramLine {
-  std::string format;   // empty: of the only program in question
-  std::size_t file = 0; // 1-based; 0: of a program in one file
-  std::size_t line = 0; // 1-based; 0: nowhere in particular
+  std::string format;   // Empty: the only program in question
+  std::size_t file = 0; // 1-based; 0: single-file program
+  std::size_t line = 0; // 1-based; 0: no particular line
   friend bool operator==(const ProgramLine&, const ProgramLine&) = default;
 };
 
 struct Finding {
   FindingKind kind{};
   std::vector<NamedValue> values;
-  std::optional<Eigen::Vector3d> where; // work frame, mm
-  std::optional<double> whenS;          // seconds from program start
+  std::optional<Eigen::Vector3d> where; // Work frame [mm]
+  std::optional<double> whenS;          // Time from program start [s]
   std::size_t count = 1;
-  bool blocking = true; // false: worth knowing, exit code stays 0
-  ProgramLine program;  // stage replay
+  bool blocking = true; // False: informational, exit code stays 0
+  ProgramLine program;  // Set by stage replay
 
-  // nullptr where its kind has no such value.
+  // Returns nullptr if the finding has no value of this name.
   const base::Value* value(std::string_view name) const;
 };
 
 using Findings = std::vector<Finding>;
 
-// A finding of that kind, blocking where its kind says so. Precondition (Error{Internal}): the
-// values are just those that the sentences of its kind have places for.
+// Returns a finding of this kind; its severity decides whether it blocks. Throws Error{Internal}
+// unless the values are exactly those that the texts of the kind have placeholders for.
 Finding makeFinding(FindingKind kind, std::vector<NamedValue> values = {},
                     const std::optional<Eigen::Vector3d>& where = std::nullopt,
                     std::size_t count = 1);
 
-// What is the matter, in one sentence, without where in a program it stands: the same for the same
-// fact in another format.
+// Returns the reason in one sentence, without its position in a program: the same fact in two
+// program formats gives the same text.
 base::Message factOf(const Finding& finding);
-// The same with the place in the program before it: "urscript: line 12: ...".
+// Returns the reason preceded by its position in the program: "urscript: line 12: ...".
 base::Message reasonOf(const Finding& finding);
-// What would help, in one sentence; may be empty.
+// Returns the remedy in one sentence; may be empty.
 base::Message remedyOf(const Finding& finding);
-// The two in English.
+// Return the reason and the remedy in English.
 std::string englishReason(const Finding& finding);
 std::string englishRemedy(const Finding& finding);
 
-// Do both tell the same, of programs in whatever format: kind, values and (within 0.1 mm) place.
+// Returns whether both findings report the same fact, in whichever program format: equal kind and
+// values, and places within 0.1 mm.
 bool sameFact(const Finding& a, const Finding& b);
 
 base::Point pointOf(const Eigen::Vector3d& p);

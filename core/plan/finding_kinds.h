@@ -1,4 +1,4 @@
-// Every fact that a plan can tell: one row a kind.
+// All kinds of findings: one table row per kind.
 #pragma once
 
 #include "base/text.h"
@@ -13,7 +13,7 @@
 namespace voluta::plan {
 
 enum class FindingKind : std::uint8_t {
-  // Told in sentences that are kept as they are: projects of before findings had values.
+  // Has fixed sentences instead of values: findings of projects saved before findings had values.
   Verbatim,
   // A run that ended in an error.
   Stopped,
@@ -164,37 +164,39 @@ enum class FindingKind : std::uint8_t {
 
 enum class Severity {
   Error,
-  Info,    // worth knowing, never blocks
-  ByAmount // the stage that reports it decides by how much it is
+  Info,    // Informational, never blocks
+  ByAmount // The stage that reports it decides, by the amount
 };
 
 struct FindingRow {
   FindingKind kind;
-  std::string_view id;       // unique, camelCase; in project files
+  std::string_view id;       // Unique, camelCase; used in project files
   std::string_view reportId; // `kind` in report.json; several kinds may share one
   Stage stage;
   Severity severity;
-  base::Text reason, remedy; // with places for the same values
+  base::Text reason, remedy; // Their placeholders use the same values
   std::span<const RemedyId> remedies = {};
-  // Why there may be no button: nothing that the program can carry out helps. Every kind that can
-  // block has this or cures that are offered in every mode (tests/pipeline/remedies_test.cpp).
+  // Why no remedy button is shown: the program cannot carry out any remedy. Every kind that can
+  // block has this text or remedies that are offered in every mode
+  // (tests/pipeline/remedies_test.cpp).
   base::Text whyNoRemedy = {};
 };
 
 std::span<const FindingRow> findingRows();
 const FindingRow& rowOf(FindingKind kind);
-// nullptr: none has this id.
+// Returns nullptr if no kind has this id.
 const FindingRow* rowWithId(std::string_view id);
 
-// As report.json has them. Of Verbatim and Stopped: what they were made with.
+// Return the stage and the kind as written to report.json. Findings of kind Verbatim and Stopped
+// carry their own.
 Stage stageOf(const Finding& finding);
 std::string reportId(const Finding& finding);
 
-// Values of kind Verbatim; Stopped has the stage too.
+// Names of the values of kind Verbatim; Stopped has kVerbatimStage too.
 inline constexpr std::string_view kVerbatimStage = "stage", kVerbatimKind = "kind",
                                   kVerbatimReason = "reason", kVerbatimRemedy = "remedy";
 Finding verbatimFinding(Stage stage, std::string kind, std::string reason, std::string remedy);
-// Of a run that ended in an error at that stage.
+// Returns the finding for a run that ended in an error in this stage.
 Finding stoppedFinding(Stage stage, base::Message what);
 
 } // namespace voluta::plan

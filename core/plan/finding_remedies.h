@@ -1,5 +1,5 @@
-// What the rows of finding_kinds.cpp share: the remedies that each kind of finding offers, why some
-// have none, and help texts.
+// Constants shared by the rows of finding_kinds.cpp: the remedies that each kind of finding offers,
+// why some kinds have none, and help texts.
 #pragma once
 
 #include "base/text.h"
@@ -60,23 +60,21 @@ inline constexpr std::array kForPlates{ScaleToPlate, LargerCell, MakePlatform};
 
 inline constexpr std::span<const RemedyId> kNoRemedies{};
 inline constexpr base::Text kOnlyWriteAgain =
-    "the program's text is not this plan's: nothing in the plan is to be changed"_text;
-inline constexpr base::Text kSaysItself = "the message says what would help"_text;
+    "the program does not match this plan: changing the plan does not help"_text;
+inline constexpr base::Text kSaysItself = "the message says how to fix it"_text;
 inline constexpr base::Text kOldProject =
-    "kept as sentences in an older project: plan again for what can be done"_text;
-inline constexpr base::Text kOthersHelp = "the findings before this one have the remedies"_text;
-inline constexpr base::Text kFinest = "no process here has narrower beads"_text;
-inline constexpr base::Text kOtherBead =
-    "the bead to go on from is chosen on the Simulate page"_text;
-inline constexpr base::Text kCellFile =
-    "only the cell's own file can be changed: Edit, Edit cell"_text;
+    "stored as text in an older project: plan again to see remedies"_text;
+inline constexpr base::Text kOthersHelp = "see the remedies of the findings before this one"_text;
+inline constexpr base::Text kFinest = "no available process has narrower beads"_text;
+inline constexpr base::Text kOtherBead = "choose the bead to resume from on the Simulate page"_text;
+inline constexpr base::Text kCellFile = "change the cell's file: Edit, Edit cell"_text;
 
 inline constexpr base::Text kTurnOrShrink =
     "turn the part, make the platform smaller or add supports"_text;
 inline constexpr base::Text kJoin =
-    "a larger platform, supports, or join this piece to the part"_text;
+    "use a larger platform or supports, or join this piece to the part"_text;
 inline constexpr base::Text kBreakOff = "break it off after printing"_text;
-inline constexpr base::Text kNarrowTo = "a voxel width of at most {fits}"_text;
+inline constexpr base::Text kNarrowTo = "use a voxel width of at most {fits}"_text;
 inline constexpr base::Text kThicken = "thicken the wall to {least} or more"_text;
 inline constexpr base::Text kCutThere =
     "add supports (supports=auto), cut there, or use curved mode"_text;
@@ -85,14 +83,13 @@ inline constexpr base::Text kTurnOrModes =
 inline constexpr base::Text kTurnOrOther =
     "turn the part (orient=leastRisky), or use planar or curved mode"_text;
 inline constexpr base::Text kFiner = "use a finer nozzle, or print the part larger"_text;
-inline constexpr base::Text kGentlerRod =
-    "let the part rise from the rod at a gentler slope there"_text;
+inline constexpr base::Text kGentlerRod = "give the part a gentler slope from the rod there"_text;
 inline constexpr base::Text kGentlerSurface =
-    "let the part rise from the surface at a gentler slope there"_text;
+    "give the part a gentler slope from the surface there"_text;
 inline constexpr base::Text kScaleOrTurn =
     "scale the part down (--scale fit), turn it, or use a larger robot"_text;
 inline constexpr base::Text kMoreTurns =
-    "turn the part about the vertical, or try more turns (redundancySamples)"_text;
+    "turn the part about the vertical, or try more rotations (redundancySamples)"_text;
 inline constexpr base::Text kSlimmer = "use a slimmer print head or thinner layers"_text;
 inline constexpr base::Text kHigher = "use a smaller platform or place the part higher"_text;
 inline constexpr base::Text kAlongRod = "scale the part down, or move it along the rod"_text;
@@ -100,7 +97,8 @@ inline constexpr base::Text kLessClearance =
     "turn the part, use a smaller platform, or allow less clearance"_text;
 inline constexpr base::Text kTurnOrClearance = "turn the part, or allow less clearance"_text;
 inline constexpr base::Text kWriteAgain =
-    "write the program again, or plan anew with this change"_text;
-inline constexpr base::Text kSlower = "slower there, or another place in the cell"_text;
+    "write the program again, or plan again with this change"_text;
+inline constexpr base::Text kSlower =
+    "print slower there, or place the part elsewhere in the cell"_text;
 
 } // namespace voluta::plan::finding_remedies

@@ -1,4 +1,5 @@
-// A robot program as data: what a writer makes and what a reader finds in its text.
+// A robot program as data: the files that a writer makes and the motions that a reader finds in
+// them.
 #pragma once
 
 #include "base/text.h"
@@ -15,116 +16,121 @@
 namespace voluta::plan {
 
 struct ProgramFile {
-  std::string name; // file name without folder
+  std::string name; // File name without folder
   std::string text;
 };
 
 struct Program {
-  std::string format;             // id in the dialect registry
-  bool foreign = false;           // Cartesian, for a controller that is not the cell's own
-  std::vector<ProgramFile> files; // to be run in this order
+  std::string format;             // Id in the dialect registry
+  bool foreign = false;           // Cartesian, for another maker's controller
+  std::vector<ProgramFile> files; // To be run in this order
 };
 
-// What a motion's target is given in.
+// How a motion's target is given.
 enum class TargetKind : std::uint8_t {
-  Joints,     // joint values, radians, external axes behind the arm's
-  FlangePose, // base_T_tcp with the TCP that the program sets (flange_T_tcp); where external axes
-              // carry the robot they are told with it, and the base is where it stands with them
-              // at 0
-  WorkPose, // work_T_tcp with that TCP, and the external axes that turn the work frame; or, with a
-            // fixed nozzle (base_T_nozzle), the nozzle in the work object that the flange holds
-  UnitPose, // as WorkPose, but in the frame of what the last external axis moves, z along that axis
-  ToolPoint // nozzle tip and direction in the work frame (5 degrees of freedom)
+  Joints, // Joint values [rad]; external axes follow the arm's
+  // base_T_tcp with the TCP that the program sets (flange_T_tcp). If external axes carry the robot,
+  // their values are given too, and the base is the one with these axes at 0.
+  FlangePose,
+  WorkPose, // work_T_tcp with that TCP, and the external axes that turn the work frame.
+            // With a fixed nozzle (base_T_nozzle): the nozzle in the work object that the flange
+            // holds.
+  UnitPose, // As WorkPose, but in the frame moved by the last external axis, z along that axis
+  ToolPoint // Nozzle tip and direction in the work frame (5 degrees of freedom)
 };
 
-// Where the nozzle is in the work frame: its tip, mm, and its direction, unit.
+// The nozzle in the work frame: tip [mm] and unit direction.
 struct NozzlePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-// One motion of a program that was read back. There are hundreds of thousands of them: small
-// members stand together.
+// One motion of a program that was read back. Small members are grouped, since a program has
+// hundreds of thousands of motions.
 struct ProgramMotion {
-  std::uint32_t file = 0; // index in Program::files
+  std::uint32_t file = 0; // Index in Program::files
   std::uint32_t line = 0; // 1-based
   TargetKind target = TargetKind::Joints;
-  // FlangePose, WorkPose: which way a SCARA's second joint is to stand, by its sign; 0: not given.
+  // FlangePose, WorkPose: the sign of a SCARA's second joint; 0: not given.
   std::int8_t elbow = 0;
-  bool jointInterpolated = false; // between targets: joints linear, else straight
-  // Part of an excursion that leads back to where it began, for the machine's own sake (a table
-  // that is wound back): no point of a plan is meant by it.
+  bool jointInterpolated = false; // Between targets: linear in joint space, else straight
+  // Part of a detour that returns to its start for the machine's own sake (unwinding a table). It
+  // corresponds to no point of the plan.
   bool aside = false;
-  bool extruding = false;     // is the extruder on during this motion
+  bool extruding = false;     // The extruder is on during this motion
   std::vector<double> joints; // Joints
-  // WorkPose, UnitPose, FlangePose: radians; a slide's mm are taken for degrees
+  // WorkPose, UnitPose, FlangePose [rad]; values of sliding axes [mm] are converted as if they were
+  // degrees
   std::vector<double> externals;
-  // ToolPoint: where the nozzle passes between the last target and this one, at equal steps of the
-  // motion's time, where it goes straight in the axes of a machine that turns the part, and not on
-  // the part. Empty: straight on the part.
+  // ToolPoint: intermediate nozzle points between the previous target and this one, at equal steps
+  // of the motion's time. Given if the machine turns the part and the motion is linear in its axes,
+  // so that the nozzle's path on the part is curved. Empty: straight on the part.
   std::vector<NozzlePoint> way;
-  Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity(); // FlangePose: of Base; WorkPose
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();            // ToolPoint, mm
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();          // ToolPoint, unit
-  // Speed of what the target describes: the TCP in Base (FlangePose: with a plate on the flange
-  // that is the work frame's origin, not the nozzle on the part), the nozzle's tip in the work
-  // frame (WorkPose, ToolPoint). 0: not given.
+  // FlangePose: relative to Base; WorkPose
+  Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   // ToolPoint [mm]
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // ToolPoint, unit vector
+  // Speed of the point that the target describes; 0: not given. FlangePose: the TCP in Base (with a
+  // plate on the flange, that is the work frame's origin, not the nozzle on the part). WorkPose,
+  // ToolPoint: the nozzle's tip in the work frame.
   double speedMmPerS = 0.0;
-  double jointSpeedRadPerS = 0.0; // leading joint, joint-interpolated motions; 0: not given
-  double durationS = 0.0; // time of this motion where the text gives it (then it rules, not the
-                          // speeds); 0: not given
-  double accelerationMmPerS2 = 0.0;       // with speedMmPerS; 0: not given
-  double jointAccelerationRadPerS2 = 0.0; // with jointSpeedRadPerS; 0: not given
-  double blendMm = 0.0;                   // radius of the blend at its end
-  double flowMm3PerS = 0.0;               // flow while extruding, where the dialect gives a rate
-  double volumeMm3 = -1.0; // material of this motion, where the dialect gives amounts; else -1
-};
-
-// The arm stands though the program goes on: a wait, or filament pushed or drawn on the spot.
-struct ProgramPause {
-  std::size_t file = 0, line = 0; // as of a motion
-  std::size_t before = 0;         // the motion that follows; motions.size(): none
+  double jointSpeedRadPerS = 0.0; // Joint-interpolated motions: leading joint; 0: not given
+  // Duration, where the text gives it (it then overrides the speeds); 0: not given
   double durationS = 0.0;
-  double volumeMm3 = 0.0; // flows meanwhile
-  double drawnMm = 0.0;   // filament that is drawn back or returned meanwhile
+  double accelerationMmPerS2 = 0.0;       // Goes with speedMmPerS; 0: not given
+  double jointAccelerationRadPerS2 = 0.0; // Goes with jointSpeedRadPerS; 0: not given
+  double blendMm = 0.0;                   // Radius of the blend at the end of the motion
+  double flowMm3PerS = 0.0;               // Flow while extruding, in dialects that give a rate
+  double volumeMm3 = -1.0; // Material of this motion, in dialects that give amounts; else -1
 };
 
-// What the program says that the arm carries.
+// A stop of the arm while the program continues: a wait, or filament fed or retracted on the spot.
+struct ProgramPause {
+  std::size_t file = 0, line = 0; // As in ProgramMotion
+  std::size_t before = 0;         // Index of the next motion; motions.size(): none
+  double durationS = 0.0;
+  double volumeMm3 = 0.0; // Material extruded during the pause
+  double drawnMm = 0.0;   // Filament retracted or returned during the pause
+};
+
+// The payload that the program states.
 struct ProgramLoad {
   std::size_t file = 0, line = 0;
   double kg = 0.0;
 };
 
-// Something in the text that the reader could not make sense of, or that is missing at its end.
+// Text that the reader could not interpret, or an element missing at the end of the program.
 struct ProgramDefect {
   std::size_t file = 0, line = 0; // 1-based
   base::Message reason;
 };
 
-// Where in its files a program says something.
+// A position in a program's files.
 struct ProgramPlace {
-  std::size_t file = 0, line = 0; // from 0; 1-based, 0: nowhere in particular
+  std::size_t file = 0, line = 0; // file: 0-based; line: 1-based, 0: no particular line
 };
 
 struct ReadProgram {
   std::string format;
-  Eigen::Isometry3d flange_T_tcp = Eigen::Isometry3d::Identity(); // as the program sets it
-  // A nozzle that stands, as the program sets it; flange_T_tcp is then the work object's frame.
+  Eigen::Isometry3d flange_T_tcp = Eigen::Isometry3d::Identity(); // As the program sets it
+  // The fixed nozzle, as the program sets it; flange_T_tcp is then the frame of the work object.
   std::optional<Eigen::Isometry3d> base_T_nozzle;
-  ProgramPlace nozzleAt; // where it sets that, or first moves by it
+  ProgramPlace nozzleAt; // Where the program sets the nozzle, or first moves relative to it
   std::vector<ProgramMotion> motions;
-  // Those before are not of the text: what was printed before it begins.
+  // Index of the first motion that the text contains. Earlier motions were printed before a resumed
+  // program begins.
   std::size_t firstMotion = 0;
-  std::vector<ProgramPause> pauses; // in order
-  bool tellsPauses = false;         // the language has words for them, so a prime is to be found
-  bool tellsDirections = true;      // the language has words for the nozzle's direction
-  bool beadsByJoints = false;       // between points of a bead, too, the joints go at steady speeds
+  std::vector<ProgramPause> pauses; // In order
+  bool tellsPauses = false;         // The language expresses pauses, so a prime can be found
+  bool tellsDirections = true;      // The language expresses the nozzle's direction
+  bool beadsByJoints = false;       // Joint speeds are constant between the points of a bead, too
   std::optional<ProgramLoad> load;
-  std::vector<StatedFact> facts;       // in order
-  std::vector<FactKind> neededFacts;   // what a program of this language states before it moves
-  std::vector<StatedPosture> postures; // of motions, where the text gives them; in order
-  TimeModel time;                      // of the dialect
-  bool complete = false;               // its end sequence was found
+  std::vector<StatedFact> facts; // In order
+  // Facts that a program of this language must state before it moves
+  std::vector<FactKind> neededFacts;
+  std::vector<StatedPosture> postures; // Of the motions whose text gives a posture; in order
+  TimeModel time;                      // Of the dialect
+  bool complete = false;               // The end sequence was found
   std::vector<ProgramDefect> defects;
 };
 

@@ -1,11 +1,11 @@
-// The remedies that findings offer.
+// Ids of the remedies that findings offer.
 #pragma once
 
 #include <cstdint>
 
 namespace voluta::plan {
 
-// What a button can do about a finding; how, is known to the pipeline.
+// A remedy that a button applies; the pipeline implements it.
 enum class RemedyId : std::uint8_t {
   ThickenSurface,
   CloseRims,

@@ -1,4 +1,4 @@
-// The stages of the road, in order (docs/design.md, Stages).
+// The stages of the pipeline, in order (docs/design.md, Stages).
 #pragma once
 
 #include "base/text.h"
@@ -13,9 +13,10 @@ namespace voluta::plan {
 enum class Stage { Load, Decompose, Layers, Toolpath, Motion, Replay };
 inline constexpr std::size_t kStageCount = 6;
 
-// "load", "decompose", "layers", "toolpath", "motion", "replay": as on the command line.
+// Returns "load", "decompose", "layers", "toolpath", "motion" or "replay", as used on the command
+// line.
 std::string_view stageName(Stage stage);
-// How it is called in headings.
+// Returns the stage's name for headings.
 base::Text stageLabel(Stage stage);
 std::optional<Stage> stageNamed(std::string_view name);
 

@@ -1,6 +1,6 @@
-// What a program states beside its motions and its flow: how the machine is set up, and where it
-// waits for the operator. Readers collect the statements, the replay compares them with what the
-// plan needs (replay/stated_facts.h).
+// Statements of a program besides its motions and its flow: the machine's setup and operator stops.
+// Readers collect them; the replay compares them with the facts that the plan needs
+// (replay/stated_facts.h).
 #pragma once
 
 #include <cstddef>
@@ -10,34 +10,35 @@
 namespace voluta::plan {
 
 enum class FactKind : std::uint8_t {
-  OperatorStop,      // waits for the operator; number 1: as long as that takes, 0: no longer than
-                     // a time that the statement sets, or only if a switch says so
-  NozzleHeat,        // number: degrees C, 0: off
-  NozzleHeatWait,    // waits until the nozzle is that hot
-  Home,              // drives to the reference
-  Millimetres,       // lengths are in mm
-  AbsolutePositions, // targets do not count from the last one
-  FilamentCount,     // whether amounts of filament count from the last one
-  FullFlow,          // number: mm3/s at the greatest value of the flow output; word: that value
-  FlowOutputRange,   // word: what the flow output goes through
-  TargetFrame,       // the frame that targets are in
-  MechanicalUnit,    // word: a unit that moves part, robot or filament
-  OpenRounding,      // corners are rounded, as far as the controller chooses
-  PassingOutput,     // an output of the extruder is set beside a motion that does not stop
-  ToolSelected,      // number: the tool that deposits from here on
-  TapeCut            // the tape is cut
+  // Waits for the operator. Number 1: without time limit; 0: at most for a time that the statement
+  // sets, or only if a switch is on
+  OperatorStop,
+  NozzleHeat,        // Number: degrees C, 0: off
+  NozzleHeatWait,    // Waits until the nozzle is that hot
+  Home,              // Reference (homing) run
+  Millimetres,       // Lengths are in mm
+  AbsolutePositions, // Targets are absolute, not relative to the previous one
+  FilamentCount,     // Whether amounts of filament are relative to the previous one
+  FullFlow,        // Number: flow [mm3/s] at the maximum value of the flow output; word: that value
+  FlowOutputRange, // Word: range of the flow output
+  TargetFrame,     // The frame of the targets
+  MechanicalUnit,  // Word: a unit that moves the part, the robot or the filament
+  OpenRounding,    // Corners are blended as far as the controller chooses
+  PassingOutput,   // An extruder output is set at a motion that does not stop
+  ToolSelected,    // Number: the tool that deposits from here on
+  TapeCut          // Cuts the tape
 };
 
 struct StatedFact {
   FactKind kind = FactKind::OperatorStop;
-  std::uint32_t file = 0, line = 0; // as of a motion
-  std::size_t before = 0;           // the motion that follows; motions.size(): none
-  std::size_t beforePause = 0;      // the pause that follows, likewise
+  std::uint32_t file = 0, line = 0; // As in ProgramMotion
+  std::size_t before = 0;           // Index of the next motion; motions.size(): none
+  std::size_t beforePause = 0;      // Index of the next pause; pauses.size(): none
   double number = 0.0;
   std::string word;
 };
 
-// How the arm stands at a target, as the flags of a language say it.
+// The arm's posture at a target, as the flags of a language state it.
 struct ArmPosture {
   std::uint32_t structure = 0, turns = 0;
   friend bool operator==(const ArmPosture&, const ArmPosture&) = default;

@@ -1,27 +1,27 @@
-// What a controller makes of the times and speeds in a program: figures of a dialect's row, each
-// with its source in docs/programs.md, Time. The default is a controller that does everything at
-// once.
+// How a controller interprets the times and speeds in a program: parameters of a dialect, each with
+// its source in docs/programs.md, Time. The default is a controller with unlimited acceleration and
+// look-ahead.
 #pragma once
 
 namespace voluta::plan {
 
 struct TimeModel {
-  // Of straight motions whose text gives none; 0: any speed at once.
+  // Of straight motions whose text gives none; 0: unlimited.
   double accelerationMmPerS2 = 0.0;
-  // Of joint motions whose text gives none; 0: any speed at once.
+  // Of joint motions whose text gives none; 0: unlimited.
   double jointAccelerationRadPerS2 = 0.0;
-  // Joint speeds come in whole percent of what an axis can, which the text doesn't tell: such a
-  // motion's time is no figure to hold against the plan's.
+  // Joint speeds are whole percentages of an axis's maximum speed, which the text does not state.
+  // The times of such motions cannot be compared with the plan's.
   bool jointsInPercent = false;
-  double cycleS = 0.0; // no motion that moves is shorter
-  // How far ahead the controller looks for a place where it has to stand, in motions; 0: to the
-  // end.
+  double cycleS = 0.0; // Minimum duration of a motion
+  // Number of motions that the controller looks ahead for a stop; 0: unlimited.
   int lookAhead = 0;
-  // A target without a blend: the arm stands there (0), or passes it as fast as if the corner were
-  // rounded by an arc that leaves it by so much (junction deviation).
+  // At a target without a blend the arm stops (0), or passes the corner at the speed allowed by an
+  // arc that deviates from it by this distance (junction deviation).
   double junctionMm = 0.0;
-  // A second law that some report: a radian of the TCP's turn takes as long as so much of its way;
-  // 0: there is none. Motions for which the text gives a time are not concerned.
+  // Second speed law that some controllers are reported to use: a radian of TCP rotation takes as
+  // long as this length of path; 0: no such law. Does not apply to motions for which the text gives
+  // a time.
   double turnMmPerRad = 0.0;
 };
 

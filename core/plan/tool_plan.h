@@ -1,4 +1,4 @@
-// Beads to lay, independent of any robot: flat arrays, a million waypoints and more.
+// The planned beads, independent of any robot: flat arrays for a million waypoints and more.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,17 +8,18 @@
 
 namespace voluta::plan {
 
-// Projects keep their numbers: add new kinds at the end.
+// Project files store these numbers: add new kinds at the end.
 enum class PathKind : std::uint8_t { Wall, Infill, GapFill, Skirt, Support, Prime };
 inline constexpr std::size_t kPathKinds = 6;
 
-// Is it thrown away, and no part of what is printed? Nothing has to hold it.
+// Returns whether the bead is discarded and not part of the printed object, so that it needs no
+// support.
 constexpr bool isWaste(PathKind kind) {
   return kind == PathKind::Skirt || kind == PathKind::Prime;
 }
 
-// One bead laid without lifting: waypoints [first, first + count), count >= 2.
-// A closed path repeats its first waypoint at its end.
+// One bead printed without lifting: waypoints [first, first + count), count >= 2. A closed path
+// repeats its first waypoint at its end.
 struct ToolPath {
   std::size_t first = 0, count = 0;
   PathKind kind = PathKind::Wall;
@@ -28,19 +29,19 @@ struct ToolPath {
   int tool = 0; // index in the job's tooling (process/tooling.h)
 };
 
-// All in the work frame: origin at the centre of the platform's top, z out of it. mm.
+// All in the work frame [mm]: origin at the centre of the platform's top, z up from it.
 struct ToolPlan {
-  std::vector<Eigen::Vector3d> position;  // the nozzle's tip: top of the bead
-  std::vector<Eigen::Vector3d> direction; // unit, from the bead into the nozzle
-  std::vector<float> widthMm, heightMm;   // the bead's section there (process/bead_model.h)
-  std::vector<float> speedMmPerS;         // wanted on the segment that arrives here
-  std::vector<ToolPath> paths;            // in print order; together they cover all waypoints once
+  std::vector<Eigen::Vector3d> position;  // The nozzle's tip: top of the bead
+  std::vector<Eigen::Vector3d> direction; // Unit vector, from the bead into the nozzle
+  std::vector<float> widthMm, heightMm;   // The bead's cross-section there (process/bead_model.h)
+  std::vector<float> speedMmPerS;         // Desired speed on the segment that ends here
+  std::vector<ToolPath> paths; // In print order; together they cover every waypoint exactly once
 
   std::size_t waypointCount() const { return position.size(); }
-  // Does a bead that is waste fill the nozzle before the part begins?
+  // Returns whether a waste bead primes the nozzle before the part begins.
   bool primes() const { return !paths.empty() && isWaste(paths.front().kind); }
-  // Is that bead laid in the air over the plate? Nothing is there yet that could hold it: it falls,
-  // and is no part of what grows.
+  // Returns whether the priming bead is printed in the air above the plate. Nothing supports it
+  // there, so it falls and does not count as printed material.
   bool isPrimeInAir() const {
     constexpr double kOnMm = 0.01;
     return primes() && position[paths.front().first].z() >

@@ -12,12 +12,12 @@ namespace voluta::plan {
 
 inline constexpr std::size_t kNoWaypoint = std::numeric_limits<std::size_t>::max();
 
-// How a point is reached from the one before it.
+// How a point is reached from the previous one.
 enum class MoveKind : std::uint8_t {
-  Print,  // straight in the work frame, extruding
-  Linear, // straight in the work frame, not extruding (approach, lift, straight transfer)
-  Joint,  // linear in joints, not extruding (transfer; also the first point, from rest)
-  Wipe    // as Linear, but along a bead that was just printed, before the nozzle lifts
+  Print,  // Straight in the work frame, extruding
+  Linear, // Straight in the work frame, not extruding (approach, lift, straight transfer)
+  Joint,  // Linear in joint space, not extruding (transfer; also the first point, from rest)
+  Wipe    // As Linear, but along a bead just printed, before the nozzle lifts
 };
 
 enum class EventKind : std::uint8_t {
@@ -38,12 +38,12 @@ struct TrajectoryEvent {
 
 struct Trajectory {
   int dof = 0;
-  std::vector<double> joints;          // dof values a point, radians (mm for sliding axes)
-  std::vector<double> timeS;           // per point, from 0, non-decreasing
-  std::vector<MoveKind> move;          // per point
-  std::vector<std::size_t> waypoint;   // per point: the ToolPlan waypoint it is, or kNoWaypoint
-  std::vector<double> extrudedMm3;     // per point: material laid when it is reached
-  std::vector<TrajectoryEvent> events; // ascending by point; several at a point in their order
+  std::vector<double> joints;          // Dof values per point [rad] (sliding axes: [mm])
+  std::vector<double> timeS;           // Per point, from 0, non-decreasing
+  std::vector<MoveKind> move;          // Per point
+  std::vector<std::size_t> waypoint;   // Per point: its ToolPlan waypoint, or kNoWaypoint
+  std::vector<double> extrudedMm3;     // Per point: total material deposited when it is reached
+  std::vector<TrajectoryEvent> events; // Ascending by point; several at a point in their order
 
   std::size_t pointCount() const { return timeS.size(); }
   // Returns the events before the motion to that point.

@@ -1,4 +1,4 @@
-// Where a waypoint is found: the path it is of, and the point of a trajectory that leads to it.
+// Lookup of a waypoint's path and of the waypoint that a trajectory point leads to.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -9,27 +9,27 @@
 
 namespace voluta::plan {
 
-// The path that the waypoint is of; null: the plan has no such waypoint.
+// Returns the path of the waypoint, or nullptr if the plan has no such waypoint.
 const ToolPath* pathOf(const ToolPlan& plan, std::size_t waypoint);
 
-// Copies one waypoint behind those of another plan; paths stay as they are.
+// Appends a copy of one waypoint to another plan; paths stay unchanged.
 void appendWaypoint(ToolPlan& to, const ToolPlan& from, std::size_t waypoint);
 
 struct RestOfPlan {
   ToolPlan plan;
-  std::vector<std::size_t> waypoint; // of the plan before, per waypoint of this one
+  std::vector<std::size_t> waypoint; // Per waypoint of this plan: its index in the original plan
 };
 
-// The plan without the marked waypoints: their path ends before them and goes on after them as one
-// of its own, and pieces of a single waypoint go too. Precondition: one mark a waypoint.
+// Returns the plan without the marked waypoints. A path is split at them, and pieces of a single
+// waypoint are dropped as well. Precondition: one mark per waypoint.
 RestOfPlan without(const ToolPlan& plan, const std::vector<char>& marked);
 
-// The waypoint that a point is, or is on the way to; kNoWaypoint: it follows the last one.
+// Returns the waypoint at this point or the next one after it; kNoWaypoint after the last one.
 std::size_t waypointAhead(const Trajectory& trajectory, std::size_t point);
 
-// Does a bead that is waste fill the nozzle first, from a point of the motion on? Not of a plan
-// whose bead for that is not in the motion: it could not be planned, or lies before the rest of a
-// print.
+// Returns whether the motion, from this point on, first primes the nozzle with a waste bead. False
+// if the plan's priming bead is not in the motion, because it could not be planned or comes before
+// the rest of a resumed print.
 bool primesOnPath(const ToolPlan& plan, const Trajectory& trajectory, std::size_t from = 0);
 
 } // namespace voluta::plan

@@ -1,4 +1,5 @@
-// What filling a region of the plane needs of CGAL; for .cpp files only.
+// Constrained Delaunay triangulation (CGAL) for filling regions of the plane; include in .cpp files
+// only.
 #pragma once
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -17,12 +18,13 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
-// A vertex knows the index of its point. Constraints may not cross.
+// Each vertex holds the index of its point. Constraints must not cross.
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-// Edges that occur an odd number of times, whichever way they run: lower index first, sorted.
+// Returns the edges that occur an odd number of times in either direction: lower index first,
+// sorted.
 inline std::vector<std::array<int, 2>> oddEdges(std::vector<std::array<int, 2>> edges) {
   for (auto& e : edges)
     if (e[0] > e[1])
@@ -40,7 +42,8 @@ inline std::vector<std::array<int, 2>> oddEdges(std::vector<std::array<int, 2>> 
   return odd;
 }
 
-// The triangles inside: an odd number of constraints lies between them and the infinite face.
+// Returns the triangles inside the region: those separated from the infinite face by an odd number
+// of constraints.
 inline std::vector<std::array<int, 3>> insideTriangles(Triangulation& t) {
   std::vector<std::array<int, 3>> triangles;
   if (t.dimension() < 2)

@@ -1,4 +1,4 @@
-// What searches for cuts ask of each face of a piece, worked out once.
+// Per-face data of a piece, precomputed for the searches for cuts.
 #pragma once
 
 #include "planar/pieces.h"
@@ -13,9 +13,10 @@ namespace voluta::planar {
 struct FaceTable {
   std::vector<Eigen::Vector3d> normal; // unit, outward
   std::vector<double> area;            // mm2
-  std::vector<double> risky;           // the area where it needs support as things are, else 0
-  std::vector<std::uint8_t> stands;    // what the piece stands on
-  std::vector<std::uint8_t> laid;      // lies on what is printed before, however it is printed
+  std::vector<double> risky;           // its area if it needs support in the current piece, else 0
+  std::vector<std::uint8_t> stands;    // 1: the piece stands on this face
+  // 1: the face is on earlier material, whatever the print direction
+  std::vector<std::uint8_t> laid;
   std::vector<std::array<int, 3>> neighbour; // across side k; -1: none
   double standsMm2 = 0.0;
 };

@@ -17,18 +17,18 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr std::size_t kMostListed = 5;
-constexpr double kLeastMm2 = 1.0; // smaller places are no more than a bead
+constexpr double kLeastMm2 = 1.0; // smaller places are no larger than a bead
 
 struct Place {
   double areaMm2 = 0.0;
-  Vector3d at = Vector3d::Zero(); // on the faces: their middle may lie in the air
+  Vector3d at = Vector3d::Zero(); // a point on the faces; their centroid may be off the surface
 };
 
 Vector3d middleOf(const geometry::TriangleMesh& mesh, std::size_t t) {
   return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
 }
 
-// Risky faces that hang together by edges.
+// Returns the edge-connected groups of risky faces.
 std::vector<Place> riskyPlaces(const Piece& piece, const RiskRule& rule) {
   const geometry::TriangleMesh faces = geometry::subMesh(piece.solid.mesh, riskyFaces(piece, rule));
   const geometry::Components parts = geometry::components(faces);

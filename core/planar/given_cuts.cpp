@@ -24,8 +24,9 @@ using Json = nlohmann::json;
 namespace {
 
 constexpr double kOrderSpacingMm = 2.0;
-constexpr double kCrossesMm = 1e-6; // a piece reaches further than that to both sides
-constexpr int kWidths = 36;         // directions that the least width is looked for in
+// a plane crosses a piece if the piece extends further than this on both sides
+constexpr double kCrossesMm = 1e-6;
+constexpr int kWidths = 36; // number of directions searched for the minimum width
 
 geometry::TriangleMesh sectionOf(const TaggedMesh& solid, std::int32_t tag) {
   std::vector<bool> keep(solid.tag.size());
@@ -57,7 +58,7 @@ double extent(const geometry::TriangleMesh& mesh, const Vector3d& direction) {
   return high - low;
 }
 
-// The least of a piece's height over its base and its widths along it.
+// Returns the minimum of a piece's height over its base and its widths parallel to the base.
 double thinnest(const Piece& piece) {
   const PlaneFrame frame = frameOf(piece.base.normal);
   double least = extent(piece.solid.mesh, piece.base.normal);
@@ -75,10 +76,10 @@ double thinnest(const Piece& piece) {
                     base::message("cut {number}"_text, index + 1), remedy);
 }
 
-// The place where a cut's plane meets what is left nearest to its point.
+// The intersection of a cut's plane with the remaining pieces that is nearest to the cut's point.
 struct Place {
   std::size_t piece = 0;
-  geometry::TriangleMesh solid; // what lies above the plane there
+  geometry::TriangleMesh solid; // the solid above the plane there
   double distanceMm = std::numeric_limits<double>::infinity();
 };
 
@@ -92,7 +93,7 @@ std::optional<Place> placeOf(const GivenCut& cut, std::int32_t tag,
     try {
       sides = cutByPlane(pieces[p].solid, cut.plane, tag);
     } catch (const base::Error& e) {
-      wrongCut(index, e.message(), "move or tilt the plane a little"_text);
+      wrongCut(index, e.message(), "move or tilt the plane slightly"_text);
     }
     for (std::size_t s = 0; s < sides.above.size(); ++s) {
       const geometry::TriangleMesh section =
@@ -110,9 +111,10 @@ std::optional<Place> placeOf(const GivenCut& cut, std::int32_t tag,
 void requireBead(const Piece& piece, std::size_t index, double leastMm) {
   if (const double mm = thinnest(piece); mm < leastMm)
     wrongCut(index,
-             base::message("leaves a piece {thickness:.2g} thin, less than a bead's {least}"_text,
+             base::message("leaves a piece only {thickness:.2g} thick, thinner than a "
+                           "bead ({least})"_text,
                            base::mm(mm), base::mm(leastMm)),
-             "move the plane, or leave it out"_text);
+             "move the plane or remove it"_text);
 }
 
 } // namespace
@@ -121,7 +123,7 @@ std::vector<GivenCut> readGivenCuts(const std::string& json, const std::string& 
   std::vector<GivenCut> cuts;
   for (const UserPlane& p : readUserPlanes(json, where)) {
     if (!p.corners.empty())
-      throw base::Error(base::ErrorCode::UnusableInput, "a quadrilateral does not cut a part"_text,
+      throw base::Error(base::ErrorCode::UnusableInput, "a quadrilateral cannot cut a part"_text,
                         base::message("{where}, entry {number}"_text, where, cuts.size() + 1),
                         "give planes: {\"point\": [x, y, z], \"normal\": [x, y, z]}"_text);
     cuts.push_back({p.point, p.plane});
@@ -161,7 +163,7 @@ std::vector<GivenCut> cutsOf(const std::vector<Piece>& pieces) {
       middle += a * triangleMiddle(section, t);
       area += a;
     }
-    // The middle of a ring is not on it.
+    // The centroid of a ring is not on it; therefore the nearest point of the section is used.
     GivenCut cut{piece.base.offsetMm * piece.base.normal, piece.base};
     if (area > 0.0)
       cut.point = geometry::MeshQuery(section).closest(middle / area).point;
@@ -179,15 +181,15 @@ std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, cons
     const auto tag = static_cast<std::int32_t>(i);
     const auto place = placeOf(cuts[i], tag, pieces, i);
     if (!place)
-      wrongCut(i, "the plane misses the part"_text, "move it to where it crosses the part"_text);
+      wrongCut(i, "the plane misses the part"_text, "move it so that it crosses the part"_text);
     Piece& piece = pieces[place->piece];
     const Wanted wanted = [&](const TaggedMesh& solid) {
       return solid.mesh.vertices == place->solid.vertices;
     };
     std::optional<PieceCut> cut = splitPiece(piece, cuts[i].plane, tag, wanted, rule);
     if (!cut)
-      wrongCut(i, "leaves a piece that stands on nothing"_text,
-               "move the plane, or turn its normal to the side that is to be cut off"_text);
+      wrongCut(i, "leaves a piece without a base"_text,
+               "move the plane, or point its normal to the side to cut off"_text);
     requireBead(cut->below, i, leastMm);
     piece = std::move(cut->below);
     for (Piece& above : cut->above) {

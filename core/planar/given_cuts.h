@@ -1,4 +1,4 @@
-// A part taken apart by planes that the user gives.
+// Decomposition of a part by planes that the user gives.
 #pragma once
 
 #include "base/run_context.h"
@@ -12,34 +12,35 @@
 
 namespace voluta::planar {
 
-// What lies above the plane and hangs on the section nearest to the point becomes a piece of its
-// own, printed along the plane's normal. mm in the work frame; the point lies on the plane.
+// The solid above the plane at the section nearest to the point becomes a separate piece, printed
+// along the plane's normal. Work frame [mm]; the point is on the plane.
 struct GivenCut {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Plane plane;
 };
 
-// A JSON list of {"point": [x, y, z], "normal": [x, y, z]}, as readUserPlanes reads it, without
+// Parses a JSON list of {"point": [x, y, z], "normal": [x, y, z]} like readUserPlanes, but without
 // quadrilaterals. `where` names the text in errors. Throws Error{UnusableInput} that names the
 // entry.
 std::vector<GivenCut> readGivenCuts(const std::string& json, const std::string& where);
 std::string givenCutsText(const std::vector<GivenCut>& cuts);
 
-// The pieces that stand on a section of a cut, by place, in the order of the cuts.
+// Returns the indices of the pieces that stand on a section of a cut, in the order of the cuts.
 std::vector<std::size_t> cutPieces(const std::vector<Piece>& pieces);
-// The cuts that make these pieces, one for each of cutPieces(): a point on the section of each that
-// is near its middle.
+// Returns the cuts that produce these pieces, one for each of cutPieces(); each point is on the
+// piece's section, near its centroid.
 std::vector<GivenCut> cutsOf(const std::vector<Piece>& pieces);
 
-// The pieces that the cuts make of `whole`, each cut made in turn where its plane meets what is
-// left nearest to its point; sections are tagged by the cut's place in the list. Pieces come in no
-// particular order. Throws Error{UnusableInput} that names the cut where its plane misses the part,
-// leaves a piece that stands on nothing, or one thinner than `leastMm`; Cancelled.
+// Applies the cuts to `whole` in order, each where its plane intersects the remaining pieces
+// nearest to its point; sections are tagged by the cut's index in the list. The order of the pieces
+// is unspecified. Throws Error{UnusableInput} naming the cut if its plane misses the part, leaves a
+// piece without a base, or leaves one thinner than `leastMm`; Cancelled.
 std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, const RiskRule& rule,
                             double leastMm, const base::RunContext& ctx);
 
-// cutApart() of a part, in print order. `part` is closed, faces outward and stands on z = 0.
-// Besides throws Error{UnusableInput} where the part is not closed.
+// Returns cutApart() of a part, in print order. Precondition: `part` is closed, its faces point
+// outward and it is on z = 0. Throws as cutApart, and Error{UnusableInput} if the part is not
+// closed.
 PlanarDecomposition decomposeByCuts(const geometry::TriangleMesh& part,
                                     const std::vector<GivenCut>& cuts, const PlanarOptions& options,
                                     double leastMm, const base::RunContext& ctx);

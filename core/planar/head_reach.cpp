@@ -20,7 +20,8 @@ std::vector<Vector3d> surfaceSamples(const geometry::TriangleMesh& mesh, double 
     const double longest =
         std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
     const int n = std::clamp(static_cast<int>(std::ceil(longest / spacingMm)), 1, 200);
-    // Centres of the n^2 like triangles, of slivers only as many as their area asks for.
+    // Samples are the centres of n^2 similar triangles; slivers get only as many as their area
+    // requires.
     const double area = geometry::triangleArea(mesh, t);
     const int every =
         std::max(1, static_cast<int>(n * n * spacingMm * spacingMm / (2.0 * area + 1e-9) / 4.0));
@@ -93,9 +94,9 @@ double firstTipMm(const Piece& piece, const RiskRule& rule) {
 
 namespace {
 
-constexpr double kStepMm = 0.1;   // of radii in the table of heights
-constexpr double kColumnMm = 1.0; // of obstacles in a column so wide only the highest counts
-constexpr int kBlock = 8;         // columns in a block, either way
+constexpr double kStepMm = 0.1;   // step of radii in the table of heights
+constexpr double kColumnMm = 1.0; // width of a column, in which only the highest obstacle counts
+constexpr int kBlock = 8;         // columns per block and axis
 
 // Obstacles seen along a direction: the highest of each column.
 class HeightMap {
@@ -112,7 +113,7 @@ public:
       highU = std::max(highU, p.u);
       highV = std::max(highV, p.v);
     }
-    // Columns stand where they stand, whatever else there is.
+    // Columns are aligned to a fixed grid, so that they do not depend on the other obstacles.
     lowU_ = kColumnMm * std::floor(lowU_ / kColumnMm);
     lowV_ = kColumnMm * std::floor(lowV_ / kColumnMm);
     wide_ = static_cast<int>((highU - lowU_) / kColumnMm) / kBlock + 1;
@@ -131,7 +132,7 @@ public:
     }
   }
 
-  // Whether an obstacle is higher over the tip than the head allows at its distance.
+  // Returns whether an obstacle is higher above the tip than the head allows at its distance.
   bool meets(const Point& tip, const std::vector<double>& rise) const {
     constexpr double kBlockMm = kBlock * kColumnMm;
     const double reach = kStepMm * static_cast<double>(rise.size());
@@ -186,7 +187,7 @@ HeadReach::HeadReach(const process::HeadShape& head, double marginMm) {
   for (const process::HeadSection& s : head.sections)
     widest = std::max(widest, s.radiusMm);
   for (double r = 0.5 * kStepMm; r < widest + marginMm; r += kStepMm) {
-    // The lowest height at which the head is as wide as that.
+    // The lowest height at which the head has this radius.
     const double wanted = std::max(0.0, r - marginMm);
     double lowest = head.sections.front().zMm;
     for (std::size_t s = 0; s < head.sections.size(); ++s) {
@@ -210,7 +211,7 @@ bool HeadReach::blocked(const std::vector<Vector3d>& tips, const Obstacles& obst
     return false;
   const Vector3d across = direction.unitOrthogonal(), along = direction.cross(across);
   double lowest = 1e300;
-  Eigen::AlignedBox2d swept; // by the head's axis, seen along the direction
+  Eigen::AlignedBox2d swept; // area swept by the head's axis, seen along the direction
   for (const Vector3d& t : tips) {
     lowest = std::min(lowest, direction.dot(t));
     swept.extend(Eigen::Vector2d(across.dot(t), along.dot(t)));
@@ -238,7 +239,7 @@ bool HeadReach::blocked(const std::vector<Vector3d>& tips, const Obstacles& obst
     return false;
   const HeightMap map(std::move(near));
   const double allowed = kBlockedShare * static_cast<double>(tips.size());
-  // Strewn over the piece, so that what is blocked a lot is soon known to be.
+  // Samples spread over the piece, so that heavily blocked pieces are detected early.
   const std::size_t n = tips.size();
   std::size_t stride = std::max<std::size_t>(1, static_cast<std::size_t>(0.618 * n)) | 1U;
   while (std::gcd(stride, n) != 1)
@@ -258,7 +259,7 @@ std::vector<Vector3d> HeadReach::inside(const std::vector<Vector3d>& tips,
                                         double lowestMm) const {
   if (tips.empty() || rise_.empty())
     return {};
-  // Head down: of each column of tips the lowest counts, and an obstacle is a tip.
+  // With the head upside down, tips and obstacles swap roles; the lowest tip of each column counts.
   const Vector3d across = direction.unitOrthogonal(), along = direction.cross(across);
   std::vector<HeightMap::Point> down;
   for (const Vector3d& t : tips)

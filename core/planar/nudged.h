@@ -1,4 +1,4 @@
-// A plane where a section closes, at a height or as near to it as there is one.
+// Retries at slightly moved planes, for sections that do not close at the exact height.
 #pragma once
 
 #include "base/error.h"
@@ -9,15 +9,15 @@
 
 namespace voluta::planar {
 
-// The section of a mesh by a plane, which crosses itself.
+// Throws the error for a mesh whose section by a plane crosses itself.
 [[noreturn]] inline void sectionCrosses() {
   throw base::Error(base::ErrorCode::UnusableInput,
-                    "the section of the mesh by a plane crosses itself"_text, {},
+                    "a planar section of the mesh crosses itself"_text, {},
                     "repair the mesh, or use curved mode, which takes any mesh"_text);
 }
 
-// What `tryAt(offset)`, which returns an optional, gives first, tried at the offset itself and up
-// to 1e-4 mm from it; where it gives nothing, what `otherwise()` gives.
+// Returns the first value that `tryAt(offset)` (returning an optional) yields at the offset itself
+// or at up to 1e-4 mm from it; if there is none, returns `otherwise()`.
 template <typename Try, typename Otherwise>
 auto atOrNear(double offsetMm, Try&& tryAt, Otherwise&& otherwise) {
   constexpr std::array<double, 9> kMoved{0.0, 1e-7, -1e-7, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4};
@@ -27,7 +27,7 @@ auto atOrNear(double offsetMm, Try&& tryAt, Otherwise&& otherwise) {
   return otherwise();
 }
 
-// The same; throws Error{UnusableInput} where it gives nothing.
+// Same, but throws Error{UnusableInput} if there is no value.
 template <typename Try> auto atOrNear(double offsetMm, Try&& tryAt) {
   using Found = std::remove_cvref_t<decltype(*tryAt(offsetMm))>;
   return atOrNear(offsetMm, std::forward<Try>(tryAt), []() -> Found { sectionCrosses(); });

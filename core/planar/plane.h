@@ -5,7 +5,7 @@
 
 namespace voluta::planar {
 
-// normal . x = offsetMm; above is where the normal points to.
+// normal . x = offsetMm; the normal points to the side above.
 struct Plane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); // unit
   double offsetMm = 0.0;
@@ -13,7 +13,7 @@ struct Plane {
   double heightOf(const Eigen::Vector3d& p) const { return normal.dot(p) - offsetMm; }
 };
 
-// Two unit vectors that make a right-handed frame with the unit normal: across, along, normal.
+// Two unit vectors that form a right-handed frame with the unit normal: across, along, normal.
 struct PlaneFrame {
   Eigen::Vector3d across, along;
 };

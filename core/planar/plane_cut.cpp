@@ -45,7 +45,7 @@ Solids solidsOf(const TriangleMesh& mesh) {
     }
     return shell[c];
   };
-  // A cavity belongs to the smallest solid that holds a point of it.
+  // A cavity belongs to the smallest solid that contains a point of it.
   std::vector<std::size_t> owner(count);
   for (std::size_t c = 0; c < count; ++c) {
     owner[c] = c;
@@ -82,9 +82,9 @@ TaggedMesh pick(const TaggedMesh& mesh, const Solids& parts, std::size_t solid) 
   return out;
 }
 
-constexpr double kOnPlane = 1e-9; // of the mesh's size
+constexpr double kOnPlane = 1e-9; // relative to the mesh's size
 
-// One try at a cut, all sides sharing one set of vertices.
+// One attempt at a cut; all sides share one set of vertices.
 class Cutter {
 public:
   Cutter(const TaggedMesh& in, const Plane& plane, std::int32_t tag)
@@ -98,7 +98,7 @@ public:
     }
   }
 
-  // Nothing where the section does not close.
+  // Returns nullopt if the section does not close.
   std::optional<PlaneCut> run(const Wanted& wanted) {
     split();
     const auto cap = capTriangles();
@@ -116,7 +116,7 @@ public:
     out.offsetMm = plane_.offsetMm;
     const Solids parts = solidsOf(above.mesh);
     constexpr std::int32_t kStays = -1;
-    std::vector<std::int32_t> cutOff(parts.count, kStays); // place among those cut off
+    std::vector<std::int32_t> cutOff(parts.count, kStays); // index among the cut-off solids
     for (std::size_t s = 0; s < parts.count; ++s) {
       TaggedMesh solid = pick(above, parts, s);
       if (wanted && !wanted(solid))
@@ -160,7 +160,8 @@ private:
                                                         : 0.0;
   }
 
-  // The point of edge a b on the plane: the same for both triangles at the edge.
+  // Returns the intersection point of edge a b with the plane: the same for both triangles at the
+  // edge.
   int crossing(int a, int b) {
     if (a > b)
       std::swap(a, b);
@@ -190,7 +191,7 @@ private:
         downs += heightAt(v) < 0.0;
       }
       if (ups == 0 && downs == 0) {
-        // Its solid is behind it.
+        // The triangle's solid is behind it.
         const Vector3d n = (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0]));
         give(n.dot(plane_.normal) < 0.0, t, tag);
       } else if (downs == 0 || ups == 0) {
@@ -213,7 +214,7 @@ private:
     }
   }
 
-  // Triangles that close the side below, facing up.
+  // Returns the triangles that close the side below, facing up.
   std::optional<std::vector<Triangle>> capTriangles() const {
     // Sides without a partner among the triangles below.
     std::unordered_map<std::uint64_t, int> surplus;
@@ -283,8 +284,9 @@ private:
   const TaggedMesh& in_;
   const Plane& plane_;
   std::int32_t tag_;
-  std::vector<Vector3d> vertices_; // of the mesh, then points of edges on the plane
-  std::vector<double> height_;     // of the mesh's
+  // vertices of the mesh, then intersection points of edges with the plane
+  std::vector<Vector3d> vertices_;
+  std::vector<double> height_; // of the mesh's vertices
   std::unordered_map<std::uint64_t, int> crossings_;
   std::vector<Triangle> below_, above_;
   std::vector<std::int32_t> belowTag_, aboveTag_;

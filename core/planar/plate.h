@@ -1,4 +1,4 @@
-// The plate under a piece, and how well the piece stands on it.
+// The plate below a piece, and the piece's contact with it.
 #pragma once
 
 #include "planar/decomposition.h"
@@ -8,25 +8,25 @@
 
 namespace voluta::planar {
 
-// The plate's polygon where `piece` stands on it: options.platform.polygon, or the one made for
-// the piece; of a piece that does not stand on the plate that of the options.
+// Returns the plate's polygon for a piece on the plate: options.platform.polygon, or the one made
+// for the piece. For other pieces returns the polygon of the options.
 std::vector<Eigen::Vector2d> plateUnder(const Piece& piece, const PlanarOptions& options);
 
-// Points all over what carries the plate, `spacingMm` apart.
+// Returns points on all surfaces of the bodies that carry the plate, `spacingMm` apart.
 std::vector<Eigen::Vector3d> carrierSamples(const PlanarPlatform& platform, double spacingMm);
 
-// Points of a piece that stands on the plate and points of that plate and what carries it,
-// `spacingMm` apart; of another piece its own.
+// Adds points of the plate and of the bodies that carry it, `spacingMm` apart, to the points of a
+// piece on the plate. Points of other pieces are returned unchanged.
 std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, const Piece& piece,
                                        const PlanarOptions& options, double spacingMm);
 
-// What a part stands on.
+// The contact area of a part and its convex hull.
 struct Footing {
   double contactMm2 = 0.0;
-  double hullMm2 = 0.0; // of the hull of it
+  double hullMm2 = 0.0; // area of the contact area's convex hull
 };
 Footing footingOf(const Piece& piece, const RiskRule& rule);
-// Of that which would be left below the plane.
+// Returns the footing that would remain below the plane.
 Footing footingBelow(const Piece& piece, const std::vector<std::uint8_t>& stands,
                      const Plane& plane);
 

@@ -1,4 +1,4 @@
-// Points in blocks that lie close together, so that most of a large plate is passed over at once.
+// Points in compact blocks, so that most of a large plate can be skipped at once.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,17 +10,17 @@ namespace voluta::planar {
 struct PointBlock {
   PointBlock(std::span<const Eigen::Vector3d> of, const Eigen::AlignedBox3d& about)
       : points(of), box(about) {}
-  // Looked at one by one.
+  // A block without a bounding box; its points are checked one by one.
   PointBlock(const std::vector<Eigen::Vector3d>& of) : points(of) {}
 
-  // Is every point lower than `height` along `direction`?
+  // Returns whether every point is lower than `height` along `direction`.
   bool liesBelow(const Eigen::Vector3d& direction, double height) const {
     return !box.isEmpty() &&
            direction.dot(box.center()) + 0.5 * direction.cwiseAbs().dot(box.sizes()) < height;
   }
 
   std::span<const Eigen::Vector3d> points; // the caller keeps them alive
-  Eigen::AlignedBox3d box;                 // empty: not known
+  Eigen::AlignedBox3d box;                 // empty: unknown
 };
 
 class PointBlocks {

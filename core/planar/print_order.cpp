@@ -20,7 +20,7 @@ PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
       if (i != j && standsOnTag[i] >= 0 &&
           std::binary_search(holds[j].begin(), holds[j].end(), standsOnTag[i]))
         out.under[i].push_back(static_cast<int>(j));
-  // What stands on a piece, over whatever lies between, comes after it anyway.
+  // Pieces printed on a piece, directly or through others, come after it in any case.
   std::vector<std::vector<bool>> over(n, std::vector<bool>(n, false));
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<int> todo = out.under[i];
@@ -33,7 +33,8 @@ PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
       todo.insert(todo.end(), out.under[j].begin(), out.under[j].end());
     }
   }
-  std::vector<std::vector<std::size_t>> waits(n); // for these to be printed first, for their sake
+  // waits[j]: pieces that j would block and that should therefore be printed before j
+  std::vector<std::vector<std::size_t>> waits(n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       if (i != j && !over[j][i] && inTheWay(i, j))

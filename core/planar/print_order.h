@@ -1,4 +1,4 @@
-// In which order pieces are printed, from what stands on what and what is in the head's way.
+// Print order of pieces, from their bases and from obstacles for the head.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,15 @@ namespace voluta::planar {
 
 struct PieceOrder {
   std::vector<std::size_t> order;      // of indices
-  std::vector<std::vector<int>> under; // of each piece those it stands on, by index
-  std::size_t blocked = 0;             // pieces that come after what keeps the head off them
-  std::vector<std::pair<std::size_t, std::size_t>> late; // those, and what comes before them
+  std::vector<std::vector<int>> under; // per piece the indices of the pieces it is printed on
+  std::size_t blocked = 0; // number of pieces that come after a piece that blocks the head
+  // pairs of a blocked piece and the earlier piece that blocks it
+  std::vector<std::pair<std::size_t, std::size_t>> late;
 };
 
-// `standsOnTag[i]`: the tag that piece i stands on; `holds[i]`: the tags of its other sections,
-// sorted; inTheWay(i, j): j, printed before, would keep the head off i. The plate comes first.
+// `standsOnTag[i]`: the tag of the section that piece i is printed on; `holds[i]`: the tags of its
+// other sections, sorted; inTheWay(i, j): returns whether j, if printed earlier, blocks the head at
+// i. Pieces on the plate come first.
 PieceOrder orderOf(const std::vector<std::int32_t>& standsOnTag,
                    const std::vector<std::vector<std::int32_t>>& holds,
                    const std::function<bool(std::size_t i, std::size_t j)>& inTheWay);

@@ -20,7 +20,7 @@ constexpr int kLeastSides = 180;
                     "give pairs of x and radius in mm, x ascending"_text);
 }
 
-// Of a side's middle to its corners.
+// Ratio of the distances of a side's middle and of its corners from the axis.
 double flatness(int sides) {
   return sides == 0 ? 1.0 : std::cos(base::kPi / sides);
 }
@@ -34,14 +34,14 @@ RodShape straightRod(double diameterMm, double lengthMm, int sides) {
 void checkRod(const RodShape& rod) {
   const auto& p = rod.profile;
   if (p.size() < 2)
-    refuse("a rod needs two points at least"_text);
+    refuse("a rod needs at least two points"_text);
   if (rod.sides < 0 || rod.sides == 1 || rod.sides == 2)
-    refuse("a rod is round or has three sides at least"_text);
+    refuse("a rod is round or has at least three sides"_text);
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!p[i].allFinite() || p[i].y() <= 0.0)
       refuse(base::message("the radius at point {i} is not positive"_text, i + 1));
     if (i > 0 && p[i].x() < p[i - 1].x())
-      refuse(base::message("x runs back at point {i}"_text, i + 1));
+      refuse(base::message("x decreases at point {i}"_text, i + 1));
     if (i > 1 && p[i].x() == p[i - 2].x())
       refuse(base::message("point {i} is the third one at x = {x:.6g} mm"_text, i + 1,
                            base::number(p[i].x())));

@@ -12,9 +12,10 @@ namespace voluta::process {
 namespace {
 using base::JsonNode;
 
-constexpr double kBridgeSpeed = 0.5; // of the usual one, where a process does not say
+// Default for processes without a bridge speed, as a share of the usual speed
+constexpr double kBridgeSpeed = 0.5;
 
-// A size that is chosen within limits: 0 < min <= default <= max.
+// Reads a size that can be chosen within limits: 0 < min <= default <= max.
 void readRange(const JsonNode& node, double& usual, double& least, double& most) {
   node.allowOnly({"default", "min", "max"});
   least = node.at("min").positive();
@@ -38,7 +39,7 @@ HeadShape readHead(const JsonNode& list) {
     head.sections.push_back(section);
   }
   if (head.sections.size() < 2)
-    list.fail("must have two sections at least"_text);
+    list.fail("must have at least two sections"_text);
   if (!(head.sections.back().zMm > 0.0))
     list.fail("does not rise from z = 0"_text);
   return head;

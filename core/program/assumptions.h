@@ -1,4 +1,4 @@
-// What is assumed of a dialect's controller, in words: its row's figures as people read them.
+// Texts about the assumptions made on a dialect's controller: the figures of its row in words.
 #pragma once
 
 #include "base/text.h"
@@ -8,7 +8,7 @@
 
 namespace voluta::program {
 
-// Sentences on plan::TimeModel, the joined points and the limits of the row; never empty.
+// Returns sentences about plan::TimeModel, merged points and the limits of the row; never empty.
 std::vector<base::Message> assumptionsOf(const Dialect& dialect);
 
 } // namespace voluta::program

@@ -37,12 +37,12 @@
 namespace voluta::program {
 
 namespace {
-constexpr double kSameJointRad = 1e-5; // as near as joints are written
-// Of MELFA's controllers, whatever brings them their motions; three cycles of a CR750.
+constexpr double kSameJointRad = 1e-5; // the precision with which joints are written
+// For MELFA's controllers, whatever the source of their motions; three cycles of a CR750.
 constexpr plan::TimeModel kMelfaTime = {
     .accelerationMmPerS2 = kMelfaMmPerS2, .jointAccelerationRadPerS2 = 20.0, .cycleS = 0.00711};
-// Machine data of KUKA's mostly have 10 m/s2. The controller knows as many motions as $ADVANCE, at
-// most 5. Two cycles of its interpolation.
+// Usual machine data of KUKA have 10 m/s2. The controller knows as many motions ahead as $ADVANCE,
+// at most 5. Two cycles of its interpolation.
 constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMostMmPerS2,
                                       .jointAccelerationRadPerS2 = 10.0,
                                       .jointsInPercent = true,
@@ -81,7 +81,7 @@ const std::vector<Dialect>& dialects() {
        .needsJoints = false,
        .supportsExternalAxes = false,
        .events = {plan::EventKind::Pause},
-       // Every motion says its acceleration. A CB3's cycle. The turn's law: 4 rad/s per m/s.
+       // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kCastelliExtruder, kStreamExtruder},
@@ -102,10 +102,10 @@ const std::vector<Dialect>& dialects() {
        .needsJoints = true,
        .beadsByJoints = true,
        .supportsExternalAxes = false,
-       // Every row says its time.
+       // Every row states its time.
        .time = {},
-       // Every row says its flow. A stream of filament counts motions, of which a row may be a
-       // piece.
+       // Every row states its flow. An extruder stream counts motions, but a row may be only a
+       // piece of one.
        .extruders = {},
        .fullFlowAt = "1",
        .write = writeUrscriptStream,
@@ -139,7 +139,7 @@ const std::vector<Dialect>& dialects() {
        .needsJoints = false,
        .saysJointMotions = false,
        .supportsExternalAxes = false,
-       // Every motion says its time.
+       // Every motion states its time.
        .time = {},
        .options = tableGcodeOptions,
        .states = gcodeStates(),
@@ -157,7 +157,7 @@ const std::vector<Dialect>& dialects() {
        .supportsExternalAxes = false,
        .tiltsNozzle = false,
        .events = {plan::EventKind::Pause},
-       // As extended G-code's.
+       // Same as extended G-code.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .states = gcodeStates(),
        .write = writePlainGcode,
@@ -173,7 +173,7 @@ const std::vector<Dialect>& dialects() {
        .events = {plan::EventKind::Pause},
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
-       // Below some 20 to 30 ms, 0.5 to 1 mm: events 50024 and 50078.
+       // Controllers report events 50024 and 50078 below about 20 to 30 ms or 0.5 to 1 mm.
        .merge =
            {.leastS = 0.024, .leastMm = 0.5, .motionS = kRapidMotionS, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
@@ -216,7 +216,7 @@ const std::vector<Dialect>& dialects() {
        .supportsExternalAxes = false,
        .time = kKrlTime,
        .merge = kKrlMerge,
-       // Every line says its flow.
+       // Every line states its flow.
        .extruders = {},
        .fullFlowAt = "1",
        .write = writeKrlEki,
@@ -232,7 +232,7 @@ const std::vector<Dialect>& dialects() {
        .needsJoints = false,
        .supportsExternalAxes = false,
        .events = {plan::EventKind::Pause},
-       // What any of its arms takes.
+       // A value that all of its arms accept.
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
                 .jointsInPercent = true},
@@ -275,10 +275,10 @@ const std::vector<Dialect>& dialects() {
        .needsJoints = true,
        .beadsByJoints = true,
        .supportsExternalAxes = false,
-       // Every row says its time.
+       // Every row states its time.
        .time = {},
-       // Every row says its flow. A stream of filament counts motions, of which a row may be a
-       // piece.
+       // Every row states its flow. An extruder stream counts motions, but a row may be only a
+       // piece of one.
        .extruders = {},
        .options = melfaStreamOptions,
        .fullFlowAt = "10000",
@@ -296,7 +296,7 @@ const std::vector<Dialect>& dialects() {
        .supportsExternalAxes = false,
        .time = kMelfaTime,
        .merge = kMelfaMerge,
-       // Every line says its flow.
+       // Every line states its flow.
        .extruders = {},
        .fullFlowAt = "10000",
        .write = writeMelfaDatalink,
@@ -310,7 +310,8 @@ const std::vector<Dialect>& dialects() {
        .extension = "tmscript",
        .controller = "tmscript",
        .supportsExternalAxes = false,
-       // Points say their times; Line and PTP their ramps. What is not known of a queue's pace.
+       // Points state their times; Line and PTP their ramps. The pace of the motion queue is
+       // undocumented.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},
        .extruders = {kOutputsExtruder, kStreamExtruder},
        .states = {OperatorStop, TargetFrame},
@@ -374,7 +375,7 @@ std::vector<base::ParameterSpec> optionsOf(const Dialect& dialect) {
 }
 
 namespace {
-// Dialects offer what they have of a choice that they share.
+// Of a shared option, each dialect offers the choices it supports.
 void addChoices(const base::ParameterSpec& from, base::ParameterSpec& to) {
   for (const base::Choice& choice : from.choices)
     if (std::ranges::find(to.choices, choice.id, &base::Choice::id) == to.choices.end())
@@ -420,20 +421,20 @@ void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
       others += joined({others.empty() ? "" : ", ", other.id});
   throw base::Error(
       base::ErrorCode::Usage,
-      base::message(
-          "format {format} knows no external axis: it cannot move the {axis} of cell {cell}"_text,
-          dialect.id, cell.externalAxes().front().name, cell.id()),
-      {}, others.empty() ? base::Message() : base::message("take {formats}"_text, others));
+      base::message("format {format} does not support external axes: it cannot move the {axis} of "
+                    "cell {cell}"_text,
+                    dialect.id, cell.externalAxes().front().name, cell.id()),
+      {}, others.empty() ? base::Message() : base::message("use {formats}"_text, others));
 }
 
 void requireOwnRobot(const Dialect& dialect, const robot::Cell& cell) {
   if (!dialect.needsJoints || !isForeign(dialect, cell))
     return;
   throw base::Error(base::ErrorCode::Usage,
-                    base::message("format {format} tells joints of another maker's arm than the "
-                                  "{robot} of cell {cell}"_text,
+                    base::message("format {format} states joint values for another "
+                                  "maker's arm, not for the {robot} of cell {cell}"_text,
                                   dialect.id, cell.robot().id, cell.id()),
-                    {}, base::message("take {formats}"_text, cell.robot().controller));
+                    {}, base::message("use {formats}"_text, cell.robot().controller));
 }
 
 void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions) {
@@ -450,9 +451,10 @@ void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> dir
       others += joined({others.empty() ? "" : ", ", other.id});
   throw base::Error(
       base::ErrorCode::Usage,
-      base::message("format {format} cannot lean the nozzle: this job leans it by {angle}"_text,
+      base::message("format {format} cannot tilt the nozzle, but this job tilts it by "
+                    "{angle}"_text,
                     dialect.id, base::degrees(base::radiansToDegrees(most))),
-      {}, base::message("take {formats}, or a mode with flat layers"_text, others));
+      {}, base::message("use {formats}, or a mode with flat layers"_text, others));
 }
 
 namespace {
@@ -507,11 +509,11 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
   MergeLimits limits = dialect.merge;
-  // Around a rod joined motions cost a percent of the cover (two tubes, measured).
+  // Around a rod, merged motions would cost 1 % of the coverage (measured on two tubes).
   const bool turnsRod = !input.cell.externalAxes().empty();
   if (turnsRod)
     limits.leastS = limits.leastMm = 0.0;
-  // Where poses are written, the pieces of a joint motion say which way it goes.
+  // Where poses are written, the pieces of a joint motion determine its path.
   if (turnsRod || isForeign(dialect, input.cell))
     limits.jointRad = 0.0;
   return mergedPoints(input, limits, ctx);
@@ -544,12 +546,12 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
 }
 
 namespace {
-// As the dialect reads all but a stream of filament, which then gives the flow.
+// Reads all files but an extruder stream by the dialect's reader; the stream then sets the flow.
 plan::ReadProgram readWithStream(const Dialect& dialect,
                                  const std::vector<plan::ProgramFile>& files,
                                  const process::Process& process, const base::RunContext& ctx) {
   std::vector<plan::ProgramFile> own;
-  std::vector<std::size_t> places; // of own
+  std::vector<std::size_t> places; // indices of the files in `own`
   std::size_t stream = files.size();
   for (std::size_t f = 0; f < files.size(); ++f)
     if (stream == files.size() && looksLikeStream(files[f].text)) {

@@ -64,7 +64,9 @@ base::ParameterSpec extruderOption(std::span<const std::string_view> ids) {
   return base::choiceParameter(
       std::string(kExtruderOption), std::string(kAsCell), std::move(choices), "Programs"_text,
       "extruder"_text,
-      "How the program tells the extruder how much to give: outputs, one on and off, one for the flow; Castelli serial, texts over a socket; E stream, a file of amounts over time; external axis, mm of filament in each motion."_text);
+      "How the program controls the extruder. Outputs: one for on/off, one for the flow. "
+      "Castelli serial: texts over a socket. E stream: a file of amounts over time. "
+      "External axis: mm of filament in each motion."_text);
 }
 
 const Extruder& extruderOf(const ProgramInput& input) {
@@ -83,10 +85,10 @@ void requireExtruder(std::string_view format, std::span<const std::string_view> 
     own += joined({own.empty() ? "" : ", ", id});
   throw base::Error(
       base::ErrorCode::Usage,
-      base::message("format {format} has no words for extruder {extruder} that keep step with the "
+      base::message("format {format} cannot control extruder {extruder} in step with the "
                     "motion"_text,
                     format, wanted.id),
-      {}, base::message("take extruder {extruders}"_text, own));
+      {}, base::message("use extruder {extruders}"_text, own));
 }
 
 double writtenBy(const Extruder& extruder, const process::Process& process, double share,

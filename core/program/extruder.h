@@ -1,8 +1,9 @@
-// What turns the filament, and how a robot's program tells it how much: a row each. A cell says
-// which it has; the option `extruder` of a dialect takes another. A new one is a file and a row.
+// The supported extruder interfaces: how a robot's program states the amount of filament, one row
+// each. A cell defines its extruder; a dialect's option `extruder` overrides it. To add one, add a
+// file and a row.
 //
-// Dialects whose motions say amounts (G-code's E, the joint table) have an extruder of their own
-// and none of these.
+// Dialects whose motions state amounts (G-code's E, the joint table) have their own extruder and
+// use none of these.
 #pragma once
 
 #include "base/parameters.h"
@@ -23,48 +24,50 @@ namespace voluta::program {
 struct Extruder {
   std::string_view id;
   base::Text label;
-  // Said to it by texts that the program sends (ProgramEmitter::send): the text of a flow, mm3/s, 0
-  // stops it. nullptr: it is told by outputs.
+  // For extruders controlled by texts that the program sends (ProgramEmitter::send): returns the
+  // text for a flow [mm3/s]; 0 stops it. nullptr: controlled by outputs.
   std::string (*text)(double mm3PerS) = nullptr;
-  // The flow, mm3/s, that its words say for one that is wanted. nullptr: as the dialect's analogue
-  // output has it.
+  // Returns the flow [mm3/s] that is actually written for a wanted flow. nullptr: as with the
+  // dialect's analogue output.
   double (*written)(double mm3PerS) = nullptr;
-  // A file beside the program tells the flow, from each moment on at which the digital output goes
-  // on (extruder_stream.h).
+  // A separate file states the flow over time, starting whenever the digital output is switched on
+  // (extruder_stream.h).
   bool streams = false;
-  bool byAxis = false;        // an external axis that each motion takes along (extruder_axis.h)
-  double filamentMm = 0.0;    // its diameter, of one that can draw back; 0: it cannot
-  double lagS = 0.0;          // assumed, from the word to the filament; told, not made up for
-  std::string_view note = {}; // of its words, for the program's head
+  bool byAxis = false;     // an external axis that each motion moves (extruder_axis.h)
+  double filamentMm = 0.0; // filament diameter if it can retract, else 0
+  double lagS = 0.0; // assumed delay from the command to the filament; reported, not compensated
+  std::string_view note = {}; // on its commands, for the program's head
 };
 
 inline constexpr std::string_view kOutputsExtruder = "outputs";
 inline constexpr std::string_view kCastelliExtruder = "castelli-serial";
 inline constexpr std::string_view kStreamExtruder = "e-stream";
 
-// How fast filament is drawn back and returned, where the arm waits for it.
+// Speed of retraction and return of filament while the arm waits.
 inline constexpr double kDrawBackMmPerS = 10.0;
 
 const std::vector<Extruder>& extruders();
-// Throws Error{Usage} for an unknown id, naming the nearest.
+// Throws Error{Usage} for an unknown id, naming the most similar one.
 const Extruder& findExtruder(std::string_view id);
 
-// Which of them: as the cell has it, or one of `ids` (Dialect::extruders).
+// The option that selects the extruder: that of the cell, or one of `ids` (Dialect::extruders).
 inline constexpr std::string_view kExtruderOption = "extruder";
 base::ParameterSpec extruderOption(std::span<const std::string_view> ids);
 
-// The one that a program is written for.
+// Returns the extruder that a program is written for.
 const Extruder& extruderOf(const ProgramInput& input);
-// Throws Error{Usage}: the one that was chosen, or that the cell has, is none of `ids`, those that
-// a format has words for. None: it tells amounts, and takes any.
+// Throws Error{Usage} if the chosen extruder, or the cell's, is not among `ids`, those that a
+// format supports. If `ids` is empty, the format states amounts and supports any extruder.
 void requireExtruder(std::string_view format, std::span<const std::string_view> ids,
                      const robot::Cell& cell, const ProgramOptions& options);
 
-// Of the flow as a share of the full one: what is written of it. `outputs`: of the dialect's own.
+// Returns the written flow for a wanted flow, both as shares of the full flow. `outputs`:
+// conversion of the dialect's own outputs.
 double writtenBy(const Extruder& extruder, const process::Process& process, double share,
                  double (*outputs)(double share));
 
-// What the head says of it; `outputs`: where they are the dialect's own.
+// Returns the note on the extruder for the head; `outputs`: the description of the dialect's own
+// outputs.
 std::string extruderNote(const ProgramInput& input, std::string_view outputs);
 
 } // namespace voluta::program

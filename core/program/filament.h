@@ -1,4 +1,4 @@
-// The filament that an extruder without its own is assumed to have.
+// Filament assumed for extruders without their own.
 #pragma once
 
 #include <string_view>
@@ -6,20 +6,20 @@
 namespace voluta::program {
 
 inline constexpr double kFilamentDiameterMm = 1.75;
-inline constexpr int kFilamentDecimals = 5; // of its length, mm
+inline constexpr int kFilamentDecimals = 5; // of its length in mm
 inline constexpr std::string_view kDiameterNote = "filament diameter ";
 
-// mm2; mm3 a mm of filament.
+// Cross-section [mm2], i.e. mm3 per mm of filament.
 double filamentArea(double diameterMm = kFilamentDiameterMm);
 
-// A length of filament that a program counts on: what was drawn back comes out of no nozzle before
-// it was returned.
+// Tracks a program's filament length: after a retraction no material leaves the nozzle until the
+// filament is returned.
 class FilamentCount {
 public:
   double mm() const { return mm_; }
-  // It goes on to `mm`; so much comes out of the nozzle, mm.
+  // Moves it to `mm`; returns the length [mm] that leaves the nozzle.
   double to(double mm);
-  // It is counted from `mm` on, though nothing moves.
+  // Sets the counter to `mm` without moving filament.
   void set(double mm);
   double drawnBackMm() const { return farthestMm_ - mm_; }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kBegins = "extruder", kFlow = "flow: ", kEquals = " = ",
                            kUnit = " mm3/s";
 
-// "..., ATFULL = NUMBER mm3/s..."; nullopt: a remark of another form.
+// Parses "..., ATFULL = NUMBER mm3/s..."; returns nullopt for a comment of another form.
 std::optional<plan::StatedFact> factIn(std::string_view text) {
   plan::StatedFact fact;
   fact.kind = plan::FactKind::FullFlow;

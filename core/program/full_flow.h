@@ -1,5 +1,5 @@
-// What the extruder's flow output stands for: a remark in a program's head, by which the operator
-// sets the extruder up.
+// Meaning of the extruder's flow output: a comment in a program's head by which the operator sets
+// up the extruder.
 #pragma once
 
 #include "plan/program.h"
@@ -12,14 +12,14 @@
 
 namespace voluta::program {
 
-// Of URScript's analogue output.
+// For URScript's analogue output.
 inline constexpr std::string_view k0To10V = "0 to 10 V";
 
-// "1 = 40 mm3/s"; `atFull`: the output's greatest value (Dialect::fullFlowAt).
+// Returns a text such as "1 = 40 mm3/s"; `atFull`: the output's maximum (Dialect::fullFlowAt).
 std::string fullFlowText(std::string_view atFull, const process::Process& process);
 
-// What the heads of the files say of it: remarks that begin with "extruder" and have "flow: " and,
-// behind it, " = ". Number 0: not understood.
+// Returns the statements in the heads of the files: comments that begin with "extruder" and contain
+// "flow: " followed by " = ". Number 0: not understood.
 std::vector<plan::StatedFact> statedFullFlow(const std::vector<plan::ProgramFile>& files);
 
 } // namespace voluta::program

@@ -22,7 +22,7 @@ public:
     for (int k = 0; k < 8; ++k, word >>= 8)
       value_ = (value_ ^ (word & 0xffU)) * 0x100000001b3U;
   }
-  void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); } // no -0
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); } // avoids -0
   void add(std::string_view text) {
     add(static_cast<std::uint64_t>(text.size()));
     for (const char c : text)
@@ -44,7 +44,7 @@ constexpr std::string_view kPart = "part ", kJob = ", job ", kCell = "cell ", kR
                            kProcess = ", process ";
 constexpr std::size_t kHashDigits = 16;
 
-// "PART, job HASH"; a part may have any name.
+// Parses "PART, job HASH"; a part may have any name.
 bool takePart(std::string_view text, JobHead& head) {
   const std::size_t at = text.rfind(kJob);
   if (at == std::string_view::npos)
@@ -58,7 +58,7 @@ bool takePart(std::string_view text, JobHead& head) {
   return true;
 }
 
-// "CELL, robot ROBOT, process PROCESS (MATERIAL)"
+// Parses "CELL, robot ROBOT, process PROCESS (MATERIAL)".
 bool takeCell(std::string_view text, JobHead& head) {
   const std::size_t robot = text.find(kRobot), process = text.find(kProcess);
   if (robot == std::string_view::npos || process == std::string_view::npos || process < robot)
@@ -146,7 +146,7 @@ std::vector<std::string> headLines(const ProgramInput& input) {
                             "on; the analogue one stays at 0"}));
   if (input.foreign)
     return lines;
-  // Of arms all of whose joints turn the unit stands once.
+  // If all joints are revolute, the unit is stated once.
   std::string slides;
   for (std::size_t k = 0; k < input.cell.limits().size(); ++k)
     if (input.cell.limits()[k].kind == robot::JointKind::Sliding)
@@ -174,7 +174,7 @@ std::vector<std::string> headLines(const ProgramInput& input) {
 }
 
 std::vector<std::string> headLines(const ProgramInput& input, std::size_t most) {
-  constexpr std::size_t kNamed = 2; // lines that hold names
+  constexpr std::size_t kNamed = 2; // number of lines with names
   std::vector<std::string> lines;
   for (const std::string& whole : headLines(input)) {
     if (lines.size() < kNamed) {

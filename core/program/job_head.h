@@ -1,5 +1,5 @@
-// What the head of a program says of its job, the same in every dialect, and the one way in which
-// text from files gets into comments and strings.
+// The job information in a program's head, identical in every dialect, and the sanitizing of texts
+// from files for comments and strings.
 #pragma once
 
 #include "plan/program.h"
@@ -13,40 +13,41 @@
 
 namespace voluta::program {
 
-// `text` as one piece of a comment or a quoted string of any dialect: printable ASCII without
-// quotes, backslashes and line ends (each becomes '_'), at most `most` characters.
+// Returns `text` in a form valid in a comment or quoted string of any dialect: printable ASCII
+// without quotes, backslashes and line ends (each becomes '_'), at most `most` characters.
 std::string plainText(std::string_view text, std::size_t most = 60);
 
-// 16 hexadecimal digits of what is printed and with which machine: joints, times, material and
-// kinds of the motions, cell, robot and process. Programs of the same motion have the same, in
-// whatever dialect (ProgramInput::job).
+// Returns 16 hexadecimal digits that identify the motion and the machine: joints, times, material
+// and kinds of the motions, cell, robot and process. Programs of the same motion have the same hash
+// in every dialect (ProgramInput::job).
 std::string jobHash(const ProgramInput& input);
 
-// Lines without a dialect's mark for remarks: part, job, cell, robot, process; how much, how long;
-// between which values the joints go (unless foreign: of the cell's own arm) and where it starts.
+// Returns lines without a dialect's comment mark: part, job, cell, robot, process; amount and
+// duration; the ranges and the start values of the joints (unless foreign: those of the cell's own
+// arm).
 std::vector<std::string> headLines(const ProgramInput& input);
-// The same for controllers whose lines hold at most `most` characters: a longer one goes on in the
-// next, at a blank; what names from files make too long is cut.
+// Same for controllers that limit lines to `most` characters: longer lines are continued in the
+// next one at a blank; lines that names from files make too long are cut.
 std::vector<std::string> headLines(const ProgramInput& input, std::size_t most);
 
-// Where a program is from, as its head says it: headLines read back. A field that the head does not
-// have is empty.
+// A program's origin as stated in its head: the inverse of headLines. Missing fields are empty.
 struct JobHead {
   std::string part, job, cell, robot, process;
   friend bool operator==(const JobHead&, const JobHead&) = default;
 };
 JobHead jobHead(const ProgramInput& input);
-// A head ends within so many lines of a file's beginning.
+// A head ends within this many lines from a file's beginning.
 inline constexpr std::size_t kHeadLines = 60;
-// What follows `word`, which begins a remark's text: before it are marks only.
+// Returns the text after `word` at the start of a comment; only marks may precede it.
 std::optional<std::string_view> behindMark(std::string_view line, std::string_view word);
 
-// What the first lines of the files say; nothing where none names a job: a program of another
-// origin, or one whose remarks were taken out.
+// Returns the information in the first lines of the files; nullopt if none names a job: a program
+// from another source, or with its comments removed.
 std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files);
 
-// Asked of the operator before anything moves.
-inline constexpr std::string_view kPauseText = "Paused. Continue?"; // at a planned pause
+// Shown at a planned pause.
+inline constexpr std::string_view kPauseText = "Paused. Continue?";
+// Question to the operator before anything moves.
 inline constexpr std::string_view kStartQuestion =
     "The arm goes slowly and straight to its start. Is the way clear?";
 

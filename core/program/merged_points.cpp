@@ -12,11 +12,11 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kSlack = 1e-9; // rounding
+constexpr double kSlack = 1e-9; // for rounding errors
 
 class Merger {
 public:
-  // Fills in `pointOf`, one a point.
+  // Fills `pointOf`, one entry per point.
   Merger(const ProgramInput& input, const MergeLimits& limits, std::vector<std::size_t>& pointOf,
          const base::RunContext& ctx)
       : in_(input.trajectory), limits_(limits), targets_(motionTargets(input, ctx)),
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  // The motion to `to` takes the place of those to `first` ... `to`.
+  // Replaces the motions to `first` ... `to` by one motion to `to`.
   void keep(std::size_t first, std::size_t to) {
     plan::Trajectory& t = out_;
     for (std::size_t i = first; i <= to; ++i)
@@ -60,21 +60,21 @@ private:
     return isPrint(in_, to) && (in_.timeS[to] - in_.timeS[from] < limits_.leastS ||
                                 lengthMm(from, to) < limits_.leastMm);
   }
-  // A bead's last point stays.
+  // A bead's last point is kept, and so is the point before an event.
   bool canGoOn(std::size_t to) const {
     return to + 1 < in_.pointCount() && isPrint(in_, to + 1) && in_.eventsBefore(to + 1).empty();
   }
 
   bool turns(std::size_t i) const { return in_.move[i] == plan::MoveKind::Joint; }
-  // Joint motions to `to` and to the next.
+  // Returns whether the motions to `to` and to the next point are joint motions.
   bool turnsOn(std::size_t to) const {
     return limits_.jointRad > 0.0 && to + 1 < in_.pointCount() && turns(to) && turns(to + 1) &&
            in_.eventsBefore(to + 1).empty();
   }
   Eigen::Map<const Eigen::VectorXd> joints(std::size_t i) const { return {in_.at(i), in_.dof}; }
 
-  // Are all between on the line from one to the other in joint space, each further on? Where the
-  // arm stays a print ends or is taken up again.
+  // Returns whether all points in between are on the line between both in joint space, each further
+  // along it. Where the arm does not move, a print ends or is resumed; such points are kept.
   bool onJointLine(std::size_t from, std::size_t to) const {
     const Eigen::VectorXd a = joints(from), way = joints(to) - a;
     const double squared = way.squaredNorm();
@@ -91,7 +91,7 @@ private:
     return true;
   }
 
-  // Is all between near to the straight motion?
+  // Returns whether all points in between are within tolerance of the straight motion.
   bool fits(std::size_t from, std::size_t to) const {
     const Eigen::Vector3d a = targets_[from].tipMm, way = targets_[to].tipMm - a;
     const double length = way.norm();
@@ -122,13 +122,13 @@ private:
   plan::Trajectory out_;
 };
 
-// What comes after is later by as much.
+// All later points are delayed accordingly.
 void slowShortMotions(plan::Trajectory& trajectory, double leastS) {
   double before = trajectory.timeS.empty() ? 0.0 : trajectory.timeS.front(), late = 0.0;
   for (std::size_t i = 1; i < trajectory.pointCount(); ++i) {
     const double takes = trajectory.timeS[i] - before;
     before = trajectory.timeS[i];
-    // A motion that takes no time goes nowhere.
+    // A motion without duration does not move.
     late += takes > 0.0 ? std::max(0.0, leastS - takes) : 0.0;
     trajectory.timeS[i] += late;
   }

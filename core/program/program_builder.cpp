@@ -16,7 +16,8 @@ ProgramBuilder::ProgramBuilder(std::string_view format, const process::Process& 
 }
 
 void ProgramBuilder::expectMotionsOf(const std::vector<plan::ProgramFile>& files) {
-  constexpr std::size_t kLeastBytes = 16; // of a line with a motion: empty ones are none
+  // minimum length of a line with a motion; shorter ones have none
+  constexpr std::size_t kLeastBytes = 16;
   std::size_t most = 0;
   for (const plan::ProgramFile& one : files)
     most += std::min(static_cast<std::size_t>(std::ranges::count(one.text, '\n')) + 1,
@@ -48,7 +49,7 @@ bool ProgramBuilder::tool(const Eigen::Isometry3d& flange_T_tcp,
 
 void ProgramBuilder::turn(bool on) {
   const std::size_t happened = program_.motions.size() + program_.pauses.size();
-  // On and off again with nothing between: a prime that lost its wait.
+  // Switched on and off with nothing in between: a prime whose wait is missing.
   if (outputs_.on() && !on && happened == onSince_)
     pause(0.0, 0.0);
   if (on && !outputs_.on())
@@ -60,7 +61,7 @@ void ProgramBuilder::send(std::string_view text) {
   need(plan::FactKind::NozzleHeat);
   const auto command = readCastelli(text);
   if (!command) {
-    defect(base::message("'{text}' is no text that the extruder takes"_text, text.substr(0, 40)));
+    defect(base::message("'{text}' is not an extruder command"_text, text.substr(0, 40)));
     return;
   }
   const double value = static_cast<double>(command->value);
@@ -72,7 +73,7 @@ void ProgramBuilder::send(std::string_view text) {
     return;
   case 'M':
     if (value != 0.0 && !prints(process_.material, value))
-      defect(base::message("{celsius} °C is no heat to print {material} with"_text,
+      defect(base::message("{celsius} °C is outside the printing range of {material}"_text,
                            base::number(value), process_.material.label));
     state(plan::FactKind::NozzleHeat, value);
     wordAt("M", kAside);
@@ -80,7 +81,7 @@ void ProgramBuilder::send(std::string_view text) {
   case 'R':
     wordAt("R", kSetUp);
     return;
-  default: // fan, and what it is asked
+  default: // fan, and queries
     wordAt(text, kAnywhere);
   }
 }
@@ -89,9 +90,9 @@ void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
   if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
     defect("the extruder's outputs are not set before this motion"_text);
   if (drawsMm3PerS_ > 0.0)
-    defect("the extruder runs back while the nozzle moves"_text);
+    defect("the extruder reverses while the nozzle moves"_text);
   if (m.extruding && std::exchange(drawnMm3_, 0.0) > kDrawnBackLeftMm3)
-    defect("the filament that was drawn back is not back"_text);
+    defect("the retracted filament is not returned before the bead"_text);
   motion(std::move(m));
 }
 
@@ -115,8 +116,8 @@ void ProgramBuilder::pauseByOutputs(double seconds) {
 
 void ProgramBuilder::tellDrawn(double mm) {
   if (mm > kMostDrawnBackMm)
-    defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
-                         base::mm(mm)));
+    defect(
+        base::message("{length:.0f} of filament retracted: out of the hot end"_text, base::mm(mm)));
 }
 
 void ProgramBuilder::zeroAxis() {
@@ -130,9 +131,9 @@ void ProgramBuilder::motionByAxis(plan::ProgramMotion m, double mm) {
   const double before = axis_.mm(), drawnMm = axis_.drawnBackMm();
   const double outMm = axis_.to(mm);
   if (mm < before)
-    defect("the extruder runs back while the nozzle moves"_text);
+    defect("the extruder reverses while the nozzle moves"_text);
   if (mm > before && drawnMm * filamentArea() > kDrawnBackLeftMm3)
-    defect("the filament that was drawn back is not back"_text);
+    defect("the retracted filament is not returned before the bead"_text);
   m.volumeMm3 = outMm * filamentArea();
   m.extruding = outMm > 0.0;
   motion(std::move(m));
@@ -182,7 +183,7 @@ void ProgramBuilder::load(std::string_view word, double kg) {
   if (!program_.load)
     program_.load = {file, line, kg};
   else if (program_.load->kg != kg)
-    defect(base::message("'{word}' tells the arm another load"_text, word));
+    defect(base::message("'{word}' sets a different load"_text, word));
 }
 
 plan::ReadProgram ProgramBuilder::take(bool complete) {

@@ -1,5 +1,5 @@
-// What every reader of a program feeds: motions, waits, outputs and words as they come, and what is
-// wrong with them, each at the line that is being read.
+// Builder that every reader of a program feeds with motions, waits, outputs and words as they
+// occur, and with defects; each is attributed to the current line.
 #pragma once
 
 #include "plan/program.h"
@@ -23,51 +23,54 @@ public:
   ProgramBuilder(std::string_view format, const process::Process& process);
   ProgramBuilder(const ProgramBuilder&) = delete;
 
-  // Room for a motion a line. What stays empty of it takes no memory, what has to grow twice its
-  // own.
+  // Reserves space for one motion per line: unused space takes no memory, whereas growing would
+  // need twice the space.
   void expectMotionsOf(const std::vector<plan::ProgramFile>& files);
 
-  std::size_t file = 0, line = 0; // what is being read
+  std::size_t file = 0, line = 0; // current position of the reader
   void defect(base::Message reason) { defects_.add(file, line, std::move(reason)); }
 
-  // The extruder by outputs. A file begins: nothing is known of them.
+  // Extruder by outputs. At the beginning of a file their state is unknown.
   void beginOutputs();
   void turn(bool on);
   void flow(double share) { outputs_.flow(share); }
-  // A text of the castelli-serial extruder, in place of both outputs.
+  // A text to the castelli-serial extruder, instead of both outputs.
   void send(std::string_view text);
   bool outputsEnded() const { return outputs_.ended(); }
 
-  // File and line are filled in. With the extruder as the outputs have it, or as the motion says.
+  // Adds a motion and sets its file and line. The extruder follows the outputs, or the motion's own
+  // data.
   void motionByOutputs(plan::ProgramMotion motion);
   void motion(plan::ProgramMotion motion);
-  // The arm stands. What flows is what the outputs let, or `volumeMm3`.
+  // Adds a pause, in which the arm is at rest. The extruded volume follows from the outputs, or is
+  // `volumeMm3`.
   void pauseByOutputs(double seconds);
   void pause(double seconds, double volumeMm3, double drawnMm = 0.0);
 
-  // The extruder as an axis that goes with the arm (program/gcode/extruder_axis.h): it is where it
-  // counts as 0; during a motion, or while the arm stands, it goes on to `mm` of filament.
+  // Extruder as an axis that moves with the arm (program/gcode/extruder_axis.h): its current
+  // position becomes 0; during a motion, or while the arm is at rest, it moves to `mm` of filament.
   void zeroAxis();
   void motionByAxis(plan::ProgramMotion motion, double mm);
   void pauseByAxis(double seconds, double mm);
 
-  // A word of the table at a place where it may stand; else a defect. false: it isn't in the table.
+  // Handles a word of the table; a defect if it is not allowed at this place. Returns false if it
+  // is not in the table.
   bool word(std::span<const KnownWord> table, std::string_view word);
-  // One that the reader knows better.
+  // Handles a word that the reader itself interprets.
   void wordAt(std::string_view word, std::uint8_t places);
-  // What this program does needs a statement of that kind, beside those that all of its language
-  // need (Dialect::states).
+  // Requires a statement of that kind in this program, in addition to those that all programs of
+  // its language need (Dialect::states).
   void need(plan::FactKind kind);
-  // A statement that the replay compares with the plan's needs. Filled in: where it stands.
+  // Adds a statement that the replay compares with the plan's requirements, with its position.
   void state(plan::FactKind kind, double number = 0.0, std::string_view word = {});
-  // An output of the extruder's is set, and not as a trigger of the next motion.
+  // Sets an output of the extruder directly, not as a trigger of the next motion.
   void statePassingOutput();
 
-  // The mass that the arm is told to carry. A defect where it is told another amid the print.
+  // Sets the arm's payload. A different payload during the print is a defect.
   void load(std::string_view word, double kg);
 
-  // What moves and, where the nozzle stands, that: set once for all motions (plan::ReadProgram).
-  // false: another one was set before.
+  // Sets the moved tool and the pose of a stationary nozzle, once for all motions
+  // (plan::ReadProgram). Returns false if another tool was set before.
   bool tool(const Eigen::Isometry3d& flange_T_tcp,
             const std::optional<Eigen::Isometry3d>& base_T_nozzle);
   bool toolSet() const { return toolSet_; }
@@ -76,7 +79,7 @@ public:
   plan::ReadProgram take(bool complete);
 
 private:
-  // A defect where more of the filament is drawn back than may be.
+  // Adds a defect if too much filament is retracted.
   void tellDrawn(double mm);
 
   const process::Process& process_;
@@ -85,11 +88,11 @@ private:
   WordPlaces places_;
   ReadOutputs outputs_;
   bool toolSet_ = false;
-  // The extruder runs back, mm3/s; so much of the filament is drawn back, mm3.
+  // The extruder's reverse flow [mm3/s], and the retracted volume of filament [mm3].
   double drawsMm3PerS_ = 0.0, drawnMm3_ = 0.0;
   FilamentCount axis_;
   bool axisZeroed_ = false;
-  std::size_t onSince_ = 0; // motions and pauses when the extruder was turned on
+  std::size_t onSince_ = 0; // number of motions and pauses when the extruder was switched on
 };
 
 } // namespace voluta::program

@@ -1,4 +1,4 @@
-// What a program is written from.
+// Input of the program writers.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -11,20 +11,20 @@
 
 namespace voluta::program {
 
-// References: the caller keeps them alive while a writer runs.
-// Preconditions (Error{Internal}): trajectory.dof == cell.dof(), its arrays have one length, at
-// least one point; its waypoints are indices into `toolPlan` or kNoWaypoint.
+// References: the caller keeps them alive while a writer runs. Preconditions (Error{Internal}):
+// trajectory.dof == cell.dof(), its arrays have equal lengths, there is at least one point, and its
+// waypoints are indices into `toolPlan` or kNoWaypoint.
 struct ProgramInput {
   const plan::ToolPlan& toolPlan;
   const plan::Trajectory& trajectory;
   const robot::Cell& cell;
   const process::Process& process;
-  std::string name; // of the part; file and function names are made from it
+  std::string name; // of the part; file and function names are derived from it
   ProgramOptions options = {};
-  // Hash of the motion before points of it were joined for this dialect (job_head.h); empty: of
+  // Hash of the motion before its points were merged for this dialect (job_head.h); empty: hash of
   // `trajectory`.
   std::string job = {};
-  bool foreign = false; // for a controller that is not the cell's own; writeProgram says so
+  bool foreign = false; // for a controller other than the cell's; set by writeProgram
 };
 
 } // namespace voluta::program

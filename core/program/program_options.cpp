@@ -12,9 +12,9 @@ constexpr std::string_view kMotionsPerFile = "motionsPerFile";
 base::ParameterSpec motionsPerFileOption() {
   return base::integerParameter(std::string(kMotionsPerFile), 0, 0, 1000000, "Programs"_text,
                                 "motions per file"_text,
-                                "Longer programs are cut into files to be run in turn; 0: as the "
-                                "format has it (URScript and RAPID 5000, KRL 2500, MELFA 6500, "
-                                "SPEL+ one file)."_text);
+                                "Longer programs are split into files to run one after "
+                                "the other. 0: the format's default (URScript and RAPID "
+                                "5000, KRL 2500, MELFA 6500, SPEL+ one file)."_text);
 }
 
 std::size_t motionsPerFile(const ProgramOptions& options, std::size_t usual) {
@@ -60,7 +60,7 @@ ProgramOptions optionsOf(const std::vector<base::ParameterSpec>& specs,
       options.motionsPerFile = static_cast<std::size_t>(values.integer(spec.key));
     else if (const auto change = values.changes().find(spec.key); change != values.changes().end())
       options.own.insert(*change);
-  // A default that was typed is no choice.
+  // A default value typed by the user counts as not chosen.
   for (const base::ParameterSpec& spec : specs)
     if (const auto own = options.own.find(spec.key);
         own != options.own.end() && own->second == spec.defaultValue)

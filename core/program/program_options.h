@@ -1,5 +1,4 @@
-// What a user may choose about the text of programs: options that the rows of the registry bring
-// (Dialect::options).
+// User options for the text of programs, defined by the rows of the registry (Dialect::options).
 #pragma once
 
 #include "base/parameters.h"
@@ -14,33 +13,33 @@
 namespace voluta::program {
 
 struct ProgramOptions {
-  // A program of more motions is cut into files to be run one after the other, each cut where the
-  // extruder is off if there is such a place. 0: as the dialect has it.
+  // A program with more motions is split into files that are run one after the other, if possible
+  // at points where the extruder is off. 0: the dialect's default.
   std::size_t motionsPerFile = 0;
-  // The other options, by key; one that is not there has its default.
+  // The other options by key; missing ones have their default.
   std::map<std::string, base::ParameterValue, std::less<>> own = {};
 };
 
-// Shared by the dialects whose programs may be cut: fills ProgramOptions::motionsPerFile.
+// Shared by the dialects whose programs can be split: sets ProgramOptions::motionsPerFile.
 base::ParameterSpec motionsPerFileOption();
 
-// What was chosen, or as many as the dialect has it. 0: any number.
+// Returns the chosen number, or the dialect's `usual`. 0: unlimited.
 std::size_t motionsPerFile(const ProgramOptions& options, std::size_t usual);
 
-// The id that was chosen of an option that is a choice.
+// Returns the chosen id of a choice option.
 std::string chosenOf(const base::ParameterSpec& option, const ProgramOptions& options);
-// Of an option that is a number.
+// Returns the value of a numeric option.
 double numberOf(const base::ParameterSpec& option, const ProgramOptions& options);
 
-// Those of `options` that are among `specs`.
+// Returns those of `options` that are among `specs`.
 ProgramOptions optionsAmong(const std::vector<base::ParameterSpec>& specs,
                             const ProgramOptions& options);
 
-// What was chosen among `specs`. Throws nothing when `values` are over a table with them.
+// Returns the values chosen for `specs`. Throws nothing if `values` belong to a table with them.
 ProgramOptions optionsOf(const std::vector<base::ParameterSpec>& specs,
                          const base::ParameterValues& values);
 
-// Equal texts, equal options (base/key_text.h).
+// Returns a key: equal texts mean equal options (base/key_text.h).
 std::string keyOf(const ProgramOptions& options);
 
 } // namespace voluta::program

@@ -6,7 +6,8 @@ namespace voluta::project {
 
 namespace {
 uLong crcAfter(uLong crc, std::string_view bytes) {
-  if (bytes.empty()) // which may be nowhere, and that begins anew
+  // crc32_z would restart the checksum for a null pointer, which an empty view may have
+  if (bytes.empty())
     return crc;
   return crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
 }
@@ -53,13 +54,13 @@ std::string_view BlockReader::checked(const std::string& name, std::size_t item)
     if (row.name != prefix_ + name)
       continue;
     if (row.offset > bytes_.size() || row.bytes > bytes_.size() - row.offset)
-      throw unreadable("the job file is cut short"_text);
+      throw unreadable("the job file is truncated"_text);
     const std::string_view block = bytes_.substr(row.offset, row.bytes);
     if (row.item != item || block.size() % item != 0 || crcOf(block) != row.crc32)
       throw unreadable(base::message("block '{name}' of the job file is damaged"_text, name));
     return block;
   }
-  throw unreadable(base::message("the job file lacks '{name}'"_text, name));
+  throw unreadable(base::message("block '{name}' is missing in the job file"_text, name));
 }
 
 } // namespace voluta::project

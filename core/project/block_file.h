@@ -20,7 +20,7 @@ static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double));
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
 static_assert(sizeof(Eigen::Vector2d) == 2 * sizeof(double));
 
-// What arrays may be made of: numbers side by side.
+// Whether arrays of T may be stored as their bytes: T consists of numbers only.
 template <typename T>
 inline constexpr bool kIsPlain =
     std::is_trivially_copyable_v<T> || std::is_same_v<T, Eigen::Vector3d> ||
@@ -31,11 +31,12 @@ std::uint32_t crcOf(std::string_view bytes);
 // One row of the table of blocks.
 struct BlockRow {
   std::string name;
-  std::size_t offset = 0, bytes = 0, item = 0; // of the block, and of one of its numbers' groups
+  std::size_t offset = 0, bytes = 0, item = 0; // [bytes]; `item`: size of one element
   std::uint32_t crc32 = 0;
 };
 
-// Collects blocks without copying them: arrays that are added have to outlive the writer.
+// Collects blocks without copying them: the arrays must outlive the writer, except those of
+// addOwned() and addText().
 class BlockWriter {
 public:
   // Names of blocks that are added from here on begin with it.
@@ -54,13 +55,14 @@ public:
     owned_.push_back(std::move(text));
     appendBytes(owned_.back());
   }
-  // A block of several arrays one after the other: begin, then append each.
+  // Begins a block of several arrays; append() adds each.
   void begin(const std::string& name, std::size_t item);
   template <typename T> void append(const std::vector<T>& values) { appendBytes(bytesOf(values)); }
 
-  // With checksums.
+  // Returns the rows of all blocks, with checksums.
   std::vector<BlockRow> table() const;
-  // What is added, in its order, for as long as the writer and the arrays live.
+  // Returns the blocks' bytes in the order they were added; valid while the writer and the arrays
+  // live.
   std::vector<std::string_view> parts() const;
 
 private:
@@ -80,7 +82,8 @@ private:
   std::size_t size_ = 0;
 };
 
-// Gives blocks back, checked. `where` (the file) and `bytes` (the body) outlive it.
+// Reads blocks and verifies their checksums. `where` (the file) and `bytes` (the body) must outlive
+// it.
 class BlockReader {
 public:
   BlockReader(const std::string& where, std::vector<BlockRow> table, std::string_view bytes)
@@ -89,7 +92,8 @@ public:
   // Names that are looked up from here on begin with it.
   void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 
-  // Throws Error{UnreadableFile}: missing, cut short, damaged, items of another size.
+  // Throws Error{UnreadableFile} if the block is missing, truncated or damaged, or has items of
+  // another size.
   template <typename T> std::vector<T> get(const std::string& name) const {
     static_assert(kIsPlain<T>);
     const std::string_view block = checked(name, sizeof(T));

@@ -18,9 +18,8 @@ double parsedScale(const std::string& scale) {
     return 0.0;
   double value = 0.0;
   if (!base::readNumbers(scale, ',', {&value}) || value < 1e-4 || value > 1e4)
-    throw base::Error(base::ErrorCode::Usage,
-                      base::message("scale '{scale}' is not a usable factor"_text, scale), {},
-                      "give a number from 0.0001 to 10000, or fit"_text);
+    throw base::Error(base::ErrorCode::Usage, base::message("invalid scale '{scale}'"_text, scale),
+                      {}, "give a number from 0.0001 to 10000, or fit"_text);
   return value;
 }
 

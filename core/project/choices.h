@@ -1,4 +1,4 @@
-// What the user chose for a part.
+// The user's choices for a part.
 #pragma once
 
 #include "curved/growth_scheme.h"
@@ -12,29 +12,28 @@
 
 namespace voluta::project {
 
-// What the user chose for one part of a job.
+// The user's choices for one part of a job.
 struct ItemChoices {
-  // Planning searches for the way of building; mode and platform are then those of the last search.
-  // The other choices stay.
+  // True: planning searches for the way of building and sets mode and platform to the chosen way's.
+  // All other choices stay.
   bool automatic = false;
-  bool platformStays = false; // with automatic: the platform is the user's
-  std::string automaticWay;   // with automatic: the way that the last search chose
-                              // (pipeline/automatic.h)
+  bool platformStays = false; // with automatic: keep the user's platform
+  std::string automaticWay;   // with automatic: the way chosen last (pipeline/automatic.h)
   std::string mode = "curved";
   curved::GrowthScheme growth;
   Platform platform;
   std::string scale = "1";  // a number or "fit"
-  std::string units = "mm"; // of a mesh's file: length_unit.h
+  std::string units = "mm"; // of the mesh's file, see length_unit.h
   geometry::Placement placement;
-  bool repair = true;                            // false: the mesh as it was read
-  std::map<std::string, std::string> parameters; // changed ones, as text
+  bool repair = true;                            // false: use the mesh as read
+  std::map<std::string, std::string> parameters; // non-default values as text
 };
 
 struct ToolChoice {
   std::string process = "fdm-1.0"; // an id, or the text of a process's file
 };
 
-// What the user chose for a job; together with the meshes it decides every result.
+// The user's choices for a job; together with the meshes they determine every result.
 struct Choices {
   std::string cell = "ur5-fixed";                 // an id, or the text of a cell's file
   std::vector<ToolChoice> tools = {ToolChoice{}}; // one or more; paths name them by index
@@ -49,11 +48,11 @@ struct Choices {
   const ToolChoice& tool(std::size_t i = 0) const { return tools.at(i); }
 };
 
-// The same job with only that item: what the stages of one item (Load to Layers) take.
-// Precondition: item < choices.items.size().
+// Returns the choices of a job with only that item, as the stages of one item (Load to Layers) take
+// them. Precondition: item < choices.items.size().
 Choices onlyItem(const Choices& choices, std::size_t item);
 
-// A number > 0, or "fit" (returns 0). Throws Error{Usage}.
+// Returns the number, which is > 0, or 0 for "fit". Throws Error{Usage}.
 double parsedScale(const std::string& scale);
 
 } // namespace voluta::project

@@ -1,4 +1,4 @@
-// Names content by itself: equal bytes, equal name.
+// Hashes of contents: equal contents, equal hashes.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -9,12 +9,12 @@
 
 namespace voluta::project {
 
-// 16 hexadecimal digits (FNV-1a, 64 bits; no protection against who means harm).
+// Returns 16 hexadecimal digits (FNV-1a, 64 bits; not safe against deliberate collisions).
 std::string contentHash(std::string_view bytes);
-// Of vertices and triangles, and how many there are.
+// Hashes the vertices, the triangles and their counts.
 std::string contentHash(const geometry::TriangleMesh& mesh);
 
-// Of all its arrays.
+// Hashes all arrays.
 std::string contentHash(const plan::ToolPlan& toolPlan);
 
 } // namespace voluta::project

@@ -1,4 +1,4 @@
-// A file among the options of a stage: what counts is what it holds.
+// A file among the options of a stage, compared by its content.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace voluta::project {
 struct FileContent {
   std::string path; // empty: none
 };
-// For base::keyText(). Throws nothing: a file that cannot be read counts as such.
+// For base::keyText(). Does not throw: an unreadable file has a key that names its path.
 std::string keyOf(const FileContent& file);
 
 } // namespace voluta::project

@@ -1,4 +1,4 @@
-// A parameter that tool-paths know and that nobody is offered yet: sparse infill does not pass the
+// A tool-path parameter that is not offered to users, because sparse infill does not pass the
 // replay.
 #pragma once
 

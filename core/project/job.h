@@ -1,5 +1,5 @@
-// The project file: a part, the choices made for it and what was planned
-// (docs/design.md, Project file).
+// The project file (docs/design.md, Project file): a part, the choices for it and the planned
+// results.
 #pragma once
 
 #include "geometry/placement.h"
@@ -23,78 +23,76 @@
 
 namespace voluta::project {
 
-// Key of a stage whose result is not what the choices alone come to: of a print that is taken up
-// again.
+// Key of a stage of a resumed print, whose result does not follow from the choices alone.
 inline constexpr const char* kResumedKey = "resumed";
 
-// What is kept of a stage beside its payload.
+// Metadata of a stage, apart from its result.
 struct StageRecord {
-  std::string key;          // what went in; empty: not made
-  std::size_t findings = 0; // how many of the report's findings are its own; they follow one
-                            // another in the order of the stages
-  Timings timings;          // its own seconds, `total` apart
+  std::string key; // its inputs as text; empty: not run
+  // how many of the report's findings are from this stage; they are sorted by stage
+  std::size_t findings = 0;
+  Timings timings; // [s]; without `total`
 };
 
-// One part of a job, with its own way of building. Results are null where the plan did not come
-// that far. Copies are cheap: arrays are shared.
+// One part of a job, with its own way of building. Results are null if the plan ended before their
+// stage. Copies are cheap: arrays are shared.
 struct JobItem {
   std::string partName; // file name without folder
   std::shared_ptr<const LoadedPart> loaded;
-  double scale = 1.0; // what `scale` came to
-  // The part's placement, also where the mode or a search has found it; none: not placed, or read
-  // from a project that did not keep it yet.
+  double scale = 1.0; // the value of the item's scale; for "fit" the one computed
+  // Placement of `part`, including one computed by the mode or a search. None: not placed, or read
+  // from an older project that did not store it.
   std::optional<geometry::Placement> placement;
   std::shared_ptr<const geometry::TriangleMesh> part; // placed in the work frame
-  platform::PlatformSolid platform;                   // what material starts on, work frame
+  platform::PlatformSolid platform; // the surface that printing starts on, work frame
   ModeResult result;
   std::shared_ptr<const layers::LayerStack> layers;
 
-  // What is to be printed. Precondition: part.
+  // Returns the mesh to print. Precondition: part.
   const geometry::TriangleMesh& printed() const;
-  // The result of a mode that has voxels, or pieces; else null.
+  // Returns the result of a mode with voxels, or with pieces; else null.
   Voxels decomposition() const { return resultAs<Voxels>(result); }
   Pieces pieces() const { return resultAs<Pieces>(result); }
 };
 
-// Results are null where the plan did not come that far. Copies are cheap: arrays are shared.
+// Results are null if the plan ended before their stage. Copies are cheap: arrays are shared.
 struct Job {
   Choices choices;
   std::vector<JobItem> items = {JobItem{}}; // one or more, as choices.items
 
-  std::optional<Stage> reached; // last stage that is done; none: nothing planned
+  std::optional<Stage> reached; // last completed stage; none: nothing planned
   std::array<StageRecord, kStageCount> stages;
-  Report report; // of all stages that are done
+  Report report; // of all completed stages
 
   std::shared_ptr<const plan::ToolPlan> toolPlan;     // of all items, in print order
-  std::shared_ptr<const plan::Trajectory> trajectory; // also null when nothing is left to print
-  // Of a resumed print: the point of the trajectory at which its programs begin; points before it
-  // were printed earlier. 0: the whole.
+  std::shared_ptr<const plan::Trajectory> trajectory; // also null if nothing is left to print
+  // Resumed print: the point of the trajectory at which its programs begin; everything before it
+  // was printed earlier. 0: a whole print.
   std::size_t resumedAt = 0;
 
   JobItem& item(std::size_t i = 0) { return items.at(i); }
   const JobItem& item(std::size_t i = 0) const { return items.at(i); }
-  // Keys of what is there, to be compared with stageKeys() of what is wanted.
+  // Returns the keys of the present results, for comparison with stageKeys() of a request.
   StageKeys keys() const;
 };
 
-// What is to be printed of all items, as one mesh; that of a single item is not copied and lives as
-// long as the job. Precondition: every item is placed.
+// Returns the meshes to be printed of all items as one mesh; that of a single item is not copied and
+// lives as long as the job. Precondition: every item is placed.
 std::shared_ptr<const geometry::TriangleMesh> printedOf(const Job& job);
 
-// The job without the results after `last`; none: without any.
+// Returns the job without the results after `last`; none: without any results.
 Job upTo(Job job, std::optional<Stage> last);
 
-// job.voluta as bytes: a line "VOLUTA 2", a line with length and CRC-32 of a JSON header, the
-// header (choices, counts and a table of blocks), then the blocks: little-endian arrays, each with
-// a CRC-32. Good for any thread. Precondition: every item is loaded.
+// Returns the content of a .voluta file: a line "VOLUTA 2", a line with length and CRC-32 of a JSON
+// header, the header (choices, counts and a table of blocks), then the blocks: little-endian
+// arrays, each with a CRC-32. Thread-safe. Precondition: every item is loaded.
 std::string jobBytes(const Job& job);
-// jobBytes into a file, whole or not at all. Throws Error{CannotWrite}.
+// Writes jobBytes() to a file, completely or not at all. Throws Error{CannotWrite}.
 void writeJob(const std::filesystem::path& file, const Job& job);
 
-// Also reads "VOLUTA 1", which holds neither the part before it was placed (`loaded` is then made
-// from the placed one) nor decomposition, layers and report.
-// Throws Error{UnreadableFile} that says what is wrong: not a job, a newer version, cut short, a
-// damaged block.
+// Reads a project file. "VOLUTA 1" is also read; it has neither the part before placement (`loaded`
+// is then made from the placed one) nor decomposition, layers and report. Throws
+// Error{UnreadableFile} with the cause: not a job, a newer version, truncated, a damaged block.
 Job readJob(const std::filesystem::path& file);
 
 } // namespace voluta::project

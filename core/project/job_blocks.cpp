@@ -10,25 +10,25 @@ namespace voluta::project {
 namespace {
 using Json = nlohmann::ordered_json;
 
-// Columns of the rows of patches, tool-paths, pieces and their base planes.
+// Number of columns per row.
 constexpr std::size_t kPatchColumns = 4, kPathColumns = 7, kPieceColumns = 4, kPlaneColumns = 4;
 
-// In the column of periods: a patch without a chart.
+// Value in the column of periods for a patch without a chart.
 constexpr double kNoChart = -1.0;
 
 [[noreturn]] void contradiction(const base::Message& what) {
   throw base::Error(base::ErrorCode::UnreadableFile,
-                    base::message("the job file contradicts itself: {what}"_text, what), {},
+                    base::message("the job file is inconsistent: {what}"_text, what), {},
                     "plan the part again"_text);
 }
 
-// The next `count` of an array that is handed out bit by bit.
+// Hands out an array in consecutive portions.
 template <typename T> class Portions {
 public:
   explicit Portions(std::vector<T> all) : all_(std::move(all)) {}
   std::vector<T> next(std::int64_t count) {
     if (count < 0 || static_cast<std::size_t>(count) > all_.size() - used_)
-      contradiction("a row beyond its array"_text);
+      contradiction("row beyond the end of its array"_text);
     const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(used_);
     used_ += static_cast<std::size_t>(count);
     return {begin, begin + static_cast<std::ptrdiff_t>(count)};
@@ -39,7 +39,7 @@ private:
   std::size_t used_ = 0;
 };
 
-// Numbers, or points.
+// T: numbers or points.
 template <typename T> bool allFinite(const std::vector<T>& values) {
   return std::all_of(values.begin(), values.end(), [](const T& value) {
     if constexpr (std::is_arithmetic_v<T>)
@@ -61,7 +61,7 @@ bool soundMesh(const geometry::TriangleMesh& mesh) {
 
 bool soundDecomposition(const curved::Decomposition& d) {
   const Eigen::Vector3i n = d.grid.size;
-  constexpr int kMostCells = 1 << 20; // a side
+  constexpr int kMostCells = 1 << 20; // per side
   if (n.minCoeff() < 0 || n.maxCoeff() > kMostCells || !d.grid.origin.allFinite() ||
       !std::isfinite(d.grid.pitch) || d.grid.pitch <= 0.0 || !allFinite(d.platform))
     return false;
@@ -133,7 +133,7 @@ geometry::TriangleMesh getMesh(const BlockReader& in, const std::string& name) {
   mesh.vertices = in.get<Eigen::Vector3d>(name + ".vertices");
   mesh.triangles = in.get<std::array<int, 3>>(name + ".triangles");
   if (!soundMesh(mesh))
-    contradiction("a mesh with corners that are not there"_text);
+    contradiction("triangles with missing vertices"_text);
   return mesh;
 }
 
@@ -189,7 +189,7 @@ curved::Decomposition getDecomposition(const BlockReader& in) {
   d.field = in.get<float>("decomposition.field");
   d.frontNormal = in.get<Eigen::Vector3f>("decomposition.frontNormal");
   d.platform = in.get<Eigen::Vector2d>("decomposition.platform");
-  // Projects of before these were kept.
+  // Older projects lack these.
   d.cascadeVoxels = j.value("cascade", std::size_t{0});
   d.headVoxels = j.value("byHead", std::size_t{0});
   d.supportVoxels = j.value("support", std::size_t{0});
@@ -245,7 +245,7 @@ planar::PlanarDecomposition getPieces(const BlockReader& in) {
   const auto bases = in.get<double>("pieces.bases");
   const std::size_t count = rows.size() / kPieceColumns;
   if (rows.size() != count * kPieceColumns || bases.size() != count * kPlaneColumns)
-    contradiction("rows of pieces"_text);
+    contradiction("size of the table of pieces"_text);
   Portions vertices(in.get<Eigen::Vector3d>("pieces.vertices"));
   Portions triangles(in.get<std::array<int, 3>>("pieces.triangles"));
   Portions tags(in.get<std::int32_t>("pieces.tags"));
@@ -314,13 +314,13 @@ void addLayers(BlockWriter& out, const layers::LayerStack& stack) {
 layers::LayerStack getLayers(const BlockReader& in) {
   const auto rows = in.get<std::int64_t>("layers.patches");
   if (rows.size() % kPatchColumns != 1)
-    contradiction("rows of patches"_text);
+    contradiction("size of the table of patches"_text);
   Portions vertices(in.get<Eigen::Vector3d>("layers.vertices"));
   Portions triangles(in.get<std::array<int, 3>>("layers.triangles"));
   Portions thickness(in.get<double>("layers.thickness"));
   Portions direction(in.get<Eigen::Vector3d>("layers.direction"));
   Portions clearDirection(in.get<Eigen::Vector3d>("layers.clearDirection"));
-  // Projects of before these were kept.
+  // Older projects lack these.
   const bool hasRims = in.has("layers.innerRim");
   Portions innerRim(hasRims ? in.get<std::uint8_t>("layers.innerRim")
                             : std::vector<std::uint8_t>{});

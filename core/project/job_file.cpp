@@ -79,7 +79,7 @@ ItemChoices readItem(const Json& j, int format) {
   ItemChoices c;
   c.automatic = j.value("automatic", false);
   c.platformStays = j.value("platformStays", false);
-  // Once a number: of a list that has changed since.
+  // Older versions stored an index into a list that has changed since.
   if (const auto way = j.find("automaticWay"); way != j.end() && way->is_string())
     way->get_to(c.automaticWay);
   j.at("mode").get_to(c.mode);
@@ -111,7 +111,7 @@ Choices readChoices(const Json& j, int format) {
   return c;
 }
 
-// Notes with the part that a density which the project was given has gone.
+// Removes the infill density of an older project and adds a note about it to the part.
 void dropSparseInfill(ItemChoices& choices, LoadedPart& part) {
   const auto density = choices.parameters.find(kInfillDensity);
   if (density == choices.parameters.end())
@@ -119,7 +119,7 @@ void dropSparseInfill(ItemChoices& choices, LoadedPart& part) {
   double share = 1.0;
   if (base::readNumbers(density->second, ',', {&share}) && share < 1.0) {
     const base::Message note = base::message(
-        "infill density {density} of the project is left out: parts are filled solid"_text,
+        "the project's infill density {density} is ignored: parts are filled solid"_text,
         density->second);
     part.readNotes.push_back(note);
     part.notes.push_back(note);
@@ -127,7 +127,7 @@ void dropSparseInfill(ItemChoices& choices, LoadedPart& part) {
   choices.parameters.erase(density);
 }
 
-// ---- the part as it came
+// ---- the part as loaded
 
 struct DefectName {
   const char* key;
@@ -200,8 +200,8 @@ geometry::OpenSurface readOpen(const Json& j) {
   return open;
 }
 
-// What earlier versions do not look for: sentences as data, to be told in any language. They read
-// the English beside it.
+// Stores messages as data, so that they can be shown in any language. Earlier versions ignore this
+// block and read the English texts.
 void addFacts(BlockWriter& out, const Job& job) {
   Json facts = Json::array();
   for (const plan::Finding& finding : job.report.findings)
@@ -215,7 +215,7 @@ void addFacts(BlockWriter& out, const Job& job) {
                           .dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-// Findings and notes in the language that is wanted now; older files have English only.
+// Restores messages from data, for the present language; older files have English texts only.
 void getFacts(const BlockReader& in, Job& job, LoadedPart& part) {
   if (!in.has("told"))
     return;
@@ -280,7 +280,7 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
       part->inWorkFrame = j.value("inWorkFrame", false);
       if (!isSound(*part->toolPaths))
         throw base::Error(base::ErrorCode::UnreadableFile,
-                          "the tool-paths that came with the part are damaged"_text);
+                          "the tool-paths of the part's file are damaged"_text);
     }
     part->units = geometry::guessUnits(*part->mesh);
     part->hash = hashOf(*part);
@@ -288,14 +288,14 @@ std::shared_ptr<LoadedPart> getLoaded(const BlockReader& in) {
   return part;
 }
 
-// Format 1 has only the placed part: what it was made from, but for where it lay.
+// Format 1 has only the placed part; its scale is undone, its placement is not known.
 std::shared_ptr<const LoadedPart> loadedFromPlaced(const JobItem& item) {
   auto source = std::make_shared<geometry::TriangleMesh>(*item.part);
   for (Eigen::Vector3d& v : source->vertices)
     v /= item.scale;
   auto part = std::make_shared<LoadedPart>();
   part->name = item.partName;
-  part->readNotes = {"taken from a project of format 1, as it was repaired and placed there"_text};
+  part->readNotes = {"read from a project of format 1, as repaired and placed there"_text};
   part->notes = part->readNotes;
   part->found = geometry::diagnose(*source);
   part->remains = part->found.sentences();
@@ -305,7 +305,7 @@ std::shared_ptr<const LoadedPart> loadedFromPlaced(const JobItem& item) {
   return part;
 }
 
-// ---- what the stages left
+// ---- results of the stages
 
 Json recordsJson(const Job& job) {
   Json all = Json::array();
@@ -355,7 +355,7 @@ std::vector<BlockRow> readTable(const Json& j) {
 
 // ---- the file's frame
 
-// Takes a number and the character that ends it off the front; false: there is none.
+// Removes a number and the character after it from the front; returns false if there is none.
 bool takeNumber(std::string_view& text, char end, std::size_t& value) {
   const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   const auto used = static_cast<std::size_t>(rest - text.data());
@@ -376,17 +376,17 @@ Frame frameOf(std::string_view bytes, const std::string& where) {
   std::string_view rest = bytes.substr(kMagic.size());
   std::size_t format = 0, length = 0, crc = 0;
   if (!takeNumber(rest, '\n', format) || format == 0)
-    throw unreadable("the job file is damaged or cut short in its first line"_text, where);
+    throw unreadable("the first line of the job file is damaged or truncated"_text, where);
   if (format > static_cast<std::size_t>(kFormat))
     throw unreadable(
-        base::message(
-            "made by a newer version of Voluta (format {format}; this one reads up to {newest})"_text,
-            format, kFormat),
-        where, "open it with the version that made it, or install that one"_text);
+        base::message("saved by a newer version of Voluta (format {format}; this version reads "
+                      "up to {newest})"_text,
+                      format, kFormat),
+        where, "open it with the version that saved it"_text);
   const bool summed = format >= 2; // format 1 has no checksum of its header
   if (!takeNumber(rest, summed ? ' ' : '\n', length) || (summed && !takeNumber(rest, '\n', crc)) ||
       length > rest.size())
-    throw unreadable("the job file is cut short"_text, where);
+    throw unreadable("the job file is truncated"_text, where);
   Frame frame{static_cast<int>(format), rest.substr(0, length), rest.substr(length)};
   if (summed && crcOf(frame.header) != crc)
     throw unreadable("the job file's header is damaged"_text, where);
@@ -462,13 +462,13 @@ Job readFrame(const Frame& frame, const std::string& where) {
     readMoreItems(header, frame.format, blocks, job);
   }
   if (!hasSoundScales(job) || !isConsistent(job))
-    throw unreadable("the job file contradicts itself"_text, where, "plan the part again"_text);
+    throw unreadable("the job file is inconsistent"_text, where, "plan the part again"_text);
   if (!job.item().loaded)
     job.item().loaded = loadedFromPlaced(job.item());
   return job;
 }
 
-// A project file: what of it is the job's own stays where it is.
+// The parts of a project file. Large arrays stay in the job and are not copied.
 class JobFile {
 public:
   explicit JobFile(const Job& job) { add(job); }

@@ -24,7 +24,7 @@ const LengthUnit& lengthUnit(const std::string& word) {
   for (const LengthUnit& unit : lengthUnits())
     words.push_back(unit.word);
   throw base::Error(
-      base::ErrorCode::Usage, base::message("'{units}' is no unit of length"_text, word), {},
+      base::ErrorCode::Usage, base::message("'{units}' is not a unit of length"_text, word), {},
       base::message("give one of {known}"_text, fmt::format("{}", fmt::join(words, ", "))));
 }
 

@@ -1,4 +1,4 @@
-// What a length of 1 in a mesh's file may be: one row a unit. STL, OBJ and PLY do not say.
+// Units of length for mesh files, one row per unit; STL, OBJ and PLY do not state their unit.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ struct LengthUnit {
 };
 
 std::span<const LengthUnit> lengthUnits();
-// Throws Error{Usage} naming all.
+// Throws Error{Usage} that names all units.
 const LengthUnit& lengthUnit(const std::string& word);
 
 } // namespace voluta::project

@@ -23,14 +23,14 @@ constexpr std::string_view kSamplePrefix = "sample:";
 
 using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
 
-// Fills in all that follows from source, readNotes and `repair`.
+// Fills in all fields that follow from source, readNotes and `repair`.
 void mend(LoadedPart& part, const base::RunContext& ctx) {
   base::Stopwatch mending;
   part.notes = part.readNotes;
   if (part.cells) {
     part.mesh = part.source;
     part.found = geometry::diagnose(*part.source, ctx);
-    part.found.selfIntersections = {}; // where cells only touch
+    part.found.selfIntersections = {}; // reported where cells only touch
     part.remains.clear();
     part.repairS = mending.seconds();
     return;
@@ -69,7 +69,7 @@ void setCells(LoadedPart& part, std::shared_ptr<const voxel::VoxelObject> cells)
   part.cells = std::move(cells);
 }
 
-// Tool-paths with the object that they are of, or with the solid that their beads make.
+// Reads tool-paths with their object, or with the solid of their beads if the file has no object.
 void readBuild(const std::string& bytes, const std::string& name, LoadedPart& part,
                const base::RunContext& ctx) {
   constexpr double kCellMm = 0.25;
@@ -81,7 +81,7 @@ void readBuild(const std::string& bytes, const std::string& name, LoadedPart& pa
   } else {
     part.source =
         std::make_shared<geometry::TriangleMesh>(build3mf::solidOfBeads(build.plan, kCellMm, ctx));
-    part.readNotes.emplace_back("no object in the file: the part is what its beads make"_text);
+    part.readNotes.emplace_back("no object in the file: the part is made from its beads"_text);
   }
   part.readNotes.insert(part.readNotes.end(), build.notes.begin(), build.notes.end());
   part.inWorkFrame = build.workFrame;

@@ -1,4 +1,4 @@
-// A part as it came from its file, before it is placed.
+// A part as loaded from its file, before placement.
 #pragma once
 
 #include "base/run_context.h"
@@ -20,58 +20,58 @@ namespace voluta::project {
 
 struct LoadedPart {
   std::string name; // file name without folder; "vase.stl" for sample:vase
-  std::shared_ptr<const voxel::VoxelObject> cells; // of a text voxel object: then the meshes are
-                                                   // its surface, lengths in cells. Null: a mesh
+  // of a text voxel object; the meshes are then its surface, lengths in cells. Null: a mesh
+  std::shared_ptr<const voxel::VoxelObject> cells;
   std::shared_ptr<const geometry::TriangleMesh> source; // as read
-  std::shared_ptr<const geometry::TriangleMesh> mesh;   // as used: mended, or `source` itself
-  // Tool-paths that the file brought with it (build3mf/build_reader.h), in the mesh's coordinates;
-  // null: none. In the work frame's already where `inWorkFrame`.
+  std::shared_ptr<const geometry::TriangleMesh> mesh;   // as used: repaired, or `source` itself
+  // Tool-paths from the file (build3mf/build_reader.h) in the mesh's coordinates; null: none.
+  // Already in the work frame if `inWorkFrame`.
   std::shared_ptr<const plan::ToolPlan> toolPaths;
   bool inWorkFrame = false;
-  bool repair = true;                        // was mending asked for
-  std::vector<base::Message> readNotes;      // what reading left out, a sentence each
-  std::vector<base::Message> notes;          // all that was found and mended, readNotes among them
-  std::vector<base::Message> remains;        // what could not be mended, a sentence each
+  bool repair = true;                        // whether repair was requested
+  std::vector<base::Message> readNotes;      // about omitted file content, a sentence each
+  std::vector<base::Message> notes;          // all defects found and repaired, readNotes included
+  std::vector<base::Message> remains;        // defects that could not be repaired, a sentence each
   geometry::Diagnosis found;                 // of `source`, before any repair
-  std::optional<geometry::OpenSurface> open; // of `mesh`, where mending left it open
+  std::optional<geometry::OpenSurface> open; // of `mesh`, if the repair left it open
   geometry::UnitGuess units;                 // of `mesh`
-  std::string hash;                          // of the content of `source` or `cells`, and of
-                                             // `toolPaths`, hexadecimal
-  double readS = 0.0, repairS = 0.0;         // wall seconds it took
+  std::string hash; // hexadecimal; of the content of `source` or `cells`, and of `toolPaths`
+  double readS = 0.0, repairS = 0.0; // durations [s], wall clock
 };
 
-// Parts that the program makes itself, to be named "sample:NAME".
+// Parts built into the program, loaded as "sample:NAME".
 std::vector<std::string> sampleNames();
 
-// Is it a text voxel object: by the ending .txt or .voxels, or else by the content?
+// Returns whether it is a text voxel object, by the extension .txt or .voxels, or else by the
+// content.
 bool isVoxelText(const std::string& name, std::string_view bytes);
 
-// LoadedPart::hash of a part that is a mesh.
+// Returns LoadedPart::hash of a part that is a mesh.
 std::string hashOf(const LoadedPart& part);
 
-// Reads a part and, where `repair` is true, mends it: a mesh, or a text voxel object, whose surface
-// needs no mending; a 3MF with tool-paths brings them, and where it has no object the solid that
-// their beads make. `part` is a path or "sample:NAME". Throws Error{UnreadableFile, UnusableInput};
+// Reads a part and repairs it if `repair`: a mesh, or a text voxel object, whose surface needs no
+// repair. A 3MF with tool-paths also provides these, and if it has no object, the part is the solid
+// of their beads. `part` is a path or "sample:NAME". Throws Error{UnreadableFile, UnusableInput};
 // Error{Usage} for an unknown sample; Cancelled.
 std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
                                            const base::RunContext& ctx);
 
-// A part that mending left open, mended anew: with every rim closed and without sheets.
-// Throws Error{UnusableInput}: nothing but sheets. Throws Cancelled.
+// Repairs a part that the first repair left open: closes every rim and removes sheets. Throws
+// Error{UnusableInput} if only sheets remain. Throws Cancelled.
 geometry::RepairResult closedPart(const LoadedPart& part, const base::RunContext& ctx);
 
-// A part from a mesh at hand, e.g. of a project file. Throws as loadPart does.
+// Makes a part from a mesh in memory, e.g. of a project file. Throws as loadPart does.
 std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
                                              std::shared_ptr<const geometry::TriangleMesh> source,
                                              std::vector<base::Message> readNotes, bool repair,
                                              const base::RunContext& ctx);
 
-// A part from cells at hand. Throws as loadPart does.
+// Makes a part from cells in memory. Throws as loadPart does.
 std::shared_ptr<const LoadedPart> loadedFrom(std::string name,
                                              std::shared_ptr<const voxel::VoxelObject> cells,
                                              bool repair, const base::RunContext& ctx);
 
-// `part` itself where it was loaded with that choice; else mended anew, or as it was read.
+// Returns `part` itself if it was loaded with this choice; else repairs it, or returns it as read.
 std::shared_ptr<const LoadedPart> withRepair(std::shared_ptr<const LoadedPart> part, bool repair,
                                              const base::RunContext& ctx);
 

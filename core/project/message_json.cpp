@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 struct UnitName {
   base::Unit unit;
-  const char* ending; // of a key
+  const char* ending; // suffix of a key
 };
 constexpr std::array<UnitName, 11> kUnits{{{base::Unit::None, ""},
                                            {base::Unit::Mm, "Mm"},
@@ -52,7 +52,7 @@ Json pointJson(const Eigen::Vector3d& p) {
   return pointJson(p.x(), p.y(), p.z());
 }
 
-// "10 voxels": a count with its word is the count.
+// "10 voxels" is stored as the count 10.
 const long long* countOf(const base::Value& value) {
   const auto* sentences = std::get_if<std::vector<base::Message>>(&value.data());
   return sentences && sentences->size() == 1 && sentences->front().text.plural() &&
@@ -61,7 +61,7 @@ const long long* countOf(const base::Value& value) {
              : nullptr;
 }
 
-// For whoever reads the report: a number or a text.
+// For readers of the report: adds a number or a text.
 void addPlain(Json& all, const std::string& name, const base::Value& value) {
   if (const auto* whole = std::get_if<long long>(&value.data()))
     all[name] = *whole;
@@ -75,7 +75,7 @@ void addPlain(Json& all, const std::string& name, const base::Value& value) {
     all[name] = base::english(value);
 }
 
-// What kind of value it is, and the value: {"whole": 3}, {"number": 1.5, "unit": "Mm"} ...
+// Returns the value with its type: {"whole": 3}, {"number": 1.5, "unit": "Mm"} ...
 Json exactJson(const base::Value& value) {
   struct Written {
     Json operator()(const std::string& name) const { return name; }
@@ -127,7 +127,7 @@ bool fits(const plan::FindingRow& row, const std::vector<plan::NamedValue>& valu
   return known >= values.size();
 }
 
-// The name of a place as the row has it, which lives as long as the program.
+// Returns the row's own copy of the placeholder name, which has static storage.
 std::string_view placeNamed(const plan::FindingRow& row, const std::string& wanted) {
   for (const base::Text text : {row.reason, row.remedy})
     for (const std::string_view name : base::placeNames(text.english()))

@@ -1,4 +1,4 @@
-// Messages and findings in files, so that they can be told in another language later.
+// Messages and findings as JSON that can be shown in another language later.
 #pragma once
 
 #include "plan/finding.h"
@@ -8,22 +8,22 @@
 
 namespace voluta::project {
 
-// A row of findings[] in report.json: {stage, kind, where, when, count, reason, remedy, remedyMm,
-// blocking, values{}}; a value's unit is the end of its name (areaMm2, angleDeg).
+// Returns a row of findings[] in report.json: {stage, kind, where, when, count, reason, remedy,
+// remedyMm, blocking, values{}}. The end of a value's name is its unit (areaMm2, angleDeg).
 nlohmann::ordered_json findingJson(const plan::Finding& finding);
-// Read back from there: told as it was told.
+// Reads such a row; the texts stay as written.
 plan::Finding readFinding(const nlohmann::ordered_json& j);
 
-// {fact, values[], program}: the finding to the last digit. Where, when, count and blocking are the
-// report's.
+// Returns {fact, values[], program}: the finding with exact values. Place, time, count and blocking
+// are in the report's row.
 nlohmann::ordered_json factJson(const plan::Finding& finding);
-// Makes of a finding that readFinding() gave what it was. It stays as it is where this version does
-// not know the fact, or knows other values of it.
+// Restores the original of a finding that readFinding() returned. Leaves it unchanged if this
+// version does not know its kind or has other values for it.
 void readFact(const nlohmann::ordered_json& j, plan::Finding& finding);
 
-// {text, values[]}; a text that this version does not have is kept as its English.
+// Returns {text, values[]}. A text unknown to this version is kept in English.
 nlohmann::ordered_json messageJson(const base::Message& message);
-// Also of a bare string, as files of earlier versions have them.
+// Also accepts a plain string, as in files of earlier versions.
 base::Message readMessage(const nlohmann::ordered_json& j);
 
 nlohmann::ordered_json messagesJson(const std::vector<base::Message>& messages);

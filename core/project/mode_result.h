@@ -1,4 +1,4 @@
-// What a mode came to before there are layers: each mode has its own.
+// The result of a mode's decomposition; each kind of mode has its own type.
 #pragma once
 
 #include "curved/decomposition.h"
@@ -10,8 +10,8 @@
 
 namespace voluta::project {
 
-// Levels over a ground: what of the part is laid on it, where the ground takes some of it; null:
-// all.
+// Levels above a ground. `part`: the part without the volume that the ground occupies; null: the
+// whole part.
 struct ReducedPlatform {
   std::shared_ptr<const geometry::TriangleMesh> part;
 };
@@ -25,7 +25,7 @@ inline ResultKind kindOf(const ModeResult& result) {
   return static_cast<ResultKind>(result.index());
 }
 
-// The result where it is of that kind; else null.
+// Returns the result if it is of that kind; else null.
 template <typename T> T resultAs(const ModeResult& result) {
   const T* is = std::get_if<T>(&result);
   return is ? *is : T();

@@ -44,7 +44,7 @@ std::vector<double> readSizes(const PlatformKind& kind, std::string_view text,
       1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), 'x'));
   if (sizes.size() != kind.fields.size() || written != sizes.size())
     throw Error(ErrorCode::Usage,
-                base::message("platform '{platform}' has no usable size"_text, whole), {},
+                base::message("platform '{platform}' has no valid size"_text, whole), {},
                 base::message("write {form}, in mm"_text, platformForm(kind)));
   for (std::size_t i = 0; i < sizes.size(); ++i)
     if (const PlatformField& field = kind.fields[i]; !within(field, sizes[i]))
@@ -140,8 +140,9 @@ Platform Platform::madeForPart(double marginMm) {
 
 std::vector<Eigen::Vector2d> Platform::plateAround(std::vector<Eigen::Vector2d> standing) const {
   if (!kind_->plate)
-    throw Error(ErrorCode::Usage, base::message("platform '{platform}' is no plate"_text, text()),
-                {}, base::message("give {forms}"_text, platformForms({PlatformUse::Plate})));
+    throw Error(ErrorCode::Usage,
+                base::message("platform '{platform}' is not a plate"_text, text()), {},
+                base::message("give {forms}"_text, platformForms({PlatformUse::Plate})));
   if ((kind_->madeForPart || kind_->ofCell) && standing.empty())
     throw Error(ErrorCode::UnusableInput, "the part does not touch the plate"_text, {},
                 "drop it to the plate"_text);

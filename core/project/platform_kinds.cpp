@@ -51,7 +51,7 @@ const std::vector<PlatformKind>& platformKinds() {
        .uses = {{Plate, "Contact area, margin"_text}, {Rod, "Rod of the cell"_text, false}},
        .shown = "contact area + {sizes} mm"_text,
        .plain = "contact area"_text,
-       .fields = {{"MARGIN", "Margin around what stands on the plate"_text, 0.0, kMostMm, 0.0}},
+       .fields = {{"MARGIN", "Margin around the contact area"_text, 0.0, kMostMm, 0.0}},
        .bare = true,
        .madeForPart = true,
        .plate = aroundStanding},

@@ -1,4 +1,4 @@
-// What a part can be printed on: one row a kind.
+// The table of platform kinds.
 #pragma once
 
 #include "project/platform_kind.h"
@@ -9,16 +9,16 @@
 
 namespace voluta::project {
 
-// In the order they are offered; the first is what there is unless another one is chosen.
+// In the order shown to users; the first is the default.
 const std::vector<PlatformKind>& platformKinds();
 // Throws Error{Usage} for an unknown word, naming the nearest.
 const PlatformKind& findPlatformKind(std::string_view word);
-// Those of the first use, then those of the next, each once.
+// Returns the kinds of the first use, then those of the next, each once.
 std::vector<const PlatformKind*> platformKindsFor(const std::vector<PlatformUse>& uses);
 
-// "disc:DIAMETER", "fit[:MARGIN]": how it is typed.
+// Returns the textual form, e.g. "disc:DIAMETER" or "fit[:MARGIN]".
 std::string platformForm(const PlatformKind& kind);
-// The forms of all kinds with these uses, with commas between.
+// Returns the forms of all kinds with these uses, separated by commas.
 std::string platformForms(const std::vector<PlatformUse>& uses);
 
 } // namespace voluta::project

@@ -1,5 +1,4 @@
-// What every stage of a plan measured (docs/design.md, Report). Its figures are listed in
-// report_fields.h.
+// Figures that the stages of a plan measured (docs/design.md, Report); listed in report_fields.h.
 #pragma once
 
 #include "plan/finding.h"
@@ -22,9 +21,9 @@ struct ModelReport {
 
 // One piece of planar mode, in print order.
 struct PieceReport {
-  int parent = -1; // index of the piece it stands on; -1: the plate
+  int parent = -1; // index of the supporting piece; -1: the plate
   double volumeMm3 = 0.0, riskyAreaMm2 = 0.0;
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // that it is printed along
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // print direction
   std::string material;
 };
 
@@ -58,7 +57,7 @@ struct ToolpathReport {
 struct MotionReport {
   std::string robot, cell;
   std::size_t waypoints = 0, unreachable = 0, collisions = 0, splits = 0;
-  std::vector<double> maxJerk; // rad/s3 a joint
+  std::vector<double> maxJerk; // [rad/s³] per joint
   double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0, minClearanceMm = 0.0;
   double minClearanceAtS = 0.0, durationS = 0.0;
 };
@@ -72,7 +71,7 @@ struct ProgramReport {
   double durationS = 0.0, flowErrorFraction = 0.0, massRatio = 0.0; // on its controller
 };
 
-// What a replay may come to.
+// The limits that a replay must keep to pass.
 struct ThresholdsReport {
   double covered = 0.0, unsupported = 0.0, overfill = 0.0, mass = 0.0, deviationMm = 0.0;
   double flowError = 0.0;
@@ -89,27 +88,27 @@ struct ReplayReport {
   ThresholdsReport thresholds;
 };
 
-// A way of building that was tried, of a plan that looks for its way.
+// A way of building that mode auto tried.
 struct TriedReport {
-  std::string way = {};    // its id; empty: a mode that is no way of mode auto's table
+  std::string way = {};    // its id; empty: a mode that is not in mode auto's table
   base::Message name = {}; // "flat layers with supports"
   std::string mode, platform;
   bool passed = false, taken = false;
-  std::string stage = {};    // where it ended
-  base::Message reason = {}; // what blocks there; empty: nothing
+  std::string stage = {};    // in which it ended
+  base::Message reason = {}; // the finding that blocks there; empty: none
 };
 
-// How the part is built, and with which values: those of the user's choices, of the mode's defaults
-// or of the way that mode auto took.
+// How the part is built and with which values: from the user's choices, the mode's defaults or the
+// way that mode auto chose.
 struct ChosenReport {
   std::string way = {}; // of mode auto; empty: chosen by hand
   base::Message name = {};
   std::string mode, platform;
-  std::string supports = {}; // empty: the mode takes none
+  std::string supports = {}; // empty: the mode has no supports
   double layerHeightMm = 0.0;
 };
 
-// Disjoint wall seconds.
+// Wall-clock seconds; the entries do not overlap.
 struct Timings {
   double load = 0, repair = 0, voxelise = 0, peel = 0, grow = 0, smooth = 0, extract = 0, trim = 0,
          decompose = 0, toolpath = 0, orient = 0, ik = 0, graph = 0, jerk = 0, collision = 0,
@@ -142,9 +141,9 @@ struct Report {
   const ItemReport& item(std::size_t i = 0) const { return items.at(i); }
 };
 
-// The whole report as JSON text, every key present, in the order of docs/design.md, Report.
+// Returns the report as JSON text with all keys, in the order of docs/design.md, Report.
 std::string reportJson(const Report& report);
-// The inverse. Throws Error{UnreadableFile} where keys are missing or of another kind.
+// Parses such a text. Throws Error{UnreadableFile} if keys are missing or of another type.
 Report readReportJson(const std::string& text);
 
 } // namespace voluta::project

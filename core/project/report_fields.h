@@ -1,6 +1,5 @@
-// The figures of a report, each declared once: its key, where it is kept, its unit. What writes
-// report.json, what reads it and what compares by it go through these lists. Keys are added, never
-// renamed.
+// The figures of a report, each declared once: its key, its member, its unit. Writing, reading and
+// comparing report.json use these lists. Keys are added, never renamed.
 #pragma once
 
 #include "project/report.h"
@@ -14,8 +13,8 @@ namespace voluta::project {
 template <typename R, typename T> struct Field {
   const char* key;
   T R::*member;
-  std::string_view unit = {}; // "%" for shares, which are fractions of 1; empty: a count or a text
-  bool later = false;         // reports of before it was kept have none
+  std::string_view unit = {}; // "%" for fractions of 1; empty: a count or a text
+  bool later = false;         // true: missing in older reports
 };
 template <typename R, typename T> Field(const char*, T R::*) -> Field<R, T>;
 template <typename R, typename T> Field(const char*, T R::*, const char*) -> Field<R, T>;
@@ -184,12 +183,12 @@ concept HasFields = requires {
   fieldsOf(std::type_identity<R>{});
 };
 
-// Calls visit(field) for each, in the order of the report.
+// Calls visit(field) for each field, in the order of the report.
 template <HasFields R, typename Visit> constexpr void forEachField(const Visit& visit) {
   std::apply([&](const auto&... field) { (visit(field), ...); }, fieldsOf(std::type_identity<R>{}));
 }
 
-// The unit of a figure that is in a list.
+// Returns the unit of a listed figure.
 template <HasFields R, typename T> constexpr std::string_view unitOf(T R::*member) {
   std::string_view unit;
   forEachField<R>([&](const auto& field) {

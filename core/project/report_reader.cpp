@@ -37,7 +37,7 @@ template <typename T> void read(const Json& j, T& value) {
         read(j.at(field.key), value.*field.member);
     });
   } else if constexpr (std::is_same_v<T, double>) {
-    // JSON has no NaN: it was written as null.
+    // JSON has no NaN: it is written as null.
     value = j.is_null() ? std::numeric_limits<double>::quiet_NaN() : j.get<double>();
   } else {
     j.get_to(value);
@@ -55,9 +55,8 @@ Report readReportJson(const std::string& text) {
     if (report.items.empty())
       throw base::Error(base::ErrorCode::UnreadableFile, "the report has no item"_text);
   } catch (const Json::exception& e) {
-    throw base::Error(
-        base::ErrorCode::UnreadableFile,
-        base::message("the report is not one of a plan: {why}"_text, std::string(e.what())));
+    throw base::Error(base::ErrorCode::UnreadableFile,
+                      base::message("not a plan's report: {why}"_text, std::string(e.what())));
   }
   return report;
 }

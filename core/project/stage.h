@@ -1,4 +1,4 @@
-// The stages of the road, in order (docs/design.md, Stages).
+// The stages of the pipeline, in order (docs/design.md, Stages).
 #pragma once
 
 #include "plan/stage.h"
@@ -16,7 +16,7 @@ using plan::stageName;
 // Throws Error{Usage} for an unknown name, naming the nearest.
 Stage stageOf(const std::string& name);
 
-// What went into each stage, as text: equal keys, equal results. Empty where there is no result.
+// The inputs of each stage as text: equal keys, equal results. Empty if there is no result.
 using StageKeys = std::array<std::string, kStageCount>;
 
 } // namespace voluta::project

@@ -10,9 +10,9 @@
 namespace voluta::project {
 
 Eigen::Vector3d turnDegrees(const Eigen::Quaterniond& turn) {
-  constexpr double kSteps = 1000.0; // of a degree
+  constexpr double kSteps = 1000.0; // steps per degree
   const Eigen::Vector3d angles = geometry::anglesOf(turn, Eigen::Vector3d::Zero());
-  // + 0: no minus before a zero.
+  // + 0.0 turns -0 into 0.
   return (kSteps * angles.unaryExpr(&base::radiansToDegrees)).array().round() / kSteps + 0.0;
 }
 

@@ -1,4 +1,4 @@
-// How a part is turned, as a user types it: degrees about the fixed axes, X first, then Y, then Z.
+// A part's rotation as typed by the user: degrees about the fixed axes, X first, then Y, then Z.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -6,11 +6,11 @@
 
 namespace voluta::project {
 
-// To a thousandth of a degree; the angles nearest to no turn.
+// Returns the angles rounded to a thousandth of a degree; of equivalent triples the smallest.
 Eigen::Vector3d turnDegrees(const Eigen::Quaterniond& turn);
 Eigen::Quaterniond turnOfDegrees(const Eigen::Vector3d& degrees);
 
-// "90,0,-45.5": turnDegrees().
+// Returns turnDegrees() as text, e.g. "90,0,-45.5".
 std::string turnText(const Eigen::Quaterniond& turn);
 // Throws Error{Usage}.
 Eigen::Quaterniond parsedTurn(const std::string& text);

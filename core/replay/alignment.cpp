@@ -13,7 +13,7 @@ namespace {
 
 using geometry::angleBetween;
 
-// Rounding of a dialect's digits: a pair this close is taken without looking further.
+// Rounding error of a dialect's digits: a pair this close is accepted without comparing neighbours.
 constexpr double kRoundingMm = 0.01;
 constexpr std::size_t kRunOfAgreement = 3;
 
@@ -72,17 +72,18 @@ private:
   bool same(std::size_t i, std::size_t j) const {
     return distance(i, j) <= options_.sameMm && angle(i, j) <= options_.sameRad;
   }
-  // Where points lie closer together than `sameMm`, the next one may fit better: then this pair is
-  // not taken, and the gap is seen where it is.
+  // Returns whether the pair agrees. Where points are closer together than `sameMm`, the next point
+  // may fit better: this pair is then rejected, so that a gap is found at its true position.
   bool agreesHere(std::size_t i, std::size_t j) const {
     if (!same(i, j))
       return false;
     const double d = distance(i, j);
     return d <= kRoundingMm || j + 1 >= points_.size() || distance(i, j + 1) >= d;
   }
-  // A piece on the way whose follower is nearer: pieces may lie closer together than `sameMm`.
+  // Returns whether motion i is an intermediate piece on the way to point j while motion i + 1 is
+  // nearer to that point. Pieces may be closer together than `sameMm`.
   bool isShortOf(std::size_t i, std::size_t j) const {
-    constexpr double kWrittenMm = 0.002; // a target is nearer to its point than that
+    constexpr double kWrittenMm = 0.002; // a written target is closer to its point than this
     return isVia_ && distance(i, j) > kWrittenMm && i + 1 < motions_.size() &&
            distance(i + 1, j) < distance(i, j) && isVia_(i, j);
   }
@@ -100,7 +101,7 @@ private:
   bool findResumption(std::size_t i, std::size_t j, std::size_t& skipMotions,
                       std::size_t& skipPoints) const {
     for (std::size_t total = 1; total <= 2 * options_.window; ++total) {
-      // Equal skips first: a moved waypoint is likelier than one deleted and another inserted.
+      // Equal skips first: a moved waypoint is likelier than a deleted one plus an inserted one.
       for (std::size_t off = total % 2; off <= total; off += 2)
         for (const bool pointsLonger : {true, false}) {
           const std::size_t less = (total - off) / 2, more = (total + off) / 2;

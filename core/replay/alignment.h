@@ -1,4 +1,4 @@
-// Which motion of a program is which point of the trajectory it was written from.
+// Alignment of a program's motions with the points of the trajectory it was written from.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,7 +15,7 @@ namespace voluta::replay {
 
 inline constexpr std::size_t kUnmatched = std::numeric_limits<std::size_t>::max();
 
-// A sequence of nozzle poses: work frame, mm; directions unit.
+// A sequence of nozzle poses in the work frame [mm]; directions are unit vectors.
 struct PoseSequence {
   const std::vector<Eigen::Vector3d>& tip;
   const std::vector<Eigen::Vector3d>& direction;
@@ -23,10 +23,10 @@ struct PoseSequence {
 };
 
 enum class DeviationKind {
-  Moved,   // motion `motion` stands for point `point` but is not there
-  Missing, // `count` points from `point` on have no motion; `motion` comes after the gap
+  Moved,   // motion `motion` belongs to point `point` but is at another position
+  Missing, // `count` points from `point` on have no motion; `motion` follows the gap
   Extra,   // `count` motions from `motion` on have no point
-  Swapped, // motions `motion` and `other` have each other's places
+  Swapped, // motions `motion` and `other` have swapped positions
   CutShort // `count` points from `point` to the last have no motion
 };
 struct Deviation {
@@ -36,25 +36,25 @@ struct Deviation {
 };
 
 struct AlignmentOptions {
-  double sameMm = 0.05;            // a target this near to its point is where it was planned
-  double sameRad = 0.01;           // likewise, angle of the nozzle's axis
-  std::size_t window = 400;        // points or motions that are searched for a place to go on
-  std::size_t maxDeviations = 500; // after that many the rest is not compared
+  double sameMm = 0.05;            // a target this close to its point is in place
+  double sameRad = 0.01;           // likewise for the angle between the nozzle axes
+  std::size_t window = 400;        // number of points or motions searched for a resumption
+  std::size_t maxDeviations = 500; // the comparison stops after this many
 };
 
 struct Alignment {
   std::vector<std::size_t> pointOf;  // per motion: its point, or kUnmatched
-  std::vector<std::size_t> leadsTo;  // per motion without one: the point that it is on the way to
-  std::vector<Deviation> deviations; // in order of the text
-  bool gaveUp = false;               // the program is another one altogether
+  std::vector<std::size_t> leadsTo;  // per motion without a point: the point it leads to
+  std::vector<Deviation> deviations; // in the order of the text
+  bool gaveUp = false;               // the text is a different program
 };
 
-// Walks both sequences in step. Where they differ, the nearest place (fewest motions and points
-// skipped) where three pairs in a row agree is where they go on; what lies between is paired as
-// moved or swapped when there are as many motions as points, else by least edits.
-// Leading and trailing motions without a point are `Extra` too. `isVia`, where given: does a motion
-// that is not at a point yet lie on the way to it? Such a one has no point and is no deviation.
-// Throws Cancelled.
+// Walks both sequences in step. After a difference, the comparison resumes at the nearest position
+// (fewest skipped motions and points) from which three pairs in a row agree. Motions and points in
+// between are paired as moved or swapped if their numbers are equal, otherwise by minimum edit
+// distance. Leading and trailing motions without a point are `Extra` too. `isVia`, if given,
+// returns whether a motion that is not at a point is on the way to it; such a motion has no point
+// and is no deviation. Throws Cancelled.
 using IsVia = std::function<bool(std::size_t motion, std::size_t point)>;
 Alignment alignToPlan(PoseSequence motions, PoseSequence points, const AlignmentOptions& options,
                       const base::RunContext& ctx, const IsVia& isVia = {});

@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of a motion's samples from the same motion's way in another run.
+// Enlarges `most` to the largest distance of a motion's samples from the path of the same motion in
+// another run.
 void stretch(Apart& most, const ExecutedPath& path, std::size_t motion, const ExecutedPath& way,
              std::size_t same, double reachMm) {
   const std::size_t begin = way.firstSample[same], end = way.firstSample[same + 1];

@@ -6,7 +6,7 @@
 namespace voluta::replay {
 
 namespace {
-constexpr double kSpeedSlack = 1.02; // rounding of speeds in a program's text
+constexpr double kSpeedSlack = 1.02; // tolerance for the rounding of speeds in a program's text
 constexpr double kJumpRad = 1.0;
 } // namespace
 

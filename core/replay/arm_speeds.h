@@ -1,4 +1,4 @@
-// Joints that are asked to go faster than they can.
+// Check of joint speeds against their limits.
 #pragma once
 
 #include "replay/executed_path.h"
@@ -8,10 +8,10 @@
 
 namespace voluta::replay {
 
-// JointSpeed and BranchJump violations of a path whose arm joints and durations are known, in
-// motion order, one line a motion: its worst joint. A joint that turns by more than a radian from
-// one sample of the arm to the next has changed its branch. What an external axis' motor takes by
-// steps is no speed; motions without a time are not judged.
+// Returns the JointSpeed and BranchJump violations of a path whose arm joints and durations are
+// known, in motion order, one per motion (its worst joint). A joint that turns by more than 1 rad
+// between two samples of the arm has changed its IK branch. Axes whose motor is moved in steps have
+// no speed; motions without a duration are not checked.
 std::vector<LimitViolation> speedViolations(const ExecutedPath& path, const robot::Cell& cell);
 
 } // namespace voluta::replay

@@ -27,7 +27,7 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
   std::vector<plan::PathKind> kind(plan.waypointCount());
   for (const plan::ToolPath& path : plan.paths)
     std::fill_n(kind.begin() + static_cast<std::ptrdiff_t>(path.first), path.count, path.kind);
-  // Points between waypoints (subdivisions) have the height of the next waypoint along the bead.
+  // Points between waypoints (subdivisions) get the height of the next waypoint along the bead.
   std::vector<std::size_t> waypointAt(trajectory.pointCount(), plan::kNoWaypoint);
   std::size_t next = plan::kNoWaypoint;
   for (std::size_t j = trajectory.pointCount(); j-- > 0;) {
@@ -35,7 +35,7 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
       next = trajectory.waypoint[j];
     waypointAt[j] = next;
     if (trajectory.move[j] != plan::MoveKind::Print)
-      next = plan::kNoWaypoint; // an approach knows nothing of what was before
+      next = plan::kNoWaypoint; // an approach does not continue the bead before it
   }
   std::vector<BeadKnowledge> result(pointOf.size());
   BeadKnowledge last{static_cast<float>(defaultHeightMm), static_cast<float>(defaultHeightMm), true,
@@ -55,11 +55,12 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
 }
 
 namespace {
-// Pieces shorter than a cell of the grid are laid by few samples, unevenly; so samples that lie on
-// a line are one piece. Blends stay within this of their chord where programs keep to theirs.
+// Pieces shorter than a grid cell would be deposited with few, uneven samples. Therefore collinear
+// samples are merged into one piece. Blends deviate from their chord by less than this sagitta if
+// the program keeps to its blends.
 constexpr double kPieceMm = 1.05, kPieceSagittaMm = 0.03;
 
-// The last sample before `end` that a straight piece from sample `start` may reach.
+// Returns the last sample before `end` that a straight piece from sample `start` may reach.
 std::size_t straightFrom(const std::vector<Eigen::Vector3d>& tip, std::size_t start,
                          std::size_t end) {
   std::size_t last = start + 1;
@@ -147,7 +148,7 @@ std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const Ex
 }
 
 void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground) {
-  constexpr double kBeneath = 1.25; // heights below the tip, as of all beads
+  constexpr double kBeneath = 1.25; // heights below the tip, as for all beads
   std::uint32_t firstRun = 0;
   bool held = false;
   std::size_t count = 0;
@@ -186,10 +187,10 @@ std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pie
 }
 
 namespace {
-// The longest stretch of consecutive pieces of one bead that share a defect.
+// The longest run of consecutive pieces of one bead that share a defect.
 struct LongestRun {
   double longestMm = 0.0;
-  std::optional<std::uint32_t> first; // piece; empty: no piece has the defect
+  std::optional<std::uint32_t> first; // first piece; empty if no piece has the defect
 
   void add(std::size_t piece, double lengthMm, bool continuesBead, bool hasDefect) {
     if (!continuesBead || !hasDefect)

@@ -1,4 +1,4 @@
-// From an executed program to pieces of bead, and what they rest on.
+// Conversion of an executed program to pieces of bead, and the test for their support.
 #pragma once
 
 #include "plan/program.h"
@@ -20,66 +20,68 @@ class RunContext;
 
 namespace voluta::replay {
 
-// What a program's text does not say of a motion's bead and its plan does.
+// Properties of a motion's bead that the plan contains but the program text does not.
 struct BeadKnowledge {
   float fromHeightMm = 0.0f, toHeightMm = 0.0f;
   bool ofPart = true; // false: support, skirt or prime
-  bool waste = false; // skirt or prime: whether it rests on anything is nobody's concern
+  bool waste = false; // skirt or prime: its support is not checked
 };
 
-// Material of a motion that takes so long, mm3: the amount that the text gives, else flow x time; 0
-// when not extruding.
+// Returns the material of a motion that takes `seconds` [mm3]: the amount given in the text,
+// otherwise flow x time; 0 if the motion does not extrude.
 double motionVolume(const plan::ProgramMotion& motion, double seconds);
-// Of motion m, as long as it takes by its text.
+// Same for motion m, with its duration by the text.
 double motionVolume(const plan::ReadProgram& program, const ExecutedPath& path, std::size_t m);
 
-// Per motion, from the points it was matched to (alignment.h: pointOf). A motion without a point
-// goes on with the height of the one before it; `defaultHeightMm` where there was none.
+// Returns the knowledge per motion, from the points the motions are matched to (alignment.h:
+// pointOf). A motion without a point keeps the height of the preceding one, or `defaultHeightMm` if
+// there is none.
 std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf,
                                          const plan::Trajectory& trajectory,
                                          const plan::ToolPlan& plan, double defaultHeightMm);
 
-// Straight pieces of about a millimetre over the samples of every extruding motion, volume by
-// length. A motion that extrudes on the spot gives a piece without length (which the depositor
-// counts as excess).
-// Precondition: volume (motionVolume) and knowledge per motion.
+// Splits the samples of every extruding motion into straight pieces of about 1 mm and distributes
+// the volume by length. A motion that extrudes without moving gives a piece of zero length, which
+// the depositor counts as excess. Precondition: volume (motionVolume) and knowledge per motion.
 std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const ExecutedPath& path,
                                   const std::vector<BeadKnowledge>& knowledge);
 
-// Waste that is laid over nothing before anything else is, falls: takes it out of the pieces.
+// Removes waste pieces at the start of the print that have no ground below them and therefore fall.
 void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground);
 
-// What is asked of a piece once it is laid and judged.
+// The data of a deposited piece that remain necessary after its support was checked.
 struct LaidPiece {
   std::uint32_t motion = 0, run = 0;
-  float runMm = 0.0f;    // as of the piece
-  float recentMm = 0.0f; // of its bead, still soft under the nozzle at its end: two widths
+  float runMm = 0.0f; // as in BeadPiece
+  // length of its bead that is still soft at the piece's end [mm]: two widths
+  float recentMm = 0.0f;
 };
-// Widths as sectionOf() has them.
+// Widths as returned by sectionOf().
 std::vector<LaidPiece> laidPieces(const std::vector<BeadPiece>& pieces, double widthMaxMm);
 
-// The index of the first piece of motion m or of a later one; motions + 1 entries.
+// Returns per motion the index of the first piece of that motion or of a later one; motions + 1
+// entries.
 std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pieces,
                                                std::size_t motions);
 
 struct SupportedBeads {
   double lengthMm = 0.0, unsupportedMm = 0.0;
-  double halfCarriedMm = 0.0;             // carried on less than half their width
-  std::vector<std::uint32_t> unsupported; // pieces, in order
-  // The longest stretch of one bead that is carried on none of its width, and its first piece.
+  double halfCarriedMm = 0.0;             // supported on less than half of its width
+  std::vector<std::uint32_t> unsupported; // piece indices, in order
+  // The longest run of one bead without support across its whole width, and its first piece.
   double longestUnsupportedMm = 0.0;
   std::uint32_t longestFrom = 0;
-  // First piece of the longest run of unsupported pieces, and of half-carried ones.
+  // First piece of the longest run of unsupported pieces, and of half-supported ones.
   std::optional<std::uint32_t> unsupportedFrom, halfCarriedFrom;
 };
 
-// A piece is supported where, at its middle, the ground or material laid before lies beneath the
-// bead within 1.25 heights of the tip: looked for at depths of 1.05 to 1.25 heights below the tip,
-// up to 0.7 heights aside (a cone of 35 degrees about the build direction; what lies beside the
-// bead in its own layer is no support). Stricter, it is carried where the ground or such material
-// lies right beneath: looked for at eight places across its width, 1.05 to 1.25 heights below the
-// tip. What the same bead laid over its last 3 mm or two widths does not count. Waste is not looked
-// at. Throws Cancelled.
+// Finds unsupported and half-supported pieces. A piece is supported if, at its middle, ground or
+// earlier material is below the bead within 1.25 heights of the tip. Probes are at depths of 1.05
+// to 1.25 heights below the tip and up to 0.7 heights to the side (a cone of 35 degrees about the
+// build direction; material beside the bead in its own layer is no support). The stricter test for
+// the carried share of the width probes directly below the bead: at eight positions across its
+// width, 1.05 to 1.25 heights below the tip. Material that the same bead deposited over its last 3
+// mm or two widths does not count. Waste is not checked. Throws Cancelled.
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
                            const GroundProbe& ground, const base::RunContext& ctx);
 

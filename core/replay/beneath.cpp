@@ -12,20 +12,22 @@ namespace voluta::replay {
 namespace {
 using Eigen::Vector3d;
 
-// Depth and distance aside of the probes, in heights; each ring has kAzimuths of them. All within
-// 1.25 heights of the tip but the last, which is there for cells that straddle the layers.
+// Depth and lateral distance of the probes, in heights; each ring has kAzimuths of them. All are
+// within 1.25 heights of the tip except the last ring, which handles cells that straddle two
+// layers.
 struct Ring {
   double depth, aside;
 };
 constexpr std::array<Ring, 4> kRings = {{{1.25, 0.0}, {1.15, 0.48}, {1.05, 0.67}, {1.2, 0.7}}};
 constexpr int kAzimuths = 12;
-// Right beneath: places across the width, and depths in heights.
+// Probes directly below: positions across the width, and depths in heights.
 constexpr int kAcross = 8;
 constexpr std::array<double, 3> kDepths = {1.05, 1.15, 1.25};
-constexpr double kWidestMm = 10.0; // no wider bead is believed
+constexpr double kWidestMm = 10.0; // upper limit for the width of a bead
 
-// Is a point in the rectangle round the section of a piece, which flow fills beside other beads? As
-// far beyond its ends as its neighbours may have been taken for it.
+// Returns whether a point is in the rectangle around a piece's section; flow fills that rectangle
+// where there are neighbouring beads. The test extends beyondMm past the piece's ends, since a cell
+// may be assigned to a neighbouring piece.
 bool isIn(const BeadPiece& piece, const Vector3d& point, double beyondMm) {
   const Vector3d way = piece.to - piece.from;
   const double length = way.norm();
@@ -41,7 +43,7 @@ bool isIn(const BeadPiece& piece, const Vector3d& point, double beyondMm) {
   const double planned = (1.0 - t) * static_cast<double>(piece.fromHeightMm) +
                          t * static_cast<double>(piece.toHeightMm);
   const double depth = -off.dot(up);
-  // A section lower than planned lies where the bead was to lie: its bottom stays.
+  // A section lower than planned keeps its bottom at the planned position.
   return depth >= planned - section.heightMm && depth <= planned &&
          std::abs(off.dot(up.cross(way).normalized())) <= 0.5 * section.widthMm;
 }

@@ -1,4 +1,4 @@
-// What one piece of bead rests on.
+// Support below one piece of bead.
 #pragma once
 
 #include "replay/depositor.h"
@@ -11,26 +11,27 @@
 
 namespace voluta::replay {
 
-// As findSupport() asks, of a piece's middle (beads.h). Keeps references to all.
+// The probes of findSupport() at a piece's middle (beads.h). Keeps references to all arguments.
 class Beneath {
 public:
   Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index, const PrintedPart& printed,
           const GroundProbe& ground);
 
   bool supported() const;
-  // Of its width, looked at in eight places.
+  // Returns the supported share of its width, from eight probes.
   double carriedShare() const;
-  // Right beneath it, so far to the left (up x way) of its middle?
+  // Returns whether there is support directly below, at this distance to the left (up x way) of its
+  // middle.
   bool carriedAt(double asideMm) const;
 
-  // Is there the ground, or material that was laid before and is not soft? Cells tell the part's
-  // surface to half their pitch, which is as much as thin layers give way: where a point's own cell
-  // is not filled but the one below it is, the bead that filled that tells whether it reaches up to
-  // the point.
+  // Returns whether there is ground at the point, or material that was deposited earlier and is no
+  // longer soft. Cells resolve the part's surface to half their pitch, which is as much as thin
+  // layers yield. If the point's own cell is not filled but the one below it is, the section of the
+  // bead that filled the lower cell decides whether it reaches up to the point.
   bool holds(const Eigen::Vector3d& point) const;
 
-  const Eigen::Vector3d& tip() const { return tip_; } // of the nozzle
-  const Eigen::Vector3d& up() const { return up_; }   // unit, into the nozzle
+  const Eigen::Vector3d& tip() const { return tip_; } // nozzle tip
+  const Eigen::Vector3d& up() const { return up_; }   // unit vector from the bead into the nozzle
   double heightMm() const { return height_; }
 
 private:

@@ -25,14 +25,14 @@ namespace {
 using enum plan::FindingKind;
 
 constexpr double kLeastMm3 = 0.005, kPrimeTolerance = 0.1;
-// Pauses that no plan has, all together; and of one how much is rounding, by share and besides.
+// Tolerated sum of unplanned pauses [s]; and per pause the relative and absolute rounding error.
 constexpr double kMostPausesS = 0.1, kPauseShare = 0.05, kPauseS = 1e-3;
-constexpr std::size_t kMostPauses = 100; // findings
+constexpr std::size_t kMostPauses = 100; // maximum number of findings
 constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0;
 constexpr double kFirstRadPerS = 1.0471975511965976, kFirstRadPerS2 = 2.0, kFirstMmPerS = 250.0;
 constexpr double kNozzleMm = 0.05, kNozzleRad = 0.01;
 constexpr double kHarder = 1.5;
-// Writers let the speed change within half the motion.
+// Writers may let the speed change within half of the motion.
 constexpr double kHalf = 2.0;
 
 class Judge {
@@ -71,7 +71,7 @@ private:
     }
   }
 
-  // A hot nozzle drips wherever it stands.
+  // A hot nozzle drips while it dwells.
   void waits() {
     std::vector<const plan::ProgramPause*> unplanned;
     double seconds = 0.0;
@@ -89,7 +89,7 @@ private:
     for (const plan::ProgramPause* p : unplanned)
       add(StandsAmidPrint, placeOfPause(*p), {{"time", base::seconds(p->durationS)}});
   }
-  // Of a pause in which nothing flows.
+  // Planned duration of a pause without flow.
   double plannedPauseS(const plan::ProgramPause& p) const {
     return std::min(p.drawnMm, process_.retractMm) / program::kDrawBackMmPerS;
   }
@@ -109,7 +109,7 @@ private:
     }
     if (std::abs(volume - planned) <= std::max(kLeastMm3, kPrimeTolerance * planned))
       return;
-    // Programs prime where the arm stands at its start.
+    // Programs prime where the arm is at the program's start.
     const std::size_t motion =
         std::min({program_.firstMotion + 1, firstBead_, program_.motions.size() - 1});
     add(PrimeChanged, most ? placeOfPause(*most) : placeOf(program_, motion),
@@ -131,8 +131,7 @@ private:
         {{"mass", base::number(kg)}, {"planned", base::number(planned)}});
   }
 
-  // Targets of the arm lead to the same places whatever the nozzle is said to be; but speeds and
-  // straight ways are those of the nozzle.
+  // The arm's targets do not depend on the stated nozzle pose, but speeds and straight paths do.
   void nozzle() {
     if (!program_.base_T_nozzle || cell_.nozzleMount() != robot::Mount::World)
       return;
@@ -149,7 +148,7 @@ private:
     if (first >= program_.motions.size())
       return;
     const plan::ProgramMotion& m = program_.motions[first];
-    if (m.target == plan::TargetKind::ToolPoint) // from home, by its head
+    if (m.target == plan::TargetKind::ToolPoint) // from home, given for the head
       return;
     if (m.jointSpeedRadPerS > kFirstRadPerS || m.jointAccelerationRadPerS2 > kFirstRadPerS2 ||
         m.speedMmPerS > kFirstMmPerS)

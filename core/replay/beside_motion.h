@@ -1,5 +1,5 @@
-// What a program does beside going where it was planned to: it waits, it primes, it tells the
-// controller how hard to speed up, what the arm carries and where a nozzle stands.
+// Checks of a program's statements besides its path: pauses, prime, accelerations, payload, and the
+// pose of a stationary nozzle.
 #pragma once
 
 #include "plan/program.h"
@@ -14,35 +14,38 @@
 
 namespace voluta::replay {
 
-// Returns the first motion that extrudes, program.motions.size() where none does. Not of the
-// motions before program.firstMotion, which are no text of its own.
+// Returns the first motion that extrudes, or program.motions.size() if there is none. Motions
+// before program.firstMotion are ignored: they are not in the text.
 std::size_t firstBeadOf(const plan::ReadProgram& program);
 
-// What the plan has flow out before its first bead: a usual bead's flow for the process' time, at
-// most the extruder's full flow. 0 where nothing is printed, and where a bead of its own fills the
-// nozzle. `firstPoint`: of the trajectory, where the program begins. mm3.
+// Returns the planned volume extruded before the first bead [mm3]: the flow of a standard bead
+// times the process's prime time, limited by the extruder's maximum flow. Returns 0 if nothing is
+// printed, or if a prime path fills the nozzle. `firstPoint`: point of the trajectory at which the
+// program begins.
 double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
                        const process::Process& process, std::size_t firstPoint = 0);
 
-// Material that pauses between the first bead and the last let out; it lies in no bead. mm3.
+// Returns the material extruded during pauses between the first bead and the last [mm3]; it is part
+// of no bead.
 double standingMm3(const plan::ReadProgram& program);
 
-// Findings of pauses, prime, load, nozzle, the first motion's speed and accelerations, each at its
-// line.
-// - A pause amid the print in which more than 0.005 mm3 flow.
-// - Pauses between the first motion and the last that the plan has not, where they come to more
-//   than 0.1 s in all: each of them, the first 100. Planned are the prime, and filament that is
-//   drawn back and returned, as far as the process has it, at kDrawBackMmPerS or faster.
-// - Before the first bead what flows is the prime, within a tenth; languages that have no word for
-//   a pause have none.
-// - The load is told within a kilogram or a factor of 3 of what is assumed (0.5 kg of plate and
-//   the part, or 1 kg of head).
-// - A nozzle that stands, where the program says where, is within 0.05 mm of the cell's, its axis
-//   within 0.01 rad.
-// - The first motion starts from wherever the arm stands: at most 60 degrees/s, 2 rad/s2,
-//   250 mm/s (the speed that safety standards have for teaching, ISO 10218-1).
-// - A straight motion speeds up at most half as hard again as the process does or as its own
-//   speeds ask for; a joint motion as the joints may.
+// Returns findings about pauses, prime, load, nozzle, the first motion's speed and accelerations,
+// each with its line:
+// - a pause during the print in which more than 0.005 mm3 flow;
+// - unplanned pauses between the first motion and the last if they exceed 0.1 s in total: one
+//   finding per pause, at most 100. Planned pauses are the prime and the retraction and return of
+//   filament, up to the process's length, at kDrawBackMmPerS or faster;
+// - volume extruded before the first bead that differs from the planned prime by more than a tenth;
+//   not for languages that cannot express a pause;
+// - a load that differs from the assumed one (0.5 kg of plate plus the part, or 1 kg of head) by
+//   more than 1 kg and by more than a factor of 3;
+// - a stationary nozzle whose stated pose differs from the cell's by more than 0.05 mm, or its axis
+//   by more than 0.01 rad;
+// - a first motion, which starts from any pose of the arm, faster than 60 degrees/s, 2 rad/s2 or
+//   250 mm/s (the speed limit of safety standards for teaching, ISO 10218-1);
+// - a straight motion whose acceleration is more than 1.5 times the process's acceleration or the
+//   one its own speeds require; a joint motion whose acceleration is more than 1.5 times the
+//   joints' limit.
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,

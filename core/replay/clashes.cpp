@@ -15,10 +15,11 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kGrain = 2048;
-// No contact, but one may come without any motion: what is printed grows.
+// Returned for cells that are not filled yet: no contact, but contact may arise without any motion
+// as the part grows.
 constexpr double kAskAgainMm = 1e-6;
 
-// What two bodies do at one sample; `pair` tells contacts apart.
+// A contact of two bodies at one sample; `pair` identifies the two.
 struct Touch {
   std::size_t sample = 0;
   int pair = 0;
@@ -33,7 +34,7 @@ Isometry3d headFrame(const Vector3d& tip, const Vector3d& direction) {
   return work_T_head;
 }
 
-// Touches of the chunks, in order of samples within each pair, become clashes.
+// Merges the touches of all chunks, in order of samples within each pair, into clashes.
 template <typename MotionOf, typename WhenOf, typename NameOf>
 std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const MotionOf& motionOf,
                           const WhenOf& whenOf, const NameOf& nameOf) {
@@ -168,11 +169,11 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidP
 namespace {
 
 struct Pair {
-  int a = 0, b = 0; // bodies, or one of these
+  int a = 0, b = 0; // indices of bodies, or one of these
 };
 constexpr int kPrintedPart = -1, kGroundBody = -2;
 
-// Material as its cells, and a simple solid round them all.
+// Material as grid cells, and a simple solid around all of them.
 struct Cells {
   Cells(const PrintedPart& printed, const robot::Cell& cell) : part(printed) {
     const voxel::VoxelGrid& g = printed.grid();
@@ -181,17 +182,17 @@ struct Cells {
       hull = robot::Box{Isometry3d(Eigen::Translation3d(centre)), half};
       reach = centre.norm() + half.norm();
     } else {
-      // What turns about x doesn't move.
+      // A rod turns the work frame about x; a solid of revolution about x does not move.
       const double r = (centre.cwiseAbs() + half).tail<2>().norm(), x = centre.x();
       hull = robot::Frustum{{x - half.x(), 0, 0}, {x + half.x(), 0, 0}, r, r};
     }
   }
   const PrintedPart& part;
   robot::Shape hull;
-  double reach = 0.0; // its points turn with the work frame at most this far from its origin
+  double reach = 0.0; // maximum distance of its points from the work frame's origin
 };
 
-// Follows the cell's bodies from sample to sample.
+// Follows the poses of the cell's bodies from sample to sample.
 class ArmFollower {
 public:
   ArmFollower(const robot::Cell& cell, const PrintedPart& printed, const GroundCells* ground,
@@ -207,7 +208,7 @@ public:
       for (const Ball& b : balls)
         reach = std::max(reach, b.centre.norm() + b.radius);
       balls_.push_back(std::move(balls));
-      // A rod is round about the axis that it turns on.
+      // A rod is rotationally symmetric about its axis of rotation.
       const bool turnsInItself =
           cell.rod() && (body.frame == cell.workFrame() || body.frame == cell.axisFrame(0));
       reach_.push_back(turnsInItself ? 0.0 : reach);
@@ -245,7 +246,7 @@ private:
     return frames_[static_cast<std::size_t>(cell_.bodies()[static_cast<std::size_t>(body)].frame)];
   }
 
-  // Takes off each pair's slack what its bodies have moved towards each other at most.
+  // Reduces each pair's slack by the maximum displacement of its two bodies.
   void moveOn() {
     if (!last_.empty()) {
       std::vector<double>& moved = moved_;
@@ -268,7 +269,7 @@ private:
     last_ = frames_;
   }
   static double motionBound(const Isometry3d& from, const Isometry3d& to, double reach) {
-    // |R1 - R0| in the Frobenius norm is no less than in the spectral one.
+    // The Frobenius norm of R1 - R0 is an upper bound for its spectral norm.
     return (to.translation() - from.translation()).norm() +
            reach * (to.linear() - from.linear()).norm();
   }
@@ -284,7 +285,7 @@ private:
                              bx[i].radius - by[j].radius;
         if (apart >= nearest)
           continue;
-        // Far apart the balls say enough.
+        // For distant bodies the distance between their balls suffices.
         nearest = std::min(nearest, apart > 50.0 ? apart
                                                  : distanceBetween(x.shapes[i], frameOf(a),
                                                                    y.shapes[j], frameOf(b)));
@@ -292,8 +293,8 @@ private:
     return nearest;
   }
 
-  // Distance to the solid round the cells; within it, 0 if a cell is touched that is there and else
-  // kAskAgainMm.
+  // Returns the distance to the solid around the cells. Inside the solid, returns 0 if a printed
+  // cell is touched, otherwise kAskAgainMm.
   double cellsDistance(int a, const Cells& cells, const PrintState& moment, Vector3d& where) const {
     const robot::Body& body = cell_.bodies()[static_cast<std::size_t>(a)];
     const Isometry3d& base_T_work = frames_[static_cast<std::size_t>(cell_.workFrame())];

@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Collects findings; those of one kind in consecutive motions become one.
+// Collects findings and merges those of one kind in consecutive motions.
 class Report {
 public:
   Report(const plan::ReadProgram& program, const ExecutedPath& path)
@@ -61,7 +61,7 @@ base::Quantity degreesOf(double rad) {
   return base::degrees(base::radiansToDegrees(rad));
 }
 
-// "line 12"
+// Returns "line 12".
 base::Message lineOf(const plan::ReadProgram& program, std::size_t motion) {
   const plan::ProgramLine at = programLine(program, placeOf(program, motion));
   const std::string file = std::to_string(at.file), line = std::to_string(at.line);
@@ -82,7 +82,7 @@ void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajecto
         report.atMotion(WaypointTilted, d.motion, {{"angle", degreesOf(d.angleRad)}});
       break;
     case DeviationKind::Missing:
-      // Lines without a motion may stand in a gap, so both of its ends are named.
+      // The gap may contain lines without a motion, so both of its ends are named.
       if (d.motion == 0)
         report.atMotion(WaypointsMissingBefore, d.motion, {{"motions", d.count}}, d.count);
       else
@@ -108,8 +108,9 @@ void tellDeviations(const Alignment& alignment, const plan::Trajectory& trajecto
     report.add(OtherProgram, {});
 }
 
-// Does the nozzle pass there on its straight way to that point of the plan? A table's turn between
-// two directions need not be the shortest: by as much again as they are apart it may lean aside.
+// Returns whether the nozzle passes there on its straight path to that point of the plan. A table's
+// rotation between two directions need not be the shortest: the tilt may deviate by as much again
+// as the angle between them.
 bool goesStraightBy(const PlannedNozzle& planned, const plan::Trajectory& trajectory,
                     std::size_t point, const Vector3d& tip, const Vector3d& direction) {
   constexpr double kSameMm = 0.02, kSameRad = 0.01;
@@ -122,12 +123,13 @@ bool goesStraightBy(const PlannedNozzle& planned, const plan::Trajectory& trajec
              2.0 * geometry::angleBetween(from, to) + kSameRad;
 }
 
-// A motion to a point of the plan with the pieces before it that lead there.
+// A motion to a point of the plan together with the preceding pieces that lead there.
 struct WholeMotion {
-  std::size_t first; // motion
+  std::size_t first; // index of the first motion
   double volumeMm3 = 0.0, durationS = 0.0;
 };
-// By its text; of a joint motion with its ramps where the text gives them.
+// Returns the motion's duration by the text; for a joint motion including its ramps if the text
+// gives them.
 double textS(const plan::ReadProgram& program, const ExecutedPath& path, std::size_t m) {
   const plan::ProgramMotion& motion = program.motions[m];
   return m > 0 && path.arm && motion.jointInterpolated
@@ -145,7 +147,8 @@ WholeMotion wholeMotion(const plan::ReadProgram& program, const ExecutedPath& pa
   return whole;
 }
 
-// What is left of sequences without what is aside, and what was found there told of all of them.
+// The sequences without the motions marked as aside, and the conversion of a result for them to
+// indices of all motions.
 class WithoutAside {
 public:
   WithoutAside(const plan::ReadProgram& program, const std::vector<Vector3d>& tip,
@@ -203,7 +206,7 @@ Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& pat
                        const PlannedNozzle& planned, const plan::Trajectory& trajectory,
                        const robot::Cell& cell, const base::RunContext& ctx) {
   JointArcs arcs(trajectory, cell, program.tellsDirections);
-  // Of directions that no word tells none is another.
+  // If the program states no directions, all directions are treated as equal.
   const std::vector<Vector3d> upOfMotions(program.tellsDirections ? 0 : path.motionCount(),
                                           Vector3d::UnitZ()),
       upOfPoints(program.tellsDirections ? 0 : planned.tip.size(), Vector3d::UnitZ());
@@ -310,13 +313,13 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
     if (m > 0 && print && path.arm && program.motions[m].jointInterpolated &&
         !program.beadsByJoints)
       report.atMotion(BeadByJoints, m);
-    std::size_t before = whole.first - 1; // the motion to where it begins
+    std::size_t before = whole.first - 1; // the motion to the start of this one
     while (whole.first > 0 && before > 0 && program.motions[before].aside)
       --before;
     if (whole.first == 0 || j == 0 || !inPlace(before) || pointOf[before] + 1 != j)
       continue;
-    // The time a motion takes is its length by its speed; a bead may be slower where the extruder
-    // is at its end.
+    // A motion's duration is length divided by speed; a bead may be slower where the extruder
+    // reaches its limit.
     const double dt = trajectory.timeS[j] - trajectory.timeS[j - 1];
     const double time = whole.durationS;
     const bool known = !(program.time.jointsInPercent && program.motions[m].jointInterpolated);
@@ -352,7 +355,7 @@ PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& plann
                                       path.targetDirection[m].dot(planned.direction[j]));
       if (program.tellsDirections && !piece)
         w.rad = std::max(w.rad, angle);
-      // A dialect without joint motions goes straight where the plan has a free travel.
+      // A dialect without joint motions moves straight where the plan has a free travel.
       const bool endOnly = m == 0 || trajectory.move[j] == plan::MoveKind::Joint;
       if (endOnly && piece)
         continue;
@@ -376,7 +379,8 @@ PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& plann
           w.motion = m;
         }
       }
-      // A target beside the plan's line may still lie on it: that is no deviation of the path.
+      // A target off its planned point may still be on the planned line: that is no deviation of
+      // the path.
     }
   });
   PathDeviation result;

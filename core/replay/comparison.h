@@ -1,5 +1,5 @@
-// The program's text against the trajectory it was written from: every difference a finding that
-// names its line.
+// Comparison of a program's text with the trajectory it was written from; every difference is a
+// finding with its line.
 #pragma once
 
 #include "plan/finding.h"
@@ -20,18 +20,19 @@ class RunContext;
 
 namespace voluta::replay {
 
-// Where the trajectory has the nozzle at each of its points: work frame, mm; unit, -tool z.
+// The planned nozzle pose at each point of the trajectory: tip in the work frame [mm]; direction as
+// a unit vector, -tool z.
 struct PlannedNozzle {
   std::vector<Eigen::Vector3d> tip, direction;
 };
-// Throws Cancelled. Precondition: trajectory.dof == cell.dof().
+// Precondition: trajectory.dof == cell.dof(). Throws Cancelled.
 PlannedNozzle plannedNozzle(const plan::Trajectory& trajectory, const robot::Cell& cell,
                             const base::RunContext& ctx);
 
-// The program's motions and the plan's points, walked in step (alignment.h). Pieces have no point:
-// of a joint motion that the dialect cannot say, and of a straight one on a table that turns. Of a
-// program that tells no directions they do not count. What is aside has none either, and is no
-// deviation. `path`: the program's. Throws Cancelled.
+// Aligns the program's motions with the plan's points (alignment.h). Intermediate pieces have no
+// point: pieces of a joint motion that the dialect cannot express, and pieces of a straight motion
+// on a rotating table. If the program states no directions, these are ignored. Motions marked as
+// aside have no point and are no deviation. `path`: that of the program. Throws Cancelled.
 Alignment alignProgram(const plan::ReadProgram& program, const ExecutedPath& path,
                        const PlannedNozzle& planned, const plan::Trajectory& trajectory,
                        const robot::Cell& cell, const base::RunContext& ctx);
@@ -41,44 +42,45 @@ struct TextFinding {
   TextPlace place;
 };
 
-// How a finding names it: with the file where the program has several, its last motion's among
-// them.
+// Returns the line as shown in a finding; it includes the file if the program has several, which
+// the position of the last motion determines.
 plan::ProgramLine programLine(TextPlace place, TextPlace lastMotion);
 plan::ProgramLine programLine(const plan::ReadProgram& program, TextPlace place);
 
-// Returns a finding at a place of the program's text.
+// Returns a finding at a position in the program's text.
 TextFinding textFinding(const plan::ReadProgram& program, plan::FindingKind kind, TextPlace place,
                         std::vector<plan::NamedValue> values, std::size_t count = 1);
 TextPlace placeOf(const plan::ReadProgram& program, std::size_t motion);
 
 struct ComparisonOptions {
-  double sameMm = 0.05;        // as AlignmentOptions
-  double rateTolerance = 0.05; // of time and of material
-  double leastS = 1e-3;        // differences of time below are rounding
-  double leastMm3 = 0.005;     // differences of material below are rounding
-  double jointRad = 0.02;      // an arm's joint further off is another configuration
-  double externalRad = 2e-4; // an external axis further off stands elsewhere: the nozzle's path on
-                             // the part may be the same, the arm's is not
+  double sameMm = 0.05;        // as in AlignmentOptions
+  double rateTolerance = 0.05; // relative, of time and of material
+  double leastS = 1e-3;        // smaller differences in time are rounding errors
+  double leastMm3 = 0.005;     // smaller differences in material are rounding errors
+  double jointRad = 0.02;      // an arm joint that differs by more is in another configuration
+  // an external axis that differs by more is misplaced: the nozzle's path on the part may be the
+  // same, but the arm's is not
+  double externalRad = 2e-4;
 };
 
-// Deviations of the alignment, defects of the reader and a missing end; and of motions (with their
-// pieces) that follow each other as their points do: time (length by speed, of joint motions with
-// the ramps that the text gives) and material that
-// differ by more than 5 %, the extruder on over a travel or off over a print, a bead by joints,
-// joints in another configuration, external axes elsewhere. Differences of one kind in consecutive
-// motions are one finding, at the first of them.
+// Returns findings about deviations of the alignment, defects found by the reader and a missing
+// end. For motions (with their pieces) that follow each other as their points do, it also compares
+// time (length divided by speed; joint motions with the ramps given in the text) and material, with
+// a tolerance of 5 %, and reports an extruder that is on during a travel or off during a print, a
+// bead printed by a joint motion, joints in another configuration, and misplaced external axes.
+// Differences of one kind in consecutive motions form one finding at the first of them.
 std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,
                                          const PlannedNozzle& planned,
                                          const plan::Trajectory& trajectory,
                                          const Alignment& alignment,
                                          const ComparisonOptions& options);
 
-// Greatest distance of the executed nozzle from the planned polyline, of motions that have a
-// point, and greatest angle of its axis at their targets. Joint motions have no polyline: of them
-// only the ends count. Throws Cancelled.
+// Largest distance of the executed nozzle from the planned polyline, over motions with a point, and
+// largest angle between the nozzle axes at their targets. Joint motions have no polyline: only
+// their ends count. Throws Cancelled.
 struct PathDeviation {
   double mm = 0.0, rad = 0.0;
-  std::size_t motion = 0; // of the greatest distance
+  std::size_t motion = 0; // motion with the largest distance
 };
 PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& planned,
                             const plan::Trajectory& trajectory, const plan::ReadProgram& program,

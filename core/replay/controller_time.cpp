@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kLeastMm = 1e-9;
 
-// From speed v0 over `way` to v1, at most v, up and down at a. v0 and v1 are in each other's reach.
+// Returns the time of a trapezoidal speed profile over `way` from speed v0 to v1, with at most v
+// and acceleration a. Precondition: v1 is reachable from v0 and vice versa.
 double trapezoidS(double way, double v0, double v, double v1, double a) {
   const double up = (v * v - v0 * v0) / (2.0 * a), down = (v * v - v1 * v1) / (2.0 * a);
   if (up + down <= way)
@@ -35,9 +36,9 @@ public:
 private:
   struct Leg {
     bool straight = false, timed = false;
-    double way = 0.0;          // mm that the speed is of
-    double speed = 0.0;        // at most
-    double acceleration = 0.0; // 0: at once
+    double way = 0.0;          // path length that the speed refers to [mm]
+    double speed = 0.0;        // maximum speed
+    double acceleration = 0.0; // 0: instantaneous
     double end = 0.0;          // speed at its end
   };
 
@@ -69,7 +70,7 @@ private:
       legs_[m].end = cornerSpeed(m);
   }
 
-  // Of the TCP through the corner at the end of motion m, as a speed of its leg.
+  // Returns the TCP's speed through the corner at the end of motion m.
   double cornerSpeed(std::size_t m) const {
     const Leg &in = legs_[m], &out = legs_[m + 1];
     if (!in.straight || !out.straight || in.way < kLeastMm || out.way < kLeastMm)
@@ -78,7 +79,7 @@ private:
     const bool stands = motions_[m].blendMm <= 0.0 && model_.junctionMm <= 0.0;
     if (stands && std::max(in.acceleration, out.acceleration) > 0.0)
       return 0.0;
-    // Time rules: the corner is taken as fast as that wants.
+    // A given time takes precedence: the corner is passed at the speed it requires.
     if (in.timed || out.timed)
       return speed;
     const double a = std::min(in.acceleration, out.acceleration), turn = path_.cornerRad[m];
@@ -112,7 +113,7 @@ private:
   static double reach(double speed, const Leg& leg) {
     return std::sqrt(speed * speed + 2.0 * leg.acceleration * leg.way);
   }
-  // What lies behind the motions that the controller knows is a stop to it.
+  // The controller assumes a stop behind the last motion of its look-ahead.
   void lookAheadOnly() {
     for (std::size_t m = 1; m < motions_.size(); ++m) {
       double way = 0.0, a = 0.0;

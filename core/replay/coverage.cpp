@@ -11,10 +11,11 @@ namespace voluta::replay {
 
 namespace {
 
-// Lines a cell, along x and along y: few where they agree, more where a steep wall passes.
+// Lines per cell along x and along y: few where their crossings agree, more where a steep wall
+// passes.
 constexpr int kFewLines = 2, kManyLines = 6;
 
-// Adds the length of [low, high] (in cells, from the column's foot) to the cells it passes.
+// Adds the length of [low, high] (in cells, from the column's bottom) to the cells it passes.
 void addSpan(double low, double high, std::vector<float>& column) {
   low = std::max(low, 0.0);
   high = std::min(high, static_cast<double>(column.size()));
@@ -67,7 +68,7 @@ PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuer
     }
     return hits.size();
   };
-  // Sum over lines^2 lines of a column of cells; do all cross the part equally often?
+  // Sums lines^2 lines of a column of cells; returns whether all cross the part equally often.
   const auto columnOfCells = [&](int i, std::size_t j, int lines,
                                  std::vector<geometry::MeshQuery::Hit>& hits,
                                  std::vector<float>& fill) {
@@ -123,7 +124,7 @@ Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
     return std::max(0.0, static_cast<double>(beads.fill[c]) - other);
   };
   const double cellVolume = std::pow(grid.pitch, 3);
-  // Gaps are gathered over blocks, to name the place where most is missing.
+  // Gaps are accumulated over blocks to find the position where most material is missing.
   const int block = std::max(1, static_cast<int>(std::lround(3.0 / grid.pitch)));
   struct Sum {
     double covered = 0.0, part = 0.0, outside = 0.0, gap = 0.0;

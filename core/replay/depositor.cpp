@@ -15,21 +15,21 @@ namespace voluta::replay {
 
 namespace {
 
-constexpr std::size_t kBatch = 2048; // pieces whose footprints are held at once, twice
+constexpr std::size_t kBatch = 2048; // pieces per batch of footprints; two batches are in memory
 constexpr std::size_t kGrain = 64;
-// Beyond the w x h rectangle, of the width, to either side.
+// Width of the margin beyond the w x h rectangle on either side, as a share of the width.
 constexpr double kMargin = 0.25;
 
-// What a piece means for one cell, in cell volumes: bead is its material; rectangle and margin are
-// the geometric share of the cell within the displacement rectangles.
+// A piece's contribution to one cell, in cell volumes: `bead` is its material; `rectangle` and
+// `margin` are the geometric shares of the cell within the displacement rectangles.
 struct Share {
   std::uint32_t cell;
   float bead, rectangle, margin;
 };
 
-// Does a bead go on from one piece into the other, with a bend that is not sharp?
+// Returns whether a bead continues from one piece into the other without a sharp bend.
 bool goesOn(const BeadPiece& from, const BeadPiece& to) {
-  constexpr double kSharp = 0.5; // cosine: 60 degrees
+  constexpr double kSharp = 0.5; // cosine of 60 degrees
   constexpr double kSameMm = 1e-6;
   const Eigen::Vector3d a = from.to - from.from, b = to.to - to.from;
   const double lengths = a.norm() * b.norm();
@@ -37,14 +37,14 @@ bool goesOn(const BeadPiece& from, const BeadPiece& to) {
          a.dot(b) > kSharp * lengths;
 }
 
-// Scratch of one thread for the cells round a piece.
+// Scratch memory of one thread for the cells around a piece.
 class FootprintMaker {
 public:
   FootprintMaker(const voxel::VoxelGrid& grid, const DepositOptions& options)
       : grid_(grid), options_(options) {}
 
-  // `before`, `after`: the pieces that it goes on from and into, if any. Appends the piece's shares
-  // in cell order; returns the bead's volume that fell outside the grid, in cell volumes.
+  // `before`, `after`: the adjoining pieces of the same bead, if any. Appends the piece's shares in
+  // cell order; returns the bead's volume outside the grid, in cell volumes.
   double make(const BeadPiece& piece, const BeadPiece* before, const BeadPiece* after,
               std::vector<Share>& out) {
     const Eigen::Vector3d along = piece.to - piece.from;
@@ -55,7 +55,7 @@ public:
     if (length < 1e-9 || section.heightMm <= 0.0)
       return bead;
     const double w = section.widthMm, h = section.heightMm;
-    // A section lower than planned lies where the bead was to lie: its bottom stays.
+    // A section lower than planned keeps its bottom at the planned position.
     const double filled = 2.0 * h / (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
     const double step = grid_.pitch / options_.samplesPerCell;
     const int nw = std::max(6, static_cast<int>(std::ceil((1 + 2 * kMargin) * w / step)));
@@ -91,19 +91,22 @@ public:
   }
 
 private:
-  // Of bead, rectangle and margin: lines, by what of their length they stand for.
+  // Weighted line counts of bead, rectangle and margin; a line's weight is the length it
+  // represents.
   using Tally = Eigen::Array4f;
   enum : Eigen::Index { kOfBead, kOfRectangle, kOfMargin };
-  // What is laid out in lines along the piece: `counts` of them across and down.
+  // The volume around a piece, divided into lines along it: `counts` of them across and down.
   struct Slab {
     const BeadPiece& piece;
     Eigen::Vector3d side0, side1;
     Eigen::Vector2i counts;
     double width, height;
-    double filled; // the section's share of the planned height, from below
+    // ratio of the section's height to the planned height; the section fills the lower part
+    double filled;
   };
 
-  // Across the joint of two pieces, a miter: on a bend both end there. Of one piece: across it.
+  // Returns the direction across the joint of two pieces: at a bend, the miter at which both end;
+  // for a single piece, its perpendicular.
   static Eigen::Vector3d sideAt(const Eigen::Vector3d& direction, const BeadPiece& before,
                                 const BeadPiece& after) {
     const auto across = [&](const BeadPiece& piece) -> Eigen::Vector3d {
@@ -130,7 +133,7 @@ private:
     };
     take(piece.from, piece.fromDirection, side0, piece.fromHeightMm);
     take(piece.to, piece.toDirection, side1, piece.toHeightMm);
-    // Directions are blended along the piece and may bulge beyond its ends' corners.
+    // Directions are interpolated along the piece and may bulge beyond the corners at its ends.
     const Eigen::Vector3d slack = Eigen::Vector3d::Constant(0.5 * grid_.pitch);
     low_ = grid_.cellOf(Eigen::Vector3d(low) - slack);
     const Eigen::Vector3i top = grid_.cellOf(Eigen::Vector3d(high) + slack);
@@ -141,7 +144,7 @@ private:
                     Tally(Tally::Zero()));
   }
 
-  // Counts lines into tallies_; returns how many of them are of the bead.
+  // Counts lines into tallies_; returns how many of them belong to the bead.
   double tally(const Slab& slab) {
     const int nw = slab.counts.x(), nh = slab.counts.y();
     const auto inCells = [&](const Eigen::Vector3d& v) {
@@ -160,12 +163,12 @@ private:
     // On a bend the outside is longer than the inside.
     const Eigen::Vector3d way = slab.piece.to - slab.piece.from;
     const auto widens = static_cast<float>(way.dot(slab.side1 - slab.side0) / way.squaredNorm());
-    // Lines are shifted against each other by fractions of a golden-ratio kind, so that no row of
-    // them runs in step with the cells.
+    // Lines are shifted against each other by fractions related to the golden ratio, so that no row
+    // of them is in step with the cells.
     constexpr float kR1 = 0.7548776662466927f, kR2 = 0.5698402909980532f;
     const Floats none = {};
-    // A quarter of the width apart the four lie in cells of their own: none waits for another's
-    // sum.
+    // The four lanes are a quarter of the width apart and so fall into different cells: no addition
+    // has to wait for another one.
     const int quarter = (nw + kLanes - 1) / kLanes;
     const Floats first = static_cast<float>(quarter) * Floats{0.0f, 1.0f, 2.0f, 3.0f};
     for (int c = 0; c < nh; ++c)
@@ -173,12 +176,12 @@ private:
         const Floats row = none + static_cast<float>(c), column = static_cast<float>(b) + first;
         const Floats x =
             ((column + base::fractionOf(kR1 * row + kR2)) / static_cast<float>(nw) - 0.5f) * across;
-        // Beyond the last line is none.
+        // There are no lines beyond the last one.
         const Floats share =
             column < static_cast<float>(nw) ? base::max(none, 1.0f + x * widens) : none;
         const Floats depth =
             (row + base::fractionOf(kR1 * column + kR2 * row)) / static_cast<float>(nh);
-        const Floats below = 1.0f - filled + depth * filled; // the tip, in heights
+        const Floats below = 1.0f - filled + depth * filled; // from the tip, in heights
         const Floats off = depth * height - half, end = base::max(none, base::absOf(x) - flat);
         const Floats rectangle = base::absOf(x) <= halfWidth ? share : none;
         const Floats bead = end * end + off * off <= half * half ? share : none;
@@ -210,12 +213,12 @@ private:
   std::vector<Tally> tallies_;
 };
 
-// Lays pieces one after the other.
+// Deposits pieces one after the other.
 class Layer {
 public:
   explicit Layer(BeadGrid& result) : result_(result) {}
 
-  // Returns what found no room, in cell volumes.
+  // Returns the volume that found no room, in cell volumes.
   double lay(const Share* shares, std::size_t count, std::uint32_t piece, bool ofPart) {
     placed_.assign(count, 0.0f);
     double left = 0.0;
@@ -236,7 +239,8 @@ public:
   }
 
 private:
-  // The difference that a float really takes on is what counts as put: nothing is lost to rounding.
+  // Only the difference that the float actually changes by counts as deposited: nothing is lost to
+  // rounding.
   double put(std::uint32_t cell, double amount, float& placed) {
     float& fill = result_.fill[cell];
     const float before = fill;
@@ -298,8 +302,8 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
     result.otherFill = base::ZeroedArray<float>(grid.cellCount());
   const double cellVolume = std::pow(grid.pitch, 3);
 
-  // Footprints don't depend on what lies there already: those of a batch are made side by side
-  // while the batch before it is laid, one by one.
+  // Footprints do not depend on earlier material: the footprints of a batch are computed in
+  // parallel while the preceding batch is deposited piece by piece.
   struct Chunk {
     std::vector<Share> shares;
     std::vector<std::size_t> end;
@@ -337,7 +341,7 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
   Batch making, laying;
   for (std::size_t first = 0; first < pieces.size() + kBatch; first += kBatch) {
     ctx.report(std::min(1.0, static_cast<double>(first) / static_cast<double>(pieces.size())),
-               "laying beads"_text);
+               "depositing beads"_text);
     const std::size_t left = pieces.size() - std::min(first, pieces.size());
     const std::size_t chunks = (std::min(kBatch, left) + kGrain - 1) / kGrain;
     base::parallelChunks(ctx, chunks + 1, 1, [&](std::size_t begin, std::size_t end) {

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kTolerance = 1e-4;
 
-// (radius, z) against the trapezoid under the line (r0, z0) - (r1, z1).
+// Squared distance from (radius, z) to the trapezoid under the line (r0, z0) - (r1, z1).
 double trapezoidSquared(const Vector2d& p, double r0, double z0, double r1, double z1) {
   const auto toSegment = [&](const Vector2d& a, const Vector2d& b) {
     const Vector2d ab = b - a;
@@ -68,7 +68,8 @@ struct PointDistance {
   }
 };
 
-// The point of the solid's core farthest along `d`; the solid is the core grown by coreRadius.
+// Returns the point of the solid's core farthest along `d`; the solid is the core grown by
+// coreRadius.
 struct Support {
   const Vector3d& d;
 
@@ -110,7 +111,8 @@ Vector3d supportOf(const robot::Shape& shape, const Eigen::Isometry3d& frame_T_s
   return frame_T_shape * std::visit(Support{local}, shape);
 }
 
-// Up to four points; reduced to the smallest set whose hull holds the point nearest the origin.
+// Up to four points; reduced to the smallest set whose convex hull contains the point nearest the
+// origin.
 struct Simplex {
   std::array<Vector3d, 4> w = {Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(),
                                Vector3d::Zero()};
@@ -120,7 +122,7 @@ struct Simplex {
     Vector3d best = w[0];
     double least = std::numeric_limits<double>::infinity();
     Simplex kept;
-    // All faces: with four points at most fifteen subsets, each in closed form.
+    // Checks all faces: at most fifteen subsets of four points, each in closed form.
     for (int set = 1; set < (1 << size); ++set) {
       Simplex face;
       for (int k = 0; k < size; ++k)
@@ -141,7 +143,8 @@ struct Simplex {
   }
 
 private:
-  // The origin's projection on the affine hull, where it falls inside the simplex.
+  // Computes the origin's projection onto the affine hull; returns false if it is outside the
+  // simplex.
   bool projection(Vector3d& v) const {
     if (size == 1) {
       v = w[0];
@@ -185,8 +188,8 @@ private:
   }
 };
 
-// Of two convex solids, given by their farthest points along a direction; `v`: from one of the
-// second's points to one of the first's.
+// Returns the distance of two convex solids given by their support functions; `v`: from a point of
+// the second to a point of the first.
 template <typename SupportA, typename SupportB>
 double hullDistance(const SupportA& supportA, const SupportB& supportB, Vector3d v) {
   if (v.squaredNorm() < 1e-12)
@@ -196,7 +199,7 @@ double hullDistance(const SupportA& supportA, const SupportB& supportB, Vector3d
   for (int round = 0; round < 100; ++round) {
     const Vector3d w = supportA(-v) - supportB(v);
     const double length = v.norm();
-    // Everything lies beyond the plane through w across v.
+    // The whole difference set is beyond the plane through w perpendicular to v.
     if (simplex.size > 0) {
       lower = std::max(lower, v.dot(w) / length);
       if (length - lower <= kTolerance)
@@ -332,7 +335,7 @@ double HeadSolid::distance(const Eigen::Vector3d& point) const {
 }
 
 bool HeadSolid::within(double asideSquared, double z, double reach) const {
-  // Nearly all that is asked for lies below the tip.
+  // Nearly all queried points are below the tip.
   if (z < sections_.front().zMm - reach || z > sections_.back().zMm + reach)
     return false;
   const Vector2d p(std::sqrt(asideSquared), z);

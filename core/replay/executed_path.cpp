@@ -21,12 +21,13 @@ using robot::JointVector;
 constexpr double kPrintSampleMm = 0.5, kTravelSampleMm = 1.0;
 constexpr double kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0);
 constexpr double kArmStepJointRad = 0.03, kArmStepExternalRad = 0.1;
-constexpr double kNextRad = 0.2;          // further from one step to the next is another branch
-constexpr double kMostArmSteps = 20000.0; // a number gone wrong must not take for ever
+constexpr double kNextRad = 0.2;          // a larger step between samples is a change of branch
+constexpr double kMostArmSteps = 20000.0; // bounds the run time for absurd numbers in a program
 constexpr double kRangeSlackRad = 1e-4;   // rounding of joints in a program's text
 constexpr std::size_t kGrain = 1024;
 
-// A TCP pose in Base, the nozzle's in the work frame, or its tip and direction there.
+// A TCP pose in Base, a pose of the nozzle in the work frame, or the nozzle's tip and direction
+// there.
 struct Target {
   Vector3d position = Vector3d::Zero();
   Quaterniond turn = Quaterniond::Identity();
@@ -97,7 +98,7 @@ private:
   bool isToolPoint(std::size_t m) const {
     return motions_[m].target == plan::TargetKind::ToolPoint;
   }
-  // Told where external axes, or the flange that holds it, have the part.
+  // Whether the target is given in the frame of the part, which external axes or the flange move.
   static bool isInWork(const plan::ProgramMotion& motion) {
     return motion.target == plan::TargetKind::WorkPose ||
            motion.target == plan::TargetKind::UnitPose;
@@ -107,13 +108,14 @@ private:
     return Eigen::Map<const Eigen::VectorXd>(path_.jointsAt(m), path_.dof);
   }
 
-  // So many values; controllers may tell of further axes, which rest.
+  // Returns whether the first `count` values are given and all further ones are zero: controllers
+  // may report more axes, which are at rest.
   static bool holds(const std::vector<double>& values, int count) {
     return static_cast<int>(values.size()) >= count &&
            std::all_of(values.begin() + count, values.end(), [](double v) { return v == 0.0; });
   }
-  // A target with more or fewer values than the cell has axes is another cell's: home stands in,
-  // and the motion is out of reach.
+  // A target with another number of values than the cell has axes is for another cell. Home is then
+  // used in its place and the motion reported as out of reach.
   bool isOfThisCell(const plan::ProgramMotion& motion) const {
     if (motion.target == plan::TargetKind::Joints)
       return motion.externals.empty() ? static_cast<int>(motion.joints.size()) == cell_->dof()
@@ -134,7 +136,7 @@ private:
         q[cell_->armDof() + k] = externalOf(k, q[cell_->armDof() + k]);
     return q;
   }
-  // Texts give one number, degrees or mm as the axis is.
+  // Texts give one unit for all axes: degrees for turning axes, mm for sliding ones.
   double externalOf(int axis, double told) const {
     const bool slides = cell_->externalAxes()[static_cast<std::size_t>(axis)].limits.kind ==
                         robot::JointKind::Sliding;
@@ -166,7 +168,8 @@ private:
   Eigen::Map<const Eigen::VectorXd> externalsAt(std::size_t m) const {
     return {externalsAt_.data() + m * static_cast<std::size_t>(externals_), externals_};
   }
-  // The cell's axes with the external ones where they are at motion m at s; the arm's as in q.
+  // Returns q with the external axes as they are at fraction s of motion m; the arm's joints are
+  // unchanged.
   JointVector withExternals(std::size_t m, double s, JointVector q) const {
     if (externals_ > 0)
       q.tail(externals_) =
@@ -192,7 +195,7 @@ private:
     tip = work_T_tool.translation();
     direction = -work_T_tool.linear().col(2);
   }
-  // `q`: the external axes.
+  // `q`: provides the external axes.
   Isometry3d flangeOf(const Target& t, const JointVector& q) const {
     return inWork_ ? cell_->base_T_flange(poseOf(t), q) : poseOf(t) * tcp_T_flange_;
   }
@@ -206,7 +209,7 @@ private:
     }
     if (!isOfThisCell(motion))
       return cell_->work_T_tool(cell_->home());
-    // What the program sets other than the cell has it lies between.
+    // The program's own base and tool frames may differ from the cell's.
     if (motion.target == plan::TargetKind::WorkPose && program_.base_T_nozzle)
       return cell_->flange_T_moved().inverse() * program_.flange_T_tcp * motion.frame_T_tcp *
              program_.base_T_nozzle->inverse() * cell_->base_T_fixed();
@@ -268,7 +271,8 @@ private:
     }
   }
 
-  // The half of motion m's end blend that it can have: never more than half its neighbours.
+  // Returns the usable half of the blend at the end of motion m: at most half of either adjacent
+  // motion.
   double blendAt(std::size_t m) const {
     if (m + 1 >= motions_.size() || m == 0 || !isStraight(m) || !isStraight(m + 1))
       return 0.0;
@@ -276,7 +280,7 @@ private:
         {motions_[m].blendMm, 0.5 * path_.commandedMm[m], 0.5 * path_.commandedMm[m + 1]});
   }
 
-  // On the way of motion m, which is not straight, at s in [0,1] of its time.
+  // Returns the target at s in [0,1] of the time of motion m, which follows the points of its way.
   Target onWay(std::size_t m, double s) const {
     const std::vector<plan::NozzlePoint>& way = motions_[m].way;
     const double at = s * static_cast<double>(way.size() + 1);
@@ -292,7 +296,8 @@ private:
                    at - static_cast<double>(piece));
   }
 
-  // Straight motion m at s in [0,1] of its length, m >= 1, corners rounded.
+  // Returns the target at s in [0,1] of the length of straight motion m, m >= 1, with rounded
+  // corners.
   Target along(std::size_t m, double s) const {
     if (!motions_[m].way.empty())
       return onWay(m, s);
@@ -314,10 +319,11 @@ private:
     return between(a, b, s);
   }
 
-  // How the arm stands along some motions, one after the other.
+  // The arm's configurations along consecutive motions.
   struct ArmWalk {
     std::size_t begin = 0, end = 0; // motions
-    std::vector<double> joints;     // as ExecutedPath::armJoints, and so on
+    // this and the following as in ExecutedPath: armJoints, armMotion, ...
+    std::vector<double> joints;
     std::vector<std::uint32_t> motion;
     std::vector<float> fraction;
     std::vector<LimitViolation> violations;
@@ -330,7 +336,8 @@ private:
     }
   };
 
-  // A walk may begin wherever the motion before tells the joints: how they came there is no matter.
+  // A walk may begin after any motion with a joint target, because its joints do not depend on the
+  // motions before.
   std::vector<ArmWalk> walks() const {
     constexpr std::size_t kLeast = 500; // motions
     std::vector<ArmWalk> walks(1);
@@ -429,7 +436,8 @@ private:
         {path_.commandedMm[m] / kArmStepMm, turn / kArmStepRad, external / kArmStepExternalRad}));
   }
 
-  // The joints that reach motion m at s, nearest to q; the arm's stay where there are none.
+  // Sets q to the joints nearest to it that reach motion m at s; leaves the arm's joints unchanged
+  // and returns false if there are none.
   bool follow(std::size_t m, double s, JointVector& q, std::vector<JointVector>& scratch) const {
     const Target t = m == 0 || motions_[m].jointInterpolated || s >= 1.0
                          ? targets_[m]
@@ -441,7 +449,8 @@ private:
       return true;
     }
     robot::inverseNear(cell_->robot(), flangeOf(t, q), q, scratch);
-    // A straight motion cannot pass the elbow's other side: a target there is a jump at its end.
+    // A straight motion cannot change the elbow side on its way: a target on the other side is a
+    // jump at its end.
     if (const int elbow = s >= 1.0 && !cell_->robot().kinematics->tilts() ? motions_[m].elbow : 0)
       std::erase_if(scratch, [&](const JointVector& candidate) {
         return elbow * candidate[1] < -kRangeSlackRad;
@@ -480,7 +489,7 @@ private:
                    motion.jointSpeedRadPerS;
       } else if (m > 0 && motion.speedMmPerS > 0.0) {
         duration = path_.commandedMm[m] / motion.speedMmPerS;
-        // A pure turn has no length: the controller then turns as fast as its joints may.
+        // A pure rotation has no length; the controller then rotates as fast as the joints allow.
         if (path_.arm && path_.commandedMm[m] < 0.05)
           duration = std::max(duration, fastest(m));
       }
@@ -533,7 +542,7 @@ private:
     }
   }
 
-  // From chords over eighths, since tip and TCP may move very differently.
+  // Estimated from eight chords, because tip and TCP may move very differently.
   std::uint32_t sampleCount(std::size_t m) const {
     const double step = motions_[m].extruding ? kPrintSampleMm : kTravelSampleMm;
     Vector3d last = path_.targetTip[m - 1], direction;
@@ -561,7 +570,7 @@ private:
         last = tip;
       }
     }
-    // Chords are shorter than the curve between them.
+    // Chords are shorter than the curve.
     const double slack = plain ? 1.0 : 0.98;
     const double count = std::ceil(longest * kChords / (slack * step) - 1e-3);
     return static_cast<std::uint32_t>(std::clamp(count, 1.0, 20000.0));
@@ -573,7 +582,7 @@ private:
   const base::RunContext& ctx_;
   Isometry3d tcp_T_flange_;
   bool inWork_ = false; // targets are poses of the nozzle in the work frame, not of the TCP in Base
-  int externals_ = 0;   // axes
+  int externals_ = 0;   // number of axes
   std::vector<double> externalsAt_; // at each motion's end
   std::vector<Target> targets_;
   ExecutedPath path_;

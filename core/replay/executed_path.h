@@ -1,25 +1,24 @@
-// What a controller does with a program: poses, joints and times, and the nozzle's path in the
+// Executes a program as a controller would: poses, joints and times, and the nozzle's path in the
 // work frame.
 //
-// Interpolation assumed:
-// - straight motions move the TCP linearly in Base and turn it along the shortest rotation, both in
-//   proportion; where external axes turn the work frame, and in programs of joint values, they move
-//   the nozzle so in the work frame while the external axes turn in proportion; ToolPoint motions
-//   move the tip linearly in the work frame and turn its direction along the great circle, between
-//   the points of their way where they have one;
+// Assumed interpolation:
+// - straight motions move the TCP linearly in Base and rotate it along the shortest rotation, both
+//   in proportion. If external axes turn the work frame, and in programs of joint values, they do
+//   so with the nozzle in the work frame while the external axes turn in proportion. ToolPoint
+//   motions move the tip linearly in the work frame and rotate its direction along the great
+//   circle, from point to point of their way if they have one;
 // - a blend of radius r at a target starts r before it and ends r after it (lengths of the TCP's
-//   path) and is the parabola whose control point is the target (quadratic Bezier): the corner is
-//   cut by r/2 sin(turn/2). Rotations follow by the same (de Casteljau) construction;
+//   path). It is the parabola whose control point is the target (quadratic Bezier), which cuts the
+//   corner by r/2 sin(turn/2). Rotations follow the same (de Casteljau) construction;
 // - joint motions turn all joints in proportion and stop at their target (no blends);
-// - a Cartesian target is reached with the joint solution nearest to where the arm is, of those
-// with
-//   the elbow that it asks for; external
-//   axes stay where they are unless the target says otherwise;
-// - durations are length / speed without ramps, as the text says them (controller_time.h tells what
-//   a controller makes of them): joint motions max |dq| / joint speed; wherever joints are held
-//   against each other, sliding ones count as robot::asTurn has them;
-// - an axis that stands at multiples of a step turns evenly between them: held against its limit is
-//   what it turns less one step.
+// - a Cartesian target is reached with the joint solution nearest to the arm's present joints,
+//   among those with the elbow that the target requires; external axes keep their values unless the
+//   target states others;
+// - durations are length / speed without ramps, as programmed (controller_time.h models the
+//   controller's own timing); for joint motions max |dq| / joint speed. Where joints are compared
+//   with each other, sliding ones count as robot::asTurn converts them;
+// - an axis that is programmed at multiples of a step turns evenly between them; its speed limit is
+//   checked against its motion less one step.
 #pragma once
 
 #include "plan/program.h"
@@ -36,36 +35,37 @@ class RunContext;
 
 namespace voluta::replay {
 
-// What the arm can't do, found while running.
+// A limit that the arm or the head cannot keep, found during execution.
 enum class LimitKind { OutOfReach, JointRange, JointSpeed, BranchJump, BlendOverlap, Flow };
 struct LimitViolation {
   LimitKind kind;
   std::size_t motion = 0;
-  int joint = -1;                  // where it concerns one
-  double value = 0.0, limit = 0.0; // rad, rad/s (mm, mm/s); BlendOverlap: mm; Flow: mm3/s
+  int joint = -1;                  // -1 if it concerns no single joint
+  double value = 0.0, limit = 0.0; // rad, rad/s (mm, mm/s); BlendOverlap: mm; Flow: mm³/s
 };
 
 struct ExecutedPath {
-  bool arm = false; // joints are known
+  bool arm = false; // true: the joints are known
 
-  // Per motion: where it ends by its target, not rounded by a blend.
+  // Per motion: its end at the target, before rounding by a blend.
   std::vector<Eigen::Vector3d> targetTip, targetDirection; // work frame, mm; unit, -tool z
-  std::vector<double> commandedMm; // length the speed refers to: the TCP's in Base, or the tip's
-  std::vector<double> turnRad;     // of what the target describes, to there; 0 for ToolPoint
-  std::vector<double> cornerRad;   // between its way and the next motion's; 0 at the end
+  // length to which the speed refers: the TCP's in Base, or the tip's
+  std::vector<double> commandedMm;
+  std::vector<double> turnRad;   // rotation of the same frame during the motion; 0 for ToolPoint
+  std::vector<double> cornerRad; // between this motion and the next; 0 at the end
   std::vector<double> durationS, startS;
   int dof = 0, armDof = 0;             // all axes; those before the external ones
-  std::vector<robot::JointKind> kinds; // dof of them
-  std::vector<double> joints;          // dof x motions at each motion's end; empty without an arm
+  std::vector<robot::JointKind> kinds; // one per axis (dof)
+  std::vector<double> joints;          // dof x motions, at each motion's end; empty without an arm
 
-  // The nozzle along motion m: samples [firstSample[m], firstSample[m + 1]), the start excluded,
-  // the end included; at most 0.5 mm apart where extruding, 1 mm elsewhere.
+  // Nozzle samples along motion m: [firstSample[m], firstSample[m + 1]), without the start, with
+  // the end; at most 0.5 mm apart while extruding, else 1 mm.
   std::vector<std::size_t> firstSample; // motions + 1
   std::vector<Eigen::Vector3d> tip, direction;
 
   // Arm configurations at most 2 mm, 2 degrees of the TCP and 0.03 rad of a joint (joint motions)
-  // apart. With external axes, straight motions: 2 mm, 2 degrees of the flange and 0.1 rad of those
-  // axes.
+  // apart. With external axes, in straight motions: 2 mm, 2 degrees of the flange and 0.1 rad of
+  // those axes.
   std::vector<double> armJoints; // dof x samples
   std::vector<std::uint32_t> armMotion;
   std::vector<float> armFraction; // of its motion
@@ -73,7 +73,7 @@ struct ExecutedPath {
   std::vector<LimitViolation> violations; // in motion order
 
   std::size_t motionCount() const { return startS.size(); }
-  // A step of axis k as a turn, rad.
+  // Returns a step of axis k as a rotation [rad].
   double turnOf(int k, double step) const {
     return robot::asTurn(kinds[static_cast<std::size_t>(k)], step);
   }
@@ -89,7 +89,7 @@ struct ExecutedPath {
 ExecutedPath executeProgram(const plan::ReadProgram& program, const robot::Cell& cell,
                             const base::RunContext& ctx);
 
-// A program of ToolPoint motions only, without a cell: for tests of how motions run.
+// Executes a program of ToolPoint motions only, without a cell; for tests of motions.
 ExecutedPath executeToolPoints(const plan::ReadProgram& program, const base::RunContext& ctx);
 
 } // namespace voluta::replay

@@ -15,7 +15,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kOnMm = 1e-6; // a point this far over a surface is on it
+constexpr double kOnMm = 1e-6; // a point this far above a surface is on it
 constexpr std::size_t kMostCells = 8'000'000;
 
 struct Bounds {
@@ -34,7 +34,7 @@ voxel::VoxelGrid gridRound(const geometry::TriangleMesh& mesh, double pitchMm) {
   return gridOver(b.low, b.high, pitchMm, kMostCells);
 }
 
-// The corners of a prism's section, in the plane across x.
+// Returns the vertices of a prism's cross-section, in the plane perpendicular to x.
 std::vector<Vector2d> sectionOfRod(double radius, int sides) {
   std::vector<Vector2d> corners;
   for (int k = 0; k < sides; ++k) {
@@ -44,7 +44,7 @@ std::vector<Vector2d> sectionOfRod(double radius, int sides) {
   return corners;
 }
 
-// A piece of a rod between two points of its profile.
+// Returns the section of a rod between two points of its profile.
 robot::Shape solidOf(const platform::RodShape& rod, const Vector2d& a, const Vector2d& b) {
   if (rod.sides > 0 && a.y() == b.y())
     return robot::Prism{sectionOfRod(a.y(), rod.sides), a.x(), b.x()};
@@ -52,7 +52,7 @@ robot::Shape solidOf(const platform::RodShape& rod, const Vector2d& a, const Vec
   return robot::Frustum{{0, 0, a.x()}, {0, 0, b.x()}, within * a.y(), within * b.y()};
 }
 
-// A frame whose z is the rod's axis and whose x is angle 0.
+// Returns a frame whose z is the rod's axis and whose x is at angle 0.
 Isometry3d rodFrame() {
   Isometry3d frame = Isometry3d::Identity();
   frame.linear() << Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d::UnitX();
@@ -69,7 +69,7 @@ GroundCells::GroundCells(const geometry::TriangleMesh& mesh, double pitchMm,
   for (std::size_t c = 0; c < inside.share.size(); ++c)
     if (inside.share[c] > 127)
       cells_.filler[c] = 1;
-  // A run that no bead has: none of it is soft.
+  // A run number that no bead has, so that none of the body counts as soft.
   piece_.emplace_back().run = kNeverFilled - 1;
   part_.emplace(cells_, piece_);
 }
@@ -98,7 +98,7 @@ bool GroundProbe::inRod(const Vector3d& point, double slackMm) const {
   const platform::RodShape& rod = *platform_.rod;
   double along = point.tail<2>().norm();
   if (rod.sides > 0) {
-    // To the middle of a side what a corner's radius is to the corner.
+    // Scales the distance so that a side compares like a corner with the corners' radius.
     const double sector = 2.0 * base::kPi / rod.sides;
     const double angle = std::atan2(point.z(), point.y());
     const double inSector = angle - sector * std::floor(angle / sector);

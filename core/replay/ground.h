@@ -1,5 +1,5 @@
-// What the first beads are laid on, and what head and arm must keep clear of: the plate, rod or
-// body of a job. Work frame, mm.
+// The plate, rod or body of a job: carries the first beads, and head and arm must keep clear of it.
+// Work frame, mm.
 #pragma once
 
 #include "geometry/mesh_query.h"
@@ -23,28 +23,29 @@ struct PlacedShape {
   robot::Shape shape;
 };
 
-// A body as the cells of a grid whose greater part is in it.
+// A body as grid cells: those that are mostly inside it.
 class GroundCells {
 public:
   // Throws Cancelled.
   GroundCells(const geometry::TriangleMesh& mesh, double pitchMm, const base::RunContext& ctx);
   const PrintedPart& part() const { return *part_; }
-  // The moment from which on all of it is there.
+  // Returns a moment after which the whole body exists.
   static PrintState always() { return {.before = 1}; }
 
 private:
   BeadGrid cells_;
   std::vector<BeadPiece> piece_;
-  std::optional<PrintedPart> part_; // of the two above
+  std::optional<PrintedPart> part_; // of the two members above
 };
 
-// What lies beneath a first bead. The platform outlives it.
+// Checks for ground below a first bead. The platform must outlive it.
 class GroundProbe {
 public:
   explicit GroundProbe(const platform::PlatformSolid& platform);
 
-  // Is the point in the plate, rod or body or on it? A plate goes down without end; over the edge
-  // of a plate or the end of a rod `slackMm` count as on it.
+  // Returns whether the point is in or on the plate, rod or body. A plate extends infinitely
+  // downwards; points up to `slackMm` beyond the edge of a plate or the end of a rod count as on
+  // it.
   bool holds(const Eigen::Vector3d& point, double slackMm) const;
 
 private:
@@ -55,18 +56,18 @@ private:
   std::optional<geometry::MeshQuery> body_;
 };
 
-// What head and arm may run into.
+// Solids that head and arm may collide with.
 class GroundSolids {
 public:
-  // The plate is the cell's own body, with what carries it. `pitchMm`: of a body's cells, more
-  // where it is large. Throws Cancelled.
+  // The plate includes the cell's body that carries it. `pitchMm`: width of a body's cells,
+  // increased for large bodies. Throws Cancelled.
   GroundSolids(const platform::PlatformSolid& platform, const robot::Cell& cell, double pitchMm,
                const base::RunContext& ctx);
 
-  // Plate or rod as convex solids. Of a prism that tapers, the cone within it.
+  // Returns plate or rod as convex solids; a tapering prism is replaced by the cone inside it.
   const std::vector<PlacedShape>& solids() const { return solids_; }
-  // A unit vector out of plate or rod for a nozzle whose axis is `direction`, and the greatest
-  // coordinate of solids() along it: a head wholly beyond touches none of them.
+  // outward(): a unit vector out of plate or rod for a nozzle with axis `direction`. reachMm(): the
+  // maximum coordinate of solids() along it; a head entirely beyond it touches none of them.
   Eigen::Vector3d outward(const Eigen::Vector3d& direction) const;
   double reachMm() const { return reachMm_; }
 

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// How far a place is about: the tip's way and what of it is along the axis, the way of the axis'
-// end, pieces laid meanwhile.
+// Size of a neighbourhood: motion of the tip, its part along the axis, motion of the axis' end,
+// pieces printed in between.
 constexpr double kWayMm = 2.0, kAlongMm = 0.1, kTurn = 0.03;
 constexpr std::uint32_t kPieces = 16;
 constexpr double kRoundingMm = 1e-9;
@@ -40,7 +40,8 @@ void HeadFollower::gather(const Vector3d& tip, const Vector3d& direction,
       [&](const Vector3d& q, double reach) {
         const Vector3d r = q - tip;
         const double z = r.dot(direction), squared = r.squaredNorm();
-        // A turn moves points by their distance from the tip, along the axis and across it.
+        // A rotation moves points in proportion to their distance from the tip, along the axis and
+        // across it.
         const double turned = kTurn * (std::sqrt(squared) + reach);
         return z >= bottom - share * reach - kAlongMm - turned &&
                head_.within(squared - z * z, z, reach + kWayMm + turned);
@@ -52,8 +53,8 @@ std::optional<Vector3d> HeadFollower::touched(const Vector3d& tip, const Vector3
                                               const PrintState& moment) {
   if (!isNear(tip, direction, moment))
     gather(tip, direction, moment);
-  // Nearly all that is asked for lies below the tip. A block's reach is that of its corners; along
-  // the axis it is less.
+  // Nearly all queried cells are below the tip. A block's reach is that of its corners; along the
+  // axis it is less.
   const double bottom = head_.lowest(0.0, 1.0) - kRoundingMm,
                along = direction.lpNorm<1>() / std::sqrt(3.0);
   const auto within = [&](const Vector3d& q, double reach) {

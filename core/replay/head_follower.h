@@ -1,4 +1,4 @@
-// A head along the nozzle's path, against the part as printed so far.
+// Checks the head for collisions with the part printed so far, along the nozzle's path.
 #pragma once
 
 #include "replay/distances.h"
@@ -11,15 +11,16 @@
 
 namespace voluta::replay {
 
-// Asked place after place: from one to the next a nozzle moves little, so what the head may meet
-// about a place is gathered once and looked through until the nozzle has left it.
+// For queries at successive places: as the nozzle moves little in between, the blocks near the head
+// are gathered once and reused until the nozzle has left the neighbourhood.
 class HeadFollower {
 public:
   // Keeps references to both.
   HeadFollower(const HeadSolid& head, const PrintedPart& part) : head_(head), part_(part) {}
 
-  // The centre of a printed cell that the head holds; of several the first in the part's order,
-  // whatever was asked before. Work frame, mm; `direction`: unit, from the tip into the head.
+  // Returns the centre of a printed cell inside the head, nullopt if there is none. Of several it
+  // is the first in the part's order, independent of earlier queries. Work frame, mm; `direction`:
+  // unit, from the tip into the head.
   std::optional<Eigen::Vector3d>
   touched(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction, const PrintState& moment);
 
@@ -31,7 +32,7 @@ private:
 
   const HeadSolid& head_;
   const PrintedPart& part_;
-  // About a place, and for pieces before `before_`.
+  // The blocks near a place, from pieces before `before_`.
   Eigen::Vector3d tip_ = Eigen::Vector3d::Zero(), direction_ = Eigen::Vector3d::Zero();
   std::uint32_t before_ = 0;
   std::vector<PrintedPart::Block> blocks_;

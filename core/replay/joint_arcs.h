@@ -1,5 +1,5 @@
-// The nozzle's way in the plan's joint motions, for programs that can only go straight: they say it
-// in pieces.
+// The nozzle's path in the plan's joint motions, for programs that can only move straight and
+// approximate it in pieces.
 #pragma once
 
 #include "plan/trajectory.h"
@@ -13,13 +13,14 @@ namespace voluta::replay {
 
 class JointArcs {
 public:
-  // Both must outlive the object. Precondition: trajectory.dof == cell.dof().
-  // `directions`: do they count? Not of programs that tell none.
+  // Both must outlive the object. Precondition: trajectory.dof == cell.dof(). `directions`: whether
+  // directions are compared; false for programs that state none.
   JointArcs(const plan::Trajectory& trajectory, const robot::Cell& cell, bool directions = true)
       : trajectory_(trajectory), cell_(cell), directions_(directions) {}
 
-  // Does the joint motion to that point bring the nozzle there (work frame, mm; unit, -tool z), to
-  // 0.25 mm and 0.02 rad? False where the plan does not go by joints.
+  // Returns whether the joint motion to this point passes the nozzle pose (work frame, mm; unit,
+  // -tool z) within 0.25 mm and 0.02 rad. Returns false if the planned motion is not a joint
+  // motion.
   bool passes(std::size_t point, const Eigen::Vector3d& tip, const Eigen::Vector3d& direction);
 
 private:

@@ -1,4 +1,4 @@
-// Runs of programs of one plan that have been judged (run.h).
+// Judged runs of programs of one plan (run.h).
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Straight lines through a box of cells, four side by side.
+// Walks straight lines through a box of cells, four at a time.
 #pragma once
 
 #include "base/lanes.h"
@@ -12,21 +12,21 @@ using base::Floats;
 using base::Ints;
 using base::kLanes;
 
-// Four lines, in cells from the box's corner; by axis.
+// Four lines by axis, in cells from the box's corner.
 struct Lines {
   std::array<Floats, 3> from, to;
 };
 
-// Calls f(cells of the box, shares of the lines that lie in them), from cell to cell (Amanatides &
-// Woo 1987); a line that ends earlier than another stays in its last cell with shares of nothing.
-// Ends beyond the box but for rounding are taken into it, so far that no rounding leads out.
+// Calls f(cells of the box, share of each line in its cell), from cell to cell (Amanatides & Woo
+// 1987). A line that ends earlier stays in its last cell with share 0. Ends outside the box by
+// rounding are moved inside, far enough that rounding cannot lead out again.
 template <typename F> void alongLines(const Lines& lines, const Eigen::Vector3i& size, F&& f) {
   constexpr float kInside = 1e-3f;
   const std::array<int, 3> strides = {1, size.x(), size.x() * size.y()};
   const Floats none = {};
   Ints cell = {};
   std::array<Ints, 3> stride;
-  // In shares of the line: where the next cell begins, and how long it is.
+  // In shares of the line: start of the next cell, and length per cell.
   std::array<Floats, 3> next, across;
   for (std::size_t k = 0; k < 3; ++k) {
     const Floats first = none + kInside,

@@ -1,4 +1,4 @@
-// The part as the replay has laid it, asked for at any moment of the program.
+// The part as printed by the replay, at any moment of the program.
 #pragma once
 
 #include "replay/depositor.h"
@@ -12,9 +12,8 @@
 
 namespace voluta::replay {
 
-// What lies there when the nozzle is at some place of the program: cells filled by pieces before
-// `before`, without those that the same bead filled over its last `recentMm` (soft material under
-// the nozzle).
+// The printed part at a place of the program: cells filled by pieces before `before`, without those
+// that the same bead filled over its last `recentMm` (soft material below the nozzle).
 struct PrintState {
   std::uint32_t before = 0;
   std::uint32_t run = kNeverFilled;
@@ -23,7 +22,7 @@ struct PrintState {
 
 class PrintedPart {
 public:
-  // Keeps a reference to the beads, and of the pieces what it asks.
+  // Keeps a reference to the beads and copies the needed fields of the pieces.
   PrintedPart(const BeadGrid& beads, const std::vector<BeadPiece>& pieces);
 
   const voxel::VoxelGrid& grid() const { return beads_.grid; }
@@ -35,7 +34,7 @@ public:
     const Piece& piece = pieces_[by];
     return piece.run != moment.run || moment.runMm - piece.runMm > moment.recentMm;
   }
-  // The piece that filled the cell a point is in, kNeverFilled where that is not printed.
+  // Returns the piece that filled the cell of a point, kNeverFilled if the cell is not printed.
   std::uint32_t pieceAt(const Eigen::Vector3d& point, const PrintState& moment) const {
     const Eigen::Vector3i c = beads_.grid.cellOf(point);
     if (!beads_.grid.contains(c.x(), c.y(), c.z()))
@@ -47,9 +46,10 @@ public:
     return pieceAt(point, moment) != kNeverFilled;
   }
 
-  // A printed cell whose centre is in a solid. `within(point, reach)` tells whether a cube of cells
-  // about a point of the work frame, their centres within reach of it, may meet the solid; with
-  // reach 0 whether the point is in it. The solid lies in the ball of `radius` round `centre`.
+  // Returns a printed cell whose centre is in a solid. `within(point, reach)` returns whether a
+  // cube of cells around a point of the work frame, with centres within `reach` of it, may
+  // intersect the solid; with reach 0 whether the point is inside. The solid is inside the ball of
+  // `radius` around `centre`.
   template <typename Within>
   std::optional<std::size_t> firstWithin(const Eigen::Vector3d& centre, double radius,
                                          const PrintState& moment, const Within& within) const {
@@ -73,8 +73,8 @@ public:
     std::size_t index;
     Eigen::Vector3d middle;
   };
-  // Those filled in part before a piece that may meet what lies in a box, in the order in which
-  // firstWithin() goes through them.
+  // Collects the blocks that were partly filled before the piece `before` and may intersect the
+  // solid in a box, in the order of firstWithin().
   template <typename Within>
   void blocksWithin(const Eigen::AlignedBox3d& box, std::uint32_t before, const Within& within,
                     std::vector<Block>& out) const {
@@ -83,9 +83,9 @@ public:
       return false;
     });
   }
-  // From a block's middle to the centres of its cells, at most.
+  // Returns the maximum distance from a block's centre to the centres of its cells.
   double blockReach() const { return reachOf(0); }
-  // As firstWithin(), among the cells of one block.
+  // As firstWithin(), for the cells of one block.
   template <typename Within>
   std::optional<std::size_t> firstIn(const Block& block, const PrintState& moment,
                                      const Within& within) const {
@@ -96,7 +96,7 @@ public:
       for (int j = first.y(); j < end.y(); ++j)
         for (int i = first.x(); i < end.x(); ++i) {
           const std::size_t cell = grid().index(i, j, k);
-          // The piece that filled it lies far away in memory.
+          // Check printed() last: the piece is far away in memory.
           if (beads_.filledBy(cell) < moment.before && within(grid().centre(i, j, k), 0.0) &&
               printed(cell, moment))
             return cell;
@@ -109,7 +109,7 @@ private:
     std::uint32_t run;
     float runMm;
   };
-  // Blocks of `cells` cubed; the least filledBy in each.
+  // Blocks of `cells` cubed cells; `least`: the minimum filledBy in each.
   struct Level {
     int cells = 1;
     Eigen::Vector3i size;
@@ -130,7 +130,7 @@ private:
     return 0.8660254037844387 * grid().pitch * (levels_[level].cells - 1);
   }
 
-  // Calls visit(block) for the finest blocks within, until one answers that it was the last.
+  // Calls visit(block) for the finest blocks in the solid until it returns true.
   template <typename Within, typename Visit>
   void visitBlocks(const Eigen::AlignedBox3d& box, std::uint32_t before, const Within& within,
                    const Visit& visit) const {

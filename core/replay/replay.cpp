@@ -26,7 +26,7 @@ namespace {
 using Eigen::Vector3d;
 using enum plan::FindingKind;
 
-constexpr std::size_t kMaxListed = 100; // of one kind; the rest is counted
+constexpr std::size_t kMaxListed = 100; // of one kind; further ones are only counted
 
 class Judge {
 public:
@@ -84,9 +84,9 @@ private:
 
   struct CollectedFindings {
     plan::Findings findings;
-    std::vector<TextPlace> places; // of each
+    std::vector<TextPlace> places; // one per finding
   };
-  // What `find` adds, kept apart: to be told in its turn.
+  // Returns the findings that `find` adds, so that they can be reported later in order.
   template <typename Find> CollectedFindings collect(const Find& find) {
     CollectedFindings before{std::exchange(out_.findings, {}), std::exchange(out_.places, {})};
     find();
@@ -104,7 +104,7 @@ private:
     out_.findings.push_back(plan::makeFinding(kind, std::move(values), where, count));
     out_.places.push_back(place);
   }
-  // The finding begins with the line of that motion.
+  // Adds a finding with the line of that motion.
   void atMotion(plan::FindingKind kind, std::size_t motion, std::vector<plan::NamedValue> values,
                 const Vector3d& where, double whenS, std::size_t count = 1) {
     add(kind, std::move(values), where, place(motion), count);
@@ -152,7 +152,7 @@ private:
         point = point == kUnmatched ? kUnmatched : in_.commonPoint[point];
   }
 
-  // The material that the text lays.
+  // Computes the material that the program deposits.
   void computeMassRatio(const Run& run) {
     const std::vector<double> volume = flowingMm3(in_.program, seconds_);
     for (std::size_t m = 0; m < volume.size(); ++m)
@@ -199,7 +199,7 @@ private:
       tellSlow(m, run.pointOf);
   }
 
-  // A travel lays nothing, but one that crawls is none that was planned.
+  // A travel deposits nothing, but a very slow one is not the planned one.
   void tellSlow(std::size_t m, const std::vector<std::size_t>& pointOf) {
     constexpr double kTimes = 2.0, kSlackS = 1.0;
     const std::size_t j = pointOf[m];
@@ -207,7 +207,8 @@ private:
       return;
     const double planned = in_.trajectory.timeS[j] - in_.trajectory.timeS[j - 1];
     if (seconds_[m] <= kTimes * planned + kSlackS ||
-        path_->durationS[m] > kTimes * planned + kSlackS) // told by the text's own speeds
+        // already reported for the programmed speeds
+        path_->durationS[m] > kTimes * planned + kSlackS)
       return;
     ++out_.deviations;
     atMotion(SpeedChanged, m,
@@ -247,7 +248,7 @@ private:
     std::size_t listed = 0;
     for (std::size_t k = 0; k < all.size(); ++k) {
       const LimitViolation& v = all[k];
-      // One that goes on over the motions that follow is one.
+      // A violation that continues over the following motions counts once.
       const bool goesOn = k > 0 && all[k - 1].kind == v.kind && all[k - 1].joint == v.joint &&
                           all[k - 1].motion + 1 >= v.motion;
       if (goesOn)
@@ -336,7 +337,7 @@ private:
   Verification out_;
   const ExecutedPath* path_ = nullptr;
   std::vector<double> seconds_; // of each motion, on its controller
-  double standing_ = 0.0;       // laid while the arm stands, mm3
+  double standing_ = 0.0;       // [mm³] deposited while the arm is at rest
   std::size_t deviationMotion_ = 0;
   std::optional<Vector3d> deviationAt_, flowErrorAt_;
 };

@@ -21,10 +21,11 @@ using Eigen::Vector3d;
 using enum plan::FindingKind;
 
 constexpr std::size_t kMaxCells = 48'000'000;
-// Material further than this from part and plan is not followed: it counts as excess.
+// Material further than this from part and plan is not tracked; it counts as excess.
 constexpr double kStrayMm = 12.0;
-constexpr double kSameOfCell = 0.5, kSameInTheMean = 0.1; // of a cell of the beads' grid
-constexpr double kSameVolume = 1e-3, kLeastMm3 = 1e-6;    // of a motion's; what is no material
+constexpr double kSameOfCell = 0.5, kSameInTheMean = 0.1; // in cells of the bead grid
+// share of a motion's volume; below kLeastMm3 there is no material
+constexpr double kSameVolume = 1e-3, kLeastMm3 = 1e-6;
 
 class RunJudge {
 public:
@@ -60,7 +61,7 @@ public:
 private:
   const ExecutedPath& path() const { return out_.run.path; }
 
-  // Fills in same_ and otherOf_ where it holds.
+  // Returns whether both runs print the same beads; fills in same_ and otherOf_.
   bool laysTheSame(const JudgedRun& other) {
     const Ball head = HeadSolid(in_.process.head).ball();
     const std::vector<Apart> off =
@@ -69,7 +70,7 @@ private:
     same_.assign(off.size(), 0);
     otherOf_.assign(off.size(), kUnmatched);
     double moved = 0.0, volume = 0.0;
-    std::size_t beads = 0; // of its motions that lay something, those that are here too
+    std::size_t beads = 0; // motions of the other run that deposit material and exist here too
     for (std::size_t m = 0; m < off.size(); ++m) {
       const std::size_t o = otherOf_[m] = off[m].motion;
       const double mine = out_.run.volumeMm3[m];
@@ -91,7 +92,8 @@ private:
   std::shared_ptr<const LaidBeads> layBeads() {
     std::vector<BeadPiece> pieces = beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge);
     dropFallen(pieces, GroundProbe(in_.platform));
-    // The grid spans the part and what lies near it; a waypoint far astray must not blow it up.
+    // The grid spans the part and its surroundings; one far-off waypoint must not enlarge it
+    // without bound.
     Vector3d low = in_.part.vertices.front(), high = low;
     const auto take = [&](const Vector3d& p) {
       low = low.cwiseMin(p);
@@ -108,8 +110,8 @@ private:
       take(piece.to);
     low = (low - Vector3d::Constant(margin)).cwiseMax(mostLow);
     high = (high + Vector3d::Constant(margin)).cwiseMin(mostHigh);
-    // What lies beneath a bead is looked for in a quarter of its height: cells of more than half a
-    // height would hide it.
+    // Support below a bead is searched for within a quarter of its height, which cells of more than
+    // half a height would not resolve.
     const double ofWidth = 0.25 * in_.process.beadWidthMm;
     const double ofHeight = 0.5 * thinHeight();
     const voxel::VoxelGrid grid = gridOver(low, high, std::min(ofWidth, ofHeight), kMaxCells);
@@ -123,14 +125,15 @@ private:
                             pieces, options.widthMaxMm);
     judgeBeads(*laid, pieces);
     laid->pieces = laidPieces(pieces, 2.0 * in_.process.beadWidthMaxMm);
-    // What is met is asked for fillers alone.
+    // Collision checks need only the filling pieces.
     laid->beads.fill = {};
     laid->beads.otherFill = {};
     base::freeStorage(laid->beads.pieceExcessMm3);
     return laid;
   }
 
-  // What nine tenths of the waypoints are as thick as, or the process's height where that is less.
+  // Returns the thickness that nine tenths of the waypoints exceed, or the process's layer height
+  // if that is less.
   double thinHeight() const {
     std::vector<float> heights = in_.plan.heightMm;
     if (heights.empty())
@@ -141,7 +144,7 @@ private:
                       in_.process.layerHeightMm);
   }
 
-  // Of the mesh where it is closed (its own volume is exact); else of the grid.
+  // Returns the mesh's exact volume if the mesh is closed, else the volume on the grid.
   double partVolume(double onGrid) const {
     double sum = 0.0;
     for (std::size_t t = 0; t < in_.part.triangles.size(); ++t)
@@ -193,7 +196,7 @@ private:
            {"noRoom", base::percent(100.0 * figures.excessFraction)}},
           where, motion);
     }
-    ctx_.report(0.7, "looking beneath the beads"_text);
+    ctx_.report(0.7, "checking support below the beads"_text);
     const SupportedBeads support =
         findSupport(pieces, *laid.printed, GroundProbe(in_.platform), ctx_);
     figures.beadLengthMm = support.lengthMm;
@@ -222,7 +225,7 @@ private:
   }
 
   void findClashes(const JudgedRun* known) {
-    ctx_.report(0.72, "looking for collisions"_text);
+    ctx_.report(0.72, "checking for collisions"_text);
     const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
     const bool armToo = known && known->run.path.arm && path().arm;
     if (known)
@@ -236,7 +239,7 @@ private:
     const std::vector<std::uint32_t> firstPiece = firstPieces(known);
     out_.head = headClashes(path(), out_.laid->pieces, firstPiece, *out_.laid->printed,
                             *out_.laid->underside, in_.process, ground, same_, ctx_);
-    ctx_.report(0.97, "looking for collisions"_text);
+    ctx_.report(0.97, "checking for collisions"_text);
     out_.arm = armClashes(path(), firstPiece, *out_.laid->printed, ground, in_.cell, armSame, ctx_);
     if (known) {
       takeOver(known->head, same_, known->run.path, out_.head);
@@ -244,8 +247,8 @@ private:
     }
   }
 
-  // Of each of its motions, among pieces that may be numbered by the motions of the run that lent
-  // them.
+  // Returns the first piece of each motion. The pieces may be shared by a known run and then be
+  // numbered by its motions.
   std::vector<std::uint32_t> firstPieces(const JudgedRun* known) const {
     const std::size_t motions = path().motionCount();
     if (!known)
@@ -265,7 +268,7 @@ private:
         mineOf_[otherOf_[m]] = m;
   }
 
-  // A contact that goes on into a motion that is another is looked for anew as a whole.
+  // A contact that continues into a motion that differs is checked again as a whole.
   void lend(const Clash& c) {
     bool whole = true;
     for (std::size_t o = c.motion; o <= c.lastMotion; ++o)
@@ -278,7 +281,7 @@ private:
   }
 
   bool sameJoints(const ExecutedPath& other, std::size_t motion) const {
-    constexpr double kSameRad = 2e-4; // a tenth of a millimetre, half a metre away
+    constexpr double kSameRad = 2e-4; // a tenth of a millimetre at half a metre
     if (other.dof != path().dof || otherOf_[motion] == kUnmatched)
       return false;
     for (int k = 0; k < path().dof; ++k)
@@ -318,8 +321,8 @@ private:
   const ReplayThresholds& limits_;
   const base::RunContext& ctx_;
   JudgedRun out_;
-  std::vector<char> same_; // per motion: as in the run that is known
-  // Motions to the same point of the plan: of that run, per motion, and the other way round.
+  std::vector<char> same_; // per motion: as in the known run
+  // Motions to the same point of the plan: the known run's per motion of this run, and the inverse.
   std::vector<std::size_t> otherOf_, mineOf_;
 };
 

@@ -1,4 +1,4 @@
-// A program's run, apart from the words that say it: material, what it rests on, what meets.
+// The run of a program independent of its language: material, its support and collisions.
 #pragma once
 
 #include "plan/finding.h"
@@ -22,16 +22,17 @@ class RunContext;
 
 namespace voluta::replay {
 
-// A program as it runs.
+// A program's execution.
 struct Run {
   ExecutedPath path;
-  std::vector<double> volumeMm3;        // per motion
-  std::vector<std::size_t> pointOf;     // per motion: its point of the trajectory, or kUnmatched
-  std::vector<std::size_t> commonPoint; // likewise, by its number for all programs of the plan
+  std::vector<double> volumeMm3;    // per motion
+  std::vector<std::size_t> pointOf; // per motion: its point of the trajectory, or kUnmatched
+  // as pointOf, but with the numbering common to all programs of the plan
+  std::vector<std::size_t> commonPoint;
   std::vector<BeadKnowledge> knowledge; // per motion
 };
 
-// Something about the beads, found at one motion or nowhere in particular.
+// A finding about the beads, at one motion or at none in particular.
 struct BeadFinding {
   plan::FindingKind kind;
   std::vector<plan::NamedValue> values;
@@ -40,45 +41,46 @@ struct BeadFinding {
   std::size_t count = 1;
 };
 
-// The material of a run, as laid.
+// The deposited material of a run.
 struct LaidBeads {
   std::vector<LaidPiece> pieces;
   BeadGrid beads; // without fill
   std::optional<PrintedPart> printed;
-  std::optional<Underside> underside; // of the head over the pieces
+  std::optional<Underside> underside; // of the head, against the pieces
 };
 
-// A run with what was found in it. Kept for others to be lent, it is without what no other asks:
-// its targets, lengths and durations, the arm between them, its points and what is known of them.
+// A run and its results. A run kept for reuse lacks the data that no other run needs: its targets,
+// lengths and durations, the arm's configurations between them, its points and their knowledge.
 struct JudgedRun {
   Run run;
   std::shared_ptr<const LaidBeads> laid;
-  RunFigures figures;             // collisions and collidingWaypoints of the clashes below
-  std::vector<BeadFinding> beads; // by the thresholds that it was judged with
-  std::vector<Clash> head, arm;   // in no order
+  RunFigures figures; // collisions and collidingWaypoints are those of the clashes below
+  std::vector<BeadFinding> beads; // for the thresholds it was judged with
+  std::vector<Clash> head, arm;   // unordered
 };
 
-// Lays the run's beads and looks for what meets. The input's program is not asked.
+// Deposits the run's beads and checks them for support and collisions. Does not use the input's
+// program.
 //
-// A run of `judged` that lays the same beads lends its own, and its clashes for the motions that
-// are the same; the first such run. Motions are the same where tip and head keep within half a cell
-// of the beads' grid (nearer it tells no contact) and the material is the same; beads are, where
-// all that extrude are the same and lie, by volume, no more than a tenth of a cell apart in the
-// mean. Throws Cancelled.
+// Reuses the beads of the first run of `judged` that deposits the same ones, and its clashes for
+// unchanged motions. Motions are unchanged if tip and head stay within half a cell of the bead grid
+// (contacts are not resolved more finely) and the material is the same. Beads are the same if all
+// extruding motions have a counterpart and are, weighted by volume, at most a tenth of a cell apart
+// in the mean. Throws Cancelled.
 JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& thresholds,
                    const JudgedRuns& judged, const base::RunContext& ctx);
 
-// What a run that is told of is kept as.
+// Returns a judged run without the data that reuse does not need.
 JudgedRun strippedForReuse(JudgedRun run);
 
-// How far a motion of one run is from the motion of another to the same point of the plan.
+// The distance of a motion in one run from the motion to the same point of the plan in another.
 struct Apart {
-  std::size_t motion = kUnmatched; // of the other run; kUnmatched: it has none
-  double tipMm = 0.0;  // the nozzle's tip from the other's way, at most; either way round
-  double headMm = 0.0; // the head's far end likewise
+  std::size_t motion = kUnmatched; // of the other run; kUnmatched: none
+  double tipMm = 0.0;  // maximum distance of the tip from the other's path, in both directions
+  double headMm = 0.0; // same for the far end of the head
 };
-// Per motion of b, from those of a, by their common points; `reachMm`: of the head along its axis.
-// Throws Cancelled.
+// Returns an entry per motion of b, compared with the motions of a by their common points.
+// `reachMm`: of the head along its axis. Throws Cancelled.
 std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base::RunContext& ctx);
 
 } // namespace voluta::replay

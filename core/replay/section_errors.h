@@ -1,4 +1,4 @@
-// What the beads get at the speeds that the controller really has (controller_time.h).
+// Bead sections at the speeds that the controller really reaches (controller_time.h).
 #pragma once
 
 #include "plan/program.h"
@@ -11,21 +11,21 @@
 
 namespace voluta::replay {
 
-// Of a bead's section: a motion that lays more or less than that is in error.
+// Share of a bead's section by which a motion may deposit more or less without being in error.
 inline constexpr double kSectionTolerance = 0.05;
 
-// Material of each motion: the amount that the text gives, else its flow x `seconds`. mm3.
+// Returns the material of each motion [mm³]: the amount in the text, else its flow x `seconds`.
 std::vector<double> flowingMm3(const plan::ReadProgram& program,
                                const std::vector<double>& seconds);
 
 struct SectionErrors {
   double fraction = 0.0;            // of the printed length
   std::optional<std::size_t> first; // motion
-  std::optional<std::size_t> worst; // motion whose section is most wrong, by share
+  std::optional<std::size_t> worst; // motion with the largest relative error of its section
 };
-// Against the plan where a motion goes from one of its points to the next, else against what the
-// text lays without ramps. `pointOf`: per motion, as of alignment.h. Sections are compared by
-// volume, as both have one length.
+// Compares with the plan if a motion leads from one of its points to the next, else with the amount
+// of the text without ramps. `pointOf`: per motion, as in alignment.h. Sections are compared by
+// volume, since both have the same length.
 SectionErrors sectionErrors(const plan::ReadProgram& program, const ExecutedPath& path,
                             const plan::Trajectory& trajectory,
                             const std::vector<std::size_t>& pointOf,

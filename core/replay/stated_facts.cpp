@@ -17,26 +17,26 @@ namespace {
 using enum plan::FindingKind;
 using plan::FactKind, plan::StatedFact;
 
-constexpr double kSameFlow = 1e-3;      // by share
-constexpr double kRoundedFlow = 5e-4;   // mm3/s: a head writes three decimals
+constexpr double kSameFlow = 1e-3;      // relative
+constexpr double kRoundedFlow = 5e-4;   // mm³/s: extruder heads write three decimals
 constexpr std::size_t kMostFlags = 100; // findings
 
 base::Message nameOf(FactKind kind) {
   switch (kind) {
   case FactKind::OperatorStop:
-    return "a stop that lasts until the operator goes on"_text;
+    return "a stop until the operator continues"_text;
   case FactKind::NozzleHeat:
-    return "the temperature of the nozzle, °C"_text;
+    return "the nozzle temperature, °C"_text;
   case FactKind::NozzleHeatWait:
     return "a wait until the nozzle is hot"_text;
   case FactKind::Home:
-    return "the drive to the reference"_text;
+    return "the reference run"_text;
   case FactKind::Millimetres:
     return "millimetres as the unit of length"_text;
   case FactKind::AbsolutePositions:
     return "absolute positions"_text;
   case FactKind::FilamentCount:
-    return "how amounts of filament are counted"_text;
+    return "the counting mode of the filament"_text;
   case FactKind::FullFlow:
     return "the full flow"_text;
   case FactKind::FlowOutputRange:
@@ -46,7 +46,7 @@ base::Message nameOf(FactKind kind) {
   case FactKind::MechanicalUnit:
     return "the mechanical unit"_text;
   case FactKind::OpenRounding:
-    return "the distances by which corners are rounded"_text;
+    return "the rounding distances of corners"_text;
   case FactKind::ToolSelected:
     return "the change to another tool"_text;
   case FactKind::TapeCut:
@@ -124,7 +124,7 @@ private:
     }
   }
 
-  // Before the machine moves at all.
+  // The stop must come before the machine moves at all.
   void operatorStop(TextPlace firstMotion) {
     const StatedFact* home = first(FactKind::Home, [](const StatedFact&) { return true; });
     const auto inTime = [&](const StatedFact& f) {
@@ -135,7 +135,8 @@ private:
       return;
     if (const StatedFact* passing = first(FactKind::OperatorStop, inTime))
       changed(FactKind::OperatorStop, placeOfFact(*passing),
-              "one that ends by itself or is skipped"_text, "one that the operator ends"_text);
+              "a stop that ends by itself or is skipped"_text,
+              "a stop that the operator ends"_text);
     else
       missing(FactKind::OperatorStop,
               home && isBeforeMotion(*home) ? placeOfFact(*home) : firstMotion);
@@ -184,7 +185,7 @@ private:
 
   void fullFlow(const StatedFact& fact) {
     const std::string_view atFull = program::findDialect(program_.format).fullFlowAt;
-    if (atFull.empty()) // no output carries its flow
+    if (atFull.empty()) // no output carries the flow
       return;
     const double planned = process_.maxFlowMm3PerS;
     if (fact.word != atFull)
@@ -232,7 +233,8 @@ private:
   const Alignment& alignment_;
   const robot::Cell& cell_;
   const process::Process& process_;
-  std::size_t firstFlow_ = 0, firstBead_ = 0; // pause in which something flows; motion
+  // pause in which material flows first; first extruding motion
+  std::size_t firstFlow_ = 0, firstBead_ = 0;
   std::vector<TextFinding> found_;
 };
 

@@ -1,5 +1,5 @@
-// What a program states beside its motions (plan/stated_facts.h) against what the plan needs of the
-// machine, in every language.
+// Compares a program's statements beside its motions (plan/stated_facts.h) with the machine
+// settings that the plan needs, in every language.
 #pragma once
 
 #include "plan/program.h"
@@ -13,16 +13,16 @@
 
 namespace voluta::replay {
 
-// Returns a finding, at its line, for each of these:
-// - a needed statement that is missing before the first motion, or, what concerns material, before
-//   anything flows; the operator's stop comes before the machine drives anywhere. A needed
-//   temperature is that of a material whose usual one is known, and stays on until the first bead.
-// - a stop that ends without the operator.
-// - the flow output: its full value or its range are not the process' and the dialect's.
-// - a mechanical unit that the cell does not have.
-// - flags of a target, or those that the controller takes where it has none, other than the
-//   trajectory's joints give.
-// - corners rounded without a distance, and outputs set where the arm does not stop.
+// Returns a finding, with its line, for each of these:
+// - a required statement is missing before the first motion, or, if it concerns material, before
+//   anything flows. The operator's stop must come before any motion of the machine. A temperature
+//   is required of materials with a known usual temperature, and must stay on until the first bead;
+// - a stop ends without the operator;
+// - the full value or the range of the flow output differs from the process or the dialect;
+// - the cell does not have a mechanical unit;
+// - the flags of a target, or those that the controller assumes without any, differ from the
+//   trajectory's joints;
+// - corners are rounded without a distance, or outputs are set where the arm does not stop.
 std::vector<TextFinding> compareStatedFacts(const plan::ReadProgram& program,
                                             const plan::Trajectory& trajectory,
                                             const Alignment& alignment, const robot::Cell& cell,

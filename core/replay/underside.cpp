@@ -8,7 +8,7 @@ using Eigen::Vector3d;
 
 namespace {
 constexpr double kCellMm = 2.0;
-constexpr double kReachMm = 0.01; // less is rounding of programs
+constexpr double kReachMm = 0.01; // smaller overlaps are rounding of programs
 
 Eigen::AlignedBox3d boxOf(const FlatDisc& disc) {
   const Vector3d across =
@@ -24,7 +24,7 @@ Eigen::AlignedBox3d boxOf(const RoundedQuad& quad) {
   return {box.min() - round, box.max() + round};
 }
 
-// Does all of it lie on the disc's other side?
+// Returns whether the whole solid is on the disc's far side.
 bool isBeneath(const RoundedQuad& quad, const FlatDisc& disc) {
   return std::ranges::all_of(quad.corners, [&](const Vector3d& corner) {
     return (corner - disc.centre).dot(disc.normal) < -quad.radius;
@@ -37,7 +37,7 @@ RoundedQuad solidOf(const BeadPiece& piece, double widthMaxMm) {
   const Vector3d way = piece.to - piece.from;
   Vector3d side = (piece.fromDirection + piece.toDirection).cross(way);
   side = side.norm() > 1e-9 ? Vector3d(side.normalized()) : piece.toDirection.unitOrthogonal();
-  // A section lower than planned lies where the bead was to lie: its bottom stays.
+  // A section lower than planned keeps its bottom at the planned height.
   const auto middle = [&](const Vector3d& tip, const Vector3d& up, float plannedMm) -> Vector3d {
     return tip - (static_cast<double>(plannedMm) - 0.5 * section.heightMm) * up;
   };
@@ -51,7 +51,7 @@ Underside::Underside(const process::HeadShape& head, const std::vector<BeadPiece
                      double widthMaxMm)
     : upMm_(head.sections.front().zMm) {
   for (const process::HeadSection& section : head.sections)
-    if (section.zMm <= upMm_) // a step has several
+    if (section.zMm <= upMm_) // a step has several sections at one height
       radiusMm_ = std::max(radiusMm_, section.radiusMm);
   std::vector<Eigen::AlignedBox3d> boxes;
   pieces_.reserve(pieces.size());

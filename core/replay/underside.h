@@ -1,4 +1,5 @@
-// The head's flat underside against the beads' own sections, which cells tell to half their width.
+// Checks the head's flat underside against the exact sections of beads, which cells resolve only to
+// half their width.
 #pragma once
 
 #include "geometry/box_grid.h"
@@ -14,20 +15,20 @@
 
 namespace voluta::replay {
 
-// A piece of bead: its section (a rectangle with half-round sides) from one end to the other.
+// Returns a piece of bead: its section (a rectangle with half-round sides) swept from one end to
+// the other.
 RoundedQuad solidOf(const BeadPiece& piece, double widthMaxMm);
 
 class Underside {
 public:
-  // `head`: less the contact tolerance (process::erodedHead); the widest of its sections
-  // at the first height is the underside.
-  // Keeps what it needs of the pieces.
+  // `head`: reduced by the contact tolerance (process::erodedHead). Its widest section at the
+  // lowest height is the underside. Copies the needed data of the pieces.
   Underside(const process::HeadShape& head, const std::vector<BeadPiece>& pieces,
             double widthMaxMm);
 
-  // Returns a place of a piece that the underside reaches into, none if it reaches into none of
-  // what is laid at that moment and no longer soft. Work frame; `direction`: unit, from the tip
-  // into the head.
+  // Returns a place where the underside intersects a piece that is printed at that moment and no
+  // longer soft, nullopt if there is none. Work frame; `direction`: unit, from the tip into the
+  // head.
   std::optional<Eigen::Vector3d> touched(const Eigen::Vector3d& tip,
                                          const Eigen::Vector3d& direction,
                                          const PrintState& moment) const;

@@ -1,4 +1,4 @@
-// The verdict on a program that was read back from its text (docs/design.md, Replay).
+// The verdict on a program read back from its text (docs/design.md, Replay).
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -23,31 +23,33 @@ class RunContext;
 
 namespace voluta::replay {
 
-// The program as its reader found it, what it was written from, and what it is to make.
+// The program as read, the plan it was written from, and the part it has to print.
 struct ReplayInput {
-  plan::ReadProgram program; // let go of once it is compared: there are hundreds of bytes a motion
+  plan::ReadProgram program; // freed after the comparison, as it takes hundreds of bytes per motion
   const plan::ToolPlan& plan;
   const plan::Trajectory& trajectory;
   const robot::Cell& cell;
   const process::Process& process;
-  const geometry::TriangleMesh& part; // placed, without what of it is in the ground: work frame, mm
-  const platform::PlatformSolid& platform; // what the first beads are laid on
-  std::size_t firstPoint = 0; // of the trajectory, where the text begins: the rest of a print
-  // Per point of the trajectory, its number in the one that programs compared with each other have
-  // in common; empty: this one is it.
+  // placed, without the volume inside the ground: work frame, mm
+  const geometry::TriangleMesh& part;
+  const platform::PlatformSolid& platform; // ground below the first beads
+  // point of the trajectory at which the text begins: the rest of a print
+  std::size_t firstPoint = 0;
+  // Per point of the trajectory: its number in the trajectory shared by the programs that are
+  // compared with each other; empty: the same number.
   std::span<const std::size_t> commonPoint = {};
 };
 
-// What a program has to keep to (docs/design.md, Replay).
+// The limits that a program must keep (docs/design.md, Replay).
 struct ReplayThresholds {
   double coveredMin = 0.97;      // share of the part's volume inside beads
-  double unsupportedMax = 0.005; // share of bead length with nothing beneath
+  double unsupportedMax = 0.005; // share of bead length with nothing below
   double overfillMax = 0.03;     // bead volume outside the part, by part volume
   double massTolerance = 0.03;   // |massRatio - 1|
   std::size_t collisionsMax = 0;
   std::size_t limitViolationsMax = 0;
   double deviationMaxMm = 0.05; // of the executed nozzle path from the planned one
-  double flowErrorMax = 0.01;   // share of the printed length with another section
+  double flowErrorMax = 0.01;   // share of the printed length with a wrong section
 };
 
 struct ThresholdResult {
@@ -56,72 +58,72 @@ struct ThresholdResult {
   bool passed = false;
 };
 
-// Where in the program's text a finding lies, or a motion is said; line 0: nowhere in particular.
-// 1-based.
+// The place of a finding or motion in the program's text, 1-based; line 0: no particular line.
 struct TextPlace {
   std::size_t file = 0, line = 0;
 };
 
-// What running a program makes, and what meets on the way.
+// Figures of a run: its beads and its collisions.
 struct RunFigures {
   double coveredFraction = 0.0;
   double unsupportedFraction = 0.0;
-  double halfCarriedFraction = 0.0;  // share of bead length carried on less than half its width
-  double longestUnsupportedMm = 0.0; // of a bead, without a break, nothing right beneath it
-  double overfillFraction = 0.0;     // outside the part and what found no room, by part volume
-  double excessFraction = 0.0;       // of that, what found no room
-  std::size_t collisions = 0; // contacts; one that lasts over consecutive samples counts once
+  double halfCarriedFraction = 0.0; // share of bead length supported on less than half its width
+  // longest continuous length of a bead with nothing directly below
+  double longestUnsupportedMm = 0.0;
+  double overfillFraction = 0.0; // outside the part, plus excess, by part volume
+  double excessFraction = 0.0;   // the part of overfillFraction that found no room
+  std::size_t collisions = 0;    // contacts; one that lasts over consecutive samples counts once
 
-  // Waypoints of the plan, ascending, on the way to which something meets.
+  // Waypoints of the plan, ascending, with a collision on the way to them.
   std::vector<std::size_t> collidingWaypoints;
 
   double partVolumeMm3 = 0.0, beadLengthMm = 0.0;
-  double pitchMm = 0.0; // of the grid of beads
+  double pitchMm = 0.0; // of the bead grid
 
   WorstPlaces worst;
 };
 
 struct Verification : RunFigures {
-  bool passed = false; // every threshold kept and the text free of deviations
+  bool passed = false; // all thresholds kept and no deviations in the text
 
-  // Material laid (supports and skirts apart) by part volume, at the controller's own speeds.
+  // Deposited material (without supports and skirts) by part volume, at the controller's own
+  // speeds.
   double massRatio = 0.0;
   double depositedMm3 = 0.0, supportMm3 = 0.0;
-  std::size_t limitViolations = 0; // as collisions are counted
-  std::size_t deviations = 0;      // places where the text is not what was planned
+  std::size_t limitViolations = 0; // counted like collisions
+  std::size_t deviations = 0;      // places where the text differs from the plan
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
 
-  bool armChecked = false; // false: the program says where the nozzle is, not where the arm is
-  // On its controller (controller_time.h), waits included; of two laws for turns, by what the text
-  // says.
+  bool armChecked = false; // false: the program states only the nozzle's pose, not the arm's
+  // On its controller (controller_time.h), waits included; if there are two laws for rotations, by
+  // the one that the text states.
   double durationS = 0.0;
-  std::vector<double> motionS; // of each motion, by that law
-  // Share of the printed length whose section is then off by more than 5 %; of two laws the worse.
+  std::vector<double> motionS; // of each motion, by the same law
+  // Share of the printed length whose section is then off by more than 5 %; the worse of two laws.
   double flowErrorFraction = 0.0;
 
   std::vector<std::size_t>
       pointOf; // per motion: the trajectory's point, or kUnmatched (alignment.h)
-  std::vector<TextPlace> motionPlaces; // per motion: where the text says it
+  std::vector<TextPlace> motionPlaces; // per motion: its line in the text
 
   std::vector<ThresholdResult> results; // in the order of ReplayThresholds
   plan::Findings findings;              // stage "replay"
   std::vector<TextPlace> places;        // of each finding
 };
 
-// Runs the program, compares it motion by motion with the trajectory, lays its beads and judges.
-// What is wrong with the program becomes findings, never an error.
+// Runs the program, compares it motion by motion with the trajectory, deposits its beads and judges
+// the result. Defects of the program become findings, never errors.
 //
-// Preconditions (Error{Internal}): trajectory.dof == cell.dof(); its arrays are as long as they
-// should be; the part has triangles; the platform is known. Throws Cancelled.
+// Preconditions (Error{Internal}): trajectory.dof == cell.dof(); its arrays have matching lengths;
+// the part has triangles; the platform is known. Throws Cancelled.
 //
-// Programs whose targets are ToolPoint carry no arm: limits and the arm's clearances are then not
-// checked (armChecked == false), the nozzle's path, the head and the beads are.
-// The result does not depend on the number of threads.
+// Programs with ToolPoint targets contain no arm: the limits and clearances of the arm are then not
+// checked (armChecked == false); the nozzle's path, the head and the beads are. The result does not
+// depend on the number of threads.
 //
-// `judged`, where given, holds the runs of programs that were written from the same plan, and takes
-// up this one's: a run that is one of them but for what the grid of beads can't tell (run.h) is not
-// judged a second time. Its text is compared, and its limits are checked, all the same.
-// Example:
+// `judged`, if given, holds the runs of programs written from the same plan and receives this
+// one's. A run that differs from one of them by less than the bead grid resolves (run.h) is not
+// judged a second time; its text and its limits are still checked. Example:
 //   const replay::Verification verdict =
 //       replay::replayProgram({read, toolPlan, trajectory, cell, process, part, plate}, {}, ctx);
 Verification replayProgram(ReplayInput input, const ReplayThresholds& thresholds,

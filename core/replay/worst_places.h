@@ -1,4 +1,4 @@
-// Where a replay found each of its figures at its worst.
+// The places where the replay's figures are worst.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +6,7 @@
 
 namespace voluta::replay {
 
-// Positions in the work frame, mm. Empty where the figure is at its best or was not measured.
+// Positions in the work frame [mm]. Empty if the figure has its best value or was not measured.
 struct WorstPlaces {
   std::optional<Eigen::Vector3d> gap;                // most material missing
   std::optional<Eigen::Vector3d> overfill;           // most material without room
@@ -14,7 +14,7 @@ struct WorstPlaces {
   std::optional<Eigen::Vector3d> halfCarried;        // start of the longest half-carried run
   std::optional<Eigen::Vector3d> longestUnsupported; // start of longestUnsupportedMm
   std::optional<Eigen::Vector3d> deviation;          // farthest from the planned path
-  std::optional<Eigen::Vector3d> flowError;          // section most wrong
+  std::optional<Eigen::Vector3d> flowError;          // largest section error
 };
 
 } // namespace voluta::replay

@@ -1,4 +1,4 @@
-// Joint angles as inverses give them.
+// Normalization and comparison of joint angles.
 #pragma once
 
 #include "base/units.h"
@@ -8,13 +8,13 @@
 
 namespace voluta::robot {
 
-// The same turn in (-pi, pi].
+// Returns the equivalent angle in (-pi, pi].
 inline double wrappedAngle(double angle) {
   const double rest = std::remainder(angle, base::kTurn);
   return rest <= -base::kPi ? base::kPi : rest;
 }
 
-// Are the arms' joints the same but for whole turns, each within `rad`?
+// Returns whether the arm's joints are the same up to whole turns, each within `rad`.
 inline bool sameJoints(const JointVector& a, const JointVector& b, double rad) {
   for (Eigen::Index i = 0; i < a.size(); ++i)
     if (std::abs(std::remainder(a[i] - b[i], base::kTurn)) > rad)

@@ -1,4 +1,4 @@
-// Simple solids that links, heads, platforms and obstacles are made of. mm, in a body's own frame.
+// Simple solids of which links, heads, platforms and obstacles consist. mm, in the body's frame.
 #pragma once
 
 #include "base/text.h"
@@ -10,7 +10,7 @@
 
 namespace voluta::robot {
 
-// All points within `radius` of the segment p0 p1 (a sphere when p0 == p1).
+// All points within `radius` of the segment p0 p1 (a sphere if p0 == p1).
 struct Capsule {
   Eigen::Vector3d p0, p1;
   double radius;
@@ -20,7 +20,7 @@ struct Box {
   Eigen::Isometry3d frame_T_box;
   Eigen::Vector3d half;
 };
-// Solid of revolution about p0 p1: radius r0 at p0, r1 at p1 (flat ends; a cylinder when equal).
+// Solid of revolution about p0 p1: radius r0 at p0, r1 at p1 (flat ends; a cylinder if equal).
 struct Frustum {
   Eigen::Vector3d p0, p1;
   double r0, r1;
@@ -43,7 +43,8 @@ struct Body {
   std::vector<Shape> shapes;
 };
 
-// How a user reads it: the cell's own by their role, others as their file names them.
+// Returns the name shown to users: for the cell's own bodies their role, for others the name from
+// the file.
 base::Value nameOf(const Body& body);
 
 } // namespace voluta::robot

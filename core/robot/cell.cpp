@@ -140,7 +140,7 @@ std::string selfContainedCell(const std::filesystem::path& file) {
       base::dataFile("robots", robot.text(), "unknown robot '{id}'"_text);
   if (robotFile.parent_path() == base::resourceFolder() / "robots")
     return text;
-  base::JsonNode::readFile(robotFile); // says what is wrong with it
+  base::JsonNode::readFile(robotFile); // throws if the file is invalid
   Json cell = Json::parse(text);
   cell["robot"] = Json::parse(base::readFile(robotFile));
   return cell.dump(1);

@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = DraftBody::Kind;
 
-constexpr const char* kName = "cell.json"; // in complaints
+constexpr const char* kName = "cell.json"; // in error messages
 
 Json parsed(const std::string& text) {
   return Json::parse(text);
@@ -67,7 +67,7 @@ std::vector<Shape> shapesOf(const std::string& text, std::size_t obstacle) {
       base::JsonNode::parse(text, kName).at("obstacles").items().at(obstacle).at("shapes"));
 }
 
-// Leaves out the pairs in which something is named that is not there.
+// Drops the pairs that name a missing body.
 void keepPairs(Json& cell, const std::function<bool(const std::string&)>& isThere) {
   if (!cell.contains("neverMeet"))
     return;
@@ -78,7 +78,7 @@ void keepPairs(Json& cell, const std::function<bool(const std::string&)>& isTher
   cell["neverMeet"] = std::move(kept);
 }
 
-// `how`: all of the obstacle but its name, which is one that is free.
+// Adds an obstacle with a free name. `how`: its other keys.
 std::string withObstacle(const std::string& text, const std::string& name, const Json& how) {
   Json cell = parsed(text);
   std::set<std::string> taken{"holder", "head", "platform"};
@@ -91,7 +91,7 @@ std::string withObstacle(const std::string& text, const std::string& name, const
     for (const Body& link : loadRobot(cell.at("robot")).links)
       taken.insert(link.name);
   } catch (const base::Error&) {
-    // Its names are not known, and the cell is not read.
+    // An unknown robot: its link names are unknown, and the cell cannot be read anyway.
   }
   std::string free = name;
   for (int n = 2; taken.contains(free); ++n)
@@ -204,7 +204,7 @@ CellDraft CellDraft::withRobot(const RobotModel& robot) const {
     for (const Body& link : loadRobot(cell.at("robot")).links)
       oldLinks.insert(link.name);
   } catch (const base::Error&) {
-    // One that is not known has no names to lose.
+    // An unknown robot has no link names to remove.
   }
   std::set<std::string> links;
   for (const Body& link : robot.links)
@@ -212,7 +212,7 @@ CellDraft CellDraft::withRobot(const RobotModel& robot) const {
   keepPairs(cell, [&](const std::string& name) {
     return links.contains(name) || !oldLinks.contains(name);
   });
-  // What the other arm was given may be more than this one has.
+  // The acceleration given for the other arm may exceed this one's limits.
   constexpr const char* kTravel = "travelAccelerationDegPerS2";
   for (const JointLimits& limit : robot.limits)
     if (cell.contains(kTravel) &&
@@ -303,15 +303,15 @@ std::filesystem::path ownCellFile(const std::string& id) {
            c == '_' || c == '.';
   };
   if (id.empty() || id.front() == '.' || !std::ranges::all_of(id, allowed))
-    throw base::Error(base::ErrorCode::Usage, base::message("'{id}' is no name of a cell"_text, id),
-                      {}, "use letters, digits, dashes and dots"_text);
-  if (isShippedCell(id))
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("'{id}' is a cell of the program's own"_text, id), {},
-                      "take another name"_text);
+                      base::message("'{id}' is not a valid cell name"_text, id), {},
+                      "use letters, digits, dashes and dots"_text);
+  if (isShippedCell(id))
+    throw base::Error(base::ErrorCode::Usage, base::message("'{id}' is a built-in cell"_text, id),
+                      {}, "choose another name"_text);
   const std::filesystem::path folder = base::userDataFolder();
   if (folder.empty())
-    throw base::Error(base::ErrorCode::Usage, "no folder for cells of one's own"_text, {},
+    throw base::Error(base::ErrorCode::Usage, "no folder for user-defined cells"_text, {},
                       "set HOME, or VOLUTA_DATA to a folder"_text);
   return folder / "cells" / (id + ".json");
 }

@@ -1,4 +1,4 @@
-// Poses of a tool over a plate, by how far it leans and to which side.
+// Poses of a tool above a plate, by its tilt and the side it tilts to.
 #pragma once
 
 #include "base/units.h"
@@ -7,8 +7,8 @@
 
 namespace voluta::robot {
 
-// work_T_tool, mm and rad: the tip there, the nozzle's z down into the plate and turned by `turn`
-// about itself; upright where `tilt` is 0, else it comes from the side of `azimuth`.
+// Returns work_T_tool [mm, rad]: the tip at `tip`, the nozzle's z down into the plate and rotated
+// by `turn` about itself; upright if `tilt` is 0, else tilted towards the side of `azimuth`.
 inline Eigen::Isometry3d leaningTool(const Eigen::Vector3d& tip, double tilt, double azimuth,
                                      double turn = 0.0) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

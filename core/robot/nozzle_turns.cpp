@@ -25,7 +25,7 @@ void NozzleTurns::at(double turn, std::vector<JointVector>& solutions) const {
   const Kinematics& arm = *cell_.robot().kinematics;
   const Eigen::Isometry3d base_T_flange = cell_.base_T_flange(turned, near_);
   solutions = unturned_;
-  // Descriptions round right angles: the nozzle may stand beside the axis by a little.
+  // Descriptions round right angles, so the nozzle may be slightly off the axis.
   const auto missed = [&](JointVector& q) {
     double& last = q[cell_.armDof() - 1];
     last = wrappedAngle(last + cell_.lastJointTurnsNozzle() * turn);

@@ -1,5 +1,5 @@
-// The arm at one place of the nozzle, turned about it. Where the nozzle stands on the axis of the
-// last joint, and the arm's inverse is not fast, one inverse serves for all turns.
+// IK branches of one nozzle pose for rotations about the nozzle. If the nozzle is on the axis of
+// the last joint, and the arm's inverse is slow, one inverse serves for all rotations.
 #pragma once
 
 #include "robot/cell.h"
@@ -10,10 +10,10 @@ namespace voluta::robot {
 
 class NozzleTurns {
 public:
-  // `cell` must outlive this. `near` as Cell::inverse.
+  // `cell` must outlive this object. `near` as in Cell::inverse.
   NozzleTurns(const Cell& cell, const Eigen::Isometry3d& work_T_tool, JointVector near);
 
-  // As Cell::inverse of work_T_tool turned by `turn` (rad) about the tool's z.
+  // As Cell::inverse of work_T_tool rotated by `turn` [rad] about the tool's z.
   void at(double turn, std::vector<JointVector>& solutions) const;
 
 private:
@@ -21,7 +21,7 @@ private:
   Eigen::Isometry3d work_T_tool_;
   JointVector near_;
   bool once_;
-  std::vector<JointVector> unturned_; // of the arm alone, each joint in (-pi, pi]
+  std::vector<JointVector> unturned_; // Of the arm alone, each joint in (-pi, pi]
 };
 
 } // namespace voluta::robot

@@ -15,7 +15,7 @@ std::size_t pastSpace(std::string_view text, std::size_t at) {
   return at;
 }
 
-// Past the string that begins at `at`.
+// Returns the position after the string that begins at `at`.
 std::size_t pastString(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"'; ++at)
     if (text[at] == '\\')
@@ -42,7 +42,7 @@ std::string planningText(std::string_view text) {
     depth -= c == '}' || c == ']';
     const bool ends = (c == ',' && depth == 1) || (c == '}' && depth == 0);
     if (ends && from != std::string_view::npos) {
-      // Of the last member the space before the closing brace stays.
+      // For the last member, the space before the closing brace is kept.
       std::size_t to = at;
       while (c == '}' && to > from && std::isspace(static_cast<unsigned char>(text[to - 1])))
         --to;

@@ -1,4 +1,4 @@
-// The part of a robot's file that planning depends on.
+// The part of a robot file that planning depends on.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace voluta::robot {
 
-// The text of a robot's file without its member "shape" (and the comma before it), so that a plan
-// stays up to date when only the arm's look changes. Any other text comes back as it is.
+// Returns the text of a robot file without its member "shape" (and the comma before it), so that a
+// plan stays up to date if only the arm's appearance changes. Other texts are returned unchanged.
 std::string planningText(std::string_view robotFile);
 
 } // namespace voluta::robot

@@ -29,7 +29,7 @@ double distanceTo(const std::vector<Vector2d>& polygon, const Vector2d& p) {
   return nearest;
 }
 
-// The end of a stem right under the plate, and how far the plate lies beside it.
+// The end of a stem directly below the plate, and the plate's lateral distance from it.
 struct Meeting {
   Vector2d at;
   double radius = 0.0, gapMm = INFINITY;
@@ -56,7 +56,7 @@ const std::vector<Shape>* platformShapes(const Cell& cell) {
   return nullptr;
 }
 
-// The n-th prism of the platform: the plate, its foot.
+// Returns the n-th prism of the platform: 0 is the plate, 1 its foot.
 const Prism* prismOf(const Cell& cell, int n) {
   if (const std::vector<Shape>* shapes = platformShapes(cell))
     for (const Shape& shape : *shapes)

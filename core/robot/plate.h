@@ -1,4 +1,4 @@
-// The plate of a cell's platform, and whether it stands on what carries it.
+// The plate of a cell's platform, and the foot that joins it to its stem.
 #pragma once
 
 #include "robot/body.h"
@@ -9,19 +9,19 @@
 
 namespace voluta::robot {
 
-// nullptr: the platform is no plate.
+// Returns nullptr if the platform is not a plate.
 const Prism* plateOf(const Cell& cell);
 
-// What joins a plate that lies beside its stem to it: the lower half of the plate's thickness, as
-// far as both. Nothing where they meet, and without a stem (frusta among the shapes, one of them up
-// to the plate's underside).
+// Returns the foot that joins a plate to a stem beside it: the lower half of the plate's thickness,
+// extended over both. Returns nullopt if plate and stem touch, or there is no stem (a frustum of
+// `shapes` that ends at the plate's underside).
 std::optional<Prism> footOf(const Prism& plate, const std::vector<Shape>& shapes);
 
-// The foot that the cell's platform has. nullptr: it needs none.
+// Returns the foot of the cell's platform; nullptr if it needs none.
 const Prism* footOf(const Cell& cell);
 
-// How far the plate, without its foot, lies beside the top of its stem, mm; 0 where they meet, and
-// in a cell without a stem.
+// Returns the lateral distance [mm] of the plate, without its foot, from the top of its stem; 0 if
+// they touch or the cell has no stem.
 double platformGapMm(const Cell& cell);
 
 } // namespace voluta::robot

@@ -42,7 +42,7 @@ double largestTurn(const JointVector& step, const std::vector<JointLimits>& limi
 }
 
 namespace {
-constexpr double kSlack = 1e-9; // a joint at its limit must not be lost to rounding
+constexpr double kSlack = 1e-9; // Do not reject a joint at its limit because of rounding
 }
 
 void inverseNear(const RobotModel& robot, const Eigen::Isometry3d& base_T_flange,
@@ -83,7 +83,7 @@ void keepWithinLimits(const RobotModel& robot, const JointVector& near,
         continue;
       }
       if (std::abs(near[i] - q[i]) < 0.99 * base::kPi && q[i] >= limit.min && q[i] <= limit.max)
-        continue; // as it mostly is
+        continue; // The usual case
       const double least = std::ceil((limit.min - kSlack - q[i]) / base::kTurn);
       const double most = std::floor((limit.max + kSlack - q[i]) / base::kTurn);
       if (least > most)

@@ -28,7 +28,7 @@ constexpr double kFarMm = 1e4;
       remedy);
 }
 
-// Along a ray from a foot, mm; negative where it meets no end.
+// Returns the distance [mm] along a ray from a foot to the end surface; negative if it misses it.
 double wayToEnd(const Vector3d& foot, const Vector3d& direction, const BlendOptions& o) {
   if (o.end) {
     const auto hit = o.end->firstHit(foot, foot + kFarMm * direction);
@@ -41,13 +41,12 @@ int layersFor(double least, double mean, double most, const LevelOptions& o) {
   const int fewest = std::max(1, static_cast<int>(std::ceil(most / o.heightMaxMm - 1e-9)));
   const int greatest = static_cast<int>(std::floor(least / o.heightMinMm + 1e-9));
   if (fewest > greatest)
-    refuse(
-        base::message(
-            "no number of layers between the surface and its end keeps their thickness "
-            "within {least} and {most} mm: the way between them is {shortest:.3g} to {longest:.3g} mm long"_text,
-            base::number(o.heightMinMm), base::number(o.heightMaxMm), base::number(least),
-            base::number(most)),
-        "give an end surface that is more like the surface, or a smaller part"_text);
+    refuse(base::message("no number of layers between the surface and the end surface keeps "
+                         "the layer height within {least} to {most} mm: their distance is "
+                         "{shortest:.3g} to {longest:.3g} mm"_text,
+                         base::number(o.heightMinMm), base::number(o.heightMaxMm),
+                         base::number(least), base::number(most)),
+           "choose an end surface of more similar shape, or a smaller part"_text);
   return std::clamp(static_cast<int>(std::lround(mean / o.layerHeightMm)), fewest, greatest);
 }
 
@@ -60,7 +59,8 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
   const double edge = levelEdgeMm(o.levels);
   layers::LevelSurface start = offsetLevel(ground, kOnGroundMm, 1.0, box, edge, ctx);
   std::vector<double> way(start.surface.vertices.size());
-  std::vector<std::uint8_t> passes(way.size()); // by the part, which others have nothing to do with
+  // Whether the ray passes the part; other rays are ignored
+  std::vector<std::uint8_t> passes(way.size());
   base::parallelChunks(ctx, way.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       way[v] = wayToEnd(start.surface.vertices[v], start.direction[v], o);
@@ -78,9 +78,9 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
     });
   });
   if (start.surface.triangles.empty())
-    refuse("nothing of the surface under the part sees the end surface"_text,
-           "give an end surface over the part's foot"_text);
-  start.thicknessMm = way; // dropUnusedVertices keeps it in step
+    refuse("no normal of the surface below the part hits the end surface"_text,
+           "choose an end surface over the part's foot"_text);
+  start.thicknessMm = way; // dropUnusedVertices() keeps it in step with the vertices
   layers::dropUnusedVertices(start);
   double least = kFarMm, most = 0.0, sum = 0.0;
   for (const double t : start.thicknessMm) {
@@ -100,11 +100,10 @@ std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
     for (std::size_t t = 0; t < level.surface.triangles.size(); ++t)
       if (geometry::triangleNormal(level.surface, t)
               .dot(geometry::triangleNormal(start.surface, t)) < 0.0)
-        refuse(
-            base::message("layers on this surface would fold: rays along its normals cross before "
-                          "the end surface, from layer {layer} on"_text,
-                          k + 1),
-            "fill the hollow first, or use layerShape=offset"_text, &level.surface.corner(t, 0));
+        refuse(base::message("layers on this surface would fold from layer {layer} on: its normals"
+                             " cross before the end surface"_text,
+                             k + 1),
+               "fill the hollow first, or use layerShape=offset"_text, &level.surface.corner(t, 0));
     levels.push_back(std::move(level));
   }
   return levels;

@@ -1,4 +1,4 @@
-// Layers that lead from a surface to another one.
+// Layers that blend from one surface into another.
 #pragma once
 
 #include "base/run_context.h"
@@ -15,17 +15,17 @@ namespace voluta::substrate {
 
 struct BlendOptions {
   LevelOptions levels;
-  double endHeightMm = 0.0;                       // the end surface is the plane at this height,
-  std::shared_ptr<const geometry::MeshQuery> end; // or a mesh where there is one
+  double endHeightMm = 0.0;                       // Height of the plane that is the end surface,
+  std::shared_ptr<const geometry::MeshQuery> end; // or the end surface as a mesh, if set
 };
 
-// Mid-surfaces on the rays from the ground's points along its normals to the end surface, which
-// each ray's length is divided by evenly: thickness varies over a layer. As many layers as bring
-// their mean thickness nearest to the wanted one within the limits. Rays that pass the part by, or
-// see nothing of the end surface, have no layers. `box`: of the part and a little more. Throws
-// Error{UnusableInput}: nothing of it does; no number of layers is within the limits for all that
-// does; rays cross before the end, so that layers would fold; Cancelled. (Castelli 2020, 5.2.3, for
-// any surfaces.)
+// Returns mid-surfaces on the rays from the ground's points along its normals to the end surface.
+// Each ray is divided evenly, so the thickness varies over a layer. The number of layers is the one
+// within the limits whose mean thickness is nearest to the layer height. Rays that miss the part or
+// the end surface have no layers. `box`: the part's bounding box, slightly enlarged. Throws
+// Error{UnusableInput} if all rays miss; if no number of layers keeps all thicknesses within the
+// limits; if rays cross before the end, so that layers would fold. Throws Cancelled. (Castelli
+// 2020, 5.2.3, for any surfaces.)
 std::vector<layers::LevelSurface> blendLevels(const GroundDistance& ground,
                                               const geometry::MeshQuery& part,
                                               const Eigen::AlignedBox3d& box,

@@ -24,11 +24,10 @@ std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
     if (under <= 0.0 || radius <= 0.0)
       throw base::Error(
           base::ErrorCode::UnusableInput,
-          base::message(
-              "layers that are {top:.3g} mm thick at the top and {side:.3g} mm at the sides end "
-              "after layer {layer}: no circle goes through both"_text,
-              base::number(h1), base::number(h2), k),
-          "flattening"_text, "make the two thicknesses more alike, or use fewer layers"_text);
+          base::message("layers of {top:.3g} mm at the top and {side:.3g} mm at the sides end"
+                        " after layer {layer}: no circle passes through both"_text,
+                        base::number(h1), base::number(h2), k),
+          "flattening"_text, "make the two thicknesses more similar, or use fewer layers"_text);
     circles.push_back({circles.back().topMm + h1, radius});
   }
   return circles;
@@ -42,13 +41,13 @@ std::vector<FlatteningCircle> flatteningToPlane(const FlatteningCircle& start, d
   base::require(topThicknessMm > 0.0 && layers >= 1 && halfChordMm > 0.0,
                 "a positive thickness, width and number of layers");
   const double b = halfChordMm;
-  // Without the difference of two near numbers that r - sqrt(r^2 - b^2) is.
+  // Avoids the cancellation in r - sqrt(r^2 - b^2).
   const auto heightOver = [b](double r) {
     if (b > r)
       throw base::Error(
           base::ErrorCode::UnusableInput,
-          base::message("the feature is {width:.3g} mm wide, wider than the cylinder of "
-                        "{cylinder:.3g} mm that it stands on"_text,
+          base::message("the feature is {width:.3g} mm wide, wider than its cylinder of "
+                        "{cylinder:.3g} mm"_text,
                         base::number(2.0 * b), base::number(2.0 * r)),
           "flattening"_text, "make the feature narrower"_text);
     return std::isinf(r) ? 0.0 : b * b / (r + std::sqrt(r * r - b * b));
@@ -70,7 +69,7 @@ double thicknessAt(const FlatteningCircle& from, const FlatteningCircle& to, dou
     return sine > 0.0 ? (to.topMm - from.centreMm()) / sine - r
                       : std::numeric_limits<double>::quiet_NaN();
   const double down = from.centreMm() - to.centreMm();
-  // h^2 + 2 k1 h + k2 = 0, the greater root; k2 as a product of what is nearly equal.
+  // The greater root of h^2 + 2 k1 h + k2 = 0, with k2 as a product to avoid cancellation.
   const double k1 = r + down * sine;
   const double k2 = (r - to.radiusMm) * (r + to.radiusMm) + down * down + 2.0 * r * down * sine;
   return -k1 + std::sqrt(k1 * k1 - k2);

@@ -6,38 +6,40 @@
 
 namespace voluta::substrate {
 
-// A circle in a section across the cylinder's axis, its centre straight below its top; a plane
-// where the radius is infinite. mm.
+// A circle in the cross-section of the cylinder, with its centre straight below its top; a plane if
+// the radius is infinite [mm].
 struct FlatteningCircle {
-  double topMm = 0.0; // height of its highest point
+  double topMm = 0.0; // Height of its highest point
   double radiusMm = std::numeric_limits<double>::infinity();
 
   bool isPlane() const { return radiusMm == std::numeric_limits<double>::infinity(); }
-  double centreMm() const { return topMm - radiusMm; } // height; not of a plane
+  // Height of the centre; undefined for a plane
+  double centreMm() const { return topMm - radiusMm; }
 };
 
-// `layers` + 1 circles from `start` outwards: each layer is topThicknessMm thick at the top and
-// sideThicknessMm at the polar angle sideAngle of the circle below it (radians from the horizontal,
-// in (0, pi/2)), measured along that circle's radius (Castelli 2020, 5.2.3). The published rule,
-// for tests to hold levels to; plans go by flatteningToPlane. Preconditions: a start that is no
-// plane, positive thicknesses, layers >= 0. Throws Error{UnusableInput} naming the layer after
-// which no such circle exists.
+// Returns `layers` + 1 circles from `start` outwards. Each layer is topThicknessMm thick at the top
+// and sideThicknessMm at the polar angle sideAngle of the circle below it (radians from the
+// horizontal, in (0, pi/2)), measured along that circle's radius (Castelli 2020, 5.2.3). This is
+// the published rule, used as a reference by tests; plans use flatteningToPlane. Preconditions:
+// `start` is not a plane, positive thicknesses, layers >= 0. Throws Error{UnusableInput} naming the
+// layer after which no such circle exists.
 std::vector<FlatteningCircle> flatteningCircles(const FlatteningCircle& start,
                                                 double topThicknessMm, double sideThicknessMm,
                                                 double sideAngle, int layers);
 
-// `layers` + 1 circles from `start` to one of endRadiusMm, a plane unless it is given: heights over
-// the chord of half width halfChordMm change by equal steps, while the top rises by topThicknessMm
-// a layer. At the chord's ends layers are (change of height over the chord) / layers thicker than
-// at the top, upwards. Preconditions: a start that is no plane, topThicknessMm > 0, layers >= 1.
-// Throws Error{UnusableInput} where the chord is wider than either circle.
+// Returns `layers` + 1 circles from `start` to a circle of endRadiusMm, by default a plane. Their
+// heights over the chord of half width halfChordMm change in equal steps, while the top rises by
+// topThicknessMm per layer. At the chord's ends, layers are (change of height over the chord) /
+// layers thicker than at the top, measured vertically. Preconditions: `start` is not a plane,
+// topThicknessMm > 0, layers >= 1. Throws Error{UnusableInput} if the chord is wider than either
+// circle.
 std::vector<FlatteningCircle>
 flatteningToPlane(const FlatteningCircle& start, double halfChordMm, double topThicknessMm,
                   int layers, double endRadiusMm = std::numeric_limits<double>::infinity());
 
-// From the first circle to the second along the first one's radius at polar angle `alpha` (radians
-// from the horizontal; the top is at pi/2), mm (Castelli 2020, 5.2.3). NaN where that never meets
-// the second. Precondition: `from` is no plane.
+// Returns the distance [mm] from the first circle to the second along the first one's radius at
+// polar angle `alpha` (radians from the horizontal; the top is at pi/2) (Castelli 2020, 5.2.3). NaN
+// if the radius does not intersect the second circle. Precondition: `from` is not a plane.
 double thicknessAt(const FlatteningCircle& from, const FlatteningCircle& to, double alpha);
 
 } // namespace voluta::substrate

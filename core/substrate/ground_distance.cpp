@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kChordMm = 1e-3; // of meshes of rods that have no closed form
+constexpr double kChordMm = 1e-3; // For meshes of rods without a closed form
 
 Vector2d nearestOnSegment(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
   const Vector2d way = b - a;
@@ -62,7 +62,7 @@ private:
   std::vector<Vector2d> outline_;
 };
 
-// A regular polygon drawn out over [x0, x1].
+// A regular polygon extruded over [x0, x1].
 class Prism {
 public:
   Prism(double x0, double x1, double radius, int sides)
@@ -84,11 +84,11 @@ public:
   }
 
 private:
-  // The angle of the middle of the side that faces p.
+  // Returns the angle of the middle of the side that faces p.
   double sideMiddle(const Vector3d& p) const {
     return side_ * (std::floor(std::atan2(p.z(), p.y()) / side_) + 0.5);
   }
-  // Along that side's normal and along the side.
+  // Returns the coordinates of p along that side's normal and along the side.
   Vector2d acrossSide(const Vector3d& p) const {
     const double turn = sideMiddle(p);
     return {std::cos(turn) * p.y() + std::sin(turn) * p.z(),
@@ -104,8 +104,8 @@ public:
       : box_(geometry::bounds(mesh)), query_(std::make_shared<geometry::MeshQuery>(mesh)) {}
 
   Vector3d nearest(const Vector3d& p) const { return query_->closest(p).point; }
-  // By the way out through the box's nearest side: winding numbers over long thin triangles take
-  // fifty times as long.
+  // Casts a ray through the box's nearest side: winding numbers over long thin triangles take fifty
+  // times as long.
   bool isInside(const Vector3d& p) const {
     if (!box_.contains(p))
       return false;
@@ -149,7 +149,7 @@ GroundDistance distanceFrom(const platform::RodShape& rod) {
     const Vector2d &a = rod.profile[i], &b = rod.profile[i + 1];
     if (a.x() == b.x())
       continue;
-    if (a.y() != b.y()) // a pyramid's frustum
+    if (a.y() != b.y()) // A frustum of a pyramid
       return distanceFrom(platform::meshOf(rod, kChordMm));
     prisms.push_back(distanceOf(Prism(a.x(), b.x(), a.y(), rod.sides)));
   }

@@ -1,4 +1,4 @@
-// How far points are from what layers grow on.
+// Distances of points from the surface on which layers grow.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -10,9 +10,10 @@
 
 namespace voluta::substrate {
 
-// Both called from many threads at once.
+// Both functions are called from many threads at once.
 struct GroundDistance {
-  // The point of the surface nearest to a point outside; of one inside a point of the surface.
+  // Returns the nearest point of the surface for a point outside; some point of the surface for a
+  // point inside.
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)> nearest;
   std::function<bool(const Eigen::Vector3d&)> isInside;
 
@@ -21,16 +22,17 @@ struct GroundDistance {
   double signedMm(const Eigen::Vector3d& p) const {
     return isInside(p) ? -unsignedMm(p) : unsignedMm(p);
   }
-  // The way from the nearest point; zero on the surface.
+  // Returns the unit direction from the nearest point; zero on the surface.
   Eigen::Vector3d outward(const Eigen::Vector3d& p) const { return (p - nearest(p)).normalized(); }
 };
 
-// Copies what it needs. Precondition: closed, outward, its components apart.
+// Copies the data it needs. Precondition: `body` is closed and faces outward, and its components
+// are disjoint.
 GroundDistance distanceFrom(const geometry::TriangleMesh& body);
-// In closed form for round rods of any profile and for prisms, stepped ones too; the mesh of others
-// (prisms that taper) is asked. Precondition: checkRod.
+// In closed form for round rods of any profile and for prisms, including stepped ones; queries the
+// mesh of others (tapered prisms). Precondition: checkRod.
 GroundDistance distanceFrom(const platform::RodShape& rod);
-// From all of several. Precondition: at least one.
+// Returns the distance from the union of several grounds. Precondition: at least one.
 GroundDistance nearestOf(std::vector<GroundDistance> grounds);
 
 } // namespace voluta::substrate

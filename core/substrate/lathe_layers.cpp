@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHardlyOverMm = 1e-2; // over the rod: what facets of either leave
+constexpr double kHardlyOverMm = 1e-2; // Protrusion that the facets of rod or part can cause
 
 [[noreturn]] void refuse(const base::Message& what, const base::Message& remedy) {
   throw base::Error(base::ErrorCode::UnusableInput, what, "rod"_text, remedy);
@@ -42,8 +42,9 @@ double farthest(const geometry::TriangleMesh& part, const RodSurface& rod, bool 
   return most;
 }
 
-// Where a rod is not round, a level's foot leaves its surface between the rims of levels, which are
-// half a layer high: the first patch over it is made as thick there as it takes to lie on the rod.
+// If the rod is not round, the bottom of a level leaves the rod's surface between the rims of
+// levels, which are half a layer high. Makes the first patch over the rod thick enough there to
+// rest on it.
 void followRod(std::vector<layers::Patch>& patches, const std::vector<double>& bounds,
                const layers::Ground& ground, const LatheOptions& o) {
   constexpr double kOnRimMm = 0.02;
@@ -78,11 +79,10 @@ geometry::TriangleMesh partAroundRod(const geometry::TriangleMesh& part, const R
   const auto& profile = rod.rod().profile;
   const double first = profile.front().x(), last = profile.back().x();
   if (box.isEmpty() || box.min().x() < first || box.max().x() > last)
-    refuse(base::message(
-               "the part reaches from x = {from:.4g} to {to:.4g} mm, beyond an end of the rod at "
-               "{firstEnd:.4g} or {lastEnd:.4g} mm"_text,
-               base::number(box.min().x()), base::number(box.max().x()), base::number(first),
-               base::number(last)),
+    refuse(base::message("the part extends from x = {from:.4g} to {to:.4g} mm, beyond an end "
+                         "of the rod at {firstEnd:.4g} or {lastEnd:.4g} mm"_text,
+                         base::number(box.min().x()), base::number(box.max().x()),
+                         base::number(first), base::number(last)),
            "move the part along the rod, or use a longer rod"_text);
   double over = 0.0;
   for (const auto& triangle : part.triangles)
@@ -96,10 +96,10 @@ geometry::TriangleMesh partAroundRod(const geometry::TriangleMesh& part, const R
         remainder = geometry::subtract(*remainder, solid);
   }
   if (!remainder)
-    refuse("the part is not closed, or cuts itself, where the rod is taken out of it"_text,
+    refuse("the part is not closed or self-intersects where the rod is subtracted"_text,
            "repair the part first"_text);
   if (remainder->empty())
-    refuse("the rod is thicker than the part: nothing of the part is outside it"_text,
+    refuse("the rod is thicker than the part and contains all of it"_text,
            "use a thinner rod, or print the part larger"_text);
   return std::move(*remainder);
 }
@@ -111,11 +111,10 @@ std::vector<double> latheBounds(const geometry::TriangleMesh& part, const RodSur
   const double from = o.followsRod ? 0.0 : rod.radiiBetween(box.min().x(), box.max().x()).leastMm;
   const double to = farthest(part, rod, o.followsRod);
   if (to - from < o.heightMinMm)
-    refuse(
-        base::message(
-            "the part reaches {height:.3g} mm out over the rod, less than a layer of {least:.3g} mm"_text,
-            base::number(std::max(0.0, to - from)), base::number(o.heightMinMm)),
-        "use a thinner rod, or print the part larger"_text);
+    refuse(base::message("the part extends {height:.3g} mm beyond the rod, less than a layer "
+                         "of {least:.3g} mm"_text,
+                         base::number(std::max(0.0, to - from)), base::number(o.heightMinMm)),
+           "use a thinner rod, or print the part larger"_text);
   return levelBounds(from, to, o);
 }
 

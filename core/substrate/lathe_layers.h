@@ -13,42 +13,40 @@
 
 namespace voluta::substrate {
 
-// What is to be laid around the rod: the part less the rod, both in the work frame, the rod's axis
-// on x. Throws Error{UnusableInput} where the part is not closed, reaches beyond an end of the rod,
-// or no further out than the rod.
+// Returns the part without the rod, both in the work frame with the rod's axis on x. Throws
+// Error{UnusableInput} if the part is not closed, extends beyond an end of the rod, or does not
+// extend beyond the rod's radius.
 geometry::TriangleMesh partAroundRod(const geometry::TriangleMesh& part, const RodSurface& rod);
 
 struct LatheOptions : LevelOptions {
-  // False: levels at constant radius; true: at constant distance from the rod, whatever its
-  // profile.
+  // False: levels at constant radius; true: at constant distance from the rod, for any profile.
   bool followsRod = false;
 };
 
 struct LatheLayers : StackedLevels {
-  std::vector<double> outerMm; // of each level: its outer radius, or distance from the rod
+  std::vector<double> outerMm; // Per level: its outer radius, or distance from the rod
 };
 
-// Outer bounds of the levels of latheLayers, the rod's own first: from the rod (where it is
-// thinnest within the part's length) to the part's farthest point. Throws Error{UnusableInput}
-// where the part leaves no room for a layer over the rod. (Castelli 2020, 5.3.1.)
+// Returns the outer bounds of the levels of latheLayers, starting with the rod's own: from the rod
+// (at its thinnest within the part's length) to the part's farthest point. Throws
+// Error{UnusableInput} if the part has no room for a layer over the rod. (Castelli 2020, 5.3.1.)
 std::vector<double> latheBounds(const geometry::TriangleMesh& part, const RodSurface& rod,
                                 const LatheOptions& options);
 
-// latheBounds as levels, stacked (stackLevels). `part`: see partAroundRod. Throws
-// Error{UnusableInput} as latheBounds, and where nothing of the part lies on the rod; Cancelled.
-// Same result for any number of threads.
-// Example:
+// Returns the stacked levels (stackLevels) between latheBounds. `part`: see partAroundRod. Throws
+// Error{UnusableInput} as latheBounds, and if no layer of the part rests on the rod; throws
+// Cancelled. The result is independent of the number of threads. Example:
 //   const substrate::RodSurface rod(platform::straightRod(5.0, 200.0));
 //   const geometry::TriangleMesh around = substrate::partAroundRod(tube, rod);
 //   const substrate::LatheLayers wound = substrate::latheLayers(around, rod, {}, ctx);
 LatheLayers latheLayers(const geometry::TriangleMesh& part, const RodSurface& rod,
                         const LatheOptions& options, const base::RunContext& ctx);
 
-// Where the part leans out over lower layers along the rod.
+// Returns the part's overhangs along the rod over lower layers.
 Overhang latheOverhang(const geometry::TriangleMesh& part, const RodSurface& rod,
                        const LatheOptions& options, const OverhangRule& rule);
 
-// How far points are over a rod, along its radius.
+// Returns the height of points over a rod along its radius.
 layers::Ground rodGround(const RodSurface& rod);
 
 } // namespace voluta::substrate

@@ -23,11 +23,12 @@ namespace voluta::substrate {
 
 namespace {
 
-constexpr double kEdgeShare = 0.4;      // of a bead's width: edges of levels
-constexpr double kGridShare = 1.4;      // of those edges: cells of a grid
-constexpr double kFineShare = 0.17;     // of a bead's width: where last layers end on the surface
-constexpr double kBlockingShare = 0.01; // of the volume that is not laid
-// Of a layer's height: a middle this near to the ground is the first layer's.
+constexpr double kEdgeShare = 0.4; // Edges of levels, as a share of the bead width
+constexpr double kGridShare = 1.4; // Grid cells, as a multiple of those edges
+// Where last layers end on the surface, as a share of the bead width
+constexpr double kFineShare = 0.17;
+constexpr double kBlockingShare = 0.01; // Share of the volume that is not printed
+// Share of a layer's height: a mid-surface this near to the ground belongs to the first layer.
 constexpr double kOnGround = 0.75;
 
 bool isOnGround(const layers::Patch& patch, const layers::Ground& ground) {
@@ -57,14 +58,14 @@ void reportUnsupported(const layers::InAir& inAir, GroundKind ground, StackedLev
 [[noreturn]] void missesGround(GroundKind ground) {
   if (ground == GroundKind::Rod)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "the part misses the rod: nothing of it lies on the rod"_text, "rod"_text,
+                      "the part misses the rod: no layer of it rests on the rod"_text, "rod"_text,
                       "move the part onto the rod"_text);
   throw base::Error(base::ErrorCode::UnusableInput,
-                    "the part misses the surface: nothing of it lies on the surface"_text,
+                    "the part misses the surface: no layer of it rests on the surface"_text,
                     "surface"_text, "move the part onto the surface"_text);
 }
 
-// What no level reaches: layers that end before the part does.
+// Reports the volume beyond the last level, where layers end before the part does.
 void reportLeftOut(const geometry::TriangleMesh& part, StackedLevels& result) {
   const double whole = geometry::volume(part);
   const double missing = whole - result.statistics.volumeMm3() - result.sliverVolumeMm3;

@@ -1,4 +1,4 @@
-// From levels that follow a ground to the layers that are laid.
+// Makes printable layers from levels that follow a ground.
 #pragma once
 
 #include "base/run_context.h"
@@ -23,46 +23,47 @@ struct LevelOptions {
   double beadWidthMm = 0.7;
 };
 
-// Outer bounds of levels of equal height between two, the inner one first; the height is the
-// nearest to the wanted one for which they are a whole number, the first one's its own. Where no
-// number of levels is within the limits, the part's surface takes what is left.
-// Precondition: from < to, positive heights.
+// Returns the outer bounds of levels of equal height between `from` and `to`, the inner one first.
+// The height is the one nearest to the layer height for which the number of levels is an integer
+// within the limits; the first level may have its own height. If no number of levels is within the
+// limits, uses as many as the minimum height allows. Preconditions: from < to, positive heights.
 std::vector<double> levelBounds(double from, double to, const LevelOptions& options);
 
-// Edges of levels, mm; and of the grid of those at a distance, whose triangles are smaller than its
-// cells.
+// Return the edge length [mm] of levels, and that of the grid for offset levels, whose triangles
+// are smaller than its cells.
 double levelEdgeMm(const LevelOptions& options);
 double offsetGridMm(const LevelOptions& options);
 
 enum class GroundKind { Surface, Rod };
 
-// Levels from a ground outwards.
+// A family of levels from a ground outwards.
 struct LevelFamily {
   int count = 0;
-  // The k-th's mid-surface, not yet cut by the part. Called from many threads at once.
+  // Returns the mid-surface of the k-th level, not yet trimmed by the part. Called from many
+  // threads at once.
   std::function<layers::LevelSurface(int k, const base::RunContext&)> level;
-  layers::Ground ground; // what the first ones lie on
-  // Unit: the way material grows at a point.
+  layers::Ground ground; // The ground of the first levels
+  // Returns the unit growth direction at a point.
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)> outward;
-  GroundKind groundKind = GroundKind::Surface; // what it is called
-  // Changes patches before slivers are shared out; may be empty.
+  GroundKind groundKind = GroundKind::Surface; // How messages name the ground
+  // Modifies patches before slivers are absorbed; may be empty.
   std::function<void(std::vector<layers::Patch>&)> adapt;
 };
 
 struct StackedLevels {
-  layers::LayerStack stack; // in print order
+  layers::LayerStack stack; // In print order
   layers::LayerStatistics statistics;
   std::size_t mergedPieces = 0;
-  std::size_t slivers = 0; // pieces of layers that are not laid
+  std::size_t slivers = 0; // Pieces of layers that are not printed
   double sliverVolumeMm3 = 0.0;
-  std::size_t unsupportedPatches = 0; // that begin in the air
-  plan::Findings findings;            // stage "layers"
+  std::size_t unsupportedPatches = 0; // Patches without support below
+  plan::Findings findings;            // Stage "layers"
 };
 
-// Each level trimmed by the part, what is too small for a bead taken by its neighbours, last layers
-// under slopes and steps ending on the surface (layers::followTop). `part`: closed, less the
-// ground. Throws Error{UnusableInput} where nothing of it lies on the ground; Cancelled. Same
-// result for any number of threads.
+// Trims each level by the part; areas too small for a bead are absorbed by their neighbours, and
+// the last layers below slopes and steps end on the surface (layers::followTop). `part`: closed,
+// without the ground. Throws Error{UnusableInput} if no patch rests on the ground; throws
+// Cancelled. The result is independent of the number of threads.
 StackedLevels stackLevels(const geometry::TriangleMesh& part, const LevelFamily& family,
                           const LevelOptions& options, const base::RunContext& ctx);
 

@@ -20,7 +20,7 @@ using layers::LevelSurface;
 constexpr double kChordMm = 0.002;
 constexpr double kMostStep = base::degreesToRadians(4.0);
 
-// The angle between vertices on a circle.
+// Returns the angle between vertices on a circle.
 double angularStep(double radiusMm, double edgeMm) {
   const double chord = 2.0 * std::acos(std::max(0.0, 1.0 - kChordMm / radiusMm));
   return std::min({kMostStep, chord, edgeMm / radiusMm});
@@ -37,8 +37,9 @@ void append(LevelSurface& s, const Vector3d& p, const Vector3d& direction, doubl
   s.clearDirection.push_back(direction);
 }
 
-// Two triangles a cell between rows, every other row shifted by half a step: `at(row, i)` are
-// vertices, i increasing to the left of the way the rows go up, seen from outside.
+// Appends two triangles per cell between two rows, with every other row shifted by half a step.
+// `at(row, i)` are vertices; seen from outside, i increases to the left of the direction in which
+// the rows increase.
 template <typename At> void appendRow(LevelSurface& s, const At& at, int row, int cells) {
   for (int i = 0; i < cells; ++i) {
     const int a = at(row, i), b = at(row, i + 1), c = at(row + 1, i), d = at(row + 1, i + 1);
@@ -80,8 +81,8 @@ LevelSurface sphereLevel(const Vector3d& centre, double radiusMm, double thickne
                          const Eigen::AlignedBox3d& box, double edgeMm) {
   base::require(radiusMm > 0.0 && thicknessMm > 0.0 && edgeMm > 0.0 && !box.isEmpty(),
                 "a sphere of positive lengths and a box");
-  // An icosahedron's faces, halved until edges are short enough; what keeps away from the box goes
-  // on the way.
+  // Subdivides an icosahedron's faces until edges are short enough, discarding triangles outside
+  // the box.
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
   std::vector<Vector3d> unit = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
                                 {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
@@ -107,7 +108,8 @@ LevelSurface sphereLevel(const Vector3d& centre, double radiusMm, double thickne
     return box.squaredExteriorDistance(at) <= reach * reach * 1.0001;
   };
   double edge = (point(0) - point(1)).norm();
-  // The distance of a triangle's middle from the sphere is a third of an edge's square by 2 r.
+  // The distance of a triangle's middle from the sphere is a third of the squared edge length
+  // divided by 2 r.
   const double finest = std::min(edgeMm * 1.2, std::sqrt(6.0 * kChordMm * radiusMm));
   for (;; edge *= 0.5) {
     std::erase_if(faces, [&](const auto& f) { return !isNear(f); });
@@ -149,7 +151,7 @@ LevelSurface circleLevel(const FlatteningCircle& lower, const FlatteningCircle& 
   const double span = base::kPi - 2.0 * sideAngle;
   const int around = steps(span, angularStep(lower.radiusMm, edgeMm));
   const int along = steps(x1 - x0, edgeMm);
-  // Rows run straight: ends that are no section of the part are cut off with it.
+  // Rows are straight: trimming cuts off ends that are not a section of the part.
   for (int j = 0; j <= along; ++j)
     for (int i = 0; i <= around; ++i) {
       const double alpha = sideAngle + span * i / around;

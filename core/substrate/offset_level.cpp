@@ -1,6 +1,6 @@
-// offsetLevel: marching tetrahedra where the level may pass. Vertices are found along the grid's
-// edges, where they cannot pass each other: nothing folds in a valley, whose two sides would draw
-// them apart.
+// offsetLevel: marching tetrahedra near the level. Vertices are found along the grid's edges, where
+// they cannot pass each other: the surface does not fold in a valley, whose two sides would pull
+// vertices apart.
 #include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/measures.h"
@@ -23,19 +23,19 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-// Cells a side of a block that is looked at as a whole first.
+// Cells per side of a block, which is tested as a whole first.
 constexpr int kBlock = 8;
 constexpr int kMostRounds = 60;
 constexpr double kOnLevelMm = 1e-11;
-constexpr double kCrease = 0.94; // cosine of 20 degrees
+constexpr double kCrease = 0.94; // Cosine of 20 degrees
 
-// A cube's six tetrahedra around its diagonal (Kuhn): neighbouring cubes agree on their faces.
+// The six tetrahedra around a cube's diagonal (Kuhn): neighbouring cubes agree on their faces.
 constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
 } // namespace
 
-// Signed distances at a grid's points, found block by block when they are first asked for.
+// Signed distances at a grid's points, computed block by block on first use.
 class OffsetLevels::Grid {
 public:
   Grid(GroundDistance ground, const Eigen::AlignedBox3d& box, double pitch)
@@ -47,7 +47,7 @@ public:
   }
 
   const GroundDistance& ground() const { return ground_; }
-  const Vector3i& size() const { return size_; } // cells
+  const Vector3i& size() const { return size_; } // In cells
   std::size_t blocks() const { return entries_.size(); }
   Vector3i firstCell(std::size_t b) const {
     const int i = static_cast<int>(b);
@@ -56,7 +56,8 @@ public:
   }
   Vector3d point(const Vector3i& at) const { return low_ + pitch_ * at.cast<double>(); }
 
-  // At the corners of a block's cells, x fastest; null where the level does not pass it.
+  // Returns the distances at the corners of a block's cells, x varying fastest; nullptr if the
+  // level does not pass through the block.
   const std::vector<double>* valuesNear(std::size_t b, double distanceMm) {
     Entry& entry = entries_[b];
     const Vector3i first = firstCell(b);
@@ -79,7 +80,7 @@ public:
 private:
   struct Entry {
     std::once_flag seen, sampled;
-    double middleMm = 0.0; // distance of the block's middle
+    double middleMm = 0.0; // Distance at the block's middle
     std::vector<double> values;
   };
 
@@ -133,7 +134,7 @@ private:
     Corner from, to;
   };
 
-  // Newton's steps along the edge, as long as they stay between ends on either side.
+  // Newton steps along the edge, as long as they stay within the bracket.
   void putOnLevel(const Crossing& crossing, Vector3d& p, Vector3d& direction) const {
     const Vector3d a = point(crossing.from.at), way = point(crossing.to.at) - a;
     double low = 0.0, high = 1.0;
@@ -142,7 +143,7 @@ private:
       p = a + t * way;
       const Vector3d out = p - grid_.ground().nearest(p);
       const double far = out.norm();
-      // Nearer than the level the side does not matter: either is below it.
+      // Closer than the level, the side does not matter: both are below it.
       const bool inside = far >= distance_ && grid_.ground().isInside(p);
       const double value = (inside ? -far : far) - distance_;
       direction = out / far;
@@ -206,7 +207,8 @@ private:
     }
   }
 
-  // Which way round is known from the edges' middles: they are crossed in the same order anywhere.
+  // The orientation follows from the edges' midpoints: the edges are crossed in the same order
+  // anywhere.
   void add(int a, int b, int c, const Vector3d& up) {
     const auto p = [&](int v) -> Vector3d {
       const Crossing& crossing = crossings_[static_cast<std::size_t>(v)];
@@ -226,7 +228,7 @@ private:
 
   Grid& grid_;
   double distance_;
-  std::vector<Crossing> crossings_; // one a vertex
+  std::vector<Crossing> crossings_; // One per vertex
   layers::LevelSurface s_;
   std::unordered_map<std::pair<std::uint64_t, std::uint64_t>, int, EdgeHash> vertexOf_;
 };
@@ -244,7 +246,7 @@ layers::LevelSurface OffsetLevels::at(double distanceMm, double thicknessMm,
   layers::LevelSurface s = Marcher<Grid>(*grid_, distanceMm).run(ctx);
   s.thicknessMm.assign(s.direction.size(), thicknessMm);
   const std::vector<Vector3d> normals = geometry::vertexNormals(s.surface);
-  // In a crease two places are nearest.
+  // In a crease two points are nearest.
   for (std::size_t v = 0; v < normals.size(); ++v)
     if (normals[v].dot(s.direction[v]) < kCrease && normals[v].squaredNorm() > 0.0)
       s.direction[v] = normals[v];

@@ -28,7 +28,7 @@ Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& 
     const double area = geometry::triangleArea(part, t) / (m * m);
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < 2 * (m - i) - 1; ++j) {
-        // The centre of the j-th small triangle of strip i.
+        // The centroid of the j-th small triangle of strip i.
         const double third = j % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
         const double u = (i + third) / m, v = (j / 2 + third) / m;
         const Vector3d p = a + u * (b - a) + v * (c - a);

@@ -1,4 +1,4 @@
-// Where a part leans out over what is printed before it.
+// Finds where a part overhangs the layers printed before.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -14,9 +14,10 @@
 namespace voluta::substrate {
 
 struct OverhangRule {
-  double overhangRad = 0.7853981633974483; // to which the part may lean out
-  double contactMm = 0.1;                  // what is so near to the ground lies on it
-  double sampleMm = 1.0; // edges of samples of a facet, over which the way outwards hardly turns
+  double overhangRad = 0.7853981633974483; // Maximum overhang angle
+  double contactMm = 0.1;                  // Surfaces this near to the ground rest on it
+  // Edge length of a facet's samples, over which the outward direction hardly changes
+  double sampleMm = 1.0;
 };
 
 struct Overhang {
@@ -24,12 +25,12 @@ struct Overhang {
   Eigen::Vector3d worstAt = Eigen::Vector3d::Zero();
 };
 
-// The area whose normal n has n . outward < -sin(overhangRad), off the ground.
+// Returns the area whose normal n satisfies n . outward < -sin(overhangRad), except on the ground.
 Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& ground,
                       const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& outward,
                       const OverhangRule& rule);
 
-// Not blocking; none where there is no area.
+// Not blocking; nullopt if there is no area.
 std::optional<plan::Finding> overhangFinding(const Overhang& overhang, const OverhangRule& rule,
                                              GroundKind ground);
 

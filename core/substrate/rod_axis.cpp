@@ -64,14 +64,15 @@ AxisFit fitAxis(const geometry::TriangleMesh& mesh) {
   const auto clearer = [&](int than, int by) {
     return values[than] > 0.0 ? values[by] / values[than] : std::numeric_limits<double>::infinity();
   };
-  // What is short along its axis has normals along it in the most: a disc.
+  // The normals of a short part (a disc) are mostly along its axis.
   const bool isDisc = clearer(0, 1) < kClear;
   const double sharpness = isDisc ? clearer(1, 2) : clearer(0, 1);
   if (!(sharpness >= kClear) || values[1] <= 0.0)
     throw base::Error(base::ErrorCode::UnusableInput,
-                      "the part has no clear axis: its sides face along every direction alike"_text,
+                      "the part has no clear axis: its surface normals have no preferred "
+                      "direction"_text,
                       "axis"_text,
-                      "name its axis (rodAxis), or turn the part onto the rod by hand"_text);
+                      "set its axis (rodAxis), or rotate the part onto the rod manually"_text);
   Eigen::Vector3d direction = solver.eigenvectors().col(isDisc ? 2 : 0);
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);

@@ -47,7 +47,7 @@ platform::RadiusRange RodSurface::radiiBetween(double x0, double x1) const {
   bool any = false;
   for (int i = 0; i <= steps; ++i)
     for (int k = 0; k < kAround; ++k) {
-      // Not on the ends, which may be those of the body.
+      // Not at the ends, which may be end faces of the body.
       const double x = x0 + (x1 - x0) * (i + 0.5) / (steps + 1);
       const double r = radiusAt(x, 2.0 * base::kPi * k / kAround);
       least = any ? std::min(least, r) : r;

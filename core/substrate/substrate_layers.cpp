@@ -23,14 +23,14 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kTouchMm = 1e-3; // what is nearer to the ground lies on it
-constexpr double kRoundMm = 0.02; // by which a round ground may be off
+constexpr double kTouchMm = 1e-3; // Points this near to the ground rest on it
+constexpr double kRoundMm = 0.02; // Tolerance of a round ground
 
 [[noreturn]] void refuse(const base::Message& what, const base::Message& remedy) {
   throw base::Error(base::ErrorCode::UnusableInput, what, "surface"_text, remedy);
 }
 
-// Corners of the part on its ground.
+// Returns the vertices of the part on its ground.
 std::vector<Vector3d> footOf(const geometry::TriangleMesh& part, const GroundDistance& ground) {
   std::vector<Vector3d> foot;
   for (const Vector3d& p : part.vertices)
@@ -39,10 +39,11 @@ std::vector<Vector3d> footOf(const geometry::TriangleMesh& part, const GroundDis
   return foot;
 }
 
-// Along x, its round side up.
+// Returns the cylinder along x, with its round side up, on which the part rests; nullopt if there
+// is none.
 std::optional<CircleFit> cylinderUnder(const std::vector<Vector3d>& foot) {
   std::vector<Vector2d> section;
-  double height = 0.0; // mean
+  double height = 0.0; // Mean
   for (const Vector3d& p : foot) {
     section.emplace_back(p.tail<2>());
     height += p.z() / static_cast<double>(foot.size());
@@ -51,7 +52,7 @@ std::optional<CircleFit> cylinderUnder(const std::vector<Vector3d>& foot) {
     const CircleFit fit = circleThrough(section);
     return fit.rmsMm <= kRoundMm && height > fit.centre.y() ? std::optional(fit) : std::nullopt;
   } catch (const base::Error&) {
-    return std::nullopt; // flat
+    return std::nullopt; // Flat
   }
 }
 
@@ -71,7 +72,7 @@ std::optional<Vector3d> ballUnder(const std::vector<Vector3d>& foot) {
   }
   const geometry::LeastSquares solved = geometry::leastSquares(rows, right);
   if (solved.rank < 4)
-    return std::nullopt; // flat
+    return std::nullopt; // Flat
   const Eigen::Vector4d fit = solved.x;
   const Vector3d centre = mean + fit.head<3>();
   const double radius = std::sqrt(std::max(0.0, fit[3] + fit.head<3>().squaredNorm()));
@@ -90,16 +91,16 @@ struct Reach {
   double from = 0.0, to = 0.0;
 };
 
-// Levels at equal steps of what `height` measures, `between` making one of them.
+// Adds levels at equal steps of the height; `between` makes one of them.
 template <typename Between>
 void addLevels(LevelFamily& family, const Reach& reach, const SubstrateOptions& o,
                Between between) {
   if (reach.to - reach.from < o.heightMinMm)
-    refuse(
-        base::message(
-            "the part rises {height:.3g} mm over the surface, less than a layer of {least:.3g} mm"_text,
-            base::number(std::max(0.0, reach.to - reach.from)), base::number(o.heightMinMm)),
-        "print the part larger, or with a finer process"_text);
+    refuse(base::message("the part rises {height:.3g} mm above the surface, less than a layer "
+                         "of {least:.3g} mm"_text,
+                         base::number(std::max(0.0, reach.to - reach.from)),
+                         base::number(o.heightMinMm)),
+           "print the part larger, or with a finer process"_text);
   const std::vector<double> bounds = levelBounds(reach.from, reach.to, o);
   family.count = static_cast<int>(bounds.size()) - 1;
   family.level = [bounds, between](int k, const base::RunContext& ctx) {
@@ -155,7 +156,7 @@ void addCylinders(LevelFamily& family, const geometry::TriangleMesh& part,
       centre.tail<2>() = fit->centre;
   centre.x() = 0.0;
   const auto radius = [centre](const Vector3d& p) { return (p - centre).tail<2>().norm(); };
-  geometry::TriangleMesh section = part; // seen along the axis
+  geometry::TriangleMesh section = part; // Projected along the axis
   for (Vector3d& p : section.vertices)
     p.x() = 0.0;
   const Reach reach{geometry::MeshQuery(section).closest(centre).distance, farthest(part, radius)};
@@ -173,32 +174,31 @@ void addCylinders(LevelFamily& family, const geometry::TriangleMesh& part,
             });
 }
 
-// A height that the end surface was given, or the part's own.
+// Returns the given height of the end surface, or that of the part.
 double topOf(const geometry::TriangleMesh& part, const EndSurface& end) {
   return end.heightMm ? *end.heightMm : geometry::bounds(part).max().z();
 }
 
-// Circles from the cylinder that the part stands on, as many as bring layers nearest to the wanted
-// height within the limits.
+// Returns circles from the cylinder on which the part rests; their number brings the layers nearest
+// to the layer height within the limits.
 std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth, double top,
                                         const SubstrateOptions& o) {
   constexpr int kMostLayers = 2000, kAngles = 64;
   const FlatteningCircle first{start.centre.y() + start.radiusMm, start.radiusMm};
   const double rise = top - first.topMm;
   if (!(rise > 0.0))
-    refuse(base::message(
-               "the end surface is {rise:.3g} mm over the top of the surface that layers start "
-               "from"_text,
-               base::number(rise)),
-           "give a higher end surface (endSurface)"_text);
+    refuse(
+        base::message("the end surface is {rise:.3g} mm above the top of the starting surface"_text,
+                      base::number(rise)),
+        "choose a higher end surface (endSurface)"_text);
   if (halfWidth >= start.radiusMm)
-    refuse(base::message(
-               "the part is {width:.3g} mm wide, as wide as the cylinder that it stands on"_text,
-               base::number(2.0 * halfWidth)),
+    refuse(base::message("the part is {width:.3g} mm wide, at least as wide as the cylinder "
+                         "below it"_text,
+                         base::number(2.0 * halfWidth)),
            "make the part narrower, or use layerShape=offset"_text);
   std::vector<FlatteningCircle> best;
   double bestOff = std::numeric_limits<double>::infinity();
-  double least = 0.0, most = 0.0; // of the number of layers that comes nearest to the limits
+  double least = 0.0, most = 0.0; // Thickness range of the best number of layers
   double bestBeyond = std::numeric_limits<double>::infinity();
   for (int n = 1; n <= kMostLayers && rise / n >= 0.1 * o.heightMinMm; ++n) {
     std::vector<FlatteningCircle> circles =
@@ -225,13 +225,13 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
   }
   constexpr double kSlackMm = 1e-9;
   if (best.empty() || bestBeyond > kSlackMm)
-    refuse(
-        base::message(
-            "no number of layers between the surface and its end keeps their thickness "
-            "within {least} and {most} mm: {layers} layers would be {thinnest:.3g} to {thickest:.3g} mm thick"_text,
-            base::number(o.heightMinMm), base::number(o.heightMaxMm),
-            best.empty() ? 0 : best.size() - 1, base::number(least), base::number(most)),
-        "give an end surface that is more like the surface, or a narrower part"_text);
+    refuse(base::message("no number of layers between the surface and the end surface keeps "
+                         "the layer height within {least} to {most} mm: {layers} layers would "
+                         "be {thinnest:.3g} to {thickest:.3g} mm high"_text,
+                         base::number(o.heightMinMm), base::number(o.heightMaxMm),
+                         best.empty() ? 0 : best.size() - 1, base::number(least),
+                         base::number(most)),
+           "choose an end surface of more similar shape, or a narrower part"_text);
   return best;
 }
 
@@ -242,7 +242,7 @@ void addCircles(LevelFamily& family, const geometry::TriangleMesh& part, const C
   for (const Vector3d& p : part.vertices)
     halfWidth = std::max(halfWidth, std::abs(p.y() - across));
   const std::vector<FlatteningCircle> circles = circlesOf(start, halfWidth, topOf(part, o.end), o);
-  // A little more than the part, which cuts it; still less than the cylinder.
+  // Slightly wider than the part, which trims it, but narrower than the cylinder.
   const double width =
       std::min(halfWidth + 2.0 * levelEdgeMm(o), 0.5 * (halfWidth + start.radiusMm));
   family.count = static_cast<int>(circles.size()) - 1;
@@ -263,7 +263,7 @@ void addFlattening(LevelFamily& family, const geometry::TriangleMesh& part,
   if (cylinder && !o.end.mesh)
     return addCircles(family, part, *cylinder, o, box);
   if (!std::isinf(o.end.radiusMm))
-    refuse("the part stands on no cylinder along x, which an end surface radius:R is for"_text,
+    refuse("an end surface radius:R requires a cylinder along x below the part"_text,
            "give endSurface=flat:Z or mesh:FILE"_text);
   BlendOptions blend;
   blend.levels = o;
@@ -283,11 +283,11 @@ geometry::TriangleMesh partOnBody(const geometry::TriangleMesh& part,
                                   const geometry::TriangleMesh& body) {
   std::optional<geometry::TriangleMesh> remainder = geometry::subtract(part, body);
   if (!remainder)
-    refuse(
-        "the part is not closed, or cuts itself, where the surface's body is taken out of it"_text,
-        "repair the part first"_text);
+    refuse("the part is not closed or self-intersects where the surface's body "
+           "is subtracted"_text,
+           "repair the part first"_text);
   if (remainder->empty())
-    refuse("the surface covers the part: nothing of the part is outside its body"_text,
+    refuse("the body of the surface contains the whole part"_text,
            "move the part out of the surface, or print it larger"_text);
   return std::move(*remainder);
 }

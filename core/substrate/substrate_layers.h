@@ -15,39 +15,39 @@
 namespace voluta::substrate {
 
 enum class LevelShape {
-  Offset,   // at constant distance from the surface
-  Sphere,   // spheres about a centre (Castelli 2020, 1.3.3)
-  Cylinder, // cylinders about an axis along x
-  Flatten   // from the surface to an end surface, thickness varying over a layer (5.2.3)
+  Offset,   // At constant distance from the surface
+  Sphere,   // Spheres around a centre (Castelli 2020, 1.3.3)
+  Cylinder, // Cylinders around an axis along x
+  Flatten   // From the surface to an end surface, with thickness varying over a layer (5.2.3)
 };
 
 // Where Flatten ends.
 struct EndSurface {
-  std::optional<double> heightMm; // of its top; none: the part's highest point
-  // Of a cylinder along x, over one that the part stands on; infinite: a plane.
+  std::optional<double> heightMm; // Of its top; nullopt: the part's highest point
+  // Radius of a cylinder along x, if the part rests on one; infinite: a plane.
   double radiusMm = std::numeric_limits<double>::infinity();
-  std::shared_ptr<const geometry::MeshQuery> mesh; // instead of both
+  std::shared_ptr<const geometry::MeshQuery> mesh; // Replaces the other two
 };
 
 struct SubstrateOptions : LevelOptions {
   LevelShape shape = LevelShape::Offset;
-  // Of spheres, and (y, z) of cylinders; none: of the ball or cylinder that the part stands on;
-  // where it stands on neither, under the part's middle, half its height below its foot.
+  // Centre of spheres, or (y, z) of cylinders. nullopt: that of the ball or cylinder on which the
+  // part rests; without either, half the part's height below the middle of its foot.
   std::optional<Eigen::Vector3d> centre;
   EndSurface end;
 };
 
-// What is to be laid on a body: the part less it. Throws Error{UnusableInput} where the part is not
-// closed, or nothing of it is outside the body.
+// Returns the part without the body. Throws Error{UnusableInput} if the part is not closed, or the
+// body contains all of it.
 geometry::TriangleMesh partOnBody(const geometry::TriangleMesh& part,
                                   const geometry::TriangleMesh& body);
 
-// The plate z = 0 as a ground.
+// Returns the plate z = 0 as a ground.
 GroundDistance plateGround();
 
-// The levels of `part`, which stands on the ground. Throws Error{UnusableInput}: no room for a
-// layer; Flatten: an end surface that nothing of the surface reaches, no number of layers within
-// the limits of thickness, layers that would fold; Cancelled.
+// Returns the levels of `part`, which rests on the ground. Throws Error{UnusableInput} if there is
+// no room for a layer; for Flatten, if the end surface is out of reach of the surface, no number of
+// layers is within the thickness limits, or layers would fold. Throws Cancelled.
 LevelFamily substrateLevels(const geometry::TriangleMesh& part, const GroundDistance& ground,
                             const SubstrateOptions& options, const base::RunContext& ctx);
 

@@ -12,7 +12,7 @@ namespace voluta::substrate {
 
 namespace {
 
-// Of the shorter to the longer extent of points: less is a line.
+// Minimum ratio of the shorter to the longer extent; less is a line.
 constexpr double kLine = 1e-7;
 
 [[noreturn]] void refuse(const base::Message& what) {
@@ -24,24 +24,24 @@ constexpr double kLine = 1e-7;
 
 CircleFit circleThrough(const std::vector<Eigen::Vector2d>& points) {
   if (points.size() < 3)
-    refuse(
-        base::message("{points} points do not make a circle: it takes three"_text, points.size()));
+    refuse(base::message("{points} points do not define a circle: at least three are needed"_text,
+                         points.size()));
   const auto n = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixX2d centred(n, 2);
   for (Eigen::Index i = 0; i < n; ++i)
     centred.row(i) = points[static_cast<std::size_t>(i)];
   if (!centred.allFinite())
-    refuse("a point is not a number"_text);
+    refuse("a point has NaN or infinite coordinates"_text);
   const Eigen::Vector2d mean = centred.colwise().mean();
   centred.rowwise() -= mean.transpose();
-  // Singular values, as roots of the eigenvalues of their products.
+  // Singular values, from the eigenvalues of the product matrix.
   const Eigen::Matrix2d products = centred.transpose() * centred;
   const double middle = 0.5 * products.trace(),
                apart = std::hypot(0.5 * (products(0, 0) - products(1, 1)), products(0, 1));
   const Eigen::Vector2d extent(std::sqrt(middle + apart), std::sqrt(std::max(0.0, middle - apart)));
   if (extent[1] <= kLine * extent[0])
-    refuse("the points lie on a line"_text);
-  // In units of their extent, so that the three columns are alike.
+    refuse("the points are collinear"_text);
+  // Scale by the extent, so that the three columns have similar magnitude.
   const double unit = extent[0];
   centred /= unit;
   Eigen::MatrixX3d rows(n, 3);

@@ -15,13 +15,13 @@ namespace {
 
 using curved::Decomposition;
 
-constexpr double kFinestMm = 0.4; // triangles of a slice are about this long
+constexpr double kFinestMm = 0.4; // approximate edge length of a slice's triangles
 
-// Cells of one layer of the grid that hang together by faces.
+// Face-connected cells of one layer of the grid.
 struct Block {
   int k = 0;
   std::vector<std::array<int, 2>> cells; // (i, j)
-  double level = 0.0;                    // of the field at its middle, mm
+  double level = 0.0;                    // of the field at its centre, mm
   std::vector<int> below, above;         // blocks
 };
 
@@ -39,7 +39,7 @@ double levelAt(const Decomposition& d, std::size_t cell) {
   return d.field.empty() ? (d.rank[cell] - 0.5) * d.grid.pitch : static_cast<double>(d.field[cell]);
 }
 
-// All blocks of support, from below.
+// Returns all blocks of support, from the bottom up.
 std::vector<Block> blocksOf(const Decomposition& d) {
   std::vector<Block> blocks;
   std::map<std::size_t, int> of; // block of a cell
@@ -88,7 +88,7 @@ public:
         widen_(0.5 * std::max(0.0, o.beadWidthMm - d.grid.pitch)) {}
 
   std::vector<curved::SupportPatch> run(const base::RunContext& ctx) {
-    // Stretches without a fork, from their lowest block.
+    // Stretches without a branch, from their lowest block.
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       ctx.checkpoint();
       const Block& block = blocks_[b];
@@ -108,8 +108,8 @@ private:
   const Block& at(int block) const { return blocks_[static_cast<std::size_t>(block)]; }
   double bottomOf(const Block& b) const { return d_.grid.origin.z() + d_.grid.pitch * b.k; }
 
-  // From a face of the block (sign -1: lower, +1: upper) to the part's surface beyond, where cells
-  // of the part lie there: the least over its middle and corners.
+  // Returns the distance from a face of the block (sign -1: lower, +1: upper) to the part's surface
+  // beyond it, where cells of the part are there: the minimum over its centre and corners.
   double gap(const Block& block, int sign) const {
     const double z = bottomOf(block) + (sign > 0 ? d_.grid.pitch : 0.0);
     std::optional<double> least;
@@ -145,14 +145,14 @@ private:
     double level = 0.0;
     for (int n = 0; n < static_cast<int>(count); ++n) {
       const double z = low + n * thickness;
-      // Each above the one before also where the field hardly rises.
+      // Levels must increase even where the field hardly rises.
       const double wanted = levelAtHeight(stretch, z);
       level = n == 0 ? std::max(0.0, wanted) : std::max(level + 0.3 * thickness, wanted);
       out_.push_back({patch(stretch, z, thickness), level});
     }
   }
 
-  // The field along the stretch: linear between the middles of its blocks.
+  // Returns the field along the stretch, interpolated linearly between the centres of its blocks.
   double levelAtHeight(const std::vector<int>& stretch, double z) const {
     const double t = (z - bottomOf(at(stretch.front()))) / d_.grid.pitch - 0.5;
     if (stretch.size() == 1)
@@ -212,7 +212,7 @@ private:
     return out;
   }
 
-  // A corner of cells, moved outwards where the cells around it all lie to one side.
+  // Returns a corner of cells, moved outwards if the cells around it are all on one side.
   Eigen::Vector2d corner(const std::vector<std::array<int, 2>>& cells, int i, int j) const {
     const auto has = [&](int x, int y) {
       return std::binary_search(cells.begin(), cells.end(), std::array{x, y});

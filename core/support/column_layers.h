@@ -1,4 +1,4 @@
-// What is laid of supports: level slices of their columns.
+// The printed layers of supports: horizontal slices of their columns.
 #pragma once
 
 #include "base/run_context.h"
@@ -15,12 +15,12 @@ struct ColumnLayerOptions {
   double beadWidthMm = 1.2;
 };
 
-// The cells of decomposition.support, cut into horizontal slices, from below in each column. A
-// column is as wide as a voxel or a bead, whichever is wider, and reaches from the plate, or from
-// the surface of `part` (mm, closed) under its lowest cell, to the surface over its highest. Its
-// slices are of equal thickness within each straight or bent stretch: as near to the layer height
-// as their number allows, within the limits where the stretch is no shorter than the least height.
-// Empty where there is no support. Throws Cancelled.
+// Returns the cells of decomposition.support cut into horizontal slices, in each column from the
+// bottom up. A column is as wide as a voxel or a bead, whichever is wider, and extends from the
+// plate, or from the surface of `part` (mm, closed) below its lowest cell, to the surface above its
+// highest. Within each stretch without a branch the slices have equal thickness: as near to the
+// layer height as their number allows, within the limits unless the stretch is shorter than the
+// minimum height. Empty if there is no support. Throws Cancelled.
 std::vector<curved::SupportPatch> columnLayers(const curved::Decomposition& decomposition,
                                                const geometry::TriangleMesh& part,
                                                const ColumnLayerOptions& options,

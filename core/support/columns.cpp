@@ -11,10 +11,10 @@ namespace voluta::support {
 
 namespace {
 
-// Costs count halves of a cell, so that sums are exact.
+// Costs are in halves of a cell, so that sums are exact.
 constexpr int kCell = 2, kAside = 4, kSideFace = 12, kNear = 1, kOnPart = 16;
 
-// From a cell to the next of a column: down first, so that straight columns win among equals.
+// From a cell to the next of a column: down first, so that straight columns win ties.
 const std::array<Eigen::Vector3i, 5> kStep{
     {{0, 0, -1}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}}};
 const std::array<Eigen::Vector3i, 6> kFace{
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  // A cell, and how many steps aside have led to it without one down.
+  // A cell and the number of sideways steps since the last step down.
   using Place = std::size_t;
   static constexpr Place kNone = static_cast<Place>(-1);
   Place placeOf(std::size_t cell, int aside) const {
@@ -74,7 +74,7 @@ private:
     int cost;
     Place place;
     bool ends;
-    bool operator<(const Open& other) const { // least cost on top, then least place
+    bool operator<(const Open& other) const { // minimum cost on top, then smallest place
       if (cost != other.cost)
         return cost > other.cost;
       return place != other.place ? place > other.place : ends < other.ends;
@@ -86,14 +86,14 @@ private:
     return grid_.contains(c.x(), c.y(), c.z()) ? cells_[index(c)] : Cell::Closed;
   }
 
-  // Price of the part around a cell of a column; `but`: the face that is meant to touch.
+  // Returns the cost of the part around a cell of a column; `but`: the face that may touch.
   int touching(const Eigen::Vector3i& c, const Eigen::Vector3i& but) const {
     int cost = 0;
     for (int n = 0; n < 27; ++n) {
       const Eigen::Vector3i step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
       if (step.isZero() || !isPart(at(c + step)))
         continue;
-      // What lies beside the meant face cannot be kept off.
+      // Neighbours beside the permitted face cannot be avoided.
       if (step == but || (!but.isZero() && step.dot(but) > 0))
         continue;
       cost += step.cwiseAbs().sum() == 1 ? kSideFace : kNear;
@@ -123,7 +123,7 @@ private:
     const Eigen::Vector3i c = grid_.cell(cellOf(place));
     for (const Eigen::Vector3i& step : kStep) {
       const Eigen::Vector3i to = c + step;
-      // Where any number may be, places differ by their cells alone.
+      // Without a limit, states differ by their cells alone.
       const int aside = step.z() != 0 || mostAside_ == 0 ? 0 : asideOf(place) + 1;
       if (aside <= mostAside_ && isFree(at(to)))
         offer(placeOf(index(to), aside), place,
@@ -155,7 +155,7 @@ private:
 
   const voxel::VoxelGrid& grid_;
   const std::vector<Cell>& cells_;
-  const int mostAside_; // 0: any number
+  const int mostAside_; // 0: no limit
   const base::RunContext& ctx_;
   std::unordered_map<Place, Known> known_;
   std::priority_queue<Open> open_;

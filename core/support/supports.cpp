@@ -16,11 +16,11 @@ namespace voluta::support {
 namespace {
 
 constexpr std::size_t kMostListed = 20;
-constexpr int kSlowRounds = 4; // of schemes that do not peel
+constexpr int kSlowRounds = 4; // for schemes that do not peel
 constexpr std::int32_t kUnreached = std::numeric_limits<std::int32_t>::max();
 
 struct Group {
-  std::vector<std::size_t> cells;  // of the part, hang together
+  std::vector<std::size_t> cells;  // of the part, connected
   std::int32_t order = kUnreached; // the first of them that a flood from the platform reaches
 };
 
@@ -80,7 +80,7 @@ private:
     return curved::grow(graph, options_.growth, options_.forward, ctx, head());
   }
 
-  // The part's voxels that have no rank.
+  // Returns the number of the part's voxels without a rank.
   std::size_t missedOf(const curved::VoxelGraph& graph,
                        const std::vector<std::int32_t>& rank) const {
     std::size_t missed = belowPlate_;
@@ -89,9 +89,9 @@ private:
     return missed;
   }
 
-  // Ranks as the first pass of reverse growth gives them, in which what is given up stands apart
-  // from what it carried; as the scheme itself gives them elsewhere.
-  // `at`: how far the search is.
+  // Returns the ranks of the first pass of reverse growth, in which abandoned voxels are separate
+  // from those they carried; for other schemes the scheme's own ranks. `at`: progress of the
+  // search.
   std::vector<std::int32_t> quickRanks(const curved::VoxelGraph& graph, double at) {
     ctx_.report(at, "supports"_text);
     if (!peels_)
@@ -102,7 +102,7 @@ private:
     return curved::peel(graph, {}, peeling, ctx_.quiet()).rank;
   }
 
-  // Every empty cell over the platform, in the plate's layer, and every closed one beyond it.
+  // Marks every empty cell above the platform in the plate's layer, and every closed one beyond it.
   void markPlate(const curved::VoxelGraph& plain) {
     cells_.assign(part_.solid.size(), Cell::Empty);
     std::vector<std::uint8_t> plate(part_.solid.size(), 0);
@@ -155,7 +155,7 @@ private:
   }
 
   void addColumns(const curved::VoxelGraph& plain, const std::vector<std::int32_t>& plainRank) {
-    // A scheme that does not peel has its first answer already.
+    // A scheme that does not peel has computed its first ranks already.
     std::vector<std::int32_t> rank = peels_ ? quickRanks(plain, 0.3) : plainRank;
     curved::VoxelGraph graph = plain;
     const int rounds = peels_ ? options_.rounds : std::min(options_.rounds, kSlowRounds);
@@ -178,10 +178,10 @@ private:
     }
   }
 
-  // Puts a column under the group; false where there is no way for one.
+  // Puts a column below the group; returns false if there is no path for one.
   bool carry(const Group& group, const curved::VoxelGraph& graph,
              const std::vector<std::int32_t>& order) {
-    // What it stands on must not itself wait for the group.
+    // Its footing must not depend on the group itself.
     for (std::size_t v = 0; v < graph.size(); ++v)
       if (const std::size_t c = graph.cellOf(v); ofPart(c))
         cells_[c] = order[v] >= 0 && order[v] < group.order ? Cell::Footing : Cell::Part;
@@ -211,7 +211,7 @@ private:
     return solid;
   }
 
-  // Whether another kept column stands on column n or leans on it.
+  // Returns whether another kept column is based on or joined to column n.
   bool isJoined(std::size_t n, const std::vector<std::uint8_t>& keep) const {
     for (std::size_t other = n + 1; other < out_.columns.size(); ++other) {
       if (!keep[other] || out_.columns[other].standsOn != Column::Foot::Support)
@@ -225,7 +225,7 @@ private:
     return false;
   }
 
-  // Leaves out columns, the longest first, as long as nothing more is missed without them.
+  // Removes columns, longest first, as long as nothing more is missed without them.
   void thin() {
     std::vector<std::uint8_t> keep(out_.columns.size(), 1);
     int trials = 0;
@@ -234,7 +234,7 @@ private:
       return missedOf(graph, quickRanks(graph, 0.7 + 0.2 * trials / (options_.trials + 1)));
     };
     const std::size_t allowed = missedWithAll_;
-    // One column that cures everything is needed.
+    // A single column that solves everything is needed.
     if (peels_ && !keep.empty() && (keep.size() > 1 || allowed > belowPlate_)) {
       std::vector<std::size_t> order(out_.columns.size());
       std::iota(order.begin(), order.end(), 0);
@@ -306,7 +306,7 @@ private:
   std::size_t belowPlate_ = 0; // voxels of the part
   std::vector<Cell> cells_;
   std::vector<std::size_t> carried_; // per column
-  std::size_t missedWithAll_ = 0;    // with every column there is
+  std::size_t missedWithAll_ = 0;    // with all columns
   std::vector<Group> stranded_;
   Supports out_;
 };
@@ -315,11 +315,12 @@ private:
 
 base::ParameterTable supportParameters() {
   return base::ParameterTable({
-      base::choiceParameter("supports", "none", {{"none", "none"_text}, {"auto", "auto"_text}},
-                            "Layers"_text, "Supports"_text,
-                            "What carries voxels that growth would miss: nothing, or columns as "
-                            "thin as a voxel, to be broken off afterwards."_text,
-                            true),
+      base::choiceParameter(
+          "supports", "none", {{"none", "none"_text}, {"auto", "auto"_text}}, "Layers"_text,
+          "Supports"_text,
+          "Supports voxels that growth would miss with break-away columns one voxel "
+          "wide."_text,
+          true),
   });
 }
 

@@ -1,7 +1,6 @@
-// Finds what sources say to users: string literals marked _text or _plural (core/base/text.h).
-//   voluta_extract_texts LIST.cpp NOTES.cpp FOLDER...
-// LIST.cpp: all of them, for core/texts/known_texts.h. NOTES.cpp: the same for lupdate. A file that
-// would be the same is left as it is.
+// Extracts the texts shown to users: string literals marked _text or _plural (core/base/text.h).
+//   voluta_extract_texts LIST.cpp NOTES.cpp FOLDER... LIST.cpp: all of them, for
+//   core/texts/known_texts.h. NOTES.cpp: the same for lupdate. Unchanged files are not written.
 
 #include <cctype>
 #include <filesystem>
@@ -36,7 +35,8 @@ bool isWordPart(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// The literals of a source, adjacent ones joined, escapes as they stand in it; with their suffix.
+// Iterates over the literals of a source: adjacent ones joined, escapes unresolved, with their
+// suffix.
 class Literals {
 public:
   explicit Literals(std::string_view source) : source_(source) {}
@@ -90,11 +90,11 @@ private:
 };
 
 struct Found {
-  std::string literal; // as it stands in the source
+  std::string literal; // As written in the source
   bool plural = false;
 };
 
-// By the English for many.
+// Keyed by the English plural form.
 using Texts = std::map<std::string, Found>;
 
 void addTexts(const std::string& source, Texts& texts) {
@@ -118,7 +118,7 @@ std::string listOf(const Texts& texts) {
   return out + "  };\n  return kTexts;\n}\n\n} // namespace voluta::texts\n";
 }
 
-// Is there anything in it but places and signs?
+// Returns whether the text contains anything but placeholders and punctuation.
 bool hasWords(std::string_view text) {
   bool within = false;
   for (std::size_t i = 0; i < text.size(); ++i) {

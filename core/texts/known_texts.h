@@ -1,5 +1,4 @@
-// Every text that core and widgets have for a user as data, as found in their sources by
-// extract.cpp.
+// All texts of core and widgets that users see, as found in their sources by extract.cpp.
 #pragma once
 
 #include "base/text.h"
@@ -9,9 +8,10 @@
 
 namespace voluta::texts {
 
-// Each once.
+// Returns each text once.
 std::span<const base::Text> knownTexts();
-// The one that reads so in English (for many, where that differs); empty where there is none.
+// Returns the text with this English wording (the plural form, if there is one); empty if there is
+// none.
 base::Text knownText(std::string_view english);
 
 } // namespace voluta::texts

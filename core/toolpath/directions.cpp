@@ -31,18 +31,18 @@ using geometry::angleBetween;
 using plan::ToolPlan;
 
 constexpr std::size_t kGrain = 512;
-// From what is printed already, where a direction keeps it: programs are judged by the head as it
-// is, and ways between waypoints come nearer.
+// Clearance to the printed part that a direction should keep: programs are checked with the head's
+// true shape, and the head comes nearer between waypoints.
 constexpr double kMarginMm = 0.05;
-// Where a path need not be laid: besides, motion lets the head 0.1 mm deeper than the replay does,
-// and what the replay finds takes another round of both.
+// Clearance for paths that may be skipped. In addition, motion lets the head penetrate 0.1 mm
+// deeper than replay does, and a collision found by replay costs another round of both.
 constexpr double kMayMissMarginMm = 0.1 + kMarginMm;
 
 Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
   const double angle = angleBetween(a, b);
   if (angle < 1e-9)
     return a;
-  if (angle > base::kPi - 1e-6) // opposite: by way of any side
+  if (angle > base::kPi - 1e-6) // Opposite directions: turn towards any side
     return Eigen::AngleAxisd(t * angle, a.unitOrthogonal()) * a;
   return ((std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle)).normalized();
 }
@@ -59,8 +59,8 @@ public:
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
   }
 
-  // `drawsIn`: what would hang is laid aside first (inset_walls.h).
-  // `part`: the plan's beads; null: they are deposited here.
+  // `drawsIn`: first move unsupported walls inwards (inset_walls.h). `part`: the plan's beads;
+  // nullptr: they are deposited here.
   OrientResult run(bool drawsIn, std::shared_ptr<const collision::GrowingPart> part) {
     if (!part) {
       const double pitch = collision::growingPitch(plan_, process_);
@@ -84,10 +84,10 @@ public:
     r.grown = std::move(part);
     return r;
   }
-  // What is braced, once run() has chosen; nothing where nothing is.
+  // Returns the finding about braced beads, after run(); nullopt if none is braced.
   std::optional<plan::Finding> braces() const {
     std::size_t paths = 0;
-    double most = 1.0; // cosine
+    double most = 1.0; // Cosine
     Vector3d where = Vector3d::Zero();
     for (const plan::ToolPath& path : plan_.paths) {
       bool any = false;
@@ -109,7 +109,7 @@ public:
         {{"paths", paths}, {"lean", base::degrees(base::radiansToDegrees(std::acos(most)))}}, where,
         paths);
   }
-  // Per waypoint of the result of run().
+  // Returns the clear directions, per waypoint of the result of run().
   const std::vector<Vector3d>& subdividedClear() const { return subdividedClear_; }
 
 private:
@@ -121,7 +121,8 @@ private:
     return head_.clears(part, tipAt(i, d), d, i, marginMm);
   }
 
-  // What would hang, drawn in, or else braced against what then lies beside it.
+  // Moves unsupported walls inwards, and tilts the remaining unsupported beads against their new
+  // neighbours.
   void hold(const collision::GrowingPart& part) {
     std::vector<char> hanging =
         unsupportedWaypoints(plan_, part, o_.platform, ctx_, kMinSupportedSamples);
@@ -161,7 +162,7 @@ private:
       if (const Vector3d d = between(t, c, static_cast<double>(k) / n);
           clears(part, i, d, marginMm))
         return d;
-    // Rings about the clear direction, then about the layer's own.
+    // Rings around the clear direction, then around the layer's own.
     for (const double tilt : {12.0, 24.0, 36.0, 48.0})
       for (const Vector3d* axis : {&c, &t}) {
         const Vector3d u = axis->unitOrthogonal();
@@ -179,9 +180,9 @@ private:
     return std::nullopt;
   }
 
-  // Of directions all about the layer's own, 6 degrees apart, the nearest to it that is clear:
-  // what is left between two walls is narrower than the rings are dense. `last`: what came of this
-  // for the waypoint before, which mostly goes on.
+  // Returns the clear direction nearest to the layer's own, among directions 6 degrees apart: the
+  // gap between two walls can be narrower than the spacing of the rings. `last`: the result for the
+  // previous waypoint, which often still clears.
   std::optional<Vector3d> narrowClear(const collision::GrowingPart& part, std::size_t i,
                                       const std::optional<Vector3d>& last) const {
     constexpr int kSphere = 1000;
@@ -292,7 +293,7 @@ private:
         }
         add(middle_[i], direction_[i], plan_.widthMm[i], plan_.heightMm[i], plan_.speedMmPerS[i]);
         if (!moved_[i] && direction_[i] == plan_.direction[i])
-          out.position.back() = plan_.position[i]; // to the last bit
+          out.position.back() = plan_.position[i]; // Keep the position to the last bit
         subdividedClear_.push_back(clear_[i]);
       }
       path.first = first;
@@ -302,7 +303,7 @@ private:
     return out;
   }
 
-  // The result by itself: its own beads, its own waypoints.
+  // Evaluates the result with its own beads and waypoints.
   void judge(OrientResult& r, const collision::GrowingPart& part) const {
     const ToolPlan& p = r.plan;
     for (const plan::ToolPath& path : p.paths)
@@ -332,7 +333,7 @@ private:
     const auto first = static_cast<std::size_t>(std::ranges::find(gouge, 1) - gouge.begin());
     r.findings.push_back(
         plan::makeFinding(plan::FindingKind::Gouge, {}, p.position[first], r.gouges));
-    // Motion leaves out where the head would cut in; a few places do not matter by themselves.
+    // Motion skips waypoints where the head would collide; a few of them do not block the plan.
     double length = 0.0, gouged = 0.0;
     for (const plan::ToolPath& path : p.paths)
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
@@ -352,8 +353,8 @@ private:
   const base::RunContext ctx_;
   const HeadClearance& head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
-  std::vector<Vector3d> leant_; // the plan's own, or braced
-  std::vector<char> moved_;     // middles that were drawn in
+  std::vector<Vector3d> leant_; // The plan's own directions, or braced ones
+  std::vector<char> moved_;     // Whether the waypoint was moved inwards
 };
 } // namespace
 
@@ -365,8 +366,8 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
   if (plan.waypointCount() == 0)
     return {};
-  // Leaning moves tips and beads a little, and subdividing adds waypoints: what isn't clear after
-  // that is gone over again, as long as that helps.
+  // Tilting moves tips and beads a little, and subdividing adds waypoints. Repeat for the waypoints
+  // that are not clear afterwards, as long as their number decreases.
   constexpr int kRounds = 4;
   const HeadClearance head(cell, process);
   ToolPlan current = plan;

@@ -1,4 +1,4 @@
-// Where the nozzle comes from at each waypoint.
+// Computes the nozzle direction at each waypoint.
 #pragma once
 
 #include "collision/growing_part.h"
@@ -19,34 +19,34 @@ class RunContext;
 
 namespace voluta::toolpath {
 
-// Is a path not laid where no direction is clear, rather than told?
+// Returns whether a path is skipped, rather than reported, where no direction is clear.
 using MayMiss = std::function<bool(const plan::ToolPath&)>;
 
 struct OrientResult {
   plan::ToolPlan plan;
-  std::size_t gouges = 0;    // waypoints of the result at which the head isn't clear
-  double maxTurnDeg = 0.0;   // between neighbouring waypoints of a path
-  std::vector<char> gouging; // per waypoint: the head isn't clear
-  std::vector<char> hanging; // per waypoint: nothing carries its bead (bridges.h)
-  plan::Findings findings;   // stage "toolpath", kinds "gouge" and "braced"
-  // Of the plan, at collision::growingPitch(), with the platform as its ground.
+  std::size_t gouges = 0;    // Number of waypoints of the result at which the head is not clear
+  double maxTurnDeg = 0.0;   // Between neighbouring waypoints of a path
+  std::vector<char> gouging; // Per waypoint: the head is not clear
+  std::vector<char> hanging; // Per waypoint: its bead is unsupported (bridges.h)
+  plan::Findings findings;   // Stage "toolpath", kinds "gouge" and "braced"
+  // The beads of the plan at collision::growingPitch(), with the platform as the ground.
   std::shared_ptr<const collision::GrowingPart> grown = {};
 };
 
-// Keeps each waypoint's direction (that of its layer: Dai eq. 3.3 with the closest point of the
-// layer before, which the level surfaces' gradient is) where head and holder clear the plate, what
-// carries it and what is printed before, and leans it towards its clear direction only as far as it
-// must, else towards whatever nearby clears, up to 75 degrees from its own; low-passes along the
-// path where neighbours differ by more than smoothBeyondDeg (Dai 3.5.2) unless that gouges;
-// subdivides steps that turn more than turnLimitDeg. Walls that would hang are laid a little aside
-// (inset_walls.h); else the middle of each bead stays where it is: tip = middle + 1/2 height x
-// direction. What hangs all the same leans where its neighbour then holds it (tilt_unsupported.h), unless the
-// plan is upright throughout: then it stays so. Gone over up to four times while less and less
-// gouges.
-// Before it is gone over again, paths that mayMiss lose the waypoints that gouge.
-// clearDirection: per waypoint, unit. `grown`: the plan's beads at collision::growingPitch(), where
-// platform is no body and no rod; null: they are deposited here. Preconditions: sizes match.
-// Throws Cancelled.
+// Computes the nozzle direction of each waypoint. Starts from the layer's direction (Dai eq. 3.3
+// uses the closest point of the previous layer, which equals the gradient of the level surfaces).
+// Keeps it where head and holder clear the plate, the substrate and the part printed so far; else
+// tilts it towards its clear direction as little as possible, else towards any clear direction up
+// to 75 degrees away. Low-passes along the path where neighbours differ by more than
+// smoothBeyondDeg (Dai 3.5.2), unless that gouges. Subdivides steps that turn by more than
+// turnLimitDeg. Unsupported walls are moved inwards a little (inset_walls.h); otherwise the centre
+// of each bead stays in place: tip = centre + 1/2 height x direction. Beads that are still
+// unsupported are tilted so that their neighbour holds them (tilt_unsupported.h), unless the whole
+// plan is upright: then it stays upright. Repeats up to four times as long as the number of gouging
+// waypoints decreases. Before each repetition, paths that satisfy mayMiss lose their gouging
+// waypoints. clearDirection: per waypoint, unit vector. `grown`: the plan's beads at
+// collision::growingPitch() if the platform is neither a body nor a rod; nullptr: they are
+// deposited here. Precondition: sizes match. Throws Cancelled.
 OrientResult orientDirections(const plan::ToolPlan& plan,
                               const std::vector<Eigen::Vector3d>& clearDirection,
                               const robot::Cell& cell, const process::Process& process,

@@ -9,39 +9,42 @@ base::ParameterTable toolpathParameters() {
   for (const InfillKind& kind : infillKinds())
     infills.push_back({std::string(kind.id), kind.label});
   return base::ParameterTable({
-      base::integerParameter(
-          "walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text, "walls"_text,
-          "Beads laid along the edge of each layer before it is filled."_text, true),
+      base::integerParameter("walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text,
+                             "walls"_text, "Number of beads along the outline of each layer."_text,
+                             true),
       base::choiceParameter("infill", ToolpathOptions{}.infill, infills, "Tool-paths"_text,
-                            "infill"_text, "How the inside of each layer is filled."_text, true),
+                            "infill"_text, "Pattern that fills the interior of each layer."_text,
+                            true),
       base::numberParameter("infillDensity", "", 1.0, 0.05, 1.0, "Tool-paths"_text,
                             "infill density"_text,
-                            "Share of the inside that is filled; 1 is solid."_text, true),
-      base::numberParameter("infillAngle", "deg", ToolpathOptions{}.infillAngleDeg, 0.0, 180.0,
-                            "Tool-paths"_text, "infill direction"_text,
-                            "Direction of straight lines on the first layer, from x to y."_text),
+                            "Share of the interior that is filled; 1 is solid."_text, true),
       base::numberParameter(
-          "infillTurn", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0, "Tool-paths"_text,
-          "turn of infill"_text,
-          "How much straight lines turn from layer to layer; 0: all one way."_text),
+          "infillAngle", "deg", ToolpathOptions{}.infillAngleDeg, 0.0, 180.0, "Tool-paths"_text,
+          "infill direction"_text,
+          "Direction of straight lines on the first layer, measured from x to y."_text),
+      base::numberParameter("infillTurn", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0,
+                            "Tool-paths"_text, "infill rotation per layer"_text,
+                            "Rotation of straight lines from layer to layer; 0: the same direction "
+                            "throughout."_text),
       base::numberParameter("windingAngle", "deg", ToolpathOptions{}.windingAngleDeg, 0.0, 90.0,
                             "Tool-paths"_text, "winding angle"_text,
-                            "Of helical infill: 0 winds around the axis, 90 runs along it."_text),
+                            "For helical infill: 0 winds around the axis, 90 runs along it."_text),
       base::choiceParameter(
           "underlay", "auto", {{"auto", "auto"_text}, {"none", "none"_text}}, "Tool-paths"_text,
-          "support under what hangs low"_text,
-          "Beads under what would hang just over the plate or over what is "
-          "printed, which is laid thicker where that is enough. They come off."_text),
-      base::choiceParameter("prime", "line",
-                            {{"line", "a line beside the part"_text},
-                             {"skirt", "a ring round the part"_text},
-                             {"none", "none"_text}},
-                            "Tool-paths"_text, "prime"_text,
-                            "How the nozzle is filled before the part begins: on the plate, or in "
-                            "the air beside it where it has no room. It is waste."_text),
+          "support low overhangs"_text,
+          "Adds break-away beads under low overhangs; thickens the overhanging bead "
+          "instead where that is enough."_text),
+      base::choiceParameter(
+          "prime", "line",
+          {{"line", "a line beside the part"_text},
+           {"skirt", "a ring around the part"_text},
+           {"none", "none"_text}},
+          "Tool-paths"_text, "prime"_text,
+          "Fills the nozzle before the part begins: on the plate, or in the air beside "
+          "it if there is no room. The material is waste."_text),
       base::numberParameter("primeLengthMm", "mm", ToolpathOptions{}.primeLengthMm, 10.0, 200.0,
-                            "Tool-paths"_text, "length of the prime"_text,
-                            "Of the line beside the part."_text),
+                            "Tool-paths"_text, "prime length"_text,
+                            "Length of the line beside the part."_text),
   });
 }
 

@@ -1,4 +1,4 @@
-// What a user may choose about tool-paths.
+// User options of the tool-paths.
 #pragma once
 
 #include "base/parameters.h"
@@ -13,24 +13,24 @@ struct ToolpathOptions {
   int walls = 2;                 // beads along the boundary of each patch
   std::string infill = "zigzag"; // id in infillKinds()
   double infillDensity = 1.0;    // share of the interior that is filled, (0, 1]
-  // Of straight lines on the first layer, from x to y, and how they turn from layer to layer.
+  // Direction of straight lines on the first layer, from x to y, and their rotation per layer.
   double infillAngleDeg = 135.0, infillTurnDeg = 90.0;
   double windingAngleDeg = 45.0; // of helical infill: 0 around the axis, 90 along it
-  double stepMm = 1.0;           // longest distance of waypoints
+  double stepMm = 1.0;           // maximum spacing of waypoints
   double edgeMm = 0.6;           // patches are refined to edges of this length for planning
-  double turnLimitDeg = 5.0;     // steps in which the direction turns more are subdivided
+  double turnLimitDeg = 5.0;     // steps with a larger change of direction are subdivided
   double smoothBeyondDeg = 10.0; // Dai 3.5.2
-  bool rimSupports = true;    // beads of support under rims just over the plate (rim_supports.h)
-  std::string prime = "none"; // line, skirt or none (prime_path.h)
+  bool rimSupports = true;       // support beads under low rims (rim_supports.h)
+  std::string prime = "none";    // line, skirt or none (prime_path.h)
   double primeLengthMm = 30.0;
-  // What of it is no plate is there before the part, work frame; the plate is the cell's.
+  // Bodies and rods that exist before the part, work frame; a plate is the cell's.
   platform::PlatformSolid platform;
 };
 
-// Keys walls, infill, infillDensity, infillAngle, infillTurn, windingAngle, addRimSupports, prime,
-// primeLengthMm.
+// Returns the parameters walls, infill, infillDensity, infillAngle, infillTurn, windingAngle,
+// addRimSupports, prime and primeLengthMm.
 base::ParameterTable toolpathParameters();
-// Precondition: the table holds the keys above. The other fields keep their defaults: stepMm is
+// Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.
 ToolpathOptions toolpathOptions(const base::ParameterValues& values);
 

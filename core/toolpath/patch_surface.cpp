@@ -17,10 +17,10 @@ using Eigen::Vector3d;
 
 using base::at;
 
-// Splits every edge longer than the limit once; returns whether any was.
+// Splits every edge longer than the limit once; returns whether any was split.
 class EdgeSplitter {
 public:
-  // marks: per vertex, split only edges between marked ones; empty: all.
+  // marks: per vertex; splits only edges between marked vertices. Empty: all edges.
   EdgeSplitter(PatchSurface& s, double limit, std::vector<char> marks = {})
       : s_(s), limit2_(limit * limit), marks_(std::move(marks)) {}
 
@@ -91,7 +91,8 @@ private:
       out.push_back({a, m[k], c});
       out.push_back({m[k], b, c});
     } else {
-      // The unsplit edge is a b; c is cut off, the quadrilateral along its shorter diagonal.
+      // Edge a b is not split; cut off c and split the remaining quadrilateral along its shorter
+      // diagonal.
       const std::size_t k = m[0] < 0 ? 0 : m[1] < 0 ? 1 : 2;
       const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
       const int bc = m[(k + 1) % 3], ca = m[(k + 2) % 3];
@@ -112,10 +113,10 @@ private:
   std::unordered_map<std::uint64_t, int> middle_;
 };
 
-constexpr double kPlaneMm = 1e-6; // off a plane
+constexpr double kPlaneMm = 1e-6; // maximum distance from the plane
 constexpr double kFacesOneWay = 1 - 1e-9;
 
-// The normal of the plane that the triangles lie in, facing one way.
+// Returns the common normal of the triangles if they are coplanar and face the same way.
 std::optional<Vector3d> commonPlane(const PatchSurface& s) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
@@ -202,8 +203,8 @@ void PatchSurface::link() {
   }
   for (std::size_t v = 0; v < n; ++v)
     normal[v] = normal[v].norm() > 1e-14 ? normal[v].normalized() : direction[v];
-  // Edges out of a vertex that triangles close around are all shared: round it, those into it go
-  // out again.
+  // At a vertex surrounded by triangles every outgoing edge is also an incoming one, so that the
+  // hashes cancel: all its edges are shared.
   std::vector<std::uint64_t> open(n, 0);
   for (const auto& t : triangles)
     for (std::size_t k = 0; k < 3; ++k)
@@ -231,7 +232,7 @@ Vector3d PatchSurface::barycentric(const SurfacePoint& p) const {
   const double a11 = e1.dot(e1), a12 = e1.dot(e2), a22 = e2.dot(e2);
   const double det = a11 * a22 - a12 * a12;
   if (!(det > 1e-14 * a11 * a22)) {
-    // A needle: along its longer edge.
+    // Degenerate triangle: interpolate along its longer edge.
     const double u = a11 > 0 ? std::clamp(e1.dot(d) / a11, 0.0, 1.0) : 0.0;
     return {1 - u, u, 0};
   }
@@ -256,8 +257,8 @@ Vector3d PatchSurface::interpolate(const std::vector<Vector3d>& values,
   return v.norm() > 1e-6 ? v.normalized() : values[at(t[0])];
 }
 
-// Is `q` the foot of `point` on triangle t, so far from its edges that no neighbour comes nearer
-// unless it folds back over it?
+// Returns whether `q` is the foot of `point` on the triangle and so far from its edges that no
+// neighbour is closer, unless the surface folds back over the triangle.
 bool PatchSurface::isFootInside(int triangle, const Vector3d& point, const Vector3d& q) const {
   const Vector3d off = point - q;
   const double away = off.squaredNorm();
@@ -278,8 +279,8 @@ bool PatchSurface::isFootInside(int triangle, const Vector3d& point, const Vecto
   return true;
 }
 
-// The triangle over the edge that most parts a triangle of a plane from a point: itself where none
-// does, -1 where nothing is there.
+// Returns the triangle across the edge that separates the point most from a triangle of a plane.
+// Returns the triangle itself if no edge separates them, -1 at the boundary.
 int PatchSurface::crossedTowards(const Vector3d& point, int triangle) const {
   const auto& t = triangles[at(triangle)];
   double most = 0.0;

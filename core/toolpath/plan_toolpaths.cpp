@@ -39,7 +39,8 @@ int turnOf(const Bead& b) {
   }
 }
 
-// A bead from its point nearest to `from`: rotated where closed, turned round where that is nearer.
+// Returns a bead that starts at its point nearest to `from`: rotated if closed, reversed if its end
+// is nearer.
 std::pair<double, std::vector<BeadPoint>> startingNear(const Bead& b, const Vector3d& from) {
   std::vector<BeadPoint> points = b.points;
   if (b.closed) {
@@ -107,7 +108,7 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
       double last = 0.0; // section
       for (const BeadPoint& p : points) {
         const double own = process::beadArea(p.widthMm, p.heightMm);
-        // On the way from a thicker place the extruder gives more than at the end of it.
+        // While the section decreases the extruder delivers more than at the end point.
         const double section = std::max(own, std::exchange(last, own));
         out.plan.position.push_back(tipOf(p));
         out.plan.direction.push_back(p.direction);
@@ -137,7 +138,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
     covers[i] = coverPatch(stack.patches[i], process, options, silent, wallWidths[i]);
   });
   Assembled assembled = assemble(stack, covers, process);
-  // The head's ways know of the prime, as they do of every bead.
+  // Added here, so that the travel moves of the head account for the prime as for every bead.
   if (auto falls = addPrimePath(assembled.plan, cell, process, options))
     r.findings.push_back(std::move(*falls));
   if (assembled.plan.primes())
@@ -161,7 +162,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   r.seconds.toolpath = watch.seconds();
 
   watch = base::Stopwatch();
-  // A rim that nothing can be laid under hangs, as it would without.
+  // If a rim support cannot be printed it is dropped; the rim is then unsupported, as without it.
   const auto liesUnderRim = [&](const plan::ToolPath& path) {
     return path.kind == PathKind::Support &&
            stack.patches[static_cast<std::size_t>(path.patch)].group != layers::kSupportGroup;

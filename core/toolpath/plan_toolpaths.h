@@ -1,4 +1,4 @@
-// The stage: layers in, tool-paths out.
+// The tool-path stage: turns layers into tool-paths.
 #pragma once
 
 #include "collision/growing_part.h"
@@ -22,31 +22,32 @@ namespace voluta::toolpath {
 
 struct ToolpathStatistics { // report.json "toolpath"
   std::size_t paths = 0, waypoints = 0;
-  double lengthMm = 0.0, travelMm = 0.0; // of beads; straight from each path's end to the next
-  std::size_t starts = 0;                // the extruder starts: once a path
-  std::size_t simpleRegions = 0;         // patches with one boundary loop
+  // of beads; straight-line distances between consecutive paths
+  double lengthMm = 0.0, travelMm = 0.0;
+  std::size_t starts = 0;                              // extruder starts, one per path
+  std::size_t simpleRegions = 0;                       // patches with one boundary loop
   double coveredFraction = 0.0, overlapFraction = 0.0; // of the patches' area (coverage.h)
   std::size_t gouges = 0;
   double maxTurnDeg = 0.0, materialMm3 = 0.0;
   double rimSupportMm3 =
-      0.0; // of beads under what hangs low (rim_supports.h), in materialMm3 as well
-  double layerVolumeMm3 = 0.0; // area x thickness of all patches: what materialMm3 should be
+      0.0; // of support beads under low rims (rim_supports.h), included in materialMm3
+  double layerVolumeMm3 = 0.0; // area x thickness of all patches: the target of materialMm3
 };
 
 struct ToolpathResult {
   plan::ToolPlan plan;
   ToolpathStatistics statistics;
   plan::Findings findings;
-  // OrientResult's; null: it is not at hand.
+  // From OrientResult; null: not available.
   std::shared_ptr<const collision::GrowingPart> grown;
   struct {
     double toolpath = 0.0, orient = 0.0;
   } seconds;
 };
 
-// Beads of all patches in one plan, patches in the stack's order; within one, walls from outside
-// inwards, infill, gap fill, each time the nearest next; closed beads start at their point nearest
-// to where the last one ended. Directions are the patches' own.
+// The beads of all patches in one plan, in the stack's order of patches. Within a patch: walls from
+// outside inwards, infill, gap fill, in nearest-neighbour order; closed beads start at their point
+// nearest to the end of the last bead. Directions are those of the patches.
 struct Assembled {
   plan::ToolPlan plan;
   std::vector<Eigen::Vector3d> clearDirection; // per waypoint
@@ -55,9 +56,8 @@ struct Assembled {
 Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
                    const process::Process& process);
 
-// coverPatch for every patch, assemble, orientDirections. Precondition: process is the cell's.
-// Throws Cancelled, Error{Usage}.
-// Example:
+// Runs coverPatch for every patch, assemble and orientDirections. Precondition: process is the
+// cell's. Throws Cancelled, Error{Usage}. Example:
 //   toolpath::ToolpathOptions options;
 //   options.platform = plate;
 //   const toolpath::ToolpathResult made =

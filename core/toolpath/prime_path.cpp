@@ -24,7 +24,7 @@ Vector2d side(int k) {
   return {std::cos(a), std::sin(a)};
 }
 
-// How far the points go that way.
+// Returns the maximum extent of the points in a direction.
 template <typename Points> double reach(const Points& points, const Vector2d& way) {
   double most = -std::numeric_limits<double>::infinity();
   for (const auto& p : points)
@@ -41,7 +41,7 @@ bool inside(const std::vector<Vector2d>& plate, const Vector2d& p, double fromEd
   return true;
 }
 
-// Across that side, so far out, about the middle of the points.
+// Returns a line perpendicular to `out`, at this distance along it, centred on `middle`.
 std::vector<Vector2d> lineAt(const Vector2d& out, double distanceMm, const Vector2d& middle,
                              double lengthMm) {
   const Vector2d along(-out.y(), out.x());
@@ -49,7 +49,7 @@ std::vector<Vector2d> lineAt(const Vector2d& out, double distanceMm, const Vecto
   return {centre - 0.5 * lengthMm * along, centre + 0.5 * lengthMm * along};
 }
 
-// Round all points, its sides that far from them.
+// Returns a polygon around all points, with its sides at this distance from them.
 std::vector<Vector2d> ringAround(const std::vector<Vector3d>& points, double asideMm) {
   std::vector<Vector2d> corners;
   for (int k = 0; k <= kSides; ++k) {
@@ -76,7 +76,7 @@ PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vect
   Vector2d middle = Vector2d::Zero();
   for (const Vector3d& p : positions)
     middle += p.head<2>() / static_cast<double>(positions.size());
-  // The end that is nearer to what comes next, or before, is put there.
+  // Chooses the line with an end nearest to `to` and puts that end first or last.
   const auto nearest = [&](const Vector2d& to, bool first, auto&& line) {
     std::optional<std::vector<Vector2d>> best;
     double least = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-// Where the nozzle is filled before the part begins: a bead of its own, waste, which is planned and
-// checked as any other.
+// The prime: a waste bead that fills the nozzle before the part begins. It is planned and checked
+// like any other bead.
 #pragma once
 
 #include "plan/finding.h"
@@ -14,25 +14,25 @@
 
 namespace voluta::toolpath {
 
-// How far beside all that is printed, and how far from the plate's edge, its middle stays, mm.
+// Distance of its centreline from all printed beads, and from the plate's edge [mm].
 inline constexpr double kPrimeAsideMm = 10.0, kPrimeFromEdgeMm = 4.0;
-// Where the plate has no room: a short bead in the air, so far outside the plate and above its top.
-// What it lays falls beside the plate.
+// If the plate has no room, the prime is a short bead in the air, at this distance outside the
+// plate and height above its top. The material falls beside the plate.
 inline constexpr double kPrimeOutsideMm = 15.0, kPrimeAboveMm = 10.0, kPrimeInAirMm = 15.0;
 
-// The corners of the bead's middle, on the plate or in the air; one that is closed ends where it
-// begins. Of all sides the nearest to where the first path begins, in the air to where the arm
-// rests.
+// The vertices of the bead's centreline, on the plate or in the air; a closed one ends where it
+// begins. The side is the one nearest to the start of the first path; in the air, to the arm's home
+// position.
 struct PrimePlace {
   std::vector<Eigen::Vector2d> corners;
   bool onPlate = true;
 };
-// `plate`: convex, counter-clockwise. Precondition: positions has one at least.
+// `plate`: convex, counter-clockwise. Precondition: at least one position.
 PrimePlace primePlace(const std::vector<Eigen::Vector2d>& plate,
                       const std::vector<Eigen::Vector3d>& positions, const Eigen::Vector2d& rest,
                       bool skirt, double lengthMm);
 
-// Is there room for the bead on that plate? Same precondition as primePlace.
+// Returns whether the plate has room for the bead. Same precondition as primePlace.
 bool hasRoomForPrime(const std::vector<Eigen::Vector2d>& plate,
                      const std::vector<Eigen::Vector3d>& positions, bool skirt, double lengthMm);
 

@@ -25,8 +25,8 @@ Vector3d closestOnSegment(const Vector3d& p, const Vector3d& a, const Vector3d& 
   return a + t * ab;
 }
 
-// Of the arc over a chord that leaves the tangent planes at both ends; infinity where that is no
-// less than `most`.
+// Returns the length of the circular arc over a chord that leaves the tangent planes at both ends;
+// infinity if it is at least `most`.
 double arcLength(const Vector3d& p, const Vector3d& np, const Vector3d& q, const Vector3d& nq,
                  double most) {
   const Vector3d c = p - q;
@@ -82,7 +82,7 @@ std::vector<SourceSegment> segmentsOf(const PatchSurface&,
     for (std::size_t i = 0; i + 1 < n + (c.closed ? 1 : 0); ++i) {
       const SurfacePoint &p = c.points[i], &q = c.points[(i + 1) % n];
       out.push_back({p.position, q.position, p.triangle});
-      // The two ends may lie in different triangles; the front must start from both.
+      // The ends can be in different triangles; the front has to start from both.
       if (q.triangle != p.triangle)
         out.push_back({p.position, q.position, q.triangle});
     }
@@ -136,7 +136,7 @@ SegmentDistances nearestSegments(const PatchSurface& s, const std::vector<Source
     for (const int* t = s.ringBegin(f.vertex); t != s.ringEnd(f.vertex); ++t) {
       const auto& corners = s.triangles[at(*t)];
       const std::size_t k = corners[0] == f.vertex ? 0 : corners[1] == f.vertex ? 1 : 2;
-      // Round a vertex inside, each neighbour is the next one of one triangle.
+      // Around an inner vertex, each neighbour is the next corner of exactly one triangle.
       const int next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
       if (nearest[at(next)] != source && offer(next, source) && goesOn(next))
         queue.push({distance[at(next)], next});
@@ -178,7 +178,7 @@ std::vector<double> distanceToSection(const PatchSurface& s, const Vector3d& nor
       }
     }
   const auto update = [&](int a, int b, int c) {
-    // c from a (fixed) and b: the front through both, taken as plane within the triangle.
+    // Updates c from a (fixed) and b: the front through both, assumed planar within the triangle.
     const Vector3d ea = s.position[at(a)] - s.position[at(c)];
     double best = u[at(a)] + ea.norm();
     if (fixed[at(b)]) {
@@ -228,12 +228,12 @@ std::vector<double> distanceToSection(const PatchSurface& s, const Vector3d& nor
 }
 
 namespace {
-// `triangleAt(k)`, k below count: the triangles that may be crossed, ascending.
+// `triangleAt(k)`, k below count: the candidate triangles, ascending.
 template <typename TriangleAt>
 std::vector<SurfaceCurve> isolinesAmong(const PatchSurface& s, const std::vector<double>& values,
                                         double level, std::size_t triangleCount,
                                         TriangleAt&& triangleAt) {
-  // One crossing an edge; in each crossed triangle the curve runs from one crossing to the next.
+  // One crossing per edge; within a triangle the curve connects its two crossings.
   struct Crossing {
     SurfacePoint point;
     int next = -1, previous = -1;
@@ -261,7 +261,7 @@ std::vector<SurfaceCurve> isolinesAmong(const PatchSurface& s, const std::vector
     if (count == 0 || count == 3 ||
         !std::isfinite(values[at(t[0])] + values[at(t[1])] + values[at(t[2])]))
       continue;
-    // k: the vertex alone on its side.
+    // k: the vertex that is alone on its side of the level.
     const bool lone = count == 1;
     const std::size_t k = above(t[0]) == lone ? 0 : above(t[1]) == lone ? 1 : 2;
     const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
@@ -305,7 +305,7 @@ std::vector<SurfaceCurve> isolines(const PatchSurface& s, const std::vector<doub
 EvenIsolines::EvenIsolines(const PatchSurface& s, const std::vector<double>& values, double low,
                            double spacing, int count)
     : s_(s), values_(values), low_(low), spacing_(spacing), start_(at(count) + 1, 0) {
-  // Levels that cross a triangle, one to either side for rounding.
+  // Levels that cross a triangle, plus one on either side to allow for rounding.
   const auto forLevels = [&](std::size_t i, auto&& f) {
     const auto& t = s_.triangles[i];
     const double a = values_[at(t[0])], b = values_[at(t[1])], c = values_[at(t[2])];

@@ -18,13 +18,13 @@ namespace {
 using Point = std::array<double, 3>;
 
 Point toPoint(const Eigen::Vector3d& v) {
-  // Adding zero turns -0 into +0, which otherwise would compare as another position.
+  // Adding zero turns -0 into +0, which would otherwise compare as another position.
   return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};
 }
 
-// Signed crossing of the ray (x, y) + s (1, 0), s > 0, with the edge a -> b in the plane: +1 when
-// the edge goes up, -1 when it goes down. Half-open in y, and the side is computed from the lower
-// end, so that b -> a gives exactly the opposite.
+// Signed crossing of the ray (x, y) + s (1, 0), s > 0, with the edge a -> b in the plane: +1 if the
+// edge goes up, -1 if it goes down. Half-open in y, and the side is computed from the lower end, so
+// that b -> a gives exactly the opposite.
 int rayCrossing(const Point& a, const Point& b, double x, double y) {
   const bool aAbove = a[1] > y, bAbove = b[1] > y;
   if (aAbove == bAbove)
@@ -42,7 +42,7 @@ struct Crossing {
   int winding;
 };
 
-// Vertices of equal position as one: the least index of them.
+// Maps vertices of equal position to one: the lowest index of them.
 std::vector<int> canonicalVertices(const geometry::TriangleMesh& mesh) {
   std::vector<int> order(mesh.vertices.size()), canonical(mesh.vertices.size());
   std::iota(order.begin(), order.end(), 0);
@@ -60,7 +60,7 @@ std::vector<int> canonicalVertices(const geometry::TriangleMesh& mesh) {
 }
 
 struct OpenEdge {
-  int low, high, sign; // sign: how much more often it runs from low to high than back
+  int low, high, sign; // sign: how much more often the edge runs from low to high than back
 };
 
 std::vector<OpenEdge> openEdges(const geometry::TriangleMesh& mesh) {
@@ -99,7 +99,7 @@ void eachWinding(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
     return (value - grid.origin[axis]) / pitch - 0.5;
   };
 
-  // Triangles by the rows of columns they cover, so that rows can be worked on apart.
+  // Triangles by the rows of columns they cover, so that rows can be processed separately.
   std::vector<std::vector<int>> ofRow(static_cast<std::size_t>(ny));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     double low = mesh.corner(t, 0).y(), high = low;
@@ -163,7 +163,7 @@ void eachWinding(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
 
 geometry::TriangleMesh capsOf(const geometry::TriangleMesh& mesh) {
   const std::vector<OpenEdge> open = openEdges(mesh);
-  std::map<int, int> group; // of a vertex: another one of its group, or itself
+  std::map<int, int> group; // Of a vertex: another one of its group, or itself
   const auto rootOf = [&](int v) {
     while (group.at(v) != v)
       v = group[v] = group.at(group.at(v));

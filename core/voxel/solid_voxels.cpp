@@ -51,7 +51,7 @@ VoxelGrid gridAround(const geometry::TriangleMesh& mesh, double pitch, std::size
 void markCrossed(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
                  std::vector<std::uint8_t>& solid, const base::RunContext& ctx) {
   const double half = (0.5 - kGrazeShare) * grid.pitch;
-  // By slabs of layers, so that no two threads write to one cell.
+  // Work is split by slabs of layers, so that no two threads write to the same cell.
   constexpr int kSlab = 16;
   const auto slabs = static_cast<std::size_t>((grid.size.z() + kSlab - 1) / kSlab);
   std::vector<std::vector<std::size_t>> ofSlab(slabs);
@@ -88,7 +88,7 @@ void markCrossed(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
   });
 }
 
-// Centres of a mesh that is more gap than surface by winding number.
+// Fills by winding number the cell centres of a mesh with large gaps.
 void fillSoup(const geometry::TriangleMesh& mesh, const VoxelGrid& grid,
               std::vector<std::uint8_t>& solid, const base::RunContext& ctx) {
   const geometry::MeshQuery query(mesh);

@@ -1,4 +1,4 @@
-// Whether a triangle and a cube meet.
+// Overlap test of a triangle and a cube.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +13,14 @@ public:
   TriangleBoxTest(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   double halfWidth);
 
-  // Whether the closed triangle meets the open cube about `centre`.
+  // Returns whether the closed triangle intersects the open cube about `centre`.
   bool overlaps(const Eigen::Vector3d& centre) const;
 
 private:
   struct Slab {
     Eigen::Vector3d axis;
-    double low, high; // of axis . centre where the cube meets the triangle along this axis
+    // Bounds of axis . centre within which cube and triangle overlap along this axis
+    double low, high;
   };
   Slab slabs_[13];
   int count_ = 0;

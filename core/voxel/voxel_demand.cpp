@@ -12,7 +12,7 @@ namespace voluta::voxel {
 namespace {
 struct Measures {
   Eigen::Vector3d sides;
-  double volume = 0.0, shell = 0.0; // shell: area as seen along the axes, all three together
+  double volume = 0.0, shell = 0.0; // shell: projected area, summed over the three axes
 
   VoxelDemand demand(double pitch) const {
     VoxelDemand demand;
@@ -59,7 +59,7 @@ void checkVoxelDemand(const geometry::TriangleMesh& mesh, double pitch,
   }
   throw base::Error(
       base::ErrorCode::Usage,
-      base::message("voxels of {width} need about {needed} of memory, {available} are free"_text,
+      base::message("voxels of {width} need about {needed} of memory; {available} are free"_text,
                     base::mm(pitch), readable(needed), readable(available)),
       "voxelMm"_name,
       base::message("use at least {least}"_text, base::mm(std::ceil(100.0 * high) / 100.0)));
@@ -70,13 +70,12 @@ void checkVoxelDemand(const SolidVoxels& voxels, std::uint64_t availableBytes) {
                            static_cast<double>(voxels.count)};
   const auto available = static_cast<double>(availableBytes);
   if (demand.bytes() > available)
-    throw base::Error(base::ErrorCode::UnusableInput,
-                      base::message("{voxels} voxels in a grid of {cells} cells need about "
-                                    "{needed} of memory, {available} are "
-                                    "free"_text,
-                                    voxels.count, voxels.grid.cellCount(), readable(demand.bytes()),
-                                    readable(available)),
-                      {}, "make the object of fewer and larger cells"_text);
+    throw base::Error(
+        base::ErrorCode::UnusableInput,
+        base::message(
+            "{voxels} voxels in a grid of {cells} cells need about {needed} of memory; {available} are free"_text,
+            voxels.count, voxels.grid.cellCount(), readable(demand.bytes()), readable(available)),
+        {}, "make the object from fewer and larger cells"_text);
 }
 
 } // namespace voluta::voxel

@@ -1,4 +1,4 @@
-// A regular grid of cubic cells; values live in flat arrays beside it.
+// A regular grid of cubic cells; values are stored in separate flat arrays.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,15 +7,15 @@
 namespace voluta::voxel {
 
 struct VoxelGrid {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); // least corner of cell (0,0,0), mm
-  double pitch = 1.0;                               // width of a cell, mm
-  Eigen::Vector3i size = Eigen::Vector3i::Zero();   // cells along x, y, z
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); // Lowest corner of cell (0,0,0) [mm]
+  double pitch = 1.0;                               // Width of a cell [mm]
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();   // Cells along x, y, z
 
   std::size_t cellCount() const {
     return static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
            static_cast<std::size_t>(size.z());
   }
-  // x runs fastest.
+  // x varies fastest.
   std::size_t index(int i, int j, int k) const {
     return static_cast<std::size_t>(i) +
            static_cast<std::size_t>(size.x()) *
@@ -30,11 +30,11 @@ struct VoxelGrid {
   bool contains(int i, int j, int k) const {
     return i >= 0 && j >= 0 && k >= 0 && i < size.x() && j < size.y() && k < size.z();
   }
-  // Centre of a cell, mm.
+  // Returns the centre of a cell [mm].
   Eigen::Vector3d centre(int i, int j, int k) const {
     return origin + pitch * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5);
   }
-  // The cell that holds a point; may lie outside the grid.
+  // Returns the cell that contains a point; may be outside the grid.
   Eigen::Vector3i cellOf(const Eigen::Vector3d& point) const {
     return ((point - origin) / pitch).array().floor().matrix().cast<int>();
   }

@@ -19,7 +19,7 @@ SolidVoxels solidVoxels(const VoxelObject& object, const Eigen::Matrix3i& turn, 
       for (int j = 0; j < object.size.y(); ++j)
         for (int i = 0; i < object.size.x(); ++i)
           if (object.solid[object.index(i, j, k)])
-            // Twice the centre: whole numbers on both sides of the turn.
+            // Twice the centre: integers before and after the rotation.
             visit(Eigen::Vector3i(turn * Eigen::Vector3i(2 * i + 1, 2 * j + 1, 2 * k + 1)));
   };
   SolidVoxels out;

@@ -1,4 +1,4 @@
-// A part that comes as cells instead of a mesh.
+// A part given as cells instead of a mesh.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -11,12 +11,12 @@
 
 namespace voluta::voxel {
 
-// Lengths are counted in cells; cell (i, j, k) spans [i, i + 1] x [j, j + 1] x [k, k + 1], and the
-// plate is z = 0. A flat object is one cell deep in y.
+// Lengths are in cells; cell (i, j, k) spans [i, i + 1] x [j, j + 1] x [k, k + 1], and the plate is
+// z = 0. A flat object is one cell deep in y.
 struct VoxelObject {
-  Eigen::Vector3i size = Eigen::Vector3i::Zero(); // cells along x, y, z
-  std::vector<std::uint8_t> solid;                // per cell 1 where the part is; x runs fastest
-  std::vector<std::array<int, 2>> platform;       // columns (i, j) of the platform, by j, then i
+  Eigen::Vector3i size = Eigen::Vector3i::Zero(); // Cells along x, y, z
+  std::vector<std::uint8_t> solid;                // Per cell 1 where the part is; x varies fastest
+  std::vector<std::array<int, 2>> platform; // Columns (i, j) of the platform, sorted by j, then i
 
   std::size_t index(int i, int j, int k) const { return VoxelGrid{.size = size}.index(i, j, k); }
   bool solidAt(int i, int j, int k) const {
@@ -24,17 +24,17 @@ struct VoxelObject {
   }
 };
 
-// The boundary of the object's cells, two triangles a face, facing outward, lengths in cells. A
-// manifold without open edges even where cells touch by an edge or a corner only: such cells get
-// vertices of their own, which lie at one place. Where two sheets share both ends of an edge, each
-// has a vertex in the middle of it, too.
-// Precondition (Error{Internal}): solid has as many entries as size says.
+// Returns the boundary of the object's cells, two triangles per face, facing outward, lengths in
+// cells. A manifold without open edges even where cells touch only by an edge or a corner: such
+// cells get separate vertices at the same position. Where two sheets share both ends of an edge,
+// each also gets a vertex in the middle of it. Precondition (Error{Internal}): solid has as many
+// entries as size states.
 geometry::TriangleMesh surfaceOf(const VoxelObject& object);
 
-// The object's cells, turned, `pitch` mm wide, with an empty border. The box of its solid cells is
-// centred over `centreMm`, its lowest layer lies `liftCells` above the plate.
-// `turn`: a rotation by quarter turns, entries -1, 0, 1.
-// Preconditions (Error{Internal}): such a turn, pitch > 0, a solid cell.
+// Returns the object's cells, rotated, `pitch` mm wide, with an empty border. The box of its solid
+// cells is centred over `centreMm`, its lowest layer is `liftCells` above the plate. `turn`: a
+// rotation by quarter turns, entries -1, 0, 1. Preconditions (Error{Internal}): such a rotation,
+// pitch > 0, at least one solid cell.
 SolidVoxels solidVoxels(const VoxelObject& object, const Eigen::Matrix3i& turn, double pitch,
                         const Eigen::Vector2d& centreMm, int liftCells);
 

@@ -10,14 +10,14 @@ namespace voluta::voxel {
 namespace {
 using Cell = Eigen::Vector3i;
 
-// The side of a solid cell that faces air.
+// A side of a solid cell that faces air.
 struct Face {
   Cell cell;
-  int axis; // its normal
+  int axis; // Axis of its normal
   int sign;
 };
 
-// Corners of a face in lattice points, counter-clockwise seen from outside.
+// Returns the corners of a face in lattice points, counter-clockwise seen from outside.
 std::array<Cell, 4> cornersOf(const Face& face) {
   const int u = (face.axis + 1) % 3, v = (face.axis + 2) % 3;
   Cell base = face.cell;
@@ -51,9 +51,9 @@ std::vector<Face> boundaryFaces(const VoxelObject& object) {
 
 // One side of a face: corner c to corner c + 1.
 struct Side {
-  std::array<int, 4> edge; // lower end and axis: equal for the sides that lie on one another
+  std::array<int, 4> edge; // Lower end and axis: equal for sides that coincide
   int face, side;
-  bool forward; // runs from the lower to the upper end
+  bool forward; // Runs from the lower to the upper end
 };
 
 std::vector<Side> sidesOf(const std::vector<Face>& faces) {
@@ -104,8 +104,9 @@ int upperCorner(const Side& s) {
   return 4 * s.face + (s.forward ? (s.side + 1) % 4 : s.side);
 }
 
-// Which corners become one vertex; the first side of each edge at which four faces meet, so that
-// the next one is the same cell's: two cells touch there, and the faces of each belong together.
+// Joins the corners that become one vertex and returns the first side of each edge at which four
+// faces meet, ordered so that the next side is of the same cell: two cells touch there, and the
+// faces of each belong together.
 std::vector<std::size_t> joinCorners(const std::vector<Face>& faces, std::vector<Side>& sides,
                                      Corners& corners) {
   std::vector<std::size_t> doubled;
@@ -131,7 +132,7 @@ std::vector<std::size_t> joinCorners(const std::vector<Face>& faces, std::vector
   return doubled;
 }
 
-// Adds the vertices; gives that of each corner.
+// Adds the vertices; returns the vertex of each corner.
 std::vector<int> addVertices(const std::vector<Face>& faces, Corners& corners,
                              geometry::TriangleMesh& mesh) {
   std::vector<int> vertexOf(4 * faces.size(), -1);
@@ -150,8 +151,8 @@ std::vector<int> addVertices(const std::vector<Face>& faces, Corners& corners,
   return vertexOf;
 }
 
-// Adds a vertex in the middle of each doubled edge that shares both ends with another sheet's;
-// gives that of each side, -1: none.
+// Adds a vertex in the middle of each doubled edge that shares both ends with another sheet's edge;
+// returns the vertex of each side, -1: none.
 std::vector<int> addMiddles(const std::vector<Side>& sides, const std::vector<std::size_t>& doubled,
                             const std::vector<int>& vertexOf, geometry::TriangleMesh& mesh) {
   std::vector<int> middleOf(vertexOf.size(), -1);
@@ -174,7 +175,7 @@ std::vector<int> addMiddles(const std::vector<Side>& sides, const std::vector<st
   return middleOf;
 }
 
-// Two triangles, or a fan about its centre where a side has a middle. Four entries each.
+// Adds two triangles, or a fan about its centre if a side has a middle vertex. Four entries each.
 void addFace(const int* v, const int* middle, geometry::TriangleMesh& mesh) {
   if (std::all_of(middle, middle + 4, [](int m) { return m < 0; })) {
     mesh.triangles.push_back({v[0], v[1], v[2]});

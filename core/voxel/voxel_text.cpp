@@ -17,7 +17,7 @@ constexpr std::string_view kBlank = " \t\r\v\f";
 
 struct Row {
   std::string_view cells;
-  std::size_t line = 0; // from 1
+  std::size_t line = 0; // From 1
 };
 using Slice = std::vector<Row>;
 
@@ -26,7 +26,7 @@ base::Message place(const std::string& name, std::size_t line, std::size_t colum
                        std::to_string(column + 1));
 }
 
-// Takes the next line off the text, without the white space at its end.
+// Removes the next line from the text and returns it without trailing white space.
 std::string_view takeLine(std::string_view& text) {
   const std::size_t end = text.find('\n');
   std::string_view line = text.substr(0, end);
@@ -52,7 +52,7 @@ void checkRow(const Row& row, const Row& first, const std::string& name) {
                 "write 1 for the part, 0 for air, - for the platform"_text);
   if (row.cells.size() != first.cells.size())
     throw Error(ErrorCode::UnreadableFile,
-                base::message("the row has {cells} cells, the first one has {first}"_text,
+                base::message("the row has {cells} cells, the first one {first}"_text,
                               row.cells.size(), first.cells.size()),
                 place(name, row.line, std::min(row.cells.size(), first.cells.size())),
                 "make all rows equally long"_text);
@@ -66,9 +66,9 @@ std::vector<Slice> slicesOf(std::string_view text, const std::string& name) {
     if (slices.size() > 1 && slices.back().size() != slices.front().size())
       throw Error(
           ErrorCode::UnreadableFile,
-          base::message("slice {slice} ends after {rows} rows, the first one has {first}"_text,
+          base::message("slice {slice} ends after {rows} rows, the first one after {first}"_text,
                         slices.size(), slices.back().size(), slices.front().size()),
-          place(name, line, 0), "give all slices equally many rows"_text);
+          place(name, line, 0), "give all slices the same number of rows"_text);
   };
   std::size_t line = 0, cells = 0;
   bool within = false;
@@ -99,7 +99,7 @@ std::vector<Slice> slicesOf(std::string_view text, const std::string& name) {
   if (within)
     checkSlice(line);
   if (slices.empty())
-    throw Error(ErrorCode::UnusableInput, "the file holds no cells"_text, name,
+    throw Error(ErrorCode::UnusableInput, "the file contains no cells"_text, name,
                 "write rows of 0 and 1, and - for the platform"_text);
   return slices;
 }
@@ -109,16 +109,16 @@ bool has(const Slice& slice, char c) {
                      [&](const Row& row) { return row.cells.find(c) != std::string_view::npos; });
 }
 
-// One reading of slices, rows and columns as x, y and levels from the top down.
+// One interpretation of slices, rows and columns as x, y and levels from the top down.
 struct Layout {
   const std::vector<Slice>& slices;
-  bool flat;      // slices are layers
+  bool flat;      // Slices are layers
   bool downwards; // flat: the first slice is the highest one
 
   int across() const { return static_cast<int>(slices[0][0].cells.size()); }
   int deep() const { return static_cast<int>(flat ? slices[0].size() : slices.size()); }
   int levels() const { return static_cast<int>(flat ? slices.size() : slices[0].size()); }
-  // The row of cells at y = j and the n-th level from above.
+  // Returns the row of cells at y = j in the n-th level from above.
   const Row& row(int j, int n) const {
     const auto y = static_cast<std::size_t>(j), level = static_cast<std::size_t>(n);
     if (!flat)
@@ -162,8 +162,8 @@ VoxelObject readVoxelText(std::string_view text, const std::string& name) {
   if (top == levels)
     throw Error(ErrorCode::UnusableInput, "there is no platform: no - in any row"_text,
                 place(name, slices.back().back().line, 0),
-                "add a row of - under the part, where it is to stand"_text);
-  const int plate = any(top, '1') ? top + 1 : top; // the level below z = 0
+                "add a row of - under the part, where it should be placed"_text);
+  const int plate = any(top, '1') ? top + 1 : top; // The level below z = 0
   for (int level = plate; level < levels; ++level)
     layout.each(level, '1', [&](int i, int, std::size_t line) {
       throw Error(ErrorCode::UnusableInput, "the part reaches below the platform"_text,
@@ -189,12 +189,12 @@ VoxelObject readVoxelText(std::string_view text, const std::string& name) {
     platformLine = line;
   });
   if (count == 0)
-    throw Error(ErrorCode::UnusableInput, "the object has no part: no 1 above the platform"_text,
-                name, "write 1 where the part is"_text);
+    throw Error(ErrorCode::UnusableInput, "no part: no 1 above the platform"_text, name,
+                "write 1 where the part is"_text);
   if (!any(plate - 1, '1'))
-    throw Error(ErrorCode::UnusableInput, "nothing stands on the platform"_text,
+    throw Error(ErrorCode::UnusableInput, "nothing is on the platform"_text,
                 place(name, platformLine, static_cast<std::size_t>(object.platform.back()[0])),
-                "put - right under the part"_text);
+                "put - directly under the part"_text);
   return object;
 }
 

@@ -14,9 +14,9 @@
 namespace voluta::voxel {
 
 namespace {
-constexpr double kFacing = -0.906; // cosine of two normals 155 degrees apart
+constexpr double kFacing = -0.906; // Cosine between two normals 155 degrees apart
 constexpr double kMostPoints = 60'000.0;
-constexpr double kPlaceCells = 3.0; // widths: thin points no further apart are of one place
+constexpr double kPlaceCells = 3.0; // In widths: thin points closer than this belong to one place
 
 struct ThinPoint {
   Eigen::Vector3d at;
@@ -24,7 +24,7 @@ struct ThinPoint {
   std::size_t facet;
 };
 
-// How often each side of a facet is divided for its points.
+// Returns into how many parts each side of a facet is divided for its sample points.
 std::vector<int> divisions(const geometry::TriangleMesh& mesh, double width) {
   double area = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -55,7 +55,7 @@ void measureFacet(const geometry::TriangleMesh& mesh, const geometry::MeshQuery&
       return;
     out.push_back({at, (from + hit->t * (to - from) - at).norm(), area / (n * n), t});
   };
-  // The middles of the n^2 triangles that it divides into.
+  // Centres of the n^2 triangles into which it is divided.
   for (int i = 0; i < n; ++i)
     for (int j = 0; i + j < n; ++j) {
       measure(i + 1.0 / 3.0, j + 1.0 / 3.0);
@@ -64,7 +64,7 @@ void measureFacet(const geometry::TriangleMesh& mesh, const geometry::MeshQuery&
     }
 }
 
-// Boxes that hold thin points, and those next to one another as one place.
+// Groups adjacent boxes with thin points into one place.
 std::vector<std::vector<std::size_t>> places(const std::vector<ThinPoint>& points, double side) {
   using Box = std::array<int, 3>;
   std::map<Box, std::vector<std::size_t>> boxes;

@@ -1,4 +1,4 @@
-// Where a part is thinner than a given width.
+// Finds places where a part is thinner than a given width.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,18 +11,19 @@ namespace voluta::voxel {
 
 // A place where walls are thin.
 struct ThinPlace {
-  Eigen::Vector3d at = Eigen::Vector3d::Zero(); // on the surface, where it is thinnest, mm
-  double leastMm = 0.0;                         // there
-  double usualMm = 0.0;                         // median over the place's area
-  double areaMm2 = 0.0;                         // of the surface over thin walls
+  // The thinnest point of the place on the surface [mm]
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  double leastMm = 0.0; // Thickness there
+  double usualMm = 0.0; // Median over the place's area
+  double areaMm2 = 0.0; // Surface area over thin walls
   std::size_t facets = 0;
 };
 
-// Places thinner than `width`, largest area first. Thickness is measured from points of each facet
-// straight inwards to a facet that faces the other way within 25 degrees, so that sharp edges do
-// not count; places smaller than one square of `width` are dropped. Points lie no further apart
-// than about `width` until there are 60,000. An open sheet has no thickness.
-// Preconditions (Error{Internal}): width > 0; coordinates finite. Throws Cancelled.
+// Returns places thinner than `width`, largest area first. Thickness is measured from points of
+// each facet straight inwards to a facet that faces the opposite way within 25 degrees, so that
+// sharp edges do not count; places smaller than one square of `width` are dropped. Points are at
+// most about `width` apart, until there are 60,000. An open sheet has no thickness. Preconditions
+// (Error{Internal}): width > 0; coordinates finite. Throws Cancelled.
 std::vector<ThinPlace> thinPlaces(const geometry::TriangleMesh& mesh, double width,
                                   const base::RunContext& ctx);
 

@@ -53,7 +53,7 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
   const std::vector<Case> cases{
       {"unit", [](auto& f) { f.unit = "furlong"; }, "the unit 'furlong' is not known"},
       {"no factor", [](auto& f) { f.unitFactor = "0"; }, "'unitfactor' is not above 0"},
-      {"factor nan", [](auto& f) { f.unitFactor = "nan"; }, "'unitfactor' is no number"},
+      {"factor nan", [](auto& f) { f.unitFactor = "nan"; }, "'unitfactor' is not a number"},
       {"of another type", [](auto& f) { f.type = "7axis"; }, "tool-paths of type '7axis'"},
       {"a laser's",
        [](auto& f) {
@@ -76,13 +76,14 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
        "a segment of type 'polyline6d' among tool-paths of 2 axes"},
       {"extension", [](auto& f) { f.required = "tp p x"; }, "extension 'urn:somebody'"},
       {"undeclared", [](auto& f) { f.required = "tp zz"; }, "extension 'zz'"},
-      {"traversal", [](auto& f) { f.layerPath = "/../../etc/passwd"; }, "is no name of a part"},
-      {"dots within", [](auto& f) { f.layerPath = "/a/../b"; }, "is no name of a part"},
-      {"relative", [](auto& f) { f.layerPath = "Slices/L"; }, "is no name of a part"},
+      {"traversal", [](auto& f) { f.layerPath = "/../../etc/passwd"; },
+       "is not the name of a part"},
+      {"dots within", [](auto& f) { f.layerPath = "/a/../b"; }, "is not the name of a part"},
+      {"relative", [](auto& f) { f.layerPath = "Slices/L"; }, "is not the name of a part"},
       {"unrelated", [](auto& f) { f.related = false; }, "is not related to the model"},
-      {"no layers", [](auto& f) { f.layers.clear(); }, "holds no tool-paths"},
+      {"no layers", [](auto& f) { f.layers.clear(); }, "contains no tool-paths"},
       {"twice", [](auto& f) { f.extra = "<tp:toolpathlayer path=\"/Slices/L0.xml\"/>"; },
-       "is there twice"},
+       "duplicate layer"},
       {"missing layer", [](auto& f) { f.extra = "<tp:toolpathlayer path=\"/Slices/L5.xml\"/>"; },
        "is not related to the model"},
       {"laser",
@@ -112,7 +113,7 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
        [](auto& f) {
          f.profile = "uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" beadwidth=\"1e300\"";
        },
-       "larger than anything printed"},
+       "or too large"},
       {"endless range",
        [](auto& f) {
          f.modifiers = "<tp:modifier attribute=\"beadwidth\" type=\"linear\" minvalue=\"1\" "
@@ -121,23 +122,23 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
        "without a range"},
       {"profile", [](auto& f) { f.profile = "uuid=\"1\" name=\"n\""; }, "is not in the model"},
       {"coordinate", [](auto& f) { second(f, pointWith("x=\"1000\"", "x=\"nan\"")); },
-       "'x' is no whole number"},
+       "'x' is not an integer"},
       {"fraction", [](auto& f) { second(f, pointWith("x=\"1000\"", "x=\"1.5\"")); },
-       "'x' is no whole number"},
+       "'x' is not an integer"},
       {"far", [](auto& f) { second(f, pointWith("x=\"1000\"", "x=\"99999999999999\"")); },
        "more than a kilometre"},
       {"frame", [](auto& f) { second(f, pointWith("w=\"1\"", "w=\"0\"")); }, "has no direction"},
       {"frame inf", [](auto& f) { second(f, pointWith("w=\"1\"", "w=\"1e999\"")); },
-       "'w' is no number"},
+       "'w' is not a number"},
       {"beyond one", [](auto& f) { second(f, point6d(1000, 0, 0, "f=\"1.5\"")); },
        "'f' is not within 0 and 1"},
       {"half a pair", [](auto& f) { second(f, point6d(1000, 0, 0, "f1=\"0.5\"")); },
-       "'f2' is no number"},
+       "'f2' is not a number"},
       {"both", [](auto& f) { second(f, point6d(1000, 0, 0, "f=\"1\" f1=\"0\" f2=\"1\"")); },
        "'f' is given twice"},
       {"one point", [](auto& f) { second(f, ""); }, "fewer than two points"},
       {"other points", [](auto& f) { second(f, "<point x=\"1\" y=\"2\"/>"); },
-       "a point where none can be"},
+       "an unexpected point"},
       {"other segment",
        [](auto& f) { f.layers = {foreignLayer(foreignSegment("hatch", "<hatch/>"))}; },
        "a segment of type 'hatch'"},
@@ -148,7 +149,7 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
          second(f, point6d(1000, 0, 0, "f1=\"0\" f2=\"1\""));
        },
        "finer than"},
-      {"no layer", [](auto& f) { f.layers = {"<html/>"}; }, "is no layer"},
+      {"no layer", [](auto& f) { f.layers = {"<html/>"}; }, "is not a layer"},
       {"not closed", [](auto& f) { f.layers = {"<layer"}; }, "unclosed token"},
       {"entities",
        [](auto& f) {
@@ -171,7 +172,7 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
 TEST(HostileBuild, ABombOfZeroesIsNotUnpacked) {
   test::ForeignBuild file = sound();
   file.layers[0].insert(file.layers[0].find("<parts>"), std::string(std::size_t{1} << 27, ' '));
-  EXPECT_NE(refusal(file.bytes()).find("more than it can mean"), std::string::npos);
+  EXPECT_NE(refusal(file.bytes()).find("implausible size"), std::string::npos);
 }
 
 TEST(HostileBuild, CutShortAnywhereItIsRefused) {

@@ -91,9 +91,9 @@ TEST_F(CellCheck, aBoxOverThePlate) {
 TEST_F(CellCheck, aLoadBeyondTheRobots) {
   const CellDraft draft = robot::draftOfCell("ur5-fixed");
   EXPECT_THAT(faults(draft, 4.4), ElementsAre());
-  EXPECT_THAT(faults(draft, 4.6), ElementsAre("the flange carries 5.1 kg, the robot 5 kg"));
+  EXPECT_THAT(faults(draft, 4.6), ElementsAre("payload 5.1 kg exceeds the robot's rating of 5 kg"));
   EXPECT_THAT(faults(draft.withCarriedKg(5.5)),
-              ElementsAre("the flange carries 5.5 kg, the robot 5 kg"));
+              ElementsAre("payload 5.5 kg exceeds the robot's rating of 5 kg"));
   // With the nozzle on the flange the part lies on the table.
   EXPECT_THAT(faults(robot::draftOfCell("ur5-moving"), 100.0), ElementsAre());
 }

@@ -311,7 +311,7 @@ TEST_F(PlanningTest, ABoxWithoutItsLidIsClosedOnTheUsersWordOnly) {
   const auto close = std::ranges::find(
       offers, "closeRims", [](const pipeline::RemedyAction& offer) { return offer.remedy->name; });
   ASSERT_NE(close, offers.end());
-  document_.setChoices(close->choices, "Close the rims");
+  document_.setChoices(close->choices, "Close the openings");
   plan(Stage::Load);
   EXPECT_EQ(document_.result(Stage::Load)->job.item().part->triangles.size(), 12u);
   const plan::Finding told = document_.lastResult()->job.report.findings.at(0);

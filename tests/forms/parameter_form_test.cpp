@@ -295,7 +295,7 @@ TEST(PlatformEditor, ARodIsRoundHexagonalOrStepped) {
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[1], (forms::RodProfile{0, "-20,2.5 0,2.5 0,3.5 20,3.5"}));
   editor.setProfile({8, ""});
-  EXPECT_EQ(shape->currentText(), "8 sides, over corners");
+  EXPECT_EQ(shape->currentText(), "8 sides, across corners");
   EXPECT_EQ(told.size(), 2u);
   editor.setText("mesh:a.stl");
   EXPECT_TRUE(shape->isHidden());

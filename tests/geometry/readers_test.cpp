@@ -141,8 +141,8 @@ TEST(Readers, ShortOfAFewFacetsIsTold) {
   const auto file = readMesh(bytes.substr(0, bytes.size() - 130), "s.stl");
   EXPECT_EQ(file.mesh.triangles.size(), m.triangles.size() - 3);
   ASSERT_EQ(file.repairs.size(), 1u);
-  EXPECT_THAT(voluta::base::english(file.repairs[0]), HasSubstr("cut short"));
-  EXPECT_THAT(messageOf(bytes.substr(0, bytes.size() / 2), "s.stl"), HasSubstr("cut short"));
+  EXPECT_THAT(voluta::base::english(file.repairs[0]), HasSubstr("truncated"));
+  EXPECT_THAT(messageOf(bytes.substr(0, bytes.size() / 2), "s.stl"), HasSubstr("truncated"));
 }
 
 TEST(Readers, BadCoordinatesAreLeftOutOrRefused) {
@@ -162,7 +162,7 @@ TEST(Readers, BadCoordinatesAreLeftOutOrRefused) {
 TEST(Readers, ClearErrors) {
   EXPECT_THAT(messageOf("", "a.stl"), HasSubstr("empty"));
   EXPECT_THAT(messageOf("hello", "a.txt"), HasSubstr("not a mesh"));
-  EXPECT_THAT(messageOf("hello", "a.stl"), HasSubstr("cut short"));
+  EXPECT_THAT(messageOf("hello", "a.stl"), HasSubstr("truncated"));
   EXPECT_THAT(messageOf(geometry::writeStl({}), "a.stl"), HasSubstr("no triangle"));
   EXPECT_THAT(messageOf("OFF\n0 0 0\n", "a.off"), HasSubstr("a.off"));
   EXPECT_THAT(messageOf("v 0 0 0\n", "a.obj"), HasSubstr("a.obj"));

@@ -140,7 +140,7 @@ TEST(TextCustoms, ObjLinesMayGoOnInTheNext) {
   std::string text = replaced(obj(), "v 3.75", "v \\\n 3.75");
   text = replaced(text, "f 1 3 4", "f 1\\\n 3 \\\r\n4");
   expectRead(text, "a.obj", "continued");
-  EXPECT_THAT(refusal(text + "f 1 2 \\", "a.obj"), HasSubstr("three corners or more"));
+  EXPECT_THAT(refusal(text + "f 1 2 \\", "a.obj"), HasSubstr("at least three corners"));
 }
 
 TEST(TextCustoms, DecimalCommasAreTold) {
@@ -151,11 +151,12 @@ TEST(TextCustoms, DecimalCommasAreTold) {
 
 TEST(TextCustoms, WhatCommasMeanIsNotGuessed) {
   const std::string triangle = "v 1,500 0 0\nv 0 2,250 0\nv 0 0 3,125\nf 1 2 3\n";
-  EXPECT_THAT(refusal(triangle, "a.obj"), HasSubstr("'3,125' is a number with a decimal comma, or "
-                                                    "one of thousands"));
+  EXPECT_THAT(refusal(triangle, "a.obj"), HasSubstr("ambiguous number '3,125': decimal comma or "
+                                                    "thousands separator"));
   EXPECT_EQ(refusal("v 0,5 0 0\n" + triangle, "a.obj"), "was read");
   EXPECT_THAT(refusal("v 1,5 2.5 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n", "a.obj"),
-              HasSubstr("line 1: numbers with commas, such as '1,5', beside numbers with points"));
+              HasSubstr("line 1: numbers with decimal commas, such as '1,5', mixed with numbers "
+                        "with decimal points"));
   EXPECT_THAT(refusal("v 1.0,2.0,3.0\n", "a.obj"), HasSubstr("a vertex needs three numbers"));
 }
 

@@ -60,7 +60,7 @@ TEST(ThreeMf, LengthsBecomeMillimetres) {
   EXPECT_THAT(voluta::base::english(inches.repairs.at(0)), HasSubstr("from inch into mm"));
   const MeshFile ells = readMesh(package3mf(plainModel("ell")), "part.3mf");
   EXPECT_NEAR(volume(ells.mesh), 1.0 / 6.0, 1e-12);
-  EXPECT_THAT(voluta::base::english(ells.repairs.at(0)), HasSubstr("'ell' is not known"));
+  EXPECT_THAT(voluta::base::english(ells.repairs.at(0)), HasSubstr("unknown unit 'ell'"));
 }
 
 TEST(ThreeMf, ObjectsStandWhereTheyAreUsed) {
@@ -104,19 +104,19 @@ TEST(ThreeMf, DamageIsToldWithItsPlace) {
   std::string package = package3mf(plainModel(), false);
   package[package.find("<vertex x=") + 11] = '7';
   EXPECT_THAT(messageOf(package), HasSubstr("part.3mf: '3D/3dmodel.model' in it is damaged"));
-  EXPECT_THAT(messageOf(package3mf(plainModel()).substr(0, 300)), HasSubstr("cut short"));
+  EXPECT_THAT(messageOf(package3mf(plainModel()).substr(0, 300)), HasSubstr("truncated"));
 
   std::string model = plainModel();
   model.replace(model.find("v3=\"3\""), 6, "v3=\"4\"");
   EXPECT_THAT(messageOf(package3mf(model)),
-              HasSubstr("3D/3dmodel.model, line 7: a triangle of vertex 4, which is not there"));
+              HasSubstr("3D/3dmodel.model, line 7: a triangle refers to the missing vertex 4"));
   model = plainModel();
   model.replace(model.find("x=\"1\""), 5, "x=\"one\"");
-  EXPECT_THAT(messageOf(package3mf(model)), HasSubstr("line 4: 'x' is no number"));
+  EXPECT_THAT(messageOf(package3mf(model)), HasSubstr("line 4: 'x' is not a number"));
   model = plainModel();
   EXPECT_THAT(messageOf(package3mf(model.substr(0, model.size() - 20))), HasSubstr("line"));
   EXPECT_THAT(messageOf(package3mf(modelOf("", "<item objectid=\"5\"/>"))),
-              HasSubstr("object '5' is not there"));
+              HasSubstr("object '5' is missing"));
   EXPECT_THAT(messageOf(package3mf(modelOf("<object id=\"1\">" + kMesh + "</object>", ""))),
               HasSubstr("no triangle"));
 }
@@ -125,7 +125,7 @@ TEST(ThreeMf, ObjectsThatHoldOneAnotherComeToAnEnd) {
   const std::string cycle = "<object id=\"1\"><components><component objectid=\"1\"/>"
                             "</components></object>";
   EXPECT_THAT(messageOf(package3mf(modelOf(cycle, "<item objectid=\"1\"/>"))),
-              HasSubstr("without end"));
+              HasSubstr("contain each other"));
   // Twice the one before, forty times over.
   std::string doubling = "<object id=\"0\"/>";
   for (int i = 1; i <= 40; ++i) {
@@ -134,7 +134,7 @@ TEST(ThreeMf, ObjectsThatHoldOneAnotherComeToAnEnd) {
                 "</components></object>";
   }
   EXPECT_THAT(messageOf(package3mf(modelOf(doubling, "<item objectid=\"40\"/>"))),
-              HasSubstr("more than can be read"));
+              HasSubstr("too many to read"));
 }
 
 // ---- what is no part
@@ -157,7 +157,7 @@ TEST(ThreeMf, OnlyModelsThatArePrintedArePrinted) {
   const MeshFile file = readMesh(package3mf(modelOf(resources, build)), "part.3mf");
   EXPECT_EQ(file.mesh.triangles.size(), 3u * 4u);
   EXPECT_THAT(base::english(file.repairs),
-              ::testing::ElementsAre(HasSubstr("skipped: 1 item that is marked as not printable"),
+              ::testing::ElementsAre(HasSubstr("skipped: 1 item marked as not printable"),
                                      HasSubstr("skipped: 3 support objects"),
                                      HasSubstr("skipped: 1 object of type 'surface'"),
                                      HasSubstr("skipped: 1 object of type 'other'")));
@@ -166,7 +166,7 @@ TEST(ThreeMf, OnlyModelsThatArePrintedArePrinted) {
 TEST(ThreeMf, WhereNothingIsToBePrintedItSaysWhatWasSkipped) {
   EXPECT_THAT(messageOf(package3mf(modelOf(objectOf("1", "support"),
                                            "<item objectid=\"1\"/><item objectid=\"1\"/>"))),
-              HasSubstr("part.3mf: holds nothing to print: skipped: 2 support objects"));
+              HasSubstr("part.3mf: contains nothing to print: skipped: 2 support objects"));
   EXPECT_THAT(messageOf(package3mf(modelOf(objectOf("1", "part"), "<item objectid=\"1\"/>"))),
               HasSubstr("an object of the unknown type 'part'"));
 }
@@ -176,8 +176,9 @@ TEST(ThreeMf, SlicedGcodeIsNamed) {
   zip.add("_rels/.rels", "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/"
                          "relationships\"/>");
   zip.add("Metadata/plate_1.gcode", "G28\n");
-  EXPECT_THAT(messageOf(zip.bytes()),
-              HasSubstr("part.3mf: holds sliced G-code ('Metadata/plate_1.gcode') and no model"));
+  EXPECT_THAT(
+      messageOf(zip.bytes()),
+      HasSubstr("part.3mf: contains sliced G-code ('Metadata/plate_1.gcode') and no model"));
   test::ZipWriter withModel(true);
   withModel.add("_rels/.rels",
                 "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/"
@@ -250,7 +251,7 @@ TEST(ThreeMf, ALatticeBecomesOneSolid) {
                    latticeOf("", "<b:beam v1=\"0\" v2=\"1\"/><b:beam v1=\"0\" v2=\"2\"/>"), "b")),
                "part.3mf");
   EXPECT_THAT(base::english(file.repairs),
-              ::testing::ElementsAre(HasSubstr("turned 2 beams of a lattice into round bars")));
+              ::testing::ElementsAre(HasSubstr("converted 2 lattice beams into round bars")));
   const RepairResult united = repair(file.mesh);
   EXPECT_EQ(united.diagnosis.components, 1);
   EXPECT_EQ(united.diagnosis.selfIntersections.count, 0u);
@@ -266,7 +267,7 @@ TEST(ThreeMf, BeamsThatCannotBeReadAreNamed) {
                                                       "<b:beam v1=\"0\" v2=\"1\"/>")))),
               HasSubstr("object '1' has a beam lattice that a mesh clips"));
   EXPECT_THAT(messageOf(package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"8\"/>")))),
-              HasSubstr("a beam to vertex 8, which is not there"));
+              HasSubstr("a beam refers to the missing vertex 8"));
   EXPECT_THAT(
       messageOf(package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"1\" r1=\"0\"/>")))),
       HasSubstr("a beam without a radius"));
@@ -274,7 +275,7 @@ TEST(ThreeMf, BeamsThatCannotBeReadAreNamed) {
 
 TEST(ThreeMf, AnUnknownExtensionThatItRequiresIsNamed) {
   EXPECT_THAT(messageOf(package3mf(extended("<object id=\"1\">" + kMesh + "</object>", "b x"))),
-              HasSubstr("asks for the extension 'http://example.com/volumes', which is not known"));
+              HasSubstr("requires the unknown extension 'http://example.com/volumes'"));
 }
 
 } // namespace

@@ -77,7 +77,7 @@ TEST_F(CellEditorTest, AnObstacleFromAFileIsInTheWay) {
     type(editor, "placeY", 950.0);
     type(editor, "frameTurnZ", 30.0);
     ASSERT_TRUE(settled(editor));
-    EXPECT_TRUE(faults(editor).startsWith("Nothing is wrong")) << faults(editor).toStdString();
+    EXPECT_TRUE(faults(editor).startsWith("No problems")) << faults(editor).toStdString();
     keepPicture(editor, "obstacle_from_file");
     saveAs(editor, "with-stand");
   });
@@ -124,7 +124,7 @@ TEST_F(CellEditorTest, ANozzleStandsWhereItWasMeasured) {
       EXPECT_TRUE(told.text().contains("line")) << told.text().toStdString();
       EXPECT_FALSE(told.text().contains('\n')) << told.text().toStdString();
       paste(rows, "400 100 20\n550 100 x");
-      EXPECT_TRUE(told.text().contains("'x' is no number")) << told.text().toStdString();
+      EXPECT_TRUE(told.text().contains("'x' is not a number")) << told.text().toStdString();
       paste(rows, "400 100 20\n400 250 20\n250 100 20");
       EXPECT_TRUE(told.text().contains("400.000, 100.000, 20.000")) << told.text().toStdString();
       EXPECT_TRUE(told.text().contains("90.000")) << told.text().toStdString();

@@ -88,7 +88,7 @@ TEST_F(CellTest, ThePartTurnsAmberBeyondThePlateAndGoesBackByOneClick) {
   openPart(writePart("block.stl", box({0, 0, 0}, {40.0, 40.0, 40.0})));
   find<QTabWidget>("prepareTabs")->setCurrentIndex(1);
   ASSERT_TRUE(reachKnown());
-  EXPECT_TRUE(reachText().startsWith("All of it is reached upright")) << reachText().toStdString();
+  EXPECT_TRUE(reachText().startsWith("Fully reachable upright")) << reachText().toStdString();
   EXPECT_FALSE(window().viewport().view().partBeyond);
   EXPECT_FALSE(window().viewport().view().reach);
   const QImage before = picture();
@@ -101,7 +101,7 @@ TEST_F(CellTest, ThePartTurnsAmberBeyondThePlateAndGoesBackByOneClick) {
   document().place(aside, "move");
   ASSERT_TRUE(reachKnown());
   EXPECT_TRUE(window().viewport().view().partBeyond);
-  EXPECT_TRUE(reachText().startsWith("It stands beyond")) << reachText().toStdString();
+  EXPECT_TRUE(reachText().startsWith("The part is off")) << reachText().toStdString();
   ASSERT_TRUE(moveButton()->isEnabled());
   click(moveButton());
   ASSERT_TRUE(reachKnown());
@@ -117,7 +117,7 @@ TEST_F(CellTest, AnOwnCellWithAnObstacleIsPlannedIn) {
   openPart(writePart("block.stl", box({0, 0, 0}, {16.0, 16.0, 4.0})));
   ASSERT_TRUE(reachKnown());
   inEditor([&](window::CellEditor& editor) {
-    EXPECT_TRUE(faults(editor).startsWith("Nothing is wrong")) << faults(editor).toStdString();
+    EXPECT_TRUE(faults(editor).startsWith("No problems")) << faults(editor).toStdString();
     QTest::mouseClick(editor.findChild<QPushButton*>("cellAddBox"), Qt::LeftButton);
     ASSERT_TRUE(settled(editor));
     choose(editor, "box");
@@ -165,7 +165,7 @@ TEST_F(CellTest, WhatACellCannotDoIsSaidAtOnce) {
     QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
     QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
     ASSERT_TRUE(settled(editor));
-    EXPECT_TRUE(faults(editor).startsWith("Nothing is wrong")) << faults(editor).toStdString();
+    EXPECT_TRUE(faults(editor).startsWith("No problems")) << faults(editor).toStdString();
     type(editor, "cellCarried", 7.0);
     ASSERT_TRUE(settled(editor));
     EXPECT_TRUE(faults(editor).contains("7 kg")) << faults(editor).toStdString();

@@ -49,7 +49,7 @@ TEST_F(CompareTest, RowsAppearAndOneIsAdoptedAsOneEdit) {
   EXPECT_TRUE(find<QWidget>("comparePage")->isVisible());
   EXPECT_EQ(state(), PageState::Nothing);
   tick("compareGrowth_greedy");
-  EXPECT_EQ(find<QLabel>("count")->text(), QString("Plans to be made: 4"));
+  EXPECT_EQ(find<QLabel>("count")->text(), QString("Plans: 4"));
   press("runCompare");
   ASSERT_EQ(table().entries().size(), 4u);
   EXPECT_EQ(state(), PageState::Running);
@@ -174,7 +174,7 @@ TEST_F(CompareTest, NothingIsTickedNothingIsRun) {
   EXPECT_FALSE(find<QPushButton>("runCompare")->isEnabled());
   tick("compareMode_flat");
   EXPECT_TRUE(find<QPushButton>("runCompare")->isEnabled());
-  EXPECT_EQ(find<QLabel>("count")->text(), QString("Plans to be made: 1"));
+  EXPECT_EQ(find<QLabel>("count")->text(), QString("Plans: 1"));
 }
 
 } // namespace

@@ -179,7 +179,7 @@ TEST_F(FirstHourTest, CancelLeavesThePictureAsItWas) {
   EXPECT_EQ(document().result(Stage::Toolpath), paths);
   EXPECT_TRUE(window().viewport().view().paths);
   EXPECT_EQ(badge(), "Out of date");
-  EXPECT_TRUE(find<QLabel>("statusStage")->text().contains("stays on show"));
+  EXPECT_TRUE(find<QLabel>("statusStage")->text().contains("still shown"));
   find<QWidget>("pictureBadge")->hide();
   EXPECT_LT(differingShare(before, picture()), 0.002);
 }

@@ -212,7 +212,7 @@ TEST_F(PiecesTest, AFindingIsLookedAtFromWhereItsFaceIsSeen) {
   auto* list = find<panels::FindingsPanel>("findings")->findChild<QListView*>("list");
   int at = -1;
   for (int i = 0; i < list->model()->rowCount() && at < 0; ++i)
-    if (list->model()->index(i, 0).data().toString().contains("lean over by"))
+    if (list->model()->index(i, 0).data().toString().contains("overhangs by"))
       at = i;
   ASSERT_GE(at, 0);
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {},

@@ -69,7 +69,7 @@ TEST_F(StandTest, OneClickLaysThePartAndUndoTakesItBack) {
   EXPECT_NEAR(heightMm(), 24.0, 1e-6);
   EXPECT_EQ(marked(), 0);
   EXPECT_GT(differingShare(before, picture()), 0.02);
-  EXPECT_EQ(document().undoStack()->undoText(), "stand it this way");
+  EXPECT_EQ(document().undoStack()->undoText(), "change orientation");
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(settled());
   EXPECT_NEAR(heightMm(), 30.0, 1e-6);
@@ -109,7 +109,7 @@ TEST_F(StandTest, APartOnItsEdgeIsOfferedTheBestWay) {
   auto* list = find<panels::FindingsPanel>("findings")->findChild<QListView*>();
   ASSERT_EQ(list->model()->rowCount(), 1);
   const QModelIndex first = list->model()->index(0, 0);
-  EXPECT_TRUE(first.data().toString().contains("lies badly"));
+  EXPECT_TRUE(first.data().toString().contains("poor orientation"));
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(first).center());
   auto* button =
       find<panels::FindingsPanel>("findings")->findChild<QPushButton*>("remedy_standBest");

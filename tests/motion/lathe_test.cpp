@@ -370,7 +370,7 @@ TEST(Lathe, PartMustNotGrowIntoWhatHoldsTheRod) {
   ASSERT_FALSE(w.result.findings.empty());
   const plan::Finding& finding = w.result.findings.front();
   EXPECT_EQ(voluta::plan::reportId(finding), "collision");
-  EXPECT_NE(voluta::plan::englishReason(finding).find("rest would meet printed part"),
+  EXPECT_NE(voluta::plan::englishReason(finding).find("rest would collide with printed part"),
             std::string::npos)
       << voluta::plan::englishReason(finding);
   ASSERT_TRUE(finding.where);

@@ -152,7 +152,7 @@ TEST(Slide, APostBesideTheTrackStopsTheCarriage) {
     EXPECT_GT(free.plan.position[w].y(), 380.0);
   EXPECT_FALSE(result.findings.empty());
   for (const plan::Finding& f : result.findings)
-    EXPECT_NE(base::english(plan::factOf(f)).find("would meet post"), std::string::npos)
+    EXPECT_NE(base::english(plan::factOf(f)).find("would collide with post"), std::string::npos)
         << base::english(plan::factOf(f));
 }
 

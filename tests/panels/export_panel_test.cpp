@@ -125,7 +125,7 @@ TEST_F(ExportPanelTest, AVerdictFromBeforeAChangeHasNoTicks) {
     return all;
   };
   const QString value = verdict->item(0, 1)->text();
-  EXPECT_TRUE(said().contains("Kept"));
+  EXPECT_TRUE(said().contains("Within limit"));
   panel.setFormats(formats);
   EXPECT_EQ(said(), QStringList{"Not checked since the change"});
   EXPECT_EQ(verdict->item(0, 1)->text(), value) << "still there to be read";

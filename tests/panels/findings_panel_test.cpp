@@ -138,14 +138,14 @@ TEST(FindingsPanel, AnEmptyListSaysWhatItMeans) {
         return true;
     return false;
   };
-  EXPECT_TRUE(says("Nothing found so far."));
+  EXPECT_TRUE(says("No findings yet."));
   panel.setPlanned(true);
   EXPECT_TRUE(says("No problems found."));
   panel.setFindings({finding("load", "hole", false)});
   EXPECT_FALSE(says("No problems found."));
   EXPECT_TRUE(says("Findings (1)"));
   panel.setBlockedOnly(true);
-  EXPECT_TRUE(says("Nothing is blocked."));
+  EXPECT_TRUE(says("No blocking findings."));
 }
 
 TEST(FindingsPanel, WhatNobodyHasLookedForIsSaid) {

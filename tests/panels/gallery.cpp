@@ -62,7 +62,8 @@ forms::ParameterForm* parameterForm(bool all, const QString& search) {
     form->setHeader(choicesForm());
   form->setShowAll(all);
   form->setValues({{"layerHeightMm", "1.4"}, {"infill", "concentric"}, {"output.debug", "true"}});
-  form->setProblems({{"layerHeightMm", "1.4 mm is beyond process fdm-1.0 (give 0.4 to 1 mm)"}});
+  form->setProblems(
+      {{"layerHeightMm", "1.4 mm is outside the limits of process fdm-1.0 (give 0.4 to 1 mm)"}});
   form->findChild<QLineEdit*>("search")->setText(search);
   return form;
 }

@@ -90,8 +90,7 @@ std::vector<panels::ExportFormat> sampleFormats() {
   formats[0].files = {{"kitten.script", text}};
   formats[0].plannedS = 700.0;
   formats[0].options = program::optionsOf(program::findDialect("urscript"));
-  formats[0].assumptions = {"The arm stands where a motion has no blend.",
-                            "None of this was tried on a machine."};
+  formats[0].assumptions = {"The arm stops at points without a blend.", "Not tested on a machine."};
   formats[1].id = "gcode-extended";
   formats[1].label = "Extended G-code";
   formats[1].state = panels::VerdictState::Refused;

@@ -100,7 +100,7 @@ TEST(Translation, PanelsFollowAChangeOfLanguage) {
   panels::ExportPanel exported;
   exported.setFormats(gallery::sampleFormats());
   exported.setFolder("/tmp");
-  expectFollows(exported, {"kitten.script", "None of this was tried"});
+  expectFollows(exported, {"kitten.script", "Not tested on a machine"});
 }
 
 TEST(Translation, TheTreeFollowsAChangeOfLanguage) {

@@ -60,7 +60,7 @@ TEST_F(WaysListTest, SaysWhatItIsAt) {
   list.setLooking(false);
   list.setWays(someWays(3));
   EXPECT_NE(state(), looking);
-  EXPECT_FALSE(state().isEmpty()) << "it lies otherwise";
+  EXPECT_FALSE(state().isEmpty()) << "custom orientation";
   list.setNow(0);
   EXPECT_TRUE(state().isEmpty());
   list.setWays(someWays(2));

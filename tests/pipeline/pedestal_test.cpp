@@ -136,7 +136,8 @@ TEST(PartSize, ThinPartsSayFirstAtWhichScaleTheyPrint) {
   ASSERT_FALSE(plan.job.report.findings.empty());
   const plan::Finding& first = plan.job.report.findings.front();
   ASSERT_EQ(first.kind, plan::FindingKind::ThinPart);
-  EXPECT_EQ(plan::englishRemedy(first), "print it at scale 2, or with a process of narrower beads");
+  EXPECT_EQ(plan::englishRemedy(first),
+            "print it at scale 2, or use a process with narrower beads");
   EXPECT_TRUE(first.blocking) << "so that it comes first in the window too";
   EXPECT_FALSE(tells(planned(flat("disc:80"), test::box({-15, -1, 0}, {15, 1, 10})),
                      plan::FindingKind::ThinPart));

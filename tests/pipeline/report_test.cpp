@@ -128,7 +128,7 @@ TEST(Report, FindingsHaveTheirValues) {
   EXPECT_EQ(overhang.at("kind"), "overhang");
   EXPECT_EQ(overhang.at("stage"), "decompose");
   EXPECT_EQ(overhang.at("blocking"), false);
-  EXPECT_EQ(overhang.at("reason"), "12.3 mm2 lean over by more than 45 degrees");
+  EXPECT_EQ(overhang.at("reason"), "12.3 mm2 overhangs by more than 45 degrees");
   EXPECT_EQ(overhang.at("values"),
             nlohmann::json::parse(R"({"areaMm2": 12.345678, "angleDeg": 45.0})"));
   EXPECT_EQ(j.at("findings").at(1).at("values").at("voxels"), 12000);
@@ -146,8 +146,9 @@ TEST(Report, ACountWithItsWordIsANumberToo) {
       {{"voxels", voxels(10)}, {"foot", "the platform"_text}, {"carried", voxels(1)}}));
   const nlohmann::json j = nlohmann::json::parse(project::reportJson(report));
   const nlohmann::json& column = j.at("findings").at(0);
-  EXPECT_EQ(column.at("reason"),
-            "a column of 10 voxels from the platform carries 1 voxel that would be missed");
+  EXPECT_EQ(
+      column.at("reason"),
+      "support column of 10 voxels from the platform: it carries 1 voxel that would be missed");
   EXPECT_EQ(column.at("values"),
             nlohmann::json::parse(R"({"voxels": 10, "foot": "the platform", "carried": 1})"));
 }

@@ -243,7 +243,7 @@ TEST_F(PlannedBox, WhatIsNoProgramIsToldInOneLine) {
     const char* told;
   } cases[] = {{"\xef\xbb\xbf" + text, "byte-order mark"},
                {std::string("\x7f\x45LF\0\0\1", 7), "binary"},
-               {"/PROG X\n/MN\n1:J P[1] 100% FINE ;\n/END\n", "no motion of format urscript"}};
+               {"/PROG X\n/MN\n1:J P[1] 100% FINE ;\n/END\n", "no urscript motion found"}};
   for (const auto& c : cases) {
     base::writeFile(folder / "box.script", c.text);
     try {

@@ -20,7 +20,7 @@ std::shared_ptr<const project::LoadedPart> openBox() {
   auto mesh = test::box(Eigen::Vector3d(-5, -5, 0), Eigen::Vector3d(5, 5, 10));
   mesh.triangles.pop_back();
   return project::loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(mesh),
-                             {base::message("left out: {what}"_text, "1 facet"_name)}, true, {});
+                             {base::message("omitted: {what}"_text, "1 facet"_name)}, true, {});
 }
 
 std::shared_ptr<const curved::Decomposition> sampleDecomposition() {

@@ -118,8 +118,10 @@ TEST(Findings, TheSameFactInAnotherFormatIsOne) {
   Finding b = a;
   b.program = {"csv", 2, 7};
   EXPECT_TRUE(sameFact(a, b));
-  EXPECT_EQ(englishReason(a), "urscript: line 1200: joint 3 at 181.2 degrees, its limit is 180.0");
-  EXPECT_EQ(englishReason(b), "csv: file 2, line 7: joint 3 at 181.2 degrees, its limit is 180.0");
+  EXPECT_EQ(englishReason(a),
+            "urscript: line 1200: joint 3 at 181.2 degrees, beyond its limit of 180.0");
+  EXPECT_EQ(englishReason(b),
+            "csv: file 2, line 7: joint 3 at 181.2 degrees, beyond its limit of 180.0");
   EXPECT_EQ(factOf(a), factOf(b));
   b.where = Eigen::Vector3d(1, 2, 9);
   EXPECT_FALSE(sameFact(a, b));

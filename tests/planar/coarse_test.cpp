@@ -133,7 +133,7 @@ TEST(CoarseDecomposition, ARootThatDoesNotStandOnThePlateIsRefused) {
   } catch (const base::Error& e) {
     EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
     EXPECT_NE(std::string(e.what()).find("0.0, 0.0, 90.0"), std::string::npos);
-    EXPECT_NE(voluta::base::english(e.remedy()).find("lay the part"), std::string::npos);
+    EXPECT_NE(voluta::base::english(e.remedy()).find("place the part"), std::string::npos);
   }
 }
 

@@ -98,13 +98,14 @@ TEST(GivenCuts, WrongOnesAreRefusedInOneLineThatNamesThem) {
   const TriangleMesh part = tee();
   const GivenCut fine = cut({4, 0, 24}, {1, 0, 0});
   EXPECT_EQ(refusal(part, {fine, cut({0, 0, 40}, {0, 0, 1})}),
-            "cut 2: the plane misses the part (move it to where it crosses the part)");
+            "cut 2: the plane misses the part (move it so that it crosses the part)");
   // Below the plane are the ends of the bar, above it is what holds them.
-  EXPECT_NE(refusal(part, {cut({4, 0, 24}, {-1, 0, 0})}).find("cut 1: leaves a piece that stands"),
+  EXPECT_NE(refusal(part, {cut({4, 0, 24}, {-1, 0, 0})}).find("cut 1: leaves a piece without"),
             std::string::npos);
-  EXPECT_NE(refusal(part, {fine, cut({-19, 0, 24}, {-1, 0, 0})}).find("cut 2: leaves a piece 1 mm"),
-            std::string::npos);
-  EXPECT_NE(refusal(part, {cut({0, 0, 0.5}, {0, 0, 1})}).find("cut 1: leaves a piece 0.5 mm"),
+  EXPECT_NE(
+      refusal(part, {fine, cut({-19, 0, 24}, {-1, 0, 0})}).find("cut 2: leaves a piece only 1 mm"),
+      std::string::npos);
+  EXPECT_NE(refusal(part, {cut({0, 0, 0.5}, {0, 0, 1})}).find("cut 1: leaves a piece only 0.5 mm"),
             std::string::npos);
   for (const char* wrong :
        {"", "[]", R"([{"point": [0,0,1]}])", R"([{"point": [0,0,1], "normal": [0,0,0]}])",

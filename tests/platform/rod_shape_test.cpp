@@ -54,13 +54,13 @@ TEST(RodShape, MeshIsClosedAndAsLargeAsTheRod) {
 
 TEST(RodShape, BadProfilesAreTold) {
   const std::pair<RodShape, const char*> bad[] = {
-      {{{{0, 1}}, 0}, "two points at least"},
+      {{{{0, 1}}, 0}, "at least two points"},
       {{{{0, 1}, {5, 0}}, 0}, "the radius at point 2 is not positive"},
       {{{{0, 1}, {5, NAN}}, 0}, "the radius at point 2 is not positive"},
-      {{{{0, 1}, {5, 1}, {4, 1}}, 0}, "x runs back at point 3"},
+      {{{{0, 1}, {5, 1}, {4, 1}}, 0}, "x decreases at point 3"},
       {{{{0, 1}, {5, 1}, {5, 2}, {5, 3}, {9, 1}}, 0}, "point 4 is the third one at x = 5 mm"},
       {{{{0, 1}, {0, 2}}, 0}, "a step at the end"},
-      {{{{0, 1}, {5, 1}}, 2}, "round or has three sides"}};
+      {{{{0, 1}, {5, 1}}, 2}, "round or has at least three"}};
   for (const auto& [rod, what] : bad)
     try {
       platform::checkRod(rod);

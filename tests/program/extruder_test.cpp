@@ -344,17 +344,17 @@ TEST_F(AxisExtruder, isRefusedWhereItRunsAsNoExtruderCan) {
   for (const Case& c :
        std::vector<Case>{{"krl", "ZERO_EXTRUDER \\( \\)\r\n", "", "is not set to 0"},
                          {"krl", "EXTRUDER_AXIS=1", "EXTRUDER_AXIS=3", "axis is missing"},
-                         {"krl", "E1 1.57596", "E1 0.57596", "runs back while"},
-                         {"krl", "PTP \\{E1 0.28383\\}", "PTP {E1 -30}", "drawn back: out"},
-                         {"krl", "PTP \\{E1 1.78383\\}\r\n", "", "is not back"},
+                         {"krl", "E1 1.57596", "E1 0.57596", "reverses while"},
+                         {"krl", "PTP \\{E1 0.28383\\}", "PTP {E1 -30}", "retracted: out"},
+                         {"krl", "PTP \\{E1 1.78383\\}\r\n", "", "is not returned"},
                          {"krl", "EXTAX\\[1\\]=100", "EXTAX[1]=50", "is slowed"},
                          {"rapid", "    zeroExtruder;", "", "is not set to 0"},
                          {"rapid", "    ActUnit extruder;", "", "moves no work object"},
                          {"rapid", ".1.57596,", "[9E9,", "axis is missing"},
-                         {"rapid", ".1.57596,", "[0.57596,", "runs back while"},
+                         {"rapid", ".1.57596,", "[0.57596,", "reverses while"},
                          {"rapid", ".9E9,9E9,9E9,9E9,9E9,9E9.,.0.28383", "[0,0,0,0,0,0],[0.28383",
-                          "read of the extruder"},
-                         {"rapid", "v100.T:=0.15", "v100", "read of the extruder"}}) {
+                          "supported for the extruder"},
+                         {"rapid", "v100.T:=0.15", "v100", "supported for the extruder"}}) {
     SCOPED_TRACE(std::string(c.dialect) + ": " + c.what);
     process_.retractMm = 1.5;
     plan::Program program = writeProgram(c.dialect, inputFor(kAxisExtruder));

@@ -151,7 +151,7 @@ TEST(KrlReader, namesWhatItCannotTake) {
                {"PTP {X 1} C_PTP\n", "c_ptp"},
                {"LIN {X 1,E1 5}\nLIN {X 2,E1 6}\n", "external"},
                {"CONTINUE\n$OUT[1]=TRUE\n", "ahead"},
-               {"TRIGGER WHEN DISTANCE=1 DELAY=0 DO $OUT[1]=TRUE\n", "beginning"},
+               {"TRIGGER WHEN DISTANCE=1 DELAY=0 DO $OUT[1]=TRUE\n", "start of a motion"},
                {"TRIGGER WHEN PATH=5 DELAY=0 DO $OUT[1]=TRUE\n", "not understood"},
                {"$OV_PRO=50\n", "slows"},
                {"$ORI_TYPE=#CONSTANT\n", "evenly"},
@@ -159,7 +159,7 @@ TEST(KrlReader, namesWhatItCannotTake) {
                {"BAS (#BASE,2)\n", "only the controller"},
                {"$ANOUT[1]=1.5\n", "0..1"},
                {"speed=5\n", "not known"},
-               {"other ( )\n", "not here"},
+               {"other ( )\n", "is missing"},
                {"part ( )\n", "calls itself"},
                {"WAIT SEC -1\n", "seconds"},
                {"FOR i=1 TO 5\n", "not known"},
@@ -175,7 +175,7 @@ TEST(KrlReader, namesWhatItCannotTake) {
   EXPECT_FALSE(readFiles({{"a.src", "DEF a ( )\n"}}).complete);
   EXPECT_FALSE(readFiles({{"a.src", around("")}, {"a.dat", "DEFDAT a\n"}}).complete);
   expectDefect(readFiles({{"a.src", around("")}, {"b.src", "DEF b ( )\nHALT\nEND\n"}}), 1,
-               "nothing of this file");
+               "no procedure of this file");
 }
 
 using Krl = test::Programs;

@@ -123,9 +123,12 @@ TEST(RapidReader, namesWhatItCannotTake) {
     std::string line;
     const char* part;
   } cases[] = {
-      {"MoveL [[1,2,3],[1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "other parts"},
-      {"MoveL [[1,2,3],[1,0.1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "length"},
-      {"MoveL [[1,2,3],[1,0,0,0],[0,0.5,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "quarters"},
+      {"MoveL [[1,2,3],[1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;",
+       "other components"},
+      {"MoveL [[1,2,3],[1,0.1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;",
+       "normalised"},
+      {"MoveL [[1,2,3],[1,0,0,0],[0,0.5,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;",
+       "quarter turns"},
       {"MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "external"},
       {"MoveL [[1,2,4E9],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "reach"},
       {"MoveL " + pose + ",v101,fine,t1;", "not declared"},
@@ -133,9 +136,9 @@ TEST(RapidReader, namesWhatItCannotTake) {
       {"MoveL " + pose + ",v100\\T:=0,fine,t1;", "time"},
       {"MoveL " + pose + ",v100\\V:=3,fine,t1;", "not understood"},
       {"MoveL " + pose + ",v100,z3,t1;", "not declared"},
-      {"MoveL " + pose + ",v100,[FALSE,1,0.5,1,1,1,1],t1;", "inside"},
+      {"MoveL " + pose + ",v100,[FALSE,1,0.5,1,1,1,1],t1;", "smaller than"},
       {"MoveL " + pose + ",v100,fine,t2;", "not declared"},
-      {"MoveL " + pose + ",v100,fine,w1;", "is no tooldata"},
+      {"MoveL " + pose + ",v100,fine,w1;", "not of type tooldata"},
       {"MoveL " + pose + ",v100,fine,tool0;", "different tool"},
       {"MoveL " + pose + ",v100,fine,t1\\WObj:=w2;", "not declared"},
       {"MoveL Offs(p1,0,0,1),v100,fine,t1;", "not declared"},
@@ -170,7 +173,7 @@ TEST(RapidReader, namesWhatAModuleLacks) {
     text.erase(text.find(piece), piece.size());
     return read(text);
   };
-  expectDefect(without("MODULE m"), 2, "begins with MODULE");
+  expectDefect(without("MODULE m"), 2, "begin with MODULE");
   expectDefect(without("PROC main()"), 5, "outside the procedure");
   expectDefect(without("ConfL\\Off; "), 8, "configuration");
   expectDefect(without("ENDPROC"), 12, "no ENDPROC");
@@ -390,9 +393,9 @@ TEST(RapidReader, readsTheFlowOfATriggL) {
     changed.replace(changed.find(from), from.size(), to);
     return read(changed);
   };
-  expectDefect(bad("t2, 0\\Start", "t2, 1\\Start"), 10, "beginning");
-  expectDefect(bad("0 \\AOp", "0.1 \\AOp"), 10, "beginning");
-  expectDefect(bad(":=aoFlow", ":=aoFan"), 10, "beginning");
+  expectDefect(bad("t2, 0\\Start", "t2, 1\\Start"), 10, "start of a motion");
+  expectDefect(bad("0 \\AOp", "0.1 \\AOp"), 10, "start of a motion");
+  expectDefect(bad(":=aoFlow", ":=aoFan"), 10, "start of a motion");
   expectDefect(bad("aoFlow, 0.25", "aoFlow, 1.25"), 10, "0..1");
   expectDefect(bad("VAR triggdata t2;", "VAR triggdata t3;"), 10, "not declared");
   expectDefect(with("TriggL " + pose + ",v100,t2,fine,t1;\n"), 9, "not declared");
@@ -499,7 +502,7 @@ TEST(RapidReader, namesWhatOfARodItCannotTake) {
       {rodModule(kMove), 8, "eax_a is missing"},
       {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[0,9E9,0,9E9,9E9,9E9]],v100,fine,t1"
                  "\\WObj:=w1;\n"),
-       8, "behind one that is not used"},
+       8, "after an unused one"},
       {rodModule("MoveL [[1,2,3],[1,0,0,0],[0,0,0,0],[2E7,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1"
                  "\\WObj:=w1;\n"),
        8, "limit"},

@@ -78,7 +78,7 @@ TEST(UrscriptReader, namesWhatItCannotTake) {
       {"movel(p[-0.4,0,0.3,0,3],a=1,v=0.1)\n", "pose"},
       {"movel(p[-0.4,0,0.3,0,3,zero],a=1,v=0.1)\n", "not understood"},
       {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=-0.1)\n", "argument v"},
-      {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=0)\n", "never gets anywhere"},
+      {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=0)\n", "never arrives"},
       {"movel(p[-0.4,0,0.3,0,3,0],a=1,w=0.1)\n", "unknown"},
       {"movel(p[-0.4,0,0.3,0,3,0],v=1,v=0.1)\n", "twice"},
       {"movel(p[-0.4,0,400,0,3,0],a=1,v=0.1)\n", "reach"},
@@ -263,7 +263,7 @@ TEST(GcodeReader, namesWhatItCannotTake) {
     const char* line;
     const char* part;
   } cases[] = {
-      {"G1 X1 nX0.1 nY0 nZ0.9\n", "length"},
+      {"G1 X1 nX0.1 nY0 nZ0.9\n", "unit vector"},
       {"G1 X1 nX0 nZ1\n", "nX, nY and nZ"},
       {"G1 X1 F0\n", "speed"},
       {"G1 X10 YF1200\n", "letter Y"},
@@ -276,12 +276,12 @@ TEST(GcodeReader, namesWhatItCannotTake) {
       {"M104 S\n", "letter S"},
       {"G1 X1..2\n", "not understood"},
       {"G1 X1 X2\n", "not understood"},
-      {"G2 X1 I3\n", "not known"},
+      {"G2 X1 I3\n", "unknown G command"},
       {"G20\n", "inches"},
       {"G91\n", "relative"},
       {"G92 X0\n", "origin"},
       {"X1 Y2\n", "without a command"},
-      {"M999\n", "not known"},
+      {"M999\n", "unknown M command"},
       {"G1 X1 M3\n", "two commands"},
       {"G1 Xnan\n", "not understood"},
       {"G1 X1 I2\n", "word I"},
@@ -315,10 +315,10 @@ TEST(JointTableReader, namesWhatItCannotTake) {
   const struct {
     const char* line;
     const char* part;
-  } cases[] = {{"2,0,0,1,-1,fly\n", "not a row"},     {"2,0,0,1,print\n", "not a row"},
-               {"2,0,0,0,1,-1,print\n", "not a row"}, {"2,x,0,1,-1,print\n", "not a row"},
-               {"0.5,0,0,1,1,print\n", "backwards"},  {"2,0,0,0.1,1,print\n", "less"},
-               {"2,0,0,1,1.5,print\n", "whole"},      {"", "cut short"}};
+  } cases[] = {{"2,0,0,1,-1,fly\n", "not a row"},         {"2,0,0,1,print\n", "not a row"},
+               {"2,0,0,0,1,-1,print\n", "not a row"},     {"2,x,0,1,-1,print\n", "not a row"},
+               {"0.5,0,0,1,1,print\n", "time decreases"}, {"2,0,0,0.1,1,print\n", "decreases"},
+               {"2,0,0,1,1.5,print\n", "integer"},        {"", "truncated"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.line);
     const bool cut = !*c.line;

@@ -106,13 +106,13 @@ TEST(SpelplusReader, namesWhatItCannotTake) {
                {"Tool 3\n", "only the controller knows"},
                {"Power Low\nMove XY(301,0,100,0,0,180)\n", "Power High"},
                {"AIO_Out 1, 11\n", "10 V"},
-               {"On 1, 0.5\n", "stays"},
-               {"Call other\n", "not here"},
+               {"On 1, 0.5\n", "persistent"},
+               {"Call other\n", "is missing"},
                {"part\n", "calls itself"},
                {"x = 5\n", "not known"},
                {"If Sw(1) = On Then\n", "not known"},
                {"Do While True\n", "not known"},
-               {"SpeedS 0\n", "sensible"}};
+               {"SpeedS 0\n", "invalid speed"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.line);
     const std::string two = c.line;

@@ -289,7 +289,7 @@ TEST(TableReader, NamesWhatItCannotTake) {
     const char *line, *part;
   } cases[] = {{"G1 X1\n", "without F"},      {"G0 X1 F60\n", "G0 under G93"},
                {"G92 C10\n", "origin"},       {"G1 X1 A5 F60\n", "word A"},
-               {"G43.4 H1\n", "not known"},   {"G95\n", "not known"},
+               {"G43.4 H1\n", "unknown G"},   {"G95\n", "unknown G"},
                {"G94\nG1 X1\n", "any speed"}, {"; plate over the tilt axis, mm: X Z\n", "tilt"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(c.line);
@@ -397,7 +397,7 @@ TEST_F(TablePrograms, PlainGcodeRefusesWhatLeans) {
       FAIL();
     } catch (const base::Error& e) {
       EXPECT_EQ(e.code(), base::ErrorCode::Usage);
-      EXPECT_NE(std::string(e.what()).find("cannot lean the nozzle"), std::string::npos);
+      EXPECT_NE(std::string(e.what()).find("cannot tilt the nozzle"), std::string::npos);
       EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
     }
 }

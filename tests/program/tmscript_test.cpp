@@ -114,21 +114,21 @@ TEST_F(Tmscript, namesWhatItCannotTake) {
     const char* line;
     const char* part;
   } cases[] = {
-      {"Line(\"CAP\",400,0,300,180,0,90,17.35,200,0,false)", "whole numbers"},
-      {"Line(\"CPP\",400,0,300,180,0,90,17,200,0,false)", "per cent"},
+      {"Line(\"CAP\",400,0,300,180,0,90,17.35,200,0,false)", "integers"},
+      {"Line(\"CPP\",400,0,300,180,0,90,17,200,0,false)", "percent"},
       {"Line(\"CAP\",400,0,300,180,17,200,0,false)", "letters"},
       {"Circle(\"CAP\",1,2,3,4,5,6,7,8,9,10,11,12,20,200,0,0,false)", "not known"},
       {"PVTPoint(1,2,3,4,5,6,0,0,0,0,0,0,1)", "without PVTEnter"},
-      {"PVTEnter(2)", "0, joints"},
-      {"ChangeTCP(\"NOZZLE\")", "only the robot"},
-      {"ChangeBase(\"table\")", "only the robot"},
+      {"PVTEnter(2)", "0 (joints)"},
+      {"ChangeTCP(\"NOZZLE\")", "only to the robot"},
+      {"ChangeBase(\"table\")", "only to the robot"},
       {"IO[\"ControlBox\"].AO[0]=11", "0 to 10 V"},
       {"IO[\"ControlBox\"].DO[0]=2", "0 or 1"},
       {"while(1)", "not known"},
       {"x = y", "not understood"},
       {"$TMSCT,14,1,ScriptExit(),*66", "checksum"},
       {"$TMSCT,15,1,ScriptExit(),*67", "length"},
-      {"$TMSTA,2,00,*41", "no script"},
+      {"$TMSTA,2,00,*41", "not a script"},
       {"$TMSCT,x,1,ScriptExit(),*67", "length"},
   };
   const std::string line = tmFrame("1", "Line(\"CAP\",400,0,300,180,0,90,20,200,0,false)");

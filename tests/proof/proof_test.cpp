@@ -121,7 +121,7 @@ TEST(Proof, ARefusedProgramSaysSoFirst) {
   const std::string name = "refused-" + refused.program.files[0].name;
   const std::string page = base::readFile(folder / (name + ".proof.html"));
   EXPECT_NE(page.find("Refused: do not run this program."), std::string::npos);
-  EXPECT_NE(page.find("Collisions: 2; none is allowed."), std::string::npos);
+  EXPECT_NE(page.find("Collisions: 2; none allowed."), std::string::npos);
   EXPECT_EQ(page.find("Passed:"), std::string::npos);
   EXPECT_EQ(proofIn(folder.path(), name)["files"][0]["name"], name);
 }
@@ -139,7 +139,7 @@ TEST(Proof, TheLegendHasTheColoursOfTheMap) {
     const int swatch = front.swatch[static_cast<std::size_t>(row * 3 + column)];
     return swatch < 0 ? "" : sheet.legend[static_cast<std::size_t>(swatch)].label;
   };
-  EXPECT_EQ(label(1, 0), "90\u00a0% and more filled");
+  EXPECT_EQ(label(1, 0), "at least 90\u00a0% filled");
   EXPECT_EQ(label(1, 1), "80 to 90\u00a0%");
   EXPECT_EQ(label(1, 2), "");
   EXPECT_EQ(label(0, 0), "70 to 80\u00a0%");

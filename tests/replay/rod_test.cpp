@@ -239,7 +239,7 @@ TEST(Rod, ItsRangeAndSpeedAreLimits) {
   plan::ReadProgram program = programOf(s, plan::TargetKind::WorkPose);
   program.motions[50].externals[0] = 1.01 * s.cell.limits()[6].max;
   const Verification far = replayed(s, program);
-  EXPECT_TRUE(tells(far, "limit", "rod at 3636000.0 degrees, its limit is 3600000.0"));
+  EXPECT_TRUE(tells(far, "limit", "rod at 3636000.0 degrees, beyond its limit of 3600000.0"));
   program = programOf(s, plan::TargetKind::WorkPose);
   // 4 degrees at 2.75 mm are 720 degrees a second at 34.6 mm/s.
   const auto timed = [&](double mmPerS) {

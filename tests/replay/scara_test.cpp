@@ -94,7 +94,7 @@ TEST(ScaraReplay, ATurnOfJoint4IsNoOtherPath) {
     const double u = std::stod(line.substr(begin, end - begin));
     return line.replace(begin, end - begin, std::to_string(u + 20.0));
   });
-  EXPECT_NE(all.find("stands otherwise than planned"), std::string::npos) << all;
+  EXPECT_NE(all.find("configuration is not the planned one"), std::string::npos) << all;
 }
 
 TEST(ScaraReplay, ASlideBeyondItsLimitIsToldInMillimetres) {
@@ -111,7 +111,7 @@ TEST(ScaraReplay, ASlideBeyondItsLimitIsToldInMillimetres) {
     damaged += "," + fields[k];
   text.lines[i] = damaged;
   const std::string all = told(verify(text));
-  EXPECT_NE(all.find("joint 3 at -152.5 mm, its limit is -150.0"), std::string::npos) << all;
+  EXPECT_NE(all.find("joint 3 at -152.5 mm, beyond its limit of -150.0"), std::string::npos) << all;
 }
 
 // 60 mm in a twentieth of a second, where 1000 mm/s are allowed, looked at every 3 mm: 0.03 rad.

@@ -276,7 +276,7 @@ TEST_F(Shapes, SayWhatIsWrongInThem) {
       HasSubstr("'pink'"));
   EXPECT_THAT(complaint(R"({"frame": 1, "colour": "white", )" + line +
                         R"(, "turnedMm": [[9, 5], [0, 5]]})"),
-              HasSubstr("before the one before it"));
+              HasSubstr("before the previous one"));
   EXPECT_THAT(complaint(R"({"frame": 1, "colour": "white", )" + line +
                         R"(, "across": [1, 0, 0], "sectionsMm": [[0, [[0, 0, 9], [1, 0, 2]]],)"
                         R"( [9, [[0, 0, 9], [1, 0, 2]]]]})"),

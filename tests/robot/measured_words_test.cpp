@@ -23,7 +23,7 @@ TEST(MeasuredWords, HowWellTheRowsAgree) {
   const MeasuredFrame three =
       frameFromPoints({{{0, 0, 0}, {1, 2, 3}}, {{10, 0, 0}, {11, 2, 3}}, {{0, 10, 0}, {1, 12, 3}}});
   EXPECT_THAT(base::english(agreementOf(three.residual, 3)), HasSubstr("3 rows"));
-  EXPECT_THAT(base::english(agreementOf(Residual{}, 3)), HasSubstr("nothing tells"));
+  EXPECT_THAT(base::english(agreementOf(Residual{}, 3)), HasSubstr("cannot be estimated"));
   Residual known{0.123, 0.456, 0.2, 0.0789, base::degreesToRadians(0.05)};
   const std::string told = base::english(agreementOf(known, 8));
   for (const char* part : {"8 rows", "0.123 mm", "0.456 mm", "0.079 mm", "0.050"})

@@ -101,7 +101,7 @@ TEST_F(Files, orthoParallelMistakesNameFileAndKey) {
               HasSubstr("'geometryMm.c2'"));
   EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"]["d4"] = 1; }), HasSubstr("d4"));
   EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"]["offsetsDeg"].erase(0); }),
-              HasSubstr("'geometryMm.offsetsDeg' must hold 6 joints, holds 5"));
+              HasSubstr("'geometryMm.offsetsDeg' must have 6 joints, has 5"));
   EXPECT_THAT(complaint(irb, [](json& j) { j["geometryMm"]["offsetsDeg"][2] = "down"; }),
               HasSubstr("'geometryMm.offsetsDeg[2]'"));
 }
@@ -147,14 +147,14 @@ TEST_F(Files, mistakesAboutAxesNameFileAndKey) {
   EXPECT_THAT(axis(0, "kind", "rolling"), HasSubstr("'externalAxes[0].kind' must be turning or"));
   EXPECT_THAT(axis(0, "kind", "sliding"),
               HasSubstr("'externalAxes[0].accelerationDegPerS2' (did you mean"));
-  EXPECT_THAT(axis(1, "axis", {0, 0, 0}),
-              HasSubstr("'externalAxes[1].axis' must have a direction"));
+  EXPECT_THAT(axis(1, "axis", {0, 0, 0}), HasSubstr("'externalAxes[1].axis' must not be zero"));
   EXPECT_THAT(axis(1, "pose", {0, 0, 0}), HasSubstr("'externalAxes[1].pose'"));
   EXPECT_THAT(
       complaint(cell, [](json& j) { j["externalAxes"][0]["bodies"][0]["name"] = "forearm"; }),
-      HasSubstr("taken already: 'forearm'"));
-  EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"].push_back(j["externalAxes"][1]); }),
-              HasSubstr("'externalAxes' must be fewer: robot and axes are 8 at most"));
+      HasSubstr("already used: 'forearm'"));
+  EXPECT_THAT(
+      complaint(cell, [](json& j) { j["externalAxes"].push_back(j["externalAxes"][1]); }),
+      HasSubstr("'externalAxes' too many: robot and external axes together may have 8 axes"));
 }
 
 TEST_F(Files, mistakesAboutTheRodNameFileAndKey) {
@@ -171,7 +171,7 @@ TEST_F(Files, mistakesAboutTheRodNameFileAndKey) {
   EXPECT_THAT(axis("speed", 1), HasSubstr("'externalAxes[0].speed'"));
   EXPECT_THAT(axis("axis", {0, 1, 0}), HasSubstr("must turn the rod about its own axis"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"].clear(); }),
-              HasSubstr("'externalAxes' must hold one axis"));
+              HasSubstr("'externalAxes' must have exactly one axis"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"][0] = 1; }),
               HasSubstr("'externalAxes[0]' must be an object"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["externalAxes"] = "rod"; }),
@@ -183,7 +183,7 @@ TEST_F(Files, mistakesAboutTheRodNameFileAndKey) {
   EXPECT_THAT(complaint(cell, [](json& j) { j["platform"]["thicknessMm"] = 5; }),
               HasSubstr("'platform.thicknessMm'"));
   EXPECT_THAT(complaint(cell, [](json& j) { j["homeDeg"].push_back(0); }),
-              HasSubstr("'homeDeg' must hold 6 joints, holds 7"));
+              HasSubstr("'homeDeg' must have 6 joints, has 7"));
   EXPECT_THAT(complaint(cell,
                         [](json& j) {
                           j["platform"]["mount"] = "flange";

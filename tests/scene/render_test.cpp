@@ -410,7 +410,7 @@ TEST_F(RenderCommand, SaysInOneLineWhatTheJobLacks) {
   for (const char* what : {"voxels", "layers", "paths", "robot"}) {
     EXPECT_EQ(run("", std::string("--show ") + what + " -o " + picturePath("none.png")), 3);
     const std::string line = complaint();
-    EXPECT_NE(line.find("the job holds no"), std::string::npos) << line;
+    EXPECT_NE(line.find("the job contains no"), std::string::npos) << line;
     EXPECT_NE(line.find("voluta-cli plan"), std::string::npos) << line;
     EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1) << line;
     EXPECT_FALSE(fs::exists(picturePath("none.png")));

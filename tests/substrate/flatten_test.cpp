@@ -84,7 +84,7 @@ TEST(Flatten, ImpossibleOnesAreTold) {
     FAIL();
   } catch (const base::Error& e) {
     EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
-    EXPECT_NE(std::string(e.what()).find("no circle goes through both"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("no circle passes through both"), std::string::npos);
   }
 }
 

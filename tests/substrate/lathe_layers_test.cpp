@@ -172,7 +172,7 @@ TEST(LatheLayers, BadInputIsToldInOneLine) {
   const TriangleMesh tube = test::revolved(test::tubeSection(), 128);
   expectRefusal(tube, platform::straightRod(12, 200), "the rod is thicker than the part");
   expectRefusal(tube, platform::straightRod(10, 200), "the rod is thicker than the part");
-  expectRefusal(tube, platform::straightRod(9.9, 200), "out over the rod, less than a layer");
+  expectRefusal(tube, platform::straightRod(9.9, 200), "beyond the rod, less than a layer");
   expectRefusal(tube, platform::straightRod(5, 40), "beyond an end of the rod");
   TriangleMesh beside = tube;
   for (auto& p : beside.vertices)
@@ -183,7 +183,7 @@ TEST(LatheLayers, BadInputIsToldInOneLine) {
   TriangleMesh open = tube;
   open.triangles.resize(open.triangles.size() - 2);
   expectRefusal(open, kRod, "not closed");
-  expectRefusal(tube, RodShape{{{0, 1}}, 0}, "two points at least");
+  expectRefusal(tube, RodShape{{{0, 1}}, 0}, "at least two points");
 }
 
 TEST(LatheLayers, SameForAnyNumberOfThreads) {

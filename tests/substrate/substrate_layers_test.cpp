@@ -262,7 +262,7 @@ void expectRefusal(const TriangleMesh& part, const TriangleMesh& body, const Sub
 TEST(SubstrateLayers, BadInputIsToldInOneLine) {
   const TriangleMesh plate = test::box({-30, -30, 0}, {30, 30, 10});
   const TriangleMesh inside = test::box({-5, -5, 2}, {5, 5, 8});
-  expectRefusal(inside, plate, {}, "the surface covers the part");
+  expectRefusal(inside, plate, {}, "contains the whole part");
   expectRefusal(test::box({-5, -5, 10}, {5, 5, 10.05}), plate, {}, "less than a layer of 0.1 mm");
   expectRefusal(test::box({-5, -5, 20}, {5, 5, 24}), plate, {}, "the part misses the surface");
   TriangleMesh open = test::box({-5, -5, 8}, {5, 5, 14});
@@ -271,10 +271,10 @@ TEST(SubstrateLayers, BadInputIsToldInOneLine) {
   SubstrateOptions flatten;
   flatten.shape = LevelShape::Flatten;
   flatten.end.heightMm = 9.0;
-  expectRefusal(test::box({-5, -5, 8}, {5, 5, 14}), plate, flatten, "sees the end surface");
+  expectRefusal(test::box({-5, -5, 8}, {5, 5, 14}), plate, flatten, "hits the end surface");
   flatten.end.heightMm = 14.0;
   flatten.end.radiusMm = 50.0;
-  expectRefusal(test::box({-5, -5, 8}, {5, 5, 14}), plate, flatten, "stands on no cylinder");
+  expectRefusal(test::box({-5, -5, 8}, {5, 5, 14}), plate, flatten, "requires a cylinder along x");
   // From a cylinder to a plane over all its width: as thin at the top as it is thick at the sides.
   SubstrateOptions flat;
   flat.shape = LevelShape::Flatten;

@@ -55,7 +55,7 @@ TEST(TouchFit, PointsOnALineAreTold) {
       FAIL();
     } catch (const base::Error& e) {
       EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
-      EXPECT_EQ(std::string(e.what()), "touched points: the points lie on a line (touch points "
+      EXPECT_EQ(std::string(e.what()), "touched points: the points are collinear (touch points "
                                        "farther apart around the cylinder)");
     }
   EXPECT_THROW(substrate::circleThrough({{0, 0}, {1, 1}}), base::Error);

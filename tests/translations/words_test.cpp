@@ -61,7 +61,7 @@ TEST_F(Words, EnglishHasSignsOfUnitsAndItsForms) {
   EXPECT_EQ(language::words(leaning(7.031)).toStdString(), "7.03 mm² lean over by more than 45°");
   EXPECT_EQ(language::words(below(1)).toStdString(), "1 voxel lies below the plate");
   EXPECT_EQ(language::words(below(12345)).toStdString(), "12,345 voxels lie below the plate");
-  EXPECT_EQ(language::heading("fewest missed"_text).toStdString(), "Fewest missed");
+  EXPECT_EQ(language::heading("fewest missed voxels"_text).toStdString(), "Fewest missed voxels");
 }
 
 TEST_F(Words, ItalianHasItsOrderNumbersAndForms) {

@@ -77,19 +77,20 @@ struct Bad {
 
 TEST(VoxelText, BadObjectsAreToldInOneLineWithTheirPlace) {
   const Bad all[] = {
-      {"0110\n011\n----\n", "x.txt, line 2, column 4", "3 cells, the first one has 4"},
+      {"0110\n011\n----\n", "x.txt, line 2, column 4", "3 cells, the first one 4"},
       {"0110\n01100\n----\n", "x.txt, line 2, column 5", "5 cells"},
       {"0110\n01x0\n----\n", "x.txt, line 2, column 3", "'x' is none of 0, 1 and -"},
       {"0110\n01 0\n----\n", "x.txt, line 2, column 3", "a space"},
       {"0110\n01\x01"
        "0\n----\n",
        "x.txt, line 2, column 3", "byte 0x01"},
-      {"01\n11\n--\n\n11\n--\n", "x.txt, line 6", "slice 2 ends after 2 rows, the first one has 3"},
+      {"01\n11\n--\n\n11\n--\n", "x.txt, line 6",
+       "slice 2 ends after 2 rows, the first one after 3"},
       {"01\n--\n\n11\n11\n--\n\n11\n--\n", "x.txt, line 6", "slice 2 ends after 3 rows"},
       {"0110\n0110\n", "x.txt, line 2", "there is no platform"},
       {"0110\n----\n0010\n", "x.txt, line 3, column 3", "below the platform"},
       {"0-00\n0110\n----\n", "x.txt, line 2, column 2", "below the platform"},
-      {"0110\n0000\n----\n", "x.txt, line 3", "nothing stands on the platform"},
+      {"0110\n0000\n----\n", "x.txt, line 3", "nothing is on the platform"},
       {"0000\n----\n", "x.txt", "no part"},
       {"----\n", "x.txt", "no part"},
       {"", "x.txt", "no cells"},

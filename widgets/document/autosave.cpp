@@ -77,7 +77,8 @@ void Autosave::write() {
        owner = ownerBytes(document_.name(), document_.projectFile())](const base::RunContext&) {
         std::error_code status;
         std::filesystem::create_directories(pathOf(folder), status);
-        // First whose it is: a copy without an owner would look like one that was left behind.
+        // Write the owner first: a copy without an owner would look like one left behind by a
+        // crash.
         base::writeFile(pathOf(ownerFileOf(copy)),
                         {owner.constData(), static_cast<std::size_t>(owner.size())});
         if (!unwanted->load())
@@ -103,7 +104,7 @@ void Autosave::writeEnded(const base::Outcome<bool>& outcome) {
     write();
 }
 
-// A write under way is left to clean up after itself, so the next copy is another file.
+// A pending write cleans up after itself, so the next copy uses another file.
 void Autosave::remove() {
   pause_->stop();
   atLatest_->stop();

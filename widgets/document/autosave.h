@@ -1,4 +1,4 @@
-// What is left after a crash: a copy of every unsaved project, at most seconds old.
+// Crash recovery: a copy of each unsaved project, at most seconds old.
 #pragma once
 
 #include "document/recovery.h"
@@ -23,27 +23,26 @@ struct AutosaveOptions {
 };
 
 // Writes the document, while it differs from its file, to <folder>/<id>.voluta with <id>.json
-// beside it (name, original path, time, process): after edits, and after each stage of a plan.
-// Both are written whole or not at all, by a worker. They are removed when the document is as it is
-// in its file and when this is destroyed in good order: whoever closes a changed document has asked
-// the user before.
+// beside it (name, original path, time, process): after edits, and after each stage of a plan. A
+// worker writes both, each completely or not at all. They are removed when the document equals its
+// file, and when this object is destroyed regularly: before closing a changed document the user was
+// asked.
 class Autosave : public QObject {
   Q_OBJECT
 
 public:
-  // `document` outlives this.
+  // `document` has to outlive the object.
   explicit Autosave(Document& document, AutosaveOptions options = {}, QObject* parent = nullptr);
   ~Autosave() override;
 
-  // The document now holds that copy (to be called once it does), which goes when there is a newer
-  // one.
+  // Call once the document holds that recovered copy; the copy is removed when a newer one exists.
   void adopt(const Recovered& recovered);
-  // Of this document's next copy; another one after it was removed.
+  // File of this document's next copy; it changes after a copy was removed.
   QString file() const { return file_; }
 
 signals:
   void written();
-  // Told once until a copy could be written again.
+  // Emitted once until a copy could be written again.
   void failed(const QString& message);
 
 private:
@@ -58,7 +57,7 @@ private:
   jobs::JobRunner runner_;
   QTimer *pause_, *atLatest_;
   std::optional<Recovered> adopted_;
-  std::shared_ptr<std::atomic<bool>> unwanted_; // of the write under way
+  std::shared_ptr<std::atomic<bool>> unwanted_; // of the pending write
   bool again_ = false, told_ = false;
 };
 

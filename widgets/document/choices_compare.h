@@ -1,4 +1,4 @@
-// Compares what the user chose.
+// Comparison of user choices.
 #pragma once
 
 #include "project/choices.h"
@@ -7,8 +7,8 @@ namespace voluta::document {
 
 bool sameChoices(const project::Choices& a, const project::Choices& b);
 
-// Does `next`, with which another part would begin, lack settings of `now`? Placement, scale and
-// formats do not count, nor what mode auto has chosen.
+// Returns whether `next`, with which another part would begin, lacks settings of `now`. Ignores
+// placement, scale and formats, and the way chosen by mode auto.
 bool losesSettings(const project::Choices& now, const project::Choices& next);
 
 } // namespace voluta::document

@@ -8,7 +8,7 @@
 namespace voluta::document {
 
 namespace {
-constexpr std::size_t kKeptResults = 3; // as many as the cache of plans keeps
+constexpr std::size_t kKeptResults = 3; // equal to the capacity of the cache of plans
 } // namespace
 
 Comparing::Comparing(Document& document, QObject* parent) : QObject(parent), document_(document) {
@@ -20,7 +20,7 @@ Comparing::Comparing(Document& document, QObject* parent) : QObject(parent), doc
 
 Comparing::~Comparing() = default;
 
-// All that the rows are made from but the way of building: each mode asks for something else.
+// Key of all inputs of the rows except the way of building, since each mode has its own inputs.
 std::string Comparing::keyOf(const pipeline::PlanRequest& request) const {
   std::string key, mode;
   for (const Row& row : rows_) {
@@ -29,7 +29,7 @@ std::string Comparing::keyOf(const pipeline::PlanRequest& request) const {
     mode = row.combination.mode;
     pipeline::PlanRequest one = request;
     one.choices = pipeline::choicesOf(row.combination, one.choices);
-    one.choices.item().growth = {}; // is the row's own
+    one.choices.growth = {}; // belongs to the row
     key += pipeline::stageKeys(one).back();
   }
   return key;
@@ -81,7 +81,7 @@ void Comparing::run(const ComparedWays& ways) {
   emit rowsChanged();
   runner_.run(
       [this, options, pictures = pictures_](const base::RunContext& ctx, const jobs::Post& post) {
-        // `this` is only used in what is posted, on the thread of the window.
+        // `this` is used only in posted functions, which run on the thread of the window.
         pipeline::CompareWatch watch;
         watch.begins = [&](std::size_t row) {
           post([this, row] {

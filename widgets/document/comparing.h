@@ -1,4 +1,4 @@
-// Ways of building the document's part, planned one after the other in the background.
+// Comparison of ways of building the document's part, planned in turn in the background.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -18,7 +18,7 @@ namespace voluta::document {
 
 class Document;
 
-// What is compared; a list that is empty means what the document has.
+// Ways to compare; an empty list stands for the document's own value.
 struct ComparedWays {
   std::vector<std::string> modes;
   std::vector<curved::GrowthScheme> growths;
@@ -26,53 +26,53 @@ struct ComparedWays {
   project::Stage until = project::Stage::Replay;
 };
 
-// A picture of a planned job; called on the thread of the run. Null: none.
+// Makes a picture of a planned job; called on the thread of the run. Null: no pictures.
 using PictureMaker = std::function<QImage(const project::Job&)>;
 
 class Comparing : public QObject {
   Q_OBJECT
 
 public:
-  // `document` outlives this.
+  // `document` has to outlive the object.
   explicit Comparing(Document& document, QObject* parent = nullptr);
   ~Comparing() override;
 
   void setPictures(PictureMaker pictures) { pictures_ = std::move(pictures); }
 
-  // Precondition: the document has a part that is ready. Rows of the last comparison are dropped.
+  // Precondition: the document has a part that is ready. Drops the rows of the last comparison.
   void run(const ComparedWays& ways);
-  // Rows that are done stay.
+  // Keeps completed rows.
   void cancel();
   bool running() const { return runner_.running(); }
   const jobs::Progress& progress() const { return runner_.progress(); }
 
   struct Row {
     pipeline::Combination combination;
-    std::optional<pipeline::CompareRow> compared; // none: not planned yet, or never
+    std::optional<pipeline::CompareRow> compared; // nullopt: not planned yet, or never
     QImage picture;
-    // Its plan, to be gone on with: kept of the best few only.
+    // Its plan, to continue from; kept for the best few only.
     std::shared_ptr<const pipeline::PlanResult> result;
   };
   const std::vector<Row>& rows() const { return rows_; }
   std::optional<std::size_t> current() const { return current_; } // row that is being planned
   project::Stage until() const { return until_; }
-  // The part and all other choices are what the rows were planned with.
+  // Returns whether the part and all other choices are those with which the rows were planned.
   bool upToDate() const;
 
   const pipeline::Weights& weights() const { return weights_; }
   void setWeights(const pipeline::Weights& weights);
-  // Of the rows that are done; `scores` and the numbers are those of rows(), which is in order of
-  // planning.
+  // Ranking of the completed rows; `scores` and the row numbers refer to rows(), which is in order
+  // of planning.
   const pipeline::Ranking& ranking() const { return ranking_; }
 
 signals:
   void started();
   void progressed(const voluta::jobs::Progress& progress);
-  void rowsChanged();                  // other rows
-  void rowChanged(int row);            // it begins, or is done
+  void rowsChanged();                  // the set of rows
+  void rowChanged(int row);            // its planning begins or is done
   void rankingChanged();               // scores, the best
   void ended();                        // also after a cancel
-  void failed(const QString& message); // the part or a choice will not do; before ended()
+  void failed(const QString& message); // the part or a choice is unusable; before ended()
 
 private:
   std::string keyOf(const pipeline::PlanRequest& request) const;
@@ -91,7 +91,7 @@ private:
   project::Stage until_ = project::Stage::Replay;
   std::string key_;
   mutable std::optional<bool>
-      upToDate_; // until the next edit: asked far more often than it changes
+      upToDate_; // valid until the next edit: queried far more often than it changes
 };
 
 } // namespace voluta::document

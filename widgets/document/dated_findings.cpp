@@ -12,7 +12,7 @@ Stage stageAt(std::size_t index) {
   return static_cast<Stage>(index);
 }
 
-// A stage's own among those of the whole plan.
+// Returns the findings of one stage among those of the whole plan.
 plan::Findings findingsOf(const pipeline::PlanResult& result, Stage stage) {
   std::size_t before = 0;
   for (std::size_t s = 0; s < indexOf(stage); ++s)

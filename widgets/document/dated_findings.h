@@ -1,4 +1,4 @@
-// What the stages have found, and whether it still holds.
+// Findings of the stages, and whether they still apply.
 #pragma once
 
 #include "plan/finding.h"
@@ -12,15 +12,15 @@ class Document;
 
 struct DatedFinding {
   plan::Finding finding;
-  bool outOfDate = false; // found before the choices were what they are now
+  bool outOfDate = false; // found before the last change of the choices
 };
 
-// Of what is on show of every stage, in the order of the stages; of voxels that are being made,
-// where there are any, instead of those from before.
+// Returns the findings of the shown results of every stage, in the order of the stages. While
+// voxels are being computed, their findings replace the previous ones of that stage.
 std::vector<DatedFinding> datedFindings(const Document& document);
 
-// Stages that have not looked at the choices as they are now: that nothing was found there says
-// nothing. All of them without a part.
+// Returns the stages that have not checked the present choices: the absence of findings there means
+// nothing. All stages if there is no part.
 std::vector<project::Stage> uncheckedStages(const Document& document);
 
 } // namespace voluta::document

@@ -25,12 +25,13 @@ Stage stageAt(std::size_t index) {
 }
 } // namespace
 
-// Shared by all edits that refer to the same part, so that its repaired version reaches them all.
+// Shared by all edits that refer to the same part, so that its repaired version applies to all of
+// them.
 struct Document::Source {
   std::shared_ptr<const project::LoadedPart> part;
   QString path;
   bool ready = true;
-  ShownStages results = {}; // while another part is on show
+  ShownStages results = {}; // while another part is shown
 };
 
 class Document::EditCommand : public QUndoCommand {
@@ -58,7 +59,7 @@ Document::Document(QObject* parent) : QObject(parent) {
   connect(&undo_, &QUndoStack::cleanChanged, this, &Document::tellDirtyAndName);
 }
 
-// The stack's last signals must find nobody.
+// The stack's last signals must not reach the destroyed object.
 Document::~Document() {
   undo_.disconnect(this);
 }
@@ -90,7 +91,7 @@ bool Document::dirty() const {
   return unsaved_ || !undo_.isClean() || hasUnsavedPlan();
 }
 
-// Voxels do not count: a preview makes them unasked.
+// Excludes voxels: a preview computes them without being asked.
 bool Document::hasUnsavedPlan() const {
   for (std::size_t s = indexOf(Stage::Layers); s < kStageCount; ++s)
     if (upToDate(stageAt(s)) && shown_[s].key != savedKeys_[s])
@@ -108,7 +109,7 @@ bool Document::hasUnsavedWork() const {
   if (!projectFile_.isEmpty() || (last && *last->job.reached > Stage::Load))
     return true;
   const int edits = undo_.index();
-  // Without a part there are settings at most, and the first one keeps them.
+  // Without a part there are at most settings, which the first part keeps.
   return source_ && edits > 0 &&
          (!static_cast<const EditCommand*>(undo_.command(edits - 1))->opensPart() ||
           losesSettings(choices_, choicesOfNextPart({})));
@@ -236,9 +237,8 @@ project::Choices Document::choicesOfNextPart(const QString& path) const {
   if (!source_ || (!path.isEmpty() && path == source_->path))
     return same;
   project::Choices next = start_;
-  // A cell and a process that came along with the way of building go with it.
-  const modes::Mode* mode =
-      choices_.item().automatic ? nullptr : modes::modeNamed(choices_.item().mode);
+  // A cell and a process that were set by the way of building are reset with it.
+  const modes::Mode* mode = choices_.automatic ? nullptr : modes::modeNamed(choices_.mode);
   if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != start_.cell)
     return next;
   next.cell = choices_.cell;
@@ -247,7 +247,7 @@ project::Choices Document::choicesOfNextPart(const QString& path) const {
   try {
     return next.item().automatic ? pipeline::automaticChoices(next).front() : fitting(next);
   } catch (const base::Error&) {
-    return next; // what is wrong with the cell, the plan reports
+    return next; // the plan reports the cell's error
   }
 }
 
@@ -338,7 +338,7 @@ void Document::refreshKeys() {
   try {
     keys_ = pipeline::stageKeys(request(Stage::Replay));
   } catch (const base::Error& error) {
-    // Choices that cannot be planned have no keys: whatever is shown is not theirs.
+    // Choices that cannot be planned have no keys, so no shown result belongs to them.
     unusable_ = error;
   }
 }
@@ -436,13 +436,13 @@ StageState Document::state(Stage stage) const {
   });
   if (blocked)
     return StageState::Blocked;
-  // A reopened project has its verdict, but no programs to hand over.
+  // A reopened project has its verdict, but no programs to export.
   const bool toHandOver = stage != Stage::Replay || !shown_[s].result->checked.empty();
   return toHandOver ? StageState::Done : StageState::Nothing;
 }
 
 void Document::planStarted(Stage until) {
-  if (!running_) // else it starts over: what it has brought so far is not what was before
+  if (!running_) // on a restart, the results of the aborted run are not those from before it
     shownBefore_ = shown_;
   running_ = Stage::Load;
   until_ = until;
@@ -463,7 +463,7 @@ void Document::stageDone(Stage stage, std::shared_ptr<const pipeline::PlanResult
   const std::size_t done = indexOf(stage);
   const bool changed = shown_[done].key != shownKey(*result, done, runKeys_) ||
                        !shown_[done].result ||
-                       stage == Stage::Replay; // a reopened one lacks the programs
+                       stage == Stage::Replay; // a reopened project lacks the programs
   for (std::size_t s = 0; s <= done; ++s)
     shown_[s] = {result, shownKey(*result, s, runKeys_)};
   const bool aheadBefore = preview_ && stage == Stage::Decompose;
@@ -504,13 +504,14 @@ void Document::planEnded(std::shared_ptr<const pipeline::PlanResult> result) {
 }
 
 void Document::planCancelled() {
-  const std::size_t came = running_ ? indexOf(*running_) : 0; // stages that the run has brought
+  // number of stages that the run has completed
+  const std::size_t came = running_ ? indexOf(*running_) : 0;
   const bool further = std::any_of(shownBefore_.begin() + static_cast<std::ptrdiff_t>(came),
                                    shownBefore_.end(), [](const Shown& s) { return s.result; });
   const ShownStages before = shownBefore_;
   endRun();
   dropPreview();
-  // But for the first: the part lies where the numbers say.
+  // Except the first: the part's position corresponds to the numbers.
   for (std::size_t s = 1; further && s < came; ++s) {
     const bool changed = shown_[s].key != before[s].key;
     shown_[s] = before[s];
@@ -584,7 +585,7 @@ pipeline::PlanRequest Document::request(Stage until) const {
 }
 
 project::Job Document::snapshot() const {
-  std::size_t current = 0; // stages from the first on whose results are those of the choices
+  std::size_t current = 0; // number of leading stages whose results are those of the choices
   while (current < kStageCount && upToDate(stageAt(current)))
     ++current;
   project::Job job;

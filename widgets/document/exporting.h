@@ -1,4 +1,4 @@
-// Programs and their report into a folder, in the background.
+// Writes programs and their report into a folder, in the background.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -17,16 +17,17 @@ class Exporting : public QObject {
 public:
   explicit Exporting(QObject* parent = nullptr);
 
-  // Which of the files that write() would leave in the folder are there already, programs first.
+  // Returns the files that write() would write and that already exist in the folder, programs
+  // first.
   static QStringList inTheWay(const QString& folder, const pipeline::PlanResult& plan,
                               const pipeline::Programs& programs);
 
-  // All of them or none: a file that cannot be written leaves the folder as it was. The folder is
-  // made where it is missing. Replaces a write under way.
+  // Writes all files or none: if one cannot be written, the folder is left unchanged. Creates the
+  // folder if it is missing. Replaces a pending write.
   void write(const QString& folder, std::shared_ptr<const pipeline::PlanResult> plan,
              pipeline::Programs programs, pipeline::ProofStyle proofStyle = {});
 
-  // Finishes what was broken off there when a window ended amid an export (base/staged_folder.h).
+  // Completes an export that was interrupted by the end of the program (base/staged_folder.h).
   void finish(const QString& folder);
 
 signals:

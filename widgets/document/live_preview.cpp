@@ -27,7 +27,7 @@ LivePreview::LivePreview(Document& document, Planning& planning, QObject* parent
     if (until > Stage::Load)
       stop();
   });
-  // The first stage was still being planned when the pause was over.
+  // The first stage was still being planned at the end of the pause.
   const auto solveNear = [this] {
     if (due_)
       start();
@@ -62,8 +62,8 @@ void LivePreview::noteEdit() {
   runner_.cancel();
   due_ = false;
   if (wanted()) {
-    // Not before others have heard of the edit: where the part has to be turned anew, the first
-    // stage is planned once and for both.
+    // Via the timer, so that other listeners learn of the edit first: if the part has to be
+    // rotated, the first stage is then planned once for both.
     pause_->start(first ? 0 : kPauseMs);
   } else {
     pause_->stop();
@@ -105,7 +105,7 @@ void LivePreview::start() {
   runner_.run(
       [this, request = document_.request(Stage::Decompose),
        cache = planning_.cache()](const base::RunContext& ctx, const jobs::Post& post) {
-        // `this` is only used in what is posted, on the thread of the window.
+        // `this` is used only in posted functions, which run on the thread of the window.
         const auto preview = [&](std::shared_ptr<const curved::Decomposition> voxels,
                                  const pipeline::PlanResult& soFar) {
           post([this, shown = previewOf(std::move(voxels), soFar)] {

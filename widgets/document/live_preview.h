@@ -1,4 +1,4 @@
-// Voxels that follow the edits: a run of the decomposition alone, in the background.
+// Live voxel preview: runs only the decomposition after edits, in the background.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -16,22 +16,22 @@ namespace voluta::document {
 class Document;
 class Planning;
 
-// Where a decomposition was planned before, an edit that changes it starts a run at once; an edit
-// that follows cancels it and starts another 0.3 s after the last edit. What comes out is shown as
-// a preview and kept, so that a plan of the same choices goes on from there. Never runs beside a
-// plan that goes further than the first stage.
+// If a decomposition was planned before, an edit that changes it starts a run at once; a further
+// edit cancels it and starts another 0.3 s after the last edit. The result is shown as a preview
+// and cached, so that a plan of the same choices continues from there. Never runs in parallel with
+// a plan that goes beyond the first stage.
 class LivePreview : public QObject {
   Q_OBJECT
 
 public:
-  // Both outlive this.
+  // Both have to outlive the object.
   LivePreview(Document& document, Planning& planning, QObject* parent = nullptr);
   ~LivePreview() override;
 
-  // On, as at first. Off cancels.
+  // Initially enabled. Disabling cancels.
   void setEnabled(bool on);
   bool enabled() const { return enabled_; }
-  // Starts without waiting where there is something to show anew.
+  // Starts without delay if there is something to update.
   void refresh();
   void cancel();
   bool running() const { return runner_.running(); }
@@ -53,7 +53,7 @@ private:
   Planning& planning_;
   jobs::JobRunner runner_;
   QTimer* pause_;
-  std::string runKey_; // of the decomposition that the run makes
+  std::string runKey_; // of the decomposition being computed
   bool enabled_ = true, due_ = false;
 };
 

@@ -113,18 +113,19 @@ QString obstacle(const Choices& given) {
   const modes::Mode& mode = modes::findMode(choices.item().mode);
   if (!choices.item().platform.isForAnyOf(mode.platforms))
     return say(
-        QT_TRANSLATE_NOOP("ModeSwitch", "This way of building does not print on that platform."));
-  const auto orient = choices.item().parameters.find("orient");
-  if (mode.place && orient != choices.item().parameters.end() && orient->second != "none")
-    return say(QT_TRANSLATE_NOOP("ModeSwitch", "This way of building lays the part itself: it is "
-                                               "not turned by the search for a way to lie."));
-  if (mode.place && choices.item().scale == "fit")
+        QT_TRANSLATE_NOOP("ModeSwitch", "This way of building does not support that platform."));
+  const auto orient = choices.parameters.find("orient");
+  if (mode.place && orient != choices.parameters.end() && orient->second != "none")
+    return say(QT_TRANSLATE_NOOP(
+        "ModeSwitch", "This way of building places the part itself: the search for an orientation "
+                      "does not apply."));
+  if (mode.place && choices.scale == "fit")
     return say(
-        QT_TRANSLATE_NOOP("ModeSwitch", "This way of building needs a scale that is a number."));
+        QT_TRANSLATE_NOOP("ModeSwitch", "This way of building needs the scale as a number."));
   try {
     if (const project::Platform& platform = choices.item().platform;
         platform.isBody() && !QFileInfo(QString::fromStdString(platform.file())).isFile())
-      return say(QT_TRANSLATE_NOOP("ModeSwitch", "The platform's file %1 is not there."))
+      return say(QT_TRANSLATE_NOOP("ModeSwitch", "The platform file %1 is missing."))
           .arg(QString::fromStdString(platform.file()));
     pipeline::checkChoices(choices);
     const base::ParameterValues values = pipeline::parameterValues(choices);
@@ -132,12 +133,13 @@ QString obstacle(const Choices& given) {
     if (!cellFits(choices))
       return mode.aroundRod
                  ? say(QT_TRANSLATE_NOOP("ModeSwitch",
-                                         "This way of building needs a cell that turns a rod."))
-                 : say(QT_TRANSLATE_NOOP("ModeSwitch", "This cell turns a rod: the way of building "
-                                                       "needs one with a plate."));
+                                         "This way of building needs a cell with a rotating rod."))
+                 : say(QT_TRANSLATE_NOOP(
+                       "ModeSwitch",
+                       "This cell rotates a rod: this way of building needs one with a plate."));
     return {};
   } catch (const base::Error& error) {
-    // What is wrong with a parameter is told in its field.
+    // Errors of a parameter are shown at its field.
     const auto* key = std::get_if<std::string>(&error.context().data());
     const bool told = key && pipeline::parametersOf(choices.item().mode).find(*key) != nullptr;
     return told ? QString() : language::words(error.whole());

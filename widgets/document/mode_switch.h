@@ -1,4 +1,4 @@
-// What goes with a way of building: a rod needs a cell that turns one, a body its file.
+// Companion choices of a way of building: a rod needs a cell that rotates it, a body its file.
 #pragma once
 
 #include "base/parameters.h"
@@ -11,14 +11,15 @@
 
 namespace voluta::document {
 
-// Ways of building stand on a plate or turn with a rod. Cell, process, platform and place of the
-// part are kept for either: whoever comes back finds them as they were.
+// Ways of building use either a plate or a rotating rod. Cell, process, platform and placement of
+// the part are remembered for either and restored on switching back.
 class ModeSwitch {
 public:
-  // The choices in that mode: with what they have where it fits, else with what was there when the
-  // mode's kind was last left, else with what is usual for it. Precondition: known modes.
+  // Returns the choices in that mode: with the present values where they fit, otherwise with those
+  // from when the mode's kind was last left, otherwise with its defaults. Precondition: known
+  // modes.
   project::Choices switched(const project::Choices& now, const std::string& mode);
-  // The choices with way of building and platform left to the plan.
+  // Returns the choices with way of building and platform left to the plan.
   project::Choices automatic(const project::Choices& now);
 
 private:
@@ -30,16 +31,16 @@ private:
   std::map<std::string, project::Platform> platforms_; // by mode
 };
 
-// The choices with all replaced that does not fit their mode; the same where nothing is to be.
-// Reads descriptions of cells.
+// Returns the choices with all values replaced that do not fit their mode; unchanged if none. Reads
+// cell descriptions.
 project::Choices fitting(project::Choices choices);
 
-// The parameters with the defaults that the choices' mode and process have, and, where the way of
-// building is left to the plan, with the values of the way that was taken last.
+// Returns the parameters with the defaults of the choices' mode and process and, if the way of
+// building is left to the plan, with the values of the last chosen way.
 base::ParameterTable parametersFor(const project::Choices& choices);
 
-// What keeps anything from being planned with these choices, a parameter apart: one sentence, or
-// none. Reads descriptions of cell and process.
+// Returns a sentence on what prevents planning with these choices, apart from parameters; empty if
+// nothing does. Reads descriptions of cell and process.
 QString obstacle(const project::Choices& choices);
 
 } // namespace voluta::document

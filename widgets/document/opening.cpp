@@ -45,7 +45,7 @@ void Opening::openPart(const QString& path) {
       [this, path, repair = document_.choices().item().repair](const base::RunContext& ctx,
                                                                const jobs::Post& post) {
         const Part asRead = project::loadPart(path.toStdString(), false, ctx.sub(0.0, 0.3));
-        // `this` is only used in what is posted, on the thread of the window.
+        // `this` is used only in posted functions, which run on the thread of the window.
         post([this, path, asRead, repair] {
           planning_.cancel();
           document_.openPart(asRead, path, !repair);
@@ -110,7 +110,7 @@ void Opening::resume(std::size_t point) {
       [this, name](const base::Outcome<Resumed>& outcome) {
         if (const auto* resumed = std::get_if<Resumed>(&outcome)) {
           const pipeline::PlanResult& plan = (*resumed)->plan;
-          if (plan.job.resumedAt == 0) { // no way leads there
+          if (plan.job.resumedAt == 0) { // no path leads there
             const plan::Findings& findings = plan.job.report.findings;
             emit failed(name, findings.empty() ? QString()
                                                : language::words(plan::reasonOf(findings.back())));
@@ -128,7 +128,7 @@ void Opening::resume(std::size_t point) {
   emit started(name);
 }
 
-// Brings the part in line with the choice whether it is to be repaired.
+// Adapts the part to the choice whether to repair it.
 void Opening::repair() {
   const Part part = document_.source();
   if (runner_.running() || !part)
@@ -160,7 +160,7 @@ void Opening::endRepair(const base::Outcome<Part>& outcome, const QString& path)
     emit cancelled();
 }
 
-// The part stays as it is; planning it repairs it.
+// Leaves the part as it is; planning repairs it.
 void Opening::giveUpRepair() {
   if (!repairing_)
     return;

@@ -56,7 +56,7 @@ void Planning::plan(Stage until) {
   start();
 }
 
-// The programs alone: the rest of a print is not what its choices alone come to.
+// Plans the programs only: the choices alone would give the whole print, not its rest.
 void Planning::startRest() {
   project::Job rest = document_.result(Stage::Motion)->job;
   rest.choices = document_.choices();
@@ -87,13 +87,13 @@ void Planning::start() {
   runner_.run(
       [this, request = document_.request(until_), cache = cache_](const base::RunContext& ctx,
                                                                   const jobs::Post& post) {
-        // `this` is only used in what is posted, on the thread of the window.
+        // `this` is used only in posted functions, which run on the thread of the window.
         const auto tell = [&](Stage stage, const pipeline::PlanResult& soFar) {
           post([this, stage, loaded = request.item().loaded,
                 snapshot = std::make_shared<const pipeline::PlanResult>(soFar)] {
-            // The plan repairs, or takes as read, what was not loaded so.
-            if (snapshot->job.item().loaded != loaded)
-              document_.replaceSource(loaded, snapshot->job.item().loaded);
+            // The plan repairs the part, or takes it as read, if it was not loaded that way.
+            if (snapshot->job.loaded != loaded)
+              document_.replaceSource(loaded, snapshot->job.loaded);
             document_.stageDone(stage, snapshot);
             emit stageDone(stage);
           });
@@ -119,7 +119,7 @@ void Planning::noteProgress(const jobs::Progress& progress) {
 }
 
 void Planning::end(const base::Outcome<Result>& outcome) {
-  // An edit came as the plan was about to end: what it came to is no answer to it.
+  // An edit arrived when the plan was about to end: its result does not belong to that edit.
   const bool edited = startOver_->isActive() && !std::holds_alternative<base::Cancelled>(outcome);
   startOver_->stop();
   if (edited) {

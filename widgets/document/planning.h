@@ -1,4 +1,4 @@
-// Plans a document in the background and brings the results in, stage by stage.
+// Plans a document in the background and delivers the results stage by stage.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -19,38 +19,38 @@ namespace voluta::document {
 
 class Document;
 
-// What is told while mode auto tries `way`: its name too, and how long it takes for the last way
-// only. An earlier one may be the last that is planned, or end at once.
+// Returns the progress to show while mode auto tries `way`, including its name. The remaining time
+// is included for the last way only, since an earlier one may be the last that is planned, or end
+// at once.
 jobs::Progress progressOfWay(jobs::Progress progress, const pipeline::WayInTurn& way);
 
-// Results stay on show, marked out of date, until newer ones replace them; a cancel or an error
-// leaves the last ones. Only what changed is computed again.
+// Results stay visible, marked out of date, until newer ones replace them; after a cancel or an
+// error the last ones stay. Only changed stages are recomputed.
 class Planning : public QObject {
   Q_OBJECT
 
 public:
-  // `document` outlives this.
+  // `document` has to outlive the object.
   explicit Planning(Document& document, QObject* parent = nullptr);
   ~Planning() override;
 
-  // Starts, or starts over. While the part is still being repaired it waits for that. Without a
-  // part nothing happens.
+  // Starts, or restarts. Waits while the part is still being repaired. Does nothing without a part.
   void plan(project::Stage until = project::Stage::Replay);
-  // The window is free when this returns.
+  // The window is responsive when this returns.
   void cancel();
   bool running() const;
-  // On: a change of the document while a run is under way starts it over (0.3 s after the last
-  // change). Off, as at first: the run goes on and its results arrive out of date.
+  // On: a change of the document during a run restarts it (0.3 s after the last change). Off
+  // (initially): the run continues and its results arrive out of date.
   void setStartsOver(bool on) { startsOver_ = on; }
 
-  // Where the run under way, or the last one, ends.
+  // Last stage of the present or last run.
   project::Stage until() const { return until_; }
-  // Kept results, to be seeded from an opened project; good for any thread.
+  // Cached results, to be seeded from an opened project; thread-safe.
   const std::shared_ptr<pipeline::StageCache>& cache() const { return cache_; }
 
 signals:
   void started(voluta::project::Stage until);
-  // In mode auto with the way of building that is being tried.
+  // In mode auto including the way of building being tried.
   void progressed(const voluta::jobs::Progress& progress);
   void stageDone(voluta::project::Stage stage);
   void finished();

@@ -1,4 +1,4 @@
-// What is shown of a plan before its stage is done.
+// Intermediate results of a plan, shown before the stage is done.
 #pragma once
 
 #include "pipeline/plan_result.h"
@@ -8,11 +8,11 @@
 
 namespace voluta::document {
 
-// Voxels of a decomposition that is still being made.
+// Voxels of a decomposition that is still being computed.
 struct Preview {
   std::shared_ptr<const curved::Decomposition> decomposition;
   double layerHeightMm = 0.0;
-  std::string loadKey; // of how the part was placed
+  std::string loadKey; // of the placement of the part
   std::string partHash;
 };
 // `soFar` has its Load stage.

@@ -15,7 +15,7 @@ const QString kKey = QStringLiteral("recentFiles");
 
 RecentFiles::RecentFiles(QObject* parent) : QObject(parent) {}
 
-// Copies for recovery go with the program that made them, and their names say nothing.
+// Recovery copies are removed with the program that made them, and their names are meaningless.
 QStringList RecentFiles::files() const {
   QStringList list = QSettings().value(kKey).toStringList();
   const QString copies = QDir::cleanPath(recoveryFolder());
@@ -46,8 +46,9 @@ bool RecentFiles::check(const QString& file) {
   list.removeAll(file);
   QSettings().setValue(kKey, QVariant(list));
   emit changed();
-  emit dead(file, tr("%1 is not there any more. It was taken off the list.")
-                      .arg(QDir::toNativeSeparators(file)));
+  emit dead(
+      file,
+      tr("%1 no longer exists. It was removed from the list.").arg(QDir::toNativeSeparators(file)));
   return false;
 }
 

@@ -1,4 +1,4 @@
-// What was opened lately.
+// The list of recently opened files.
 #pragma once
 
 #include <QObject>
@@ -6,7 +6,7 @@
 
 namespace voluta::document {
 
-// At most ten, the latest first, kept in QSettings (key "recentFiles").
+// At most ten, the latest first, stored in QSettings (key "recentFiles").
 class RecentFiles : public QObject {
   Q_OBJECT
 
@@ -14,10 +14,10 @@ public:
   explicit RecentFiles(QObject* parent = nullptr);
 
   QStringList files() const;
-  // Absolute paths are kept; samples and copies for recovery are not.
+  // Stores absolute paths; ignores samples and recovery copies.
   void add(const QString& file);
   void clear();
-  // True when the file is still there; else it is dropped from the list and dead() says so.
+  // Returns true if the file still exists; otherwise removes it from the list and emits dead().
   bool check(const QString& file);
 
 signals:

@@ -17,13 +17,13 @@ namespace {
 const QString kCopyEnding = QStringLiteral(".voluta");
 const QString kOwnerEnding = QStringLiteral(".json");
 
-// When a process began, in the kernel's ticks: numbers of processes are used again, but not with
-// the same beginning. Empty when there is no such process.
+// Start time of a process, in the kernel's ticks: process ids are reused, but not with the same
+// start time. Empty if there is no such process.
 QString beginningOf(qint64 process) {
   QFile stat(QStringLiteral("/proc/%1/stat").arg(process));
   if (!stat.open(QIODevice::ReadOnly))
     return {};
-  // The second field is a name in brackets and may hold anything; the beginning is the 22nd.
+  // The second field is a name in brackets with arbitrary contents; the start time is the 22nd.
   const QByteArray text = stat.readAll();
   const QList<QByteArray> fields = text.mid(text.lastIndexOf(')') + 2).split(' ');
   return fields.size() > 19 ? QString::fromLatin1(fields[19]) : QString();
@@ -40,7 +40,7 @@ bool ownerRuns(const QJsonObject& owner) {
   return !began.isEmpty() && beginningOf(owner.value(QStringLiteral("pid")).toInteger(-1)) == began;
 }
 
-// The copy, its owner's file and what writing either of them left half done.
+// Removes the copy, its owner's file and partial writes of both.
 void removeAll(const QString& copy) {
   QFile::remove(copy);
   QFile::remove(ownerFileOf(copy));
@@ -51,7 +51,7 @@ void removeAll(const QString& copy) {
     folder.remove(rest);
 }
 
-// Ids of all copies that a folder knows of, whether they were ever written or not.
+// Ids of all copies of which the folder has any file, even if they were never written completely.
 QSet<QString> idsIn(const QDir& folder) {
   QSet<QString> ids;
   for (const QString& name : folder.entryList(QDir::Files | QDir::Hidden))

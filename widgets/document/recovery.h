@@ -1,4 +1,4 @@
-// Copies of projects that outlived their program.
+// Recovery copies of projects whose program has crashed.
 #pragma once
 
 #include <QDateTime>
@@ -11,22 +11,22 @@ namespace voluta::document {
 struct Recovered {
   QString file;         // the copy, a project file
   QString name;         // as in the title
-  QString originalPath; // where the project was saved to; may be empty
+  QString originalPath; // the file to which the project was saved; may be empty
   QDateTime time;       // of the copy
 };
 
 // VOLUTA_STATE_DIR if set, else QStandardPaths::AppLocalDataLocation; "/recovery" below it. Not
-// made here.
+// created here.
 QString recoveryFolder();
-// Copies whose program is gone, the latest first; those of running programs are left alone. What
-// such programs left half written is swept away.
+// Returns copies whose program has ended, the latest first; ignores those of running programs.
+// Deletes partial files of ended programs.
 std::vector<Recovered> recoverable(const QString& folder = recoveryFolder());
-// Removes a copy and what belongs to it.
+// Removes a copy and its other files.
 void discardRecovered(const Recovered& recovered);
 
-// The file beside a copy that says whose it is.
+// Returns the file beside a copy that identifies its owner.
 QString ownerFileOf(const QString& copy);
-// Its bytes, for a copy of this process.
+// Returns its contents, for a copy of this process.
 QByteArray ownerBytes(const QString& name, const QString& originalPath);
 
 } // namespace voluta::document

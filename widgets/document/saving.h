@@ -1,4 +1,4 @@
-// The project file written in the background.
+// Writes the project file in the background.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -11,25 +11,25 @@ namespace voluta::document {
 
 class Document;
 
-// Writes a snapshot of the moment it is asked for; edits go on meanwhile. The file is written whole
-// or stays as it was.
+// Writes a snapshot taken at the time of the request; editing may continue. The file is written
+// completely or left unchanged.
 class Saving : public QObject {
   Q_OBJECT
 
 public:
-  // `document` outlives this.
+  // `document` has to outlive the object.
   explicit Saving(Document& document, QObject* parent = nullptr);
 
-  // To the project's own file. Precondition: it has one.
+  // Saves to the project's own file. Precondition: it has one.
   void save();
-  // Appends ".voluta" where the name has no ending. While a save is under way the request waits
-  // for it; of several that wait the last counts.
+  // Appends ".voluta" if the name has no ending. During a save the request waits; of several
+  // waiting requests only the last is executed.
   void saveAs(const QString& file);
   bool running() const { return runner_.running(); }
 
 signals:
   void saved(const QString& file);
-  // One line; nothing is lost: the document is as it was, and so is the file.
+  // One line; the document and the file are unchanged.
   void failed(const QString& file, const QString& message);
 
 private:

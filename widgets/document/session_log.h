@@ -1,4 +1,4 @@
-// What was done in the window, in a log file: for whoever looks into a fault.
+// Log file of a session of the window, for diagnosing faults.
 #pragma once
 
 #include "base/log.h"
@@ -17,13 +17,13 @@ class Planning;
 // VOLUTA_STATE_DIR if set, else QStandardPaths::AppDataLocation; "/voluta.log" below it.
 QString logFile();
 
-// Writes down what the program runs on, what was opened (names, no folders), how long each stage
-// took, what was found, and what failed. Where the file cannot be written there is no log.
+// Logs the environment, opened files (names without folders), the duration of each stage, findings
+// and failures. If the file cannot be written, there is no log.
 class SessionLog : public QObject {
   Q_OBJECT
 
 public:
-  // All outlive this.
+  // All have to outlive the object.
   SessionLog(const QString& file, Document& document, Planning& planning, Opening& opening,
              QObject* parent = nullptr);
 

@@ -1,4 +1,4 @@
-// A program from disk, judged against the plan at hand, in the background.
+// Verifies a program from disk against the present plan, in the background.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -16,7 +16,7 @@ class Verifying : public QObject {
 public:
   explicit Verifying(QObject* parent = nullptr);
 
-  // Replaces one under way. Precondition: the plan has a motion.
+  // Replaces a pending verification. Precondition: the plan has a motion.
   void verify(const QString& program, std::shared_ptr<const pipeline::PlanResult> plan);
   // Emits nothing.
   void cancel() { runner_.cancel(); }

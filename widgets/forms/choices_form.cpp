@@ -56,7 +56,7 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   platformLabel_ = new QLabel(this);
   platform_ = new PlatformEditor(this);
   platform_->setObjectName(QStringLiteral("platform"));
-  // Beside the first line of its editor, which may have more of them.
+  // Aligned with the first line of its editor, which may have several.
   platformLabel_->setMinimumHeight(mode_.combo->sizeHint().height());
   grid->addWidget(platformLabel_, 2, 0, Qt::AlignTop);
   grid->addWidget(platform_, 2, 1);
@@ -171,8 +171,8 @@ void ChoicesForm::retranslate() {
   for (const Row* row : {&mode_, &growth_, &cell_, &process_})
     showTip(*row);
   seedLabel_->setText(tr("Seed"));
-  seed_->setToolTip(tr("Another seed may find other ways through the air; the same seed always "
-                       "gives the same result."));
+  seed_->setToolTip(
+      tr("Another seed may find other travel paths; the same seed always gives the same result."));
 }
 
 void ChoicesForm::changeEvent(QEvent* event) {

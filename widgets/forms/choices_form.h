@@ -1,4 +1,4 @@
-// The choices that are no parameters: mode, growth, platform, cell, process, seed.
+// Form for the choices that are not parameters: mode, growth, platform, cell, process, seed.
 #pragma once
 
 #include "forms/platform_editor.h"
@@ -15,14 +15,14 @@ class QSpinBox;
 
 namespace voluta::forms {
 
-// One entry of a list: what is handed on, what is shown, what its tool tip says (may be empty).
+// One entry of a list: its id, its label, and its tool tip (may be empty).
 struct ChoiceItem {
   QString id, label, help;
 };
 
 struct ChoiceLists {
   std::vector<ChoiceItem> modes, growths, cells, processes;
-  std::map<QString, std::vector<project::PlatformUse>> platforms; // that a mode takes
+  std::map<QString, std::vector<project::PlatformUse>> platforms; // Supported by a mode
 };
 
 struct ChoiceTexts {
@@ -37,16 +37,16 @@ class ChoicesForm : public QWidget {
 public:
   explicit ChoicesForm(QWidget* parent = nullptr);
 
-  // Keeps what is chosen where the new lists have it. Emits nothing.
+  // Keeps the selection if the new lists contain it. Emits nothing.
   void setLists(const ChoiceLists& lists);
-  // Emits nothing. An id that is in no list is added to it as it is.
+  // Emits nothing. An id that is in no list is added to it unchanged.
   void setTexts(const ChoiceTexts& texts);
 
-  // Does the way of building ask for a growth scheme? At first it does.
+  // Whether the way of building needs a growth scheme; true initially.
   void setGrows(bool grows);
 
-  // One line beside the choices with a button that does something about it; both empty: none. A
-  // line without a button tells something. `blocking`: nothing can be planned like this.
+  // One line beside the choices with a button that acts on it; both empty: none. A line without a
+  // button is a message. `blocking`: planning is not possible in this state.
   void setNotice(const QString& line, const QString& button, bool blocking);
   void choosePlatformFile();
 
@@ -63,7 +63,7 @@ private:
   struct Row {
     QLabel* label = nullptr;
     QComboBox* combo = nullptr;
-    QString tip; // where the entry that is chosen has none
+    QString tip; // Used if the selected entry has none
   };
   void addCombo(Row& row, const QString& field, int at);
   static void showTip(const Row& row);

@@ -25,7 +25,7 @@ QColor goodColour(const QPalette& palette) {
 }
 
 QColor mutedColour(const QPalette& palette) {
-  // A third of the way to the ground keeps the contrast of small text above 4.5.
+  // Mixing in a third of the background keeps the contrast of small text above 4.5.
   const QColor text = palette.color(QPalette::Text), ground = palette.color(QPalette::Base);
   const auto mix = [](int a, int b) { return (2 * a + b) / 3; };
   return QColor(mix(text.red(), ground.red()), mix(text.green(), ground.green()),

@@ -1,5 +1,5 @@
-// Colours with a meaning, chosen for the palette in use. Everything else is drawn in the palette's
-// own colours, and no meaning is told by colour alone: an icon always goes with it.
+// Colours with a meaning, chosen for the current palette. Everything else uses the palette's own
+// colours, and colour is never the only cue: an icon always accompanies it.
 #pragma once
 
 #include <QColor>
@@ -7,16 +7,16 @@
 
 namespace voluta::forms {
 
-// Is text lighter than what it stands on?
+// Returns whether text is lighter than its background.
 bool isDark(const QPalette& palette);
 
-// `share` of the way from one to the other.
+// Interpolates from one colour to the other; `share` in [0, 1].
 QColor mixed(const QColor& from, const QColor& to, double share);
 
-QColor blockedColour(const QPalette& palette); // red: blocked, and nothing else
-QColor warningColour(const QPalette& palette); // amber: worth knowing
-QColor goodColour(const QPalette& palette);    // green: passed
-QColor mutedColour(const QPalette& palette);   // second lines, line numbers
-QColor matchColour(const QPalette& palette);   // behind text that a search found
+QColor blockedColour(const QPalette& palette); // Red: blocked, and nothing else
+QColor warningColour(const QPalette& palette); // Amber: worth knowing
+QColor goodColour(const QPalette& palette);    // Green: passed
+QColor mutedColour(const QPalette& palette);   // Secondary lines, line numbers
+QColor matchColour(const QPalette& palette);   // Background of search matches
 
 } // namespace voluta::forms

@@ -1,4 +1,4 @@
-// A heading that folds what is under it.
+// A heading that folds its content.
 #pragma once
 
 #include <QWidget>
@@ -11,13 +11,13 @@ class Fold : public QWidget {
   Q_OBJECT
 
 public:
-  // Takes `content` over; open at first.
+  // Takes ownership of `content`; open initially.
   explicit Fold(QWidget* content, QWidget* parent = nullptr);
 
   QLayout* contentLayout() const { return content_->layout(); }
 
   void setTitle(const QString& title);
-  // A dot behind the title: something under it was changed.
+  // Shows a dot after the title: something in the content was changed.
   void setMarked(bool marked);
   void setOpen(bool open);
 

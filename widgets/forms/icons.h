@@ -1,4 +1,4 @@
-// Small icons drawn with lines, sharp at any scale, in the colours of the application's palette.
+// Small line icons, sharp at any scale, in the colours of the application's palette.
 #pragma once
 
 #include <QIcon>
@@ -12,23 +12,23 @@ class QWidget;
 namespace voluta::forms {
 
 enum class Icon {
-  Blocked,   // red octagon with a bar
-  Warning,   // amber triangle with an exclamation mark
-  Good,      // green disc with a tick
-  Pending,   // grey ring
-  EyeOpen,   // shown
-  EyeClosed, // hidden
-  Reset,     // arrow turning back
-  Foreign    // globe: for another maker's controller
+  Blocked,   // Red octagon with a bar
+  Warning,   // Amber triangle with an exclamation mark
+  Good,      // Green disc with a tick
+  Pending,   // Grey ring
+  EyeOpen,   // Shown
+  EyeClosed, // Hidden
+  Reset,     // Arrow turning back
+  Foreign    // Globe: for another maker's controller
 };
 
-// Draws the icon into the square in the middle of `where`.
+// Draws the icon into the square in the centre of `where`.
 void paintIcon(QPainter& painter, const QRectF& where, Icon which, const QPalette& palette);
 
-// Drawn anew with QGuiApplication::palette() each time it is shown, so it follows light and dark.
+// Drawn with QGuiApplication::palette() each time it is shown, so it follows light and dark.
 QIcon icon(Icon which);
 
-// As high as a line of the widget's text, beside which it stands.
+// Returns an icon as high as a line of the widget's text, to be placed beside it.
 QPixmap iconBeside(const QWidget& text, Icon which);
 
 } // namespace voluta::forms

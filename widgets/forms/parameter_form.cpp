@@ -185,7 +185,7 @@ void ParameterForm::setShowAll(bool all) {
 }
 
 void ParameterForm::showSwitch() {
-  // Pressed and raised are hard to tell apart in a dark palette.
+  // Pressed and raised buttons are hard to distinguish in a dark palette.
   for (QToolButton* button : {simple_, all_}) {
     QFont font = button->font();
     font.setBold(button->isChecked());
@@ -231,12 +231,12 @@ void ParameterForm::mark() {
 void ParameterForm::retranslate() {
   search_->setPlaceholderText(tr("Search parameters"));
   simple_->setText(tr("Simple"));
-  simple_->setToolTip(tr("Show what is needed most, and what was changed"));
+  simple_->setToolTip(tr("Show the most important and the changed parameters"));
   all_->setText(tr("All"));
   all_->setToolTip(tr("Show every parameter"));
   resetAll_->setText(tr("Reset all"));
-  resetAll_->setToolTip(tr("Give every parameter its default"));
-  nothingFound_->setText(tr("No parameter has these words."));
+  resetAll_->setToolTip(tr("Reset every parameter to its default"));
+  nothingFound_->setText(tr("No matching parameter."));
   for (const Group& group : groups_) {
     group.fold->setTitle(language::heading(group.name));
     for (ParameterRow* row : group.rows)

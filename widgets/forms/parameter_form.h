@@ -1,5 +1,6 @@
-// A form made from a table of parameters: groups that fold, simple or all, search (all words, in
-// label, key, group or help of any parameter), marks where a value is not the default, reset.
+// A form built from a table of parameters: groups that fold, simple or full view, search (all
+// words, in label, key, group or help of any parameter), marks for values that differ from the
+// default, reset.
 #pragma once
 
 #include "base/parameters.h"
@@ -29,32 +30,32 @@ public:
   explicit ParameterForm(base::ParameterTable table, QWidget* parent = nullptr);
   ~ParameterForm() override;
 
-  // Puts a widget above the groups, inside the scrolled area; the form takes it over.
+  // Puts a widget above the groups, inside the scrolled area; the form takes ownership.
   void setHeader(QWidget* header);
 
-  // Other defaults for the same parameters; setValues is to follow. Emits nothing.
+  // Sets other defaults for the same parameters; setValues must follow. Emits nothing.
   void setDefaults(const base::ParameterTable& table);
-  // Texts by key of the parameters that were changed; all others show their default. Emits
-  // nothing. A text that its parameter cannot take, or an unknown key, is left out.
+  // Sets the texts, by key, of the parameters that were changed; all others show their default.
+  // Emits nothing. Ignores unknown keys and texts that the parameter cannot take.
   void setValues(const std::map<std::string, std::string>& changed);
 
-  // The text of that parameter may name a file. `patterns` of names, separated by blanks; `prefix`
-  // stands before the name.
+  // Lets the text of that parameter name a file. `patterns`: name patterns, separated by blanks;
+  // `prefix` precedes the name.
   void offerFiles(const std::string& key, const QString& patterns, const QString& prefix);
 
-  // One line by key under the rows whose values can't be used, whatever view is on; those of all
-  // other rows go.
+  // Shows one line per key below rows whose values are invalid, in every view; lines of all other
+  // rows are removed.
   void setProblems(const std::map<std::string, std::string>& byKey);
 
-  // Keys of the parameters that have a say in what is made; the others are not shown in any view.
-  // At first: all.
+  // Sets the keys of the parameters that affect the result; others are not shown in any view.
+  // Initially all.
   void setApplying(const std::set<std::string>& keys);
 
-  // false: only what every user needs, and whatever was changed.
+  // false: shows only the parameters that every user needs, and changed ones.
   void setShowAll(bool all);
 
 signals:
-  // A value was committed; `text` is what base::parseParameter takes.
+  // A value was committed; `text` is accepted by base::parseParameter.
   void changed(const QString& key, const QString& text);
   void resetRequested(const QString& key);
   void resetAllRequested();
@@ -77,7 +78,7 @@ private:
   bool applies(const std::string& key) const { return !applying_ || applying_->contains(key); }
 
   base::ParameterTable table_;
-  std::optional<std::set<std::string>> applying_; // none: all
+  std::optional<std::set<std::string>> applying_; // None: all
   std::vector<Group> groups_;
   QLineEdit* search_ = nullptr;
   QToolButton* simple_ = nullptr;

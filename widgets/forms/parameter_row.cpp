@@ -24,14 +24,14 @@
 namespace voluta::forms {
 
 namespace {
-constexpr double kProblemShare = 0.22; // of the mark's colour in a field that has a problem
+constexpr double kProblemShare = 0.22; // Share of the mark's colour in a field that has a problem
 
 int clampToInt(double value) {
   return static_cast<int>(std::clamp(value, double(std::numeric_limits<int>::min()),
                                      double(std::numeric_limits<int>::max())));
 }
 
-// Does `c` at `at` belong to one of the words, wherever they occur?
+// Returns for each character whether it belongs to one of the words, wherever they occur.
 std::vector<bool> matchedLetters(const QString& text, const QStringList& words) {
   std::vector<bool> matched(static_cast<std::size_t>(text.size()), false);
   for (const QString& word : words)

@@ -1,4 +1,4 @@
-// One parameter in a form: label, editor made for its type, reset.
+// One parameter in a form: label, editor for its type, reset.
 #pragma once
 
 #include "base/parameters.h"
@@ -17,7 +17,7 @@ public:
   ParameterRow(const base::ParameterSpec& spec, QWidget* parent);
 
   const base::ParameterSpec& spec() const { return spec_; }
-  // The value stays; emits nothing.
+  // Keeps the value; emits nothing.
   void setDefault(const base::ParameterValue& value);
   QWidget* editor() const { return editor_; }
   QString key() const { return QString::fromStdString(spec_.key); }
@@ -27,17 +27,17 @@ public:
   base::ParameterValue value() const { return value_; }
   bool isChanged() const;
 
-  // The text may name a file: a button chooses one. `patterns` of names, separated by blanks;
-  // `prefix` stands before the name.
+  // Lets the text name a file, which a button chooses. `patterns`: name patterns, separated by
+  // blanks; `prefix` precedes the name.
   void offerFiles(const QString& patterns, const QString& prefix);
 
-  // One line under the row: why the value can't be used; empty: it can.
+  // Sets the line below the row that explains why the value is invalid; empty: it is valid.
   void setProblem(const QString& problem);
   bool hasProblem() const;
 
-  // Does every word occur in label, key, group or help? Letter case does not count.
+  // Returns whether every word occurs in label, key, group or help, ignoring case.
   bool matches(const QStringList& words) const;
-  // Sets off the words in the label.
+  // Highlights the words in the label.
   void highlight(const QStringList& words);
   void retranslate();
 

@@ -1,4 +1,4 @@
-// How values of parameters are shown, in the user's language.
+// Texts of parameter values in the user's language.
 #pragma once
 
 #include "base/parameters.h"
@@ -7,11 +7,11 @@
 
 namespace voluta::forms {
 
-// "mm", "mm/s"; "deg" becomes the degree sign.
+// Returns "mm" or "mm/s" unchanged; "deg" as the degree sign.
 QString unitText(const std::string& unit);
-// A value with its unit, as the form shows it.
+// Returns a value with its unit, as shown in the form.
 QString valueText(const base::ParameterSpec& spec, const base::ParameterValue& value);
-// Help, key, range and default of a parameter, as a tool tip.
+// Returns help, key, range and default of a parameter as a tool tip.
 QString parameterToolTip(const base::ParameterSpec& spec);
 
 } // namespace voluta::forms

@@ -39,7 +39,7 @@ QString wordOf(const project::PlatformKind& kind) {
   return QString::fromUtf8(kind.word.data(), static_cast<qsizetype>(kind.word.size()));
 }
 
-// Of a body: the kind that has one.
+// The kind of platform that is a body from a file.
 const project::PlatformKind& kindWithFile() {
   const auto& kinds = project::platformKinds();
   return *std::find_if(kinds.begin(), kinds.end(),
@@ -111,7 +111,7 @@ const project::PlatformKind& PlatformEditor::kind() const {
   return project::findPlatformKind(kind_->currentData().toString().toStdString());
 }
 
-// As the first that it can be of what is asked for.
+// Returns the kind's first possible use among the requested ones.
 project::PlatformKind::As PlatformEditor::used(const project::PlatformKind& kind) const {
   for (const project::PlatformUse use : uses_)
     for (const project::PlatformKind::As& as : kind.uses)
@@ -158,7 +158,7 @@ void PlatformEditor::chooseKind() {
   commit();
 }
 
-// Without a file it stays what it was.
+// Without a file the platform is unchanged.
 void PlatformEditor::chooseFile() {
   const QString folder = QSettings().value(QStringLiteral("open/folder")).toString();
   const QString file =
@@ -235,8 +235,7 @@ void PlatformEditor::showKind() {
   }
   fileButton_->setVisible(!chosen.file.empty());
   fileButton_->setText(file_.isEmpty() ? tr("Choose a file…") : QFileInfo(file_).fileName());
-  fileButton_->setToolTip(file_.isEmpty() ? tr("A closed mesh, in the same place as in the part's "
-                                               "file")
+  fileButton_->setToolTip(file_.isEmpty() ? tr("A closed mesh, positioned as in the part's file")
                                           : tr("%1\nClick to choose another one").arg(file_));
   showProfile();
 }
@@ -263,10 +262,10 @@ void PlatformEditor::retranslate() {
                used(project::findPlatformKind(kind_->itemData(i).toString().toStdString())).label));
   for (int i = 0; i < shape_->count(); ++i) {
     const int sides = shape_->itemData(i).toInt();
-    shape_->setItemText(i, sides < 0           ? tr("Stepped: points x,radius")
+    shape_->setItemText(i, sides < 0           ? tr("Stepped: x,radius points")
                            : sides == 0        ? tr("Round")
-                           : sides == kHexagon ? tr("Hexagonal, over corners")
-                                               : tr("%1 sides, over corners").arg(sides));
+                           : sides == kHexagon ? tr("Hexagonal, across corners")
+                                               : tr("%1 sides, across corners").arg(sides));
   }
   shape_->setAccessibleName(tr("Shape of the rod"));
   points_->setAccessibleName(tr("Profile of the rod"));

@@ -1,5 +1,4 @@
-// The platform: one of the kinds there are, with its sizes or its file; and of a rod, what is
-// across it.
+// Editor for the platform: its kind, with its sizes or its file; for a rod, also its cross-section.
 #pragma once
 
 #include "project/platform.h"
@@ -16,8 +15,8 @@ namespace voluta::forms {
 
 class NumberBox;
 
-// Across a rod: round where sides is 0, else a prism; `points` (x,radius pairs) instead of
-// straight.
+// Cross-section of a rod: round if sides is 0, else a prism; `points` (x,radius pairs) for a
+// stepped rod instead of a straight one.
 struct RodProfile {
   int sides = 0;
   QString points;
@@ -30,16 +29,15 @@ class PlatformEditor : public QWidget {
 public:
   explicit PlatformEditor(QWidget* parent = nullptr);
 
-  // The kinds to choose from: those that can be used so. Emits nothing.
+  // Limits the kinds to those with one of these uses. Emits nothing.
   void setUses(const std::vector<project::PlatformUse>& uses);
-  // Emits nothing; a text that is no platform leaves all as it is. A kind that is not to be chosen
-  // from is added.
+  // Emits nothing; ignores a text that is no platform. A kind that is not in the list is added.
   void setText(const QString& text);
   QString text() const;
   // Emits nothing.
   void setProfile(const RodProfile& profile);
 
-  // Asks for the file of a body; without an answer all stays as it was.
+  // Shows a file dialog for a body; cancelling it changes nothing.
   void chooseFile();
 
 signals:
@@ -63,8 +61,8 @@ private:
   void retranslate();
 
   QComboBox* kind_ = nullptr;
-  std::vector<NumberBox*> sizes_; // as many as any kind has fields
-  std::vector<QLabel*> times_;    // before each but the first
+  std::vector<NumberBox*> sizes_; // As many as the kind with the most fields
+  std::vector<QLabel*> times_;    // Before each but the first
   QToolButton* fileButton_ = nullptr;
   QComboBox* shape_ = nullptr;
   QLineEdit* points_ = nullptr;

@@ -1,4 +1,4 @@
-// The order in which Tab goes from field to field.
+// The order in which Tab moves between fields.
 #pragma once
 
 #include <QWidget>
@@ -6,12 +6,13 @@
 
 namespace voluta::forms {
 
-// All that can have the keyboard in `top`, `top` included, in the order in which it is read: as the
-// layouts have it, grids by rows, what a scroll area, a tab or a stack holds in its place. What is
-// hidden now is among it.
+// Returns all widgets in `top`, including `top`, that can have the keyboard focus, in reading
+// order: as arranged by the layouts, grids by rows, the contents of a scroll area, a tab or a stack
+// at its place. Includes hidden widgets.
 std::vector<QWidget*> inReadingOrder(QWidget* top);
 
-// Tab goes through each in turn, and from the last of one to the first of the next.
+// Makes Tab go through each of `tops` in turn, and from the last widget of one to the first of the
+// next.
 void tabInReadingOrder(const std::vector<QWidget*>& tops);
 
 } // namespace voluta::forms

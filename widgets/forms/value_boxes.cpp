@@ -8,7 +8,7 @@
 namespace voluta::forms {
 
 namespace {
-// Leaves the wheel to whatever scrolls around a box that does not have the focus.
+// Passes wheel events over a box without focus to the surrounding scroll area.
 class WheelTamer : public QObject {
 public:
   using QObject::QObject;

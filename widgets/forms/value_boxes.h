@@ -1,6 +1,5 @@
-// Spin boxes and combo boxes as the forms use them: a value is committed by Enter, by leaving the
-// field or by a step, never by a keystroke, and the wheel over a box without focus scrolls what it
-// lies in.
+// Spin boxes and combo boxes for forms: a value is committed by Enter, by leaving the field or by a
+// step, never by a keystroke, and the wheel over a box without focus scrolls the area around it.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -10,27 +9,27 @@ class QSpinBox;
 
 namespace voluta::forms {
 
-// Up to `decimals` digits, without zeros at the end.
+// Shows up to `decimals` digits, without trailing zeros.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
 public:
   explicit NumberBox(QWidget* parent = nullptr);
 
-  // Unit as in the tables ("mm", "deg", ""): shown behind the number.
+  // Unit as in the tables ("mm", "deg", ""), shown after the number.
   void setUnit(const QString& unit);
   QString textFromValue(double value) const override;
 };
 
-// Gives a box the behaviour named above. The box keeps it for its life.
+// Gives a box the wheel behaviour described above for its lifetime.
 void tameWheel(QWidget* box);
 
-// A step that suits a usual value: a tenth of it or less, a power of ten.
+// Returns a suitable step for a typical value: a tenth of it or less, a power of ten.
 double stepFor(double usualValue, double maximum);
 
-// A combo box that shrinks below its longest entry, tamed.
+// Returns a combo box that may be narrower than its longest entry, with tameWheel().
 QComboBox* makeCombo(QWidget* parent);
-// A spin box without keyboard tracking, tamed.
+// Returns a spin box without keyboard tracking, with tameWheel().
 QSpinBox* makeIntegerBox(QWidget* parent);
 
 } // namespace voluta::forms

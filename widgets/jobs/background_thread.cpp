@@ -18,8 +18,8 @@ namespace {
 constexpr int kNiceness = 10;
 constexpr std::chrono::milliseconds kPatience{300};
 
-// Threads of this process that still run. It belongs to the process as exit() does, and is never
-// destroyed: threads may outlive everything else.
+// The running threads of this process. Never destroyed, because threads may outlive everything
+// else.
 struct Running {
   std::mutex mutex;
   std::condition_variable none;

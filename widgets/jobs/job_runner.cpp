@@ -14,21 +14,21 @@
 namespace voluta::jobs {
 
 namespace {
-constexpr int kTickMs = 55; // coarse timers are up to a twentieth early
+constexpr int kTickMs = 55; // Coarse timers may fire up to 5 % early
 }
 
 int defaultThreads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// Shared by the runner and the thread; whichever ends last frees it.
+// Shared by the runner and the thread; the last one to end frees it.
 struct JobRunner::Run {
   base::CancelToken cancel;
-  QElapsedTimer elapsed; // of the window's thread, as timeLeft is
+  QElapsedTimer elapsed; // Used by the window's thread only, like timeLeft
   TimeLeft timeLeft;
 
-  std::mutex mutex;            // guards what follows
-  JobRunner* runner = nullptr; // null once nobody waits any more
+  std::mutex mutex;            // Guards the members below
+  JobRunner* runner = nullptr; // Null after the run was abandoned
   double fraction = 0.0;
   base::Message stage;
 
@@ -46,7 +46,7 @@ struct JobRunner::Run {
     QMetaObject::invokeMethod(
         self->runner,
         [self, f = std::move(f)] {
-          // The runner is only ever taken away on the thread that this is called on.
+          // No lock is needed: the runner is only reset on this thread.
           if (self->runner)
             f();
         },

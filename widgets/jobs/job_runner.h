@@ -1,4 +1,4 @@
-// Core's work on a thread of its own; progress and results on the thread of the window.
+// Runs core functions on a background thread; progress and results arrive on the window's thread.
 #pragma once
 
 #include "base/outcome.h"
@@ -18,20 +18,20 @@ class QTimer;
 namespace voluta::jobs {
 
 struct Progress {
-  base::Message stage;               // what is being done
-  double fraction = 0.0;             // of the whole run, [0, 1]
-  std::optional<double> secondsLeft; // smoothed; nothing in the first 2 s
+  base::Message stage;               // Current activity
+  double fraction = 0.0;             // Of the whole run, [0, 1]
+  std::optional<double> secondsLeft; // Smoothed; nullopt in the first 2 s
 };
 
-// Hands a function to the thread of the window, to be called there in order while its run is the
-// current one; dropped once the run was cancelled, replaced or its runner destroyed. Copies are
+// Passes a function to the window's thread, which calls it in order as long as its run is the
+// current one; dropped once the run was cancelled or replaced or its runner destroyed. Copies are
 // cheap and may outlive the run.
 using Post = std::function<void(std::function<void()>)>;
 
-// Threads that a run may use when nobody says otherwise: all of the machine's.
+// Returns the default number of threads of a run: all of the machine's.
 int defaultThreads();
 
-// One run at a time. All functions and signals belong to the thread that the runner lives in.
+// Runs one job at a time. All functions and signals belong to the runner's thread.
 class JobRunner : public QObject {
   Q_OBJECT
 
@@ -40,25 +40,25 @@ public:
   // Cancels; returns at once.
   ~JobRunner() override;
 
-  // Calls work(ctx) or work(ctx, post) on a thread of its own and then done(outcome) on this one.
-  // A run under way is cancelled first and its `done` is never called: of several runs in a row
-  // only the newest delivers. `work` must not touch objects of the window; it is destroyed on its
-  // own thread, `done` on this one. Precondition: threads >= 1.
+  // Calls work(ctx) or work(ctx, post) on a separate thread and then done(outcome) on this one. A
+  // previous run is cancelled first and its `done` is never called: of several runs in a row only
+  // the newest delivers. `work` must not access objects of the window; it is destroyed on its own
+  // thread, `done` on this one. Precondition: threads >= 1.
   template <typename Work, typename Done>
   void run(Work work, Done done, int threads = defaultThreads());
 
   // Ends the run for the window at once: done(Cancelled) is called before this returns. The thread
-  // ends at its next checkpoint, unseen, and its result is dropped. Nothing happens without a run.
+  // ends at its next checkpoint, unnoticed, and its result is dropped. Does nothing without a run.
   void cancel();
 
   bool running() const { return static_cast<bool>(run_); }
-  // Of the current run; of the last one after its end.
+  // Of the current run, or of the last one after its end.
   const Progress& progress() const { return progress_; }
 
 signals:
   void started();
-  void progressed(const voluta::jobs::Progress& progress); // at most 20 a second
-  void finished();                                         // after done() of the newest run
+  void progressed(const voluta::jobs::Progress& progress); // At most 20 per second
+  void finished();                                         // After done() of the newest run
 
 private:
   struct Run;

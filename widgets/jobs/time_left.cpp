@@ -8,14 +8,15 @@ namespace voluta::jobs {
 namespace {
 constexpr double kHiddenS = 2.0;
 constexpr double kLeastFraction = 0.01;
-// A run that turns out to take longer is believed sooner than one that turns out shorter.
+// Increasing estimates are adopted faster than decreasing ones.
 constexpr double kSmoothingS = 5.0, kSmoothingLongerS = 1.0;
-// A stroke: more than this between two looks, and at a pace that would end any run in seconds.
+// A jump: more progress than kStroke between two updates, at a pace that would end any run in
+// seconds.
 constexpr double kStroke = 0.02, kStrokePerS = 0.2;
-constexpr double kHalf = 0.5, kLastQuarter = 0.75; // of the run, where they begin
-constexpr double kWithin = 2.0;                    // factor
+constexpr double kHalf = 0.5, kLastQuarter = 0.75; // Share of the run at which they begin
+constexpr double kWithin = 2.0;                    // Factor
 constexpr double kLeastLeftS = 1.0;
-constexpr double kApart = 0.005; // of the run, between estimates that are kept
+constexpr double kApart = 0.005; // Share of the run between stored estimates
 } // namespace
 
 std::optional<double> TimeLeft::agreed(double elapsedS, double worked, double leftS, double left) {

@@ -5,7 +5,8 @@
 
 namespace voluta::language {
 
-// With so many significant digits, as base::shownNumber() has them: never as a power of ten.
+// Returns the number with this many significant digits, as base::shownNumber(): never as a power of
+// ten.
 QString numberText(double number, int digits);
 
 } // namespace voluta::language

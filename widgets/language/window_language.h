@@ -1,4 +1,4 @@
-// The language of the window, for what core writes in it.
+// The window's language, for texts formatted by core.
 #pragma once
 
 #include "base/text.h"
@@ -8,7 +8,7 @@
 
 namespace voluta::language {
 
-// Good for any thread. Never null.
+// Thread-safe. Never null.
 std::shared_ptr<const base::Language> windowLanguage();
 // BCP 47, such as "it".
 std::string windowLanguageCode();

@@ -19,7 +19,7 @@ public:
     const std::string english(text.english());
     const QString translated = QCoreApplication::translate(kContext, english.c_str(), nullptr,
                                                            count ? static_cast<int>(*count) : -1);
-    // English has no file of translations: its forms for one are core's own.
+    // English has no translation file: its singular forms are core's own.
     return translated == QString::fromStdString(english) ? Language::sentence(text, count)
                                                          : translated.toStdString();
   }

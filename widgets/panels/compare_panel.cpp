@@ -23,7 +23,7 @@ namespace voluta::panels {
 namespace {
 constexpr double kLargestWeight = 100.0;
 constexpr int kShownPlatforms = 3;
-// Contact area, and how far it may reach out: the sources compare three sizes.
+// Contact area, and extensions of it: the sources compare three sizes.
 constexpr double kOfferedMarginsMm[] = {0.0, 20.0, 60.0};
 
 QLabel* title(QWidget* parent) {
@@ -266,8 +266,8 @@ void ComparePanel::setState(bool part, bool running) {
 
 void ComparePanel::showCount() {
   count_->setText(!part_       ? tr("Open a part first.")
-                  : rows_ == 0 ? tr("Tick what to compare.")
-                               : tr("Plans to be made: %1").arg(rows_));
+                  : rows_ == 0 ? tr("Select what to compare.")
+                               : tr("Plans: %1").arg(rows_));
   run_->setEnabled(part_ && rows_ > 0 && !running_);
   cancel_->setEnabled(running_);
 }
@@ -291,23 +291,23 @@ void ComparePanel::retranslate() {
   modesTitle_->setText(tr("Ways of building"));
   growthsTitle_->setText(tr("Growth of curved layers"));
   platformsTitle_->setText(tr("Platforms"));
-  platforms_->setToolTip(tr("Delete takes the selected one out of the list"));
+  platforms_->setToolTip(tr("Delete removes the selected one from the list"));
   platforms_->setAccessibleName(tr("Platforms"));
   add_->setText(tr("Add"));
-  add_->setToolTip(tr("Compare with this platform too"));
-  untilTitle_->setText(tr("Plan as far as"));
-  until_->setItemText(0, tr("checked programs"));
+  add_->setToolTip(tr("Also compare with this platform"));
+  untilTitle_->setText(tr("Plan up to"));
+  until_->setItemText(0, tr("verified programs"));
   until_->setItemText(1, tr("missed voxels and pieces"));
-  until_->setAccessibleName(tr("Plan as far as"));
+  until_->setAccessibleName(tr("Plan up to"));
   run_->setText(tr("Compare"));
   run_->setToolTip(tr("Plans them one after the other, in the background"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop; rows that are done stay"));
-  counts_->setTitle(tr("What counts"));
-  rule_->setText(tr("What nothing blocks comes first. Then the least score is best: each figure's "
-                    "share of the largest, times its weight."));
+  cancel_->setToolTip(tr("Stops; completed rows are kept"));
+  counts_->setTitle(tr("Weights"));
+  rule_->setText(tr("Ways without blocking findings rank first, then the lowest score: each "
+                    "figure as a share of the column's largest, times its weight."));
   reset_->setText(tr("Reset"));
-  reset_->setToolTip(tr("The weights as they were at first"));
+  reset_->setToolTip(tr("Restore the default weights"));
   showPlatforms();
   showCount();
 }

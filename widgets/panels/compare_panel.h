@@ -1,4 +1,4 @@
-// What is compared and what counts: ways of building, growth schemes, platforms, weights.
+// Settings of a comparison: ways of building, growth schemes, platforms, weights.
 #pragma once
 
 #include "forms/choices_form.h"
@@ -31,32 +31,32 @@ class ComparePanel : public QWidget {
 public:
   explicit ComparePanel(QWidget* parent = nullptr);
 
-  // Keeps what is ticked where the new lists have it; at first all modes and the first scheme.
-  // Emits nothing.
+  // Keeps the selection as far as the new lists contain it; at first all modes and the first scheme
+  // are selected. Emits nothing.
   void setLists(const std::vector<forms::ChoiceItem>& modes,
                 const std::vector<forms::ChoiceItem>& growths);
-  // What weights count against, in the language of the window, in the order of
+  // Labels of the weighted figures, in the language of the window, in the order of
   // pipeline::figures().
   void setFigures(const std::vector<QString>& labels);
-  // The platform of the document: always in the list, ticked as long as no other is.
+  // The platform of the document: always in the list, and selected while no other is.
   void setPlatform(const QString& platform);
-  // What the list shows for "fit:20".
+  // Returns the text shown for a platform such as "fit:20".
   void setPlatformTexts(std::function<QString(const QString&)> text);
 
   std::vector<std::string> modes() const;
   std::vector<curved::GrowthScheme> growths() const;
   std::vector<project::Platform> platforms() const;
   project::Stage until() const;
-  // How many rows it comes to; 0: nothing can be run.
+  // Number of rows of the comparison; 0: nothing can be run.
   void setCount(int count);
-  // A part to compare with is there; a comparison is under way.
+  // `part`: there is a part to compare with; `running`: a comparison is in progress.
   void setState(bool part, bool running);
 
   void setWeights(const pipeline::Weights& weights);
   pipeline::Weights weights() const;
 
 signals:
-  void changed(); // what is compared
+  void changed(); // the settings of the comparison
   void weightsChanged();
   void runAsked();
   void cancelAsked();

@@ -19,8 +19,8 @@ namespace {
 enum Column { Place, Way, FirstFigure };
 enum Role { EntryRole = Qt::UserRole };
 constexpr int kPictureWidth = 88, kPictureHeight = 66, kMargin = 6, kGap = 8, kLineGap = 3;
-constexpr int kLeastText = 92;  // of the column that says which way it is
-constexpr int kAmpleText = 120; // more than that goes to the figures
+constexpr int kLeastText = 92;  // of the column that names the way
+constexpr int kAmpleText = 120; // wider than this: the rest goes to the figures
 constexpr int kMostSpare = 28;
 
 forms::Icon iconOf(CompareState state) {
@@ -44,7 +44,7 @@ QString placeText(const CompareEntry& entry) {
   return entry.place > 0 ? QString::number(entry.place) : QStringLiteral("–");
 }
 
-// The two columns that are more than a text.
+// Paints the two columns that contain more than a text.
 class EntryDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -187,7 +187,7 @@ public:
              : section == Way       ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
                                     : QVariant(Qt::AlignCenter);
     if (role == Qt::ToolTipRole && section == Place)
-      return CompareTable::tr("Place by the rule, and the score below it: less is better");
+      return CompareTable::tr("Rank, and the score below it: lower is better");
     if (role != Qt::DisplayRole)
       return {};
     return section == Place ? CompareTable::tr("Place")
@@ -279,8 +279,8 @@ int CompareTable::selectedRow() const {
   return rows.isEmpty() ? -1 : rows.first().row();
 }
 
-// Figures are as wide as they need and a little more where there is room; the way of building has
-// the rest.
+// Figures are as wide as needed, a little wider if there is room; the way of building gets the
+// rest.
 void CompareTable::layColumns() {
   QHeaderView* head = horizontalHeader();
   head->setSectionResizeMode(QHeaderView::Fixed);

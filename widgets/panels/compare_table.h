@@ -1,4 +1,4 @@
-// Ways of building side by side: a row each, with its picture, its figures and its place.
+// Comparison of ways of building: one row each, with its picture, figures and rank.
 #pragma once
 
 #include <QImage>
@@ -13,16 +13,16 @@ enum class CompareState { Waiting, Running, Clear, Blocked, Failed };
 
 struct CompareEntry {
   QString way;              // "Curved layers"
-  QString growth, platform; // growth: empty where it means nothing to the mode
+  QString growth, platform; // growth: empty if the mode does not use it
   CompareState state = CompareState::Waiting;
   QString verdict; // in a few words
-  QString tip;     // the whole reason
+  QString tip;     // the full reason
   int place = 0;   // 1: the best; 0: none yet
   std::optional<double> score;
-  bool best = false;  // or as good as the best
+  bool best = false;  // or tied with the best
   bool inUse = false; // the document's own way
   QImage picture;
-  std::vector<QString> figures; // as many as there are columns
+  std::vector<QString> figures; // one per column
 };
 
 class CompareTable : public QTableView {
@@ -31,12 +31,12 @@ class CompareTable : public QTableView {
 public:
   explicit CompareTable(QWidget* parent = nullptr);
 
-  // Heads of the figures' columns, a line break in them where they may be broken.
+  // Headers of the figures' columns, with line breaks where they may be wrapped.
   void setFigures(const std::vector<QString>& heads);
   void setEntries(std::vector<CompareEntry> entries);
   const std::vector<CompareEntry>& entries() const;
   void setEntry(int row, const CompareEntry& entry);
-  // The same rows with other contents: what is selected stays so.
+  // Updates the contents of the same rows; keeps the selection.
   void updateEntries(std::vector<CompareEntry> entries);
   // -1: none.
   int selectedRow() const;

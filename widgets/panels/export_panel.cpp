@@ -142,7 +142,7 @@ void ExportPanel::build() {
   column->addLayout(fileRow);
   column->addWidget(preview_, 1);
   column->addWidget(resume_);
-  // What writes the programs stays in sight, however much stands above it.
+  // The controls that write the programs stay visible; the rest above them scrolls.
   upper_ = new QScrollArea(this);
   upper_->setObjectName(QStringLiteral("upper"));
   upper_->setFrameShape(QFrame::NoFrame);
@@ -239,14 +239,14 @@ void ExportPanel::showFormat(const QString& id) {
   whyNot_->setVisible(!whyNot.isEmpty());
   verdict_->setReport(format ? format->verdict : std::nullopt,
                       format && format->state == VerdictState::OutOfDate);
-  optionsTitle_->setText(format ? tr("Options of %1").arg(format->label) : QString());
+  optionsTitle_->setText(format ? tr("%1 options").arg(format->label) : QString());
   optionsForm_->setOptions(format ? format->options : std::vector<base::ParameterSpec>());
   optionsForm_->setValues(options_);
   optionsTitle_->setVisible(!optionsForm_->isEmpty());
   optionsForm_->setVisible(!optionsForm_->isEmpty());
   upper_->setMinimumWidth(upper_->widget()->minimumSizeHint().width() +
                           upper_->verticalScrollBar()->sizeHint().width());
-  forms::tabInReadingOrder({this}); // rows of options come and go
+  forms::tabInReadingOrder({this}); // rows of options are added and removed
   facts_->setFigures(format ? figuresOf(*format) : std::nullopt);
   facts_->setAssumptions(format ? format->assumptions : QStringList());
   const int before = file_->currentIndex();
@@ -308,9 +308,9 @@ void ExportPanel::exportNow() {
                                                            : QStringLiteral("refused-") + name);
     constexpr int kNamed = 5;
     const QString more = names.size() > kNamed ? QStringLiteral("\n…") : QString();
-    box.setInformativeText(tr("To be looked at, they can be written as:") + QChar('\n') +
+    box.setInformativeText(tr("For inspection only, they can be saved as:") + QChar('\n') +
                            names.mid(0, kNamed).join(QChar('\n')) + more);
-    QPushButton* all = box.addButton(tr("Write them too"), QMessageBox::DestructiveRole);
+    QPushButton* all = box.addButton(tr("Save them too"), QMessageBox::DestructiveRole);
     all->setObjectName(QStringLiteral("writeRefused"));
     QPushButton* passed = nullptr;
     const QStringList checked = list_->checkedIds();
@@ -318,7 +318,7 @@ void ExportPanel::exportNow() {
           const ExportFormat* format = find(id);
           return format && format->state != VerdictState::Refused;
         }))
-      passed = box.addButton(tr("Leave them out"), QMessageBox::AcceptRole);
+      passed = box.addButton(tr("Leave out"), QMessageBox::AcceptRole);
     QPushButton* cancel = box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(passed ? passed : cancel);
     box.setEscapeButton(cancel);
@@ -334,7 +334,7 @@ void ExportPanel::retranslate() {
   formatsTitle_->setText(tr("Formats"));
   list_->setAccessibleName(tr("Formats"));
   fileLabel_->setText(tr("File"));
-  preview_->setAccessibleName(tr("Text of the program"));
+  preview_->setAccessibleName(tr("Program text"));
   folderLabel_->setText(tr("Folder"));
   folder_->setAccessibleName(tr("Folder"));
   browse_->setText(tr("Browse…"));

@@ -1,4 +1,4 @@
-// Programs to hand over: formats, verdict of the replay, files, text, one button.
+// Export of programs: formats, verdict of the replay, files, text, one button.
 #pragma once
 
 #include "panels/format_list.h"
@@ -32,22 +32,22 @@ public:
   // None of these emits.
   void setFormats(std::vector<ExportFormat> formats);
   void setChecked(const QStringList& ids);
-  // Of the formats' options, texts by key of what was changed.
+  // Options of the formats that were changed, as texts by key.
   void setOptions(const std::map<std::string, std::string>& changed);
   void setFolder(const QString& folder);
-  // Why nothing can be exported, one line beside the button; empty: it can.
+  // Reason why nothing can be exported, as one line beside the button; empty if export is possible.
   void setBlockedReason(const QString& reason);
-  // Sets off a line of the text in sight, in step with the time-line: file as an index, line
+  // Highlights a line of the shown text, synchronised with the time-line: file as an index, line
   // 1-based (0: none).
   void showLine(std::size_t file, std::size_t line);
-  // Where the print could be taken up at the line that is set off; empty: nowhere.
+  // Place where the print can be resumed at the highlighted line; empty: nowhere.
   void setResumePlace(const QString& place);
-  // What the last export wrote, a line; empty: nothing to show.
+  // One line on the files that the last export wrote; empty: none.
   void setWritten(const QString& text, bool hasProof);
-  // The line that is set off, 1-based; 0: none.
+  // Returns the highlighted line, 1-based; 0: none.
   std::size_t currentLine() const;
   int currentFile() const;
-  // The format whose text and verdict are shown; empty: none.
+  // Returns the format whose text and verdict are shown; empty: none.
   QString previewFormat() const;
 
   QString folder() const;
@@ -55,11 +55,11 @@ public:
 
 signals:
   void formatsChanged(const QStringList& ids);
-  // The user's word on refused programs was asked for: includeRefused is true only after a yes.
-  // Formats without a program yet are among them; they are to be planned first.
+  // includeRefused is true only if the user agreed to write refused programs. Formats without a
+  // program may be included; they have to be planned first.
   void exportRequested(const QString& folder, const QStringList& formats, bool includeRefused);
   void previewFormatChanged(const QString& id);
-  // `text` is what base::parseParameter takes.
+  // `text` is parsed by base::parseParameter.
   void optionChanged(const QString& key, const QString& text);
   void optionResetRequested(const QString& key);
   void folderChanged(const QString& folder);

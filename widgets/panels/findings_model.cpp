@@ -39,7 +39,7 @@ QStringList FindingsModel::formats(int row) const {
 }
 
 QString FindingsModel::reason(int row) const {
-  // Of several programs it is the fact that counts; of one its line too.
+  // For several programs only the fact is shown, for a single one also its line.
   const ListedFinding& listed = rows_.at(static_cast<std::size_t>(row));
   return language::words(listed.formats.empty() ? plan::reasonOf(listed.finding)
                                                 : plan::factOf(listed.finding));

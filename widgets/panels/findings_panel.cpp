@@ -31,10 +31,10 @@ namespace voluta::panels {
 
 namespace {
 constexpr int kLeastRows = 1, kAmpleRows = 4; // of the list, on a small screen and elsewhere
-constexpr int kLeastWords = 2;                // lines of what the chosen finding says
-constexpr std::size_t kBeyondLoad = 5;        // stages that look for problems of printing
+constexpr int kLeastWords = 2;                // lines for the text of the selected finding
+constexpr std::size_t kBeyondLoad = 5; // stages after Load, which check for printing problems
 
-// Where the text behind them begins.
+// Returns where the text after the tags begins.
 int paintTags(QPainter& painter, const QRect& line, const QStringList& tags) {
   constexpr int kPadding = 4, kApart = 4;
   int x = line.left();
@@ -50,7 +50,7 @@ int paintTags(QPainter& painter, const QRect& line, const QStringList& tags) {
   return x;
 }
 
-// Icon, reason, and a grey second line; before it the programs that it is about.
+// Paints icon, reason, and a grey second line, preceded by the programs that it concerns.
 class FindingDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -108,8 +108,8 @@ QLabel* wrappedLabel(QWidget* parent) {
   return label;
 }
 
-// As high as its content at its width, where there is room: a scroll area by itself takes words for
-// one line each.
+// As high as its content at its width, if there is room: QScrollArea on its own assumes one line
+// for word-wrapped text.
 class FittedArea : public QScrollArea {
 public:
   using QScrollArea::QScrollArea;
@@ -140,7 +140,7 @@ protected:
 };
 } // namespace
 
-// In a narrow panel the number stands for the words: the icon says what is counted.
+// In a narrow panel only the number is shown: the icon says what is counted.
 class FindingsPanel::CountButton : public QToolButton {
 public:
   explicit CountButton(QWidget* parent) : QToolButton(parent) {
@@ -226,7 +226,7 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QWidget(parent) {
   whyNone_->setObjectName(QStringLiteral("whyNoRemedy"));
   whyNone_->setForegroundRole(QPalette::PlaceholderText);
   detailColumn->addWidget(whyNone_);
-  // On a small screen the words scroll; what can be done about them does not.
+  // On a small screen the text scrolls, but the remedy buttons stay visible.
   detailsArea_ = new FittedArea(this);
   detailsArea_->setWidgetResizable(true);
   detailsArea_->setFrameShape(QFrame::NoFrame);
@@ -301,7 +301,7 @@ void FindingsPanel::setBlockedOnly(bool only) {
 
 void FindingsPanel::activateCurrent() {
   if (const QModelIndex current = list_->currentIndex(); current.isValid()) {
-    // A copy: whoever is told may set other findings.
+    // A copy, because a slot may set other findings.
     const plan::Finding finding = model_->finding(current.row());
     emit activated(finding);
   }
@@ -328,7 +328,7 @@ void FindingsPanel::showCurrent() {
   arrange();
 }
 
-// A finding that blocks without a button says why there is none.
+// For a blocking finding without a remedy, shows why there is none.
 void FindingsPanel::showWhyNone(const plan::Finding& finding) {
   const base::Text why = plan::rowOf(finding.kind).whyNoRemedy;
   whyNone_->setVisible(finding.blocking && remedyButtons_.empty() && !why.empty());
@@ -343,7 +343,7 @@ QSize FindingsPanel::minimumSizeHint() const {
   return {QWidget::minimumSizeHint().width(), heightBesideList() + heightOfRows(kLeastRows)};
 }
 
-// Asked for while widgets come and go, when the layout's own sum is of before.
+// Computed here because the layout's size hint is outdated while widgets are added and removed.
 int FindingsPanel::heightBesideList() const {
   const QMargins margins = layout()->contentsMargins();
   std::vector<int> heights{layout()->itemAt(0)->minimumSize().height()};
@@ -358,8 +358,8 @@ int FindingsPanel::heightBesideList() const {
   return sum;
 }
 
-// Two buttons a line where both are read whole, and as many rows of the list as leave the words and
-// the buttons their room.
+// Two buttons per line if both fit, and as many rows of the list as leave room for text and
+// buttons.
 void FindingsPanel::arrange() {
   std::vector<QPushButton*> all = remedyButtons_;
   all.push_back(show_);
@@ -376,7 +376,7 @@ void FindingsPanel::arrange() {
     buttons_->addWidget(all[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
   QWidget* before = detailsArea_;
   for (QPushButton* button : all) {
-    setTabOrder(before, button); // a new button comes last in the window else
+    setTabOrder(before, button); // otherwise a new button would be last in the window's tab order
     before = button;
   }
   const int row = heightOfRows(1) - heightOfRows(0);
@@ -390,7 +390,7 @@ void FindingsPanel::resizeEvent(QResizeEvent* event) {
   arrange();
 }
 
-// Buttons that say the same stay: one of them may be held down by the mouse.
+// Keeps buttons with unchanged texts: one of them may be pressed by the mouse.
 void FindingsPanel::showRemedies(const plan::Finding& finding) {
   const std::vector<RemedyButton> wanted =
       remedies_ ? remedies_(finding) : std::vector<RemedyButton>{};
@@ -435,8 +435,8 @@ void FindingsPanel::showState() {
   const QString unchecked = planned_ ? uncheckedText() : QString();
   notChecked_->setText(unchecked);
   notChecked_->setVisible(!unchecked.isEmpty() && model_->rowCount() > 0);
-  empty_->setText(model_->total() > 0   ? tr("Nothing is blocked.")
-                  : !planned_           ? tr("Nothing found so far.")
+  empty_->setText(model_->total() > 0   ? tr("No blocking findings.")
+                  : !planned_           ? tr("No findings yet.")
                   : unchecked.isEmpty() ? tr("No problems found.")
                   : unchecked_.size() < kBeyondLoad
                       ? tr("No problems found so far.") + QLatin1Char('\n') + unchecked
@@ -445,9 +445,9 @@ void FindingsPanel::showState() {
 }
 
 void FindingsPanel::retranslate() {
-  blockedOnly_->setToolTip(tr("Show only what is blocked"));
+  blockedOnly_->setToolTip(tr("Show only blocking findings"));
   show_->setText(tr("Show"));
-  show_->setToolTip(tr("Take the camera, the sliders and the robot there"));
+  show_->setToolTip(tr("Move the camera, the sliders and the robot there"));
   list_->setAccessibleName(tr("Findings"));
   model_->retranslate();
   showState();

@@ -1,4 +1,4 @@
-// The list of findings, and what the chosen one says.
+// The list of findings, and the details of the selected one.
 #pragma once
 
 #include "plan/finding.h"
@@ -20,7 +20,7 @@ namespace voluta::panels {
 
 class FindingsModel;
 
-// A button beside a finding.
+// A button for a remedy of a finding.
 struct RemedyButton {
   QString id, label, help;
   bool operator==(const RemedyButton&) const = default;
@@ -33,22 +33,21 @@ class FindingsPanel : public QWidget {
 public:
   explicit FindingsPanel(QWidget* parent = nullptr);
 
-  // Sorted here: blocking first, then by stage. What is chosen stays so where it is among the new
-  // ones. Emits nothing.
-  // `before`: found before the choices were what they are now.
+  // Sorts the findings: blocking first, then by stage. Keeps the selection if it is among the new
+  // ones. Emits nothing. `before`: findings from before the last change of the choices.
   void setFindings(const plan::Findings& findings, const plan::Findings& before = {});
-  // false (as at first): nothing was planned yet, so an empty list says nothing of the part.
+  // false (initially): nothing was planned yet, so an empty list has no meaning.
   void setPlanned(bool planned);
-  // Stages that have not looked at the choices as they are now.
+  // Stages that have not checked the present choices.
   void setUnchecked(const std::vector<plan::Stage>& stages);
   void setBlockedOnly(bool only);
-  // Says what can be done about a finding; none, as at first: nothing. Asked again with each
-  // setFindings(): the answer may depend on more than the finding.
+  // Sets the source of remedies for a finding; initially none. It is called again after each
+  // setFindings(), because the result may depend on more than the finding.
   void setRemedies(RemedySource remedies);
   QSize minimumSizeHint() const override;
 
 signals:
-  // A click, Enter or the button "Show": take the views there.
+  // By a click, Enter or the button "Show": the views have to move there.
   void activated(const voluta::plan::Finding& finding);
   void remedyChosen(const voluta::plan::Finding& finding, const QString& id);
 

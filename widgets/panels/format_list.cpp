@@ -29,8 +29,8 @@ forms::Icon iconOf(VerdictState state) {
   return forms::Icon::Pending;
 }
 
-// A row that cannot be chosen is grey, and yet tells why when it is clicked. Fusion draws the edge
-// of a check box in a darker shade of the window, which can't be seen on a dark list.
+// Unavailable rows are grey but still clickable, to show why. The check box edges of Fusion, a
+// darker shade of the window colour, are invisible on a dark list, so they are painted here.
 class FormatDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -82,7 +82,7 @@ void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
   const bool stays = chosen_ && currentItem();
   if (!currentItem() && topLevelItemCount() > 0)
     setCurrentItem(topLevelItem(0));
-  // A program that is there says more than a row without one that nobody has chosen.
+  // A row with a program is preferred over one without that the user has not chosen.
   const auto written = [](const ExportFormat& format) { return !format.files.empty(); };
   const int row = indexOfTopLevelItem(currentItem());
   const auto first = std::find_if(formats_.begin(), formats_.end(), written);
@@ -94,7 +94,7 @@ void FormatList::setFormats(const std::vector<ExportFormat>& formats) {
   updateGeometry();
 }
 
-// What is current and ticked stays so.
+// Keeps the current row and the check marks.
 void FormatList::makeRows() {
   const QString current = currentId();
   const QStringList checked = checkedIds();
@@ -108,7 +108,7 @@ void FormatList::makeRows() {
   }
 }
 
-// One that cannot be written can only be taken off.
+// A format that cannot be written can only be unchecked.
 void FormatList::offerCheckBoxes() {
   const QSignalBlocker quiet(this);
   for (int i = 0; i < topLevelItemCount(); ++i) {
@@ -157,7 +157,7 @@ QString FormatList::verdictOf(const ExportFormat& format) {
   case VerdictState::NotYet:
     break;
   case VerdictState::Passed:
-    return tr("Passed: the replay found nothing wrong");
+    return tr("Passed: the replay found no errors");
   case VerdictState::Refused:
     return tr("Refused by the replay: %1").arg(format.whyRefused);
   case VerdictState::OutOfDate:

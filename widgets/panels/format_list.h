@@ -1,4 +1,4 @@
-// The program formats to choose from, each with its verdict.
+// The list of program formats, each with its verdict.
 #pragma once
 
 #include "base/parameters.h"
@@ -17,22 +17,22 @@ namespace voluta::panels {
 enum class VerdictState { NotYet, Passed, Refused, OutOfDate };
 
 struct ExportFile {
-  QString name;                            // as it will be named in the folder
+  QString name;                            // name in the folder
   std::shared_ptr<const std::string> text; // shared with the result, never copied
 };
 
-// One row of the dialect registry and what was planned for it.
+// One row of the dialect registry with its planned program.
 struct ExportFormat {
   QString id, label;
   bool foreign = false;
-  QString whyNot; // this job cannot be written in it, a sentence; empty: it can
+  QString whyNot; // reason why this job cannot be written in it, a sentence; empty if it can
   VerdictState state = VerdictState::NotYet;
-  QString whyRefused;                           // names the measures that failed
-  std::optional<project::ReplayReport> verdict; // once replayed
-  std::vector<ExportFile> files;                // once written
-  double plannedS = 0.0;                        // of the plan; the verdict has the controller's
-  std::vector<base::ParameterSpec> options;     // what may be chosen about its text
-  QStringList assumptions;                      // sentences on its controller
+  QString whyRefused;                           // names the failed measures
+  std::optional<project::ReplayReport> verdict; // after the replay
+  std::vector<ExportFile> files;                // after planning
+  double plannedS = 0.0; // of the plan; the controller's duration is in the verdict
+  std::vector<base::ParameterSpec> options; // options of its text
+  QStringList assumptions;                  // sentences on its controller
 };
 
 class FormatList : public QTreeWidget {
@@ -41,7 +41,7 @@ class FormatList : public QTreeWidget {
 public:
   explicit FormatList(QWidget* parent = nullptr);
 
-  // Emits nothing. Keeps the current row where its id is still there.
+  // Keeps the current row if its id still exists. Emits nothing.
   void setFormats(const std::vector<ExportFormat>& formats);
   void setChecked(const QStringList& ids);
   QStringList checkedIds() const;
@@ -65,7 +65,7 @@ private:
   void retranslate();
 
   std::vector<ExportFormat> formats_;
-  bool chosen_ = false; // was the current row chosen by mouse or keys?
+  bool chosen_ = false; // whether the current row was chosen by mouse or keys
 };
 
 } // namespace voluta::panels

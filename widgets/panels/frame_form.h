@@ -1,4 +1,4 @@
-// A frame in numbers: where it is, how it is turned, and the edges of a box in it.
+// A form for a frame: position, rotation, and the edge lengths of a box in it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -20,9 +20,9 @@ class FrameForm : public QWidget {
 public:
   explicit FrameForm(QWidget* parent = nullptr);
 
-  // Neither emits. Turns about the fixed X, then Y, then Z, as cells' files have them.
+  // Neither emits. Rotations about the fixed X, then Y, then Z, as in cell files.
   void setFrame(const Eigen::Isometry3d& frame);
-  // mm; nullopt: what is there is no box, and its numbers are not shown.
+  // mm; nullopt: the body is no box, and the numbers are hidden.
   void setSizeMm(const std::optional<Eigen::Vector3d>& sizeMm);
 
 signals:

@@ -52,8 +52,8 @@ void LayerInfo::retranslate() {
     names_[row]->setText(rows[row].first);
     values_[row]->setText(measures_ ? rows[row].second : QStringLiteral("–"));
   }
-  values_[3]->setToolTip(tr("Least, mean and greatest"));
-  names_[3]->setToolTip(tr("Least, mean and greatest"));
+  values_[3]->setToolTip(tr("Minimum, mean and maximum"));
+  names_[3]->setToolTip(tr("Minimum, mean and maximum"));
 }
 
 void LayerInfo::changeEvent(QEvent* event) {

@@ -11,12 +11,12 @@ namespace voluta::panels {
 
 struct LayerMeasures {
   int index = 0;  // 0 is on the platform
-  int layers = 0; // how many there are
+  int layers = 0; // number of layers
   std::size_t patches = 0, waypoints = 0;
   double areaMm2 = 0.0;
   double thicknessMinMm = 0.0, thicknessMeanMm = 0.0, thicknessMaxMm = 0.0;
   double lengthMm = 0.0; // of its beads
-  double timeS = 0.0;    // it takes; 0: motion is not planned yet
+  double timeS = 0.0;    // duration; 0: motion is not planned yet
 };
 
 class LayerInfo : public QWidget {

@@ -1,4 +1,4 @@
-// Findings as they stand in a list: a fact once, whichever programs it was found in.
+// Findings as shown in a list: each fact once, with all programs in which it was found.
 #pragma once
 
 #include "plan/finding.h"
@@ -9,13 +9,13 @@
 namespace voluta::panels {
 
 struct ListedFinding {
-  plan::Finding finding;            // as the first of the programs has it
-  std::vector<std::string> formats; // of the programs; empty: it is not about programs
+  plan::Finding finding;            // that of the first program
+  std::vector<std::string> formats; // of the programs; empty: it does not concern programs
 };
 
-// In the same order. Two programs tell the same fact where kind, place (within 0.1 mm) and all that
-// is no amount agree: what was measured differs a little from one to the other. That a program is
-// refused is left out where a finding says why.
+// Returns the findings in the same order. Findings of two programs are merged if kind, place
+// (within 0.1 mm) and all values except measured amounts, which differ slightly, agree. That a
+// program is refused is omitted if another finding gives the reason.
 std::vector<ListedFinding> listed(const plan::Findings& findings);
 
 } // namespace voluta::panels

@@ -63,8 +63,9 @@ void MeshPanel::setRepair(bool repair) {
 
 void MeshPanel::retranslate() {
   repair_->setText(tr("Repair the mesh"));
-  repair_->setToolTip(tr("Closes holes, turns triangles and takes out doubled ones, as far as the "
-                         "shape is not in doubt"));
+  repair_->setToolTip(
+      tr("Closes holes, orients triangles and removes duplicates, as far as the shape "
+         "is not in doubt"));
   repair_->setEnabled(summary_.has_value());
   stateIcon_->setVisible(summary_.has_value());
   text_->setVisible(summary_.has_value());
@@ -76,7 +77,7 @@ void MeshPanel::retranslate() {
   stateIcon_->setPixmap(forms::iconBeside(*this, sound ? forms::Icon::Good : forms::Icon::Warning));
   state_->setText(!summary_->watertight ? tr("The mesh is not watertight.")
                   : sound               ? tr("The mesh is watertight.")
-                                        : tr("The mesh is watertight, but not sound."));
+                                        : tr("The mesh is watertight, but has defects."));
   const QLocale locale;
   const auto number = [&](double value) { return locale.toString(value, 'f', 1); };
   QString html = QString::fromStdString(summary_->name).toHtmlEscaped();

@@ -1,4 +1,4 @@
-// What the mesh is like: what was found in it, what was mended, what remains.
+// State of the mesh: defects found, repairs made, remaining defects.
 #pragma once
 
 #include "base/text.h"
@@ -17,9 +17,9 @@ namespace voluta::panels {
 struct MeshSummary {
   std::string name; // file name without folder
   std::size_t triangles = 0;
-  double volumeMm3 = 0.0; // of the part as it is placed
+  double volumeMm3 = 0.0; // of the placed part
   bool watertight = false;
-  std::vector<base::Message> found, repaired, remains; // a sentence each
+  std::vector<base::Message> found, repaired, remains; // one sentence each
 };
 
 class MeshPanel : public QWidget {

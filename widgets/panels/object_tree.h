@@ -1,4 +1,4 @@
-// What stands in the viewport, as a tree: part, platform, cell; each shown or hidden by its eye.
+// Contents of the viewport as a tree: part, platform, cell; each is shown or hidden by its eye.
 #pragma once
 
 #include <QString>
@@ -18,7 +18,7 @@ public:
 
   // Name and a short detail (size, text of the platform, id). An empty name: the item's kind.
   void setText(SceneItem item, const QString& name, const QString& detail);
-  // Emits nothing. Hiding the cell greys its parts; their own eyes stay as they are.
+  // Emits nothing. Hiding the cell greys its parts without changing their own eyes.
   void setShown(SceneItem item, bool shown);
   bool isShown(SceneItem item) const;
   // Emits nothing.

@@ -43,7 +43,7 @@ void OptionsForm::setValues(const std::map<std::string, std::string>& changed) {
       try {
         value = base::parseParameter(row->spec(), at->second);
       } catch (const base::Error&) {
-        // The default is shown; planning says what is wrong.
+        // Shows the default; planning reports the invalid value.
       }
     if (row->value() != value)
       row->setValue(value);

@@ -1,4 +1,4 @@
-// The options that a program format brings, each in a row.
+// The options of a program format, one per row.
 #pragma once
 
 #include "base/parameters.h"
@@ -22,14 +22,14 @@ class OptionsForm : public QWidget {
 public:
   explicit OptionsForm(QWidget* parent = nullptr);
 
-  // Rows stay where they are the same options. Emits nothing.
+  // Keeps the rows if the options are the same. Emits nothing.
   void setOptions(const std::vector<base::ParameterSpec>& options);
-  // Texts by key of what was changed; all others show their default. Emits nothing.
+  // Changed values as texts by key; all others show their default. Emits nothing.
   void setValues(const std::map<std::string, std::string>& changed);
   bool isEmpty() const { return rows_.empty(); }
 
 signals:
-  // `text` is what base::parseParameter takes.
+  // `text` is parsed by base::parseParameter.
   void changed(const QString& key, const QString& text);
   void resetRequested(const QString& key);
 

@@ -91,7 +91,7 @@ void PiecesPanel::build() {
   root_->setObjectName("pickRoot");
   root_->setCheckable(true);
   root_->hide();
-  auto* buttons = new QVBoxLayout; // side by side they would be wider than a narrow panel
+  auto* buttons = new QVBoxLayout; // side by side they would not fit into a narrow panel
   buttons->addWidget(cuts_, 0, Qt::AlignLeft);
   buttons->addWidget(root_, 0, Qt::AlignLeft);
   column->addWidget(tree_);
@@ -139,7 +139,7 @@ void PiecesPanel::fill() {
   const QLocale locale;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const PieceRow& row = rows_[i];
-    // A piece comes after the one it stands on.
+    // A piece comes after its parent.
     const bool stands = row.parent >= 0 && row.parent < static_cast<int>(i);
     auto* item = stands ? new QTreeWidgetItem(items_[static_cast<std::size_t>(row.parent)])
                         : new QTreeWidgetItem(tree_);
@@ -188,11 +188,11 @@ void PiecesPanel::setHandles(bool there) {
 
 void PiecesPanel::showHint() {
   if (selected_ < 0)
-    hint_->setText(tr("Click a piece to see where it is cut off, and to move that cut."));
+    hint_->setText(tr("Click a piece to see its base plane and to move that cut."));
   else if (handles_)
-    hint_->setText(tr("Drag the arrow to move the cut, a ring to tilt it. Esc lets go of it."));
+    hint_->setText(tr("Drag the arrow to move the cut, a ring to tilt it. Esc deselects."));
   else
-    hint_->setText(tr("This piece stands on the plate: it has no cut of its own to move."));
+    hint_->setText(tr("This piece is on the plate: it has no cut to move."));
 }
 
 void PiecesPanel::setEstimate(const CutEstimate& estimate) {
@@ -250,22 +250,22 @@ void PiecesPanel::retranslate() {
   tree_->setHeaderLabels({tr("Piece"), tr("Volume"), tr("Risky"), tr("Material")});
   tree_->headerItem()->setTextAlignment(kVolume, Qt::AlignRight | Qt::AlignVCenter);
   tree_->headerItem()->setTextAlignment(kRisky, Qt::AlignRight | Qt::AlignVCenter);
-  tree_->headerItem()->setToolTip(kPiece,
-                                  tr("In print order; a piece hangs below the one it stands on"));
   tree_->headerItem()->setToolTip(
-      kRisky, tr("Area that needs support where the piece is printed off its base"));
+      kPiece, tr("In print order; each piece is listed below the one it is printed on"));
+  tree_->headerItem()->setToolTip(
+      kRisky, tr("Area that needs support when the piece is printed from its base"));
   explodeLabel_->setText(tr("Apart"));
-  explode_->setToolTip(tr("Moves each piece off the one it stands on"));
+  explode_->setToolTip(tr("Moves each piece away from the one it is printed on"));
   numbers_->setText(tr("Numbers"));
   numbers_->setToolTip(tr("In the picture, in print order"));
   planes_->setText(tr("Base planes"));
-  planes_->setToolTip(tr("Shows where each piece is cut off"));
+  planes_->setToolTip(tr("Shows where each piece is cut"));
   showHint();
-  cuts_->setText(own_ ? tr("Search anew") : tr("Keep these cuts"));
-  cuts_->setToolTip(own_ ? tr("Gives up your cuts and lets the search decide")
-                         : tr("Makes the cuts that were found your own, so that they stay"));
+  cuts_->setText(own_ ? tr("Search again") : tr("Keep these cuts"));
+  cuts_->setToolTip(own_ ? tr("Discards your cuts and searches for others")
+                         : tr("Makes the cuts found your own, so that they are kept"));
   root_->setText(tr("Pick root"));
-  root_->setToolTip(tr("Then click the part where the first piece is to be"));
+  root_->setToolTip(tr("Then click the part where the first piece has to be"));
   showTotal();
 }
 

@@ -1,5 +1,5 @@
-// The pieces of planar mode as a tree: what stands on what, in print order, with what each takes;
-// beside it how they are looked at and who decides where the part is cut.
+// The pieces of planar mode as a tree in print order, with the measures of each; and controls for
+// their display and for the source of the cuts.
 #pragma once
 
 #include <QColor>
@@ -17,13 +17,13 @@ class QTreeWidgetItem;
 namespace voluta::panels {
 
 struct PieceRow {
-  int parent = -1; // place of the piece it stands on; -1: the plate
-  QColor colour;   // that it is drawn in
+  int parent = -1; // index of the piece that it is printed on; -1: the plate
+  QColor colour;   // its display colour
   double volumeMm3 = 0.0, riskyMm2 = 0.0;
   QString material;
 };
 
-// Area that needs support where a cut is being moved, or why that cannot be.
+// Area that needs support while a cut is being moved, or why it cannot be computed.
 struct CutEstimate {
   double riskyMm2 = 0.0;
   bool exact = false;
@@ -36,19 +36,19 @@ class PiecesPanel : public QWidget {
 public:
   explicit PiecesPanel(QWidget* parent = nullptr);
 
-  // In print order. `riskyBeforeMm2`: of the part uncut. Emits nothing; nothing is selected then.
+  // In print order. `riskyBeforeMm2`: of the uncut part. Clears the selection; emits nothing.
   void setPieces(std::vector<PieceRow> pieces, double riskyBeforeMm2);
   // -1: none. Emits nothing.
   void select(int piece);
   int selected() const { return selected_; }
   // The cuts are the user's, not the search's.
   void setOwnCuts(bool own);
-  // The selected piece's base plane has handles: what to do with them is said.
+  // The selected piece's base plane has handles: shows how to use them.
   void setHandles(bool there);
-  // In place of the pieces' own area; none with a default one.
+  // Shown instead of the pieces' area until cleared.
   void setEstimate(const CutEstimate& estimate);
   void clearEstimate();
-  // The user may say which part of the part stands on the plate.
+  // Whether the user may choose which region of the part is on the plate.
   void setRootOffered(bool offered);
   void setPickingRoot(bool picking);
 

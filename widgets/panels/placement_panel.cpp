@@ -265,27 +265,27 @@ void PlacementPanel::retranslate() {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const QString name = QLatin1String(kAxes[axis]);
     move_[axis]->setToolTip(axis == 2 ? tr("Height of the lowest point above the plate")
-                                      : tr("Middle of the part along %1").arg(name));
+                                      : tr("Centre of the part along %1").arg(name));
     move_[axis]->setAccessibleName(tr("Move %1").arg(name));
     turn_[axis]->setToolTip(
-        tr("Turn about the fixed axis %1; X comes first, then Y, then Z").arg(name));
-    turn_[axis]->setAccessibleName(tr("Turn %1").arg(name));
-    less_[axis]->setToolTip(tr("Turn by -90° about %1, from how the part lies now").arg(name));
-    more_[axis]->setToolTip(tr("Turn by 90° about %1, from how the part lies now").arg(name));
+        tr("Rotate about the fixed axis %1; X comes first, then Y, then Z").arg(name));
+    turn_[axis]->setAccessibleName(tr("Rotate %1").arg(name));
+    less_[axis]->setToolTip(tr("Rotate by -90° about %1, from the present orientation").arg(name));
+    more_[axis]->setToolTip(tr("Rotate by 90° about %1, from the present orientation").arg(name));
   }
   percentLabel_->setText(tr("Scale"));
   percent_->setAccessibleName(tr("Scale in percent"));
   scale_->setAccessibleName(tr("Scale as a factor"));
   fit_->setText(tr("Fit to reach"));
-  fit_->setToolTip(tr("Scale down, if need be, to what the arm reaches everywhere"));
+  fit_->setToolTip(tr("Scale down, if necessary, to the size that the arm reaches everywhere"));
   sizeLabel_->setText(tr("Size"));
   drop_->setText(tr("Drop to plate"));
   layOnFace_->setText(tr("Lay on face"));
-  layOnFace_->setToolTip(tr("Then click the face that is to lie on the plate"));
+  layOnFace_->setToolTip(tr("Then click the face that has to be on the plate"));
   centre_->setText(tr("Centre"));
-  centre_->setToolTip(tr("Put the middle of the part over the middle of the plate"));
+  centre_->setToolTip(tr("Put the centre of the part over the centre of the plate"));
   reset_->setText(tr("Reset"));
-  reset_->setToolTip(tr("As the part lies in its file, in its own size"));
+  reset_->setToolTip(tr("Position and size as in the file"));
   showSize();
 }
 

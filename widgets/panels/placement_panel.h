@@ -1,4 +1,4 @@
-// Where and how the part lies, in numbers: move, turn, scale.
+// Placement of the part in numbers: position, rotation, scale.
 #pragma once
 
 #include "geometry/placement.h"
@@ -26,13 +26,14 @@ public:
 
   // None of these emits.
   void setPlacement(const geometry::Placement& placement);
-  // `text` as in the choices: a number or "fit"; `factor` is what it came to (0: not known yet).
+  // `text` as in the choices: a number or "fit"; `factor` is the resulting scale (0: not known
+  // yet).
   void setScale(const QString& text, double factor);
   // Size of the placed part along the axes of the work frame, mm.
   void setSizeMm(const Eigen::Vector3d& sizeMm);
-  // May it lie lower than z = 0? Not on a plate.
+  // Whether z is limited to 0 and above, as on a plate.
   void setOnPlate(bool onPlate);
-  // Is a click in the viewport awaited?
+  // Whether a click in the viewport is awaited.
   void setLayOnFace(bool waiting);
 
   const geometry::Placement& placement() const { return placement_; }

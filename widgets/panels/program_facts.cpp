@@ -12,7 +12,7 @@
 namespace voluta::panels {
 
 namespace {
-// Below that the two times are the same to whoever waits for the print.
+// Smaller differences of the two times are not worth showing.
 constexpr double kSameShare = 0.005;
 
 QLabel* line(QWidget* parent, const char* name) {
@@ -56,7 +56,7 @@ void ProgramFacts::setAssumptions(const QStringList& sentences) {
 }
 
 void ProgramFacts::retranslate() {
-  fold_->setTitle(tr("What is assumed of the controller"));
+  fold_->setTitle(tr("Assumptions about the controller"));
   size_->setVisible(figures_.has_value());
   time_->setVisible(figures_.has_value());
   if (!figures_)

@@ -1,4 +1,5 @@
-// What a written program is: its size, how long it takes on its controller, what is assumed of it.
+// Facts about a written program: size, duration on its controller, assumptions about the
+// controller.
 #pragma once
 
 #include <QString>
@@ -26,9 +27,9 @@ class ProgramFacts : public QWidget {
 public:
   explicit ProgramFacts(QWidget* parent = nullptr);
 
-  // Nothing: there is no program yet.
+  // nullopt: there is no program yet.
   void setFigures(const std::optional<ProgramFigures>& figures);
-  // Sentences on the controller; folded at first.
+  // Sentences on the controller; folded initially.
   void setAssumptions(const QStringList& sentences);
 
 protected:

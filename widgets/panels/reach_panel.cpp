@@ -15,7 +15,7 @@
 namespace voluta::panels {
 
 namespace {
-// Nothing but all is 100.
+// Rounded down, so that only the whole part shows 100.
 QString percent(double share) {
   return QLocale().toString(std::floor(100.0 * share), 'f', 0);
 }
@@ -71,29 +71,30 @@ void ReachPanel::showState() {
   move_->setEnabled(reach_ && !looking_ && reach_->better);
   move_->setToolTip({});
   if (looking_ || !reach_) {
-    state_->setText(looking_ ? tr("being looked for…") : tr("No part on a plate."));
+    state_->setText(looking_ ? tr("Calculating…") : tr("No part on a plate."));
     return;
   }
   const bool good = reach_->onPlate && reach_->upright == 1.0;
   icon_->setPixmap(forms::iconBeside(*this, good ? forms::Icon::Good : forms::Icon::Warning));
-  QString text = !reach_->onPlate ? tr("It stands beyond the cell's plate.")
-                 : good           ? tr("All of it is reached upright.")
-                        : tr("%1 % of it is reached upright.").arg(percent(reach_->upright));
+  QString text = !reach_->onPlate ? tr("The part is off the plate.")
+                 : good           ? tr("Fully reachable upright.")
+                                  : tr("%1 % reachable upright.").arg(percent(reach_->upright));
   if (reach_->tiltDeg > 0.0)
     text += QLatin1Char(' ') +
-            tr("Tilted up to %1°: %2 %.")
+            tr("With up to %1° of tilt: %2 %.")
                 .arg(QLocale().toString(reach_->tiltDeg, 'f', 0), percent(reach_->tilted));
   state_->setText(text);
   if (reach_->better)
-    move_->setToolTip(tr("There %1 % is reached upright, %2 % tilted")
+    move_->setToolTip(tr("There %1 % is reachable upright, %2 % tilted")
                           .arg(percent(reach_->betterUpright), percent(reach_->betterTilted)));
 }
 
 void ReachPanel::retranslate() {
   title_->setText(tr("Reach"));
-  title_->setToolTip(tr("Where the head gets, over the whole height of the part; what is printed "
-                        "may still be in its way"));
-  map_->setText(tr("Show it on the plate"));
+  title_->setToolTip(
+      tr("Reach of the head over the whole height of the part; collisions with printed "
+         "material are not checked"));
+  map_->setText(tr("Show on plate"));
   move_->setText(tr("Move to best place"));
   showState();
 }

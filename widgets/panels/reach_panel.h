@@ -1,4 +1,4 @@
-// Whether the part is where the cell's head reaches, a map of that, and a better place.
+// Whether the head reaches the part at its position, a reach map, and a better position.
 #pragma once
 
 #include <QWidget>
@@ -13,9 +13,9 @@ namespace voluta::panels {
 // Shares in [0, 1] of the poses over the part.
 struct ShownReach {
   double upright = 0.0, tilted = 0.0;
-  double tiltDeg = 0.0; // up to which
-  bool onPlate = false; // it stands on the plate that is mapped
-  bool better = false;  // there is a place where more is reached
+  double tiltDeg = 0.0; // maximum tilt
+  bool onPlate = false; // the part is on the mapped plate
+  bool better = false;  // another position has a better reach
   double betterUpright = 0.0, betterTilted = 0.0;
 };
 

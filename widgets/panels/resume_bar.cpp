@@ -29,7 +29,7 @@ void ResumeBar::setPlace(const QString& place) {
 
 void ResumeBar::retranslate() {
   button_->setText(tr("Resume from here…"));
-  button_->setToolTip(tr("The rest of a print that was stopped there, as a project of its own"));
+  button_->setToolTip(tr("Opens the rest of a print that was stopped there as a new project"));
 }
 
 void ResumeBar::changeEvent(QEvent* event) {

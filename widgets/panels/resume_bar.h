@@ -1,4 +1,4 @@
-// From where a print would be taken up again, and the button that does.
+// The place where a print would be resumed, and the button for it.
 #pragma once
 
 #include <QWidget>
@@ -14,7 +14,7 @@ class ResumeBar : public QWidget {
 public:
   explicit ResumeBar(QWidget* parent = nullptr);
 
-  // Where, in a few words; empty: from nowhere here.
+  // The place in a few words; empty: not possible here.
   void setPlace(const QString& place);
 
 signals:

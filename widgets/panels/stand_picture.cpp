@@ -15,13 +15,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kFine = 3; // dots a pixel, either way
+constexpr int kFine = 3; // samples per pixel in each direction
 constexpr double kRoom = 0.06, kRim = 0.03;
 // Red, green, blue: between those of the light and the dark scene.
 const Vector3d kPart(0.62, 0.71, 0.80), kPlate(0.52, 0.54, 0.57);
 constexpr double kPlateAlpha = 0.28, kShadowAlpha = 0.34;
 
-// Where the viewport looks from at first.
+// The initial view direction of the viewport.
 struct Eye {
   Vector3d back = Vector3d(0.75, -1.0, 0.62).normalized();
   Vector3d right = Vector3d::UnitZ().cross(back).normalized();
@@ -58,7 +58,7 @@ Standing stood(const geometry::TriangleMesh& mesh, const Eigen::Quaterniond& tur
   return out;
 }
 
-// Dots in rows from the top.
+// Samples in rows from the top.
 class Canvas {
 public:
   Canvas(const QSize& pixels, const Eye& eye, double perMm, const Vector2d& middle)
@@ -115,7 +115,7 @@ private:
     fill(corners, [&](std::size_t dot, double) { ground_[dot] = std::max(ground_[dot], what); });
   }
 
-  // put(dot, depth towards the eye) for the dots whose middle is in the triangle.
+  // Calls put(sample, depth towards the eye) for the samples whose centre is in the triangle.
   template <typename Put> void fill(const std::array<Vector3d, 3>& corners, Put put) {
     std::array<Vector2d, 3> at;
     std::array<double, 3> depth{};
@@ -148,7 +148,7 @@ private:
   }
 
   QRgb pixel(int x, int y) const {
-    Vector3d colour = Vector3d::Zero(); // times alpha
+    Vector3d colour = Vector3d::Zero(); // premultiplied by alpha
     double alpha = 0.0;
     for (int j = 0; j < kFine; ++j)
       for (int i = 0; i < kFine; ++i) {

@@ -1,4 +1,4 @@
-// Small pictures of a part as it stands, drawn without OpenGL: good for any thread.
+// Small pictures of a part in an orientation, rendered without OpenGL, on any thread.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -10,10 +10,11 @@
 
 namespace voluta::panels {
 
-// The mesh turned by each of `turns`, on its piece of the plate, from where the viewport looks at
-// first, as large as there is room. The ground is clear and the tones are middle ones, so that it
-// is good on light and dark. `pixels`: of each, 16 or more either way. Takes about a millisecond a
-// thousand triangles. Precondition (Error{Internal}): mesh not empty.
+// Renders the mesh rotated by each of `turns`, on a section of the plate, from the viewport's
+// initial direction, as large as possible. The background is transparent and the colours are
+// midtones, so that the pictures suit light and dark themes. `pixels`: size of each, at least 16 in
+// both directions. Takes about one millisecond per thousand triangles. Precondition
+// (Error{Internal}): mesh not empty.
 std::vector<QImage> standPictures(const geometry::TriangleMesh& mesh,
                                   const std::vector<Eigen::Quaterniond>& turns,
                                   const QSize& pixels);

@@ -10,7 +10,7 @@ namespace voluta::panels {
 namespace {
 constexpr std::size_t kEvery = 64;
 
-// One past the line's end: past its \n, or the end of the text.
+// Returns the position after the line: after its \n, or the end of the text.
 std::size_t nextLine(const std::string& text, std::size_t from) {
   const void* end = std::memchr(text.data() + from, '\n', text.size() - from);
   return end ? static_cast<std::size_t>(static_cast<const char*>(end) - text.data()) + 1

@@ -1,4 +1,4 @@
-// Lines of a long text, found without copying it.
+// Access to the lines of a long text without copying it.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace voluta::panels {
 
-// Keeps the place of every 64th line: 40 MB of program take a few milliseconds and 130 kB.
+// Stores the position of every 64th line: 40 MB of program take a few milliseconds and 130 kB.
 class TextLines {
 public:
   TextLines() = default;
@@ -20,7 +20,7 @@ public:
   std::size_t count() const { return count_; }
   // Bytes of the longest line.
   std::size_t longest() const { return longest_; }
-  // Without its end. Precondition: index < count(). Valid as long as this object lives.
+  // Without its end. Precondition: index < count(). Valid during the lifetime of this object.
   std::string_view line(std::size_t index) const;
 
 private:

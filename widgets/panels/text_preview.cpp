@@ -16,7 +16,7 @@ namespace voluta::panels {
 
 namespace {
 constexpr int kMargin = 6;
-// Longer lines are cut: no program has them, and one line must not hold up a frame.
+// Longer lines are truncated: programs have none, and one line must not stall a frame.
 constexpr std::size_t kLongestShown = 4096;
 
 QString shownText(std::string_view line) {

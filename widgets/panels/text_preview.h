@@ -1,4 +1,4 @@
-// A long text to look at: only the lines in sight are touched.
+// View of a long text that processes only the visible lines.
 #pragma once
 
 #include "panels/text_lines.h"
@@ -13,9 +13,9 @@ class TextPreview : public QAbstractScrollArea {
 public:
   explicit TextPreview(QWidget* parent = nullptr);
 
-  // UTF-8; nullptr: none. Shows its beginning, no line set off.
+  // UTF-8; nullptr: none. Scrolls to the beginning, without a highlighted line.
   void setText(std::shared_ptr<const std::string> text);
-  // Sets a line off (1-based; 0: none) and scrolls to it where it is out of sight. Emits nothing.
+  // Highlights a line (1-based; 0: none) and scrolls to it if it is not visible. Emits nothing.
   void showLine(std::size_t line);
   std::size_t currentLine() const { return current_; }
   const TextLines& lines() const { return lines_; }

@@ -29,24 +29,24 @@ std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& r) {
   const auto& limits = r.thresholds;
   const double massError = std::abs(r.massRatio - 1.0);
   return {
-      {VerdictTable::tr("Part covered"), percent(r.coveredFraction),
+      {VerdictTable::tr("Coverage"), percent(r.coveredFraction),
        atLeast(shortPercent(limits.covered)), r.coveredFraction >= limits.covered},
       {VerdictTable::tr("Unsupported"), percent(r.unsupportedFraction),
        atMost(shortPercent(limits.unsupported)), r.unsupportedFraction <= limits.unsupported},
-      {VerdictTable::tr("Carried by less than half"), percent(r.halfCarriedFraction), {}, true},
-      {VerdictTable::tr("Longest in the air"), mm(r.longestUnsupportedMm), {}, true},
+      {VerdictTable::tr("Less than half supported"), percent(r.halfCarriedFraction), {}, true},
+      {VerdictTable::tr("Longest unsupported run"), mm(r.longestUnsupportedMm), {}, true},
       {VerdictTable::tr("Overfill"), percent(r.overfillFraction),
        atMost(shortPercent(limits.overfill)), r.overfillFraction <= limits.overfill},
-      {VerdictTable::tr("Mass off by"), percent(massError), atMost(shortPercent(limits.mass)),
+      {VerdictTable::tr("Mass error"), percent(massError), atMost(shortPercent(limits.mass)),
        massError <= limits.mass},
       {VerdictTable::tr("Collisions"), whole(r.collisions), atMost(whole(limits.collisions)),
        r.collisions <= limits.collisions},
-      {VerdictTable::tr("Limits broken"), whole(r.limitViolations),
+      {VerdictTable::tr("Limit violations"), whole(r.limitViolations),
        atMost(whole(limits.limitViolations)), r.limitViolations <= limits.limitViolations},
-      {VerdictTable::tr("Off the plan"), mm(r.maxDeviationMm),
+      {VerdictTable::tr("Path deviation"), mm(r.maxDeviationMm),
        atMost(language::numberText(limits.deviationMm, 4) + QStringLiteral(" mm")),
        r.maxDeviationMm <= limits.deviationMm},
-      {VerdictTable::tr("Wrong flow"), percent(r.flowErrorFraction),
+      {VerdictTable::tr("Flow error"), percent(r.flowErrorFraction),
        atMost(shortPercent(limits.flowError)), r.flowErrorFraction <= limits.flowError},
       {VerdictTable::tr("Time on the controller"),
        forms::durationText(r.controllerDurationS),
@@ -120,8 +120,8 @@ void VerdictTable::retranslate() {
     if (!report_ || m.limit.isEmpty())
       continue;
     const QString kept = outOfDate_ ? tr("Not checked since the change")
-                         : m.passed ? tr("Kept")
-                                    : tr("Not kept");
+                         : m.passed ? tr("Within limit")
+                                    : tr("Outside limit");
     item(row, 3)->setIcon(forms::icon(outOfDate_ ? forms::Icon::Pending
                                       : m.passed ? forms::Icon::Good
                                                  : forms::Icon::Blocked));

@@ -1,4 +1,4 @@
-// What the replay measured of a program, and the limits it has to keep to.
+// Measures of a program from the replay, with their limits.
 #pragma once
 
 #include "project/report.h"
@@ -10,11 +10,11 @@
 namespace voluta::panels {
 
 struct VerdictMeasure {
-  QString label, value, limit; // limit empty: it is only told
+  QString label, value, limit; // limit empty: for information only
   bool passed = false;
 };
 
-// The measures of a verdict in the user's language.
+// Returns the measures of a verdict in the user's language.
 std::vector<VerdictMeasure> verdictMeasures(const project::ReplayReport& report);
 
 // Measure, value, limit and a tick or a stop sign.
@@ -24,8 +24,8 @@ class VerdictTable : public QTableWidget {
 public:
   explicit VerdictTable(QWidget* parent = nullptr);
 
-  // nullopt: no program was replayed. `outOfDate`: of settings that have changed since; then it is
-  // shown, but says nothing of what is there now.
+  // nullopt: no program was replayed. `outOfDate`: of settings that have changed since; the report
+  // is shown as outdated.
   void setReport(std::optional<project::ReplayReport> report, bool outOfDate = false);
 
   QSize sizeHint() const override;

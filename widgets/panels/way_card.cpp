@@ -34,8 +34,8 @@ void WayCard::retranslate() {
   lines_ = {tr("Contact %1 mm²").arg(whole(way_.contactMm2)),
             tr("Missed voxels %1").arg(count(way_.missed)), tr("About %1").arg(way_.time)};
   const QString figures =
-      tr("%1 mm² touch the plate, %2 mm² lean over\n%3 mm high\n%4 of %5 voxels missed by one pass "
-         "of growth\nabout %6 by its volume and height, without supports")
+      tr("contact %1 mm², overhang %2 mm²\n%3 mm high\n%4 of %5 voxels missed in one "
+         "growth pass\nabout %6, estimated from volume and height without supports")
           .arg(whole(way_.contactMm2), whole(way_.overhangMm2),
                locale.toString(way_.heightMm, 'f', 1), count(way_.missed), count(way_.voxels),
                way_.time);
@@ -100,7 +100,7 @@ void WayCard::paintEvent(QPaintEvent*) {
     paintTick(painter);
 }
 
-// No meaning by colour alone.
+// The selection is not shown by colour alone.
 void WayCard::paintTick(QPainter& painter) const {
   const QRectF disc(width() - kTick - 5.0, 5.0, kTick, kTick);
   painter.setPen(Qt::NoPen);

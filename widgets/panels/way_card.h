@@ -1,4 +1,4 @@
-// A way in which the part can stand: its picture, with the figures beneath.
+// An orientation of the part: its picture with the figures below.
 #pragma once
 
 #include <QAbstractButton>
@@ -10,7 +10,7 @@
 namespace voluta::panels {
 
 struct ShownWay {
-  QImage picture; // twice as large as it is shown, and more
+  QImage picture; // at least twice the display resolution
   double contactMm2 = 0.0, overhangMm2 = 0.0, heightMm = 0.0;
   std::size_t missed = 0, voxels = 0;
   QString time; // "2 h 5 min"
@@ -20,7 +20,7 @@ class WayCard : public QAbstractButton {
   Q_OBJECT
 
 public:
-  static constexpr QSize kPicture{132, 88}; // as it is shown at most
+  static constexpr QSize kPicture{132, 88}; // maximum size on the screen
 
   explicit WayCard(QWidget* parent = nullptr);
 

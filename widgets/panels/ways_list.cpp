@@ -44,7 +44,7 @@ void WaysList::addCard(int n) {
   card->setObjectName(QStringLiteral("way%1").arg(n));
   card->hide();
   connect(card, &QAbstractButton::clicked, this, [this, n] {
-    showState(); // a click marks nothing: how the part stands does
+    showState(); // a click checks nothing; the check mark follows the part's orientation
     emit chosen(n);
   });
   grid_->addWidget(card, n / kColumns, n % kColumns);
@@ -81,15 +81,15 @@ void WaysList::showState() {
   QPalette muted = palette();
   muted.setColor(QPalette::WindowText, forms::mutedColour(palette()));
   state_->setPalette(muted);
-  state_->setText(looking_      ? tr("being looked for…")
+  state_->setText(looking_      ? tr("Calculating…")
                   : count_ == 0 ? tr("none found")
-                  : !now_       ? tr("it lies otherwise")
+                  : !now_       ? tr("custom orientation")
                                 : QString());
 }
 
 void WaysList::retranslate() {
-  title_->setText(tr("Ways to stand"));
-  title_->setToolTip(tr("Click one to lay the part so"));
+  title_->setText(tr("Orientations"));
+  title_->setToolTip(tr("Click one to orient the part that way"));
   showState();
 }
 

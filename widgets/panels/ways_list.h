@@ -1,4 +1,4 @@
-// The ways in which the part can stand, as pictures to choose from.
+// The possible orientations of the part, as pictures to choose from.
 #pragma once
 
 #include "panels/way_card.h"
@@ -20,16 +20,16 @@ class WaysList : public QWidget {
 public:
   explicit WaysList(QWidget* parent = nullptr);
 
-  // Size of a picture that is good enough for any screen.
+  // Size of a picture that is sufficient for any screen.
   static QSize pictureSize();
 
   static constexpr std::size_t kMost = 4;
 
   // The best first. Precondition (Error{Internal}): at most kMost. None of these emits.
   void setWays(const std::vector<ShownWay>& ways);
-  // How the part stands now; none: otherwise.
+  // The present orientation; nullopt: none of the list.
   void setNow(std::optional<std::size_t> way);
-  // Other ones are being looked for.
+  // Orientations are being computed.
   void setLooking(bool looking);
   bool isLooking() const { return looking_; }
   std::size_t count() const { return count_; }
@@ -45,8 +45,8 @@ private:
   void retranslate();
   void showState();
 
-  std::array<WayCard*, kMost> cards_{}; // there from the first, so that Tab knows them
-  std::size_t count_ = 0;               // of them on show
+  std::array<WayCard*, kMost> cards_{}; // created at once, for the tab order
+  std::size_t count_ = 0;               // number of cards shown
   std::optional<std::size_t> now_;
   bool looking_ = false;
   QLabel* title_ = nullptr;

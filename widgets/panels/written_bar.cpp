@@ -39,10 +39,10 @@ void WrittenBar::setWritten(const QString& text, bool hasProof) {
 }
 
 void WrittenBar::retranslate() {
-  openProof_->setText(tr("Open proof"));
-  openProof_->setToolTip(tr("The page to hand over: verdict, margins and hashes of the program"));
+  openProof_->setText(tr("Open report"));
+  openProof_->setToolTip(tr("The report to hand over: verdict, margins and hashes of the program"));
   showFolder_->setText(tr("Show folder"));
-  showFolder_->setToolTip(tr("The folder with the programs, in the file manager"));
+  showFolder_->setToolTip(tr("Opens the folder with the programs in the file manager"));
 }
 
 void WrittenBar::changeEvent(QEvent* event) {

@@ -1,4 +1,4 @@
-// What an export has written, and the ways to it.
+// Files that an export has written, with links to them.
 #pragma once
 
 #include <QWidget>

@@ -107,7 +107,7 @@ public:
   scene::Image picture(scene::StandardView view) {
     return pictureFrom([&] { scene_.standardView(view); });
   }
-  // However large the plate is. Precondition: the job has its part.
+  // Framed without the plate, whose size varies. Precondition: the job has its part.
   scene::Image pictureOfThePart() {
     return pictureFrom([&] {
       scene_.standardView(scene::StandardView::Isometric);
@@ -126,8 +126,9 @@ private:
   template <typename T>
   const std::shared_ptr<const T>& need(const std::shared_ptr<const T>& result, base::Text what) {
     if (!result)
-      throw Error(ErrorCode::UnusableInput, base::message("the job holds no {result}"_text, what),
-                  options_.where, "plan the part further: voluta-cli plan PART -o DIR"_text);
+      throw Error(ErrorCode::UnusableInput,
+                  base::message("the job contains no {result}"_text, what), options_.where,
+                  "plan the part further: voluta-cli plan PART -o DIR"_text);
     return result;
   }
 
@@ -243,7 +244,7 @@ std::vector<std::string> proofPictures(const project::Job& job) {
   try {
     return drawProofPictures(job);
   } catch (const base::Error&) {
-    return {}; // a proof is of use without pictures
+    return {}; // A report is useful without pictures
   }
 }
 

@@ -1,4 +1,4 @@
-// Pictures of a job, drawn without a window: what `voluta-cli render` and comparisons show.
+// Pictures of a job, drawn without a window, for `voluta-cli render` and comparisons.
 #pragma once
 
 #include "project/job.h"
@@ -11,32 +11,33 @@
 namespace voluta::pictures {
 
 struct PictureOptions {
-  std::string show = "paths";  // of pictureNames()
-  std::optional<int> layer;    // from 1; the layers up to it
+  std::string show = "paths";  // One of pictureNames()
+  std::optional<int> layer;    // From 1; shows the layers up to it
   std::optional<double> timeS; // robot: at this time; none: at the end
   int width = 1280, height = 800;
-  std::string colour = "layer";   // id in scene::colourByTable()
-  std::string view = "isometric"; // front, back, left, right, top, bottom
+  std::string colour = "layer";   // Id in scene::colourByTable()
+  std::string view = "isometric"; // Front, back, left, right, top, bottom
   bool dark = false;
-  bool legend = true; // and the axes
-  std::string where;  // what errors name: the job's file
+  bool legend = true; // And the axes
+  std::string where;  // Context of errors: the job's file
 };
 
-std::vector<std::string> pictureNames(); // part, voxels, pieces, layers, paths, robot
+std::vector<std::string> pictureNames(); // Returns part, voxels, pieces, layers, paths, robot.
 
-// Throws Error{Usage}: a name, layer or time that there is not; Error{UnusableInput}: the job holds
-// none of what is to be shown. Good for any thread.
+// Throws Error{Usage} for an unknown name, layer or time; Error{UnusableInput} if the job does not
+// contain the requested results. Thread-safe.
 scene::Image jobPicture(const project::Job& job, const PictureOptions& options);
-// Throws Error{Usage} for names that there are not, before a job is read.
+// Throws Error{Usage} for unknown names, before a job is read.
 void checkNames(const PictureOptions& options);
 
-// PNGs of the part and of the part as printed, in the colour of its material; none where the job
-// has no tool-paths. Throws Error{UnusableInput} where the machine draws none. Good for any thread.
+// Returns PNGs of the part and of the printed part, in the colour of its material; none if the job
+// has no tool-paths. Throws Error{UnusableInput} if the machine cannot draw. Thread-safe.
 std::vector<std::string> drawProofPictures(const project::Job& job);
-// The same, none where the machine draws none.
+// The same, but returns none if the machine cannot draw.
 std::vector<std::string> proofPictures(const project::Job& job);
 
-// What shows most of how the job is built: its paths, else layers, voxels, pieces, the part.
+// Returns the name of the most detailed available picture: paths, else layers, voxels, pieces, the
+// part.
 std::string furthestPicture(const project::Job& job);
 
 } // namespace voluta::pictures

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kHaloOpacity = 0.35;
 
-// A mapper keeps times on its input: each scene has its own shell over the shared arrays.
+// A mapper stores time stamps on its input: each scene has a separate shell over the shared arrays.
 vtkSmartPointer<vtkPolyData> shellOf(vtkPolyData* data) {
   auto shell = vtkSmartPointer<vtkPolyData>::New();
   if (data)

@@ -1,4 +1,4 @@
-// Small helpers over VTK's actors, and the look that all solids share.
+// Helpers for VTK actors, and the common look of all solids.
 #pragma once
 
 #include "scene/range_mapper.h"
@@ -17,13 +17,13 @@ struct RangeActor {
   vtkSmartPointer<RangeMapper> mapper;
 
   static RangeActor make(vtkRenderer* renderer);
-  // Faint, and seen through whatever is before it.
+  // A faint actor, visible through objects in front of it.
   static RangeActor halo(vtkRenderer* renderer);
-  // Null: nothing.
+  // Null shows nothing.
   void setData(vtkPolyData* data);
 };
 
-// Solid: lit, with a faint shine. Lines: one pixel, not lit.
+// Solid: lit, with a faint shine. Lines: one pixel wide, unlit.
 vtkSmartPointer<vtkActor> addSolid(vtkRenderer* renderer);
 vtkSmartPointer<vtkActor> addLines(vtkRenderer* renderer);
 void setData(vtkActor* actor, vtkPolyData* data);
@@ -31,7 +31,7 @@ void setColour(vtkActor* actor, const Colour& colour);
 void setPose(vtkActor* actor, const Eigen::Affine3d& world_T_model);
 void giveSolidLook(vtkActor* actor);
 
-// Two lights that go with the camera: from above on the left, and a weaker one against the shade.
+// Adds two lights that move with the camera: one from the upper left, and a weaker fill light.
 void addLights(vtkRenderer* renderer);
 
 } // namespace voluta::scene

@@ -23,8 +23,8 @@ out vec3 beadFront;
 out float beadSide;
 )";
 
-// In coordinates in which the ellipse is a unit circle the rim seen from the eye is at right
-// angles to the eye's direction.
+// In coordinates in which the ellipse is a unit circle, the silhouette is perpendicular to the
+// eye's direction.
 constexpr const char* kVertexCode = R"(
   vec3 sideways = normalize(cross(beadTangent, beadDirection));
   vec3 upwards = cross(sideways, beadTangent);
@@ -53,7 +53,7 @@ in vec3 beadFront;
 in float beadSide;
 )";
 
-// Less than fully round: rims dark to the last would be specks where beads are small.
+// Slightly flatter than round: completely dark rims would appear as specks on small beads.
 constexpr const char* kFragmentCode = R"(
   vec3 normalVCVSOutput = normalize(
       0.8 * beadSide * beadRim + sqrt(max(0.0, 1.0 - 0.64 * beadSide * beadSide)) * beadFront);
@@ -62,7 +62,7 @@ constexpr const char* kFragmentCode = R"(
 } // namespace
 
 void drawAsBeads(vtkActor* actor, RangeMapper* mapper) {
-  // The shader works in the model's own coordinates.
+  // The shader works in model coordinates.
   mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   for (const char* name : {"beadTangent", "beadDirection", "beadShape", "beadOpen"})
     mapper->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);

@@ -15,8 +15,9 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kMargin = 1.06;
-constexpr double kMostAway = 1.5, kAwayStep = 1.04; // to keep clear of what covers the picture
-// Of a machine about a print, on every side: shares of the largest edge of either's box.
+constexpr double kMostAway = 1.5, kAwayStep = 1.04; // to clear widgets over the view
+// Visible surroundings of a machine on each side of a print: shares of the largest edge of the
+// print's and the machine's box.
 constexpr double kRoomOfPrint = 3.0, kRoomOfMachine = 0.3;
 
 double halfViewAngle(vtkCamera* camera) {
@@ -41,7 +42,7 @@ std::vector<Vector3d> cornersOf(const Eigen::AlignedBox3d& box) {
   return corners;
 }
 
-// Where points are in the picture, pixels from the lower left corner.
+// Projects points into the view [pixels from the lower left corner].
 class Lens {
 public:
   explicit Lens(vtkRenderer* renderer)
@@ -65,8 +66,8 @@ private:
   Vector3d eye_, back_, right_, up_;
 };
 
-// Whether the hull of points meets a rectangle: no line parallel to one of the rectangle's sides,
-// or through two of the points, parts them.
+// Returns whether the hull of points intersects a rectangle: whether no line parallel to one of the
+// rectangle's sides, or through two of the points, separates them.
 bool meets(const std::vector<Eigen::Vector2d>& points, const Eigen::AlignedBox2d& rectangle) {
   std::vector<Eigen::Vector2d> normals{Eigen::Vector2d::UnitX(), Eigen::Vector2d::UnitY()};
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -90,7 +91,7 @@ bool meets(const std::vector<Eigen::Vector2d>& points, const Eigen::AlignedBox2d
   return true;
 }
 
-// Moves the camera so that the corners of the box just fit, `away` times as far as that.
+// Moves the camera so that the corners of the box just fit, then `away` times as far.
 void closeIn(vtkRenderer* renderer, const Eigen::AlignedBox3d& box, double away) {
   vtkCamera* camera = renderer->GetActiveCamera();
   const double aspect = aspectOf(renderer);
@@ -155,7 +156,7 @@ void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
   const double bounds[6] = {box.min().x(), box.max().x(), box.min().y(),
                             box.max().y(), box.min().z(), box.max().z()};
   renderer->ResetCamera(bounds);
-  // VTK frames the box's ball, which leaves a wide margin.
+  // VTK frames the box's bounding sphere, which leaves a wide margin.
   const std::vector<Vector3d> corners = cornersOf(inside);
   for (double away = 1.0; away < kMostAway; away *= kAwayStep) {
     closeIn(renderer, box, away);

@@ -78,7 +78,7 @@ bool CellActors::shows(const ViewState& view, std::size_t body, bool byPlatform)
 void CellActors::show(const ViewState& view, bool byPlatform) {
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     pieces_[i]->SetVisibility(shows(view, drawing_->pieces[i].body, byPlatform));
-  // Obstacles are seen as they are checked.
+  // Obstacles are drawn as their collision solids.
   for (std::size_t i = 0; i < solids_.size(); ++i)
     solids_[i]->SetVisibility(view.collisionSolids && shows(view, i, byPlatform) &&
                               drawing_->cell.bodies()[i].role != robot::BodyRole::Obstacle);

@@ -1,4 +1,4 @@
-// Bodies of a cell in a picture.
+// Bodies of a cell in a scene.
 #pragma once
 
 #include "scene/actors.h"
@@ -15,17 +15,17 @@ class CellActors {
 public:
   explicit CellActors(vtkRenderer* renderer) : renderer_(renderer) {}
 
-  // Null: none. The drawing outlives its being shown.
+  // Null shows nothing. Precondition: the drawing outlives its use here.
   void setDrawing(const CellDrawing* drawing);
   void setTheme(const Theme& theme);
-  // Poses of the cell's frames.
+  // Sets the poses of the cell's frames.
   void pose(const std::vector<Eigen::Isometry3d>& world_T_frame);
-  // `byPlatform`: the cell's platform is drawn otherwise.
+  // `byPlatform`: another drawing shows the cell's platform.
   void show(const ViewState& view, bool byPlatform);
-  // What a part stands on, and obstacles: seen through from below.
+  // Makes the part's base and obstacles transparent for views from below.
   void setSeenThrough(bool on);
 
-  // In the world; of all but obstacles.
+  // Returns the box of all bodies except obstacles, in world coordinates.
   Eigen::AlignedBox3d box() const;
 
 private:
@@ -37,7 +37,7 @@ private:
   Theme theme_;
   const CellDrawing* drawing_ = nullptr;
   std::vector<vtkSmartPointer<vtkActor>> pieces_;
-  std::vector<vtkSmartPointer<vtkActor>> solids_; // one a body
+  std::vector<vtkSmartPointer<vtkActor>> solids_; // one per body
 };
 
 } // namespace voluta::scene

@@ -13,7 +13,7 @@ namespace voluta::scene {
 
 namespace {
 
-constexpr double kFeatureAngleDeg = 30.0; // of links with meshes of their own
+constexpr double kFeatureAngleDeg = 30.0; // of links with visual meshes
 
 using Body = robot::Body;
 using Surface = vtkSmartPointer<vtkPolyData>;
@@ -37,7 +37,7 @@ void addSolid(MeshBuffers& buffers, const robot::ShapeSolid& solid) {
     buffers.addTriangle(first + t[0], first + t[1], first + t[2]);
 }
 
-// Null where there are none.
+// Returns null if there are no solids.
 template <typename Solids> Surface colouredSurface(const Solids& solids) {
   MeshBuffers buffers;
   for (const robot::ShapeSolid& solid : solids)
@@ -45,7 +45,7 @@ template <typename Solids> Surface colouredSurface(const Solids& solids) {
   return buffers.corners.empty() ? nullptr : polyDataOf(buffers);
 }
 
-// The link of a frame, or where it has none the last one before it.
+// Returns the link of a frame, or the last link before it if it has none.
 std::size_t bodyOfFrame(const robot::Cell& cell, int frame) {
   std::size_t found = 0;
   int nearest = -1;
@@ -76,7 +76,8 @@ std::vector<CellPiece> drawnArm(const robot::Cell& cell, const robot::ArmLook& l
   return pieces;
 }
 
-// A stem is drawn as it looks, all else of a platform as it is checked, but for its top.
+// A stem is drawn with its visual shape, the rest of a platform with its collision solids, except
+// for its top.
 std::vector<robot::Shape> plainShapes(const robot::Cell& cell, const Body& body) {
   std::vector<robot::Shape> shapes = body.shapes;
   if (body.role != robot::BodyRole::Platform || cell.rod())

@@ -13,7 +13,7 @@ namespace voluta::scene {
 namespace {
 
 constexpr int kStops = 5;
-constexpr double kLoneValue = 0.6; // place on the map of a value that is the same everywhere
+constexpr double kLoneValue = 0.6; // position on the map of a constant value
 constexpr std::array<base::Text, plan::kPathKinds> kKindNames{
     "Wall"_text, "Infill"_text, "Gap fill"_text, "Skirt"_text, "Support"_text, "Prime"_text};
 
@@ -56,7 +56,7 @@ struct Span {
   }
 };
 
-// Without the outermost hundredth on both sides, which would flatten all the rest.
+// Ignores the outermost hundredth on both sides, which would compress the rest of the scale.
 Span spanOf(const std::vector<float>& values) {
   if (values.empty())
     return {};
@@ -76,11 +76,12 @@ Span spanOf(const ColourValues& values, ColourBy by) {
     return {0.0, highest == values.layer.end() ? 0.0 : double(*highest)};
   }
   const Span span = spanOf(*numbers(values, by));
-  // Time and tilt are read from nought.
+  // Scales of time and tilt start at zero.
   return by == ColourBy::Time || by == ColourBy::Direction ? Span{0.0, span.high} : span;
 }
 
-// As exact as a scale of that width needs; without idle zeros where it has one value only.
+// Returns the number with the precision that a scale of that width needs, without trailing zeros if
+// the scale has one value only.
 std::string scaleNumber(double value, double width) {
   if (width <= 0.0) {
     const base::ShownNumber shown = base::shownNumber(value, 3);
@@ -118,7 +119,7 @@ ColourBy shownColouring(const ColourValues& values, ColourBy asked) {
 }
 
 namespace {
-// Both limits and the nominal height are among the stops.
+// Both limits and the nominal height are stops of the scale.
 Legend spacingLegend(const HeightLimits& heights) {
   const ColourByRow& row = rowOf(ColourBy::Spacing);
   Legend legend{row.label, std::string(row.unit), false, true, {}, {}};
@@ -129,8 +130,8 @@ Legend spacingLegend(const HeightLimits& heights) {
         std::pair(high, "limit"_text)})
     legend.entries.push_back(
         {value, fmt::format("{:.2f}", value), divergingColour(heights.shareOf(value)), note});
-  legend.marks.push_back({0.0, "Too thick to lay"_text, tooThickColour()});
-  legend.marks.push_back({0.0, "Too thin to lay"_text, tooThinColour()});
+  legend.marks.push_back({0.0, "Too thick to print"_text, tooThickColour()});
+  legend.marks.push_back({0.0, "Too thin to print"_text, tooThinColour()});
   return legend;
 }
 } // namespace
@@ -139,7 +140,7 @@ Legend voxelLegend(const VoxelDrawing& voxels, const Theme& theme) {
   Legend legend =
       scaleLegend(rowOf(voxels.colouredBy), {0.0, double(std::max(voxels.highest, 1) - 1)});
   if (voxels.bySteps)
-    legend.marks.push_back({0.0, "Step being laid"_text, theme.current});
+    legend.marks.push_back({0.0, "Current growth step"_text, theme.current});
   const auto add = [&](base::Text label, const Colour& colour, std::size_t count) {
     if (count > 0)
       legend.marks.push_back({0.0, label, colour, count});
@@ -195,7 +196,7 @@ std::vector<std::uint8_t> coloursOf(const ColourValues& values, ColourBy colourB
     std::array<std::array<std::uint8_t, 3>, 256> map{};
     for (std::size_t i = 0; i < map.size(); ++i)
       map[i] = bytes(divergingColour(double(i) / 255.0));
-    // Layers are held to the limits; what reaches them is not beyond.
+    // Layers are clamped to the limits; a layer at a limit is within it.
     constexpr double kSlack = 1e-3;
     out.reserve(3 * values.height.size() * static_cast<std::size_t>(repeat));
     for (const float height : values.height) {

@@ -1,4 +1,4 @@
-// From values to colours and their legend.
+// Conversion of values to colours, and their legend.
 #pragma once
 
 #include "scene/drawing_data.h"
@@ -8,16 +8,17 @@
 
 namespace voluta::scene {
 
-// The colouring that is drawn when `asked` is asked for: Layer where there are no such values.
+// Returns the drawn colouring for a requested one: Layer if its values are missing.
 ColourBy shownColouring(const ColourValues& values, ColourBy asked);
 
 // Precondition: shownColouring(values, colourBy) == colourBy.
 Legend legendOf(const ColourValues& values, ColourBy colourBy);
 
-// Three bytes an item, each item `repeat` times.
+// Returns three bytes per item, each item `repeat` times.
 std::vector<std::uint8_t> coloursOf(const ColourValues& values, ColourBy colourBy, int repeat);
 
-// What the colours of a drawing of voxels say; the growth's own colours only where it is replayed.
+// Returns the legend of a drawing of voxels; includes growth's colours only while growth is
+// replayed.
 Legend voxelLegend(const VoxelDrawing& voxels, const Theme& theme);
 
 } // namespace voluta::scene

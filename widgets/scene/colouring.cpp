@@ -39,14 +39,14 @@ ColourBy colourByOf(std::string_view id) {
 
 namespace {
 
-// Hue turns from violet-blue over green to yellow while lightness rises evenly: the path that
-// keeps neighbouring steps apart for every kind of colour vision. Stops in CIE L*a*b*.
+// Hue changes from violet-blue over green to yellow while lightness increases evenly: neighbouring
+// steps stay distinguishable for every kind of colour vision. Stops in CIE L*a*b*.
 struct Lab {
   double l, a, b;
 };
 constexpr std::array<Lab, 6> kSequential{
     {{22, 30, -38}, {36, 6, -38}, {50, -18, -18}, {64, -34, 10}, {78, -28, 44}, {92, -6, 66}}};
-// Blue and brown stay apart for every kind of colour vision; both ends are equally dark.
+// Blue and brown are distinguishable for every kind of colour vision; both ends are equally dark.
 constexpr std::array<Lab, 5> kDiverging{
     {{34, 10, -48}, {63, -8, -30}, {95, 0, 3}, {74, 0, 54}, {34, 3, 40}}};
 

@@ -1,4 +1,4 @@
-// What the drawings hold. Private to the module.
+// Contents of the drawings. Private to the module.
 #pragma once
 
 #include "scene/colouring.h"
@@ -12,7 +12,7 @@
 
 namespace voluta::scene {
 
-// The part stands on z = 0; the top of a plate is drawn just below, so that it does not flicker
+// The part is on z = 0; the top of a plate is drawn slightly below, so that it does not flicker
 // through the part's underside.
 inline constexpr double kPlateTopMm = -0.05;
 
@@ -29,23 +29,23 @@ struct PlatformDrawing {
   Eigen::AlignedBox3d box;                      // of the plate and the body
 };
 
-// Reasons for which a voxel is missed, curved::Loss without None, in its order.
+// Reasons why a voxel is missed, curved::Loss without None, in its order.
 inline constexpr std::size_t kLossCount = 3;
 
 struct VoxelDrawing {
   voxel::VoxelGrid grid;
-  std::vector<std::int32_t> rank; // the order in which they are shown, from 1; -1 missed
+  std::vector<std::int32_t> rank; // display order, from 1; -1 missed
   int layers = 0;
   bool bySteps = false;
-  // Faces on the outside, and those between ranks: these are needed only when not all layers are
-  // shown.
+  // Faces on the outside, and those between ranks, which are needed only while some layers are
+  // hidden.
   vtkSmartPointer<vtkPolyData> outside, inside, missed;
   LayeredFaces outer, upper, lower;
   std::array<Stretch, kLossCount> missedFaces; // of `missed`, by reason
   std::array<std::size_t, kLossCount> lost{};  // voxels, by reason
   std::size_t support = 0;                     // voxels
   ColourBy colouredBy = ColourBy::Layer;
-  int highest = 0; // value that the scale ends at; it begins at 1
+  int highest = 0; // last value of the scale, which begins at 1
   Eigen::AlignedBox3d box;
 };
 
@@ -54,31 +54,31 @@ struct FrontDrawing {
 };
 
 struct ReachDrawing {
-  vtkSmartPointer<vtkPolyData> surface; // a colour a point
+  vtkSmartPointer<vtkPolyData> surface; // one colour per point
 };
 Legend reachLegend();
 
-// Values behind the colourings, one an item.
+// Values of the colourings, one per item.
 struct ColourValues {
   std::vector<std::int32_t> layer, group, kind; // empty: no such colouring
   std::vector<float> height, width, speed, minutes, tiltDeg;
-  HeightLimits heights; // known: height is offered as spacing too
+  HeightLimits heights; // if known, height is offered as spacing too
 };
 
 struct LayersDrawing {
   vtkSmartPointer<vtkPolyData> surface;
   LayeredFaces bands, upper, lower;
-  ColourValues values; // a point
+  ColourValues values; // per point
   std::vector<std::uint32_t> patchOfTriangle;
   Eigen::AlignedBox3d box;
   int layers = 0;
 };
 
-// Stretch of beads that is hidden as a whole once all that lies around it is there.
+// A stretch of beads that is hidden as a whole once all its surroundings are printed.
 struct BeadChunk {
   std::size_t first = 0, count = 0; // segments, in drawn order
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  Eigen::Vector3d half = Eigen::Vector3d::Zero(); // of the box that holds it
+  Eigen::Vector3d half = Eigen::Vector3d::Zero(); // of its bounding box
   int layer = 0, hidingLayer = 0;
   std::uint32_t hidingWaypoint = 0;
 };
@@ -86,7 +86,7 @@ struct BeadChunk {
 struct PieceShape {
   std::shared_ptr<const PartDrawing> solid;
   vtkSmartPointer<vtkPolyData> safe, risky;   // the solid's faces
-  vtkSmartPointer<vtkPolyData> base, baseRim; // null: stands on the plate
+  vtkSmartPointer<vtkPolyData> base, baseRim; // null: on the plate
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   int parent = -1;
 };
@@ -100,40 +100,40 @@ struct PiecesDrawing {
 struct PathsDrawing {
   // Points 2 i and 2 i + 1 are the two sides of waypoint i's bead; a segment is two triangles.
   vtkSmartPointer<vtkPolyData> beads;
-  vtkSmartPointer<vtkPolyData> travels; // one line a travel move
-  // Segments in drawn order: by layer, within it in print order; the ones that stay visible first,
-  // then the others in chunks. A place counts two triangles.
+  vtkSmartPointer<vtkPolyData> travels; // one line per travel move
+  // Segments in drawn order: by layer, within it in print order; first the permanently visible
+  // ones, then the others in chunks. One index counts two triangles.
   std::vector<std::uint32_t> arrival; // waypoint at a segment's end
   std::vector<std::size_t> outerStart;
-  // After all of them: those that stay visible once more with every other waypoint left out, for
-  // fast frames. Their places count on from the fine ones' in `arrival`.
+  // Behind all of them: the permanently visible ones again with every other waypoint left out, for
+  // fast frames. In `arrival` their indices follow those of the fine ones.
   std::vector<std::size_t> coarseStart;
   std::vector<BeadChunk> chunks;
   std::vector<std::size_t> chunkStart; // of a layer, in chunks
   std::vector<std::uint32_t> travelArrival;
   std::vector<std::size_t> travelStart;
   std::vector<std::vector<std::uint32_t>> waypointsOfLayer;
-  std::vector<std::uint32_t> pathOf; // a waypoint
+  std::vector<std::uint32_t> pathOf; // per waypoint
   std::vector<int> layerOfPath;
-  ColourValues values; // a waypoint
+  ColourValues values; // per waypoint
   Eigen::AlignedBox3d box;
 };
 
-// A line along the tops of the beads of a path; empty for a path that is not there.
+// Returns a line along the tops of the beads of a path; empty for an unknown path.
 vtkSmartPointer<vtkPolyData> pathLine(const PathsDrawing& paths, std::size_t path);
 
-// What is seen of a body of a cell, or a part of it.
+// Visible part of a body of a cell.
 struct CellPiece {
   std::size_t body = 0;                 // index in Cell::bodies()
-  int frame = 0;                        // the frame that it moves with
-  vtkSmartPointer<vtkPolyData> surface; // coloured: a colour a point, else the theme's
+  int frame = 0;                        // the frame that moves it
+  vtkSmartPointer<vtkPolyData> surface; // if coloured, one colour per point, otherwise the theme's
   bool coloured = false;
 };
 
 struct CellDrawing {
   robot::Cell cell;
-  std::vector<CellPiece> pieces;                    // of links first
-  std::vector<vtkSmartPointer<vtkPolyData>> solids; // that are checked, one a body
+  std::vector<CellPiece> pieces;                    // links first
+  std::vector<vtkSmartPointer<vtkPolyData>> solids; // collision solids, one per body
 };
 
 } // namespace voluta::scene

@@ -1,7 +1,7 @@
-// What can be drawn, prepared once and then shown by a Scene. The functions take core data and may
-// run on any thread (they take from milliseconds to a second or two); what they return is
-// immutable, may be shared by several scenes and is swapped in in less than a millisecond.
-// All but the cell is in the work frame, mm.
+// Drawings: prepared once and then shown by a Scene. The functions take core data and may run on
+// any thread (they take from milliseconds to a second or two). The results are immutable, may be
+// shared by several scenes and are swapped in in less than a millisecond. All drawings except the
+// cell are in the work frame [mm].
 #pragma once
 
 #include "curved/decomposition.h"
@@ -35,90 +35,95 @@ struct CellDrawing;
 struct FrontDrawing;
 struct ReachDrawing;
 
-// The part as a solid: shaded smoothly up to a feature angle of 45 degrees, edges sharper than
-// that and open boundaries as lines.
+// Draws the part as a solid: smooth shading up to a feature angle of 45 degrees, sharper edges and
+// open boundaries as lines.
 std::shared_ptr<const PartDrawing> drawPart(const geometry::TriangleMesh& part);
 
-// What material starts on. A plate is thin, with its outline, on a ground grid of 10 mm that
-// reaches `groundRadiusMm` from the origin (0: no grid); around a rod there is no ground. A rod has
-// a line along it at angle 0, by which it is seen to turn. Precondition: checkRod.
+// Draws the platform. A plate is thin, with its outline, on a ground grid of 10 mm that extends
+// `groundRadiusMm` from the origin (0: no grid); around a rod there is no ground. A rod has a line
+// along it at angle 0, which makes its rotation visible. Precondition: checkRod.
 std::shared_ptr<const PlatformDrawing> drawPlatform(const platform::PlatformSolid& platform,
                                                     double groundRadiusMm);
 
 struct VoxelLook {
-  // > 0 and there is a field: layers are those that are cut from the field; else rank 1 is layer 0.
+  // If > 0 and there is a field, layers are those cut from the field; otherwise rank 1 is layer 0.
   double layerHeightMm = 0.0;
-  bool bySteps = false; // what is shown is chosen by growth step (rank 1 is layer 0), for replaying
+  // the growth step selects the visible voxels (rank 1 is layer 0), for replaying
+  bool bySteps = false;
   ColourBy colourBy = ColourBy::Layer; // Layer, GrowthStep or Peeling; others count as Layer
-  // For Peeling: curved::peelingField, an entry a cell. Null: as Layer.
+  // For Peeling: curved::peelingField, one entry per cell. Null: as Layer.
   std::shared_ptr<const std::vector<std::int32_t>> peeling = nullptr;
 };
 
-// Solid voxels: the faces that are visible for any range of layers. Support has a colour of its
-// own. Missed voxels stand out, by the reason they are missed for: they shine through what is
-// before them.
+// Draws solid voxels: the faces that are visible for any range of layers. Support has a separate
+// colour. Missed voxels are highlighted by their reason, and visible through objects in front of
+// them.
 std::shared_ptr<const VoxelDrawing> drawVoxels(const curved::Decomposition& decomposition,
                                                const VoxelLook& look = {});
-// Layers, or growth steps where look.bySteps.
+// Returns the number of layers, or of growth steps if look.bySteps.
 int layerCount(const VoxelDrawing& drawing);
 std::size_t missedCount(const VoxelDrawing& drawing);
 
-// The convex front as glass; curved::frontSurface gives it.
+// Draws the convex front as glass; its surface comes from curved::frontSurface.
 std::shared_ptr<const FrontDrawing> drawFront(const geometry::TriangleMesh& front);
 
-// Heights of a layer, mm: nominal, and the limits of what the process lays.
+// Heights of a layer [mm]: nominal, and the process's limits.
 struct HeightLimits {
   double nominalMm = 0.0, minMm = 0.0, maxMm = 0.0;
   bool known() const { return minMm < nominalMm && nominalMm < maxMm; }
-  // Place on divergingColour's map: 0 at the lower limit, 1/2 at the nominal height, 1 at the upper
-  // limit; beyond the limits less than 0 or more than 1.
+  // Returns the position on divergingColour's map: 0 at the lower limit, 1/2 at the nominal height,
+  // 1 at the upper limit; less than 0 or more than 1 beyond the limits.
   double shareOf(double heightMm) const {
     return heightMm < nominalMm ? 0.5 * (heightMm - minMm) / (nominalMm - minMm)
                                 : 0.5 + 0.5 * (heightMm - nominalMm) / (maxMm - nominalMm);
   }
 };
 
-// Patches as slabs of their thickness: bands along their boundaries, and their upper and lower
-// sides. `heights` are for ColourBy::Spacing, which falls back on the layer where not known.
+// Draws patches as slabs of their thickness: bands along their boundaries, and their upper and
+// lower sides. `heights` are for ColourBy::Spacing, which falls back to the layer if they are
+// unknown.
 std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack,
                                                 const HeightLimits& heights = {});
 int layerCount(const LayersDrawing& drawing);
 
-// Beads with their width and height, travel moves between them. `trajectory` gives the times for
-// ColourBy::Time; without it that colouring falls back on the layer.
+// Draws beads with their width and height, and the travel moves between them. `trajectory` gives
+// the times for ColourBy::Time, which falls back to the layer without it.
 std::shared_ptr<const PathsDrawing> drawPaths(const plan::ToolPlan& plan,
                                               const plan::Trajectory* trajectory = nullptr);
 int layerCount(const PathsDrawing& drawing);
-// Waypoints of one layer in print order, as ViewState::moves counts them; empty for a layer that
-// is not there.
+// Returns the waypoints of one layer in print order, as counted by ViewState::moves; empty for an
+// unknown layer.
 const std::vector<std::uint32_t>& waypointsOfLayer(const PathsDrawing& drawing, int layer);
 
-// Pieces of planar mode in print order: a colour each, the faces that need support, base planes.
+// Draws pieces of planar mode in print order: one colour each, the faces that need support, base
+// planes.
 std::shared_ptr<const PiecesDrawing> drawPieces(const std::vector<planar::Piece>& pieces,
                                                 const planar::RiskRule& rule);
 int pieceCount(const PiecesDrawing& drawing);
-// Axes of a base plane, unit vectors in columns: level across, upwards along, and its normal.
+// Returns the axes of a base plane, unit vectors in columns: horizontal, upwards within the plane,
+// and its normal.
 Eigen::Matrix3d baseAxes(const Eigen::Vector3d& normal);
-// Where each piece goes when each is moved that far off the one it stands on, along its direction.
+// Returns the displacement of each piece when each is moved by that distance from its supporting
+// piece, along its direction.
 std::vector<Eigen::Vector3d> pieceOffsets(const PiecesDrawing& drawing, double explodeMm);
-// And its base plane, which stays on the piece that is cut.
+// Returns that of its base plane, which stays on the piece that is cut.
 Eigen::Vector3d basePlaneOffset(const PiecesDrawing& drawing, std::size_t piece, double explodeMm);
 
-// How much of what was asked for is reached over a point of the plate: share in [0, 1].
+// Reached share of the poses over a point of the plate, in [0, 1].
 struct ReachPoint {
   Eigen::Vector2d at;
   double share;
 };
-// A map on the plate: squares of `spacingMm` about points of a lattice, cut off at its edge.
-// `plate`: convex, counter-clockwise.
+// Draws a map on the plate: squares of `spacingMm` about points of a lattice, cut off at its edge.
+// Precondition: `plate` is convex and counter-clockwise.
 std::shared_ptr<const ReachDrawing> drawReach(const std::vector<ReachPoint>& points,
                                               double spacingMm,
                                               const std::vector<Eigen::Vector2d>& plate);
 
-// The arm as it looks, head, holder, platform and obstacles, and the solids that are checked for
-// collisions (ViewState::collisionSolids).
+// Draws the arm with its visual shape, head, holder, platform and obstacles, and the collision
+// solids (ViewState::collisionSolids).
 std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell, const robot::ArmLook& look);
-// The same of a cell with the same arm, whose links are taken from what was drawn before.
+// The same for a cell with the same arm, whose links are reused from the previous drawing.
 std::shared_ptr<const CellDrawing> drawCell(const robot::Cell& cell, const CellDrawing& before);
 
 } // namespace voluta::scene

@@ -7,7 +7,7 @@
 namespace voluta::scene {
 
 namespace {
-constexpr double kSolidOpacity = 0.5; // what is fainter is seen through
+constexpr double kSolidOpacity = 0.5; // fainter drawings count as transparent
 
 void keepNearest(std::optional<RayHit>& best, const std::optional<RayHit>& hit) {
   if (hit && (!best || hit->t < best->t))

@@ -1,4 +1,4 @@
-// What a scene draws at present: its drawings under its view, what a ray meets of them and how.
+// The current drawings of a scene under its view, and ray queries.
 #pragma once
 
 #include "scene/drawing_data.h"
@@ -15,7 +15,7 @@
 
 namespace voluta::scene {
 
-// A null drawing: not there.
+// A null drawing is not shown.
 struct Drawn {
   ViewState view;
   std::shared_ptr<const PartDrawing> part;
@@ -33,18 +33,19 @@ struct Drawn {
   bool shows(bool wanted, const void* drawing) const { return wanted && drawing; }
   bool replaysGrowth() const { return view.growthStep && shows(view.voxels, growth.get()); }
   const VoxelDrawing* shownVoxels() const;
-  bool isSeeThrough() const; // the part
+  bool isSeeThrough() const; // of the part
   bool isBodyShown(std::size_t body) const;
-  // Precondition: layers. `undersides`: also the faces that look down.
+  // Precondition: layers are shown. `undersides`: also the faces that face down.
   std::vector<Stretch> layerStretches(bool undersides) const;
 
-  // Rays are in the work frame. The nearest thing that is drawn.
+  // Returns the nearest visible hit. Rays are in the work frame.
   std::optional<RayHit> nearest(const Ray& ray) const;
-  // What is met within `lengthMm`. `printed`: is material looked at too, which takes longer?
+  // Returns the objects hit within `lengthMm`. `printed`: also tests printed material, which takes
+  // longer.
   Between between(const Ray& ray, double lengthMm, bool printed) const;
 
 private:
-  // The part, voxels, pieces, layers and paths. `solid`: not what is see-through.
+  // Tests the part, voxels, pieces, layers and paths. `solid`: without transparent ones.
   std::optional<RayHit> nearestPrinted(const Ray& ray, bool solid) const;
   std::vector<Eigen::Isometry3d> framesInWork() const;
 };

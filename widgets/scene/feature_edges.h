@@ -1,4 +1,4 @@
-// Edges of a surface worth a line.
+// Feature edges of a surface.
 #pragma once
 
 #include <vtkPolyData.h>
@@ -6,8 +6,8 @@
 
 namespace voluta::scene {
 
-// Lines along edges at which the surface turns by more than `angleDeg`, and where asked along its
-// open and non-manifold edges.
+// Returns lines along edges at which the surface turns by more than `angleDeg`, and, if
+// `openEdges`, along its open and non-manifold edges.
 vtkSmartPointer<vtkPolyData> featureEdges(vtkPolyData* surface, double angleDeg, bool openEdges);
 
 } // namespace voluta::scene

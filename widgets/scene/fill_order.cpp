@@ -10,8 +10,8 @@ namespace voluta::scene {
 
 namespace {
 
-// Beads farther apart than this many cells count as open: a cell is a bead wide, and the next
-// cell's beads must not be mistaken for the bead itself.
+// Beads farther apart than this number of cells count as open: a cell is as wide as a bead, and the
+// next cell's beads must not be mistaken for the bead itself.
 constexpr double kReachInCells = 1.4;
 constexpr double kMaxCells = 4e7;
 constexpr int kProbes = 8;
@@ -60,7 +60,7 @@ std::uint32_t FillOrder::filledAt(const Eigen::Vector3d& point) const {
                                              : kNeverFilled;
 }
 
-// Calls f(direction, when it is filled) for eight directions around the bead.
+// Calls f(direction, fill time) for eight directions around the bead.
 template <typename F>
 void FillOrder::forProbes(const plan::ToolPlan& plan, std::size_t waypoint, F&& f) const {
   const Eigen::Vector3d a = centreOf(plan, waypoint - 1), b = centreOf(plan, waypoint);
@@ -72,7 +72,7 @@ void FillOrder::forProbes(const plan::ToolPlan& plan, std::size_t waypoint, F&& 
     const double angle = 2 * base::kPi * i / kProbes;
     const Eigen::Vector3d direction = std::cos(angle) * side + std::sin(angle) * up;
     const Eigen::Vector3d probe = middle + reach * direction;
-    // What lies on the platform is closed from below.
+    // The platform closes beads on it from below.
     f(direction, onPlate_ && probe.z() < 0.0 ? 0 : filledAt(probe));
   }
 }
@@ -93,7 +93,7 @@ Eigen::Vector3d FillOrder::openSide(const plan::ToolPlan& plan, std::size_t wayp
       ++open;
     }
   });
-  // More than half open: a thin wall or a lone bead, to be seen from all sides.
+  // More than half open: a thin wall or a single bead, visible from all sides.
   const bool oneSided = open > 0 && open <= kProbes / 2 && sum.norm() > 0.9;
   return oneSided ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d::Zero();
 }

@@ -1,4 +1,4 @@
-// When each place of a plan is filled, on a coarse grid: enough to tell which beads end up hidden.
+// Fill times of a plan on a coarse grid: sufficient to find the beads that end up hidden.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -16,12 +16,12 @@ class FillOrder {
 public:
   explicit FillOrder(const plan::ToolPlan& plan);
 
-  // The waypoint with whose arrival the bead that ends at `waypoint` (coming from the one before
-  // it) is surrounded on all sides; kNeverFilled where a side stays open. Precondition: it is not
-  // the first of its path.
+  // Returns the waypoint at whose arrival the bead that ends at `waypoint` (coming from the one
+  // before it) is surrounded on all sides; kNeverFilled if a side stays open. Precondition: it is
+  // not the first of its path.
   std::uint32_t surroundedAt(const plan::ToolPlan& plan, std::size_t waypoint) const;
-  // Unit vector to the side that stays open for ever; zero where none does, or opposite ones.
-  // Same precondition.
+  // Returns the unit vector to the side that stays open permanently; zero if none does, or if
+  // opposite ones do. Same precondition.
   Eigen::Vector3d openSide(const plan::ToolPlan& plan, std::size_t waypoint) const;
 
 private:
@@ -31,7 +31,7 @@ private:
 
   voxel::VoxelGrid grid_;
   std::vector<std::uint32_t> filledAt_;
-  bool onPlate_ = true; // closed from below; around a rod beads lie on all sides of z = 0
+  bool onPlate_ = true; // closed from below; around a rod there are beads on both sides of z = 0
 };
 
 } // namespace voluta::scene

@@ -5,7 +5,7 @@
 namespace voluta::scene {
 
 namespace {
-constexpr double kFeatureAngleDeg = 12.0; // flat faces come as several triangles
+constexpr double kFeatureAngleDeg = 12.0; // flat faces consist of several triangles
 }
 
 std::shared_ptr<const FrontDrawing> drawFront(const geometry::TriangleMesh& front) {

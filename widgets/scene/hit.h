@@ -1,4 +1,4 @@
-// What a ray meets of what a scene draws.
+// Results of ray queries on the drawings of a scene.
 #pragma once
 
 #include "robot/robot_model.h"
@@ -12,7 +12,7 @@ namespace voluta::scene {
 struct Hit {
   enum class What { Part, Platform, Voxel, Layer, Path, Piece, Cell };
   What what = What::Part;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // work frame, mm
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in the work frame [mm]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // unit, of the facet; zero for paths and cell
   int layer = -1;                     // Voxel (not while growth is replayed), Layer, Path
   std::size_t path = 0, waypoint = 0; // Path: indices in the ToolPlan
@@ -22,10 +22,10 @@ struct Hit {
   std::size_t body = 0;               // Cell: index in Cell::bodies()
 };
 
-// What a straight line from a place to an eye meets on its way, of what is drawn.
+// Visible objects hit by a straight line from a place to the eye.
 struct Between {
-  bool printed = false;  // part, voxels, pieces, layers or paths; not what is see-through
-  bool platform = false; // the drawing of it
+  bool printed = false;  // part, voxels, pieces, layers or paths, unless transparent
+  bool platform = false; // its drawing
   std::array<bool, robot::kBodyRoleCount> roles{}; // of the cell's bodies
   bool machine() const;                            // the platform, or a body
 };

@@ -14,16 +14,16 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kPixelsACell = 4.0;
-constexpr int kMostCells = 320; // a side
+constexpr int kMostCells = 320; // per side
 constexpr std::int32_t kNobody = -1;
 
-// Who is nearest in each cell, and how near.
+// The nearest body of each cell, and its depth.
 struct Cells {
   int columns = 0, rows = 0;
-  double pixels = kPixelsACell; // a side of a cell
+  double pixels = kPixelsACell; // per side of a cell
   std::vector<std::int32_t> body;
   std::vector<float> depth;
-  std::vector<bool> through; // who is there is seen through the others
+  std::vector<bool> through; // the body is visible through the others
 
   explicit Cells(const LabelView& view) {
     pixels = std::max(kPixelsACell, std::max(view.width, view.height) / double(kMostCells));
@@ -37,7 +37,7 @@ struct Cells {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(x);
   }
-  // Of a cell's middle.
+  // Returns the clip coordinates of a cell's centre.
   Vector2d clip(int x, int y) const {
     return {2.0 * (x + 0.5) / columns - 1.0, 2.0 * (y + 0.5) / rows - 1.0};
   }
@@ -53,7 +53,7 @@ public:
     corners_.clear();
     for (const Vector3d& p : body.mesh->vertices) {
       const Eigen::Vector4d q = clip_T_body * p.homogeneous();
-      // In cells; without a depth: behind the eye.
+      // In cells; no depth if behind the eye.
       corners_.push_back(q.w() > 0.0 ? Vector3d(0.5 * (q.x() / q.w() + 1.0) * cells_.columns - 0.5,
                                                 0.5 * (q.y() / q.w() + 1.0) * cells_.rows - 0.5,
                                                 q.z() / q.w())
@@ -116,8 +116,8 @@ private:
   std::vector<Vector3d> corners_;
 };
 
-// Of each cell to the nearest of another body or the picture's edge, in cells: chamfer distances,
-// 3 to a side and 4 to a corner.
+// Returns each cell's distance to the nearest cell of another body or the view's edge [cells]:
+// chamfer distances, 3 to a side and 4 to a corner.
 std::vector<float> distancesToOthers(const Cells& cells) {
   constexpr int kSide = 3, kCorner = 4;
   std::vector<int> distance(cells.body.size(), std::numeric_limits<int>::max() / 2);

@@ -1,5 +1,5 @@
-// Where in a picture a body can be labelled: in the middle of what is seen of it. A small picture
-// of who is seen where is made for that, without OpenGL.
+// Positions of body labels in a view: the middle of a body's visible area. Computed from a small
+// image of the nearest bodies, rendered without OpenGL.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -14,20 +14,21 @@ namespace voluta::scene {
 struct SeenBody {
   const geometry::TriangleMesh* mesh = nullptr;
   Eigen::Isometry3d world_T_body = Eigen::Isometry3d::Identity();
-  bool throughOthers = false; // the others are glass before it
+  bool throughOthers = false; // the others are drawn as glass in front of it
 };
 
 struct LabelView {
   Eigen::Matrix4d clip_T_world = Eigen::Matrix4d::Identity(); // OpenGL's: visible in [-1, 1]^3
   int width = 0, height = 0;                                  // pixels
-  double leastRadius = 0.0; // pixels: what shows less than a disc of it gets no label
-  double apart = 0.0;       // pixels between two labels at least
-  // Null: all is. In the world.
+  double leastRadius = 0.0; // minimum radius [pixels] of a visible disc that gets a label
+  double apart = 0.0;       // minimum distance between two labels [pixels]
+  // Whether a point in world coordinates is shown. Null: all are.
   std::function<bool(const Eigen::Vector3d&)> shown;
 };
 
-// One a body, in the body's frame, on its surface: where the largest disc fits into what is seen of
-// it. None where it is hidden, or where the label of a body that shows more is in the way.
+// Returns for each body the point on its surface, in its frame, where the largest disc fits into
+// its visible area. None if it is hidden, or if the label of a body with a larger visible area is
+// too near.
 std::vector<std::optional<Eigen::Vector3d>> labelPlaces(const std::vector<SeenBody>& bodies,
                                                         const LabelView& view);
 

@@ -26,7 +26,7 @@ LayeredFaces::LayeredFaces(std::vector<LayeredFace>& faces, std::size_t firstPri
 void LayeredFaces::append(std::vector<Stretch>& stretches, int first, int last,
                           std::int32_t hidingKey) const {
   const int end = std::min(last, layerCount() - 1);
-  // "All layers" is as large as the key of what nothing hides.
+  // The key of faces that are never hidden also stands for "all layers".
   hidingKey = std::min(hidingKey, kNeverHidden - 1);
   for (int layer = std::max(first, 0); layer <= end; ++layer) {
     const auto from = keys_.begin() + static_cast<std::ptrdiff_t>(start_[layer]);

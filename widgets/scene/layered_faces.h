@@ -1,4 +1,4 @@
-// Faces sorted so that those visible for any range of layers are a few stretches.
+// Faces sorted so that the visible ones for any range of layers are a few stretches.
 #pragma once
 
 #include "scene/range_mapper.h"
@@ -10,18 +10,18 @@
 
 namespace voluta::scene {
 
-// A face belongs to a layer and is hidden by another one. Upper sides: hidden once layer `key` is
-// shown too. Lower sides hold minus the layer that hides them. kNeverHidden: on the outside.
+// A face belongs to a layer and is hidden by another one. Upper sides are hidden once layer `key`
+// is shown too. Lower sides store minus the layer that hides them. kNeverHidden: on the outside.
 struct LayeredFace {
   std::int32_t layer = 0, key = 0;
-  std::int32_t face = 0; // whatever the owner means by it
+  std::int32_t face = 0; // the owner's index
 };
 inline constexpr std::int32_t kNeverHidden = std::numeric_limits<std::int32_t>::max();
 
 class LayeredFaces {
 public:
   LayeredFaces() = default;
-  // Sorts `faces` by layer and falling key. Face i of the sorted ones has the primitives
+  // Sorts `faces` by layer and descending key. Face i of the sorted ones has the primitives
   // [firstPrimitive + i * primitivesAFace, ...).
   LayeredFaces(std::vector<LayeredFace>& faces, std::size_t firstPrimitive,
                std::size_t primitivesAFace);

@@ -16,18 +16,18 @@ namespace {
 
 using CellKey = std::uint64_t;
 
-// Width of the ledges kept along boundaries, in thicknesses of a layer: where a part is shallow
-// one sees so far between layers.
+// Width of the ledges kept along boundaries, in thicknesses of a layer: the visible depth between
+// layers where a part's slope is shallow.
 constexpr double kLedgeInCells = 1.8;
 
-// A grid without bounds.
+// An unbounded grid.
 class CellKeys {
 public:
   explicit CellKeys(double pitch) : pitch_(pitch) {}
   double pitch() const { return pitch_; }
   CellKey keyOf(const Eigen::Vector3d& p) const {
     const Eigen::Vector3d c = (p / pitch_).array().floor().matrix();
-    constexpr double kHalf = 1 << 20; // 21 bits an axis
+    constexpr double kHalf = 1 << 20; // 21 bits per axis
     return (static_cast<CellKey>(c.x() + kHalf) << 42) |
            (static_cast<CellKey>(c.y() + kHalf) << 21) | static_cast<CellKey>(c.z() + kHalf);
   }
@@ -36,7 +36,7 @@ private:
   double pitch_;
 };
 
-// Which layers have material in a cell: asked for the next one above or below a layer.
+// The layers with material in a cell, for finding the next one above or below a layer.
 class LayerMarks {
 public:
   explicit LayerMarks(double pitch) : cells_(pitch) {}
@@ -111,9 +111,9 @@ LayerMarks marksOf(const layers::LayerStack& stack) {
 
 using Edge = std::pair<int, int>;
 
-// Edges of one triangle only, in that triangle's sense.
+// Returns edges of one triangle only, in that triangle's orientation.
 std::vector<Edge> boundaryOf(const geometry::TriangleMesh& surface) {
-  std::vector<std::pair<Edge, Edge>> edges; // sorted ends, and as the triangle runs
+  std::vector<std::pair<Edge, Edge>> edges; // sorted ends, and the triangle's orientation
   for (const auto& t : surface.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const Edge edge{t[k], t[(k + 1) % 3]};
@@ -132,7 +132,7 @@ std::vector<Edge> boundaryOf(const geometry::TriangleMesh& surface) {
   return boundary;
 }
 
-// Per vertex: within a cell's width of the boundary, or a little more.
+// Per vertex: whether it is within about a cell's width of the boundary.
 std::vector<char> nearBoundary(const geometry::TriangleMesh& surface,
                                const std::vector<Edge>& boundary, const CellKeys& cells) {
   std::unordered_set<CellKey> marked;
@@ -151,8 +151,8 @@ std::vector<char> nearBoundary(const geometry::TriangleMesh& surface,
   return near;
 }
 
-// Collects points with their values and triangles with their patch, each triangle to one of the
-// three kinds of faces.
+// Collects points with their values and triangles with their patch, and assigns each triangle to
+// one of the three kinds of faces.
 class SlabBuilder {
 public:
   void add(const layers::Patch& patch, std::uint32_t index, const LayerMarks& marks) {
@@ -169,7 +169,7 @@ public:
     for (const auto& t : patch.surface.triangles) {
       const auto a = static_cast<std::size_t>(t[0]), b = static_cast<std::size_t>(t[1]),
                  c = static_cast<std::size_t>(t[2]);
-      // Layers do not end in line: near its boundary one shows beside the next.
+      // Layers do not end at the same line: near its boundary one is visible next to the next.
       const bool open = atEdge[a] || atEdge[b] || atEdge[c];
       const Eigen::Vector3d centre = (vertices[a] + vertices[b] + vertices[c]) / 3.0;
       const Eigen::Vector3d step =

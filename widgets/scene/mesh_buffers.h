@@ -1,4 +1,4 @@
-// Flat arrays on their way into VTK.
+// Flat arrays for building VTK meshes.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,10 +10,10 @@
 namespace voluta::scene {
 
 struct MeshBuffers {
-  std::vector<float> points, normals; // x y z a point; normals may be empty
-  std::vector<std::uint8_t> rgb;      // a colour a point, or empty
-  std::vector<std::int32_t> corners;  // three a triangle
-  std::vector<std::int32_t> lineEnds; // two a line
+  std::vector<float> points, normals; // x y z per point; normals may be empty
+  std::vector<std::uint8_t> rgb;      // one colour per point, or empty
+  std::vector<std::int32_t> corners;  // three per triangle
+  std::vector<std::int32_t> lineEnds; // two per line
 
   std::int32_t addPoint(const Eigen::Vector3d& p) {
     for (int k = 0; k < 3; ++k)
@@ -38,10 +38,10 @@ struct MeshBuffers {
   }
 };
 
-// Bounds are computed already, so that the result can be read from several threads.
+// Returns the mesh with its bounds already computed, so that several threads can read it.
 vtkSmartPointer<vtkPolyData> polyDataOf(const MeshBuffers& buffers);
 
-// A named float array over the points of `data`.
+// Adds a named float array over the points of `data`.
 void addPointArray(vtkPolyData* data, const char* name, int components,
                    const std::vector<float>& values);
 

@@ -26,13 +26,12 @@ namespace {
 constexpr int kSmallest = 16, kLargest = 8192;
 
 [[noreturn]] void noOpenGl(base::Text why) {
-  throw base::Error(
-      base::ErrorCode::UnusableInput,
-      base::message("this machine gives no OpenGL 3.2 without a display: {why}"_text, why), {},
-      "install Mesa (libegl1, libgl1-mesa-dri)"_text);
+  throw base::Error(base::ErrorCode::UnusableInput,
+                    base::message("OpenGL 3.2 without a display is not available: {why}"_text, why),
+                    {}, "install Mesa (libegl1, libgl1-mesa-dri)"_text);
 }
 
-// VTK's GLEW asks GLX for its version and fails on EGL though every function is there.
+// VTK's GLEW queries the GLX version and fails on EGL although all functions are available.
 class EglWindow : public vtkGenericOpenGLRenderWindow {
 public:
   static EglWindow* New();
@@ -44,7 +43,7 @@ public:
     ContextCreationTime.Modified();
     glewInit();
     if (glGenVertexArrays == nullptr || glMultiDrawElements == nullptr)
-      noOpenGl("its functions cannot be found"_text);
+      noOpenGl("its functions were not found"_text);
     GlewInitValid = true;
     Initialized = true;
     int widths[2] = {1, 1};
@@ -54,19 +53,18 @@ public:
 };
 vtkStandardNewMacro(EglWindow);
 
-// Surfaceless: there is nothing to draw on but framebuffers of one's own. EGL gives the whole
-// process one such display, so that nobody may end it while others draw: it stays until the
-// process ends.
+// A surfaceless display only draws to framebuffer objects. EGL has one such display per process. It
+// is never terminated, since other targets may still be using it.
 EGLDisplay surfacelessDisplay() {
   static const EGLDisplay kDisplay = [] {
     const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (platformDisplay == nullptr)
-      noOpenGl("EGL lacks platform displays"_text);
+      noOpenGl("EGL does not support platform displays"_text);
     const EGLDisplay display =
         platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
-      noOpenGl("EGL cannot start"_text);
+      noOpenGl("EGL cannot be initialized"_text);
     return display;
   }();
   return kDisplay;
@@ -75,7 +73,7 @@ EGLDisplay surfacelessDisplay() {
 class EglContext {
 public:
   EglContext() {
-    // Any kind of surface: none is made.
+    // Accepts any kind of surface: none is created.
     const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint found = 0;
@@ -109,7 +107,7 @@ private:
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-// Mean of samples x samples pixels.
+// Returns the image with blocks of samples x samples pixels averaged.
 Image reduced(const Image& fine, int samples) {
   Image image{fine.width / samples, fine.height / samples, {}};
   image.rgb.reserve(3 * static_cast<std::size_t>(image.width) *
@@ -134,7 +132,7 @@ void checkSize(int width, int height) {
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("a picture of {width} x {height} pixels cannot be drawn"_text, width, height),
-        {}, base::message("choose {least} to {most} pixels a side"_text, kSmallest, kLargest));
+        {}, base::message("choose {least} to {most} pixels per side"_text, kSmallest, kLargest));
 }
 
 } // namespace
@@ -205,7 +203,7 @@ void OffscreenTarget::Session::draw() {
 Image OffscreenTarget::Session::image() const {
   vtkNew<vtkUnsignedCharArray> pixels;
   target_.impl_->window->GetPixelData(0, 0, width_ - 1, height_ - 1, 0, pixels, 0);
-  // OpenGL counts rows from below.
+  // OpenGL counts rows from the bottom.
   Image image{width_, height_, {}};
   const std::size_t row = 3 * static_cast<std::size_t>(width_);
   image.rgb.resize(row * static_cast<std::size_t>(height_));

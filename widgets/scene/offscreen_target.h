@@ -1,5 +1,5 @@
-// Pictures of a scene without a window: a surfaceless EGL context of its own, the same with and
-// without a display.
+// Rendering of a scene to images without a window: uses a surfaceless EGL context, so that the
+// result does not depend on a display.
 #pragma once
 
 #include "scene/scene.h"
@@ -12,7 +12,7 @@
 
 namespace voluta::scene {
 
-// Rows from the top, three bytes a pixel.
+// Rows from the top, three bytes per pixel.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;
@@ -20,21 +20,21 @@ struct Image {
 
 class OffscreenTarget {
 public:
-  // Throws Error{UnusableInput} where the machine gives no OpenGL 3.2.
+  // Throws Error{UnusableInput} if the machine does not provide OpenGL 3.2.
   OffscreenTarget();
   ~OffscreenTarget();
   OffscreenTarget(const OffscreenTarget&) = delete;
   OffscreenTarget& operator=(const OffscreenTarget&) = delete;
 
-  // width, height in [16, 8192]. `placeCamera` is called once the scene knows the picture's
-  // proportions (frameAll() and its like need them). Each pixel is the mean of samples x samples
-  // (1 or more); text keeps its size. Throws Error{Usage} for a size out of range. Call on the
-  // thread that made the target; the scene's renderer must be in no other window.
+  // Renders an image; width, height in [16, 8192]. `placeCamera` is called once the scene knows the
+  // image's aspect ratio (which frameAll() and similar functions need). Each pixel is the mean of
+  // samples x samples (1 or more); text keeps its size. Throws Error{Usage} for a size out of
+  // range. Must be called on the thread that created the target; the scene's renderer must not
+  // belong to another window.
   Image imageOf(Scene& scene, int width, int height, const std::function<void()>& placeCamera = {},
                 int samples = 2);
 
-  // A scene that stays in the target while it lives, to draw many frames of it. As imageOf with
-  // one sample a pixel.
+  // Keeps a scene in the target for drawing many frames. As imageOf with one sample per pixel.
   class Session {
   public:
     Session(OffscreenTarget& target, Scene& scene, int width, int height);
@@ -42,7 +42,7 @@ public:
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    // Draws a frame to its end.
+    // Draws a frame and waits until it is finished.
     void draw();
     Image image() const; // of the last frame
 
@@ -57,7 +57,7 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-// PNG bytes of an image.
+// Returns the image as PNG data.
 std::string pngBytes(const Image& image);
 
 } // namespace voluta::scene

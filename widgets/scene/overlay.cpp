@@ -93,7 +93,7 @@ void Overlay::placeTriad() {
     letters_[i]->SetVisibility(triadShown_);
     const int axis = static_cast<int>(i);
     const Eigen::Vector2d along(view->GetElement(0, axis), view->GetElement(1, axis));
-    // A stroke with its own thickness: lines wider than a pixel are not to be had everywhere.
+    // Draws the stroke as a polygon: lines wider than a pixel are not available everywhere.
     const Eigen::Vector2d end = centre + kTriadLength * ratio_ * along;
     const Eigen::Vector2d across =
         ratio_ * (along.norm() > 1e-3 ? Eigen::Vector2d(-along.y(), along.x()).normalized()
@@ -104,7 +104,7 @@ void Overlay::placeTriad() {
                d = point(centre + across);
     stroke.addQuad(a, b, c, d);
     setShape(arrows_[i], stroke);
-    // Nearer axes lie over farther ones.
+    // Nearer axes are drawn over farther ones.
     arrows_[i]->SetLayerNumber(view->GetElement(2, axis) > 0 ? 2 : 1);
     const Eigen::Vector2d letter = centre + kLetterPlace * ratio_ * along;
     letters_[i]->SetPosition(letter.x(), letter.y());

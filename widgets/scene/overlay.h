@@ -1,4 +1,4 @@
-// What lies over the picture in pixels: the triad of axes and the legend.
+// Overlays in pixel coordinates: the triad of axes and the legend.
 #pragma once
 
 #include "scene/colouring.h"
@@ -20,9 +20,9 @@ public:
   void setTheme(const Theme& theme);
   void setPixelRatio(double ratio) { ratio_ = ratio; }
   void showTriad(bool show) { triadShown_ = show; }
-  // Neither entries nor marks: none.
+  // A legend with neither entries nor marks is hidden.
   void setLegend(const Legend& legend);
-  // Places all for the renderer's size and camera. Before every frame.
+  // Updates all positions for the renderer's size and camera. Call before every frame.
   void update();
 
 private:

@@ -15,14 +15,15 @@ namespace voluta::scene {
 
 namespace {
 
-constexpr double kLineOverBead = 0.62; // of its height, from its middle: free of the surface
+// distance from the bead's middle relative to its height: above the surface
+constexpr double kLineOverBead = 0.62;
 
-// A bead's section is nearly a rectangle; the ellipse that is drawn is fuller by so much in width
-// and height, or there would be gaps between neighbours to look through.
+// A bead's section is nearly a rectangle; the ellipse drawn is enlarged by these factors in width
+// and height, to avoid visible gaps between neighbouring beads.
 constexpr double kFuller[] = {1.06, 1.25};
 constexpr std::size_t kChunk = 12; // segments
 
-// The arrays that the beads' shader takes (bead_shader.h).
+// The arrays that the beads' shader reads (bead_shader.h).
 struct BeadArrays {
   std::vector<float> tangent, direction, shape, open;
 };
@@ -44,7 +45,7 @@ void addThree(std::vector<float>& to, double x, double y, double z) {
   to.insert(to.end(), {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
 }
 
-// Both sides of every waypoint's bead, in waypoint order.
+// Adds the points on both sides of every waypoint's bead, in waypoint order.
 void addPoints(const plan::ToolPlan& plan, MeshBuffers& buffers, BeadArrays& arrays) {
   std::vector<const plan::ToolPath*> pathAt(plan.waypointCount(), nullptr);
   for (const plan::ToolPath& path : plan.paths)
@@ -56,7 +57,7 @@ void addPoints(const plan::ToolPlan& plan, MeshBuffers& buffers, BeadArrays& arr
     const Eigen::Vector3d tangent = tangentAt(plan, path, i), d = plan.direction[i];
     const double width = plan.widthMm[i], height = plan.heightMm[i];
     Eigen::Vector3d centre = plan.position[i] - 0.5 * height * d;
-    // An open bead ends round, about half a width beyond its last waypoint.
+    // An open bead has a round end about half a width beyond its last waypoint.
     const bool first = i == path.first, last = i == path.first + path.count - 1;
     if (!path.closed && (first || last))
       centre += (first ? -0.35 : 0.35) * width * tangent;
@@ -75,7 +76,7 @@ void addSegment(MeshBuffers& buffers, std::size_t from, std::size_t to) {
   buffers.addTriangle(a + 1, b + 1, b);
 }
 
-// Paths by layer, print order kept.
+// Returns the paths by layer, in print order within each.
 std::vector<std::size_t> pathsByLayer(const plan::ToolPlan& plan) {
   std::vector<std::size_t> order(plan.paths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -92,7 +93,7 @@ std::vector<std::size_t> startsOf(const std::vector<std::size_t>& counts) {
   return starts;
 }
 
-// The box around the waypoints [first, last] of a chunk.
+// Computes the box around the waypoints [first, last] of a chunk.
 void measure(const plan::ToolPlan& plan, std::size_t first, std::size_t last, BeadChunk& chunk) {
   Eigen::AlignedBox3d box;
   for (std::size_t i = first; i <= last; ++i)
@@ -124,7 +125,7 @@ void addSegments(const plan::ToolPlan& plan, PathsDrawing& drawing, MeshBuffers&
   }
   drawing.outerStart = startsOf(counts);
 
-  // The side of the segment that arrives, on both of the waypoint's points.
+  // The side direction of the arriving segment, for both of the waypoint's points.
   for (const plan::ToolPath& path : plan.paths)
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
       const std::size_t arrival = std::max(i, path.first + 1);

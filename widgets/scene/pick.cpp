@@ -14,7 +14,8 @@ namespace voluta::scene {
 
 namespace {
 
-// Distance along the ray to a triangle (Möller and Trumbore 1997); none behind the origin.
+// Returns the distance along the ray to a triangle (Möller and Trumbore 1997); nullopt if it is
+// missed or behind the origin.
 std::optional<double> meet(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                            const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a, ac = c - a;
@@ -34,7 +35,7 @@ std::optional<double> meet(const Ray& ray, const Eigen::Vector3d& a, const Eigen
   return t > 0.0 ? std::optional(t) : std::nullopt;
 }
 
-// Triangles of a VTK mesh that this module made itself: 32-bit ids, three a cell.
+// The triangles of a VTK mesh created by this module: 32-bit ids, three per cell.
 class Triangles {
 public:
   explicit Triangles(vtkPolyData* data)
@@ -116,7 +117,7 @@ std::optional<RayHit> pickPlatform(const PlatformDrawing& platform, const Ray& r
 std::optional<RayHit> pickVoxel(const VoxelDrawing& voxels, const Ray& ray, int first, int last,
                                 const IsShown& shown) {
   const voxel::VoxelGrid& grid = voxels.grid;
-  // Where the ray enters and leaves the grid.
+  // Parameters at which the ray enters and leaves the grid.
   double from = 0.0, to = 1e12;
   int enteredBy = -1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -225,7 +226,7 @@ std::optional<RayHit> pickPath(const PathsDrawing& paths, const Ray& ray,
     for (std::size_t i = s.first / 2; i < (s.first + s.count) / 2; ++i) {
       const std::size_t arrival = paths.arrival[i];
       const Eigen::Vector3d a = centre(arrival - 1), b = centre(arrival);
-      // Nearest approach of ray and segment.
+      // Closest approach of ray and segment.
       const Eigen::Vector3d along = b - a, from = a - ray.origin;
       const double length2 = along.squaredNorm(), d = ray.direction.dot(along);
       const double denominator = length2 - d * d;
@@ -250,7 +251,7 @@ std::optional<RayHit> pickPath(const PathsDrawing& paths, const Ray& ray,
 
 namespace {
 
-// Does it pass the ball about a surface?
+// Returns whether the ray passes through the bounding ball of a surface.
 bool mayMeet(const Ray& ray, vtkPolyData* surface) {
   const double* b = surface->GetBounds();
   const Eigen::AlignedBox3d box(Eigen::Vector3d(b[0], b[2], b[4]),

@@ -1,4 +1,5 @@
-// What a ray meets first. All in the work frame, by the drawings' own data: no rendering context.
+// Nearest intersections of a ray with drawings. All in the work frame and computed from the
+// drawings' data, without a rendering context.
 #pragma once
 
 #include "scene/drawing_data.h"
@@ -20,7 +21,7 @@ struct RayHit {
   Hit hit;
 };
 
-// Is a point there to be met: not on the side that the section cuts away.
+// Returns whether a point is visible, i.e. not on the side that the section cuts away.
 using IsShown = std::function<bool(const Eigen::Vector3d&)>;
 
 std::optional<RayHit> pickPart(const PartDrawing& part, const Ray& ray, const IsShown& shown);
@@ -28,13 +29,13 @@ std::optional<RayHit> pickPlatform(const PlatformDrawing& platform, const Ray& r
 // Layers first <= layer <= last.
 std::optional<RayHit> pickVoxel(const VoxelDrawing& voxels, const Ray& ray, int first, int last,
                                 const IsShown& shown);
-// `offsets`: where each piece is drawn, off its place on the part.
+// `offsets`: displacement of each drawn piece from its position on the part.
 std::optional<RayHit> pickPiece(const PiecesDrawing& pieces, const Ray& ray,
                                 const std::vector<Eigen::Vector3d>& offsets, const IsShown& shown);
-// The triangles of the stretches.
+// Tests the triangles of the stretches.
 std::optional<RayHit> pickLayer(const LayersDrawing& layers, const Ray& ray,
                                 const std::vector<Stretch>& stretches, const IsShown& shown);
-// The segments of the stretches (two triangles each).
+// Tests the segments of the stretches (two triangles each).
 std::optional<RayHit> pickPath(const PathsDrawing& paths, const Ray& ray,
                                const std::vector<Stretch>& stretches, const IsShown& shown);
 // Poses of all frames of the cell in the work frame. `body`: index in Cell::bodies().

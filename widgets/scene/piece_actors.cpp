@@ -7,7 +7,8 @@ namespace voluta::scene {
 namespace {
 
 constexpr double kBaseOpacity = 0.22, kChosenBaseOpacity = 0.42;
-constexpr double kFaded = 0.5, kFadedOpacity = 0.3; // the others: towards the background, as glass
+// of the other pieces: colour blended towards the background, and transparency
+constexpr double kFaded = 0.5, kFadedOpacity = 0.3;
 
 Colour mixed(const Colour& a, const Colour& b, double share) {
   Colour out{};
@@ -81,13 +82,13 @@ void PieceActors::show(const ViewState& view, const Eigen::Isometry3d& world_T_w
       setPose(actor, pose);
       actor->SetVisibility(true);
     }
-    // As the part where it is translucent: only walls that face the eye.
+    // Like a translucent part: only walls that face the eye are drawn.
     for (vtkActor* actor : {one.safe.Get(), one.risky.Get()}) {
       actor->GetProperty()->SetOpacity(glass ? kFadedOpacity : 1.0);
       actor->GetProperty()->SetBackfaceCulling(glass);
     }
     one.edges->SetVisibility(!glass);
-    // The chosen one's alone where one is chosen.
+    // If a piece is chosen, only its base plane is shown.
     Eigen::Isometry3d base =
         world_T_work * Eigen::Translation3d(basePlaneOffset(*drawing_, i, view.explodeMm));
     if (chosen && view.moved_T_base)

@@ -1,4 +1,4 @@
-// Pieces in a picture: each with its faces that need support, its edges and its base plane.
+// Actors of pieces: faces, faces that need support, edges and base planes.
 #pragma once
 
 #include "scene/actors.h"
@@ -15,13 +15,13 @@ class PieceActors {
 public:
   explicit PieceActors(vtkRenderer* renderer);
 
-  // Null: none. The drawing outlives its being shown.
+  // Null: none. The drawing must outlive its display.
   void setDrawing(const PiecesDrawing* drawing);
   void setTheme(const Theme& theme);
   void show(const ViewState& view, const Eigen::Isometry3d& world_T_work);
   void hide();
 
-  // What a section plane cuts.
+  // Returns the actors that a section plane cuts.
   std::vector<vtkActor*> actors() const;
 
 private:
@@ -36,7 +36,8 @@ private:
   std::vector<One> pieces_;
 };
 
-// What the colours of pieces say; `named`: each by its number, which the picture does not show.
+// Returns the legend of the pieces' colours; `named`: lists each piece by its number, if the
+// picture does not show the numbers.
 Legend pieceLegend(const PiecesDrawing& drawing, const Theme& theme, bool named);
 
 } // namespace voluta::scene

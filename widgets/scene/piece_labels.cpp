@@ -25,10 +25,11 @@ namespace {
 constexpr double kRadius = 9.5, kRim = 1.2, kSoft = 1.0; // logical pixels
 constexpr double kLeastRadius = 5.0;
 constexpr int kFontPoints = 11, kCorners = 32;
-constexpr double kFaded = 0.45; // numbers of pieces that step back
+constexpr double kFaded = 0.45; // opacity of the numbers of pieces that are not chosen
 
-// Discs in bands about their middles, the outermost fading away, so that they look round without
-// multisampling. No two triangles overlap: which of them would be seen is left open by VTK.
+// Discs of concentric bands, the outermost fading out, so that they look round without
+// multisampling. No two triangles overlap, because VTK does not define which of them would be
+// visible.
 class Discs {
 public:
   Discs() {
@@ -50,7 +51,7 @@ public:
                               {kRadius - 0.5 * kSoft, rim, opacity},
                               {kRadius + 0.5 * kSoft, rim, 0.0}};
     const vtkIdType middle = point(centre, ground, opacity);
-    vtkIdType within = middle; // first point of the circle inside
+    vtkIdType within = middle; // first point of the inner circle
     for (const Circle& circle : circles) {
       const vtkIdType first = points_->GetNumberOfPoints();
       for (int k = 0; k < kCorners; ++k) {
@@ -90,8 +91,8 @@ private:
   vtkNew<vtkUnsignedCharArray> colours_;
 };
 
-// VTK tests the depth of what lies over the picture too, and all of it has the same: what is drawn
-// first would hide the rest. Discs leave no depth, so that the numbers lie on them.
+// VTK also depth-tests overlays, all of which have the same depth: those drawn first would hide the
+// rest. The discs do not write depth, so that the numbers appear on them.
 class DepthlessActor : public vtkActor2D {
 public:
   vtkTypeMacro(DepthlessActor, vtkActor2D);

@@ -1,5 +1,4 @@
-// The numbers of pieces in a picture, in print order: a small disc with the number in the middle of
-// what is seen of each.
+// Numbers of pieces in print order: each a small disc at the middle of the piece's visible region.
 #pragma once
 
 #include "scene/drawing_data.h"
@@ -22,16 +21,16 @@ public:
 
   void setTheme(const Theme& theme) { theme_ = theme; }
   void setPixelRatio(double ratio) { ratio_ = ratio; }
-  // Null: none. The drawing outlives its being shown.
+  // Null: none. The drawing must outlive its display.
   void setDrawing(const PiecesDrawing* drawing);
-  // Before every frame. While view.dragging the numbers stay on the places that they have on their
-  // pieces; otherwise they are put where most of a piece is seen.
+  // Call before every frame. While view.dragging, the numbers keep their positions on the pieces;
+  // otherwise they move to the largest visible region of each piece.
   void update(const ViewState& view, const Eigen::Isometry3d& world_T_work);
-  // Numbers that are on show.
+  // Returns the numbers on display.
   std::vector<int> shown() const;
 
 private:
-  // What the places were found for.
+  // The view for which the positions were computed.
   struct Found {
     Eigen::Matrix4d clip_T_world = Eigen::Matrix4d::Zero();
     int width = 0, height = 0;
@@ -52,9 +51,9 @@ private:
   double ratio_ = 1.0;
   const PiecesDrawing* drawing_ = nullptr;
   std::optional<Found> found_;
-  std::vector<std::optional<Eigen::Vector3d>> places_; // a piece, on the part
+  std::vector<std::optional<Eigen::Vector3d>> places_; // per piece, on the part
   vtkSmartPointer<vtkActor2D> discs_;
-  std::vector<vtkSmartPointer<vtkTextActor>> numbers_; // a piece
+  std::vector<vtkSmartPointer<vtkTextActor>> numbers_; // per piece
 };
 
 } // namespace voluta::scene

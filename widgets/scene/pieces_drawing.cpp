@@ -14,11 +14,11 @@ namespace voluta::scene {
 
 namespace {
 
-constexpr double kBeyondSection = 0.08; // of its size, but
+constexpr double kBeyondSection = 0.08; // relative to the section's size, but
 constexpr double kLeastBeyondMm = 1.5, kMostBeyondMm = 5.0;
-constexpr double kOverSectionMm = 0.15; // so that the plane does not flicker through it
+constexpr double kOverSectionMm = 0.15; // avoids z-fighting with the plane
 
-// The triangles of a surface that are `wanted`, on the same points.
+// Returns the `wanted` triangles of a surface, with the same points.
 vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface, const std::vector<bool>& wanted) {
   auto out = vtkSmartPointer<vtkPolyData>::New();
   out->SetPoints(surface->GetPoints());
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface, const std::vector
   return out;
 }
 
-// The rectangle that a piece's section lies in, and a little more.
+// Draws the rectangle around a piece's section, slightly enlarged.
 void drawBase(const planar::Piece& piece, PieceShape& shape) {
   const Eigen::Matrix3d axes = baseAxes(piece.base.normal);
   const Eigen::Vector3d across = axes.col(0), along = axes.col(1);
@@ -113,7 +113,7 @@ int pieceCount(const PiecesDrawing& drawing) {
 std::vector<Eigen::Vector3d> pieceOffsets(const PiecesDrawing& drawing, double explodeMm) {
   std::vector<Eigen::Vector3d> offsets(drawing.pieces.size(), Eigen::Vector3d::Zero());
   for (std::size_t i = 0; i < offsets.size(); ++i)
-    // A piece comes after the one it stands on.
+    // Pieces come after the piece they are printed on.
     if (const int parent = drawing.pieces[i].parent; parent >= 0 && parent < static_cast<int>(i))
       offsets[i] =
           offsets[static_cast<std::size_t>(parent)] + explodeMm * drawing.pieces[i].direction;

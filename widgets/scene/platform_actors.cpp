@@ -8,7 +8,8 @@ namespace voluta::scene {
 
 namespace {
 constexpr auto kPlatformRole = static_cast<std::size_t>(robot::BodyRole::Platform);
-constexpr double kRodBesideShare = 0.25; // of what is on it, that is looked at on either side
+// length of rod to include on either side, relative to the printed length
+constexpr double kRodBesideShare = 0.25;
 constexpr double kPlateFromBelow = 0.25;
 constexpr double kReachOpacity = 0.5;
 } // namespace

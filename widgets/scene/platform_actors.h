@@ -1,4 +1,4 @@
-// What material starts on, in a picture.
+// Actors of the platform that material starts on.
 #pragma once
 
 #include "scene/actors.h"
@@ -14,20 +14,20 @@ class PlatformActors {
 public:
   explicit PlatformActors(vtkRenderer* renderer);
 
-  // Null: none. The drawing outlives its being shown.
+  // Null: none. The drawing must outlive its display.
   void setDrawing(const PlatformDrawing* drawing);
   void setReach(const ReachDrawing* reach);
   void setTheme(const Theme& theme);
   void pose(const Eigen::Isometry3d& world_T_work);
-  // `byCell`: the plate is there as a body of the cell.
+  // `byCell`: the cell's bodies already include the plate.
   void show(const ViewState& view, bool byCell);
   bool showsRod() const { return rod_->GetVisibility() != 0; }
-  // From below the plate is glass: what stands on it is looked at through it. The eye in the work
-  // frame.
+  // Makes the plate transparent if it is seen from below, so that the part remains visible. The eye
+  // in the work frame.
   void lookFrom(const Eigen::Vector3d& eye);
 
-  // Of the rod, what lies at what is shown, or all of it. Both in the work frame. Precondition: a
-  // rod.
+  // Returns the box of the rod's section at the visible objects, or of the whole rod if nothing is
+  // visible. Both in the work frame. Precondition: a rod.
   Eigen::AlignedBox3d rodBeside(const Eigen::AlignedBox3d& shown) const;
 
 private:

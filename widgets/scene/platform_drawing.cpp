@@ -55,7 +55,7 @@ void addGrid(double radiusMm, MeshBuffers& grid) {
   }
 }
 
-// Along its profile at angle 0.
+// Adds a line along the rod's profile at angle 0.
 void addMark(const platform::RodShape& rod, MeshBuffers& outline) {
   for (std::size_t i = 1; i < rod.profile.size(); ++i) {
     const Eigen::Vector2d &p = rod.profile[i - 1], &q = rod.profile[i];

@@ -71,7 +71,7 @@ void RangeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {
     window->GetState()->vtkglEnable(GL_DEPTH_TEST);
 }
 
-// VTK's own leaves triangles out whose corners coincide; stretches count all of them.
+// VTK's implementation omits triangles with coincident corners, but stretches count all of them.
 void RangeMapper::BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData* data) {
   const auto upload = [&](PrimitiveTypes type, vtkCellArray* cells) {
     vtkOpenGLIndexBufferObject* buffer = Primitives[type].IBO;

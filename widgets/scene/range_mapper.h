@@ -1,4 +1,5 @@
-// A mapper that draws chosen stretches of its primitives, so that layer sliders rebuild nothing.
+// A mapper that draws selected ranges of its primitives, so that layer sliders need not rebuild any
+// buffers.
 #pragma once
 
 #include "scene/theme.h"
@@ -9,14 +10,14 @@
 
 namespace voluta::scene {
 
-// Primitives [first, first + count) of the polygons (all triangles) or lines (all of two points).
-// The data is polyDataOf()'s: corners in 32-bit arrays.
+// Primitives [first, first + count) of the polygons (all triangles) or lines (all with two points).
+// The data must come from polyDataOf(): corners in 32-bit arrays.
 struct Stretch {
   std::size_t first = 0, count = 0;
-  bool plain = false; // in the mapper's plain colour instead of the points' own
+  bool plain = false; // drawn in the mapper's plain colour instead of the points' own
 };
 
-// Appends, joined to the one before where they touch.
+// Appends a stretch, merged with the last one if they adjoin.
 void appendStretch(std::vector<Stretch>& stretches, const Stretch& next);
 
 class RangeMapper : public vtkOpenGLPolyDataMapper {
@@ -25,9 +26,9 @@ public:
   vtkTypeMacro(RangeMapper, vtkOpenGLPolyDataMapper);
 
   void setStretches(std::vector<Stretch> stretches) { stretches_ = std::move(stretches); }
-  // Only where prepared by addPlainColour().
+  // Requires an actor prepared by addPlainColour().
   void setPlainColour(const Colour& colour) { plainColour_ = colour; }
-  // Drawn whatever is before it.
+  // Draws it in front of everything.
   void setThroughEverything(bool through) { throughEverything_ = through; }
 
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
@@ -42,7 +43,7 @@ private:
   bool throughEverything_ = false;
 };
 
-// Lets the actor's shader know the plain colour of its RangeMapper.
+// Passes the plain colour of the actor's RangeMapper to its shader.
 void addPlainColour(vtkActor* actor);
 
 } // namespace voluta::scene

@@ -7,10 +7,10 @@ namespace voluta::scene {
 
 namespace {
 
-// Over the plate's top, so that it does not flicker through it.
+// Above the plate's top, to avoid z-fighting.
 constexpr double kOverPlateMm = 0.05;
 
-// What of a convex polygon lies on the left of the line from a to b.
+// Returns the part of a convex polygon on the left of the line from a to b.
 std::vector<Eigen::Vector2d> leftOf(const std::vector<Eigen::Vector2d>& polygon,
                                     const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const auto side = [&](const Eigen::Vector2d& p) {
@@ -58,7 +58,7 @@ std::shared_ptr<const ReachDrawing> drawReach(const std::vector<ReachPoint>& poi
 
 Legend reachLegend() {
   constexpr int kStops = 5;
-  Legend legend{"Poses reached"_text, "%", false, false, {}, {}};
+  Legend legend{"Reached poses"_text, "%", false, false, {}, {}};
   for (int i = 0; i < kStops; ++i) {
     const double share = static_cast<double>(i) / (kStops - 1);
     legend.entries.push_back(

@@ -35,12 +35,12 @@ namespace voluta::scene {
 namespace {
 
 constexpr double kLineBeadScale = 0.22; // beads as thin lines
-constexpr double kMarkerShare = 0.022;  // of the picture's height
+constexpr double kMarkerShare = 0.022;  // relative to the picture's height
 constexpr int kRingCorners = 48;
 constexpr double kChosenPathPixels = 3.0;
 constexpr double kFrontOpacity = 0.28;
 
-// What the colours of a range actor were made for.
+// The state for which the colours of a range actor were set.
 struct ColourState {
   const void* drawing = nullptr;
   ColourBy colourBy = ColourBy::Layer;
@@ -56,7 +56,7 @@ void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb) {
   shown.mapper->GetInput()->GetPointData()->SetScalars(colours);
 }
 
-// Flat, about z: what it points at is seen through it.
+// Returns a flat ring about z, through which the marked place stays visible.
 vtkSmartPointer<vtkPolyData> ring(double inner, double outer) {
   MeshBuffers buffers;
   const auto corner = [&](int i, double radius) {
@@ -85,7 +85,7 @@ struct Scene::Impl : Drawn {
   Eigen::Affine3d moved_T_part = Eigen::Affine3d::Identity();
 
   vtkSmartPointer<vtkActor> partSurface, partEdges, chosenPath, frontSurface, frontEdges;
-  // Each drawing keeps its buffers: changing between them uploads nothing.
+  // Each drawing keeps its buffers: switching between them uploads nothing.
   std::unique_ptr<PlatformActors> platformActors;
   std::unique_ptr<CellActors> cellActors;
   std::unique_ptr<VoxelActors> byLayer, bySteps;
@@ -94,7 +94,7 @@ struct Scene::Impl : Drawn {
   RangeActor slabs, beads, travels, markerRim, marker;
 
   ColourState slabColours, beadColours;
-  // What the line of the chosen path was made for.
+  // The state for which the line of the chosen path was built.
   std::pair<const void*, std::optional<std::size_t>> chosenPathOf;
   std::vector<Eigen::AlignedBox2d> covered;
 
@@ -123,7 +123,7 @@ struct Scene::Impl : Drawn {
     frontSurface->GetProperty()->SetOpacity(kFrontOpacity);
     frontEdges = addLines(renderer);
     frontEdges->GetProperty()->SetOpacity(2.0 * kFrontOpacity);
-    // The rim sets the marker off from what is as bright as it is.
+    // The rim contrasts the marker with a background of the same brightness.
     markerRim = RangeActor::halo(renderer);
     markerRim.setData(ring(0.72, 1.08));
     marker = RangeActor::halo(renderer);
@@ -195,7 +195,7 @@ struct Scene::Impl : Drawn {
       setPose(actor, world_T_work * moved_T_part);
   }
 
-  // What a section plane cuts, the part apart.
+  // Returns the actors that a section plane cuts, except the part.
   std::vector<vtkActor*> cutActors() const {
     std::vector<vtkActor*> actors{frontSurface, frontEdges,    slabs.actor,
                                   beads.actor,  travels.actor, chosenPath};
@@ -211,7 +211,7 @@ struct Scene::Impl : Drawn {
     partEdges->SetVisibility(on && !isSeeThrough());
     setColour(partSurface, view.partBeyond ? theme.partBeyond : theme.part);
     partSurface->GetProperty()->SetOpacity(view.partOpacity);
-    // Translucent walls are sorted by showing only those that face the eye.
+    // Instead of depth-sorting translucent walls, only those that face the eye are drawn.
     partSurface->GetProperty()->SetBackfaceCulling(view.partOpacity < 1.0);
   }
 
@@ -245,9 +245,9 @@ struct Scene::Impl : Drawn {
     if (!(wanted == slabColours))
       setColours(slabs, coloursOf(layers->values, wanted.colourBy, 1));
     slabColours = wanted;
-    // Fast frames from above do without the undersides of ledges.
+    // Fast frames from above omit the undersides of ledges.
     slabs.mapper->setStretches(layerStretches(!view.dragging || !seenFromAbove()));
-    // Slabs are closed; only a section shows them from inside.
+    // Slabs are closed; only a section shows their insides.
     slabs.actor->GetProperty()->SetBackfaceCulling(!view.sectionOn);
   }
 
@@ -320,7 +320,7 @@ struct Scene::Impl : Drawn {
     showPieces();
     showLayers();
     showPaths();
-    // The drawing of a rod has its profile and is seen to turn; the cell's body is round.
+    // The drawing of a rod shows its profile and its rotation; the cell's body is a plain cylinder.
     cellActors->show(view, platformActors->showsRod());
     showChosenPath();
     showMarker();
@@ -367,7 +367,7 @@ struct Scene::Impl : Drawn {
     overlay->update();
   }
 
-  // What is seen without the cell: in the world.
+  // Box of everything visible except the cell, in the world frame.
   Eigen::AlignedBox3d printedBox() const {
     Eigen::AlignedBox3d box;
     const auto extend = [&](const Eigen::AlignedBox3d& inWork) {
@@ -537,8 +537,8 @@ Eigen::Vector3d Scene::directionInWork(const Eigen::Vector3d& inWorld) const {
 
 Between Scene::between(const Eigen::Vector3d& placeInWork, const Eigen::Vector3d& towardsEye,
                        double radiusMm, bool printed) const {
-  constexpr double kTouchingMm = 2.0; // beside a bead that is laid there
-  constexpr double kAroundEye = 1.15; // nothing right behind the eye either
+  constexpr double kTouchingMm = 2.0; // near a bead printed at the place
+  constexpr double kAroundEye = 1.15; // also excludes objects directly behind the eye
   const Eigen::Vector3d direction = directionInWork(towardsEye).normalized();
   const double distance = lookingDistance(impl_->renderer, radiusMm);
   return impl_->between({placeInWork + kTouchingMm * direction, direction},

@@ -1,5 +1,5 @@
-// One picture: drawings, a view on them and a camera, as a VTK renderer. Belongs to one thread;
-// needs a rendering context only when its renderer is drawn.
+// One picture: drawings, a view of them and a camera, as a VTK renderer. Not thread-safe; needs a
+// rendering context only while its renderer draws.
 #pragma once
 
 #include "scene/camera.h"
@@ -25,19 +25,19 @@ public:
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  // To be added to one render window. Owned by the scene.
+  // For one render window. Owned by the scene.
   vtkRenderer* renderer();
 
   void setTheme(const Theme& theme);
 
-  // Null: not there. What a view asks for and is not there is not drawn.
+  // Null: not present. Whatever a view selects but is not present is not drawn.
   void setPart(std::shared_ptr<const PartDrawing> part);
-  // Draws the part moved, until it is set again: while handles are dragged. Picks, sections and
-  // frames are of the part where it was.
+  // Draws the part moved, until it is set again: for dragging handles. Picks, sections and framing
+  // use the part's original position.
   void setPartPreview(const Eigen::Affine3d& moved_T_part);
   void setPlatform(std::shared_ptr<const PlatformDrawing> platform);
   void setVoxels(std::shared_ptr<const VoxelDrawing> voxels);
-  // Voxels by growth step (VoxelLook::bySteps), and the convex front of the step on show.
+  // Voxels by growth step (VoxelLook::bySteps), and the convex front of the current step.
   void setGrowth(std::shared_ptr<const VoxelDrawing> growth);
   void setFront(std::shared_ptr<const FrontDrawing> front);
   void setLayers(std::shared_ptr<const LayersDrawing> layers);
@@ -46,37 +46,39 @@ public:
   void setReach(std::shared_ptr<const ReachDrawing> reach);
   void setCell(std::shared_ptr<const CellDrawing> cell);
 
-  // Cheap; draws nothing by itself.
+  // Fast; does not draw by itself.
   void setView(const ViewState& view);
   const ViewState& view() const;
-  // Pixels a point of text and an overlay's line take: the screen's device pixel ratio.
+  // Sets the number of pixels per point of text and of overlay lines: the screen's device pixel
+  // ratio.
   void setPixelRatio(double ratio);
 
-  // Parts of the picture that something lies over, in pixels from the lower left corner: frameAll()
-  // keeps clear of them as far as it can.
+  // Sets the regions of the picture that widgets cover, in pixels from the lower left corner;
+  // frameAll() avoids them as far as possible.
   void setCovered(std::vector<Eigen::AlignedBox2d> covered);
 
-  // Of what is shown under the view: voxels before pieces before layers before paths, whichever is
-  // visible.
+  // Returns the legend for the current view: voxels before pieces before layers before paths,
+  // whichever is visible.
   Legend legend() const;
 
-  // Camera. All keep the projection; frameAll and standardView see everything that is visible.
+  // Camera functions. All keep the projection; frameAll and standardView show everything that is
+  // visible.
   void frameAll();
   void standardView(StandardView view);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
-  // From what is looked at to the eye: world, unit.
+  // Returns the unit vector from the focal point to the eye, in the world frame.
   Eigen::Vector3d towardsEye() const;
   Eigen::Vector3d directionInWork(const Eigen::Vector3d& inWorld) const;
-  // What is drawn between a place and an eye in that direction of the world, as far away as
-  // lookAt(placeInWork, radiusMm) puts it; what touches the place is not between. `printed`: is
-  // material looked at too, which takes longer?
+  // Returns the objects between a place and an eye in that direction of the world, at the distance
+  // of lookAt(placeInWork, radiusMm); objects that touch the place do not count. `printed`: also
+  // checks printed material, which takes longer.
   Between between(const Eigen::Vector3d& placeInWork, const Eigen::Vector3d& towardsEye,
                   double radiusMm, bool printed) const;
-  // Call after the camera was moved from outside (an interactor).
+  // Call after moving the camera from outside (an interactor).
   void cameraMoved();
 
-  // What is drawn at a pixel (x to the right, y upwards from the lower left corner of the
-  // renderer's window), nearest first; nothing when it is background. Needs no rendering context.
+  // Returns the nearest object drawn at a pixel (x to the right, y upwards from the lower left
+  // corner of the renderer's window); nullopt for background. Needs no rendering context.
   std::optional<Hit> pick(int x, int y) const;
 
 private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kAround = 32, kBands = 8;
 
-// Rings about an axis: (height along it, radius, normal's share along it).
+// A ring about an axis: height along it, radius, and the normal's component along it.
 struct Ring {
   double height, radius, slope;
 };

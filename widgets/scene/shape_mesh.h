@@ -1,4 +1,4 @@
-// Triangles of the simple solids that cells are made of.
+// Triangulation of the simple solids that make up cells.
 #pragma once
 
 #include "robot/body.h"
@@ -6,7 +6,7 @@
 
 namespace voluta::scene {
 
-// With normals, in the shape's own frame.
+// Appends the shape's triangles with normals, in the shape's own frame.
 void addShape(MeshBuffers& buffers, const robot::Shape& shape);
 
 } // namespace voluta::scene

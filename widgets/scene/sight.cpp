@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kAround = 12;
-// A look at everything printed takes its time: the nearest directions, then some all around.
+// Checking all printed material is slow: try the nearest directions, then some all around.
 constexpr std::size_t kNearest = 4, kAllAround = 6;
 
 std::vector<Vector3d> directionsFrom(const Vector3d& own) {

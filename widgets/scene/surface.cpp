@@ -25,7 +25,7 @@ vtkSmartPointer<vtkPolyData> shadedSurface(vtkPolyData* plain, double featureAng
   normals->ConsistencyOff();
   normals->Update();
   vtkSmartPointer<vtkPolyData> surface = normals->GetOutput();
-  surface->GetPolys()->ConvertTo32BitStorage(); // as all meshes of this module
+  surface->GetPolys()->ConvertTo32BitStorage(); // as for all meshes of this module
   surface->ComputeBounds();
   return surface;
 }

@@ -1,4 +1,4 @@
-// A mesh as a surface to be seen.
+// Conversion of meshes to surfaces for display.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -8,9 +8,10 @@
 
 namespace voluta::scene {
 
-// Vertices and triangles as they are.
+// Returns the unmodified vertices and triangles.
 vtkSmartPointer<vtkPolyData> plainSurface(const geometry::TriangleMesh& mesh);
-// With normals, smooth up to a feature angle (sharper edges are split); its bounds are computed.
+// Returns the surface with normals, smooth up to a feature angle (sharper edges are split); its
+// bounds are computed.
 vtkSmartPointer<vtkPolyData> shadedSurface(vtkPolyData* plain, double featureAngleDeg);
 
 } // namespace voluta::scene

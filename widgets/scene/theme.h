@@ -1,4 +1,4 @@
-// Colours of everything drawn. Red is kept for what is blocked.
+// Colours of all drawings. Red is reserved for blocked objects.
 #pragma once
 
 #include <array>
@@ -11,17 +11,18 @@ using Colour = std::array<double, 3>;
 struct Theme {
   Colour backgroundTop, backgroundBottom;
   Colour text, axisX, axisY, axisZ;
-  Colour part, partEdges, partInside; // inside: what a section lays open
-  Colour partBeyond;                  // where not all of it is in reach
+  Colour part, partEdges, partInside; // inside: faces visible in a section
+  Colour partBeyond;                  // where it is partly out of reach
   Colour platform, platformEdges, grid;
   Colour robotLight, robotDark, head, obstacle; // links alternate between light and dark
-  Colour material;                              // laid beads without a colouring
+  Colour material;                              // beads without a colouring
   Colour travel;
-  Colour marker;             // place of a finding
-  Colour blocked;            // what cannot be printed or reached: shadowed voxels
-  Colour unreached, cascade; // voxels missed for other reasons: no way there, hanging on shadowed
-  Colour risky;              // faces of pieces that need support
-  Colour current, ghost, front; // growth: the step being laid, later ones, the convex front
+  Colour marker;  // place of a finding
+  Colour blocked; // not printable or not reachable: shadowed voxels
+  // voxels missed for other reasons: not connected, or above shadowed ones
+  Colour unreached, cascade;
+  Colour risky;                 // faces of pieces that need support
+  Colour current, ghost, front; // growth: the current step, later ones, the convex front
 };
 
 Theme lightTheme();

@@ -1,4 +1,5 @@
-// Everything about a picture that may change from frame to frame. A value: compare, store, undo.
+// The state of a picture that may change between frames. A value type: can be compared, stored,
+// undone.
 #pragma once
 
 #include "robot/robot_model.h"
@@ -15,8 +16,8 @@ namespace voluta::scene {
 inline constexpr std::size_t kAllMoves = std::numeric_limits<std::size_t>::max();
 inline constexpr int kAllLayers = std::numeric_limits<int>::max();
 
-// What stands still: Work for preparing and layers, Base (the robot's) for the simulation. With a
-// plate on the flange part and beads ride on the arm in Base.
+// The frame that does not move: Work for preparation and layers, Base (the robot's) for the
+// simulation. With a plate on the flange, part and beads move with the arm in Base.
 enum class World { Work, Base };
 
 struct ViewState {
@@ -25,49 +26,50 @@ struct ViewState {
   bool travels = false; // of the paths shown
   bool axes = true;     // triad in the lower left corner
   double partOpacity = 1.0;
-  bool reach = false;      // the map of what is reached, on the plate
-  bool partBeyond = false; // the part in the colour of what is out of reach
-  std::array<bool, robot::kBodyRoleCount> roles{true, true, true, true, true}; // of the cell's
-                                                                               // bodies, if `cell`
-  bool cellFramed = true; // frameAll() sees all of the cell that is shown; else what of it stands
-                          // about what is printed
-  bool collisionSolids = false; // over the cell: the solids that are checked, seen through
+  bool reach = false;      // map of reached poses on the plate
+  bool partBeyond = false; // draws the part in the colour for parts out of reach
+  // of the cell's bodies, if `cell`
+  std::array<bool, robot::kBodyRoleCount> roles{true, true, true, true, true};
+  // frameAll() includes the whole visible cell; otherwise only the bodies around the printed part
+  bool cellFramed = true;
+  // draws the solids of the collision check translucently over the cell
+  bool collisionSolids = false;
 
   World world = World::Work;
   robot::JointVector joints; // empty: the cell's home
 
-  // Layers, voxels and paths shown: first <= layer <= last, from 0.
+  // Range of layers, voxels and paths shown: first <= layer <= last, from 0.
   int firstLayer = 0, lastLayer = kAllLayers;
-  // Of the last layer shown, the first `moves` waypoints (ToolPlan paths only).
+  // Number of waypoints shown of the last layer (ToolPlan paths only).
   std::size_t moves = kAllMoves;
-  // Simulation: paths only up to this waypoint of the plan, of all layers in the range.
+  // Simulation: shows paths only up to this waypoint of the plan, in all layers of the range.
   std::size_t printedWaypoints = kAllMoves;
 
-  // Growth: voxels laid in the first `growthStep` steps (0: none) instead of a range of layers, the
-  // last step standing out; needs Scene::setGrowth.
+  // Growth: shows voxels of the first `growthStep` steps (0: none) instead of a range of layers,
+  // with the last step highlighted; requires Scene::setGrowth.
   std::optional<int> growthStep;
-  bool ghosts = false;     // with growthStep: what is still to come, faintly
+  bool ghosts = false;     // with growthStep: later steps, faintly
   bool front = false;      // with growthStep: the convex front
-  bool seeThrough = false; // all voxels but the missed ones faintly
+  bool seeThrough = false; // draws all voxels but the missed ones faintly
 
-  ColourBy colourBy = ColourBy::Layer; // of layers and paths; voxels are drawn in their colours
-  bool materialColour = false; // paths in the colour of the material; the layer being laid as
-                               // colourBy says
-  bool beads = true;           // paths as rounded beads; false: as thin lines
+  ColourBy colourBy = ColourBy::Layer; // of layers and paths; voxels have their own colours
+  // draws paths in the colour of the material, except the current layer, which follows colourBy
+  bool materialColour = false;
+  bool beads = true; // draws paths as rounded beads; false: as thin lines
 
-  bool sectionOn = false; // cuts part, voxels, layers and paths away on the side the normal shows
+  bool sectionOn = false; // cuts part, voxels, layers and paths on the side of the normal
   Eigen::Vector3d sectionOrigin = Eigen::Vector3d::Zero(), sectionNormal = Eigen::Vector3d::UnitX();
 
-  double explodeMm = 0.0;           // pieces: how far each stands off the one it stands on
+  double explodeMm = 0.0;           // pieces: distance of each from the one it is printed on
   bool pieceNumbers = true;         // on the pieces, in print order
-  bool basePlanes = false;          // of all pieces; the chosen one's is there anyway
-  std::optional<std::size_t> piece; // stands out from the others
-  std::optional<Eigen::Isometry3d> moved_T_base; // its base plane, while it is dragged
+  bool basePlanes = false;          // of all pieces; the chosen piece's is always shown
+  std::optional<std::size_t> piece; // highlighted
+  std::optional<Eigen::Isometry3d> moved_T_base; // its base plane while it is dragged
 
-  std::optional<std::size_t> path; // of the paths shown: a line along it
+  std::optional<std::size_t> path; // of the paths shown: draws a line along it
 
   std::optional<Eigen::Vector3d> marker; // place of a finding, work frame
-  bool legend = false;                   // drawn into the picture (a window shows its own)
+  bool legend = false;                   // drawn in the picture (windows show their own)
   bool dragging = false;                 // less detail, faster frames
 };
 

@@ -6,7 +6,7 @@ namespace voluta::scene {
 
 namespace {
 
-// The layers of a view and how far each of them is printed.
+// The layers of a view and the printed range of each.
 class Extent {
 public:
   Extent(const PathsDrawing& paths, const ViewState& view)
@@ -19,12 +19,12 @@ public:
   }
 
   int first, last;
-  // Waypoints of a layer are shown below this index.
+  // Returns the index below which waypoints of a layer are shown.
   std::size_t limit(int layer) const {
     return layer == last ? std::min(printed_, lastLimit_) : printed_;
   }
   bool hides(const BeadChunk& chunk) const {
-    // Nothing lies below the first layer shown: its inner beads can be seen from there.
+    // Below the first layer shown there is nothing: its inner beads are visible from below.
     const bool openBelow = first > 0 && chunk.layer <= first + 1;
     return !openBelow && chunk.hidingLayer <= (partial_ ? last - 1 : last) &&
            chunk.hidingWaypoint < printed_;
@@ -43,9 +43,9 @@ std::size_t shownUpTo(const std::vector<std::uint32_t>& arrival, std::size_t fro
                                   begin);
 }
 
-// Beads farther behind the section than this are hidden by those before them.
+// Beads farther behind the section than this are hidden by those in front.
 constexpr double kSectionDepthMm = 2.0;
-// While dragging the uppermost layers keep every waypoint.
+// While dragging, the uppermost layers keep every waypoint.
 constexpr int kFullLayers = 2;
 
 bool laidOpen(const BeadChunk& chunk, const ViewState& view) {

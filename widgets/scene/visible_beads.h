@@ -1,4 +1,4 @@
-// Which beads and travel moves a view shows.
+// Selection of the beads and travel moves that a view shows.
 #pragma once
 
 #include "scene/drawing_data.h"
@@ -8,10 +8,10 @@
 
 namespace voluta::scene {
 
-// Triangles of the beads. What is hidden inside the beads shown is left out, unless a section
-// lays it open.
+// Returns the triangles of the beads, without those hidden inside other beads unless a section
+// exposes them.
 std::vector<Stretch> visibleBeads(const PathsDrawing& paths, const ViewState& view);
-// Lines of the travel moves.
+// Returns the lines of the travel moves.
 std::vector<Stretch> visibleTravels(const PathsDrawing& paths, const ViewState& view);
 
 } // namespace voluta::scene

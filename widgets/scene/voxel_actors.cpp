@@ -7,14 +7,14 @@ namespace voluta::scene {
 
 namespace {
 
-constexpr double kGhostOpacity = 0.12; // of voxels that are still to come, or looked through
+constexpr double kGhostOpacity = 0.12; // of later voxels, and with seeThrough
 
 struct Faces {
   std::vector<Stretch> outer, inner;
 };
 
-// Of layers first to last; `lastPlain`: the last one stands out in the mappers' plain colour.
-// `opened`: a section lays inner faces open.
+// Returns the faces of layers first to last. `lastPlain`: the last layer is highlighted in the
+// mappers' plain colour. `opened`: a section exposes inner faces.
 Faces facesOf(const VoxelDrawing& drawing, int first, int last, bool lastPlain, bool opened) {
   Faces faces, plain;
   const std::int32_t above = opened ? -kNeverHidden : last;

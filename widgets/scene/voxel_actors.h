@@ -1,4 +1,4 @@
-// One drawing of voxels in a picture: faces, faint faces, missed voxels.
+// Actors of one voxel drawing: faces, faint faces, missed voxels.
 #pragma once
 
 #include "scene/actors.h"
@@ -14,15 +14,15 @@ class VoxelActors {
 public:
   explicit VoxelActors(vtkRenderer* renderer);
 
-  // Null: none. The drawing outlives its being shown.
+  // Null: none. The drawing must outlive its display.
   void setDrawing(const VoxelDrawing* drawing);
   void setTheme(const Theme& theme);
 
-  // What the view asks for, by growth step where `replayed`.
+  // Shows the voxels selected by the view, by growth step if `replayed`.
   void show(const ViewState& view, bool replayed);
   void hide();
-  // Nothing in sight, but the buffers are filled with the next frame: showing it later takes no
-  // longer than any frame.
+  // Fills the buffers with the next frame without showing anything, so that the first display is as
+  // fast as any frame.
   void prepare();
 
   // For poses and sections.

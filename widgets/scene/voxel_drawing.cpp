@@ -15,7 +15,7 @@ using Bytes = std::array<std::uint8_t, 3>;
 struct Square {
   Eigen::Vector3i cell; // its lower corner along `axis` is the face's
   int axis;
-  std::size_t owner; // cell whose colour it has
+  std::size_t owner; // cell that determines the colour
 };
 
 Bytes bytesOf(const Colour& c) {
@@ -25,7 +25,7 @@ Bytes bytesOf(const Colour& c) {
   return out;
 }
 
-// Colours of cells by a value from 1 to the highest.
+// Colours of cells by a value from 1 to the maximum.
 class CellColours {
 public:
   CellColours(const std::vector<std::int32_t>& values, const std::vector<std::uint8_t>& support)
@@ -50,10 +50,10 @@ private:
   Bytes supportBytes_ = bytesOf(supportColour());
 };
 
-// Writes the squares as two triangles each, in order, with their four points.
+// Writes squares as two triangles each, in order, with four points each.
 class SquareWriter {
 public:
-  // colours: null where the squares have no colour of their own.
+  // colours: null if the squares have no individual colours.
   SquareWriter(const voxel::VoxelGrid& grid, const CellColours* colours)
       : grid_(grid), colours_(colours) {}
 
@@ -91,7 +91,7 @@ Faces facesOf(const voxel::VoxelGrid& grid, const std::vector<std::int32_t>& ran
   const auto inGrid = [&](const Eigen::Vector3i& c) { return grid.contains(c.x(), c.y(), c.z()); };
   const auto indexOf = [&](const Eigen::Vector3i& c) { return grid.index(c.x(), c.y(), c.z()); };
   const auto at = [&](const Eigen::Vector3i& c) { return inGrid(c) ? rank[indexOf(c)] : 0; };
-  // Each cell looks back; one row beyond the grid closes the far sides.
+  // Each cell is compared with its predecessors; one more row beyond the grid closes the far sides.
   for (int k = 0; k <= grid.size.z(); ++k)
     for (int j = 0; j <= grid.size.y(); ++j)
       for (int i = 0; i <= grid.size.x(); ++i) {
@@ -112,7 +112,8 @@ Faces facesOf(const voxel::VoxelGrid& grid, const std::vector<std::int32_t>& ran
             continue;
           const auto index = static_cast<std::int32_t>(out.squares.size());
           const bool outside = low <= 0;
-          // Between two layers the lower one shows: the higher is not there yet.
+          // Between two layers the face belongs to the lower one, since the higher does not exist
+          // yet.
           const bool ofOwn = outside ? own == high : own == low;
           out.squares.push_back({cell, axis, ofOwn ? ownCell : otherCell});
           if (outside) {
@@ -126,7 +127,7 @@ Faces facesOf(const voxel::VoxelGrid& grid, const std::vector<std::int32_t>& ran
   return out;
 }
 
-// Ranks, or where the layers' height is known the layers of the field, counted from 1.
+// Returns the ranks or, if the layer height is known, the field's layers, counted from 1.
 std::vector<std::int32_t> ordersOf(const curved::Decomposition& d, double layerHeightMm) {
   std::vector<std::int32_t> orders = d.rank;
   if (layerHeightMm > 0.0 && !d.field.empty())

@@ -1,4 +1,4 @@
-// VTK's object factories; its autoinit would put this into every file.
+// Registers VTK's object factories here once; VTK's autoinit would do so in every file.
 #include <vtkAutoInit.h>
 
 #include "scene/vtk_modules.h"

@@ -1,4 +1,4 @@
-// Makes the linker keep the file that registers VTK's object factories.
+// Forces the linker to keep the file that registers VTK's object factories.
 #pragma once
 
 namespace voluta::scene {

@@ -10,12 +10,12 @@
 namespace voluta::timeline {
 
 namespace {
-constexpr double kClickPx = 3.0; // a press that moves no further is a click
+constexpr double kClickPx = 3.0; // a press that moves less is a click
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kLeastSpanS = 0.01;
-constexpr double kSmoothedSwings = 8.0; // way up and down, in widths of the chart
+constexpr double kSmoothedSwings = 8.0; // total up-and-down length, in chart widths
 
-// A step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` parts.
+// Returns a step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` parts.
 double niceStep(double span, int most) {
   const double rough = span / std::max(1, most);
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -172,9 +172,9 @@ void ChartCanvas::drawCurves(QPainter& painter) const {
         painter.drawLine(QPointF(area.left(), yOf(*limit)), QPointF(area.right(), yOf(*limit)));
   }
   for (const ChartCurve& curve : curves_) {
-    // Segment by segment: stroking a polyline of thousands of points in one takes twenty times as
-    // long. Smoothing costs by the length: curves that swing up and down within a few columns
-    // fill them, and are drawn without.
+    // Draw segment by segment: stroking a polyline of thousands of points at once takes twenty
+    // times as long. Antialiasing costs by length, so curves that oscillate within a few columns
+    // and fill them anyway are drawn without it.
     double upAndDown = 0.0;
     QList<QLineF> lines;
     lines.reserve(curve.points.size());

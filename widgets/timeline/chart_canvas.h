@@ -1,4 +1,4 @@
-// One chart over time as a picture, with a cursor that moves over it without drawing it anew.
+// A chart over time, cached as a picture, with a cursor that moves without redrawing it.
 #pragma once
 
 #include <QColor>
@@ -25,17 +25,17 @@ class ChartCanvas : public QWidget {
 public:
   explicit ChartCanvas(QWidget* parent = nullptr);
 
-  // What lies along the upright axis, with its unit.
+  // Title of the vertical axis, with its unit.
   void setAxisTitle(const QString& title);
   void setTimeTitle(const QString& title);
-  // Values in view: [low, high], low < high.
+  // Visible values: [low, high], low < high.
   void setContent(std::vector<ChartCurve> curves, double fromS, double toS, double low,
                   double high);
   // Shown instead of curves; empty: none.
   void setHint(const QString& hint);
   void setTimeS(double timeS);
 
-  // Pixel columns that curves are worth being reduced to.
+  // Returns the number of pixel columns to which curves should be reduced.
   int columns() const;
 
   QSize sizeHint() const override;

@@ -10,7 +10,7 @@ namespace voluta::timeline {
 namespace {
 constexpr std::size_t kNoPoint = std::numeric_limits<std::size_t>::max();
 
-// Layer of each waypoint.
+// Returns the layer of each waypoint.
 std::vector<int> layersOf(const plan::ToolPlan& plan) {
   std::vector<int> layer(plan.waypointCount(), 0);
   for (const plan::ToolPath& path : plan.paths)

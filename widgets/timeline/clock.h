@@ -1,4 +1,4 @@
-// Questions to a trajectory by time: where is the robot, what is printed, which layer is it.
+// Queries on a trajectory by time: joints of the robot, printed waypoints, layer.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -12,42 +12,43 @@
 
 namespace voluta::timeline {
 
-// An immutable value; every question takes O(log N). Made in O(N) (milliseconds for a million
-// points), on any thread. Times outside [0, durationS()] are taken as the nearer end.
+// Immutable; every query takes O(log N). Construction takes O(N) (milliseconds for a million
+// points) and is possible on any thread. Times outside [0, durationS()] are clamped.
 class Clock {
 public:
-  // Nothing moves: duration 0.
+  // No motion: duration 0.
   Clock() = default;
-  // Preconditions (Error{Internal}): both are there, times do not decrease, waypoints of the
-  // trajectory exist in the plan.
+  // Preconditions (Error{Internal}): both are given, times do not decrease, and the trajectory's
+  // waypoints exist in the plan.
   Clock(std::shared_ptr<const plan::Trajectory> trajectory,
         std::shared_ptr<const plan::ToolPlan> toolPlan);
 
   bool empty() const { return !trajectory_ || trajectory_->pointCount() == 0; }
   double durationS() const;
   std::size_t pointCount() const { return empty() ? 0 : trajectory_->pointCount(); }
-  // null when empty.
+  // Null if empty.
   const std::shared_ptr<const plan::Trajectory>& trajectory() const { return trajectory_; }
   const std::shared_ptr<const plan::ToolPlan>& toolPlan() const { return toolPlan_; }
 
-  // The last point reached at that time. Precondition for all that follow: not empty.
+  // Returns the last point reached at that time. Precondition of all following queries: not empty.
   std::size_t pointAt(double timeS) const;
   double timeOfPoint(std::size_t point) const;
-  // Joints at that time, linear between points; dof values, radians (mm for sliding axes).
+  // Returns the joints at that time, linear between points; dof values [rad] (mm for sliding axes).
   robot::JointVector jointsAt(double timeS) const;
 
-  // Number of the plan's waypoints [0, n) that are printed or passed over by then.
+  // Returns the number n of the plan's waypoints [0, n) that are printed or passed by then.
   std::size_t printedWaypoints(double timeS) const;
-  // When the nozzle reaches a waypoint; nothing where the trajectory left it out.
+  // Returns the time at which the nozzle reaches a waypoint; nullopt if the trajectory skips it.
   std::optional<double> timeOfWaypoint(std::size_t waypoint) const;
-  // Layer (of plan::ToolPath) of the bead being laid, or last laid; before the first bead the
-  // first bead's.
+  // Returns the layer (of plan::ToolPath) of the bead being printed, or last printed; before the
+  // first bead the first bead's.
   int layerAt(double timeS) const;
 
-  // Steps; the ends stay where they are.
+  // Next and previous motion; clamped at the ends.
   double nextMoveS(double timeS) const;
   double previousMoveS(double timeS) const;
-  // Beginnings of the printing of a layer; one that is printed in parts begins several times.
+  // Start of the next and previous printing of a layer; a layer printed in parts has several
+  // starts.
   double nextLayerS(double timeS) const;
   double previousLayerS(double timeS) const;
 

@@ -44,7 +44,7 @@ ValueRange CurvePyramid::over(std::size_t begin, std::size_t end) const {
   const auto at = [&](std::size_t level, std::size_t i) {
     return level == 0 ? ValueRange{values_[i], values_[i]} : levels_[level - 1][i];
   };
-  // The ends that fill no whole range of the level above are taken here, the middle there.
+  // Values at the ends that do not fill a range of the next level are taken here, the middle there.
   for (std::size_t level = 0; begin < end; ++level) {
     const bool top = level == levels_.size();
     while (begin < end && (top || begin % kFan != 0))

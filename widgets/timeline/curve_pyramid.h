@@ -1,4 +1,4 @@
-// Least and greatest of any stretch of a long curve, without looking at every value.
+// Minimum and maximum over any interval of a long curve without visiting every value.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,7 @@ struct ValueRange {
   float low, high;
 };
 
-// Levels of ranges over 16, 256, ... values above the values themselves: a question costs
-// O(16 log N).
+// Levels of ranges over 16, 256, ... values above the values themselves; a query costs O(16 log N).
 class CurvePyramid {
 public:
   CurvePyramid() = default;
@@ -19,7 +18,7 @@ public:
 
   std::size_t size() const { return values_.size(); }
   float operator[](std::size_t i) const { return values_[i]; }
-  // Over [begin, end). Precondition (Error{Internal}): begin < end <= size().
+  // Returns the range over [begin, end). Precondition (Error{Internal}): begin < end <= size().
   ValueRange over(std::size_t begin, std::size_t end) const;
 
 private:

@@ -24,7 +24,7 @@ JointCurves::JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
         break;
       const double step = t.joints[(i + 1) * dof + joint] - t.joints[i * dof + joint];
       const double seconds = t.timeS[i + 1] - t.timeS[i];
-      // Two points at one moment: nothing lasts, so the speed before goes on.
+      // Two points at the same time have no duration, so the previous speed continues.
       speeds[i] = seconds > 0.0 ? static_cast<float>(robot::shownValue(kind, step / seconds))
                                 : (i > 0 ? speeds[i - 1] : 0.0f);
     }
@@ -55,7 +55,7 @@ QList<QPointF> JointCurves::reduced(const CurvePyramid& curve, double fromS, dou
                                     int columns, bool steps) const {
   const std::vector<double>& times = trajectory_->timeS;
   const auto indexOf = [&](auto at) { return static_cast<std::size_t>(at - times.begin()); };
-  // One point beyond each end, so that the curve leaves the picture instead of stopping in it.
+  // One point beyond each end, so that the curve continues to the edge of the picture.
   std::size_t begin = indexOf(std::lower_bound(times.begin(), times.end(), fromS));
   begin = begin > 0 ? begin - 1 : 0;
   std::size_t end = indexOf(std::upper_bound(times.begin(), times.end(), toS));

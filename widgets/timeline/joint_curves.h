@@ -1,4 +1,4 @@
-// Angles and speeds of a trajectory, ready to be drawn at any width.
+// Angles and speeds of a trajectory, prepared for drawing at any width.
 #pragma once
 
 #include "base/run_context.h"
@@ -13,20 +13,20 @@
 
 namespace voluta::timeline {
 
-// Immutable; degrees and degrees per second over seconds, mm and mm/s of joints that slide. Made in
-// O(dof N), on a worker.
+// Immutable; degrees and degrees per second over seconds, mm and mm/s for sliding joints.
+// Construction takes O(dof N), on a worker thread.
 class JointCurves {
 public:
-  // Joints behind those of `kinds` turn. Precondition (Error{Internal}): a trajectory with points,
-  // times that do not decrease.
+  // Joints beyond those of `kinds` are turning ones. Precondition (Error{Internal}): a trajectory
+  // with points and non-decreasing times.
   JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
               const std::vector<robot::JointKind>& kinds, const base::RunContext& ctx);
 
   int dof() const { return trajectory_->dof; }
   double durationS() const { return trajectory_->timeS.back(); }
 
-  // The curve over [fromS, toS] for so many pixel columns: at most four points a column, whose
-  // least and greatest values are those of the curve there. columns >= 1.
+  // Returns the curve over [fromS, toS] for the given number of pixel columns: at most four points
+  // per column, whose minimum and maximum are those of the curve there. columns >= 1.
   QList<QPointF> angle(int joint, double fromS, double toS, int columns) const;
   // Constant between two points of the trajectory, drawn as steps.
   QList<QPointF> speed(int joint, double fromS, double toS, int columns) const;
@@ -38,7 +38,8 @@ private:
                          bool steps) const;
 
   std::shared_ptr<const plan::Trajectory> trajectory_;
-  std::vector<CurvePyramid> angle_, speed_; // a joint each; a value per point, speeds till the next
+  // One per joint; a value per point, speeds up to the next
+  std::vector<CurvePyramid> angle_, speed_;
 };
 
 } // namespace voluta::timeline

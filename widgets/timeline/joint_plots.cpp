@@ -20,9 +20,9 @@ namespace voluta::timeline {
 namespace {
 constexpr int kLeastButton = 30;
 constexpr double kLeastSpanS = 0.5;
-constexpr double kMargin = 0.05; // of the values on show, above and below
+constexpr double kMargin = 0.05; // of the visible values, above and below
 
-// Told apart by the colour-blind too, and none is red: red means blocked. One row for light
+// Distinguishable by colour-blind users; none is red, because red means blocked. One row for light
 // palettes, one for dark ones.
 constexpr std::array<std::array<QRgb, 8>, 2> kJointColours{
     {{0xff0072b2, 0xffc77f00, 0xff00805d, 0xffb3559c, 0xff2fa3dd, 0xff6b5b00, 0xff555555,
@@ -50,7 +50,7 @@ struct Span {
   double low, high;
 };
 
-// Curves of one quantity and the values that hold them.
+// Returns the range that contains the curves of one quantity.
 Span spanOf(const std::vector<ChartCurve>& curves, const std::vector<ValueRange>& ranges,
             bool withLimits) {
   Span span{0.0, 0.0};
@@ -85,7 +85,7 @@ void JointPlots::buildWidgets() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(2);
-  // In rows of their own: together they would make the panel wider than the parameters.
+  // In separate rows: a single one would make the panel wider than the parameters.
   jointRow_ = new QHBoxLayout;
   jointRow_->setSpacing(2);
   column->addLayout(jointRow_);
@@ -120,7 +120,7 @@ void JointPlots::buildWidgets() {
     connect(canvas, &ChartCanvas::allWanted, this,
             [this] { setSpan(0.0, curves_ ? curves_->durationS() : 0.0); });
   }
-  // Both have the same width: one of them says for both.
+  // Both have the same width, so one signal suffices.
   connect(angle_, &ChartCanvas::resized, this, &JointPlots::refresh);
   connect(speed_, &ChartCanvas::resized, this, &JointPlots::refresh);
 }
@@ -129,7 +129,7 @@ void JointPlots::retranslate() {
   const bool slides = std::any_of(limits_.begin(), limits_.end(), [](const auto& limit) {
     return limit.kind == robot::JointKind::Sliding;
   });
-  angle_->setAxisTitle(slides ? tr("Angle (°), way (mm)") : tr("Angle (°)"));
+  angle_->setAxisTitle(slides ? tr("Angle (°), position (mm)") : tr("Angle (°)"));
   speed_->setAxisTitle(slides ? tr("Speed (°/s, mm/s)") : tr("Speed (°/s)"));
   for (ChartCanvas* canvas : {angle_, speed_})
     canvas->setTimeTitle(tr("Time (s)"));
@@ -179,9 +179,9 @@ void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajector
       1);
 }
 
-// null: of the robot.
+// null: a joint of the robot.
 const robot::ExternalAxis* JointPlots::externalAxis(std::size_t joint) const {
-  const std::size_t after = shown_.size() - std::min(shown_.size(), joint); // it included
+  const std::size_t after = shown_.size() - std::min(shown_.size(), joint); // including it
   return after <= externalAxes_.size() && after > 0 ? &externalAxes_[externalAxes_.size() - after]
                                                     : nullptr;
 }
@@ -196,7 +196,7 @@ void JointPlots::makeJointButtons() {
     for (std::size_t i = 0; i < count; ++i) {
       auto* button = new QToolButton(this);
       button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-      // Seven of them are still no wider than a panel.
+      // Seven of them still fit into a panel.
       button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
       button->setMinimumWidth(kLeastButton);
       button->setCheckable(true);
@@ -270,7 +270,7 @@ void JointPlots::refresh() {
   if (!curves_) {
     const QString hint = runner_->running()
                              ? tr("Preparing the curves…")
-                             : tr("Joints are drawn here once the motion is planned.");
+                             : tr("Joint curves appear here once the motion is planned.");
     for (ChartCanvas* canvas : {angle_, speed_}) {
       canvas->setContent({}, 0.0, 1.0, 0.0, 1.0);
       canvas->setHint(hint);
@@ -292,7 +292,7 @@ void JointPlots::refresh() {
       const bool angles = canvas == angle_;
       curve.points = angles ? curves_->angle(joint, fromS_, toS_, canvas->columns())
                             : curves_->speed(joint, fromS_, toS_, canvas->columns());
-      // Of an axis that runs on only the counter ends.
+      // For an endlessly turning axis the limits are only those of its counter.
       const robot::ExternalAxis* axis = externalAxis(i);
       if (limits && i < limits_.size() && !(angles && axis && axis->runsOn)) {
         const robot::JointLimits& l = limits_[i];
@@ -303,7 +303,7 @@ void JointPlots::refresh() {
       curves.push_back(std::move(curve));
     }
     const Span span = spanOf(curves, ranges, limits);
-    canvas->setHint(curves.empty() ? tr("No joint is chosen.") : QString());
+    canvas->setHint(curves.empty() ? tr("No joint selected.") : QString());
     canvas->setContent(std::move(curves), fromS_, toS_, span.low, span.high);
   }
 }

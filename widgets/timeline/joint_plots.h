@@ -1,4 +1,4 @@
-// Angle and speed of every joint over time, with their limits, in step with the time-line.
+// Angle and speed of every joint over time, with their limits, synchronized with the time-line.
 #pragma once
 
 #include "plan/trajectory.h"
@@ -23,9 +23,9 @@ class JointCurves;
 
 enum class PlotKind { Angle, Speed, Both };
 
-// Curves are prepared on a worker and reduced to the least and greatest value a pixel column, anew
-// only when the view is zoomed, moved or resized. The wheel zooms about the pointer, a drag moves
-// the view, a double click shows all; colours follow the palette.
+// Curves are prepared on a worker and reduced to the minimum and maximum per pixel column; this is
+// repeated only when the view is zoomed, moved or resized. The wheel zooms about the pointer,
+// dragging moves the view, a double click shows everything; colours follow the palette.
 class JointPlots : public QWidget {
   Q_OBJECT
 
@@ -33,9 +33,9 @@ public:
   explicit JointPlots(QWidget* parent = nullptr);
   ~JointPlots() override;
 
-  // null: nothing to show. Limits: one a joint, or none. The last joints are the external axes,
-  // shown by their names; one that runs on turns so far that it is not shown at first. Returns at
-  // once; ready() follows.
+  // null: nothing to show. Limits: one per joint, or none. The last joints are the external axes,
+  // shown by their names; one that turns endlessly is hidden at first because of its large angles.
+  // Returns immediately; ready() follows.
   void setTrajectory(std::shared_ptr<const plan::Trajectory> trajectory,
                      std::vector<robot::JointLimits> limits,
                      std::vector<robot::ExternalAxis> externalAxes = {});
@@ -45,7 +45,7 @@ public:
   PlotKind kind() const { return kind_; }
   void setJointShown(int joint, bool shown);
   bool jointShown(int joint) const;
-  // Span of time on show, seconds; held inside the trajectory.
+  // Visible time span in seconds, clamped to the trajectory.
   void setSpan(double fromS, double toS);
   double spanFromS() const { return fromS_; }
   double spanToS() const { return toS_; }

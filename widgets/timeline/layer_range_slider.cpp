@@ -14,7 +14,7 @@ namespace voluta::timeline {
 namespace {
 constexpr double kHandleHeight = 12.0, kHandleWidth = 18.0;
 constexpr double kGrooveWidth = 4.0;
-constexpr int kWheelStep = 120; // eighths of a degree of one notch
+constexpr int kWheelStep = 120; // eighths of a degree per notch
 constexpr int kPage = 10;
 constexpr double kUsualRadiusMm = 888.88;
 } // namespace
@@ -73,8 +73,8 @@ QSize LayerRangeSlider::sizeHint() const {
   return {minimumSizeHint().width(), 300};
 }
 
-// Room for the labels of any usual part from the start: a slider that widened with its labels would
-// move the picture beside it.
+// Reserve room for the labels of any usual part: a slider that widened with its labels would move
+// the picture beside it.
 QSize LayerRangeSlider::minimumSizeHint() const {
   int text = std::max(textWidth(QStringLiteral("0000")), textWidth(topText(kUsualRadiusMm, true)));
   for (const int layer : {0, count_ / 2, count_ - 1})
@@ -101,7 +101,7 @@ int LayerRangeSlider::layerAt(double y) const {
   return static_cast<int>(std::lround(share * std::max(0, count_ - 1)));
 }
 
-// The handles point away from each other, so that both can be held where they meet.
+// The handles point away from each other, so that both can be grabbed if they touch.
 QRectF LayerRangeSlider::handleRect(Handle handle) const {
   const double x = grooveRect().center().x() - 0.5 * kHandleWidth;
   return handle == Handle::Upper
@@ -145,12 +145,12 @@ void LayerRangeSlider::moveHandle(Handle handle, int layer) {
 }
 
 void LayerRangeSlider::describe() {
-  setAccessibleName(tr("Layers on show"));
+  setAccessibleName(tr("Shown layers"));
   setAccessibleDescription(
       count_ == 0 ? tr("No layers")
                   : tr("Layers %1 to %2 of %3").arg(first_ + 1).arg(last_ + 1).arg(count_));
   setToolTip(count_ == 0
-                 ? tr("Layers are shown here once they are planned.")
+                 ? tr("Layers appear here once they are planned.")
                  : tr("Layers %1 to %2 of %3. Up and down keys move the upper end, with Shift the "
                       "lower one; a double click shows a single layer.")
                        .arg(first_ + 1)
@@ -164,7 +164,7 @@ void LayerRangeSlider::mousePressEvent(QMouseEvent* event) {
   const double y = event->position().y();
   held_ = nearestHandle(y);
   emit dragging(true);
-  // A click on a handle takes it as it lies; beside them it brings the nearer one.
+  // A click on a handle grabs it without moving it; elsewhere the nearer handle moves there.
   if (!handleRect(held_).adjusted(-4, -2, 4, 2).contains(event->position()))
     moveHandle(held_, layerAt(y));
   update();

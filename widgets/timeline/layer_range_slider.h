@@ -1,4 +1,4 @@
-// Which layers are shown: two handles on a vertical groove.
+// Selection of the shown layers: two handles on a vertical groove.
 #pragma once
 
 #include <QWidget>
@@ -6,11 +6,11 @@
 
 namespace voluta::timeline {
 
-// Layers are counted from 0 inside and from 1 on the labels. Keys: up and down move the upper
-// handle, with Shift the lower one, Page up and Page down by ten; Home and End show all from the
-// first or up to the last. The wheel moves the upper handle, with Shift the lower one, with Ctrl
-// both. A click on the groove brings the nearer handle; a double click shows a single layer, and
-// again all of them. In single layer mode both handles move as one.
+// Layers are counted from 0 in the interface and from 1 on the labels. Keys: up and down move the
+// upper handle, with Shift the lower one, Page up and Page down by ten; Home and End extend the
+// range to the first or to the last layer. The wheel moves the upper handle, with Shift the lower
+// one, with Ctrl both. A click on the groove moves the nearer handle there; a double click shows a
+// single layer, another one all of them. In single-layer mode both handles move together.
 class LayerRangeSlider : public QWidget {
   Q_OBJECT
 
@@ -22,12 +22,12 @@ public:
   int last() const { return last_; }
   bool single() const { return single_; }
 
-  // Where the layers' tops are, in mm, for the labels: heights, or radii about an axis; empty, or
-  // one a layer. Shows all layers when the count changes. count >= 0.
+  // Tops of the layers for the labels [mm]: heights, or radii about an axis; empty, or one per
+  // layer. Shows all layers when the count changes. count >= 0.
   void setLayers(int count, std::vector<double> topMm = {}, bool radii = false);
-  // As the labels have it: "12.8 mm", "r 3.75 mm"; empty: not known.
+  // Returns the label's text: "12.8 mm", "r 3.75 mm"; empty: not known.
   QString topText(int layer) const;
-  // Held inside [0, layerCount() - 1]; first <= last.
+  // Clamped to [0, layerCount() - 1]; first <= last.
   void setRange(int first, int last);
   void setSingle(bool single);
 
@@ -69,7 +69,7 @@ private:
   bool radii_ = false;
   bool single_ = false;
   Handle held_ = Handle::None;
-  int wheelRest_ = 0; // eighths of a degree not yet spent on a step
+  int wheelRest_ = 0; // eighths of a degree not yet used for a step
 };
 
 } // namespace voluta::timeline

@@ -70,7 +70,7 @@ void Player::advance(double wallSeconds) {
 }
 
 void Player::tick() {
-  // What was missed while the window was busy drawing is made up for: the time is the wall's.
+  // Uses wall time, so that playing keeps up although the window was busy drawing.
   advance(static_cast<double>(elapsed_.restart()) / 1000.0);
 }
 

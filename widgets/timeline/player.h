@@ -1,4 +1,4 @@
-// What plays: a position that runs on with the wall clock.
+// Playback: a position that advances with the wall clock.
 #pragma once
 
 #include <QElapsedTimer>
@@ -8,8 +8,8 @@ class QTimer;
 
 namespace voluta::timeline {
 
-// A position in [0, end], moved at speed() times its units a second, in up to 30 steps a second.
-// Stops at the end; play() from the end starts over.
+// A position in [0, end] that advances by speed() times its units per second, at up to 30 steps per
+// second. Stops at the end; play() from the end starts over.
 class Player : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
   double speed() const { return speed_; }
   bool playing() const;
 
-  // end >= 0; the position is held inside.
+  // `end` >= 0; the position is clamped.
   void setEnd(double end);
   void setPosition(double position);
   // > 0.
@@ -31,7 +31,7 @@ public:
   void play();
   void pause();
   void toggle();
-  // As if so many seconds of wall time had passed. Without effect while not playing.
+  // Advances as if that many seconds of wall time had passed. No effect while not playing.
   void advance(double wallSeconds);
 
 signals:

@@ -14,9 +14,9 @@ namespace voluta::timeline {
 namespace {
 constexpr double kHandleRadius = 7.0;
 constexpr double kGrooveHeight = 4.0;
-constexpr double kMarkHalf = 4.0; // of a mark's width
+constexpr double kMarkHalf = 4.0; // half of a mark's width
 constexpr double kSpanGap = 4.0, kSpanHeight = 3.0;
-constexpr double kSnapPx = 5.0; // a click this near to a mark means the mark
+constexpr double kSnapPx = 5.0; // a click this close to a mark selects the mark
 } // namespace
 
 ScrubSlider::ScrubSlider(QWidget* parent) : QWidget(parent) {
@@ -39,7 +39,7 @@ void ScrubSlider::setPosition(double position) {
 
 void ScrubSlider::setMarks(std::vector<SliderMark> marks) {
   marks_ = std::move(marks);
-  // Blocking ones are drawn last, over the others.
+  // Blocking ones are drawn last, on top of the others.
   std::stable_sort(marks_.begin(), marks_.end(), [](const SliderMark& a, const SliderMark& b) {
     return !a.blocking && b.blocking;
   });
@@ -142,7 +142,8 @@ void ScrubSlider::mouseReleaseEvent(QMouseEvent* event) {
   update();
 }
 
-// Findings that block are squares above the groove, others triangles: told apart without colour.
+// Blocking findings are squares above the groove, others triangles, so that they differ without
+// colour.
 void ScrubSlider::paintMark(QPainter& painter, const SliderMark& mark) const {
   const double x = xOf(mark.position), top = 1.0;
   if (mark.blocking) {

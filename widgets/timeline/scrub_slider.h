@@ -1,4 +1,4 @@
-// The groove of the time-line: a handle at a position, marks where findings are.
+// The groove of the time-line: a handle at the position, marks at findings.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace voluta::timeline {
 
-// A position in [0, end], as fine as the pixels are.
+// A position in [0, end] with pixel resolution.
 class ScrubSlider : public QWidget {
   Q_OBJECT
 
@@ -30,9 +30,9 @@ public:
   void setPosition(double position); // does not emit
   double position() const { return position_; }
   void setMarks(std::vector<SliderMark> marks);
-  // Stretches set off under the groove, in order.
+  // Spans marked below the groove, in order.
   void setSpans(std::vector<SliderSpan> spans);
-  // What the tool tip says of a position.
+  // Provides the tool tip for a position.
   void setTextOf(std::function<QString(double)> textOf) { textOf_ = std::move(textOf); }
 
   QSize sizeHint() const override;

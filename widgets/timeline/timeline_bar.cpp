@@ -21,9 +21,9 @@ namespace voluta::timeline {
 
 namespace {
 constexpr std::array<int, 7> kSpeeds{1, 2, 5, 10, 20, 50, 100};
-// Moves of a layer have no time of their own here: a millimetre apart, about as fast as printed.
+// Moves of a layer have no time here: they are a millimetre apart, so this is about printing speed.
 constexpr double kMovesPerSecond = 20.0;
-// A part grows in some ten seconds.
+// Shows the growth of a part in about ten seconds.
 constexpr double kStepsPerSecond = 12.0;
 constexpr int kManySteps = 10;
 
@@ -107,11 +107,13 @@ void TimelineBar::retranslate() {
   name(previousMove_, steps ? tr("Previous growth step") : tr("Previous move"), keys(Qt::Key_Left));
   name(play_, playing() ? tr("Pause") : tr("Play"), keys(Qt::Key_Space));
   name(nextMove_, steps ? tr("Next growth step") : tr("Next move"), keys(Qt::Key_Right));
-  name(nextLayer_, steps ? tr("Ten steps on") : tr("Next layer"), keys(Qt::CTRL | Qt::Key_Right));
-  name(speed_, tr("Speed of playing"), {});
-  label_->setToolTip(mode_ == BarMode::Time ? tr("Moment of the print / planned time") : QString());
+  name(nextLayer_, steps ? tr("Ten steps forward") : tr("Next layer"),
+       keys(Qt::CTRL | Qt::Key_Right));
+  name(speed_, tr("Playback speed"), {});
+  label_->setToolTip(mode_ == BarMode::Time ? tr("Printing time so far / planned time")
+                                            : QString());
   slider_->setAccessibleName(mode_ == BarMode::Time ? tr("Time")
-                             : steps                ? tr("Steps of growth")
+                             : steps                ? tr("Growth steps")
                                                     : tr("Moves of the layer"));
 }
 
@@ -148,7 +150,7 @@ double TimelineBar::positionOfMode() const {
   return mode_ == BarMode::Time ? timeS_ : mode_ == BarMode::Moves ? move_ : step_;
 }
 
-// The player serves the mode on show; what the other modes show stays as it was.
+// Sets the player to the current mode; the positions of the other modes are unchanged.
 void TimelineBar::enterMode() {
   const double end = endOfMode();
   {
@@ -259,7 +261,7 @@ void TimelineBar::setPosition(double position) {
     }
     return;
   }
-  // Playing moves by fractions; what is shown are whole moves and steps.
+  // Playback advances by fractions, but only whole moves and steps are shown.
   const int whole = static_cast<int>(std::floor(position + 1e-6));
   if (whole == countedPlace())
     return;
@@ -282,7 +284,7 @@ void TimelineBar::showPosition() {
                                                locale.toString(static_cast<int>(endOfMode())));
   };
   label_->setText(text(positionOfMode()));
-  // Wide enough for the end, so that the slider does not change its length while playing.
+  // Wide enough for the end, so that the slider's length does not change during playback.
   label_->setMinimumWidth(label_->fontMetrics().horizontalAdvance(text(end).replace(
                               QRegularExpression(QStringLiteral("[0-9]")), QStringLiteral("0"))) +
                           4);

@@ -1,4 +1,4 @@
-// The bar under the viewport: play, step, scrub.
+// The bar below the viewport: play, step, scrub.
 #pragma once
 
 #include "timeline/clock.h"
@@ -17,27 +17,27 @@ namespace voluta::timeline {
 class Player;
 class ScrubSlider;
 
-// Where a finding lies on the time-line.
+// A finding on the time-line.
 struct Mark {
   double timeS = 0.0;
   bool blocking = true;
   QString text; // tool tip
 };
 
-// A stretch of time that is set off: drawn under the groove.
+// A time span marked below the groove.
 struct Span {
   double fromS = 0.0, toS = 0.0;
   QString text; // tool tip
 };
 
-// Time: over the whole program, in seconds (Simulate page). Moves: over the moves of the layer on
-// show (Layers page); the position is the number of moves shown. Steps: over the steps of growth
-// (Layers page, voxels); the position is the number of steps shown.
+// Time: over the whole program, in seconds (Simulate page). Moves: over the moves of the shown
+// layer (Layers page); the position is the number of shown moves. Steps: over the growth steps
+// (Layers page, voxels); the position is the number of shown steps.
 enum class BarMode { Time, Moves, Steps };
 
-// Keys while it has the focus: space plays and pauses, left and right step by a move or a step of
-// growth, with Ctrl by a layer or ten steps, Home and End go to the ends. The same as slots, for
-// shortcuts of the whole window.
+// Keys while it has the focus: space plays and pauses, left and right step by a move or a growth
+// step, with Ctrl by a layer or ten steps, Home and End move to the ends. The same actions are
+// slots, for shortcuts of the whole window.
 class TimelineBar : public QWidget {
   Q_OBJECT
 
@@ -47,13 +47,13 @@ public:
   BarMode mode() const { return mode_; }
   void setMode(BarMode mode);
 
-  // The program on show; null or empty: the bar is disabled in mode Time. The time is kept where
-  // it is still inside.
+  // The shown program; null or empty: the bar is disabled in mode Time. The time is kept if it is
+  // still inside.
   void setClock(std::shared_ptr<const Clock> clock);
   const std::shared_ptr<const Clock>& clock() const { return clock_; }
-  // Moves of the layer on show, >= 0; shows all of them.
+  // Number of moves of the shown layer, >= 0; shows all of them.
   void setMoveCount(int moves);
-  // Steps of the growth on show, >= 0; shows all of them where their number is new.
+  // Number of growth steps, >= 0; shows all of them if the number changed.
   void setStepCount(int steps);
   void setMarks(std::vector<Mark> marks);
   // In order; shown in mode Time.
@@ -68,18 +68,19 @@ public:
   double speed() const;
 
 public slots:
-  // Move the bar and everything in step with it; signals only where the value changes.
+  // Move the bar and everything synchronized with it; signals are emitted only if the value
+  // changes.
   void setTimeS(double timeS);
   void setMove(int move);
   void setStep(int step);
-  // One of 1, 2, 5, 10, 20, 50, 100; others are left alone.
+  // One of 1, 2, 5, 10, 20, 50, 100; others are ignored.
   void setSpeed(double factor);
   void play();
   void pause();
   void togglePlay();
   void nextMove();
   void previousMove();
-  // In mode Moves they ask for another layer instead: layerStepRequested. In mode Steps: by ten.
+  // In mode Moves they emit layerStepRequested instead; in mode Steps they move by ten.
   void nextLayer();
   void previousLayer();
 
@@ -89,7 +90,7 @@ signals:
   void stepChanged(int steps);       // [0, steps of the growth]
   void layerStepRequested(int step); // mode Moves: +1 or -1
   void playingChanged(bool playing);
-  void dragging(bool on); // the handle is held, for level of detail
+  void dragging(bool on); // the handle is held; for level of detail
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -105,7 +106,7 @@ private:
   void setPosition(double position);
   double endOfMode() const;
   double positionOfMode() const;
-  // The place that a whole number of moves or steps is kept in.
+  // The variable that holds the current number of moves or steps.
   int& countedPlace() { return mode_ == BarMode::Steps ? step_ : move_; }
 
   std::shared_ptr<const Clock> clock_;

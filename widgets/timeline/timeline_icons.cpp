@@ -9,7 +9,7 @@
 namespace voluta::timeline {
 
 namespace {
-// All shapes lie in the unit square.
+// All shapes are within the unit square.
 void addTriangle(QPainterPath& path, double tip, double base) {
   path.addPolygon(QPolygonF({{base, 0.2}, {tip, 0.5}, {base, 0.8}, {base, 0.2}}));
 }
@@ -18,7 +18,7 @@ void addBar(QPainterPath& path, double left) {
   path.addRect(left, 0.2, 0.12, 0.6);
 }
 
-// Sheets lying above each other, the new one marked by the way the arrow points.
+// Stacked sheets; the arrow's direction marks the new one.
 void addSheets(QPainterPath& path, double left, double right) {
   for (const double top : {0.24, 0.46, 0.68})
     path.addRect(left, top, right - left, 0.1);

@@ -1,4 +1,4 @@
-// Icons of the time-line, drawn sharp at any scale in the colour of the application's text.
+// Icons of the time-line, sharp at any scale, in the application's text colour.
 #pragma once
 
 #include <QIcon>
@@ -7,7 +7,7 @@ namespace voluta::timeline {
 
 enum class BarIcon { Play, Pause, NextMove, PreviousMove, NextLayer, PreviousLayer };
 
-// Drawn anew with QGuiApplication::palette() each time it is shown.
+// Drawn with the current QGuiApplication::palette() each time it is shown.
 QIcon icon(BarIcon which);
 
 } // namespace voluta::timeline

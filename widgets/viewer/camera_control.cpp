@@ -13,7 +13,7 @@ namespace voluta::viewer {
 namespace {
 using Eigen::Vector3d;
 
-// VTK wants the view's up and its direction further apart than this.
+// VTK needs a larger angle than this between the view's up and its direction.
 constexpr double kPoleMargin = base::degreesToRadians(3.0);
 constexpr double kNearestMm = 2.0, kFarthestMm = 20000.0;
 
@@ -43,7 +43,7 @@ void CameraControl::place(const Vector3d& focal, const Vector3d& towardsEye, dou
   const Vector3d eye = towardsEye.normalized();
   Vector3d up = Vector3d::UnitZ();
   if (std::abs(eye.z()) > std::cos(kPoleMargin)) {
-    // Straight from above or below: what is up on the screen stays so.
+    // Straight from above or below: the screen's up direction is kept.
     up = axes().col(1);
     up.z() = 0.0;
     if (up.norm() < 1e-6)
@@ -63,7 +63,7 @@ void CameraControl::orbit(double dxPixels, double dyPixels) {
   const Eigen::Matrix3d a = axes();
   const Vector3d eye = a.col(2);
   const double limit = 0.5 * base::kPi - 1.01 * kPoleMargin;
-  // At a pole the eye has no azimuth; what is up on the screen has.
+  // At a pole the eye has no azimuth, so the screen's up direction gives it.
   const bool pole = std::abs(eye.z()) > std::cos(kPoleMargin);
   const Vector3d behind = eye.z() > 0.0 ? Vector3d(-a.col(1)) : Vector3d(a.col(1));
   const Vector3d& aside = pole ? behind : eye;

@@ -1,5 +1,5 @@
-// A turntable camera, z upwards: what mouse and keys do to a vtkCamera. Display coordinates are
-// VTK's: device pixels, y up. No Qt, no window.
+// A turntable camera, z upwards: the effect of mouse and keys on a vtkCamera. Display coordinates
+// are VTK's: device pixels, y up. Independent of Qt and of windows.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,25 +15,25 @@ struct Ray {
 
 class CameraControl {
 public:
-  // The renderer outlives this object.
+  // The renderer must outlive this object.
   explicit CameraControl(vtkRenderer* renderer) : renderer_(renderer) {}
 
-  // Turns about the focal point: a drag over the viewport's height is half a turn. Stops 3 degrees
-  // before the poles; viewFrom reaches them.
+  // Rotates about the focal point: a drag over the viewport's height is half a turn. Stops 3
+  // degrees before the poles, which only viewFrom reaches.
   void orbit(double dxPixels, double dyPixels);
   // The point under the cursor in the focal plane follows the cursor.
   void pan(double dxPixels, double dyPixels);
-  // factor > 1 comes nearer; the point under (x, y) stays where it is.
+  // factor > 1 zooms in; the point under (x, y) keeps its place.
   void zoom(double factor, double x, double y);
-  // Looks along -towardsEye at the present focal point, from the present distance.
+  // Looks along -towardsEye at the current focal point, from the current distance.
   void viewFrom(const Eigen::Vector3d& towardsEye);
-  // The ball fills the view; the direction stays.
+  // Makes the sphere fill the view; keeps the direction.
   void frame(const Eigen::Vector3d& centre, double radius);
 
   Ray rayThrough(double x, double y) const;
-  // Display coordinates; z < 0 when the place is behind the eye.
+  // Returns display coordinates; z < 0 if the point is behind the eye.
   Eigen::Vector3d project(const Eigen::Vector3d& world) const;
-  // mm that a pixel covers at this place.
+  // Returns the length that a pixel covers at this point [mm].
   double mmPerPixel(const Eigen::Vector3d& world) const;
   // Columns: right, up, towards the eye.
   Eigen::Matrix3d axes() const;

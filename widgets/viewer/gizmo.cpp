@@ -17,10 +17,10 @@ using Eigen::Vector3d;
 constexpr double kLengthPixels = 90.0, kGrabPixels = 8.0;
 constexpr int kRingPoints = 64;
 constexpr int kAll = 3, kRing = 4;
-constexpr double kTiltShare = 0.72; // of an arrow's length: rings that tilt
+constexpr double kTiltShare = 0.72; // Share of an arrow's length: radius of the rings for tilting
 
-// Blue, bluish green and orange, which colour-blind people tell apart; the handles carry their
-// letter too.
+// Blue, bluish green and orange, which colour-blind people can distinguish; the handles also show
+// their letter.
 QColor axisColour(int axis) {
   static const std::array<QColor, 4> kColours{QColor(213, 130, 0), QColor(0, 158, 115),
                                               QColor(0, 114, 178), QColor(130, 130, 130)};
@@ -189,7 +189,7 @@ double Gizmo::angleOnRing(const Ray& ray, const QPointF& cursor) const {
       const Vector3d d = *hit - centreAtBegin_;
       return std::atan2(d.dot(axisAfter(grabbed_, 2)), d.dot(axisAfter(grabbed_, 1)));
     }
-  // Seen from its edge, a ring turns by the cursor's way along it.
+  // A ring seen edge-on is rotated by the cursor's movement along it.
   const QPointF d = cursor - centreOnScreen_;
   return (d.x() - d.y()) / kLengthPixels;
 }

@@ -1,6 +1,6 @@
-// Handles about the part, or a plane that cuts it, to move, turn and scale it with the mouse: where
-// they are on the screen, which one is under the cursor, and what a drag of one means. Knows a
-// camera, no widget.
+// Handles around the part, or on a cutting plane, for moving, rotating and scaling with the mouse:
+// their positions on the screen, the one under the cursor, and the effect of dragging one. Uses a
+// camera, but no widget.
 #pragma once
 
 #include "viewer/camera_control.h"
@@ -19,21 +19,20 @@ class QPalette;
 
 namespace voluta::viewer {
 
-// CutPlane: a plane moved along its normal and tilted about the two other axes of its frame.
-// Frame: moved along its axes and turned about them.
-// PickPoint: no handles, a click names a place.
+// CutPlane: a plane moved along its normal and tilted about the two other axes of its frame. Frame:
+// moved along its axes and rotated about them. PickPoint: no handles; a click selects a point.
 enum class Tool { None, Move, Turn, Scale, LayFlat, CutPlane, Frame, PickPoint };
 inline bool hasHandles(Tool tool) {
   return tool != Tool::None && tool != Tool::LayFlat && tool != Tool::PickPoint;
 }
 
-// What a drag came to since it began.
+// The total effect of a drag since its start.
 struct GizmoChange {
   Eigen::Vector3d moveMm = Eigen::Vector3d::Zero();
   Eigen::Quaterniond turn =
-      Eigen::Quaterniond::Identity(); // about the gizmo's centre, in the world
+      Eigen::Quaterniond::Identity(); // About the gizmo's centre, in the world
   double scale = 1.0;
-  QString text; // for the label beside the cursor
+  QString text; // For the label beside the cursor
 };
 
 class Gizmo {
@@ -44,18 +43,18 @@ public:
   Tool tool() const { return tool_; }
   // Centre in world mm; the handles keep their size on the screen.
   void setCentre(const Eigen::Vector3d& centre) { centre_ = centre; }
-  // Unit vectors that the handles lie along, in columns; the world's at first.
+  // Unit vectors of the handles' axes, in columns; initially the world's.
   void setAxes(const Eigen::Matrix3d& axes) { axes_ = axes; }
 
-  // Widget coordinates of a place in the world.
+  // Returns the widget coordinates of a point in the world.
   using Projection = std::function<QPointF(const Eigen::Vector3d&)>;
-  // mmPerPixel: of the widget's pixels at the centre.
+  // mmPerPixel: for the widget's pixels at the centre.
   void paint(QPainter& painter, const Projection& project, double mmPerPixel,
              const QPalette& palette) const;
-  // True when a handle is under the cursor; it is drawn as such from then on.
+  // Returns whether a handle is under the cursor; it is highlighted from then on.
   bool hover(const QPointF& cursor, const Projection& project, double mmPerPixel);
 
-  // Precondition of begin: hover() was true. The ray is the cursor's.
+  // Precondition of begin: hover() returned true. The ray is the cursor's.
   void begin(const QPointF& cursor, const Ray& ray, const Projection& project, double mmPerPixel);
   bool dragging() const { return dragging_; }
   // snap: whole mm, 15 degrees, 5 %.
@@ -63,8 +62,8 @@ public:
   void end() { dragging_ = false; }
 
 private:
-  // What is along or about an axis (0-2); 3: all of them (the plane z for Move, the middle for
-  // Scale); 4-6: a ring about an axis that has an arrow too.
+  // 0-2: handles along or about an axis; 3: all axes (the plane z for Move, the centre for Scale);
+  // 4-6: a ring about an axis that also has an arrow.
   struct Handle {
     int axis;
     QPolygonF line;
@@ -72,7 +71,7 @@ private:
   };
   static int axisOf(int handle) { return handle % 4; }
   Eigen::Vector3d axis(int handle) const { return axes_.col(axisOf(handle)); }
-  // The axis that comes after a handle's by so many steps.
+  // Returns the axis that follows a handle's by this many steps.
   Eigen::Vector3d axisAfter(int handle, int steps) const {
     return axes_.col((axisOf(handle) + steps) % 3);
   }
@@ -80,14 +79,14 @@ private:
     return tool_ == Tool::Turn || (tool_ == Tool::CutPlane && handle < 2) || handle > 3;
   }
   std::vector<Handle> handles(const Projection& project, double mmPerPixel) const;
-  double alongAxis(const Ray& ray) const; // mm along the axis grabbed
+  double alongAxis(const Ray& ray) const; // Position along the dragged axis [mm]
   std::optional<Eigen::Vector3d> onPlane(const Ray& ray, const Eigen::Vector3d& normal) const;
   double angleOnRing(const Ray& ray, const QPointF& cursor) const;
 
   Tool tool_ = Tool::None;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
-  int grabbed_ = -1; // under the cursor or being dragged
+  int grabbed_ = -1; // Under the cursor or being dragged
   bool dragging_ = false;
   Eigen::Vector3d centreAtBegin_ = Eigen::Vector3d::Zero();
   QPointF centreOnScreen_;

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 struct Face {
-  Vector3d normal, right, up; // of the face as it is read from outside
+  Vector3d normal, right, up; // Of the face as read from outside
 };
 
 const std::array<Face, 6>& faces() {
@@ -82,7 +82,7 @@ int ViewCube::faceAt(const QPointF& place) const {
 void ViewCube::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  constexpr double kText = 100.0; // a face in its own coordinates
+  constexpr double kText = 100.0; // Size of a face in its own coordinates
   const QPolygonF square({{0, 0}, {kText, 0}, {kText, kText}, {0, kText}});
   for (int face = 0; face < 6; ++face) {
     const double facing = faces()[static_cast<std::size_t>(face)].normal.dot(axes_.col(2));

@@ -1,5 +1,5 @@
-// The cube in the viewport's corner: shows how the view is turned, a click on a face looks at it
-// from there, a drag turns the view.
+// The cube in the viewport's corner: shows the orientation of the view; a click on a face looks
+// from there, a drag rotates the view.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +13,13 @@ class ViewCube : public QWidget {
 
 public:
   explicit ViewCube(QWidget* parent = nullptr);
-  // Columns: right, up, towards the eye, as of CameraControl::axes().
+  // Columns: right, up, towards the eye, as in CameraControl::axes().
   void setAxes(const Eigen::Matrix3d& axes);
   QSize sizeHint() const override { return {96, 96}; }
 
 signals:
   void viewFrom(const Eigen::Vector3d& towardsEye);
-  void orbit(double dxPixels, double dyPixels); // logical pixels, y up
+  void orbit(double dxPixels, double dyPixels); // Logical pixels, y up
 
 protected:
   void paintEvent(QPaintEvent*) override;

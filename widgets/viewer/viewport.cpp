@@ -16,12 +16,12 @@ namespace voluta::viewer {
 
 namespace {
 constexpr int kMargin = 10;
-constexpr int kSettleMs = 180; // after the last wheel step the full detail comes back
-constexpr int kRestMs = 120;   // the cursor rests
+constexpr int kSettleMs = 180; // Delay after the last wheel step until full detail is restored
+constexpr int kRestMs = 120;   // Delay after which the cursor counts as resting
 constexpr double kWheelFactor = 1.15, kKeyOrbitPixels = 30.0;
 } // namespace
 
-// The handles, drawn by Qt over VTK's picture: always on top and sharp.
+// The handles, drawn by Qt over VTK's image: always on top and sharp.
 class Viewport::Overlay : public QWidget {
 public:
   explicit Overlay(Viewport* parent) : QWidget(parent), viewport_(*parent) {

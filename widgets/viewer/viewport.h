@@ -1,6 +1,6 @@
-// The viewport: a scene, a turntable camera under the mouse, handles to place the part with, the
-// view cube. Left drag turns the view, middle or Shift+left drag moves it, the wheel zooms at the
-// cursor; arrow keys turn, plus and minus zoom.
+// The viewport: a scene, a turntable camera controlled by the mouse, handles to place the part, the
+// view cube. Left drag rotates the view, middle or Shift+left drag moves it, the wheel zooms at the
+// cursor; arrow keys rotate, plus and minus zoom.
 #pragma once
 
 #include "scene/scene.h"
@@ -24,25 +24,25 @@ public:
   ~Viewport() override;
 
   scene::Scene& scene() { return scene_; }
-  // Shows this; a frame follows.
+  // Shows this view; a frame follows.
   void setView(const scene::ViewState& view);
   const scene::ViewState& view() const { return scene_.view(); }
 
   void setTool(Tool tool);
   Tool tool() const { return gizmo_.tool(); }
-  // Where the handles are, in the world: at the part's centre, or on a plane that cuts it.
-  // `axes`: unit vectors in columns that the handles lie along.
+  // Sets the position of the handles in the world: the part's centre, or a cutting plane. `axes`:
+  // unit vectors of the handles' axes, in columns.
   void setGizmoCentre(const Eigen::Vector3d& centre,
                       const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 
-  // Beside what lies over the corners.
+  // Leaves room for the widgets over the corners.
   void frameAll();
   void viewFrom(const Eigen::Vector3d& towardsEye);
   void lookAt(const Eigen::Vector3d& pointInWork, double radiusMm);
-  // As lookAt(), from where the place is seen best; says what hides it there all the same.
+  // As lookAt(), from the direction with the best view of the point; returns what still hides it.
   scene::Sight lookAtClearly(const Eigen::Vector3d& pointInWork, double radiusMm);
-  // Has the user moved the camera nearer, farther or aside since frameAll()? Until then it frames
-  // all from every side and in every size of the viewport.
+  // Returns whether the user has zoomed or moved the camera since frameAll(). Until then it frames
+  // everything from every direction and at every size of the viewport.
   bool isCameraTheUsers() const { return usersCamera_; }
   // Something other than the camera is being dragged: less detail, faster frames.
   void setDragging(bool on);
@@ -51,10 +51,10 @@ public:
 
 signals:
   void toolChanged(voluta::viewer::Tool tool);
-  // A drag of a handle: what it came to so far, once more with finished = true.
+  // A handle is being dragged: the effect so far, and once more with finished = true.
   void gizmoDragged(const voluta::viewer::GizmoChange& change, bool finished);
   void gizmoStarted();
-  // A click that did not drag.
+  // A click without a drag.
   void clicked(const std::optional<voluta::scene::Hit>& hit);
   // The cursor rests on something.
   void hovered(const std::optional<voluta::scene::Hit>& hit);
@@ -75,8 +75,8 @@ protected:
 private:
   class Overlay;
 
-  void moved();  // the camera, so that it no longer frames all
-  void turned(); // the camera, about what it looks at
+  void moved();  // Moves the camera, so that it no longer frames everything
+  void turned(); // Rotates the camera about its focal point
   void layOut();
   void applyDetail();
   std::optional<scene::Hit> hitAt(const QPointF& place) const;

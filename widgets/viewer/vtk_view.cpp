@@ -14,7 +14,7 @@
 namespace voluta::viewer {
 
 namespace {
-// What the context says of itself, in one line.
+// Returns a one-line description of the context.
 QString describe(QOpenGLContext& context) {
   const auto text = [&](GLenum name) {
     return QString::fromUtf8(reinterpret_cast<const char*>(context.functions()->glGetString(name)));
@@ -33,11 +33,11 @@ QSurfaceFormat vtkFormat() {
   format.setDepthBufferSize(24);
   format.setStencilBufferSize(8);
   format.setAlphaBufferSize(8);
-  format.setSamples(0); // on software rendering multisampling is too slow
+  format.setSamples(0); // Multisampling is too slow with software rendering
   return format;
 }
 
-// VTK asks through events whether its context is current and to make it so.
+// VTK queries through events whether its context is current and requests to make it so.
 void answerVtk(vtkObject*, unsigned long event, void* client, void* data) {
   auto* view = static_cast<VtkView*>(client);
   const bool current = view->context() && QOpenGLContext::currentContext() == view->context();
@@ -46,7 +46,7 @@ void answerVtk(vtkObject*, unsigned long event, void* client, void* data) {
   else if (event == vtkCommand::WindowSupportsOpenGLEvent)
     *static_cast<int*>(data) = 1;
   else if (event == vtkCommand::WindowMakeCurrentEvent && !current && view->isValid())
-    // Only when it isn't current: makeCurrent would bind Qt's framebuffer in the middle of a frame.
+    // Only if it isn't current: makeCurrent would bind Qt's framebuffer in the middle of a frame.
     view->makeCurrent();
 }
 } // namespace
@@ -74,7 +74,7 @@ VtkView::VtkView(QWidget* parent)
 
 VtkView::~VtkView() {
   releaseGl();
-  // The context goes with the base class, when this is no VtkView any more.
+  // The base class destroys the context when this is no longer a VtkView.
   if (context())
     disconnect(context(), nullptr, this, nullptr);
   window_->RemoveAllObservers();
@@ -107,7 +107,7 @@ void VtkView::initializeGL() {
     emit openGlMissing(QString("%1.%2").arg(found.majorVersion()).arg(found.minorVersion()));
     return;
   }
-  // The context goes before the widget when the widget moves to another window.
+  // The context is destroyed before the widget if the widget moves to another window.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkView::releaseGl,
           Qt::DirectConnection);
   window_->OpenGLInit();
@@ -129,7 +129,7 @@ void VtkView::paintGL() {
   if (window_->GetSize()[0] != size.width() || window_->GetSize()[1] != size.height())
     window_->SetSize(size.width(), size.height());
   beforeFrame();
-  // Qt has used the context since VTK's last frame; VTK's picture of its state is stale.
+  // Qt has used the context since VTK's last frame, so VTK's cached state is out of date.
   vtkOpenGLState* state = window_->GetState();
   state->Reset();
   state->Push();
@@ -137,14 +137,14 @@ void VtkView::paintGL() {
   window_->Render();
   window_->SetReadyForRendering(false);
   state->Pop();
-  // What VTK leaves in the alpha channel would let the desktop shine through.
+  // The alpha channel left by VTK would let the desktop show through.
   QOpenGLFunctions* gl = context()->functions();
   gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   gl->glDisable(GL_SCISSOR_TEST);
   gl->glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl->glFinish(); // so that the time is the frame's and not that of its submission
+  gl->glFinish(); // Makes the time include the frame's rendering, not only its submission
   lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   emit framePainted(lastFrameMs_);
 }

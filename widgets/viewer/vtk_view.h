@@ -1,5 +1,5 @@
 // The Qt side of the viewport (docs/design.md, Viewport): a QOpenGLWidget that owns a VTK render
-// window. VTK renders only inside paintGL; whoever changes the scene asks for a frame with
+// window. VTK renders only inside paintGL; code that changes the scene requests a frame with
 // requestFrame().
 #pragma once
 
@@ -15,26 +15,26 @@ class VtkView : public QOpenGLWidget {
   Q_OBJECT
 
 public:
-  // To be called once before QApplication exists: the surface that VTK needs.
+  // To be called once before QApplication is created: the surface format that VTK needs.
   static void setDefaultFormat();
 
   explicit VtkView(QWidget* parent = nullptr);
   ~VtkView() override;
 
   void addRenderer(vtkRenderer* renderer);
-  // A frame soon, however often it is asked for.
+  // Schedules one frame, however often it is called.
   void requestFrame() { update(); }
-  // Milliseconds that the last frame took to paint; 0 before the first.
+  // Time that the last frame took to paint [ms]; 0 before the first.
   double lastFrameMs() const { return lastFrameMs_; }
   // Widget coordinates (y down, logical pixels) to VTK display coordinates and back.
   QPointF toDisplay(const QPointF& widget) const;
   QPointF fromDisplay(const QPointF& display) const;
-  // A copy of what is shown.
+  // Returns a copy of the displayed image.
   QImage grabFrame() { return grabFramebuffer(); }
 
 signals:
   void framePainted(double ms);
-  // Can be drawn in from now on, with this VTK and OpenGL: version, vendor, renderer.
+  // Drawing is possible from now on, with this VTK and OpenGL: version, vendor, renderer.
   void openGlReady(const QString& what);
   // The display offers less than OpenGL 3.2; nothing can be drawn.
   void openGlMissing(const QString& found);
@@ -43,7 +43,7 @@ protected:
   void initializeGL() override;
   void resizeGL(int width, int height) override;
   void paintGL() override;
-  // For what is to be in step with every frame; called before VTK renders.
+  // For updates needed in every frame; called before VTK renders.
   virtual void beforeFrame() {}
 
 private:

@@ -1,4 +1,4 @@
-// Work whose result is swapped in on the window's thread when it is ready.
+// Runs work in the background and hands its result to the window's thread.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -10,9 +10,9 @@
 
 namespace voluta::window {
 
-// Calls work() or work(ctx) in the background, then done(what it gives) on the window's thread.
-// Replaces what the runner is at. One thread: planning has the others. Nothing happens after an
-// error, which would be a mistake in the program.
+// Calls work() or work(ctx) in the background, then done(result) on the window's thread. Replaces
+// the runner's current job. Uses one thread, because planning uses the others. Does nothing after
+// an error, which would be a bug in the program.
 template <typename Work, typename Done>
 void inBackground(jobs::JobRunner& runner, Work work, Done done) {
   auto call = [work = std::move(work)](const base::RunContext& ctx) mutable {

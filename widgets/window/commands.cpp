@@ -47,7 +47,7 @@ void CommandTable::makeAction(Row& row) {
   action->setShortcuts(chosen == standard ? command.keys : QList<QKeySequence>{chosen});
   action->setProperty("defaultShortcut", standard);
   action->setCheckable(static_cast<bool>(command.checked));
-  window_.addAction(action); // so that its key works while the menu is closed
+  window_.addAction(action); // Makes its shortcut work while the menu is closed
   connect(action, &QAction::triggered, this, [this, does = command.does] {
     does();
     refresh();
@@ -107,7 +107,7 @@ void CommandTable::buildToolBar(QWidget* middle) {
   space();
   addToBar(*bar, BarGroup::View, BarGroup::Run);
   setBarWords(true);
-  // A tool bar hidden by mistake is hard to find again.
+  // Without a context menu the tool bar cannot be hidden by mistake, which would be hard to undo.
   window_.setContextMenuPolicy(Qt::NoContextMenu);
 }
 

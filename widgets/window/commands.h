@@ -1,5 +1,5 @@
-// What the window can do, one row a command: menus, tool bar, keys and the list of keys are made
-// from the rows.
+// The window's commands, one row each: menus, tool bar, shortcuts and the list of shortcuts are
+// built from the rows.
 #pragma once
 
 #include <QIcon>
@@ -18,33 +18,33 @@ class QWidget;
 
 namespace voluta::window {
 
-// Groups of the tool bar; a line stands between two. The pages are between Tools and View.
+// Groups of the tool bar, with a separator between them. The pages are between Tools and View.
 enum class BarGroup { None, File, Undo, Tools, View, Run };
 
 struct Command {
-  QString id;       // of the action: for settings and tests
-  const char* menu; // id of the menu it is in
-  int group = 0;    // entries of a menu go by group; a line stands between two
-  // Source texts of the context "Commands", translated anew with the language.
+  QString id;       // Of the action: for settings and tests
+  const char* menu; // Id of the menu that contains it
+  int group = 0;    // Entries of a menu are sorted by group, with a separator between groups
+  // Source texts of the context "Commands", translated again when the language changes.
   const char* text = nullptr;
   const char* tip = nullptr;
-  QList<QKeySequence> keys = {}; // where the user has chosen no others
+  QList<QKeySequence> keys = {}; // Default shortcuts, if the user has chosen no others
   std::function<void()> does = {};
-  std::function<bool()> enabled = {}; // none: always
-  std::function<bool()> checked = {}; // none: it has no check mark
+  std::function<bool()> enabled = {}; // None: always
+  std::function<bool()> checked = {}; // None: not checkable
   const char* icon = nullptr;
   BarGroup bar = BarGroup::None;
-  std::function<QString()> says = {}; // in place of `text`
+  std::function<QString()> says = {}; // Replaces `text`
 };
 
-// A menu, or one inside another: `in` is then the other's id and `group` as of a command.
+// A menu, or a submenu: `in` is then the parent's id and `group` as for a command.
 struct CommandMenu {
   const char *id, *text;
   const char* in = nullptr;
   int group = 0;
 };
 
-// An action that was made elsewhere and has a place in a menu.
+// An existing action to be placed in a menu.
 struct PlacedAction {
   QAction* action;
   const char* menu;
@@ -55,27 +55,27 @@ class CommandTable : public QObject {
   Q_OBJECT
 
 public:
-  // The window outlives this.
+  // The window must outlive this.
   explicit CommandTable(QMainWindow& window);
   ~CommandTable() override;
 
-  // Rows before build(); ids differ.
+  // Add rows before build(); ids must be unique.
   void add(std::vector<Command> commands);
   void add(PlacedAction action);
-  // Menus in this order, their entries by group and then as they were added; `middle` stands in
-  // the middle of the tool bar.
+  // Builds the menus in this order, with their entries sorted by group and then in the order added;
+  // `middle` is placed in the middle of the tool bar.
   void build(const std::vector<CommandMenu>& menus, QWidget* middle);
 
-  // Which commands can be used, and which are on.
+  // Updates which commands are enabled and which are checked.
   void refresh();
   void retranslate();
   void redrawIcons();
 
-  // Whether commands that run something have their words in the tool bar too; at first they do.
+  // Whether commands that run something also show their names in the tool bar; true initially.
   void setBarWords(bool words);
-  QToolBar* toolBar() const { return bar_; } // after build()
+  QToolBar* toolBar() const { return bar_; } // Valid after build()
   QAction* action(const QString& id) const;
-  QMenu* menu(const QString& id) const; // after build()
+  QMenu* menu(const QString& id) const; // Valid after build()
   // In the order of the menus.
   std::vector<QAction*> actions() const;
 

@@ -21,7 +21,7 @@
 namespace voluta::window {
 
 namespace {
-// Twice what the table shows, for screens of high density.
+// Twice the size shown in the table, for high-density screens.
 constexpr int kPictureWidth = 184, kPictureHeight = 138;
 
 QImage pictureOf(const project::Job& job, bool dark) {
@@ -37,7 +37,7 @@ QImage pictureOf(const project::Job& job, bool dark) {
   });
   const auto* made = std::get_if<scene::Image>(&image);
   if (!made)
-    return {}; // the figures are worth showing without it
+    return {}; // The figures are useful without a picture
   return QImage(made->rgb.data(), made->width, made->height, 3 * made->width, QImage::Format_RGB888)
       .copy();
 }
@@ -75,7 +75,7 @@ QString wayText(const pipeline::Combination& way) {
   parts << language::words(way.platform.shown());
   return parts.join(QStringLiteral(", "));
 }
-// What blocks a row; empty: nothing does.
+// Returns why a row is blocked; empty if it is not.
 QString whyText(const pipeline::CompareRow& row) {
   if (!row.error.empty())
     return language::words(row.error);
@@ -162,7 +162,7 @@ void CompareView::setLists(const std::vector<forms::ChoiceItem>& modes,
   showCount();
 }
 
-// Those that can build the part in the chosen cell, on what is chosen to print on.
+// Shows the modes that can build the part in the chosen cell on the chosen platform.
 void CompareView::showModes() {
   const auto takesBody = [](const modes::Mode& mode) {
     return std::find(mode.platforms.begin(), mode.platforms.end(), project::PlatformUse::Body) !=
@@ -234,7 +234,7 @@ panels::CompareEntry CompareView::entryOf(std::size_t index) const {
   case pipeline::RowState::Clear:
     entry.state = panels::CompareState::Clear;
     entry.verdict =
-        compared.reached == project::Stage::Replay ? tr("Passed") : tr("Nothing blocks");
+        compared.reached == project::Stage::Replay ? tr("Passed") : tr("No blocking findings");
     break;
   case pipeline::RowState::Blocked:
     entry.state = panels::CompareState::Blocked;
@@ -294,7 +294,7 @@ void CompareView::showState() {
     if (!ranking.tied.empty())
       text += QStringLiteral(" ") + tr("As good: %1.").arg(ranking.tied.size());
   } else if (!ranking.order.empty() && !comparing_.running())
-    text = tr("None is best: something blocks each of them.");
+    text = tr("None is best: all of them are blocked.");
   const int selected = table_->selectedRow();
   if (selected >= 0 && selected < static_cast<int>(rows.size()))
     if (const auto& row = rows[static_cast<std::size_t>(selected)]; row.compared)
@@ -323,10 +323,10 @@ void CompareView::showCount() {
 }
 
 void CompareView::retranslate() {
-  empty_->setText(tr("Which way of building suits this part?\nTick what to compare at the right, "
-                     "then press Compare."));
+  empty_->setText(tr("Which way of building suits this part?\nTick the ways to compare at the "
+                     "right, then press Compare."));
   adopt_->setText(tr("Adopt this way"));
-  adopt_->setToolTip(tr("Build the part as the selected row does; undo takes it back"));
+  adopt_->setToolTip(tr("Builds the part as in the selected row; can be undone"));
   table_->setFigures(textsOf(&pipeline::Figure::head));
   panel_->setFigures(textsOf(&pipeline::Figure::loss));
   showRanking();

@@ -1,4 +1,4 @@
-// Ways of building compared: the table in the middle, what is compared beside it.
+// Comparison of print modes: the table in the middle, the list of modes to compare beside it.
 #pragma once
 
 #include "document/comparing.h"
@@ -19,7 +19,8 @@ class CompareView : public QWidget {
   Q_OBJECT
 
 public:
-  // `document` and `comparing` outlive this; the panel is made here, to be put beside it.
+  // `document` and `comparing` must outlive this; the panel is created here, to be placed beside
+  // it.
   CompareView(document::Document& document, document::Comparing& comparing,
               QWidget* parent = nullptr);
 
@@ -28,7 +29,7 @@ public:
                 const std::vector<forms::ChoiceItem>& growths);
 
 signals:
-  // The document has taken over a row; its plan, where it is kept.
+  // The document has adopted a row; `result` is its plan, if it was kept.
   void adopted(const QString& way, std::shared_ptr<const pipeline::PlanResult> result);
 
 protected:
@@ -57,8 +58,8 @@ private:
   QStackedLayout* shown_ = nullptr;
   QLabel *empty_ = nullptr, *verdict_ = nullptr;
   QPushButton* adopt_ = nullptr;
-  std::vector<forms::ChoiceItem> modes_, growths_; // all there are
-  QStringList listed_;                             // modes that are offered
+  std::vector<forms::ChoiceItem> modes_, growths_; // All existing ones
+  QStringList listed_;                             // The modes offered
 };
 
 } // namespace voluta::window

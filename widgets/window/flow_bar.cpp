@@ -15,13 +15,13 @@ namespace voluta::window {
 namespace {
 constexpr int kHeight = 30, kGlyph = 12;
 constexpr int kPadding = 14, kGap = 8, kCompactPadding = 6, kCompactGap = 5;
-constexpr int kApart = 10; // what is beside it from the flow
+constexpr int kApart = 10; // Gap between the flow and the pages beside it
 
 std::size_t indexAt(int index) {
   return static_cast<std::size_t>(index);
 }
 
-// A shape a state, so that no state is told by colour alone.
+// Each state has its own shape, so that states do not differ by colour alone.
 void paintGlyph(QPainter& painter, const QRectF& r, PageState state, const QPalette& palette,
                 bool chosen) {
   const QColor plain = chosen ? palette.highlightedText().color() : forms::mutedColour(palette);

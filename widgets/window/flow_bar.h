@@ -1,4 +1,5 @@
-// The pages of one flow and how far each has come; beside them those that are no step of it.
+// Bar with the pages of a workflow and their progress, and beside them the pages that are not steps
+// of it.
 #pragma once
 
 #include "window/page_state.h"
@@ -11,7 +12,7 @@ namespace voluta::window {
 
 struct FlowStep {
   QString id, title;
-  bool aside = false; // beside the flow; these come last
+  bool aside = false; // Not a step of the flow; these come last
 };
 
 class FlowBar : public QWidget {
@@ -20,14 +21,14 @@ class FlowBar : public QWidget {
 public:
   explicit FlowBar(QWidget* parent = nullptr);
 
-  // Keeps page and states where the new steps have them. Emits nothing.
+  // Keeps page and states of steps that still exist. Emits nothing.
   void setSteps(const std::vector<FlowStep>& steps);
-  // Emits nothing. An unknown id changes nothing.
+  // Emits nothing. Ignores an unknown id.
   void setPage(const QString& id);
   void setState(const QString& id, PageState state);
-  // Nothing: of an unknown one too.
+  // Returns Nothing for an unknown id.
   PageState state(const QString& id) const;
-  // Less room around the words.
+  // Narrower spacing around the labels.
   void setCompact(bool compact);
 
   QSize sizeHint() const override;

@@ -9,7 +9,7 @@
 namespace voluta::window {
 
 namespace {
-// Draws at whatever size and pixel ratio is asked for, so that it is sharp on every screen.
+// Draws at any requested size and pixel ratio, so that icons are sharp on every screen.
 class LineIconEngine : public QIconEngine {
 public:
   LineIconEngine(QByteArray svg, QColor normal, QColor disabled)

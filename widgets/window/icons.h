@@ -1,4 +1,4 @@
-// Line icons in the palette's own colour, from resources/icons (compiled in).
+// Line icons in the palette's colour, from resources/icons (compiled in).
 #pragma once
 
 #include <QColor>
@@ -9,8 +9,8 @@ class QPalette;
 
 namespace voluta::window {
 
-// Name without folder and ending, e.g. "open". Precondition: it exists (a missing one is a mistake
-// in the program and gives an empty icon, which a test finds).
+// Returns an icon by its name without folder and extension, e.g. "open". Precondition: it exists (a
+// missing one is a bug and gives an empty icon, which a test finds).
 QIcon icon(const QString& name, const QPalette& palette);
 
 } // namespace voluta::window

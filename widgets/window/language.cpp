@@ -12,7 +12,7 @@ namespace voluta::window {
 namespace {
 const QString kFolder = QStringLiteral(":/translations");
 
-// The application owns the translators in use; their names tell which they are.
+// The application owns the active translators; they are identified by their names.
 void removeTranslators() {
   for (QTranslator* translator :
        qApp->findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly)) {

@@ -1,4 +1,4 @@
-// The languages of the window, switched while it runs.
+// The languages of the window, which can be switched at run time.
 #pragma once
 
 #include <QString>
@@ -8,16 +8,17 @@ namespace voluta::window {
 
 struct Language {
   QString code; // "en", "it"
-  QString name; // in itself: "English", "Italiano"
+  QString name; // In that language: "English", "Italiano"
 };
 
-// English first, then every translation compiled in.
+// Returns English first, then every translation compiled in.
 std::vector<Language> languagesThere();
 QString chosenLanguage();
 // Installs its translators (none for English); every widget gets a LanguageChange event. An unknown
 // code gives English.
 void chooseLanguage(const QString& code);
-// The code in the settings, else the system's language where there is a translation, else "en".
+// Returns the code from the settings, else the system's language if there is a translation, else
+// "en".
 QString wantedLanguage();
 
 } // namespace voluta::window

@@ -17,7 +17,7 @@ void addPatch(panels::LayerMeasures& m, const layers::Patch& patch) {
     for (int i = 0; i < 3; ++i)
       thickness += patch.thicknessMm[at(i)] / 3.0;
     m.areaMm2 += area;
-    m.thicknessMeanMm += area * thickness; // divided by the area at the end
+    m.thicknessMeanMm += area * thickness; // Divided by the area at the end
   }
   for (const double thickness : patch.thicknessMm) {
     m.thicknessMinMm = std::min(m.thicknessMinMm, thickness);

@@ -1,4 +1,4 @@
-// What the Layers page says of each layer, gathered once for all of them.
+// Measures of all layers for the Layers page, computed once.
 #pragma once
 
 #include "layers/layer_stack.h"
@@ -10,16 +10,16 @@
 
 namespace voluta::window {
 
-// One entry a layer, by index. `plan` and `clock` may be null: then lengths, waypoints and times
-// are 0. Time: of the segments laid, without travel.
+// Returns one entry per layer, by index. `plan` and `clock` may be null: then lengths, waypoints
+// and times are 0. Time: of the printed segments, without travel.
 std::vector<panels::LayerMeasures> layerMeasures(const layers::LayerStack& stack,
                                                  const plan::ToolPlan* plan,
                                                  const timeline::Clock* clock);
 
-// Level of each layer's top along the growth: mean thicknesses added up, mm.
+// Returns the level of each layer's top along the growth: the sum of mean thicknesses [mm].
 std::vector<double> layerTopsMm(const std::vector<panels::LayerMeasures>& measures);
-// Of layers that are closed around the x axis (layers::Chart with a period): each one's outer
-// radius, mm. Empty where any has no such patch.
+// Returns the outer radius [mm] of each layer that is closed around the x axis (layers::Chart with
+// a period). Empty if any layer has no such patch.
 std::vector<double> layerRadiiMm(const layers::LayerStack& stack);
 
 } // namespace voluta::window

@@ -8,8 +8,8 @@ namespace voluta::window {
 
 namespace {
 constexpr int kBins = 36;
-constexpr double kBeyond = 0.15;  // of the limits' span, on either side
-constexpr double kSlackMm = 1e-6; // layers are held to the limits
+constexpr double kBeyond = 0.15;  // Of the limits' span, on either side
+constexpr double kSlackMm = 1e-6; // Tolerance of the limits
 } // namespace
 
 LayerSpacing layerSpacing(const layers::LayerStack& stack, const scene::HeightLimits& heights) {

@@ -1,4 +1,4 @@
-// How thick layers are, as shares of their area.
+// Distribution of layer thicknesses, by area.
 #pragma once
 
 #include "layers/layer_stack.h"
@@ -9,17 +9,18 @@
 namespace voluta::window {
 
 struct LayerSpacing {
-  scene::HeightLimits heights;  // what the process lays
-  double lowMm = 0, highMm = 0; // span of the bins, a little beyond the limits
-  std::vector<double> shares;   // of the area, a bin each, lowest first; the outermost hold what is
-                                // beyond as well; sum 1, empty where there are no layers
-  double meanMm = 0;            // by area
-  double within = 1;            // share of the area within the limits
-  double thinner = 0, thicker = 0; // and outside of them
+  scene::HeightLimits heights;  // Limits of the process
+  double lowMm = 0, highMm = 0; // Range of the bins, slightly beyond the limits
+  // Share of the area per bin, lowest first; the outermost bins also contain all values beyond. Sum
+  // 1; empty without layers
+  std::vector<double> shares;
+  double meanMm = 0;               // By area
+  double within = 1;               // Share of the area within the limits
+  double thinner = 0, thicker = 0; // Shares outside of them
 };
 
-// Triangle by triangle, with the mean thickness of the corners. Nothing but `heights` is filled
-// where they are not known.
+// Evaluates each triangle with the mean thickness of its corners. Fills only `heights` if the
+// thicknesses are unknown.
 LayerSpacing layerSpacing(const layers::LayerStack& stack, const scene::HeightLimits& heights);
 
 } // namespace voluta::window

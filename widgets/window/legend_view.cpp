@@ -83,7 +83,7 @@ void LegendView::paintEvent(QPaintEvent*) {
                      Qt::AlignLeft | Qt::AlignVCenter, title());
     top += row + kGap / 2;
   }
-  // The greatest value of a scale is at the top, where the eye expects it.
+  // The maximum of a scale is at the top, as users expect.
   const auto entryAt = [&](int i) -> const scene::LegendEntry& {
     return legend_.entries[static_cast<std::size_t>(legend_.categorical ? i : count - 1 - i)];
   };

@@ -1,4 +1,4 @@
-// The legend laid over the viewport: title, unit, a scale or a list of categories.
+// The legend over the viewport: title, unit, a scale or a list of categories.
 #pragma once
 
 #include "scene/colouring.h"
@@ -14,7 +14,7 @@ public:
   explicit LegendView(QWidget* parent = nullptr);
   // Hidden while it has neither entries nor marks.
   void setLegend(const scene::Legend& legend);
-  // Hidden where the user does not want it.
+  // Hidden if the user has switched it off.
   void setWanted(bool wanted);
   bool isWanted() const { return wanted_; }
   QSize sizeHint() const override;

@@ -41,7 +41,8 @@ LogDialog::LogDialog(const QString& file, QWidget* parent) : QDialog(parent) {
   connect(folder, &QPushButton::clicked, this, [this, file, place] {
     const QString in = QFileInfo(file).absolutePath();
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(in)))
-      place->setText(tr("No program here opens the folder %1.").arg(QDir::toNativeSeparators(in)));
+      place->setText(
+          tr("No program on this computer opens the folder %1.").arg(QDir::toNativeSeparators(in)));
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);

@@ -1,5 +1,5 @@
-// The log in a box of its own: what was opened, planned and found, the newest lines in sight. It
-// needs no other program to be read.
+// Shows the log in the program itself: files opened, plans and findings, scrolled to the newest
+// lines.
 #pragma once
 
 #include <QDialog>

@@ -46,12 +46,12 @@ namespace {
 constexpr QSize kUsualSize(1280, 800);
 constexpr int kPanelWidth = 340, kTreeWidth = 300;
 constexpr int kTreeHeight = 200, kFindingsHeight = 400;
-// Of the column, with the unrolled layer in it.
+// Shares of the column's height; kUnrolledShare includes the unrolled layer.
 constexpr int kTreeShare = 150, kFindingsShare = 130, kUnrolledShare = 460;
 constexpr int kLayoutVersion = 1;
-constexpr int kMostPanelShare = 3; // of the window's width: a third
+constexpr int kMostPanelShare = 3; // Fraction of the window's width: a third
 
-// What the pages have to have for nothing to be cut off, the bar that scrolls them included.
+// Returns the width that the pages need without being cut off, including the scroll bar.
 int neededWidth(const QStackedWidget& pages) {
   int needed = 0;
   for (const QScrollArea* area : pages.findChildren<QScrollArea*>(kPageArea))
@@ -105,7 +105,8 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   forms::tabInReadingOrder({pages_->flow(), tree_, findings_, pages_->centres(), pages_->sides()});
   retranslate();
   pages_->show(pages_->page());
-  // With its frame it would not fit on a small screen: the status line would be below its edge.
+  // With its frame the window would not fit on a small screen: the status line would be off the
+  // screen.
   const QSize room = screen()->availableSize();
   resize(kUsualSize.boundedTo(room));
   if (room.width() <= kUsualSize.width() || room.height() <= kUsualSize.height())
@@ -115,7 +116,7 @@ MainWindow::MainWindow(Appearance appearance, QWidget* parent)
   restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
 }
 
-// What ends with the window has nobody to tell.
+// While the window is destroyed, its objects must not notify it.
 MainWindow::~MainWindow() {
   for (QObject* one : {static_cast<QObject*>(&document_), static_cast<QObject*>(&planning_),
                        static_cast<QObject*>(&live_), static_cast<QObject*>(&comparing_),
@@ -142,7 +143,7 @@ void MainWindow::buildDocks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   addDockWidget(Qt::LeftDockWidgetArea, unrolled_);
   unrolled_->hide();
-  // Its own share of the column once; then it is the user's.
+  // Gets its own share of the column once; then the user decides.
   connect(unrolled_, &UnrolledDock::firstShown, this, [this] {
     resizeDocks({partDock_, findingsDock_, unrolled_}, {kTreeShare, kFindingsShare, kUnrolledShare},
                 Qt::Vertical);
@@ -186,7 +187,7 @@ std::vector<Command> MainWindow::ownCommands() {
        "viewMenu",
        2,
        QT_TRANSLATE_NOOP("Commands", "&Dark"),
-       QT_TRANSLATE_NOOP("Commands", "Light text on dark ground"),
+       QT_TRANSLATE_NOOP("Commands", "Light text on a dark background"),
        {},
        [this] { switchAppearance(); },
        {},
@@ -221,7 +222,7 @@ std::vector<Command> MainWindow::ownCommands() {
        "helpMenu",
        0,
        QT_TRANSLATE_NOOP("Commands", "Show &log"),
-       QT_TRANSLATE_NOOP("Commands", "What was opened, planned and found, and what failed"),
+       QT_TRANSLATE_NOOP("Commands", "Files opened, plans, findings and errors"),
        {},
        [this] { (new LogDialog(document::logFile(), this))->open(); },
        [] { return QFileInfo::exists(document::logFile()); }},
@@ -280,7 +281,7 @@ void MainWindow::showStates() {
   summary_->setText(runs_.summary());
   pageDock_->setWindowTitle(pages_->page().title());
   if (std::exchange(pageShown_, &pages_->page()) != &pages_->page())
-    QTimer::singleShot(0, this, &MainWindow::fitPageDock); // layouts know what is new only later
+    QTimer::singleShot(0, this, &MainWindow::fitPageDock); // Layouts process the change only later
 }
 
 void MainWindow::showObjects() {
@@ -294,8 +295,9 @@ void MainWindow::showObjects() {
       source ? sizeText(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval())
              : QString();
   tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), {});
-  tree_->setText(SceneItem::Platform, {}, language::words(c.item().platform.shown()));
-  const QString cell = QString::fromStdString(base::dataName(c.cell)); // of a text its id alone
+  tree_->setText(SceneItem::Platform, {}, language::words(c.platform.shown()));
+  // For a cell given as text, only its id
+  const QString cell = QString::fromStdString(base::dataName(c.cell));
   tree_->setText(SceneItem::Cell, {}, cell);
   tree_->setText(SceneItem::Plate, modes::findMode(c.item().mode).aroundRod ? tr("Rod") : QString(),
                  {});
@@ -339,7 +341,8 @@ void MainWindow::tell(const QString& title, const QString& message) {
 }
 
 void MainWindow::retranslate() {
-  setLocale(QLocale()); // of the language: widgets keep the one that they were made with
+  // Sets the locale of the new language: widgets keep the one they were created with
+  setLocale(QLocale());
   partDock_->setWindowTitle(tr("Part and cell"));
   findingsDock_->setWindowTitle(tr("Findings"));
   unrolled_->retranslate();
@@ -353,8 +356,8 @@ void MainWindow::retranslate() {
   });
 }
 
-// Longer words and what a small window has squeezed get room, where there is some; until another
-// page is on show the width is the user's.
+// Makes room for longer labels and for panels that a small window has squeezed, if possible; until
+// another page is shown, the width chosen by the user is kept.
 void MainWindow::fitPageDock() {
   if (const int wide = std::min(neededWidth(*pages_->sides()), width() / kMostPanelShare);
       wide > pageDock_->width())
@@ -376,7 +379,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   QTimer::singleShot(0, this, &MainWindow::fitPageDock);
 }
 
-// What starts and stops a run is never where it has to be looked for.
+// Commands that start and stop a run must always be visible.
 void MainWindow::fitToolBar() {
   const QToolBar* bar = commands_->toolBar();
   for (const auto& [compact, words] : {std::pair{false, true}, {true, true}, {true, false}}) {
@@ -390,7 +393,7 @@ void MainWindow::fitToolBar() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!closing_ && document_.dirty()) {
     event->ignore();
-    // Queued: a window that is being asked to close does not hear of another close.
+    // Queued: a window that is processing a close event ignores another close.
     files_.afterSaved([this] {
       closing_ = true;
       QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
@@ -414,8 +417,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls())
     if (url.isLocalFile()) {
       event->acceptProposedAction();
-      // Queued: the program that the file comes from waits for the end of the drop, and must not
-      // wait for an answer about unsaved work.
+      // Queued: the source program of the file waits for the end of the drop and must not wait for
+      // an answer about unsaved work.
       QMetaObject::invokeMethod(
           this, [this, file = url.toLocalFile()] { open(file); }, Qt::QueuedConnection);
       return;

@@ -1,7 +1,6 @@
-// The window: a shell of docks, flow bar, status line and menus about one picture (docs/design.md,
-// Window).
-// What is done in it belongs to its pages (pages/); files, runs and findings have objects of their
-// own.
+// The main window: a shell of docks, flow bar, status line and menus around one view
+// (docs/design.md, Window). Its functions belong to its pages (pages/); files, runs and findings
+// have separate objects.
 #pragma once
 
 #include "document/comparing.h"
@@ -42,7 +41,7 @@ public:
 
   // A part, a project or "sample:NAME".
   void open(const QString& path) { files_.open(path); }
-  // Offers what a crash left, if anything is there.
+  // Offers to restore files left after a crash, if there are any.
   void offerRecovered() { files_.offerRecovered(); }
   PageStack& pages() { return *pages_; }
 
@@ -66,7 +65,7 @@ private:
   std::vector<Command> ownCommands();
   void listen();
   void showStates();
-  void showObjects(); // part, platform and cell in tree and status line
+  void showObjects(); // Updates part, platform and cell in tree and status line
   void plan(project::Stage until);
   void switchAppearance();
   void editShortcuts();

@@ -7,7 +7,7 @@ panels::MeshSummary meshSummary(const project::LoadedPart& part, double volumeMm
   summary.name = part.name;
   summary.triangles = part.mesh->triangles.size();
   summary.volumeMm3 = volumeMm3;
-  // Mended without a remainder is as good as sound.
+  // A mesh repaired without remaining defects counts as watertight.
   summary.watertight = part.repair ? part.remains.empty() : part.found.watertight;
   summary.found = part.found.sentences();
   summary.repaired = part.repair ? part.notes : part.readNotes;

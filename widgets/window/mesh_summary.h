@@ -1,4 +1,4 @@
-// A loaded part in the words of the mesh panel.
+// Describes a loaded part for the mesh panel.
 #pragma once
 
 #include "panels/mesh_panel.h"
@@ -6,7 +6,7 @@
 
 namespace voluta::window {
 
-// `volumeMm3`: of the part as it is placed and scaled.
+// `volumeMm3`: of the part as placed and scaled.
 panels::MeshSummary meshSummary(const project::LoadedPart& part, double volumeMm3);
 
 } // namespace voluta::window

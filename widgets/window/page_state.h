@@ -1,4 +1,4 @@
-// What the results of a page are worth.
+// The state of a page's results.
 #pragma once
 
 #include "project/stage.h"
@@ -12,11 +12,11 @@ class Document;
 
 namespace voluta::window {
 
-// From the least that has to be told to the most.
+// In increasing order of importance.
 enum class PageState { Nothing, Done, OutOfDate, Blocked, Running };
 
 QString stateName(PageState state);
-// A page is worth what its stages are worth; the worst counts.
+// Returns the most important state of the page's stages.
 PageState worstState(const document::Document& document, const std::vector<project::Stage>& stages);
 
 } // namespace voluta::window

@@ -1,4 +1,4 @@
-// How the picture is looked at, whatever page is on show: colours, section plane, marker.
+// View settings that apply on all pages: colours, section plane, marker.
 #pragma once
 
 #include "scene/sight.h"
@@ -16,7 +16,7 @@ struct Look {
   bool beads = true, pieceNumbers = true;
   bool section = false, sectionFlipped = false;
   int sectionAxis = 0;       // x, y, z
-  double sectionPlace = 0.5; // share of the part's box along the axis
+  double sectionPlace = 0.5; // share of the part's bounding box along the axis
   bool operator==(const Look&) const = default;
 };
 
@@ -33,14 +33,14 @@ public:
     marker_ = place;
     sight_.reset();
   }
-  // What hides the marker from the eye, until there is another one. `normalInWork`: towards the
-  // eye.
+  // Sets the objects that hide the marker from the eye; valid until the next marker.
+  // `normalInWork`: towards the eye.
   void setHidden(const scene::Between& hides, const Eigen::Vector3d& normalInWork) {
     sight_ = {hides, normalInWork};
   }
-  // Cuts away what hides the marker, and leaves out what cannot be cut.
+  // Cuts away the objects that hide the marker and omits those that cannot be cut.
   void reveal(scene::ViewState& view) const;
-  // What every page begins with. `partBox`: of the part, work frame; may be empty.
+  // Returns the initial view of every page. `partBox`: of the part, work frame; may be empty.
   scene::ViewState base(const Eigen::AlignedBox3d& partBox) const;
 
 signals:

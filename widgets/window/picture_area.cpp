@@ -32,7 +32,7 @@ PictureArea::PictureArea(Appearance appearance, QWidget* parent)
   row->addWidget(layers_);
   column->addLayout(row, 1);
   column->addWidget(timeline_);
-  // What is dragged moves fast, with less detail.
+  // While dragging, draw faster with less detail.
   using viewer::Viewport;
   connect(layers_, &timeline::LayerRangeSlider::dragging, viewport_, &Viewport::setDragging);
   connect(timeline_, &timeline::TimelineBar::dragging, viewport_, &Viewport::setDragging);

@@ -1,4 +1,4 @@
-// The viewport with what lies over it and the bars beside and under it.
+// The viewport with its overlays and the bars beside and below it.
 #pragma once
 
 #include "scene/theme.h"

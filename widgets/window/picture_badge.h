@@ -1,4 +1,4 @@
-// Says in the picture that it is not of the settings as they are now.
+// Badge in the viewport saying that the view is for other settings than the present ones.
 #pragma once
 
 #include <QString>
@@ -10,7 +10,7 @@ class PictureBadge : public QWidget {
   Q_OBJECT
 
 public:
-  // Keeps to the middle of its parent's lower edge.
+  // Stays at the centre of its parent's lower edge.
   explicit PictureBadge(QWidget* parent);
 
   // A few words; empty: no badge. `help` is its tool tip.

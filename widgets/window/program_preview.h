@@ -1,4 +1,4 @@
-// Keeps the text of the program on the Export page in step with the time-line.
+// Synchronizes the program text on the Export page with the time-line.
 #pragma once
 
 #include "document/document.h"
@@ -18,14 +18,14 @@ class ProgramPreview : public QObject {
 public:
   explicit ProgramPreview(QObject* parent = nullptr);
 
-  // Lines are looked up in the background; linesReady() follows.
+  // Maps lines to points in the background, then emits linesReady().
   void setProgram(std::shared_ptr<const pipeline::CheckedProgram> program,
                   std::shared_ptr<const plan::Trajectory> trajectory);
-  // Nothing while the lines are not there yet.
+  // Returns nullopt until the lines are available.
   std::optional<pipeline::TextLine> lineAt(const timeline::Clock& clock, double timeS) const;
-  // The point of the motion at or after that line.
+  // Returns the point of the motion at or after that line.
   std::optional<std::size_t> pointOf(std::uint32_t file, std::uint32_t line) const;
-  // When the motion at or after that line begins.
+  // Returns the start time of the motion at or after that line.
   std::optional<double> timeOf(const timeline::Clock& clock, std::uint32_t file,
                                std::uint32_t line) const;
 
@@ -35,7 +35,7 @@ signals:
 private:
   jobs::JobRunner runner_;
   std::shared_ptr<const pipeline::CheckedProgram> program_;
-  std::shared_ptr<const std::vector<pipeline::TextLine>> lines_; // of each trajectory point
+  std::shared_ptr<const std::vector<pipeline::TextLine>> lines_; // Line per trajectory point
 };
 
 } // namespace voluta::window

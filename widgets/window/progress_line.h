@@ -1,5 +1,5 @@
-// How far a run is. QProgressBar paints at once whenever its value changes, and with it the whole
-// window; this one waits for the next frame.
+// A progress bar that repaints with the next frame. QProgressBar repaints the whole window at once
+// whenever its value changes.
 #pragma once
 
 #include <QWidget>

@@ -75,7 +75,7 @@ std::vector<Command> ProjectFiles::commands() {
        "fileMenu",
        0,
        QT_TRANSLATE_NOOP("Commands", "&New project"),
-       QT_TRANSLATE_NOOP("Commands", "Begin without a part"),
+       QT_TRANSLATE_NOOP("Commands", "Start without a part"),
        {QKeySequence::New},
        [this] { newProject(); }},
       {"open",
@@ -100,7 +100,7 @@ std::vector<Command> ProjectFiles::commands() {
        "fileMenu",
        0,
        QT_TRANSLATE_NOOP("Commands", "Import robot &arm…"),
-       QT_TRANSLATE_NOOP("Commands", "A robot of your own, from its URDF, with a cell for it"),
+       QT_TRANSLATE_NOOP("Commands", "Your own robot from its URDF, with a cell"),
        {},
        [this] { chooseArm(); }},
       {"save",
@@ -118,7 +118,7 @@ std::vector<Command> ProjectFiles::commands() {
        "fileMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "Save &as…"),
-       QT_TRANSLATE_NOOP("Commands", "Save the project under a name"),
+       QT_TRANSLATE_NOOP("Commands", "Save the project under a new name"),
        {QKeySequence("Ctrl+Shift+S")},
        [this] { saveAs(); }},
   };
@@ -154,7 +154,7 @@ void ProjectFiles::open(const QString& path) {
     planning_.cancel();
     opening_.open(path);
   };
-  // Undo brings back a part that was only opened; another project clears the undo stack.
+  // Undo can restore a replaced part, but opening another project clears the undo stack.
   if (path.endsWith(".voluta", Qt::CaseInsensitive) || document_.hasUnsavedWork())
     afterSaved(start);
   else
@@ -185,7 +185,7 @@ void ProjectFiles::chooseArm() {
 void ProjectFiles::importArm(const QString& urdf) {
   const std::filesystem::path folder = base::userDataFolder();
   if (folder.empty()) {
-    emit told(tr("Import a robot arm"), tr("There is no folder for robots of your own: set HOME."));
+    emit told(tr("Import a robot arm"), tr("No folder for your own robots: set HOME."));
     return;
   }
   ArmImportDialog dialog(urdf, QString::fromStdString(folder.string()), &window_);
@@ -194,7 +194,7 @@ void ProjectFiles::importArm(const QString& urdf) {
   project::Choices choices = document_.choices();
   choices.cell = dialog.cell().toStdString();
   if (choices.cell == document_.choices().cell)
-    document_.filesChanged(); // imported again under its name
+    document_.filesChanged(); // Imported again under the same name
   else
     document_.setChoices(choices, tr("cell"));
   emit said(tr("Imported: cell %1").arg(dialog.cell()));
@@ -207,9 +207,9 @@ void ProjectFiles::resume(std::size_t point) {
   const plan::Trajectory& t = *motion->job.trajectory;
   const double whole = t.extrudedMm3.back();
   const double laid = whole > 0.0 ? 100.0 * t.extrudedMm3[point] / whole : 0.0;
-  QMessageBox box(QMessageBox::Question, tr("Resume the print from here?"),
-                  tr("%1 % of the material counts as printed. The rest opens as a project of its "
-                     "own; “%2” stays as it was saved.")
+  QMessageBox box(QMessageBox::Question, tr("Resume from here?"),
+                  tr("%1 % of the material counts as printed. The rest of “%2” opens as a "
+                     "new project.")
                       .arg(QLocale().toString(laid, 'f', 1), document_.name()),
                   QMessageBox::NoButton, &window_);
   box.setObjectName("resumeBox");
@@ -238,7 +238,7 @@ void ProjectFiles::newProject() {
     planning_.cancel();
     opening_.cancel();
     document_.clear();
-    emit said({}); // how the last run went
+    emit said({}); // Clear the message of the last run
     emit cleared();
   });
 }
@@ -271,7 +271,7 @@ void ProjectFiles::offerRecovered() {
     return;
   const document::Recovered& latest = left.front();
   QMessageBox box(QMessageBox::Question, tr("Recover unsaved work"),
-                  tr("Voluta ended unexpectedly. “%1” was kept on %2.")
+                  tr("Voluta ended unexpectedly. A copy of “%1” was saved on %2.")
                       .arg(latest.name, QLocale().toString(latest.time, QLocale::ShortFormat)),
                   QMessageBox::NoButton, &window_);
   box.setObjectName("recoverBox");
@@ -280,7 +280,7 @@ void ProjectFiles::offerRecovered() {
   box.addButton(tr("Later"), QMessageBox::RejectRole);
   box.exec();
   if (box.clickedButton() == recover) {
-    // The copy stays until the document holds it.
+    // Keep the copy until the document has adopted it.
     connect(
         &opening_, &Opening::opened, autosave_.get(), [this, latest] { autosave_->adopt(latest); },
         Qt::SingleShotConnection);
@@ -296,7 +296,7 @@ void ProjectFiles::afterSaved(std::function<void()> then) {
     return;
   }
   QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
-                  tr("“%1” has changes that are not saved.").arg(document_.name()),
+                  tr("“%1” has unsaved changes.").arg(document_.name()),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
   box.setObjectName("unsavedBox");
   box.setDefaultButton(QMessageBox::Save);

@@ -1,4 +1,4 @@
-// Parts and projects opened, saved and recovered, with what the user is asked on the way.
+// Opens, saves and recovers parts and projects, including the dialogs.
 #pragma once
 
 #include "document/autosave.h"
@@ -27,7 +27,7 @@ class ProjectFiles : public QObject {
   Q_OBJECT
 
 public:
-  // All outlives this. Dialogs stand before the window.
+  // The arguments must outlive this object. `window` is the parent of the dialogs.
   ProjectFiles(document::Document& document, document::Planning& planning, QWidget& window);
   ~ProjectFiles() override;
 
@@ -36,23 +36,23 @@ public:
   // Fills the menu of recent files, now and whenever they change.
   void setRecentMenu(QMenu* menu);
 
-  // A part, a project or "sample:NAME".
+  // Opens a part, a project or "sample:NAME".
   void open(const QString& path);
   void choose();
-  // A robot arm from a URDF: asks what it needs, and takes the cell that comes of it.
+  // Imports a robot arm from a URDF: asks for the required data, and selects the new cell.
   void importArm(const QString& urdf);
-  // The rest of the print, from a point of the trajectory on, once the user has said so.
+  // Opens the rest of the print from a point of the trajectory on, after confirmation.
   void resume(std::size_t point);
-  // Offers what a crash left, if anything is there.
+  // Offers unsaved work after a crash, if there is any.
   void offerRecovered();
-  // Runs `then` once the user has saved or given up unsaved changes.
+  // Calls `then` once the user has saved or discarded unsaved changes.
   void afterSaved(std::function<void()> then);
-  // Nothing is left to recover.
+  // Removes the recovery copy on a regular exit.
   void end();
 
 signals:
-  void said(const QString& text);                          // for the status line
-  void told(const QString& title, const QString& message); // for a box
+  void said(const QString& text);                          // For the status line
+  void told(const QString& title, const QString& message); // For a message box
   void opened(bool project);
   void cleared();
 

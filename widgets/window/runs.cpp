@@ -19,7 +19,7 @@ using project::Stage;
 namespace {
 constexpr const char* kLivePreview = "plan/livePreview";
 
-// A number that is being typed counts, as if its field had been left.
+// Commits a number that is being typed, as leaving its field would.
 void commitTyping() {
   QWidget* field = QApplication::focusWidget();
   if (!qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QLineEdit*>(field))
@@ -67,20 +67,19 @@ QString figuresText(const project::Report& r, Stage reached) {
   return parts.join(", ");
 }
 
-// null: nothing beyond the first stage.
+// Returns nullptr if the result has no stage after Load.
 std::shared_ptr<const pipeline::PlanResult>
 planned(const std::shared_ptr<const pipeline::PlanResult>& result) {
   return result && result->job.reached && *result->job.reached != Stage::Load ? result : nullptr;
 }
 
 QString invitation(const document::Document& document) {
-  return document.unusable()
-             ? Runs::tr("Nothing can be planned like this: see the mark in the settings.")
+  return document.unusable() ? Runs::tr("Cannot plan: correct the marked setting.")
          : document.source() ? Runs::tr("Ready. Press Plan.")
                              : QString();
 }
 
-// How the run that has just ended went, in a few words: the figures stand beside the page.
+// Returns a short summary of the run that has just ended; the figures are shown next to the page.
 QString endText(const document::Document& document) {
   const auto result = planned(document.lastResult());
   if (!result)
@@ -89,22 +88,21 @@ QString endText(const document::Document& document) {
   const auto blocking =
       std::count_if(findings.begin(), findings.end(),
                     [](const panels::ListedFinding& row) { return row.finding.blocking; });
-  return blocking > 0 ? Runs::tr("Done. Findings that block: %1.").arg(blocking)
-                      : Runs::tr("Done.");
+  return blocking > 0 ? Runs::tr("Done. Blocking findings: %1.").arg(blocking) : Runs::tr("Done.");
 }
 
 QString cancelText(const document::Document& document) {
   return planned(document.lastResult())
-             ? Runs::tr("Cancelled. What was there before stays on show.")
-             : Runs::tr("Cancelled. Press Plan to begin anew.");
+             ? Runs::tr("Cancelled. The previous results are still shown.")
+             : Runs::tr("Cancelled. Press Plan to start again.");
 }
 
 QString previewEndText(const document::Document& document) {
   const auto result = document.result(Stage::Decompose);
-  return result && result->job.item().pieces()
-             ? Runs::tr("The pieces follow the settings. Press Plan for layers and paths.")
-         : result && result->job.item().decomposition()
-             ? Runs::tr("The voxels follow the settings. Press Plan for layers and paths.")
+  return result && result->job.pieces()
+             ? Runs::tr("Pieces updated. Press Plan for layers and paths.")
+         : result && result->job.decomposition()
+             ? Runs::tr("Voxels updated. Press Plan for layers and paths.")
              : Runs::tr("Press Plan for layers and paths.");
 }
 } // namespace
@@ -134,14 +132,15 @@ void Runs::listenToPlanning() {
   });
   connect(&planning_, &Planning::failed, this, [this] {
     emit changed();
-    emit said(tr("The run has stopped: see the findings."));
+    emit said(tr("The run failed: see the findings."));
   });
   connect(&document_, &document::Document::edited, this, [this] {
     if (document_.unusable())
       emit said(invitation(document_));
     layPart();
   });
-  // An edit may have come when a run was as good as done. Queued: it is still at telling its end.
+  // The document may have been edited just before the run ended. Queued, as the run is still
+  // emitting its end.
   connect(
       &planning_, &Planning::finished, this,
       [this] {
@@ -151,7 +150,7 @@ void Runs::listenToPlanning() {
       Qt::QueuedConnection);
 }
 
-// The first stage is quick: the part lies where the numbers say without a word from the user.
+// The first stage is quick: run it automatically, so that the part is shown at its placement.
 void Runs::layPart() {
   if (!planning_.running() && document_.source() && document_.sourceReady() &&
       !document_.unusable())
@@ -171,7 +170,7 @@ void Runs::listenToPreview() {
     emit changed();
   });
   connect(&live_, &LivePreview::failed, this, [this] {
-    emit said(tr("The run has stopped: see the findings."));
+    emit said(tr("The run failed: see the findings."));
     emit changed();
   });
 }
@@ -186,7 +185,7 @@ void Runs::listenToOthers() {
   });
   connect(&opening_, &Opening::started, this, &Runs::changed);
   connect(&opening_, &Opening::progressed, this, &Runs::progressed);
-  // Queued: while they tell how it ended they are still at it.
+  // Queued: while they emit their end they still count as running.
   connect(
       &comparing_, &Comparing::ended, this,
       [this] {
@@ -208,7 +207,7 @@ std::vector<Command> Runs::commands() {
        "runMenu",
        0,
        QT_TRANSLATE_NOOP("Commands", "&Plan"),
-       QT_TRANSLATE_NOOP("Commands", "From the part to checked robot programs"),
+       QT_TRANSLATE_NOOP("Commands", "From the part to verified robot programs"),
        {QKeySequence("Ctrl+R")},
        [this] { askForPlan(Stage::Replay); },
        part,
@@ -218,7 +217,7 @@ std::vector<Command> Runs::commands() {
       {"planLayers",
        "runMenu",
        0,
-       QT_TRANSLATE_NOOP("Commands", "Plan as far as the &layers"),
+       QT_TRANSLATE_NOOP("Commands", "Plan up to the &layers"),
        QT_TRANSLATE_NOOP("Commands", "Stops before tool-paths and motion"),
        {QKeySequence("Ctrl+L")},
        [this] { askForPlan(Stage::Layers); },
@@ -227,7 +226,7 @@ std::vector<Command> Runs::commands() {
        "runMenu",
        0,
        QT_TRANSLATE_NOOP("Commands", "&Cancel"),
-       QT_TRANSLATE_NOOP("Commands", "Stop; the last results stay on show"),
+       QT_TRANSLATE_NOOP("Commands", "Stop; the last results stay visible"),
        {QKeySequence("Ctrl+.")},
        [this] { cancel(); },
        [this] { return busy(); },
@@ -238,8 +237,9 @@ std::vector<Command> Runs::commands() {
        "runMenu",
        0,
        QT_TRANSLATE_NOOP("Commands", "&Update voxels while editing"),
-       QT_TRANSLATE_NOOP(
-           "Commands", "Once planned, voxels follow the settings; layers and paths wait for Plan"),
+       QT_TRANSLATE_NOOP("Commands",
+                         "After the first plan, voxels follow the settings; layers and paths "
+                         "wait for Plan"),
        {},
        [this] {
          live_.setEnabled(!live_.enabled());
@@ -281,7 +281,7 @@ QString Runs::summary() const {
   if (const auto& preview = document_.preview()) {
     const curved::Decomposition& d = *preview->decomposition;
     const QString counts = voxelsText(d.voxels, d.missedVoxels);
-    return !d.field.empty() ? tr("Preview: %1, layers are being improved").arg(counts)
+    return !d.field.empty() ? tr("Preview: %1, improving layers").arg(counts)
            : d.layers == 1  ? tr("Preview: %1, 1 growth step").arg(counts)
                             : tr("Preview: %1, %2 growth steps").arg(counts).arg(d.layers);
   }

@@ -1,4 +1,4 @@
-// What runs in the background for the document: started, cancelled, and told of as it goes.
+// Starts, cancels and reports the background runs of the document.
 #pragma once
 
 #include "document/comparing.h"
@@ -18,20 +18,20 @@ class Runs : public QObject {
   Q_OBJECT
 
 public:
-  // All outlives this.
+  // The arguments must outlive this object.
   Runs(document::Document& document, document::Planning& planning, document::LivePreview& live,
        document::Comparing& comparing, document::Opening& opening);
 
   std::vector<Command> commands();
   bool busy() const;
-  void cancel();    // the newest
-  void cancelAll(); // also those that wait
-  // What counts now in one line: figures of the preview or of the last plan; empty: no part.
+  void cancel();    // Cancels the newest run
+  void cancelAll(); // Cancels waiting runs too
+  // Returns the figures of the preview or the last plan in one line; empty if there is no part.
   QString summary() const;
 
 signals:
-  void planAsked(voluta::project::Stage until); // by the user
-  void changed();                               // something runs, or has ended
+  void planAsked(voluta::project::Stage until); // Requested by the user
+  void changed();                               // A run has started or ended
   void progressed(const voluta::jobs::Progress& progress);
   void said(const QString& text);
   void told(const QString& title, const QString& message);

@@ -68,7 +68,7 @@ bool SharedKeys::eventFilter(QObject* watched, QEvent* event) {
   const auto* widget = qobject_cast<const QWidget*>(watched);
   if (event->type() == QEvent::ShortcutOverride && shared && widget && widget->hasFocus() &&
       widget->window() == &window_ && keeps(*widget, press->key())) {
-    event->accept(); // no command: the key goes to the widget
+    event->accept(); // No command: the widget receives the key
     return true;
   }
   return QObject::eventFilter(watched, event);

@@ -1,8 +1,8 @@
-// Keys that commands of the window share with widgets: Space plays and ticks a box, Home shows
-// everything and goes to a list's first row, PgUp is the next layer and scrolls. After a click they
-// are the command's. A widget that was reached by the Tab key has Space and Home to itself, so that
-// the window can be used without a mouse. Text and sliders always keep their keys, combo boxes and
-// tables keep Home, and what scrolls keeps PgUp and PgDown.
+// Keys that commands of the window share with widgets: Space plays and toggles check boxes, Home
+// shows everything and selects a list's first row, PgUp is the next layer and scrolls. After a
+// click they belong to the command. A widget that was focused with the Tab key keeps Space and
+// Home, so that the window can be used without a mouse. Text fields and sliders always keep their
+// keys, combo boxes and tables keep Home, and scrollable widgets keep PgUp and PgDown.
 #pragma once
 
 #include <QObject>
@@ -13,7 +13,7 @@ namespace voluta::window {
 
 class SharedKeys : public QObject {
 public:
-  // `picture` has no use for these keys itself; it belongs to `window`, which owns this.
+  // `picture` does not use these keys itself; it belongs to `window`, which owns this object.
   SharedKeys(QWidget& window, const QWidget& picture);
 
 protected:
@@ -24,7 +24,7 @@ private:
 
   const QWidget& window_;
   const QWidget& picture_;
-  bool byTab_ = false; // the last way of getting to a widget
+  bool byTab_ = false; // The focused widget was last reached with the Tab key
 };
 
 } // namespace voluta::window

@@ -25,7 +25,7 @@ QString translated(const char* text) {
   return QCoreApplication::translate("Commands", text);
 }
 
-// Another page has something else in its place.
+// The command applies while the picture area is visible; another page replaces it.
 std::function<bool()> whereShown(const PictureArea& area) {
   return [&area] { return !area.isHidden(); };
 }
@@ -50,7 +50,7 @@ std::vector<Command> sideCommands(PictureArea& area) {
                         "viewMenu",
                         0,
                         side.text,
-                        QT_TRANSLATE_NOOP("Commands", "Look from there"),
+                        QT_TRANSLATE_NOOP("Commands", "View from this side"),
                         {QKeySequence(side.keys)},
                         [&area, from = side.from] { area.viewport().viewFrom(from); },
                         whereShown(area)});
@@ -120,7 +120,7 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
                                  "viewMenu",
                                  0,
                                  QT_TRANSLATE_NOOP("Commands", "Show &everything"),
-                                 QT_TRANSLATE_NOOP("Commands", "Everything in sight"),
+                                 QT_TRANSLATE_NOOP("Commands", "Fit everything into the view"),
                                  {QKeySequence("Home")},
                                  [&area] { area.viewport().frameAll(); },
                                  whereShown(area),
@@ -133,7 +133,7 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
                       "viewMenu",
                       1,
                       QT_TRANSLATE_NOOP("Commands", "&Section plane"),
-                      QT_TRANSLATE_NOOP("Commands", "Cut the picture open"),
+                      QT_TRANSLATE_NOOP("Commands", "Cut the view open with a plane"),
                       {QKeySequence("X")},
                       [&picture] {
                         Look look = picture.look();
@@ -148,7 +148,7 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
                       "viewMenu",
                       1,
                       QT_TRANSLATE_NOOP("Commands", "&Legend"),
-                      QT_TRANSLATE_NOOP("Commands", "What the colours of the picture say"),
+                      QT_TRANSLATE_NOOP("Commands", "Meaning of the colours in the view"),
                       {QKeySequence("L")},
                       [&legend] {
                         legend.setWanted(!legend.isWanted());
@@ -161,7 +161,7 @@ std::vector<Command> viewCommands(PictureArea& area, Picture& picture, UnrolledD
        "viewMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "&Unrolled layer"),
-       QT_TRANSLATE_NOOP("Commands", "Layers around an axis laid flat, beside the picture"),
+       QT_TRANSLATE_NOOP("Commands", "Shows layers around an axis unrolled, next to the view"),
        {QKeySequence("U")},
        [&unrolled, showView] {
          unrolled.setWanted(!unrolled.wanted());
@@ -179,7 +179,7 @@ std::vector<Command> timelineCommands(timeline::TimelineBar& bar) {
        "runMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "Play or pause"),
-       QT_TRANSLATE_NOOP("Commands", "Runs the time-line"),
+       QT_TRANSLATE_NOOP("Commands", "Play or pause the time-line"),
        {QKeySequence("Space")},
        [&bar] { bar.togglePlay(); },
        shown},
@@ -187,7 +187,7 @@ std::vector<Command> timelineCommands(timeline::TimelineBar& bar) {
        "runMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "Next move"),
-       QT_TRANSLATE_NOOP("Commands", "One move on"),
+       QT_TRANSLATE_NOOP("Commands", "One move forward"),
        {QKeySequence(".")},
        [&bar] { bar.nextMove(); },
        shown},
@@ -203,7 +203,7 @@ std::vector<Command> timelineCommands(timeline::TimelineBar& bar) {
        "runMenu",
        1,
        QT_TRANSLATE_NOOP("Commands", "Next layer"),
-       QT_TRANSLATE_NOOP("Commands", "One layer on"),
+       QT_TRANSLATE_NOOP("Commands", "One layer forward"),
        {QKeySequence("PgUp")},
        [&bar] { bar.nextLayer(); },
        shown},
@@ -227,7 +227,7 @@ std::vector<Command> languageCommands() {
       chooseLanguage(code);
     };
     command.checked = [code = language.code] { return code == chosenLanguage(); };
-    command.says = [name = language.name] { return name; }; // in itself, not translated
+    command.says = [name = language.name] { return name; }; // In that language, not translated
     commands.push_back(std::move(command));
   }
   return commands;
@@ -250,12 +250,11 @@ void showAbout(QWidget& window) {
   QMessageBox::about(
       &window, translated(QT_TRANSLATE_NOOP("Commands", "About Voluta")),
       translated(
-          QT_TRANSLATE_NOOP(
-              "Commands",
-              "<h3>Voluta %1</h3><p>Prints with a robot arm: layers without support, tool-paths, a "
-              "motion checked against the part as it grows, and programs that were read back and "
-              "replayed.</p><p>Free software under the GNU General Public License, version 3 or "
-              "later.</p>"))
+          QT_TRANSLATE_NOOP("Commands",
+                            "<h3>Voluta %1</h3><p>3D printing with robot arms: layers without "
+                            "support, tool-paths, motion checked against the growing part, and "
+                            "programs verified by replay.</p><p>Free software under the GNU "
+                            "General Public License, version 3 or later.</p>"))
           .arg(project::kVersion));
 }
 

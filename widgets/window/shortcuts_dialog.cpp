@@ -98,13 +98,12 @@ void ShortcutsDialog::edited(const QKeySequence& keys) {
   keys_[i] = keys;
   table_->item(row, 1)->setText(keys.toString(QKeySequence::NativeText));
   clash_->clear();
-  // Two commands on one key would both stop working: the newer one takes it.
+  // Two commands with one key would both stop working: remove it from the other command.
   for (std::size_t other = 0; other < keys_.size(); ++other)
     if (other != i && !keys.isEmpty() && keys_[other] == keys) {
       keys_[other] = QKeySequence();
       table_->item(static_cast<int>(other), 1)->setText({});
-      clash_->setText(
-          tr("“%1” had this key and has none now.").arg(plain(actions_[other]->text())));
+      clash_->setText(tr("This key was removed from “%1”.").arg(plain(actions_[other]->text())));
     }
 }
 

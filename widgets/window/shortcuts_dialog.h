@@ -1,4 +1,4 @@
-// All keys in one list, each to be changed.
+// A list of all keys, each of which can be changed.
 #pragma once
 
 #include <QDialog>
@@ -13,15 +13,15 @@ class QTableWidget;
 
 namespace voluta::window {
 
-// The key kept in the settings for an action, else its default.
+// Returns the key stored in the settings for an action, else its default.
 QKeySequence shortcutOf(const QString& id, const QKeySequence& standard);
 
 class ShortcutsDialog : public QDialog {
   Q_OBJECT
 
 public:
-  // Actions have an object name and the property "defaultShortcut". They are changed, and the
-  // settings with them, when the dialog is accepted.
+  // Actions need an object name and the property "defaultShortcut". Accepting the dialog changes
+  // them and the settings.
   ShortcutsDialog(std::vector<QAction*> actions, QWidget* parent);
 
   void accept() override;
@@ -33,7 +33,7 @@ private:
   void filter(const QString& text);
 
   std::vector<QAction*> actions_;
-  std::vector<QKeySequence> keys_; // as edited, in the order of actions_
+  std::vector<QKeySequence> keys_; // As edited, in the order of actions_
   QLineEdit* search_;
   QTableWidget* table_;
   QKeySequenceEdit* edit_;

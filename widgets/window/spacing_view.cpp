@@ -20,7 +20,7 @@ QColor colourOf(const scene::Colour& c) {
                           static_cast<float>(c[2]));
 }
 
-// A share that is not all is never rounded up to all, nor one that is not nothing down to nothing.
+// Never rounds a share below 100 % up to 100 %, or a share above 0 % down to 0 %.
 QString percent(const QLocale& locale, double share) {
   const double value = 100.0 * share;
   if (value > 99.99 && share < 1.0)
@@ -34,7 +34,7 @@ QString percent(const QLocale& locale, double share) {
 }
 } // namespace
 
-// Bars over millimetres, the limits and the nominal height as lines with their numbers.
+// Bars over millimetres, with the limits and the nominal height as labelled lines.
 class SpacingChart : public QWidget {
 public:
   using QWidget::QWidget;
@@ -59,7 +59,7 @@ protected:
     for (std::size_t i = 0; i < spacing_.shares.size(); ++i) {
       if (spacing_.shares[i] <= 0.0)
         continue;
-      // What is there is seen, however little.
+      // Keep even the smallest share visible.
       const double tall = std::max(1.5, area.height() * spacing_.shares[i] / highest);
       const double t = h.shareOf(heightAt(static_cast<double>(i) + 0.5));
       painter.setBrush(colourOf(t < 0.0   ? scene::tooThinColour()

@@ -1,4 +1,4 @@
-// The thickness of layers as a histogram, in the colours of the map on the layers.
+// The thickness of layers as a histogram, in the colours of the layers' colour map.
 #pragma once
 
 #include "window/layer_spacing.h"
@@ -17,9 +17,9 @@ class SpacingView : public QWidget {
 public:
   explicit SpacingView(QWidget* parent = nullptr);
 
-  // Hidden while there are no layers to speak of.
+  // Hidden if there are no layers.
   void setSpacing(const LayerSpacing& spacing);
-  // Mean and share within limits, as shown.
+  // Returns the mean and the shares within the limits, as shown.
   QString words() const;
 
 protected:

@@ -34,7 +34,8 @@ StatusLine::StatusLine(QWidget* parent)
       bar_(new ProgressLine(this)) {
   setObjectName("statusLine");
   stage_->setObjectName("statusStage");
-  // A long sentence is cut, with its whole in the tool tip: it must not widen the window.
+  // Elide long sentences and show them in full in the tool tip, so that they do not widen the
+  // window.
   stage_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   bar_->setObjectName("statusProgress");
   cell_->setObjectName("statusCell");

@@ -1,4 +1,4 @@
-// The status bar: what is being done, how far, how long still; size of the part, cell, memory.
+// The status bar: the current step, progress and remaining time; size of the part, cell, memory.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -18,7 +18,7 @@ public:
   explicit StatusLine(QWidget* parent = nullptr);
 
   void showProgress(const jobs::Progress& progress);
-  // Nothing runs; `text` says how it ended or what to do next.
+  // Nothing is running; `text` reports how the last run ended or what to do next.
   void showIdle(const QString& text);
   void setPart(const QString& sizeText);
   void setCell(const QString& cell);

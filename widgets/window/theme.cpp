@@ -10,7 +10,8 @@
 namespace voluta::window {
 
 namespace {
-// Fusion outlines check boxes darker than what is behind them, which nobody sees on dark ground.
+// Fusion draws the outlines of check boxes darker than the background, which makes them invisible
+// in the dark theme.
 class OutlinedBoxes : public QProxyStyle {
 public:
   OutlinedBoxes() : QProxyStyle(QStyleFactory::create("Fusion")) {}
@@ -64,7 +65,7 @@ QPalette paletteOf(Appearance appearance) {
 }
 
 void applyAppearance(QApplication& app, Appearance appearance) {
-  app.setStyle(new OutlinedBoxes); // the application owns it
+  app.setStyle(new OutlinedBoxes); // Owned by the application
   app.setPalette(paletteOf(appearance));
   const QPalette p = app.palette();
   app.setStyleSheet(QString("QToolTip { color: %1; background: %2; border: 1px solid %3; "

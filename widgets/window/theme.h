@@ -1,4 +1,4 @@
-// Light and dark: one palette each for the whole window.
+// Light and dark themes, with one palette each for the whole window.
 #pragma once
 
 #include <QString>
@@ -11,9 +11,9 @@ namespace voluta::window {
 enum class Appearance { Light, Dark };
 
 QPalette paletteOf(Appearance appearance);
-// Style, palette and the few rules that a palette cannot say.
+// Sets the style, the palette and the few rules that a palette cannot express.
 void applyAppearance(QApplication& app, Appearance appearance);
-QString appearanceName(Appearance appearance);   // as kept in the settings: "light", "dark"
-Appearance appearanceNamed(const QString& name); // anything else: Light
+QString appearanceName(Appearance appearance);   // As stored in the settings: "light", "dark"
+Appearance appearanceNamed(const QString& name); // Any other name: Light
 
 } // namespace voluta::window

@@ -27,7 +27,7 @@ VerifyDialog::VerifyDialog(const QString& program, std::shared_ptr<const pipelin
                            QWidget* parent)
     : QDialog(parent), sign_(new QLabel(this)), verdict_(new QLabel(this)),
       progress_(new QProgressBar(this)), table_(new panels::VerdictTable(this)),
-      foundTitle_(new QLabel(tr("What the replay found"), this)), found_(new QListWidget(this)),
+      foundTitle_(new QLabel(tr("Replay findings"), this)), found_(new QListWidget(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Cancel, this)) {
   setObjectName("verifyDialog");
   setAttribute(Qt::WA_DeleteOnClose);
@@ -36,7 +36,7 @@ VerifyDialog::VerifyDialog(const QString& program, std::shared_ptr<const pipelin
   verdict_->setObjectName("verifyVerdict");
   verdict_->setWordWrap(true);
   verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  verdict_->setText(tr("The program is read and replayed against the plan on show…"));
+  verdict_->setText(tr("Replaying the program against the current plan…"));
   sign_->setAlignment(Qt::AlignTop);
   progress_->setRange(0, 100);
   progress_->setTextVisible(false);
@@ -80,8 +80,8 @@ void VerifyDialog::conclude(const QString& verdict, bool passed) {
 
 void VerifyDialog::show(const pipeline::VerifyResult& result) {
   const QString format = language::words(program::findDialect(result.format).label);
-  conclude(result.replay.passed ? tr("%1: passed. It prints what was planned.").arg(format)
-                                : tr("%1: refused. Don't run it on the robot.").arg(format),
+  conclude(result.replay.passed ? tr("%1: passed. The program matches the plan.").arg(format)
+                                : tr("%1: refused. Do not run it on the robot.").arg(format),
            result.replay.passed);
   table_->setReport(result.replay);
   const std::vector<panels::ListedFinding> listed = panels::listed(result.findings);
@@ -93,7 +93,7 @@ void VerifyDialog::show(const pipeline::VerifyResult& result) {
     item->setToolTip(language::words(plan::remedyOf(one.finding)));
   }
   if (listed.size() > kTold)
-    foundTitle_->setText(tr("What the replay found, the first %1 of %2")
+    foundTitle_->setText(tr("Replay findings, the first %1 of %2")
                              .arg(kTold)
                              .arg(QLocale().toString(static_cast<qulonglong>(listed.size()))));
   foundTitle_->setVisible(!listed.empty());

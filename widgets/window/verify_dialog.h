@@ -1,4 +1,4 @@
-// What the replay makes of a program from disk: its verdict, and what it found by line.
+// Replays a program from disk and shows the verdict and the findings by line.
 #pragma once
 
 #include "document/verifying.h"
@@ -21,7 +21,7 @@ class VerifyDialog : public QDialog {
   Q_OBJECT
 
 public:
-  // Begins at once; closed before it is done it is given up. Precondition: the plan has a motion.
+  // Starts at once; closing the dialog cancels the replay. Precondition: the plan has a motion.
   VerifyDialog(const QString& program, std::shared_ptr<const pipeline::PlanResult> plan,
                QWidget* parent = nullptr);
 

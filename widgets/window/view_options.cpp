@@ -24,7 +24,7 @@ constexpr int kPlaceSteps = 1000;
 bool offers(LayerSubject subject, scene::ColourBy colourBy) {
   using scene::ColourBy;
   if (subject == LayerSubject::Pieces)
-    return false; // they have colours of their own
+    return false; // They have their own colours
   switch (colourBy) {
   case ColourBy::Layer:
     return true;
@@ -79,12 +79,12 @@ void ViewOptions::buildSubjects(QGridLayout& grid) {
   subjectLabel_ = new QLabel(this);
   colourLabel_ = new QLabel(this);
   subjects_ = new QButtonGroup(this);
-  // Which one is on has to be seen at a glance, on dark ground too.
+  // The checked button must be obvious, also in the dark theme.
   setStyleSheet("QToolButton { border: 1px solid palette(mid); padding: 4px 2px; }"
                 "QToolButton:checked { background: palette(highlight); "
                 "color: palette(highlighted-text); }"
                 "QToolButton:disabled { color: palette(mid); }");
-  // Two and two: in one row they would be wider than a narrow panel.
+  // Two per row: one row would be wider than a narrow panel.
   auto* pairs = new QGridLayout;
   pairs->setSpacing(0);
   for (const LayerSubject subject :
@@ -99,9 +99,9 @@ void ViewOptions::buildSubjects(QGridLayout& grid) {
     subjects_->addButton(button, id);
     const bool below = subject == LayerSubject::Layers || subject == LayerSubject::Paths;
     const bool left = subject == LayerSubject::Furthest || subject == LayerSubject::Layers;
-    pairs->addWidget(button, below ? 1 : 0, left ? 0 : 1); // of voxels and pieces one is hidden
+    pairs->addWidget(button, below ? 1 : 0, left ? 0 : 1); // Either voxels or pieces are hidden
   }
-  colourBy_ = forms::makeCombo(this); // its entries may be longer than the panel is wide
+  colourBy_ = forms::makeCombo(this); // Its entries may be wider than the panel
   colourBy_->setObjectName("colourBy");
   for (const scene::ColourByRow& entry : scene::colourByTable())
     colourBy_->addItem(QString(), static_cast<int>(entry.colourBy));
@@ -144,10 +144,10 @@ void ViewOptions::retranslate() {
   subjectLabel_->setText(tr("Show"));
   colourLabel_->setText(tr("Colour by"));
   const QStringList names{tr("Latest"), tr("Voxels"), tr("Layers"), tr("Paths"), tr("Pieces")};
-  const QStringList tips{tr("What the plan has come to"), tr("Solid voxels, and how they grow"),
-                         tr("Layers as slabs of their thickness"),
-                         tr("Tool-paths as the beads that are laid"),
-                         tr("Pieces that print without support, and their base planes")};
+  const QStringList tips{tr("The latest result of the plan"),
+                         tr("Solid voxels and their growth order"),
+                         tr("Layers drawn with their thickness"), tr("Tool-paths drawn as beads"),
+                         tr("Pieces printable without support, and their base planes")};
   for (int id = 0; id < kLayerSubjectCount; ++id) {
     subjects_->button(id)->setText(names[id]);
     subjects_->button(id)->setToolTip(tips[id]);
@@ -156,17 +156,17 @@ void ViewOptions::retranslate() {
   for (int i = 0; i < colourBy_->count(); ++i)
     colourBy_->setItemText(
         i, language::words(scene::colourByTable()[static_cast<std::size_t>(i)].label));
-  part_->setText(tr("Part's surface"));
+  part_->setText(tr("Part surface"));
   travels_->setText(tr("Travel moves"));
-  beads_->setText(tr("Beads in their true width"));
+  beads_->setText(tr("True bead width"));
   front_->setText(tr("Convex front"));
-  front_->setToolTip(tr("While growth is replayed: the hull that the next voxels must not lie in"));
-  ghosts_->setText(tr("Later voxels faintly"));
-  ghosts_->setToolTip(tr("While growth is replayed: what is still to be laid"));
+  front_->setToolTip(tr("During growth replay: the hull in which the next voxels must not be"));
+  ghosts_->setText(tr("Later voxels faint"));
+  ghosts_->setToolTip(tr("During growth replay: voxels not yet printed"));
   section_->setText(tr("Section plane"));
   flip_->setText(tr("Flip"));
-  flip_->setToolTip(tr("Cut away the other side"));
-  place_->setToolTip(tr("Place of the section plane"));
+  flip_->setToolTip(tr("Remove the other side"));
+  place_->setToolTip(tr("Position of the section plane"));
 }
 
 void ViewOptions::changeEvent(QEvent* event) {

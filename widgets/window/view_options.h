@@ -1,4 +1,4 @@
-// What the Layers page shows and how it is coloured; the section plane.
+// Display options of the Layers page: content, colouring and the section plane.
 #pragma once
 
 #include "window/picture.h"
@@ -15,15 +15,15 @@ class QToolButton;
 
 namespace voluta::window {
 
-// Furthest: whatever the plan has come to.
+// Furthest: the last result of the plan.
 enum class LayerSubject { Furthest, Voxels, Layers, Paths, Pieces };
 inline constexpr int kLayerSubjectCount = 5;
 
-// Beside the Look of the picture.
+// Options that are not part of Look.
 struct ViewChoices {
   LayerSubject subject = LayerSubject::Furthest;
   bool part = false, travels = false;
-  bool front = true, ghosts = false; // while growth is replayed
+  bool front = true, ghosts = false; // While growth is replayed
 };
 
 class ViewOptions : public QWidget {
@@ -34,17 +34,17 @@ public:
 
   const ViewChoices& choices() const { return choices_; }
   const Look& look() const { return look_; }
-  // None of these emits.
+  // These functions emit no signals.
   void setChoices(const ViewChoices& choices);
   void setLook(const Look& look);
   // A mode has either voxels or pieces; only one of them is offered.
   void setAvailable(bool voxels, bool pieces, bool layers, bool paths);
-  // What is on show, never Furthest: only colourings that it has are offered.
+  // `subject`: the content shown, never Furthest. Only its colourings are offered.
   void setShown(LayerSubject subject);
 
 signals:
-  void changed();         // choices, look
-  void dragging(bool on); // the section plane is being moved
+  void changed();         // Choices or look
+  void dragging(bool on); // While the section plane is being moved
 
 protected:
   void changeEvent(QEvent* event) override;

@@ -1,4 +1,4 @@
-// What the empty viewport says: where to begin.
+// The message of the empty viewport, with buttons for opening a part.
 #pragma once
 
 #include <QWidget>
@@ -12,10 +12,10 @@ class Welcome : public QWidget {
   Q_OBJECT
 
 public:
-  // Keeps to the middle of its parent.
+  // Stays centred in its parent.
   explicit Welcome(QWidget* parent);
 
-  // A message instead of the invitation, without buttons; empty: the invitation again.
+  // Shows a message instead of the invitation, without buttons; empty: the invitation again.
   void setMessage(const QString& message);
   bool hasMessage() const { return !message_.isEmpty(); }
 

@@ -17,7 +17,7 @@ constexpr int kBallDivisions = 2; // each splits a face of an icosahedron into f
 
 using Ring = std::array<Vector3d, kSides>;
 
-// A polygon about `centre` with the area of the circle.
+// Returns a polygon around `centre` with the area of the circle.
 Ring ringOf(const Vector3d& centre, const Vector3d& u, const Vector3d& v, double radius) {
   constexpr double kTurn = 2.0 * base::kPi / kSides;
   const double corner = radius * std::sqrt(kTurn / std::sin(kTurn));
@@ -51,7 +51,7 @@ std::vector<Facet> icosahedron() {
     p[4 + i] = {a, b, 0.0};
     p[8 + i] = {b, 0.0, a};
   }
-  // The faces are the triples of corners at the least distance, which is 2.
+  // The faces are the triples of vertices at the minimum distance, which is 2.
   std::vector<Facet> faces;
   const auto near = [](const Vector3d& a, const Vector3d& b) { return (a - b).norm() < 2.1; };
   for (std::size_t i = 0; i < 12; ++i)
@@ -65,7 +65,7 @@ std::vector<Facet> icosahedron() {
   return faces;
 }
 
-// About the origin, of the volume of the ball of radius 1.
+// Returns a polyhedron about the origin with the volume of the unit ball.
 std::vector<Facet> unitBall() {
   std::vector<Facet> faces = icosahedron();
   for (int division = 0; division < kBallDivisions; ++division) {

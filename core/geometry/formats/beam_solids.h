@@ -1,4 +1,4 @@
-// The beams and balls of a lattice as closed solids.
+// The beams and balls of a 3MF lattice as closed solids.
 #pragma once
 
 #include "geometry/formats/facet_soup.h"
@@ -8,9 +8,10 @@
 
 namespace voluta::geometry {
 
-// Facets of a closed frustum for each beam and a closed ball for each round end and each ball of
-// the lattice, in the object's coordinates, facing outward. The solids overlap at the nodes; their
-// union is the lattice. Cross-sections and balls have the area and the volume of the round ones.
+// Returns the facets of a closed frustum per beam and of a closed ball per round end and per ball
+// of the lattice, in the object's coordinates, facing outward. The solids overlap at the nodes;
+// their union is the lattice. Cross-sections and balls have the area and the volume of the round
+// ones.
 std::vector<Facet> beamSolids(const ThreemfObject& object);
 
 } // namespace voluta::geometry

@@ -55,17 +55,17 @@ MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,
     throw fail("takes too long to read"_text);
   case End::Crashed:
   case End::TooMuchOutput:
-    throw fail("is damaged: reading it ended badly"_text);
+    throw fail("is damaged: the reader failed"_text);
   case End::Exited:
     break;
   }
   if (read.code != 0)
     throw fail("cannot be read: not a mesh, or damaged"_text);
-  // Nine doubles a facet.
+  // Nine doubles per facet.
   FacetSoup soup;
   constexpr std::size_t kFacetBytes = 9 * sizeof(double);
   if (read.output.size() % kFacetBytes != 0)
-    throw fail("is damaged: reading it ended badly"_text);
+    throw fail("is damaged: the reader failed"_text);
   soup.facets.resize(read.output.size() / kFacetBytes);
   for (std::size_t f = 0; f < soup.facets.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k)

@@ -1,6 +1,6 @@
-// Mesh files in formats that this program has no reader of its own for: COLLADA, glTF and what else
-// assimp takes. They are read by a program of its own that comes with this one, voluta-mesh-reader:
-// a damaged file ends that program and not this one.
+// Mesh files in formats without a reader in this program: COLLADA, glTF and others that assimp
+// reads. A separate program, voluta-mesh-reader, reads them, so that a damaged file can only crash
+// that program.
 #pragma once
 
 #include "geometry/formats/mesh_reader.h"
@@ -10,17 +10,17 @@
 
 namespace voluta::geometry {
 
-// By the extension: dae, gltf, glb, fbx, 3ds.
+// Returns whether the extension is dae, gltf, glb, fbx or 3ds.
 bool isForeign(const std::filesystem::path& file);
 
 enum class ForeignFrame {
-  AsWritten, // lengths and axes as in the file, COLLADA's in metres: what a URDF refers to
-  Upright    // z up, mm, where the format says what is up and how long: COLLADA and glTF
+  AsWritten, // lengths and axes as in the file, COLLADA's in metres: as a URDF refers to them
+  Upright    // z up, mm, if the format states up axis and unit: COLLADA and glTF
 };
 
-// Other files that the file refers to are looked for beside it. Takes as long as `limit`.
-// Throws Error{UnreadableFile}: not there, not readable or damaged, longer than the limit, the
-// program that reads it is missing. Error{UnusableInput}: no triangles.
+// Files that the file refers to are read from its folder. Takes at most `limit`. Throws
+// Error{UnreadableFile} if the file is missing, unreadable or damaged, takes longer than the limit,
+// or the reader program is missing; Error{UnusableInput} if there are no triangles.
 MeshFile readForeign(const std::filesystem::path& file, ForeignFrame frame,
                      std::chrono::milliseconds limit = std::chrono::seconds(30));
 

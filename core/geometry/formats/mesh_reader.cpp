@@ -43,7 +43,7 @@ std::string extensionOf(const std::string& name) {
   return e.empty() ? e : e.substr(1);
 }
 
-// "stl", "obj", "ply", "off", "3mf", or empty.
+// Returns "stl", "obj", "ply", "off", "3mf", or an empty string.
 std::string formatOf(std::string_view bytes, const std::string& extension) {
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r"))
     return "ply";
@@ -74,15 +74,15 @@ void dropBadFacets(FacetSoup& soup, const std::string& name) {
       std::remove_if(firstBad, soup.facets.end(), [](const Facet& f) { return !usable(f); }),
       soup.facets.end());
   const std::size_t bad = before - soup.facets.size();
-  const base::Message what = base::message(
-      "{bad} of {facets} facets has coordinates that are no numbers or beyond all measure, the "
-      "first is facet {first}|"
-      "{bad} of {facets} facets have coordinates that are no numbers or beyond all measure, the "
-      "first is facet {first}"_plural,
-      bad, before, at);
+  const base::Message what =
+      base::message("{bad} of {facets} facets has NaN or out-of-range coordinates, first at "
+                    "facet {first}|"
+                    "{bad} of {facets} facets have NaN or out-of-range coordinates, first at "
+                    "facet {first}"_plural,
+                    bad, before, at);
   if (bad > 1 && static_cast<double>(bad) > kBadShare * static_cast<double>(before))
     throw Error(ErrorCode::UnusableInput, what, name);
-  soup.repairs.push_back(base::message("left out: {what}"_text, what));
+  soup.repairs.push_back(base::message("omitted: {what}"_text, what));
 }
 
 } // namespace
@@ -109,11 +109,11 @@ TriangleMesh shareVertices(const std::vector<Facet>& facets) {
 
 MeshFile meshOf(FacetSoup soup, const std::string& name) {
   if (soup.facets.empty())
-    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file holds no triangle"_text,
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: the file has no triangles"_text,
                 name);
   dropBadFacets(soup, name);
   if (soup.facets.empty())
-    throw Error(ErrorCode::UnusableInput, "the mesh is empty: no facet has usable coordinates"_text,
+    throw Error(ErrorCode::UnusableInput, "the mesh is empty: no facet has valid coordinates"_text,
                 name);
   return {shareVertices(soup.facets), std::move(soup.format), std::move(soup.repairs)};
 }
@@ -126,13 +126,13 @@ MeshFile readMesh(std::string_view bytes, const std::string& name) {
   if (bytes.empty())
     throw Error(ErrorCode::UnreadableFile, "the file is empty"_text, name);
   const std::string extension = extensionOf(name);
-  // The size tells a binary STL, whatever its header looks like.
+  // The size identifies a binary STL, regardless of its header.
   const PlainText plain = isBinaryStl(bytes) ? PlainText{bytes, {}, {}} : plainText(bytes, name);
   const std::string_view text = plain.text();
   const std::string format = formatOf(text, extension);
   if (format.empty())
     throw Error(ErrorCode::UnreadableFile, "not a mesh file"_text, name,
-                "STL, OBJ, PLY, OFF, 3MF, COLLADA and glTF can be read"_text);
+                "use STL, OBJ, PLY, OFF, 3MF, COLLADA or glTF"_text);
   FacetSoup soup = format == "stl"   ? readStl(text, name)
                    : format == "obj" ? readObj(text, name)
                    : format == "off" ? readOff(text, name)

@@ -31,7 +31,7 @@ Vector3d pointOf(const WordList& words, std::size_t from, const std::string& nam
   return point;
 }
 
-// The next line with words, with those that follow a "\\" at its end.
+// Reads the next non-empty line, joined with those that follow a "\\" at its end.
 bool nextWholeLine(LineScanner& scanner, WordList& words) {
   if (!scanner.nextFilledLine(words))
     return false;
@@ -69,22 +69,22 @@ FacetSoup readObj(std::string_view bytes, const std::string& name) {
       points.push_back(pointOf(words, 1, name, scanner.line()));
     } else if (words[0] == "f") {
       if (words.size() < 4)
-        fail(name, scanner.line(), "a face needs three corners or more"_text);
+        fail(name, scanner.line(), "a face needs at least three corners"_text);
       polygon.clear();
       for (std::size_t i = 1; i < words.size(); ++i) {
         const auto index = integerOf(words[i].substr(0, words[i].find('/')));
         const auto count = static_cast<long long>(points.size());
-        // Negative indices count back from the vertex read last.
+        // Negative indices count back from the last vertex read.
         const long long at = !index ? -1 : *index > 0 ? *index - 1 : count + *index;
         if (!index || *index == 0 || at < 0 || at >= count)
-          fail(
-              name, scanner.line(),
-              base::message("'{corner}' names no vertex read so far"_text, words[i].substr(0, 40)));
+          fail(name, scanner.line(),
+               base::message("'{corner}' is not the index of a vertex read so far"_text,
+                             words[i].substr(0, 40)));
         polygon.push_back(points[static_cast<std::size_t>(at)]);
       }
       addPolygon(polygon, soup.facets);
     }
-    // Everything else (normals, textures, groups, materials, curves) is no part of the shape.
+    // Everything else (normals, textures, groups, materials, curves) does not affect the shape.
   }
   return soup;
 }
@@ -98,7 +98,7 @@ FacetSoup readOff(std::string_view bytes, const std::string& name) {
     fail(name, scanner.line(), "an OFF file begins with \"OFF\""_text);
   if (words[0] == "4OFF" || words[0] == "nOFF")
     fail(name, scanner.line(), "only three-dimensional OFF files can be read"_text);
-  // Coordinates come first on their line whatever else a vertex carries.
+  // Coordinates are first on their line, whatever other data a vertex has.
   WordList counts(words.begin() + 1, words.end());
   if (counts.empty() && scanner.nextFilledLine(words))
     counts = words;
@@ -110,13 +110,13 @@ FacetSoup readOff(std::string_view bytes, const std::string& name) {
   for (long long v = 0; v < *vertexCount; ++v) {
     if (!scanner.nextFilledLine(words))
       fail(name, scanner.line(),
-           base::message("cut short: {there} of {wanted} vertices"_text, v, *vertexCount));
+           base::message("truncated: {there} of {wanted} vertices"_text, v, *vertexCount));
     points.push_back(pointOf(words, 0, name, scanner.line()));
   }
   for (long long f = 0; f < *faceCount; ++f) {
     if (!scanner.nextFilledLine(words))
       fail(name, scanner.line(),
-           base::message("cut short: {there} of {wanted} faces"_text, f, *faceCount));
+           base::message("truncated: {there} of {wanted} faces"_text, f, *faceCount));
     const auto corners = integerOf(words[0]);
     if (!corners || *corners < 0 || static_cast<std::size_t>(*corners) >= words.size())
       fail(name, scanner.line(), "a face needs its number of corners, then the corners"_text);
@@ -125,7 +125,7 @@ FacetSoup readOff(std::string_view bytes, const std::string& name) {
       const auto at = integerOf(words[i]);
       if (!at || *at < 0 || *at >= *vertexCount)
         fail(name, scanner.line(),
-             base::message("'{corner}' names no vertex"_text, words[i].substr(0, 40)));
+             base::message("'{corner}' is not the index of a vertex"_text, words[i].substr(0, 40)));
       polygon.push_back(points[static_cast<std::size_t>(*at)]);
     }
     if (polygon.size() >= 3)

@@ -20,7 +20,7 @@ enum class Encoding { Bytes, Utf16Little, Utf16Big, Utf32 };
 constexpr base::Text kWithPoints = "export it with decimal points"_text;
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 
-// By the byte-order mark, or by the zero bytes of the first two letters.
+// Detected by the byte-order mark, or by the zero bytes of the first two letters.
 Encoding encodingOf(std::string_view bytes) {
   const auto at = [&](std::size_t i) {
     return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0xffu;
@@ -49,7 +49,7 @@ void appendUtf8(std::uint32_t point, std::string& text) {
     text += static_cast<char>(0x80 | (point >> (6 * i) & 0x3f));
 }
 
-// None: an odd number of bytes, or half of a surrogate pair.
+// Returns nullopt for an odd number of bytes or half a surrogate pair.
 std::optional<std::string> utf8Of(std::string_view bytes, bool isBig) {
   if (bytes.size() % 2 != 0)
     return std::nullopt;
@@ -78,7 +78,8 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// "1,5", "-0,25e3": where its comma is; npos: none such.
+// Returns the position of the comma in numbers such as "1,5" or "-0,25e3"; npos if the word is not
+// such a number.
 std::size_t decimalComma(std::string_view word) {
   const std::size_t comma = word.find(',');
   if (comma == std::string_view::npos || comma + 1 >= word.size() || !isDigit(word[comma + 1]))
@@ -96,7 +97,8 @@ bool mayBeThousands(std::string_view word, std::size_t comma) {
          std::all_of(word.begin() + static_cast<std::ptrdiff_t>(comma) + 1, word.end(), isDigit);
 }
 
-// Whether a line that begins so has coordinates: a name or a comment may hold any commas.
+// Returns whether a line with this first word has coordinates; commas in names and comments do not
+// matter.
 bool isOfNumbers(std::string_view first) {
   return first == "v" || first == "vn" || first == "vt" || first == "vertex" || first == "VERTEX" ||
          numberOf(first) || decimalComma(first) != std::string_view::npos;
@@ -107,7 +109,7 @@ class CommaReading {
 public:
   CommaReading(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  // None: there are no decimal commas.
+  // Returns nullopt if there are no decimal commas.
   std::optional<std::string> run() {
     std::vector<std::string_view> words;
     LineScanner scanner(text_);
@@ -118,7 +120,7 @@ public:
     if (!isCertain_)
       throw Error(
           ErrorCode::UnreadableFile,
-          base::message("'{number}' is a number with a decimal comma, or one of thousands"_text,
+          base::message("ambiguous number '{number}': decimal comma or thousands separator"_text,
                         example_),
           name_, kWithPoints);
     std::string dotted(text_);
@@ -148,7 +150,8 @@ private:
     if (hasComma && hasPoint)
       throw Error(
           ErrorCode::UnreadableFile,
-          base::message("numbers with commas, such as '{number}', beside numbers with points"_text,
+          base::message("numbers with decimal commas, such as '{number}', mixed with numbers with "
+                        "decimal points"_text,
                         example_),
           base::lineOf(name_, line), kWithPoints);
   }
@@ -171,7 +174,7 @@ PlainText plainText(std::string_view bytes, const std::string& name) {
   if (encoding != Encoding::Bytes) {
     std::optional<std::string> text = utf8Of(bytes, encoding == Encoding::Utf16Big);
     if (!text)
-      throw Error(ErrorCode::UnreadableFile, "is UTF-16 that is damaged or cut short"_text, name,
+      throw Error(ErrorCode::UnreadableFile, "is damaged or truncated UTF-16"_text, name,
                   "save it as UTF-8"_text);
     plain.converted = std::move(text);
   } else if (bytes.starts_with(kUtf8Mark)) {

@@ -47,7 +47,7 @@ struct Element {
   std::vector<Property> properties;
 };
 
-// The numbers of the body one after another, text or binary.
+// Reads the numbers of the body in sequence, text or binary.
 class Body {
 public:
   enum class Kind { Text, Little, Big };
@@ -79,12 +79,12 @@ public:
     return raw<double>();
   }
 
-  // Length of a list; no list can be longer than the bytes that are left.
+  // Returns the length of a list, which cannot exceed the number of remaining bytes.
   std::size_t nextCount(Number type) {
     const double count = next(type);
     if (!(count >= 0.0) || count != std::floor(count) ||
         count > static_cast<double>(bytes_.size() - at_))
-      fail("a list has an impossible length"_text);
+      fail("a list has an invalid length"_text);
     return static_cast<std::size_t>(count);
   }
 
@@ -102,7 +102,7 @@ private:
     while (at_ < bytes_.size() && !blank(bytes_[at_]))
       ++at_;
     if (begin == at_)
-      fail("cut short"_text);
+      fail("truncated"_text);
     const auto number = numberOf(bytes_.substr(begin, at_ - begin));
     if (!number)
       fail(base::message("'{text}' is not a number"_text,
@@ -112,7 +112,7 @@ private:
 
   template <typename T> double raw() {
     if (bytes_.size() - at_ < sizeof(T))
-      fail("cut short"_text);
+      fail("truncated"_text);
     std::array<char, sizeof(T)> swapped;
     std::memcpy(swapped.data(), bytes_.data() + at_, sizeof(T));
     at_ += sizeof(T);
@@ -163,7 +163,7 @@ Header readHeader(std::string_view bytes, const std::string& name) {
     } else if (words[0] == "element" && words.size() == 3) {
       const auto count = integerOf(words[2]);
       if (!count || *count < 0)
-        fail("an element needs its number"_text);
+        fail("an element needs its count"_text);
       header.elements.push_back({std::string(words[1]), *count, {}});
     } else if (words[0] == "property" && !header.elements.empty() && words.size() >= 3) {
       Property property{std::string(words.back()), Number::Float32, {}};
@@ -180,7 +180,7 @@ Header readHeader(std::string_view bytes, const std::string& name) {
     }
   }
   if (!hasFormat)
-    fail("the header names no format"_text);
+    fail("the header states no format"_text);
   header.bodyAt = scanner.position();
   return header;
 }
@@ -195,7 +195,7 @@ FacetSoup readPly(std::string_view bytes, const std::string& name) {
   std::vector<Vector3d> points, polygon;
   std::vector<std::vector<double>> polygons;
   for (const Element& element : header.elements) {
-    // Without properties there is nothing to read, however many.
+    // Elements without properties have no data, regardless of their count.
     for (long long i = 0; i < element.count && !element.properties.empty(); ++i) {
       Vector3d point = Vector3d::Zero();
       for (const Property& property : element.properties) {
@@ -221,7 +221,7 @@ FacetSoup readPly(std::string_view bytes, const std::string& name) {
     for (const double at : corners) {
       if (!(at >= 0.0 && at < static_cast<double>(points.size())))
         throw Error(ErrorCode::UnreadableFile,
-                    base::message("a face names vertex {vertex} of {vertices}"_text,
+                    base::message("a face refers to vertex {vertex} of {vertices}"_text,
                                   base::number(at), points.size()),
                     name);
       polygon.push_back(points[static_cast<std::size_t>(at)]);

@@ -1,4 +1,4 @@
-// Polygons of mesh files as triangles.
+// Triangulation of the polygons in mesh files.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,9 +7,9 @@
 
 namespace voluta::geometry {
 
-// Corner indices (into `polygon`) of size - 2 triangles, by cutting ears in the plane of least
-// distortion; a polygon that has no ear left (crossing itself) is finished as a fan.
-// Precondition: 3 corners or more. O(n^2) to O(n^3).
+// Returns corner indices (into `polygon`) of size - 2 triangles, by ear clipping in the coordinate
+// plane of smallest distortion; a polygon without a further ear (self-crossing) is finished as a
+// fan. Precondition: at least 3 corners. O(n^2) to O(n^3).
 std::vector<std::array<std::size_t, 3>>
 triangulatePolygon(const std::vector<Eigen::Vector3d>& polygon);
 

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr std::size_t kHeader = 84, kFacet = 50;
-// A file that lacks more than this share of its facets is not mended but refused.
+// A file that lacks more than this share of its facets is rejected.
 constexpr double kMissingShare = 0.01;
 
 static_assert(std::endian::native == std::endian::little, "binary STL is little-endian");
@@ -32,12 +32,12 @@ std::uint32_t announcedFacets(std::string_view bytes) {
   return count;
 }
 
-// Words separated by white space, with the line they stand in.
+// Words separated by white space, with their line.
 class Words {
 public:
   explicit Words(std::string_view text) : text_(text) {}
 
-  // Lower case; empty at the end.
+  // Returns the next word in lower case; empty at the end.
   std::string next() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])))
       line_ += endsLine(at_++);
@@ -102,7 +102,7 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
       loop.push_back(v);
     } else if (word == "endloop") {
       if (loop.size() < 3)
-        fail("a facet of fewer than three vertices"_text);
+        fail("a facet with fewer than three vertices"_text);
       for (std::size_t k = 2; k < loop.size(); ++k)
         soup.facets.push_back({loop[0], loop[k - 1], loop[k]});
       loop.clear();
@@ -113,34 +113,34 @@ FacetSoup readText(std::string_view bytes, const std::string& name) {
     }
   }
   if (!loop.empty())
-    fail("cut short within a facet"_text);
+    fail("truncated within a facet"_text);
   if (!ended)
-    soup.repairs.push_back("the file ends without \"endsolid\": it may be cut short"_text);
+    soup.repairs.push_back("the file ends without \"endsolid\": it may be truncated"_text);
   return soup;
 }
 
 FacetSoup readBinary(std::string_view bytes, const std::string& name) {
   if (bytes.size() < kHeader)
-    throw Error(ErrorCode::UnreadableFile,
-                base::message("cut short: {bytes} bytes are no STL file"_text, bytes.size()), name);
+    throw Error(
+        ErrorCode::UnreadableFile,
+        base::message("truncated: {bytes} bytes are too few for an STL file"_text, bytes.size()),
+        name);
   FacetSoup soup;
   soup.format = "STL (binary)";
   const std::size_t announced = announcedFacets(bytes), there = (bytes.size() - kHeader) / kFacet;
   std::size_t count = std::min(announced, there);
   if (announced > there) {
     const double missing = static_cast<double>(announced - there);
-    const base::Message what =
-        base::message("{there} of the {promised} facets that the header promises are there"_text,
-                      there, announced);
+    const base::Message what = base::message(
+        "{there} of the {promised} facets stated in the header are present"_text, there, announced);
     if (missing > kMissingShare * static_cast<double>(announced))
       throw Error(ErrorCode::UnreadableFile,
-                  base::message("cut short, or not a mesh: {what}"_text, what), name,
+                  base::message("truncated, or not a mesh: {what}"_text, what), name,
                   "export or copy the file again"_text);
-    soup.repairs.push_back(base::message("the file is cut short: {what}"_text, what));
+    soup.repairs.push_back(base::message("the file is truncated: {what}"_text, what));
   } else if (announced == 0 && there > 0 && bytes.size() == kHeader + kFacet * there) {
-    count = there; // writers that stream leave the count at zero
-    soup.repairs.push_back(
-        base::message("the header promises no facet, read {facets}"_text, there));
+    count = there; // streaming writers leave the count at zero
+    soup.repairs.push_back(base::message("the header states no facets; {facets} read"_text, there));
   }
   soup.facets.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -163,7 +163,7 @@ bool looksLikeStl(std::string_view bytes) {
 }
 
 FacetSoup readStl(std::string_view bytes, const std::string& name) {
-  // A header may begin with "solid" as well, so the size is asked first.
+  // The header of a binary STL may also begin with "solid", so check the size first.
   return !isBinaryStl(bytes) && looksLikeText(bytes) ? readText(bytes, name)
                                                      : readBinary(bytes, name);
 }

@@ -1,4 +1,4 @@
-// Words and numbers of a text file, a line at a time.
+// Reads words and numbers of a text file line by line.
 #pragma once
 
 #include <optional>
@@ -8,21 +8,22 @@
 
 namespace voluta::geometry {
 
-// The number that `word` is, whole, in any locale; beyond double's range infinity.
+// Returns the number if the whole word is one, independent of the locale; infinity beyond double's
+// range.
 std::optional<double> numberOf(std::string_view word);
 std::optional<long long> integerOf(std::string_view word);
 
-// Hands out the lines of a text cut into words (white space between), without what follows '#'.
-// Lines end with LF, CR or both.
+// Splits the lines of a text into words separated by white space, without comments after '#'. Lines
+// end with LF, CR or both.
 class LineScanner {
 public:
   explicit LineScanner(std::string_view text, std::size_t at = 0) : text_(text), at_(at) {}
 
-  // The next line, blank or not; false at the end.
+  // Reads the next line, which may be empty; returns false at the end.
   bool nextLine(std::vector<std::string_view>& words);
-  // The next line that has words; false at the end.
+  // Reads the next line that has words; returns false at the end.
   bool nextFilledLine(std::vector<std::string_view>& words);
-  int line() const { return line_; }           // of the last one handed out, from 1
+  int line() const { return line_; }           // of the last line read, 1-based
   std::size_t position() const { return at_; } // of the byte after it
 
 private:

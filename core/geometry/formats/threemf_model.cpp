@@ -36,7 +36,7 @@ constexpr std::array<std::pair<std::string_view, ThreemfObjectType>, 5> kTypes{
   throw Error(ErrorCode::UnreadableFile, what);
 }
 
-// The value of an attribute in whatever namespace; empty if there is none.
+// Returns the value of an attribute in any namespace; empty if there is none.
 std::string_view textAnywhere(const XmlAttributes& attributes, std::string_view word) {
   std::string_view value;
   attributes.each([&](XmlName name, std::string_view text) {
@@ -52,11 +52,11 @@ double numberOr(const XmlAttributes& attributes, std::string_view word, double o
     return otherwise;
   const std::optional<double> value = numberOf(text);
   if (!value || !(*value >= 0.0))
-    fail(base::message("'{attribute}' is no number"_text, word));
+    fail(base::message("'{attribute}' is not a number"_text, word));
   return *value;
 }
 
-// Twelve numbers, column after column; missing: the identity.
+// Twelve numbers in column order; if missing: the identity.
 Eigen::Affine3d transformOf(const XmlAttributes& attributes) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
   const std::string_view all = attributes.text("transform");
@@ -65,11 +65,11 @@ Eigen::Affine3d transformOf(const XmlAttributes& attributes) {
   std::vector<std::string_view> words;
   LineScanner(all).nextLine(words);
   if (words.size() != 12)
-    fail("a transform has not twelve numbers"_text);
+    fail("a transform does not have twelve numbers"_text);
   for (Eigen::Index i = 0; i < 12; ++i) {
     const std::optional<double> value = numberOf(words[static_cast<std::size_t>(i)]);
     if (!value)
-      fail("a transform is not of numbers"_text);
+      fail("a transform contains a value that is not a number"_text);
     transform.matrix()(i % 3, i / 3) = *value;
   }
   return transform;
@@ -118,7 +118,7 @@ private:
       object_ = nullptr;
   }
 
-  // `prefixes`: of the extensions without which the model has another shape.
+  // `prefixes`: of the extensions that the model requires for its shape.
   void requireKnown(std::string_view prefixes) const {
     std::vector<std::string_view> words;
     LineScanner(prefixes).nextLine(words);
@@ -126,7 +126,7 @@ private:
       const auto declared = spaces_.find(std::string(prefix));
       const std::string extension(declared == spaces_.end() ? prefix : declared->second);
       if (std::ranges::find(kKnownSpaces, extension) == kKnownSpaces.end())
-        fail(base::message("asks for the extension '{name}', which is not known"_text, extension));
+        fail(base::message("requires the unknown extension '{name}'"_text, extension));
     }
   }
 
@@ -152,7 +152,7 @@ private:
           {attributes.integer("v1"), attributes.integer("v2"), attributes.integer("v3")});
       for (const long long v : object_->triangles.back())
         if (!hasVertex(v))
-          fail(base::message("a triangle of vertex {vertex}, which is not there"_text, v));
+          fail(base::message("a triangle refers to the missing vertex {vertex}"_text, v));
     } else if (word == "component") {
       object_->components.push_back(useOf(attributes));
     }
@@ -172,7 +172,7 @@ private:
     } else if (word == "ball") {
       const long long vertex = attributes.integer("vindex");
       if (!hasVertex(vertex))
-        fail(base::message("a ball at vertex {vertex}, which is not there"_text, vertex));
+        fail(base::message("a ball refers to the missing vertex {vertex}"_text, vertex));
       object_->balls[vertex] = numberOr(attributes, "r", lattice_.ballRadius);
     }
   }
@@ -182,7 +182,7 @@ private:
     beam.ends = {attributes.integer("v1"), attributes.integer("v2")};
     for (const long long v : beam.ends)
       if (!hasVertex(v))
-        fail(base::message("a beam to vertex {vertex}, which is not there"_text, v));
+        fail(base::message("a beam refers to the missing vertex {vertex}"_text, v));
     beam.radii[0] = numberOr(attributes, "r1", lattice_.radius);
     beam.radii[1] = numberOr(attributes, "r2", beam.radii[0]);
     constexpr std::array<std::string_view, 2> kCaps{"cap1", "cap2"};

@@ -1,5 +1,5 @@
-// A model part of a 3MF package, as data: objects, and what is built of them (3MF core
-// specification 1.3, production extension 1.1, beam lattice extension 1.2, slice extension 1.0).
+// A model part of a 3MF package as data: its objects and its build items (3MF core specification
+// 1.3, production extension 1.1, beam lattice extension 1.2, slice extension 1.0).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -34,7 +34,7 @@ struct ThreemfObject {
   std::vector<ThreemfUse> components;
   std::vector<ThreemfBeam> beams;
   std::map<long long, double> balls; // radius by vertex
-  bool lowResolution = false;        // slices are its shape, the mesh only stands for it
+  bool lowResolution = false;        // slices are its shape, the mesh is only a placeholder
   bool hasSlices = false;
   bool hasClippedBeams = false;
 };
@@ -45,9 +45,9 @@ struct ThreemfModel {
   std::vector<ThreemfUse> build;
 };
 
-// `where` names the model part in errors. Throws Error{UnreadableFile} with the line: not
-// well-formed, an attribute missing or not a number, an index out of range, an unknown object type,
-// an unknown extension that the model requires.
+// `where` names the model part in errors. Throws Error{UnreadableFile} with the line if the text is
+// not well-formed, an attribute is missing or not a number, an index is out of range, an object
+// type is unknown, or the model requires an unknown extension.
 ThreemfModel parseThreemfModel(std::string_view text, const std::string& where);
 
 } // namespace voluta::geometry

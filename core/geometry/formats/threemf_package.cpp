@@ -14,7 +14,7 @@ std::string memberOf(std::string_view path) {
 namespace {
 constexpr const char* kRelations = "_rels/.rels";
 
-// Empty: the relations name no model.
+// Returns an empty string if the relations name no model.
 std::string relatedModel(const ZipPackage& package, const std::string& where) {
   constexpr std::string_view kType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
   std::string target;

@@ -1,5 +1,5 @@
-// 3MF core specification 1.3 with its extensions for paths, beam lattices and slices. Read here and
-// not by assimp 5.2, whose asserts end the program on damaged files.
+// 3MF core specification 1.3 with its extensions for paths, beam lattices and slices. Not read by
+// assimp 5.2, whose asserts abort the program on damaged files.
 #include "base/error.h"
 #include "geometry/formats/beam_solids.h"
 #include "geometry/formats/facet_soup.h"
@@ -18,11 +18,11 @@ using base::ErrorCode;
 
 namespace {
 
-// What a package may unfold to: components may be used again and again.
+// Limits of the unfolded size, as components may be used repeatedly.
 constexpr std::size_t kMostFacets = 30'000'000, kMostUses = 1'000'000;
 constexpr int kDeepest = 100;
 
-// Lays out what is built, each object where it is used.
+// Places everything that is built, each object at every use.
 class Unfolding {
 public:
   Unfolding(const ZipPackage& package, const std::string& name, std::vector<Facet>& facets)
@@ -45,28 +45,28 @@ public:
       ++unprintable_;
   }
 
-  // What was skipped or changed, a sentence each.
+  // Returns a sentence for each kind of skipped or changed items.
   std::vector<base::Message> notes() const {
     std::vector<base::Message> notes;
     const auto note = [&](std::size_t count, base::Text what) {
       if (count > 0)
         notes.emplace_back(what, std::vector<base::Value>{count});
     };
-    note(unprintable_, "skipped: {count} item that is marked as not printable|"
-                       "skipped: {count} items that are marked as not printable"_plural);
+    note(unprintable_, "skipped: {count} item marked as not printable|"
+                       "skipped: {count} items marked as not printable"_plural);
     const auto skipped = [&](ThreemfObjectType type) {
       return skipped_[static_cast<std::size_t>(type)];
     };
     note(skipped(ThreemfObjectType::SolidSupport) + skipped(ThreemfObjectType::Support),
          "skipped: {count} support object|skipped: {count} support objects"_plural);
     note(skipped(ThreemfObjectType::Surface),
-         "skipped: {count} object of type 'surface', which has no inside|"
-         "skipped: {count} objects of type 'surface', which have no inside"_plural);
+         "skipped: {count} object of type 'surface', which is not a solid|"
+         "skipped: {count} objects of type 'surface', which are not solids"_plural);
     note(skipped(ThreemfObjectType::Other),
          "skipped: {count} object of type 'other', which is not printed|"
          "skipped: {count} objects of type 'other', which are not printed"_plural);
-    note(beams_, "turned {count} beam of a lattice into a round bar|"
-                 "turned {count} beams of a lattice into round bars"_plural);
+    note(beams_, "converted {count} lattice beam into a round bar|"
+                 "converted {count} lattice beams into round bars"_plural);
     return notes;
   }
 
@@ -77,13 +77,13 @@ private:
     const ThreemfModel& of = model(where);
     const auto found = of.objects.find(use.id);
     if (found == of.objects.end())
-      throw Error(ErrorCode::UnreadableFile,
-                  base::message("object '{id}' is not there"_text, use.id), name_ + ", " + where);
+      throw Error(ErrorCode::UnreadableFile, base::message("object '{id}' is missing"_text, use.id),
+                  name_ + ", " + where);
     const ThreemfObject& object = found->second;
     if (depth > kDeepest || ++uses_ > kMostUses)
       throw endless();
     const Eigen::Affine3d build_T_object = build_T_parent * use.parent_T_object;
-    // An object of components has the types of its components.
+    // The type of an object with components is that of its components.
     if (!object.components.empty() || object.type == ThreemfObjectType::Model)
       addShape(object, use.id, where, build_T_object);
     else
@@ -101,10 +101,10 @@ private:
     const bool isEmpty = object.triangles.empty() && object.beams.empty();
     if (object.hasSlices && (object.lowResolution || (isEmpty && object.components.empty())))
       throw refuse(base::message(
-          "object '{id}' is given in slices (slicestack), which cannot be read"_text, id));
+          "object '{id}' is stored as slices (slicestack), which cannot be read"_text, id));
     if (object.hasClippedBeams)
       throw refuse(base::message(
-          "object '{id}' has a beam lattice that a mesh clips, which cannot be read"_text, id));
+          "object '{id}' has a beam lattice clipped by a mesh, which cannot be read"_text, id));
     std::vector<Facet> facets;
     for (const auto& t : object.triangles)
       facets.push_back({object.vertices[static_cast<std::size_t>(t[0])],
@@ -129,7 +129,7 @@ private:
 
   Error endless() const {
     return Error(ErrorCode::UnreadableFile,
-                 "objects hold one another without end, or more than can be read"_text, name_);
+                 "objects contain each other, or there are too many to read"_text, name_);
   }
 
   const ZipPackage& package_;
@@ -143,8 +143,8 @@ private:
 void refuseSliced(const ZipPackage& package, const std::string& name) {
   if (const std::optional<std::string> gcode = package.firstEndingIn(".gcode"))
     throw Error(ErrorCode::UnusableInput,
-                base::message("holds sliced G-code ('{member}') and no model"_text, *gcode), name,
-                "open the model that it was sliced from"_text);
+                base::message("contains sliced G-code ('{member}') and no model"_text, *gcode),
+                name, "open the model that it was sliced from"_text);
 }
 
 } // namespace
@@ -161,9 +161,9 @@ FacetSoup read3mf(std::string_view bytes, const std::string& name) {
   const std::optional<double> scale = threemfUnitMm(model.unit);
   if (!scale)
     soup.repairs.push_back(
-        base::message("lengths taken as mm: the unit '{unit}' is not known"_text, model.unit));
+        base::message("lengths taken as mm: unknown unit '{unit}'"_text, model.unit));
   else if (*scale != 1.0)
-    soup.repairs.push_back(base::message("lengths turned from {unit} into mm"_text, model.unit));
+    soup.repairs.push_back(base::message("lengths converted from {unit} to mm"_text, model.unit));
   const Eigen::Affine3d mm_T_build(Eigen::Scaling(scale.value_or(1.0)));
   for (const ThreemfUse& item : model.build)
     unfolding.addItem(item, member, mm_T_build);
@@ -172,7 +172,7 @@ FacetSoup read3mf(std::string_view bytes, const std::string& name) {
     refuseSliced(package, name);
     if (!notes.empty())
       throw Error(ErrorCode::UnusableInput,
-                  base::message("holds nothing to print: {what}"_text, notes), name);
+                  base::message("contains nothing to print: {what}"_text, notes), name);
   }
   soup.repairs.insert(soup.repairs.end(), notes.begin(), notes.end());
   return soup;

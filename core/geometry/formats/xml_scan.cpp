@@ -52,15 +52,15 @@ public:
           h.cdata();
       });
     });
-    XML_SetStartDoctypeDeclHandler(
-        parser, [](void* self, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-          of(self).guarded([](const XmlHandler&) {
-            throw Error(ErrorCode::UnreadableFile, "has a document type, which is not taken"_text);
-          });
-        });
+    XML_SetStartDoctypeDeclHandler(parser, [](void* self, const XML_Char*, const XML_Char*,
+                                              const XML_Char*, int) {
+      of(self).guarded([](const XmlHandler&) {
+        throw Error(ErrorCode::UnreadableFile, "has a document type, which is not accepted"_text);
+      });
+    });
   }
 
-  // Exceptions may not cross the parser, which is C.
+  // Exceptions must not cross the parser, which is written in C.
   template <typename Call> void guarded(const Call& call) {
     if (wrong_)
       return;
@@ -110,7 +110,8 @@ std::string_view XmlAttributes::text(std::string_view word, std::string_view spa
 double XmlAttributes::number(std::string_view word, std::string_view space) const {
   const std::optional<double> value = numberOf(text(word, space));
   if (!value || !std::isfinite(*value))
-    throw Error(ErrorCode::UnreadableFile, base::message("'{attribute}' is no number"_text, word));
+    throw Error(ErrorCode::UnreadableFile,
+                base::message("'{attribute}' is not a number"_text, word));
   return *value;
 }
 
@@ -118,7 +119,7 @@ long long XmlAttributes::integer(std::string_view word, std::string_view space) 
   const std::optional<long long> value = integerOf(text(word, space));
   if (!value)
     throw Error(ErrorCode::UnreadableFile,
-                base::message("'{attribute}' is no whole number"_text, word));
+                base::message("'{attribute}' is not an integer"_text, word));
   return *value;
 }
 

@@ -1,4 +1,4 @@
-// Elements of an XML text in turn, with their namespaces.
+// Sequential reading of XML elements with namespaces.
 #pragma once
 
 #include "base/text.h"
@@ -10,27 +10,29 @@
 
 namespace voluta::geometry {
 
-// An element's or an attribute's name: the namespace's URI, empty where it has none, and the word.
+// The name of an element or attribute: the namespace's URI (empty without a namespace) and the
+// local name.
 struct XmlName {
   std::string_view space, word;
   friend bool operator==(const XmlName&, const XmlName&) = default;
 };
 
-// Attributes of one element; good while it is looked at.
+// Attributes of one element; valid during the callback only.
 class XmlAttributes {
 public:
   explicit XmlAttributes(const char** pairs) : pairs_(pairs) {}
 
   bool has(std::string_view word, std::string_view space = {}) const;
-  // Empty where there is none.
+  // Returns an empty string if there is none.
   std::string_view text(std::string_view word, std::string_view space = {}) const;
-  // Throw Error{UnreadableFile} that names the attribute: missing, no number, not finite.
+  // These throw Error{UnreadableFile} naming the attribute if it is missing, not a number or not
+  // finite.
   double number(std::string_view word, std::string_view space = {}) const;
   long long integer(std::string_view word, std::string_view space = {}) const;
   double numberOr(std::string_view word, double otherwise, std::string_view space = {}) const;
   long long integerOr(std::string_view word, long long otherwise,
                       std::string_view space = {}) const;
-  // Calls with each attribute's name and value, in the order of the text.
+  // Calls `take` with each attribute's name and value, in the order of the text.
   void each(const std::function<void(XmlName, std::string_view)>& take) const;
 
 private:
@@ -44,9 +46,10 @@ struct XmlHandler {
   std::function<void()> cdata; // a CDATA section begins; may be empty
 };
 
-// Hands the elements of a text to `handler`, whose base::Error stops it. `where` names the text in
-// errors. Throws Error{UnreadableFile}, with the line: not well-formed, a prefix that nothing
-// declares, a document type (entities may be endless); and what the handler throws, with the line.
+// Calls `handler` for the elements of a text; a base::Error thrown by it ends the scan. `where`
+// names the text in errors. Throws Error{UnreadableFile} with the line if the text is not
+// well-formed, has an undeclared prefix or a document type (entities may expand without bound);
+// rethrows errors of the handler with the line.
 void scanXml(std::string_view text, const std::string& where, const XmlHandler& handler);
 
 } // namespace voluta::geometry

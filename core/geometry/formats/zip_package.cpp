@@ -16,9 +16,9 @@ constexpr std::uint32_t kMost = 1u << 30; // bytes of a member
 constexpr std::uint32_t kStored = 0, kDeflated = 8;
 constexpr std::uint32_t kEncrypted = 1;
 constexpr std::size_t kStep = 1 << 20;
-constexpr std::uint32_t kLarge = 1u << 24, kMostTimes = 300; // bytes, and times as large unpacked
+constexpr std::uint32_t kLarge = 1u << 24, kMostTimes = 300; // bytes, and maximum expansion factor
 
-// Little-endian. Precondition: it lies inside.
+// Little-endian. Precondition: within the bytes.
 std::uint32_t numberAt(std::string_view bytes, std::size_t at, int count) {
   std::uint32_t value = 0;
   for (int i = count; i-- > 0;)
@@ -26,7 +26,8 @@ std::uint32_t numberAt(std::string_view bytes, std::size_t at, int count) {
   return value;
 }
 
-// The end of the directory stands last, but for a comment. npos: nowhere.
+// Returns the position of the end record, which is last except for a comment; npos if there is
+// none.
 std::size_t findEnd(std::string_view bytes) {
   if (bytes.size() < kEndSize)
     return std::string_view::npos;
@@ -37,7 +38,7 @@ std::size_t findEnd(std::string_view bytes) {
   return std::string_view::npos;
 }
 
-// Whole, and no longer than `size`; false: not what it should be.
+// Returns false if the data are invalid or their length is not `size`.
 bool inflateTo(std::string_view packed, std::size_t size, std::string& text) {
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
@@ -46,7 +47,7 @@ bool inflateTo(std::string_view packed, std::size_t size, std::string& text) {
   stream.avail_in = static_cast<uInt>(packed.size());
   int status = Z_OK;
   while (status == Z_OK && text.size() <= size) {
-    // By steps, whatever size is announced.
+    // In steps, so that a wrong announced size allocates little.
     const std::size_t before = text.size();
     text.resize(before + std::min(kStep, size - before + 1));
     stream.next_out = reinterpret_cast<Bytef*>(text.data() + before);
@@ -63,7 +64,7 @@ bool inflateTo(std::string_view packed, std::size_t size, std::string& text) {
 ZipPackage::ZipPackage(std::string_view bytes, const std::string& name)
     : bytes_(bytes), name_(name) {
   const auto damaged = [&] {
-    return base::Error(base::ErrorCode::UnreadableFile, "not a zip, or cut short"_text, name_);
+    return base::Error(base::ErrorCode::UnreadableFile, "not a zip file, or truncated"_text, name_);
   };
   const std::size_t end = findEnd(bytes);
   if (end == std::string_view::npos)
@@ -120,16 +121,16 @@ std::string ZipPackage::member(const std::string& member) const {
   const std::size_t begin =
       local + kLocalSize + numberAt(bytes_, local + 26, 2) + numberAt(bytes_, local + 28, 2);
   if (begin > bytes_.size() || bytes_.size() - begin < m.packed)
-    throw unreadable("is cut short"_text);
+    throw unreadable("is truncated"_text);
   const std::string_view packed = bytes_.substr(begin, m.packed);
-  // Nothing that is meant to be read packs so well.
+  // Protects against zip bombs: real data do not compress this well.
   if (m.size > kLarge && m.size / kMostTimes > m.packed)
-    throw unreadable("unpacks to more than it can mean"_text);
+    throw unreadable("unpacks to an implausible size"_text);
   std::string text;
   if (m.method == kStored)
     text = packed;
   else if (m.method != kDeflated)
-    throw unreadable("is packed in a way that cannot be read"_text);
+    throw unreadable("is compressed with an unsupported method"_text);
   else if (!inflateTo(packed, m.size, text))
     throw unreadable("is damaged"_text);
   const auto* data = reinterpret_cast<const Bytef*>(text.data());

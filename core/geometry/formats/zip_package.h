@@ -1,4 +1,4 @@
-// Members of a zip that is at hand in memory.
+// Reads members of a zip file in memory.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,21 @@
 
 namespace voluta::geometry {
 
-// Stored and deflated members, up to 1 GB each; neither encrypted ones nor zip64.
+// Reads stored and deflated members, up to 1 GB each; neither encrypted ones nor zip64.
 class ZipPackage {
 public:
-  // `bytes` and `name` (of the file, for errors) outlive this. Throws Error{UnreadableFile}: not a
-  // zip, cut short, its directory damaged.
+  // `bytes` and `name` (of the file, for errors) must outlive this. Throws Error{UnreadableFile} if
+  // it is not a zip, is truncated, or its directory is damaged.
   ZipPackage(std::string_view bytes, const std::string& name);
 
   bool has(const std::string& member) const { return members_.contains(member); }
-  // The first member, by name, that ends so.
+  // Returns the first member, by name, with this ending.
   std::optional<std::string> firstEndingIn(std::string_view ending) const;
-  // What its directory says a member comes to, bytes; 0 where it is not there.
+  // Returns the unpacked size of a member according to the directory [bytes]; 0 if there is no such
+  // member.
   std::size_t sizeOf(const std::string& member) const;
-  // Throws Error{UnreadableFile}: not there, packed in another way, damaged.
+  // Throws Error{UnreadableFile} if the member is missing, compressed with another method or
+  // damaged.
   std::string member(const std::string& member) const;
 
 private:

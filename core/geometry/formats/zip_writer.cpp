@@ -9,7 +9,7 @@ namespace voluta::geometry {
 
 namespace {
 
-constexpr std::uint64_t kMost = 0xffffffffu; // of a zip without its 64-bit extension
+constexpr std::uint64_t kMost = 0xffffffffu; // limit of a zip without its 64-bit extension
 constexpr std::uint32_t kMostMembers = 0xffff;
 
 // Little-endian.
@@ -37,7 +37,7 @@ std::string deflated(std::string_view bytes) {
 
 void ZipWriter::add(std::string_view name, std::string_view bytes) {
   const auto tooLarge = [] {
-    return base::Error(base::ErrorCode::CannotWrite, "more than a zip file can hold"_text);
+    return base::Error(base::ErrorCode::CannotWrite, "too much for a zip file"_text);
   };
   if (bytes.size() > kMost || count_ == kMostMembers)
     throw tooLarge();

@@ -1,4 +1,4 @@
-// A zip made in memory.
+// Writes a zip file in memory.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@ namespace voluta::geometry {
 // Deflated members, dated 1 January 1980, so that the same members give the same bytes.
 class ZipWriter {
 public:
-  // Throws Error{CannotWrite}: more than 65,535 members, or 4 GB of them.
+  // Throws Error{CannotWrite} beyond 65,535 members or 4 GB.
   void add(std::string_view name, std::string_view bytes);
-  // The whole file; afterwards this is empty.
+  // Returns the whole file; the writer is empty afterwards.
   std::string take();
 
 private:

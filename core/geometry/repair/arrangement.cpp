@@ -30,7 +30,7 @@ Index index(int i) {
   return static_cast<Index>(i);
 }
 
-// Exact points, one id for all that are equal.
+// Exact points, with one id for all equal ones.
 class Points {
 public:
   int idOf(const Point& p) {
@@ -47,7 +47,7 @@ private:
   std::vector<Point> points_;
 };
 
-// A segment of an intersection, by its ends; both the same: a point.
+// An intersection segment given by its ends; equal ends: a point.
 using Segment = std::pair<int, int>;
 
 class Intersections {
@@ -59,14 +59,14 @@ public:
     }
   }
 
-  // Of a vertex of the mesh.
+  // Returns the id of a vertex of the mesh.
   int idOf(int vertex) {
     int& id = ids_[index(vertex)];
     if (id < 0)
       id = points_.idOf(exact(vertex));
     return id;
   }
-  // What two triangles have in common.
+  // Returns the intersection of two triangles.
   std::vector<Segment> segments(int a, int b) {
     if (const std::optional<Segment> segment = crossing(a, b))
       return {*segment};
@@ -88,8 +88,8 @@ private:
   }
 
   enum class Pierces { No, Yes, Touches };
-  // Whether the side k of t goes through the inside of `other`; anything that is not in general
-  // position touches.
+  // Returns whether side k of t passes through the interior of `other`; any degenerate position
+  // counts as Touches.
   Pierces pierces(int t, int k, int other) const {
     const Filtered::Point_3 &p = at(t, k), &q = at(t, k + 1);
     const auto side = [&](const Filtered::Point_3& x) {
@@ -122,7 +122,7 @@ private:
     return pierced_.emplace(key, points_.idOf(boost::get<Point>(*cut))).first->second;
   }
 
-  // The common segment of triangles in general position; none: they are not.
+  // Returns the common segment of triangles in general position; nullopt if they are not.
   std::optional<Segment> crossing(int a, int b) {
     std::vector<int> ends;
     for (const auto& [t, other] : {std::pair(a, b), std::pair(b, a)})
@@ -169,14 +169,14 @@ private:
   std::map<std::tuple<int, int, int>, int> pierced_;
 };
 
-// Triangles on one plane that overlap, with all that crosses them.
+// Overlapping coplanar triangles, with all segments that cross them.
 struct Cluster {
   std::vector<int> triangles;
   std::vector<Segment> segments;
 };
 
 struct VertexInfo {
-  int id = -1; // of the exact point; -1: made where constraints cross
+  int id = -1; // of the exact point; -1: created where constraints cross
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Exact>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Exact>;
@@ -184,7 +184,7 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Exact, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::Exact_intersections_tag>;
 
-// Splits the triangles of a cluster, seen along the axis that is nearest to their normal.
+// Splits the triangles of a cluster, projected along the axis nearest to their normal.
 class Splitting {
 public:
   Splitting(const TriangleMesh& mesh, Intersections& vertices, Points& points)
@@ -207,8 +207,8 @@ private:
   int corner(int t, int k) { return vertices_.idOf(vertices_.vertex(t, k)); }
 
   void choosePlane(int t) {
-    // Not the largest component: triangles of one plane have to agree, and those at 45 degrees
-    // would not, for rounding. No usual angle has this sine.
+    // Do not use the largest component: coplanar triangles have to choose the same axis, and at 45
+    // degrees rounding would make them differ. No common angle has this sine.
     constexpr double kFlatEnough = 0.4567;
     const Eigen::Vector3d normal = triangleNormal(mesh_, index(t));
     axis_ = 2;
@@ -273,12 +273,12 @@ private:
     out.layers.push_back(std::abs(layers));
   }
 
-  // 1 if the triangle runs counter-clockwise in the flat picture, else -1.
+  // Returns 1 if the projected triangle is counter-clockwise, otherwise -1.
   int turnOf(int t) {
     const auto at = [&](int k) { return flattened(points_[corner(t, k)]); };
     return CGAL::orientation(at(0), at(1), at(2)) == CGAL::LEFT_TURN ? 1 : -1;
   }
-  // `p` is on no side of the triangle.
+  // Returns whether no side of the triangle separates it from `p`.
   bool contains(int t, const Exact::Point_2& p) {
     const auto at = [&](int k) { return flattened(points_[corner(t, k)]); };
     const CGAL::Orientation turn = CGAL::orientation(at(0), at(1), at(2));
@@ -291,7 +291,7 @@ private:
   const TriangleMesh& mesh_;
   Intersections& vertices_;
   Points& points_;
-  int axis_ = 2; // that the picture looks along
+  int axis_ = 2; // projection axis
   Exact::Plane_3 plane_;
   std::unordered_map<int, Triangulation::Vertex_handle> handles_;
 };
@@ -304,7 +304,7 @@ bool isDegenerate(const TriangleMesh& mesh, Index t) {
   return CGAL::collinear(at(0), at(1), at(2));
 }
 
-// Vertices rounded to double, those of equal coordinates as one.
+// Rounds the vertices to double and merges those of equal coordinates.
 void setVertices(const Points& points, Arrangement& arrangement) {
   std::map<std::array<double, 3>, int> known;
   std::vector<int> rounded(points.size(), -1);

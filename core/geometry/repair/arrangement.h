@@ -1,4 +1,4 @@
-// The triangles of a mesh split along their intersections.
+// Splits the triangles of a mesh along their intersections.
 #pragma once
 
 #include "base/run_context.h"
@@ -9,11 +9,11 @@
 
 namespace voluta::geometry {
 
-// Facets that meet in common edges and vertices only, up to the rounding of vertices to double.
-// Facets that lay on each other are one: `layers` counts those facing its way less those facing the
-// other way; it is 1 or more, and where it would be 0 the facet is left out.
+// Facets that share only common edges and vertices, up to the rounding of vertices to double.
+// Coincident facets are merged: `layers` counts those in the facet's direction minus those in the
+// opposite direction; it is at least 1, and facets for which it would be 0 are left out.
 struct Arrangement {
-  TriangleMesh facets; // vertices of equal coordinates are one
+  TriangleMesh facets; // vertices of equal coordinates are merged
   std::vector<int> layers;
 };
 

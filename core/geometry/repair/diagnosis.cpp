@@ -54,7 +54,7 @@ void inspectFaces(const TriangleMesh& mesh, Diagnosis& d) {
   d.vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
 }
 
-// By how often it is run forward more than backward.
+// Number of forward minus number of backward half-edges.
 int balanceOf(const std::vector<HalfEdge>& edges, std::size_t begin, std::size_t end) {
   int balance = 0;
   for (std::size_t i = begin; i < end; ++i)
@@ -62,7 +62,8 @@ int balanceOf(const std::vector<HalfEdge>& edges, std::size_t begin, std::size_t
   return balance;
 }
 
-// Is every edge as often run forward as backward, but from a vertex to itself?
+// Returns whether every edge is used as often forward as backward, ignoring edges from a vertex to
+// itself.
 bool allCancel(const std::vector<HalfEdge>& edges) {
   bool all = true;
   forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
@@ -97,7 +98,7 @@ bool Diagnosis::clean() const {
 
 std::vector<base::Message> Diagnosis::sentences() const {
   std::vector<base::Message> out;
-  // With places for how many, and for where the first is.
+  // With placeholders for the count and for the first place.
   const auto describe = [&](const Defect& defect, base::Text what) {
     if (defect.count > 0)
       out.emplace_back(
@@ -113,19 +114,19 @@ std::vector<base::Message> Diagnosis::sentences() const {
   describe(nonManifoldEdges, "{count} edge with more than two triangles, at {first:.2f}|"
                              "{count} edges with more than two triangles, the first at "
                              "{first:.2f}"_plural);
-  describe(misorientedEdges, "{count} edge whose triangles face opposite ways, at {first:.2f}|"
-                             "{count} edges whose triangles face opposite ways, the first at "
-                             "{first:.2f}"_plural);
+  describe(misorientedEdges,
+           "{count} edge with inconsistently oriented triangles, at {first:.2f}|{count} "
+           "edges with inconsistently oriented triangles, the first at {first:.2f}"_plural);
   describe(duplicateFaces, "{count} duplicate triangle, at {first:.2f}|"
                            "{count} duplicate triangles, the first at {first:.2f}"_plural);
   describe(degenerateFaces, "{count} triangle without area, at {first:.2f}|"
                             "{count} triangles without area, the first at {first:.2f}"_plural);
-  describe(selfIntersections, "{count} pair of triangles that cut each other, at {first:.2f}|"
-                              "{count} pairs of triangles that cut each other, the first at "
-                              "{first:.2f}"_plural);
-  describe(insideOutComponents, "{count} component that is inside out, at {first:.2f}|"
-                                "{count} components that are inside out, the first at "
-                                "{first:.2f}"_plural);
+  describe(selfIntersections,
+           "{count} pair of intersecting triangles, at {first:.2f}|{count} pairs of "
+           "intersecting triangles, the first at {first:.2f}"_plural);
+  describe(insideOutComponents,
+           "{count} inside-out component, at {first:.2f}|{count} inside-out components, "
+           "the first at {first:.2f}"_plural);
   return out;
 }
 

@@ -1,4 +1,4 @@
-// What is wrong with a mesh, and where.
+// Diagnosis of a mesh: kinds of defects and their places.
 #pragma once
 
 #include "base/run_context.h"
@@ -12,7 +12,7 @@
 
 namespace voluta::geometry {
 
-// A kind of defect: how often, and the place of the first (mm; meaningless when count is 0).
+// Count of one kind of defect, and the place of the first (mm; undefined if count is 0).
 struct Defect {
   std::size_t count = 0;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
@@ -24,19 +24,19 @@ struct Diagnosis {
   Defect boundaryEdges; // with one triangle
   std::size_t boundaryLoops = 0;
   Defect nonManifoldEdges;    // with more than two triangles
-  Defect misorientedEdges;    // with two triangles that run the same way
-  Defect duplicateFaces;      // triangles on the corners of an earlier one
-  Defect degenerateFaces;     // without area: a corner twice, or three on a line
+  Defect misorientedEdges;    // with two triangles that traverse it in the same direction
+  Defect duplicateFaces;      // triangles with the same corners as an earlier one
+  Defect degenerateFaces;     // without area: with a repeated or with collinear corners
   Defect selfIntersections;   // pairs
   Defect insideOutComponents; // see insideOutComponents() in orientation.h
   bool watertight = false;    // every edge as often forward as backward: the inside is well-defined
   double volumeMm3 = 0.0, areaMm2 = 0.0;
   Eigen::AlignedBox3d boundsMm;
-  std::optional<int> genus; // sum over components; only of a watertight manifold
+  std::optional<int> genus; // sum over components; only for a watertight manifold
 
-  // Nothing to repair.
+  // Returns whether there is nothing to repair.
   bool clean() const;
-  // One sentence a kind of defect, with its place; empty when clean.
+  // Returns one sentence per kind of defect, with its place; empty if clean.
   std::vector<base::Message> sentences() const;
 };
 
@@ -44,7 +44,7 @@ struct Diagnosis {
 // watertight.
 Diagnosis diagnose(const TriangleMesh& mesh, const base::RunContext& ctx = {});
 
-// Diagnosis::watertight alone.
+// Computes Diagnosis::watertight only.
 bool isWatertight(const TriangleMesh& mesh);
 
 } // namespace voluta::geometry

@@ -1,4 +1,4 @@
-// Surfaces that enclose nothing: what a repair does not decide on its own.
+// Surfaces that enclose no volume: defects that a repair does not decide without being asked.
 #pragma once
 
 #include "base/run_context.h"
@@ -13,27 +13,27 @@ namespace voluta::geometry {
 // Rims at which a surface ends, and sheets without thickness.
 struct OpenSurface {
   std::size_t rims = 0;
-  double widestMm = 0.0;                              // diagonal of the box of the widest rim
-  Eigen::Vector3d widestAt = Eigen::Vector3d::Zero(); // its middle
-  double capShare = 0.0; // of the patches over those rims in the area of surface and patches
+  double widestMm = 0.0; // diagonal of the bounding box of the widest rim
+  Eigen::Vector3d widestAt = Eigen::Vector3d::Zero(); // its centre
+  double capShare = 0.0; // area of the patches over those rims as a share of surface and patches
   std::size_t sheetTriangles = 0;
-  double sheetShare = 0.0; // of the area of the surface
+  double sheetShare = 0.0; // share of the surface area
 
-  // More than one part in a hundred of the surface would have to be invented, or left out.
+  // Returns whether more than one percent of the surface would have to be invented.
   bool hasOpenRims() const { return capShare > kMostUnasked; }
   bool isSheetModel() const { return sheetShare > kMostUnasked; }
 
-  // One sentence; empty if neither holds.
+  // Returns one sentence; empty if neither holds.
   base::Message sentence() const;
 
 private:
   static constexpr double kMostUnasked = 0.01;
 };
 
-// The solid within half of `wallMm` of every open surface and every sheet, united with the closed
-// components. Closed, up to what windingUnion() leaves. Edges are rounded (Portaneri 2022 as in
-// CGAL). Precondition: wallMm > 0. Throws Error{UnusableInput}: the wall is too thin for the size
-// of the surface. Throws Cancelled between the steps.
+// Returns the solid within half of `wallMm` of every open surface and every sheet, united with the
+// closed components. It is closed, up to what windingUnion() leaves open. Edges are rounded
+// (Portaneri 2022 as in CGAL). Precondition: wallMm > 0. Throws Error{UnusableInput} if the wall is
+// too thin for the size of the surface. Throws Cancelled between the steps.
 TriangleMesh thickened(const TriangleMesh& mesh, double wallMm, const base::RunContext& ctx);
 
 } // namespace voluta::geometry

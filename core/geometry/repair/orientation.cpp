@@ -33,7 +33,7 @@ std::vector<bool> insideOutComponents(const TriangleMesh& mesh, const Components
     Eigen::AlignedBox3d box;
     Vector3d sample;
     double sign;
-    std::unique_ptr<MeshQuery> query; // made when asked for
+    std::unique_ptr<MeshQuery> query; // created on demand
   };
   std::vector<Shell> shells(count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -43,7 +43,7 @@ std::vector<bool> insideOutComponents(const TriangleMesh& mesh, const Components
     Shell& shell = shells[c];
     if (!closed[c])
       continue;
-    TriangleMesh own; // vertices of its own, so that many small shells stay cheap
+    TriangleMesh own; // a separate mesh, so that queries on many small shells stay cheap
     std::vector<int> used;
     for (const auto& t : shell.mesh.triangles)
       used.insert(used.end(), t.begin(), t.end());
@@ -102,7 +102,7 @@ std::size_t orientConsistently(TriangleMesh& mesh) {
     neighbours[static_cast<std::size_t>(b.triangle)][static_cast<std::size_t>(b.side)] = {
         a.triangle, agrees};
   });
-  std::vector<int> turned(n, -1); // -1 not seen yet
+  std::vector<int> turned(n, -1); // -1 not visited yet
   std::size_t count = 0;
   for (std::size_t seed = 0; seed < n; ++seed) {
     if (turned[seed] >= 0)

@@ -1,4 +1,4 @@
-// Which way the triangles of a mesh face.
+// Orientation of the triangles of a mesh.
 #pragma once
 
 #include "geometry/measures.h"
@@ -8,17 +8,18 @@
 
 namespace voluta::geometry {
 
-// For each connected component: no boundary edge, each edge as often forward as backward.
+// Returns for each connected component whether it has no boundary edge and each edge is used as
+// often forward as backward.
 std::vector<bool> closedComponents(const TriangleMesh& mesh, const Components& parts);
 
-// For each component: closed, and the winding number falls below zero on one of its sides (a shell
-// that faces inward and lies in nothing, and what lies in such a shell). Turning all of them makes
-// outer shells face outward and keeps cavities cavities.
+// Returns for each component whether it is closed and the winding number is negative on one of its
+// sides (a shell that faces inward and is in no other, and shells inside of it). Flipping all of
+// them makes outer shells face outward and keeps cavities cavities.
 std::vector<bool> insideOutComponents(const TriangleMesh& mesh, const Components& parts);
 
-// Turns triangles until neighbours over edges with two triangles agree; within each such patch the
-// side with more area as it was is kept. Returns how many were turned. A one-sided surface keeps
-// disagreeing edges.
+// Flips triangles until neighbours across edges with two triangles agree; within each such patch
+// the original orientation of the larger area is kept. Returns the number of flipped triangles. On
+// a one-sided surface some edges stay inconsistent.
 std::size_t orientConsistently(TriangleMesh& mesh);
 
 } // namespace voluta::geometry

@@ -15,9 +15,9 @@ namespace voluta::geometry {
 
 namespace {
 
-// Intersecting pairs beyond which uniting would take minutes.
+// With more intersecting pairs the union would take minutes.
 constexpr std::size_t kMostPairs = 2'000'000;
-// Rounding after a union may leave new crossings, fewer each time.
+// Rounding after a union can create new crossings, fewer in each round.
 constexpr int kRounds = 5;
 
 class Repair {
@@ -90,8 +90,8 @@ private:
 
   void mendOrientation() {
     const std::size_t turned = orientConsistently(mesh_);
-    note(turned, "turned {count} triangle to face as the others do|"
-                 "turned {count} triangles to face as the others do"_plural);
+    note(turned, "flipped {count} triangle to match its neighbours|flipped {count} triangles "
+                 "to match their neighbours"_plural);
     bool closed = true;
     for (const bool c : closedComponents(mesh_, components(mesh_)))
       closed = closed && c;
@@ -109,7 +109,7 @@ private:
     open_.sheetShare = all > 0.0 ? sheets / all : 0.0;
   }
 
-  // Known when the rims have been assessed as well.
+  // Known only after the rims were assessed as well.
   void noteSheets() {
     if (!keepsOpen())
       note(open_.sheetTriangles, "dropped {count} triangle of sheets without volume|"
@@ -166,8 +166,8 @@ private:
 
   void turnShells() {
     const std::size_t shells = turnInsideOut(mesh_);
-    note(shells, "turned {count} component that faced inside out|"
-                 "turned {count} components that faced inside out"_plural);
+    note(shells,
+         "flipped {count} inside-out component|flipped {count} inside-out components"_plural);
   }
 
   void mendIntersections() {
@@ -196,16 +196,16 @@ private:
       return;
     mesh_ = std::move(united);
     appendMesh(mesh_, rest);
-    note(overlapping, "united {count} overlapping component|"
-                      "united {count} overlapping components"_plural);
-    note(cutThemselves, "removed the loops of {count} component that cuts itself|"
-                        "removed the loops of {count} components that cut themselves"_plural);
+    note(overlapping,
+         "merged {count} overlapping component|merged {count} overlapping components"_plural);
+    note(cutThemselves, "removed the self-intersections of {count} component|removed the "
+                        "self-intersections of {count} components"_plural);
   }
 
   void tellLost(double share) {
     lost_ =
-        base::message("the surface crosses itself: {share:.3g} of what it encloses faces inside "
-                      "out and counts as outside"_text,
+        base::message("self-intersecting surface: {share:.3g} of the enclosed volume is inside out "
+                      "and counts as outside"_text,
                       base::percent(100.0 * share));
   }
 
@@ -220,7 +220,8 @@ private:
     return {subMesh(mesh_, isClosed), subMesh(mesh_, isOpen)};
   }
 
-  // Numbers of the components that cut others, and of those that cut themselves.
+  // Returns the numbers of components that intersect others, and of those that intersect
+  // themselves.
   static std::pair<std::size_t, std::size_t>
   involved(const TriangleMesh& mesh, const std::vector<std::pair<int, int>>& pairs) {
     const Components parts = components(mesh);
@@ -237,22 +238,22 @@ private:
   }
 
   TriangleMesh mesh_;
-  TriangleMesh sheets_; // taken out of the mesh
+  TriangleMesh sheets_; // removed from the mesh
   Diagnosis found_;
   OpenSurfaces how_;
   const base::RunContext& ctx_;
   OpenSurface open_;
   std::vector<base::Message> notes_;
-  std::optional<base::Message> lost_; // what uniting would have dropped
+  std::optional<base::Message> lost_; // volume that the union would have dropped
 };
 
 } // namespace
 
 base::Message OpenSurface::sentence() const {
   if (isSheetModel())
-    return base::message("sheet model: {share:.3g} of the surface are sheets without thickness, "
-                         "{triangles} triangles"_text,
-                         base::percent(100.0 * sheetShare), sheetTriangles);
+    return base::message(
+        "sheet model: {share:.3g} of the surface has no thickness, {triangles} triangles"_text,
+        base::percent(100.0 * sheetShare), sheetTriangles);
   if (hasOpenRims())
     return base::message(
         "open surface: it ends at {rims} rim, {width:.3g} wide at {at:.1f}|"

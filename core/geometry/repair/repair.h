@@ -1,4 +1,4 @@
-// Mends a mesh as far as its shape is not in doubt, and tells what was done.
+// Repairs a mesh as far as its shape is not in doubt, and reports the changes.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,36 +11,34 @@
 
 namespace voluta::geometry {
 
-// What becomes of surfaces that enclose nothing (open_surface.h).
+// Treatment of surfaces that enclose nothing (open_surface.h).
 enum class OpenSurfaces {
-  Keep, // they stay as they are, and RepairResult::open says so
-  Close // rims are closed whatever their size, sheets are left out
+  Keep, // not changed; reported in RepairResult::open
+  Close // rims are closed regardless of size, sheets are removed
 };
 
 struct RepairResult {
   TriangleMesh mesh;
-  std::vector<base::Message> repairs; // what was done, a sentence each; empty when nothing was
-  std::vector<base::Message> remains; // what could not be mended, a sentence each; of a mesh that
-                                      // was kept open, that it is
-  Diagnosis diagnosis;                // of `mesh`
-  Diagnosis found;                    // of the mesh as it came
-  std::optional<OpenSurface> open;    // set if the mesh was kept open
+  std::vector<base::Message> repairs; // repairs made, one sentence each; empty if there were none
+  // defects that could not be repaired, one sentence each; includes that the mesh was kept open
+  std::vector<base::Message> remains;
+  Diagnosis diagnosis;             // of `mesh`
+  Diagnosis found;                 // of the original mesh
+  std::optional<OpenSurface> open; // set if the mesh was kept open
 };
 
-// In this order, each only where the diagnosis asks for it: near-duplicate points merged (up to
-// 3e-4 of the diagonal, never more than a third of a short edge), triangles without area, doubled
-// triangles and loose sheets dropped, T-junctions split, triangles turned to agree, non-manifold
-// edges separated, holes closed (Liepa 2003 as in CGAL), inside-out components turned (cavities
-// stay cavities), components that overlap or cut themselves united (winding_union.h) unless that
-// would drop more than one part in a hundred of what they enclose.
-// A mesh that is clean comes back unchanged. One that cannot be made watertight comes back as far
-// as it was mended, with diagnosis.watertight false; the winding number still tells its inside.
-// With OpenSurfaces::Keep, rims at which the surface ends and sheets stay as they are where they
-// are more than one part in a hundred of the surface.
-// Cancels between steps and within the long ones.
-// Precondition (Error{Internal}): indices in range, coordinates finite.
-// Throws Error{UnusableInput}: nothing with area is left.
-// Example:
+// Performs these steps in order, each only if the diagnosis requires it: merges near-duplicate
+// points (up to 3e-4 of the diagonal, never more than a third of a short edge), drops triangles
+// without area, duplicate triangles and loose sheets, splits T-junctions, orients triangles
+// consistently, separates non-manifold edges, closes holes (Liepa 2003 as in CGAL), flips
+// inside-out components (cavities stay cavities), and unites components that overlap or intersect
+// themselves (winding_union.h) unless that would drop more than one percent of the enclosed volume.
+// A clean mesh is returned unchanged. A mesh that cannot be made watertight is returned as far as
+// it was repaired, with diagnosis.watertight false; the winding number still defines its inside.
+// With OpenSurfaces::Keep, rims at which the surface ends and sheets are not changed if they make
+// up more than one percent of the surface. Can be cancelled between steps and within the long ones.
+// Precondition (Error{Internal}): indices in range, coordinates finite. Throws Error{UnusableInput}
+// if nothing with area is left. Example:
 //   const geometry::MeshFile file = geometry::readMesh(stl);
 //   const geometry::RepairResult mended = geometry::repair(file.mesh);
 //   const geometry::TriangleMesh part = geometry::placeOnPlate(mended.mesh, 1.0);

@@ -17,12 +17,12 @@ std::array<int, 3> sorted(std::array<int, 3> corners) {
   return corners;
 }
 
-// Whether the corners are an even permutation of their sorted order.
+// Returns whether the corners are an even permutation of their sorted order.
 bool even(const std::array<int, 3>& c) {
   return ((c[0] < c[1]) + (c[1] < c[2]) + (c[2] < c[0])) == 2;
 }
 
-// Returns how many triangles go.
+// Returns the number of removed triangles.
 std::size_t keepOnly(TriangleMesh& mesh, const std::vector<bool>& keep) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// By the ends of a side in the order of the patch that closes the hole.
+// Keyed by the ends of a side in the order of the patch that closes the hole.
 using RimNormals = std::map<std::pair<int, int>, Vector3d>;
 
 RimNormals normalsAtRims(const TriangleMesh& mesh) {
@@ -50,7 +50,7 @@ std::vector<std::array<int, 3>> patchIn(const TriangleMesh& mesh, const std::vec
   return triangles;
 }
 
-// Sets its area, and whether the surface ends at it.
+// Sets the area of the cap, and whether the surface ends at it.
 void measure(const TriangleMesh& mesh, const RimNormals& normals, RimCap& cap) {
   constexpr double kFoldCosine = 1.0 / std::numbers::sqrt2, kFoldedShare = 0.75;
   double folded = 0.0, length = 0.0;

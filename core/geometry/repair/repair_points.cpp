@@ -63,7 +63,7 @@ std::size_t mergeWithin(TriangleMesh& mesh, double tolerance) {
     const Vector3d& p = mesh.vertices[static_cast<std::size_t>(v)];
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        // Three neighbours along z stand together.
+        // Three neighbours along z are contiguous in the sorted cells.
         const Cell low{cell[0] + dx, cell[1] + dy, cell[2] - 1};
         const Cell high{cell[0] + dx, cell[1] + dy, cell[2] + 1};
         for (auto it = std::lower_bound(cells.begin(), cells.end(),
@@ -130,7 +130,7 @@ std::size_t mergeNearbyPoints(TriangleMesh& mesh) {
 
 std::size_t splitTJunctions(TriangleMesh& mesh, double tolerance) {
   std::size_t splits = 0;
-  // Every round splits each triangle at one edge at most.
+  // Each round splits every triangle at one edge at most.
   for (int round = 0; round < 8; ++round) {
     std::vector<HalfEdge> open;
     const std::vector<HalfEdge> edges = sortedHalfEdges(mesh);
@@ -138,7 +138,7 @@ std::size_t splitTJunctions(TriangleMesh& mesh, double tolerance) {
       if (end - begin == 1)
         open.push_back(edges[begin]);
     });
-    // By x, so that an edge looks only at the vertices beside it.
+    // Sorted by x, so that an edge is tested only against vertices in its range.
     std::vector<std::pair<double, int>> vertices;
     for (const int v : openVertices(mesh))
       vertices.emplace_back(mesh.vertices[static_cast<std::size_t>(v)].x(), v);

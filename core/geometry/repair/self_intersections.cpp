@@ -49,7 +49,7 @@ private:
   const Kernel::Point_3& at(int t, int k) const {
     return points_[static_cast<std::size_t>(vertex(t, k))];
   }
-  // Both on one plane and on one side of the edge they share.
+  // Coplanar and on the same side of the shared edge.
   bool folded(int a, int b) const {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -79,8 +79,7 @@ std::vector<std::pair<int, int>> selfIntersections(const TriangleMesh& mesh,
     if (!triangle.is_degenerate())
       boxes.emplace_back(triangle.bbox(), t);
   }
-  // Candidates are found on one thread and tested on all, so many at a time that they need little
-  // memory.
+  // Candidates are found on one thread and tested on all, in batches that limit the memory.
   constexpr std::size_t kBatch = 1 << 20, kGrain = 4096;
   std::vector<std::pair<int, int>> pairs, candidates;
   const auto testCandidates = [&] {

@@ -1,4 +1,4 @@
-// Triangles of one mesh that cut each other.
+// Self-intersections of a mesh.
 #pragma once
 
 #include "base/run_context.h"
@@ -9,9 +9,9 @@
 
 namespace voluta::geometry {
 
-// Pairs (i < j, sorted) of triangles that have more in common than the corners they share: exact
-// predicates (CGAL). Triangles that share an edge count when they lie on each other. Degenerate
-// triangles are passed over. Precondition: indices in range, coordinates finite.
+// Returns pairs (i < j, sorted) of triangles that intersect beyond the corners they share: exact
+// predicates (CGAL). Triangles that share an edge count if they overlap. Degenerate triangles are
+// skipped. Precondition: indices in range, coordinates finite.
 std::vector<std::pair<int, int>> selfIntersections(const TriangleMesh& mesh,
                                                    const base::RunContext& ctx = {});
 

@@ -20,19 +20,19 @@ namespace voluta::geometry {
 
 namespace {
 
-// Facets that a wrap may come to.
+// Maximum number of facets of a wrap.
 constexpr double kMostFacets = 2e6;
 
 TriangleMesh wrapped(const TriangleMesh& sheets, double wallMm) {
-  // As fine as half the wall, so that rims come out round; both sides of the sheets in triangles of
-  // that size.
+  // Resolution of half the wall, so that rims are round; the estimate covers both sides of the
+  // sheets in triangles of that size.
   const double alpha = 0.5 * wallMm;
   const double facets = 2.0 * area(sheets) / (0.43 * alpha * alpha);
   if (facets > kMostFacets)
     throw base::Error(
         base::ErrorCode::UnusableInput,
-        base::message("a wall of {wall:.2f} is too thin for so large a surface: it would "
-                      "come to {facets:.2g} triangles"_text,
+        base::message("a wall of {wall:.2f} is too thin for a surface of this size: it would need "
+                      "{facets:.2g} triangles"_text,
                       base::mm(wallMm), base::number(facets)),
         {}, "thicken the surface in a modelling program"_text);
   std::vector<CgalKernel::Point_3> points;

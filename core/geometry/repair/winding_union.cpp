@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Facets that hang together over edges where just two meet bound the same two regions.
+// Facets connected across edges with exactly two facets bound the same two regions.
 std::vector<int> patchesOf(const Arrangement& arrangement) {
   const std::vector<std::array<int, 3>>& facets = arrangement.facets.triangles;
   UnionFind sets(facets.size());
@@ -36,7 +36,7 @@ std::vector<int> patchesOf(const Arrangement& arrangement) {
   return patch;
 }
 
-// Finds the winding number in front of a patch from its largest facets.
+// Determines the winding number in front of a patch from its largest facets.
 class PatchSides {
 public:
   PatchSides(const Arrangement& arrangement, const TriangleMesh& mesh)
@@ -44,9 +44,9 @@ public:
 
   struct Front {
     int winding = 0;
-    bool isCertain = false; // false: other surfaces are too near to tell
+    bool isCertain = false; // false: other surfaces are too close to be certain
   };
-  // `facets`: the largest first.
+  // `facets`: sorted by decreasing area.
   Front front(const std::vector<int>& facets) const {
     Front first;
     for (std::size_t i = 0; i < std::min<std::size_t>(facets.size(), kTries); ++i) {
@@ -78,8 +78,8 @@ private:
 
 enum class Choice : signed char { Open, Drop, Keep };
 
-// Chooses patches that nobody could measure, so that as many kept facets run forward as backward
-// along each edge: where one patch at an edge is open, the others decide.
+// Decides uncertain patches so that each edge has as many kept facets forward as backward: if a
+// single patch at an edge is undecided, the others determine it.
 void chooseByNeighbours(const Arrangement& arrangement, const std::vector<int>& patch,
                         std::vector<Choice>& choices) {
   const std::vector<HalfEdge> edges = sortedHalfEdges(arrangement.facets);
@@ -110,7 +110,7 @@ void chooseByNeighbours(const Arrangement& arrangement, const std::vector<int>& 
   }
 }
 
-// Of the tetrahedra between the facets and a point.
+// Volume of the tetrahedra between the facets and a point.
 double volumeBelow(const TriangleMesh& mesh, const std::vector<int>& facets, const Vector3d& from) {
   double sum = 0.0;
   for (const int f : facets) {
@@ -122,7 +122,7 @@ double volumeBelow(const TriangleMesh& mesh, const std::vector<int>& facets, con
   return sum;
 }
 
-// Uncertain patches are chosen as they were measured; if that leaves gaps, by their neighbours.
+// Uncertain patches are decided by measurement; if that leaves gaps, by their neighbours.
 WindingUnion boundaryOfInside(const Arrangement& arrangement, const TriangleMesh& mesh,
                               const base::RunContext& ctx) {
   const TriangleMesh& all = arrangement.facets;
@@ -132,8 +132,9 @@ WindingUnion boundaryOfInside(const Arrangement& arrangement, const TriangleMesh
     facetsOf[patch[f]].push_back(static_cast<int>(f));
   const PatchSides sides(arrangement, mesh);
   const Vector3d middle = bounds(mesh).center();
-  double insideOut = 0.0; // by the divergence theorem, over the boundary of those points
-  std::vector<Choice> choices(patch.size(), Choice::Open), certain = choices; // by the patch
+  // by the divergence theorem, over the boundary of the points with negative winding number
+  double insideOut = 0.0;
+  std::vector<Choice> choices(patch.size(), Choice::Open), certain = choices; // indexed by patch
   for (auto& [id, facets] : facetsOf) {
     ctx.checkpoint();
     const auto areaOf = [&](int f) { return triangleArea(all, static_cast<std::size_t>(f)); };

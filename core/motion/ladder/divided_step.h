@@ -1,4 +1,4 @@
-// A printed step of a run, divided evenly.
+// Divides a printed step of a run evenly.
 #pragma once
 
 #include "motion/motion_scene.h"
@@ -8,11 +8,11 @@
 
 namespace voluta::motion {
 
-// Appends the way from the last of `points` to `to` in n straight steps of equal length and turn:
-// n points, each with its share of to.volumeMm3, to.speedMmPerS and to.next; only the last is
-// to.waypoint. Joints follow from those of the point before (to.at.q is not read). False: they
-// cannot, by steps of scene.options.maxStepRad; `points` then ends before that. Preconditions:
-// points is not empty, n >= 1.
+// Appends the path from the last of `points` to `to` in n straight steps of equal length and
+// rotation: n points, each with its share of to.volumeMm3 and with to.speedMmPerS and to.next; only
+// the last has to.waypoint. Each point's joints are solved near those of the previous one (to.at.q
+// is not read). Returns false if that is impossible with steps of at most scene.options.maxStepRad;
+// `points` then ends before the failure. Preconditions: points is not empty, n >= 1.
 bool appendDivided(const MotionScene& scene, const RunPoint& to, int n,
                    std::vector<RunPoint>& points);
 

@@ -10,10 +10,10 @@ namespace voluta::motion {
 using robot::JointVector;
 
 namespace {
-constexpr double kLimitCost = 0.5;  // of a joint at its limit
-constexpr double kTurnCost = 0.3;   // of turning a joint back by a whole turn
-constexpr double kBranchStep = 1.0; // rad, a joint's step beyond which the branch is another
-constexpr double kBranchCost = 4.0; // a rad beyond it
+constexpr double kLimitCost = 0.5;  // Cost of a joint at its limit
+constexpr double kTurnCost = 0.3;   // Cost of unwinding a joint by a whole turn
+constexpr double kBranchStep = 1.0; // [rad]: a larger step of a joint means another IK branch
+constexpr double kBranchCost = 4.0; // Cost per rad beyond kBranchStep
 } // namespace
 
 double limitCost(const JointVector& q, const std::vector<robot::JointLimits>& limits) {

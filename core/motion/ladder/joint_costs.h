@@ -1,4 +1,4 @@
-// What joints cost a way through the ladder, in rad of way.
+// Costs of joint poses in the ladder graph, equivalent to radians of joint motion.
 #pragma once
 
 #include "robot/robot_model.h"
@@ -7,13 +7,13 @@
 
 namespace voluta::motion {
 
-// Of being near a joint's limit, rising from four fifths of its range; of the joints that have
-// limits here.
+// Returns the cost of being near a joint limit, which rises from four fifths of the joint's range.
+// Only joints with an entry in `limits` count.
 double limitCost(const robot::JointVector& q, const std::vector<robot::JointLimits>& limits);
 
-// Of the arm's going from one path's end to the next one's start: turning a joint back by whole
-// turns is done quickly with the nozzle lifted, another branch is a long way through the cell.
-// `limits`: of the arm, which `from` and `to` may be longer than.
+// Returns the cost of the arm's travel from one path's end to the next one's start: unwinding a
+// joint by whole turns is fast with the nozzle lifted, but another IK branch means a long travel
+// through the cell. `limits`: of the arm; `from` and `to` may have more joints.
 double startCost(const robot::JointVector& from, const robot::JointVector& to,
                  const std::vector<robot::JointLimits>& limits);
 

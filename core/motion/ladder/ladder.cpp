@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// As std::round, without a call.
+// Like std::round, without a function call.
 double rounded(double x) {
   return static_cast<double>(static_cast<long>(x + (x < 0.0 ? -0.5 : 0.5)));
 }
 
-// L1 step of the joints that have limits here from `from` to the representative of `to` nearest to
-// it; infinite where a joint's step is larger than maxStep or its limits are left, and where the
-// sum is no less than `most`.
+// Returns the L1 step, over the joints with limits, from `from` to the representative of `to`
+// nearest to it; infinite if a joint's step exceeds maxStep, a limit is exceeded, or the sum is at
+// least `most`.
 double step(const double* from, const robot::JointVector& to,
             const std::vector<robot::JointLimits>& limits, double maxStep, double most) {
   double sum = 0.0;
@@ -33,7 +33,7 @@ double step(const double* from, const robot::JointVector& to,
     const auto& limit = limits[static_cast<std::size_t>(j)];
     double d = robot::asTurn(limit.kind, to[j] - from[j]);
     if (std::abs(d) > maxStep) {
-      // Most candidates of another branch end here: no whole turn brings them nearer.
+      // Most candidates of another IK branch are rejected here: no whole turn brings them nearer.
       if (limit.kind == robot::JointKind::Sliding || std::abs(d) < base::kTurn - maxStep)
         return kInfinity;
       d -= base::kTurn * rounded(d / base::kTurn);
@@ -61,8 +61,8 @@ robot::JointVector nearestTurns(const robot::JointVector& from, robot::JointVect
   return to;
 }
 
-// Where the first turning joints are, in sectors of a circle, a bit each: of two nodes most are of
-// different branches, and these tell it at once.
+// The sectors of the circle in which the first turning joints are, one bit each. Most pairs of
+// nodes belong to different IK branches, which the sectors show immediately.
 class Sectors {
 public:
   explicit Sectors(const std::vector<robot::JointLimits>& limits) {
@@ -77,7 +77,8 @@ public:
         bits |= std::uint64_t{1} << (kCount * j + sectorAt(q[j]) % kCount);
     return bits;
   }
-  // All that a step of at most maxStepRad may lead to; joints that slide may be anywhere.
+  // Returns the sectors that a step of at most maxStepRad can reach; sliding joints may be
+  // anywhere.
   std::uint64_t within(const double* q, double maxStepRad) const {
     constexpr double kRounding = 1e-9;
     constexpr std::uint64_t kAll = (std::uint64_t{1} << kCount) - 1;
@@ -95,8 +96,8 @@ public:
 
 private:
   static constexpr std::size_t kJoints = 6;
-  static constexpr std::uint64_t kCount = 10; // a turn
-  // Counted on over turns, from far below any joint's range.
+  static constexpr std::uint64_t kCount = 10; // Sectors per turn
+  // Numbered continuously over several turns, starting below any joint's range.
   static std::uint64_t sectorAt(double q) {
     constexpr double kTurns = 1 << 10;
     return static_cast<std::uint64_t>((q / base::kTurn + kTurns) * static_cast<double>(kCount));
@@ -105,8 +106,8 @@ private:
   std::array<bool, kJoints> turns_{};
 };
 
-// The reached nodes of the rung before, those of one sample side by side, the cheapest first: what
-// the search through them reads lies together, and it ends where the rest costs too much already.
+// The reached nodes of the previous rung, grouped by sample and sorted by cost: the search reads
+// contiguous memory and stops where the remaining nodes are too expensive.
 class Reached {
 public:
   Reached(int samples, const std::vector<robot::JointLimits>& limits)
@@ -119,7 +120,7 @@ public:
     std::uint64_t sectors;
   };
 
-  // `q` as `rung`: joints by whole turns as they were reached.
+  // `q`: like `rung`, with joints at the whole turns at which they were reached.
   void take(const Rung& rung, const std::vector<robot::JointVector>& q,
             const std::vector<double>& cost) {
     std::fill(first_.begin(), first_.end(), 0);
@@ -144,7 +145,7 @@ public:
       std::copy_n(q[static_cast<std::size_t>(nodes_[at].index)].data(), joints_,
                   q_.begin() + static_cast<std::ptrdiff_t>(at * joints_));
   }
-  // Places of the nodes of a sample: from begin to end.
+  // Range of the nodes of a sample: [begin, end).
   std::size_t begin(int sample) const { return first_[static_cast<std::size_t>(sample)]; }
   std::size_t end(int sample) const { return first_[static_cast<std::size_t>(sample) + 1]; }
   const Node& node(std::size_t at) const { return nodes_[at]; }
@@ -154,22 +155,22 @@ public:
 private:
   Sectors sectors_;
   std::size_t joints_;
-  std::vector<std::size_t> first_, fill_; // per sample
+  std::vector<std::size_t> first_, fill_; // Per sample
   std::vector<Node> nodes_;
   std::vector<double> q_;
 };
 
-// The cost of the cheapest way to a node, and the node of the rung before that it comes by; -1:
-// there is none that costs at most `most`.
+// Returns the cost of the cheapest path to a node and its predecessor in the previous rung; -1 if
+// no path costs at most `most`.
 std::pair<double, int> leastWay(const LadderNode& node, const Reached& reached,
                                 const std::vector<robot::JointLimits>& limits,
                                 const LadderOptions& options, double maxStepRad, double most) {
-  // All turns are neighbours where the window spans the circle.
+  // If the window spans the circle, all rotations are neighbours.
   const int reach = std::min(options.window, (options.samples - 1) / 2);
   double least = std::nextafter(most, kInfinity);
   int parent = -1;
-  std::uint64_t near = 0; // sectors within a step: known once one is asked for
-  // The nearest turns first: what they cost bounds the search through the others.
+  std::uint64_t near = 0; // Sectors within a step; computed on first use
+  // Start with the nearest rotations: their cost bounds the search through the others.
   for (int turn = 0; turn <= 2 * reach; ++turn) {
     const int k = turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2;
     int sample = node.sample + k;
@@ -197,7 +198,8 @@ std::pair<double, int> leastWay(const LadderNode& node, const Reached& reached,
   return {parent < 0 ? kInfinity : least, parent};
 }
 
-// Leaves the cheapest `count`, and those that cost as little as the last of them.
+// Keeps the cheapest `count` nodes, and those that cost the same as the last of them; the others
+// become unreachable.
 void keepCheapest(std::vector<double>& cost, std::size_t count, std::vector<double>& scratch) {
   if (cost.size() <= count)
     return;
@@ -209,8 +211,8 @@ void keepCheapest(std::vector<double>& cost, std::size_t count, std::vector<doub
       c = kInfinity;
 }
 
-// As shortestWay(), through nodes to which a way costs at most `most`, and of a rung the `beam`
-// cheapest.
+// As shortestWay(), restricted to nodes with a path cost of at most `most` and to the `beam`
+// cheapest nodes of each rung.
 LadderWay sweep(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
                 const std::vector<robot::JointLimits>& limits, const LadderOptions& options,
                 double most, std::size_t beam) {
@@ -274,14 +276,14 @@ LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderSt
   base::require(starts.size() == rungs.front().size(), "a start for each first node");
   base::require(options.maxStepRad.size() == rungs.size(), "a largest step for each rung");
 
-  // What a way through few nodes costs, no cheapest one costs more than: nodes that cost more need
-  // no look.
+  // The cost of a path through few nodes is an upper bound: nodes that cost more need no search.
   constexpr std::size_t kBeam = 16, kAll = std::numeric_limits<std::size_t>::max();
   const LadderWay quick = sweep(rungs, starts, limits, options, kInfinity, kBeam);
   if (quick.reached < rungs.size())
     return sweep(rungs, starts, limits, options, kInfinity, kAll);
   LadderWay way = sweep(rungs, starts, limits, options, quick.cost, kAll);
-  // The cheapest way to a node may have wound a joint up to its limit, where another goes on.
+  // The cheapest path to a node may have wound a joint up to its limit, where a more expensive one
+  // can continue.
   return way.reached < rungs.size() ? quick : way;
 }
 

@@ -1,4 +1,5 @@
-// Shortest way through a ladder graph: one node a rung, close ones joined (Dai 3.5.3, eq. 3.4).
+// Shortest path through a ladder graph: one node per rung, adjacent nodes connected (Dai 3.5.3, eq.
+// 3.4).
 #pragma once
 
 #include "robot/robot_model.h"
@@ -10,45 +11,44 @@ namespace voluta::motion {
 
 struct LadderNode {
   robot::JointVector q;
-  int sample = 0;       // which turn about the nozzle, 0 .. samples - 1 (circular)
-  int aside = 0;        // how far the last external axis is from where it stands by itself, steps
-  double cost = 0.0;    // of being here, added to the way's length
-  bool blocked = false; // not to be used
-  int side = 0;         // of the arm's singular poses, -1 or 1; 0: either will do
+  int sample = 0;       // Index of the rotation about the nozzle, 0 .. samples - 1 (circular)
+  int aside = 0;        // Offset of the last external axis from its scheduled position [steps]
+  double cost = 0.0;    // Cost of the node, added to the path's length
+  bool blocked = false; // Not usable
+  int side = 0; // Sign of the Jacobian determinant: the side of the singular poses, -1 or 1; 0: any
 };
 using Rung = std::vector<LadderNode>;
 
-// How the way may begin at a node of the first rung: its joints, by whole turns, and what it costs
-// to get there.
+// A start at a node of the first rung: its joints, with whole turns chosen, and the cost of
+// reaching it.
 struct LadderStart {
   robot::JointVector q;
   double cost = 0.0;
 };
 
 struct LadderOptions {
-  int samples = 24;               // turns about the nozzle in a full circle
-  int window = 2;                 // neighbours differ by at most so many samples
-  int asideWindow = 1;            // and by at most so many steps aside
-  std::vector<double> maxStepRad; // per rung: largest joint step from the rung before
+  int samples = 24;    // Rotations about the nozzle per full circle
+  int window = 2;      // Maximum difference of neighbours' samples
+  int asideWindow = 1; // Maximum difference of neighbours' steps of the last external axis
+  std::vector<double> maxStepRad; // Per rung: maximum joint step from the previous rung
 };
 
 struct LadderWay {
-  std::size_t reached = 0;           // rungs 0 .. reached - 1 are joined; the others not
-  std::vector<int> node;             // per reached rung
-  std::vector<robot::JointVector> q; // per reached rung, whole turns chosen so that steps are small
-  double cost = 0.0;                 // start cost + node costs + sum of L1 steps
+  std::size_t reached = 0;           // Rungs 0 .. reached - 1 are connected; the others are not
+  std::vector<int> node;             // Per reached rung
+  std::vector<robot::JointVector> q; // Per reached rung, whole turns chosen so that steps are small
+  double cost = 0.0;                 // Start cost + node costs + sum of L1 steps
 };
 
-// Dijkstra on a layered graph is a sweep over its layers: the least sum of L1 joint steps from the
-// first rung to the last, starting costs (one a node of the first rung) and node costs included;
-// sliding joints count as robot::asTurn has them.
-// Nodes on different sides of the arm's singular poses are not joined.
-// Joints are taken by whole turns nearest to the predecessor's, as long as limits allow it. Where
-// no node of a rung can be reached the way ends before it, at the cheapest node. Ties go to the
-// node at the nearest sample.
-// Preconditions: a start for each node of rungs.front(), maxStepRad as rungs; all q of one length,
-// limits no longer: joints behind those are where they have to be and cost nothing; samples in [0,
-// options.samples).
+// Returns the path with the minimum sum of L1 joint steps from the first rung to the last,
+// including starting costs (one per node of the first rung) and node costs. Dijkstra on a layered
+// graph is a sweep over its layers. Sliding joints count by robot::asTurn. Nodes on different sides
+// of the arm's singular poses are not connected. Joints take the whole turn nearest to the
+// predecessor's, as far as limits allow it. If no node of a rung can be reached, the path ends
+// before it, at the cheapest node. Of equals, the node at the nearest sample is used.
+// Preconditions: a start for each node of rungs.front(); one maxStepRad per rung; all q of equal
+// length, at least as long as limits (joints without limits are already determined and cost
+// nothing); samples in [0, options.samples).
 LadderWay shortestWay(const std::vector<Rung>& rungs, const std::vector<LadderStart>& starts,
                       const std::vector<robot::JointLimits>& limits, const LadderOptions& options);
 

@@ -24,13 +24,15 @@ using robot::JointVector;
 
 namespace {
 
-constexpr double kAsideStep = 15.0 * base::kPi / 180.0; // of the last external axis
-constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0; // of liftMm, from both ends of a run
+constexpr double kAsideStep = 15.0 * base::kPi / 180.0; // Of the last external axis
+// kLiftFactor: multiple of liftMm, from both ends of a run
+constexpr double kLiftStepMm = 2.0, kLiftFactor = 10.0;
 constexpr std::size_t kRungChunk = 2, kJudgeChunk = 1;
-// On a rod the nozzle hardly moves in the base, however long the way: rungs come at least so often.
+// On a rod the nozzle hardly moves in the base, however long the path: limit the waypoints between
+// rungs.
 constexpr std::size_t kAxisRungWaypoints = 64;
-constexpr double kAsideCost = 0.3;     // of a node a step of the last external axis aside
-constexpr std::size_t kWidenReach = 3; // rungs to both sides
+constexpr double kAsideCost = 0.3;     // Cost of a node per step of the last external axis
+constexpr std::size_t kWidenReach = 3; // Rungs on both sides
 
 } // namespace
 
@@ -166,7 +168,8 @@ bool PathLadder::refine(std::size_t rung, const base::RunContext& ctx) {
 
 void PathLadder::addNodes(const Place& place, Rung& rung, const std::vector<int>& asides) const {
   const int samples = scene_.options.samples;
-  const int turnsTried = scene_.options.turn == NozzleTurn::Free ? samples : 1; // as they stand
+  // Orientation as planned
+  const int turnsTried = scene_.options.turn == NozzleTurn::Free ? samples : 1;
   std::vector<JointVector> solutions;
   for (const int aside : asides) {
     const JointVector near =
@@ -375,7 +378,7 @@ LadderWay PathLadder::bestWay(const base::RunContext& ctx) const {
     return search(near);
 
   LadderWay nearWay, unwoundWay;
-  std::atomic<bool> unwinds = true; // false: the other need not be waited for
+  std::atomic<bool> unwinds = true; // False: the unwound search is not needed
   const auto nothingToUnwind = [&] {
     return nearWay.reached == rungs_.size() && same(static_cast<std::size_t>(nearWay.node.front()));
   };

@@ -23,19 +23,19 @@ using robot::JointVector;
 
 namespace {
 
-constexpr int kTries = 40; // of blocking what failed and searching again
-constexpr int kSeeks = 2;  // of a clearer way
+constexpr int kTries = 40; // Rounds of blocking failed nodes and searching again
+constexpr int kSeeks = 2;  // Searches for a path with more clearance
 constexpr int kTriesBeforeJudgingAll = 6;
-constexpr double kEvening = 200.0; // waves under about 24 waypoints go
+constexpr double kEvening = 200.0; // Removes waves shorter than about 24 waypoints
 constexpr std::size_t kCheckChunk = 16;
 
-// A waypoint that a run fails at, or on the way to.
+// A waypoint at which, or on the motion to which, a run fails.
 struct Failed {
   std::size_t waypoint;
-  bool passes; // a singular pose, and else nothing
+  bool passes; // The only failure is passing a singular pose
 };
 
-// What is left to plan of a path: as much of it as can be joined becomes a run.
+// The unplanned rest of a path: as much of it as can be connected becomes a run.
 class Stretch {
 public:
   Stretch(const RunSmoothing& smoothing, std::size_t path, std::size_t first, std::size_t count,
@@ -45,29 +45,32 @@ public:
     run_.path = path;
   }
 
-  // Appends a run, or what is refused; returns how many waypoints that deals with (>= 1).
+  // Appends a run, or refused waypoints; returns the number of waypoints handled (>= 1).
   std::size_t plan(std::vector<Run>& runs, std::vector<Refused>& refused);
 
 private:
-  // A way that does not join all rungs: finds more of it, or settles for less. False: there is
-  // none, and nothing more to try.
+  // Handles a path that does not connect all rungs: adds nodes or rungs to extend it, or gives up
+  // the rest. Returns false if there is no path and nothing more to try.
   bool goFurther(const LadderWay& way);
   std::size_t refuseStart(const LadderWay& way, std::vector<Refused>& refused);
-  // Fills run_ along a way over all rungs. Returns what fails; none: it is good.
+  // Fills run_ along a path over all rungs. Returns the failures; empty if the run is valid.
   std::vector<Failed> follow(const LadderWay& way);
-  // Of a run that meets nothing; its ends stay.
+  // Smooths a run without collisions; its ends stay.
   void smooth();
-  // Has the head, lifted from there as little as for the shortest travel, room to travel?
+  // Returns whether the head, lifted by the minimum of the shortest travel, has room to travel.
   bool headTravels(const RobotState& state, std::size_t before) const;
-  // Can both ends be left? Where not, their nodes are blocked: false asks for another way.
+  // Returns whether the nozzle can be lifted at both ends. Blocks their nodes where it cannot:
+  // false requires another path.
   bool endsLift();
-  // Settles for what comes before the first failure. False: that is nothing.
+  // Keeps the part before the first failure. Returns false if that part is empty.
   bool settle(std::size_t failed);
-  // Judges the rungs about each failure; where the way's own nodes stay clear, looks closer.
+  // Checks the rungs around each failure; adds rungs where the path's own nodes are free of
+  // collisions.
   void lookCloser(const LadderWay& way, const std::vector<Failed>& failed, bool judgeAll);
 
-  // The points of waypoints [first, first + course.turn.size()), divided where the nozzle would
-  // bend off its way. False: at waypoint failedAt the joints cannot follow.
+  // Computes the points of waypoints [first, first + course.turn.size()), divided where the nozzle
+  // would deviate from its straight line. Returns false if the joints cannot follow; failedAt is
+  // that waypoint.
   bool fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
             std::size_t& failedAt) const;
   std::vector<Failed> failures(const std::vector<RunPoint>& points) const;
@@ -80,22 +83,22 @@ private:
   PathLadder ladder_;
   std::size_t count_;
   Run run_;
-  std::vector<RunPoint> laid_; // run_ with the turns that the ladder gave
-  bool wantsLift_ = true;      // from both ends
+  std::vector<RunPoint> laid_; // run_ with the unsmoothed rotations of the ladder
+  bool wantsLift_ = true;      // At both ends
 };
 
 bool Stretch::fill(const Course& course, const JointVector& start, std::vector<RunPoint>& points,
                    std::size_t& failedAt) const {
   const plan::ToolPlan& plan = scene_.plan;
   points.clear();
-  points.reserve(course.turn.size()); // most steps are not divided
+  points.reserve(course.turn.size()); // Most steps are not divided
   std::vector<JointVector> scratch;
   const auto toolAt = [&](std::size_t i) {
     return turned(ladder_.toolAt(i), course.turn[i - first_]);
   };
   const auto axesTo = [&](std::size_t i) { return ladder_.axesAt(i, course.aside[i - first_]); };
   JointVector q;
-  // The first solution may differ from the ladder's where turns were evened out.
+  // With smoothed rotations, the first solution may differ from the ladder's.
   if (!solveNear(scene_.cell, plan.position[first_], toolAt(first_), start, kRungStepRad, scratch,
                  q)) {
     failedAt = first_;
@@ -143,7 +146,7 @@ std::vector<Failed> Stretch::failures(const std::vector<RunPoint>& points) const
 bool Stretch::goFurther(const LadderWay& way) {
   if (ladder_.widen(way.reached, ctx_))
     return true;
-  // Better a run that is hard to leave than none.
+  // A run that is hard to depart from is better than none.
   if (wantsLift_ && ladder_.allowUnliftable()) {
     wantsLift_ = false;
     return true;
@@ -154,7 +157,7 @@ bool Stretch::goFurther(const LadderWay& way) {
     return true;
   if (way.reached == 1)
     return false;
-  // Nothing further is joined: what is, is printed, and the rest begins anew.
+  // The connected part is printed, and the rest starts again.
   ladder_.keepUpTo(way.reached - 1, ctx_);
   count_ = ladder_.waypointOf(way.reached - 1) - first_ + 1;
   return true;
@@ -164,7 +167,7 @@ std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& ref
   if (way.reached == 0) {
     if (ladder_.movesPart())
       return ladder_.refuseBlocked(ctx_, refused);
-    ladder_.judge({0}, ctx_); // for the reason
+    ladder_.judge({0}, ctx_); // To find the reason
   }
   refused.push_back(ladder_.refusalOf(0));
   return 1;
@@ -173,7 +176,7 @@ std::size_t Stretch::refuseStart(const LadderWay& way, std::vector<Refused>& ref
 std::vector<Failed> Stretch::follow(const LadderWay& way) {
   base::Stopwatch watch;
   const Course course = ladder_.courseOf(way);
-  // On a rod it often need not turn at all.
+  // On a rod the nozzle often need not rotate at all.
   const bool uneven =
       !ladder_.movesPart() || std::any_of(course.turn.begin(), course.turn.end(),
                                           [&](double t) { return t != course.turn.front(); });
@@ -213,7 +216,7 @@ void Stretch::smooth() {
         return ladder_.liftable(state, before) && headTravels(state, before);
       },
       ctx_);
-  // Turns that take the arm past a singular pose are no smoother.
+  // Reject rotations that take the arm past a singular pose.
   bool straight = true;
   for (std::size_t p = 1; p < smoothed.points.size() && straight; ++p)
     straight = scene_.goesStraight(smoothed.points[p - 1].at, smoothed.points[p].at);
@@ -270,7 +273,7 @@ void Stretch::lookCloser(const LadderWay& way, const std::vector<Failed>& failed
     for (const Failed& f : failed) {
       const std::size_t r = ladder_.rungAt(f.waypoint);
       if (f.passes)
-        continue; // that shows between rungs, at none
+        continue; // Occurs between rungs, not at one
       for (std::size_t k = r < 2 ? 0 : r - 2; k < std::min(r + 2, ladder_.size()); ++k)
         about.push_back(k);
     }
@@ -292,7 +295,7 @@ void Stretch::lookCloser(const LadderWay& way, const std::vector<Failed>& failed
     if (r > 0 && ladder_.waypointOf(r) - ladder_.waypointOf(r - 1) > 1)
       between.push_back(w);
     else
-      here.blocked = true; // clear itself, but not on the way to it
+      here.blocked = true; // Free of collisions itself, but not the motion to it
   }
   for (const std::size_t w : between)
     ladder_.refine(ladder_.rungAt(w), ctx_);
@@ -320,7 +323,7 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
       refused.push_back(ladder_.refusalOf(0));
       return 1;
     }
-    // Before it is followed, which costs more than to look at its rungs.
+    // Before following the path, which costs more than measuring the clearance at its rungs.
     if (seeks < kSeeks && ladder_.seekClearance(way, ctx_)) {
       ++seeks;
       continue;
@@ -359,7 +362,7 @@ void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
     const std::size_t runsBefore = runs.size(), refusedBefore = refused.size();
     const std::size_t step =
         Stretch(smoothing, path, first + done, count - done, last, ctx, times_).plan(runs, refused);
-    // Where the run before ended is printed, whether or not it goes on from there.
+    // The end of the previous run is printed, whether or not the next run continues from there.
     if (refused.size() > refusedBefore && !runs.empty() &&
         refused[refusedBefore].waypoint == runs.back().points.back().waypoint)
       refused.erase(refused.begin() + static_cast<std::ptrdiff_t>(refusedBefore));

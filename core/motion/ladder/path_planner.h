@@ -1,5 +1,5 @@
-// One path of the tool plan in joints: runs over its ladder graph (path_ladder.h), their turns
-// about the nozzle made smooth (smooth_run.h).
+// Plans one path of the tool plan in joints: as runs over its ladder graph (path_ladder.h) with
+// smoothed rotations about the nozzle (smooth_run.h).
 #pragma once
 
 #include "motion/ladder/path_ladder.h"
@@ -23,14 +23,14 @@ public:
   PathPlanner(const MotionScene& scene, TimingLimits limits)
       : scene_(scene), limits_(std::move(limits)) {}
 
-  // Plans waypoints [first, first + count) of path `path`, none of which the head refuses, to
-  // follow on `from`. Appends the runs that are printed (usually one) and the waypoints that are
-  // not. Each run's first waypoint is the last one's of the run before where no waypoint lies
-  // between them. The same for any number of threads.
+  // Plans waypoints [first, first + count) of path `path`, none of which the head refuses,
+  // continuing from `from`. Appends the printed runs (usually one) and the refused waypoints. A run
+  // starts at the last waypoint of the previous run if no waypoint is between them. The result is
+  // independent of the number of threads.
   void plan(std::size_t path, std::size_t first, std::size_t count, const RobotState& from,
             const base::RunContext& ctx, std::vector<Run>& runs, std::vector<Refused>& refused);
 
-  // Since it was last asked.
+  // Returns the times accumulated since the last call.
   PathTimes takeTimes() { return std::exchange(times_, {}); }
 
 private:

@@ -14,9 +14,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kTurns = 24;
-constexpr std::size_t kSample = 150;                     // waypoints of each half
-constexpr double kMissed = 0.01;                         // of them, at a size that is in reach
-constexpr int kLargest = 19, kSmallest = 4, kSteps = 20; // twentieths
+constexpr std::size_t kSample = 150; // Waypoints of each half
+constexpr double kMissed = 0.01;     // Share of them that may be missed at a size within reach
+constexpr int kLargest = 19, kSmallest = 4, kSteps = 20; // Twentieths
 
 bool isReached(const MotionScene& scene, const Vector3d& tip, const Vector3d& direction,
                std::vector<robot::JointVector>& solutions) {

@@ -1,4 +1,4 @@
-// What a part that is too large for its robot is told: the size at which the robot gets to it.
+// For a part too large for its robot: the size at which the robot reaches it.
 #pragma once
 
 #include "motion/motion_scene.h"
@@ -13,12 +13,13 @@ class RunContext;
 
 namespace voluta::motion {
 
-// The largest share of its size, of 0.95, 0.9, ... 0.2, at which the robot gets to the part: all
-// but one in a hundred of a sample of waypoints, half of it of those that are `refused` as
-// unreachable, brought nearer to the middle of the plan on its ground with the direction that they
-// have. The robot gets to a place where some turn about the nozzle and some branch of the arm are
-// within limits and no bodies of the cell meet; what is printed is not asked. nullopt: there is no
-// such size, or the cell has external axes, which would go another way. Throws Cancelled.
+// Returns the largest scale of 0.95, 0.9, ... 0.2 at which the robot reaches the part: at most one
+// in a hundred waypoints of a sample is missed. Half of the sample is from the `refused` waypoints
+// that are unreachable. The waypoints are scaled about the middle of the plan on its ground and
+// keep their directions. A point is reached if, for some rotation about the nozzle and some IK
+// branch, the joints are within limits and no bodies of the cell collide; the printed part is not
+// checked. Returns nullopt if there is no such size, or if the cell has external axes, whose motion
+// would change. Throws Cancelled.
 std::optional<double> sizeInReach(const MotionScene& scene, const std::vector<Refused>& refused,
                                   const base::RunContext& ctx);
 

@@ -9,7 +9,7 @@ bool solveBanded(const BandedRows<kWidth>& a, const std::vector<double>& b,
                  std::vector<double>& x) {
   base::require(a.size() == b.size(), "solveBanded: as many rows as b");
   const std::size_t n = a.size();
-  // factor[i][m]: of row i + m by column i.
+  // factor[i][m]: entry of row i + m in column i.
   BandedRows<kWidth> factor(n);
   x = b;
   for (std::size_t i = 0; i < n; ++i) {

@@ -1,4 +1,4 @@
-// Symmetric equations whose unknowns each share one with few neighbours: solved in linear time.
+// Linear-time solver for symmetric banded equations.
 #pragma once
 
 #include <array>
@@ -7,12 +7,12 @@
 
 namespace voluta::motion {
 
-// Row i: the diagonal, then what it shares with unknowns i + 1, i + 2, ... (0 beyond the last).
+// Row i: the diagonal, then the coefficients with unknowns i + 1, i + 2, ... (0 beyond the last).
 template <std::size_t kWidth> using BandedRows = std::vector<std::array<double, kWidth>>;
 
-// x with A x = b by Cholesky's factors L D L'. False where A is not positive definite, to rounding;
-// x is of no use then. Precondition: as many rows as b. There for rows of 4, 8, ... 20 (jerks of
-// one to five unknowns a point).
+// Solves A x = b with the factors L D L' (Cholesky). Returns false if A is not positive definite
+// within rounding; x is then invalid. Precondition: as many rows as b. Instantiated for rows of 4,
+// 8, ... 20 (jerks of one to five unknowns per point).
 template <std::size_t kWidth>
 bool solveBanded(const BandedRows<kWidth>& a, const std::vector<double>& b, std::vector<double>& x);
 

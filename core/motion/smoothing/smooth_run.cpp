@@ -20,22 +20,25 @@ using Eigen::Quaterniond;
 namespace {
 
 constexpr std::size_t kCheckChunk = 16;
-// How hard points are held about one that meets something, and together where steps turn too far:
-// each time more.
+// Rounds of pulling points back towards their original pose around collisions, and towards each
+// other where steps rotate too far; the weights increase each round.
 constexpr int kPulls = 6;
-constexpr int kDivisions = 3; // of steps that turn far, where directions lean
+constexpr int kDivisions = 3; // Divisions of steps that rotate too far, if directions lean
 constexpr double kFirstStay = 1e-5, kMoreStay = 100.0, kFirstTogether = 1e-3, kMoreTogether = 30.0;
-constexpr std::size_t kMeetingWindow = 24, kHeadWindow = 12, kFarWindow = 3; // points to both sides
-// As far as directions were chosen to be from what is printed already.
+constexpr std::size_t kMeetingWindow = 24, kHeadWindow = 12, kFarWindow = 3; // Points on both sides
+// The clearance to printed material with which directions were chosen.
 constexpr double kHeadMm = 0.05;
-constexpr double kSameDirection = 1e-6; // rad
-// Of the deviation: the run's own steps end just inside. In the last rounds a little more will do.
+constexpr double kSameDirection = 1e-6; // [rad]
+// Allowed excess over the deviation, since the run's own steps end just below it. The last rounds
+// allow a little more.
 constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
 constexpr std::size_t kMostFreeAxes = 2;
 constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
-constexpr TurnSmoothing kAtLast{12, 1e-3, 0.3}; // where nothing is divided any more
-// Of the ends: they turn by degrees where that takes a kick away, and stay near other paths.
+// For the final smoothing, when no more steps are divided
+constexpr TurnSmoothing kAtLast{12, 1e-3, 0.3};
+// Weight at the ends: they may rotate slightly where that removes a kick, and stay near other
+// paths.
 constexpr double kEndStay = 1e-3;
 
 RunPoint turnedBy(RunPoint point, const TurnedPoint& at) {
@@ -56,8 +59,8 @@ std::vector<RunPoint> turnedBy(const std::vector<RunPoint>& points,
   return turnedPoints;
 }
 
-// The times that the ways would take if joints had no limits: those of the nozzle alone, as the
-// process wants it. Turns do not change them.
+// Returns the times of the steps if joints had no limits: those of the nozzle alone, as the process
+// requires. Rotations do not change them.
 std::vector<double> nozzleTimes(const RunSmoothing& by, const std::vector<RunPoint>& points) {
   TimingLimits limits = by.limits;
   for (robot::JointLimits& limit : limits.joints)
@@ -68,8 +71,8 @@ std::vector<double> nozzleTimes(const RunSmoothing& by, const std::vector<RunPoi
   return timesOf(timed, limits);
 }
 
-// Which steps turn further than the run's own and so far that the nozzle would bend off its way, or
-// that a joint would jump: a mark for their later end.
+// Marks the later end of each step that rotates further than the run's own step and so far that the
+// nozzle would deviate from its path, or in which a joint would jump.
 std::vector<char> longSteps(const MotionScene& scene, const std::vector<RunPoint>& points,
                             const std::vector<TurnedPoint>& at, double slack) {
   std::vector<char> marks(points.size(), 0);
@@ -85,16 +88,16 @@ std::vector<char> longSteps(const MotionScene& scene, const std::vector<RunPoint
   return marks;
 }
 
-// Points from `window` before i to so many after it, as far as there are.
+// Visits the points from `window` before i to `window` after it, within [0, count).
 template <typename Body>
 void about(std::size_t i, std::size_t window, std::size_t count, const Body& body) {
   for (std::size_t k = i < window ? 0 : i - window; k < std::min(count, i + window + 1); ++k)
     body(k);
 }
 
-// How a run goes on being smoothed where it must not be as it came out.
+// Points of a smoothed run that must be corrected.
 struct Marks {
-  std::vector<char> met, head, far; // a point: what meets, of that the head alone; longSteps()
+  std::vector<char> met, head, far; // Per point: collides, the head alone collides, longSteps()
   bool any() const {
     const auto marked = [](const std::vector<char>& m) {
       return std::find(m.begin(), m.end(), 1) != m.end();
@@ -125,7 +128,7 @@ std::vector<TurnHold> heldWhere(const Marks& marks, const std::vector<TurnHold>&
   return held;
 }
 
-// One direction all along makes no jerk, and stays: flat layers are printed upright.
+// A constant direction causes no jerk and is kept: flat layers are printed upright.
 bool directionsChange(const std::vector<RunPoint>& points) {
   const Eigen::Vector3d first = points.front().at.direction();
   return std::any_of(points.begin(), points.end(), [&](const RunPoint& p) {
@@ -133,8 +136,8 @@ bool directionsChange(const std::vector<RunPoint>& points) {
   });
 }
 
-// Axes that stand still along a run make no jerk, and stay. One that goes in steps does too: what
-// its motor makes of a smooth way is not on it.
+// Axes at rest along a run cause no jerk and are kept. So are axes with steps, because their motors
+// would not follow a smooth path.
 bool axesMove(const robot::Cell& cell, const std::vector<RunPoint>& points) {
   const auto& axes = cell.externalAxes();
   if (axes.empty() || axes.size() > kMostFreeAxes || cell.rod() ||
@@ -144,15 +147,16 @@ bool axesMove(const robot::Cell& cell, const std::vector<RunPoint>& points) {
                      [&](const RunPoint& p) { return p.at.axes != points.front().at.axes; });
 }
 
-// Does the head, leaning so, keep from plate and part what directions keep where they can?
+// Returns whether the head, with this tilt, violates the clearance to plate and part that
+// directions keep where possible.
 bool headMeets(const MotionScene& scene, const RunPoint& point, const Quaterniond& tool) {
   const Eigen::Isometry3d work_T_tool = toolPose(point.at.tip, tool);
   return scene.collision.headTouchesPart(work_T_tool, scene.part, point.next, kHeadMm) ||
          scene.collision.headTouchesPlatform(work_T_tool, kHeadMm);
 }
 
-// The run with the marked steps divided as finely as those turn that `at` has in their place. Where
-// joints cannot follow, as it was.
+// Returns the run with the marked steps divided as finely as required by the rotations of `at`;
+// unchanged if the joints cannot follow.
 std::vector<RunPoint> dividedWhere(const MotionScene& scene, const std::vector<char>& marks,
                                    const std::vector<RunPoint>& points,
                                    const std::vector<TurnedPoint>& at) {
@@ -172,13 +176,13 @@ std::vector<RunPoint> dividedWhere(const MotionScene& scene, const std::vector<c
   return divided;
 }
 
-// The run smoothed with directions that lean up to leanRad, and as it was before with what had to
-// be divided; none where it does not come clear of everything or is no smoother.
+// Returns the run smoothed with directions that lean up to leanRad, and the original run with the
+// same divisions. Returns nullopt if the result is not collision-free or not smoother.
 std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const RunSmoothing& by,
                                           std::vector<RunPoint> points, const Meets& meets,
                                           const Lifts& lifts, double& checkS,
                                           const base::RunContext& ctx) {
-  // Whether something meets, and of what leans whether the head does.
+  // Marks the points that collide and, for leaning directions, those at which the head does.
   const auto look = [&](const std::vector<TurnedPoint>& at, bool startOnly, Marks& marks) {
     const base::Stopwatch checking;
     marks.met.assign(at.size(), 0);
@@ -192,7 +196,7 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const 
     });
     checkS += checking.seconds();
   };
-  // Where external axes move the ends stand as scheduled, unless they may lean.
+  // If external axes move, the ends keep their scheduled pose unless directions may lean.
   bool firstIsFree = leanRad > 0.0 || axesRad == 0.0, lastIsFree = firstIsFree;
   const double endStay = axesRad == 0.0 ? kEndStay : kHeld;
   for (int division = 0;;) {
@@ -208,8 +212,8 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const 
     for (std::size_t i = 0; i < n; ++i)
       if (marks.head[i])
         holds[i].upright = kHeld;
-    // The ladder laid ends where the next path's start is near, and whence the nozzle can be
-    // lifted. They turn a little and lean where that stays so.
+    // The ladder chose ends near the next path's start from which the nozzle can be lifted. They
+    // may rotate and lean a little as long as lifting remains possible.
     const auto holdEnd = [&](TurnHold& hold, bool isFree) {
       hold.stay = isFree ? endStay : kHeld;
       if (!isFree)

@@ -21,25 +21,27 @@ using robot::JointVector;
 namespace {
 
 constexpr std::size_t kChunk = 64;
-constexpr double kReachMm = 300.0;   // what a turn counts beside mm
-constexpr double kLongestStep = 0.5; // rad, of a joint between Newton's steps
-constexpr double kLongestFree = 1.0; // of what a lean is made of, in a step
-constexpr double kSlack = 1e-9;      // a joint at its limit must not be lost to rounding
-constexpr double kNearLimit = 0.9;   // of a joint's range
-constexpr double kLeastRoom = 1e-6;  // rad or mm, of an external axis that may go
+// converts rotations [rad] to lengths [mm] where both are compared
+constexpr double kReachMm = 300.0;
+constexpr double kLongestStep = 0.5; // [rad] largest change of a joint between Newton steps
+constexpr double kLongestFree = 1.0; // largest change of the unknowns of a lean in one step
+constexpr double kSlack = 1e-9;      // margin for rounding errors of a joint at its limit
+constexpr double kNearLimit = 0.9;   // relative to a joint's range
+constexpr double kLeastRoom = 1e-6;  // [rad or mm] minimum room of an external axis that may move
 constexpr Eigen::Index kMostAxes = 2;
-// Of the diagonal. The least is what rounding leaves of waves of a thousand points.
+// Damping relative to the diagonal. The minimum matches the rounding errors of waves over a
+// thousand points.
 constexpr double kLeastDamping = 1e-13, kMostDamping = 1e3, kFirstDamping = 1e-9;
 
-// How far a joint is into the part of its range next to a limit, as a share of that part; `slope`:
-// of it by the joint.
+// Returns how far a joint is inside the part of its range next to a limit, as a share of that part;
+// `slope`: the derivative of this share with respect to the joint.
 double nearLimit(const robot::JointLimits& l, double q, double& slope) {
   const double half = 0.5 * (l.max - l.min), off = q - l.min - half;
   slope = std::copysign(1.0 / (half * (1.0 - kNearLimit)), off);
   return std::max(0.0, (std::abs(off) / half - kNearLimit) / (1.0 - kNearLimit));
 }
 
-// An aside that is shorter than `room`, told by a number of any size; and the other way round.
+// Maps an unbounded number to an offset shorter than `room`, and back.
 double asideAt(double free, double room) {
   return room * free / std::sqrt(1.0 + free * free);
 }
@@ -93,7 +95,7 @@ TurnSmoother::TurnSmoother(const robot::Cell& cell, const robot::ArmTwists& twis
     own.q = q[i];
     const JointRates rates = scaled(ratesOf(jacobian, base_T_flange, own));
     Place stiffness = rates.colwise().squaredNorm().transpose();
-    if (leans_ > 0) // alike to all sides
+    if (leans_ > 0) // the same in all directions
       stiffness.segment<2>(1).setConstant(0.5 * stiffness.segment<2>(1).sum());
     stiffness_.emplace_back(bands_[i][0] * stiffness);
   }
@@ -109,7 +111,7 @@ Place TurnSmoother::placeOf(const TurnedPoint& at) const {
   return place;
 }
 
-// What is held fast does not change, and costs nothing.
+// Fixed values do not change and therefore cost nothing.
 Place TurnSmoother::weightOf(const TurnHold& hold, std::size_t i) const {
   Place weight = Place::Constant(1 + leans_ + axes_, hold.stay == kHeld ? 0.0 : hold.stay);
   weight.segment(1, leans_).setConstant(hold.upright == kHeld ? 0.0 : hold.upright);
@@ -162,8 +164,8 @@ double TurnSmoother::cost(const std::vector<TurnedPoint>& at,
   return sum;
 }
 
-// Twists of the flange as the tool turns about its axis and leans: with it where the nozzle moves,
-// the other way about where the plate does. And as external axes take the tool with the platform.
+// Twists of the flange as the tool turns about its axis and leans: in the same direction if the
+// nozzle moves, inverted if the plate does. External axes carry the tool along with the platform.
 JointRates TurnSmoother::ratesOf(const robot::ArmJacobian& jacobian,
                                  const Isometry3d& base_T_flange, const TurnedPoint& at) const {
   Isometry3d base_T_tool = cell_.base_T_fixed();
@@ -172,7 +174,7 @@ JointRates TurnSmoother::ratesOf(const robot::ArmJacobian& jacobian,
     base_T_tool = base_T_flange * cell_.flange_T_moved();
     way = 1.0;
   }
-  Eigen::Matrix3d turns; // a column each, in the tool's axes
+  Eigen::Matrix3d turns; // one column each, in the tool's axes
   turns.col(0) = Vector3d::UnitZ();
   turns.rightCols<2>() =
       Eigen::AngleAxisd(-at.turn, Vector3d::UnitZ()).toRotationMatrix() * leanRates(at.lean);
@@ -235,7 +237,7 @@ bool TurnSmoother::stepOf(const std::vector<TurnedPoint>& at, const std::vector<
   const std::size_t n = points_.size();
   std::vector<JointVector> jerks;
   jerksOf([&](std::size_t i) -> const JointVector& { return at[i].q; }, jerks);
-  // Of places, and of the joints, by the unknowns; nothing goes with what is held fast.
+  // Derivatives of places and of joints with respect to the unknowns; zero for fixed ones.
   std::vector<Block> slopes(n);
   std::vector<Eigen::Matrix<double, Eigen::Dynamic, kFree, Eigen::ColMajor, 8, kFree>> rates(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -265,7 +267,8 @@ bool TurnSmoother::stepOf(const std::vector<TurnedPoint>& at, const std::vector<
       right[i] -= limitWeight_ * beyond * by;
     }
     const Part place = placeOf(at[i]);
-    // A hold's sum is that of weight * (a's place - b's)^2, or of a's alone.
+    // The sum of a hold is weight * (difference of the places of a and b)^2, or the weighted square
+    // of a's place alone.
     const Part weight = weightOf(holds[i], i), pull = weight.cwiseProduct(place);
     blocks[i][0] += slopes[i].transpose() * weight.asDiagonal() * slopes[i];
     right[i] -= slopes[i].transpose() * pull;

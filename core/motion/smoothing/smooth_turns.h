@@ -1,6 +1,6 @@
-// Turns about the nozzle along a printed stretch, leans of its directions within a cone, and ways
-// of external axes within some room, that make the joints' jerk least: all of them at once. Tips
-// stay where they are on the part.
+// Joint optimization of the turns about the nozzle, the leans of its directions within a cone, and
+// the offsets of external axes within some room along a printed stretch, such that the joints' jerk
+// is minimal. Tips keep their positions on the part.
 #pragma once
 
 #include "motion/jerk.h"
@@ -21,66 +21,69 @@ class RunContext;
 
 namespace voluta::motion {
 
-// How an arm stands where its tool leans by `lean` from the point's own, and was turned by `turn`
-// then, with external axes so far from where the point has them.
+// The arm's state at a point whose tool leans by `lean` from the point's own orientation and is
+// then turned by `turn`, with external axes offset from the point's.
 struct TurnedPoint {
   double turn = 0.0;                              // rad
   Eigen::Vector2d lean = Eigen::Vector2d::Zero(); // rad: leaning.h
-  robot::JointVector aside = {}; // rad, mm of slides; empty: where the point has them
+  robot::JointVector aside = {}; // offset of external axes: rad, mm for sliding axes; empty: none
   robot::JointVector q;          // of the cell
-  robot::JointRates rate;        // of the cell's joints, a column for each part of a Place
+  robot::JointRates rate;        // of the cell's joints, one column per component of a Place
 
   Eigen::Quaterniond tool(const Eigen::Quaterniond& own) const;
 };
 
-// What is free of a point, one behind the other: its turn, its lean where it may lean, its external
-// axes' asides where they may go.
+// The degrees of freedom of a point, in this order: its turn, its lean if it may lean, the offsets
+// of its external axes if they may move.
 using Place = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 5, 1>;
 
 using PlaceSlope = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 5, 5>;
 
-// What holds a point, times what turning or leaning that point alone costs in jerk.
+// Weights that hold a point in place, in multiples of the jerk cost of turning or leaning that
+// point alone.
 struct TurnHold {
-  double stay = 0.0;     // of the squares of its turn and asides; kHeld: it keeps them
-  double together = 0.0; // of the square of its place's difference from that of the point before
-  double upright = 0.0;  // of the square of its lean; kHeld: it keeps that
+  double stay = 0.0; // weight of the squares of its turn and offsets; kHeld: these are fixed
+  // weight of the squared difference of its place from that of the preceding point
+  double together = 0.0;
+  double upright = 0.0; // weight of its squared lean; kHeld: the lean is fixed
 };
 inline constexpr double kHeld = std::numeric_limits<double>::infinity();
 
 struct TurnSmoothing {
-  int rounds = 6;           // of Gauss-Newton's steps at most
-  double enough = 1e-3;     // ends where a step lowers the sum by a smaller share
-  double longestTurn = 0.3; // rad, of any point in a step
+  int rounds = 6;           // maximum number of Gauss-Newton steps
+  double enough = 1e-3;     // stops if a step lowers the sum by a smaller share
+  double longestTurn = 0.3; // [rad] maximum turn of any point in one step
 };
 
 class TurnSmoother {
 public:
-  // Over points that are reached at `times` (s, rising). What is referenced outlives it. coneRad:
-  // how far a direction may lean, less than half a turn; 0: not at all. axesRad: how far external
-  // axes may go from where the points have them (slides by robot::fromTurn), never beyond their
-  // limits; 0: they stay. Precondition: where they may go there are one or two, and no rod.
+  // `times`: times of the points [s], increasing. References are kept. coneRad: largest lean of a
+  // direction, less than pi; 0: none. axesRad: largest offset of external axes from the points' own
+  // (sliding axes by robot::fromTurn), never beyond their limits; 0: fixed. Precondition: if
+  // external axes may move, there are one or two and no rod.
   TurnSmoother(const robot::Cell& cell, const robot::ArmTwists& twists,
                const std::vector<RunPoint>& points, std::vector<double> times, double coneRad = 0.0,
                double axesRad = 0.0);
 
-  // The points as they are.
+  // Returns the points unchanged.
   std::vector<TurnedPoint> start(const base::RunContext& ctx) const;
 
-  // Lowers cost() by damped steps of Gauss and Newton: the joints are taken for linear in places,
-  // the equations are banded and are solved in time linear in the number of points, then the joints
-  // follow exactly. No step is taken that raises it. Leans stay inside the cone: unknown is what
-  // LeanCone makes them of; asides stay inside their room likewise. What a limit or a singular pose
-  // keeps from following keeps its place. `holds`: one a point. The same for any number of threads.
-  // Throws Cancelled.
+  // Lowers cost() by damped Gauss-Newton steps: joints are linearized in the places, the banded
+  // equations are solved in time linear in the number of points, then the joints are recomputed
+  // exactly. Steps that raise the cost are rejected. Leans stay inside the cone, and offsets inside
+  // their room, since the unknowns are mapped to them by LeanCone and likewise. Points that cannot
+  // follow, because of a limit or a singular pose, keep their place. `holds`: one per point. The
+  // result does not depend on the number of threads. Throws Cancelled.
   void smooth(std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds,
               const TurnSmoothing& options, const base::RunContext& ctx) const;
 
-  // The sum of the squared jerks of all joints (jerkStencils(), sliding joints by asTurn; those of
-  // external axes where they may go), of what comes near a joint's limit, and of what `holds` ask.
+  // Returns the sum of the squared jerks of all joints (jerkStencils(), sliding joints by asTurn;
+  // external axes only if they may move), of the penalties near joint limits, and of the costs of
+  // `holds`.
   double cost(const std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds) const;
 
 private:
-  // Sums the squares of all jerks, and tells them, one a stencil.
+  // Returns the sum of the squares of all jerks, and the jerks, one per stencil.
   template <typename JointsAt>
   double jerksOf(const JointsAt& jointsAt, std::vector<robot::JointVector>& jerks) const;
   double limitCost(const robot::JointVector& q) const;
@@ -91,17 +94,17 @@ private:
   robot::JointRates scaled(robot::JointRates rates) const;
   bool follow(std::size_t i, const TurnedPoint& from, TurnedPoint& to,
               std::vector<Eigen::Isometry3d>& links) const;
-  // The damped step of all unknowns of a point: its turn, and what its lean and its asides are made
-  // of. False: the equations have no solution.
+  // The damped step of all unknowns of a point: its turn, and the unknowns of its lean and its
+  // offsets. Returns false if the equations have no solution.
   using Step = std::vector<Place>;
   template <int kFree>
   bool stepOf(const std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds,
               double damping, Step& step) const;
   bool anyStepOf(const std::vector<TurnedPoint>& at, const std::vector<TurnHold>& holds,
                  double damping, Step& step) const;
-  // Of the point's place by its unknowns.
+  // Returns the derivative of the point's place with respect to its unknowns.
   PlaceSlope slopeOf(std::size_t i, const TurnedPoint& at, const TurnHold& hold) const;
-  // As a step takes it there; the joints are as they were.
+  // Returns the point after a step; the joints are unchanged.
   TurnedPoint stepped(std::size_t i, const TurnedPoint& from, const TurnHold& hold,
                       const Place& step) const;
 
@@ -109,12 +112,14 @@ private:
   const robot::ArmTwists& twists_;
   const std::vector<RunPoint>& points_;
   LeanCone cone_;
-  std::vector<robot::JointVector> room_; // of each point's external axes; none: they stay
-  Eigen::Index leans_ = 0, axes_ = 0;    // how many of a place are these
+  std::vector<robot::JointVector> room_; // of each point's external axes; empty: they are fixed
+  // number of components of a Place for leans and for external axes
+  Eigen::Index leans_ = 0, axes_ = 0;
   std::vector<JerkStencil> stencils_;
-  BandedRows<4> bands_;          // what points share by the times alone
-  std::vector<double> scale_;    // of joints whose jerk counts: robot::asTurn
-  std::vector<Place> stiffness_; // what moving a point alone costs, by the square of its place
+  BandedRows<4> bands_;       // the part of the equations that depends on the times alone
+  std::vector<double> scale_; // of joints whose jerk counts: robot::asTurn
+  // jerk cost of moving a point alone, relative to the square of its place
+  std::vector<Place> stiffness_;
   double limitWeight_ = 0.0;
 };
 

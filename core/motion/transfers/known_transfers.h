@@ -1,4 +1,4 @@
-// Transfers that were looked for before, found or not.
+// Cache of transfers, including failed searches.
 #pragma once
 
 #include "motion/run.h"
@@ -12,14 +12,15 @@
 
 namespace voluta::motion {
 
-// Where a motion is connected a second time, most of its ways are the same as before, and those
-// that are not to be found take longest. Safe to be asked by several threads.
+// If a motion is connected a second time, most of its transfers are unchanged, and failed searches
+// take longest. Thread-safe.
 class KnownTransfers {
 public:
   enum class Way { Between, BetweenHigh, Leave, LeaveThoroughly, Approach, ApproachThoroughly };
 
-  // What `find()` comes to, which must depend on nothing but the way, the states at its ends, the
-  // waypoints there (what is printed by then, the seed) and what is about.
+  // Returns the cached result or that of `find()`. The latter must depend only on the kind of
+  // transfer, the states at its ends, the waypoints there (which determine the printed material and
+  // the seed) and the surroundings.
   template <typename Find>
   std::optional<Transfer> of(Way way, const RobotState& from, const RobotState& to,
                              std::size_t fromWaypoint, std::size_t toWaypoint,

@@ -27,7 +27,7 @@ using Space = ob::RealVectorStateSpace;
 
 using Kinds = std::vector<robot::JointKind>;
 
-// States hold turns, sliding joints by what they count as.
+// States hold revolute coordinates; sliding joints are converted by robot::asTurn.
 JointVector jointsOf(const ob::State* state, const Kinds& kinds) {
   JointVector q(static_cast<Eigen::Index>(kinds.size()));
   for (unsigned j = 0; j < kinds.size(); ++j)
@@ -35,7 +35,8 @@ JointVector jointsOf(const ob::State* state, const Kinds& kinds) {
   return q;
 }
 
-// OMPL's own generators draw their seeds from one global sequence; this one is the call's alone.
+// OMPL's own generators draw their seeds from one global sequence; this generator is local to the
+// call.
 class SeededSampler final : public ob::StateSampler {
 public:
   SeededSampler(const ob::StateSpace* space, std::uint64_t seed)

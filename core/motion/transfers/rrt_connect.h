@@ -1,4 +1,4 @@
-// Collision-free joint ways where simpler ones fail: OMPL's RRT-Connect (Kuffner, LaValle 2000).
+// Collision-free joint paths where simpler ones fail: OMPL's RRT-Connect (Kuffner, LaValle 2000).
 #pragma once
 
 #include "robot/robot_model.h"
@@ -14,16 +14,16 @@ class RunContext;
 namespace voluta::motion {
 
 struct TreeOptions {
-  int iterations = 4000; // growth steps, then it gives up; never a time
+  int iterations = 4000; // maximum number of growth steps; there is no time limit
   double rangeRad = 0.5; // longest step of the trees, sliding joints by robot::asTurn
   std::uint64_t seed = 1;
-  int shortcuts = 60; // tries to straighten the way found
+  int shortcuts = 60; // attempts to shorten the path found
 };
 
-// Joints from `from` to `to` (both included), linear between them, every stretch of which
-// `segmentFree` accepts; empty when none was found. Sampling stays within limits and within a
-// turn of the straight way. The same for the same seed.
-// Throws Cancelled. Preconditions: from and to within limits.
+// Returns joints from `from` to `to` (both included), linear between them, such that `segmentFree`
+// accepts every segment; empty if none was found. Sampling stays within the limits and within one
+// turn of the straight path. Deterministic for the same seed. Throws Cancelled. Precondition: from
+// and to are within the limits.
 std::vector<robot::JointVector> treeWay(
     const robot::JointVector& from, const robot::JointVector& to,
     const std::vector<robot::JointLimits>& limits,

@@ -20,13 +20,13 @@ using robot::JointVector;
 namespace {
 
 constexpr double kStepMm = 2.0, kStepRad = base::degreesToRadians(1.0);
-constexpr double kLinearJointStep = 0.15; // rad between checks of a linear move
-constexpr double kLinearPieceMm = 25.0;   // longest linear move that is written
+constexpr double kLinearJointStep = 0.15; // [rad] between checks of a linear move
+constexpr double kLinearPieceMm = 25.0;   // longest linear move in the output
 constexpr double kJointCheck = base::degreesToRadians(0.5),
                  kCloseJointCheck = base::degreesToRadians(0.2);
-constexpr double kJointPiece = base::degreesToRadians(20.0); // longest joint move that is written
-constexpr double kAxisPiece = 0.5 * base::kPi, kSlidePieceMm = 200.0; // external axes'
-constexpr double kJointMarginMm = 3.0; // more, for what moves between checks
+constexpr double kJointPiece = base::degreesToRadians(20.0); // longest joint move in the output
+constexpr double kAxisPiece = 0.5 * base::kPi, kSlidePieceMm = 200.0; // same for external axes
+constexpr double kJointMarginMm = 3.0; // additional clearance, for motion between checks
 constexpr double kSameJoints = 1e-6;
 constexpr double kArcPiece = base::degreesToRadians(10.0);
 constexpr double kBallMarginMm = 5.0;
@@ -38,14 +38,14 @@ collision::Margins widened(collision::Margins margins, double byMm) {
   return margins;
 }
 
-// Points run backwards: from the last one to `first`.
+// Appends the points in reverse order, from the last one to `first`.
 void appendReversed(const std::vector<TransferPoint>& points, const RobotState& first,
                     std::vector<TransferPoint>& out) {
   for (std::size_t i = points.size(); i-- > 0;)
     out.push_back({i == 0 ? first : points[i - 1].at, points[i].move, points[i].most});
 }
 
-// Pieces of one straight move as a whole.
+// Merges the pieces of one straight move.
 TransferPoint joined(const Vector3d& from, const std::vector<TransferPoint>& pieces) {
   TransferPoint whole = pieces.back();
   const double length = (whole.at.tip - from).norm();
@@ -63,7 +63,8 @@ Vector3d slerped(const Vector3d& a, const Vector3d& b, double t) {
   return Quaterniond::Identity().slerp(t, geometry::leastTurn(a, b)) * a;
 }
 
-// How far along a ray from p the ball is left for good. 0 when it is not met.
+// Returns the distance along a ray from p at which it finally leaves the ball; 0 if it misses the
+// ball.
 double wayOut(const Vector3d& p, const Vector3d& direction, const PrintedBounds& ball,
               double radius) {
   const Vector3d r = p - ball.centre;
@@ -117,7 +118,7 @@ bool TransferPlanner::jointSegmentFree(const JointVector& a, const JointVector& 
                                        std::size_t before, const collision::Margins& margins,
                                        double checkRad) const {
   const int steps = std::max(1, static_cast<int>(std::ceil(scene_.span(a, b) / checkRad)));
-  // Coarse to fine: what collides is found sooner.
+  // Coarse to fine, which finds collisions sooner.
   int stride = 1;
   while (stride < steps)
     stride *= 2;
@@ -138,7 +139,7 @@ std::vector<TransferPlanner::Points> TransferPlanner::lifts(const RobotState& fr
     if (!linear(last, from.tip + height * from.direction(), from.tool, before,
                 scene_.options.printing, points))
       break;
-    // One straight move, however often it was looked at.
+    // The checks divided one straight move into pieces; merge them again.
     if (height <= kLinearPieceMm)
       points = {joined(from.tip, points)};
     last = points.back().at;
@@ -152,7 +153,7 @@ bool TransferPlanner::arc(const RobotState& from, const RobotState& to,
   const Vector3d a = from.tip - surround.centre, b = to.tip - surround.centre;
   const double angle = std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0));
   const int pieces = std::max(1, static_cast<int>(std::ceil(angle / kArcPiece)));
-  // Straight pieces between points of the arc cut into the ball by as much.
+  // Chords of the arc would cut into the ball; enlarge the radius accordingly.
   const double outward = 1.0 / std::cos(0.5 * angle / pieces);
   RobotState last = from;
   for (int k = 1; k <= pieces; ++k) {
@@ -222,8 +223,8 @@ std::optional<TransferKind> TransferPlanner::swing(const RobotState& from, const
                                                    std::size_t before, std::uint64_t seed,
                                                    const base::RunContext& ctx,
                                                    Points& points) const {
-  // Once with room for what moves between checks, once checked closely: the ends may be closer to
-  // something than the wider margin.
+  // First with additional clearance for motion between checks, then with finer checks: the ends may
+  // be closer to obstacles than the wider margin.
   struct Care {
     collision::Margins margins;
     double checkRad;
@@ -275,7 +276,7 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
   Transfer transfer;
   const bool axesMove = axesOf(scene_.cell, from.q) != axesOf(scene_.cell, to.q);
   if (scene_.cell.rod() || axesMove) {
-    // The arm hardly moves while the part is brought to where the next path begins.
+    // The arm hardly moves while the part is brought to the start of the next path.
     for (std::size_t h = 0; h < std::min(up.size(), down.size()); ++h) {
       ctx.checkpoint();
       const RobotState &high = up[h].back().at, &low = down[h].back().at;
@@ -288,7 +289,7 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
       return transfer;
     }
   }
-  // Straight moves across a turn of more than a quarter circle pass near the part's middle.
+  // With an angle of more than 90 degrees, straight moves would pass near the part's middle.
   if (from.direction().dot(to.direction()) > 0.0)
     for (std::size_t h = 0; h < std::min(up.size(), down.size()); ++h) {
       ctx.checkpoint();
@@ -314,7 +315,7 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
     return lifts(state, outHeights, before);
   };
   std::vector<Points> farUp = outer(from), farDown = outer(to);
-  const Points stay; // where nothing lifts, swing from where it is
+  const Points stay; // if no lift is possible, the joint move starts at the state itself
   if (!farUp.empty() && !farDown.empty()) {
     ctx.checkpoint();
     transfer.points = farUp.back();

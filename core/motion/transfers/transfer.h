@@ -1,4 +1,4 @@
-// Ways between runs that keep clear of everything, the part printed so far included.
+// Transfers between runs that avoid collisions, also with the part printed so far.
 #pragma once
 
 #include "motion/motion_scene.h"
@@ -12,16 +12,16 @@ namespace voluta::motion {
 
 struct TransferPoint {
   RobotState at;
-  plan::MoveKind move = plan::MoveKind::Linear; // how it is reached from the point before
-  // Straight: how far each joint would go there if it went as fast all the way as where it goes
-  // fastest. Empty: evenly.
+  plan::MoveKind move = plan::MoveKind::Linear; // move from the preceding point
+  // For straight moves: displacement of each joint if it moved at its peak speed throughout. Empty:
+  // constant speed.
   robot::JointVector most = {};
 };
 
-// Which kind of way was found, simplest first.
+// Kind of the transfer found, simplest first.
 enum class TransferKind : std::uint8_t { Straight, Arc, Joint, Tree };
 struct Transfer {
-  std::vector<TransferPoint> points; // after `from`, the last one is `to`
+  std::vector<TransferPoint> points; // without `from`; the last one is `to`
   TransferKind kind = TransferKind::Straight;
 };
 
@@ -29,12 +29,12 @@ struct Transfer {
 enum class Lift {
   Hop,   // options.hopLiftMm, then as Usual
   Usual, // options.liftMm and its multiples
-  High   // kHighLiftMm where that can be, else as Usual
+  High   // kHighLiftMm if possible, else as Usual
 };
-// As high as the nozzle should stand where a program may be cut into files.
+// Height of the nozzle at points where a program may be split into files.
 inline constexpr double kHighLiftMm = 10.0;
 
-// A ball that holds what is printed before a waypoint, for ways around it.
+// A ball that contains the material printed before a waypoint, for paths around it.
 struct PrintedBounds {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double radius = 0.0;
@@ -42,28 +42,30 @@ struct PrintedBounds {
 
 class TransferPlanner {
 public:
-  // `effort`: how many times options.treeIterations a search may take.
+  // `effort`: factor for options.treeIterations in searches.
   explicit TransferPlanner(const MotionScene& scene, int effort = 1)
       : scene_(scene), effort_(effort) {}
 
-  // From state to state with everything printed before waypoint `before` in place. Tried in
-  // turn: lift along the nozzle, straight, down (lifts as `lift` says); out of the
-  // surrounding ball and round it on an arc; the same lifts with a joint move between; RRT-Connect
-  // between the lifted stations. Lifting along the nozzle frees a head that is free, since it is
-  // convex along its axis. Where a rod turns or other external axes move, lifts with a joint move
-  // between come first: the arm hardly moves, the part does. Checked at steps of at most 2 mm and 1
-  // degree (linear), half a degree a joint with 3 mm more clearance or a fifth of a degree (joint
-  // moves; external axes' by what the part moves). None: no way was found.
+  // Plans a transfer with everything printed before waypoint `before` in place. Tries in turn: lift
+  // along the nozzle, straight move, lower (heights as given by `lift`); out of the surrounding
+  // ball and around it on an arc; the same lifts with a joint move in between; RRT-Connect between
+  // the lifted stations. Lifting along the nozzle frees a head that is not in collision, since the
+  // head is convex along its axis. If a rod turns or other external axes move, lifts with a joint
+  // move in between come first: the part moves while the arm hardly does. Checks are at most 2 mm
+  // and 1 degree apart (linear moves), half a degree per joint with 3 mm more clearance or a fifth
+  // of a degree (joint moves; external axes by the motion of the part). Returns nullopt if no
+  // transfer was found.
   std::optional<Transfer> plan(const RobotState& from, const RobotState& to, Lift lift,
                                std::size_t before, const PrintedBounds& surround,
                                std::uint64_t seed, const base::RunContext& ctx) const;
 
-  // Along the run's own bead with the extruder off, for `lengthMm` at most: on where it closes and
-  // the tool stands as it did there, else back. As far as that is free with everything printed
-  // before waypoint `before` in place; checked as a straight way is.
+  // Moves along the run's own bead with the extruder off, for at most `lengthMm`: forward where the
+  // bead is closed and the tool has the same orientation there, else backward, as far as that is
+  // free of collisions with everything printed before waypoint `before`; checked like a straight
+  // move.
   std::vector<TransferPoint> wipe(const Run& run, double lengthMm, std::size_t before) const;
 
-  // The same from or to a state that is not at the part (home): joint moves only.
+  // Same from or to a state away from the part (home): joint moves only.
   std::optional<Transfer> approach(const RobotState& home, const RobotState& start,
                                    std::size_t before, const PrintedBounds& surround,
                                    std::uint64_t seed, const base::RunContext& ctx) const;
@@ -75,7 +77,7 @@ private:
   using Points = std::vector<TransferPoint>;
   bool free(const robot::JointVector& q, std::size_t before,
             const collision::Margins& margins) const;
-  // Straight in the work frame from `from`; appends to points.
+  // Moves straight in the work frame from `from`; appends to points.
   bool linear(const RobotState& from, const Eigen::Vector3d& tip, const Eigen::Quaterniond& tool,
               std::size_t before, const collision::Margins& margins, Points& points) const;
   bool jointSegmentFree(const robot::JointVector& a, const robot::JointVector& b,
@@ -89,7 +91,8 @@ private:
                                     const base::RunContext& ctx, Points& points) const;
   void appendJointWay(const std::vector<robot::JointVector>& way, const RobotState& to,
                       Points& points) const;
-  // Lifts along the nozzle, further and further; stations reached, each with the points there.
+  // Lifts along the nozzle to increasing heights; returns the stations reached, each with the
+  // points on the way.
   std::vector<Points> lifts(const RobotState& from, const std::vector<double>& heights,
                             std::size_t before) const;
 

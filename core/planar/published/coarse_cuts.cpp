@@ -21,12 +21,12 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int kTries = 64;
-constexpr double kShiftShare = 0.025; // of the diagonal
+constexpr double kShiftShare = 0.025; // relative to the bounding box's diagonal
 constexpr double kTiltRad = 0.0872664625997165;
 constexpr double kSectionGrows = 1.2;
-constexpr double kAnyFoot = 1e300; // constrainedCut decides what may go of what a piece stands on
+constexpr double kAnyFoot = 1e300; // no limit here: constrainedCut checks the contact area
 
-// The same on every platform, which the standard's distributions are not.
+// Gives the same numbers on every platform, which the standard library's distributions do not.
 double uniform(std::mt19937& random) {
   return static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
 }
@@ -40,7 +40,7 @@ Plane perturbed(const Plane& plane, const Vector3d& middle, double shiftMm, std:
   return {normal, normal.dot(middle) + shiftMm * (2.0 * uniform(random) - 1.0)};
 }
 
-// The piece that has most of the border on its own surface.
+// Returns the piece whose own surface has most of the border.
 std::size_t holderOf(const RegionPlane& at, const std::vector<Piece>& pieces) {
   std::vector<std::size_t> votes(pieces.size(), 0);
   std::vector<geometry::MeshQuery> queries;
@@ -59,14 +59,14 @@ std::size_t holderOf(const RegionPlane& at, const std::vector<Piece>& pieces) {
   return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
-// Nothing where no plane near the border faces up, or has a section that prints on the piece.
+// Returns nullopt if no plane near the border faces up and allows printing on its section.
 std::optional<Plane> bestNear(const RegionPlane& at, const Piece& piece, int top, double shiftMm,
                               const RiskRule& rule, std::mt19937& random) {
   const FaceTable faces = faceTable(piece, rule);
   Vector3d middle = Vector3d::Zero();
   for (const Vector3d& p : at.rim)
     middle += p / static_cast<double>(at.rim.size());
-  double most = std::numeric_limits<double>::infinity(); // of the section
+  double most = std::numeric_limits<double>::infinity(); // largest area of the section
   std::optional<Plane> best;
   double gain = 0.0;
   const auto consider = [&](const Plane& plane) {
@@ -84,11 +84,11 @@ std::optional<Plane> bestNear(const RegionPlane& at, const Piece& piece, int top
   return best;
 }
 
-// Only the solid with the point on its surface is cut off.
+// Cuts off only the solid with this point on its surface.
 std::optional<PieceCut> cutAt(const Piece& piece, const Plane& plane, const Vector3d& beyond,
                               std::int32_t tag, const PlanarOptions& options,
                               const Footing& footing) {
-  constexpr double kMovedMm = 2e-4; // planes are, where they do not close
+  constexpr double kMovedMm = 2e-4; // shift of planes that do not close
   const auto distance = [&](const TaggedMesh& solid) {
     return geometry::MeshQuery(solid.mesh).closest(beyond).distance;
   };

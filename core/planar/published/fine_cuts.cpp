@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kTried = 40; // planes of a piece
+constexpr std::size_t kTried = 40; // planes tried per piece
 
 struct Candidate {
   Plane plane;
@@ -31,7 +31,7 @@ struct Queued {
   std::vector<Candidate> candidates; // best last
 };
 
-// The share of a triangle with corners at heights h, sorted, that lies over the plane at height d.
+// Returns the share of a triangle with sorted corner heights h that is above the plane at height d.
 double shareAbove(const std::array<double, 3>& h, double d) {
   if (d <= h[0])
     return 1.0;
@@ -42,12 +42,12 @@ double shareAbove(const std::array<double, 3>& h, double d) {
   return 1.0 - (d - h[0]) * (d - h[0]) / ((h[2] - h[0]) * (h[1] - h[0]));
 }
 
-// Sums over what lies above each of many parallel planes.
+// Sums of amounts above each of many parallel planes.
 class Above {
 public:
   explicit Above(std::size_t planes) : partly_(planes, 0.0), wholly_(planes + 1, 0.0) {}
 
-  // Of what lies above all planes before `end`.
+  // Adds an amount that is above all planes with an index below `end`.
   void addWhole(std::size_t end, double amount) { wholly_[end] += amount; }
   void addPart(std::size_t plane, double amount) { partly_[plane] += amount; }
 
@@ -65,8 +65,8 @@ private:
   std::vector<double> partly_, wholly_;
 };
 
-// What each plane across the normal takes away, where it keeps to the constraints and the piece
-// keeps `leastStands` of what it stands on.
+// Computes the risky area that each plane perpendicular to the normal removes, for planes that
+// fulfil the constraints and leave `leastStands` of the piece's contact area.
 void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, const RiskRule& rule,
            const FineCutOptions& fine, double leastStands, std::vector<Candidate>& out) {
   const geometry::TriangleMesh& mesh = piece.solid.mesh;
@@ -83,7 +83,7 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
   const auto offsetOf = [&](std::size_t k) {
     return lowest + fine.stepMm * (static_cast<double>(k) + 1.0);
   };
-  // Planes above an offset, as an index.
+  // Returns the index of the first plane above a height.
   const auto firstOver = [&](double h) {
     return std::min(count, static_cast<std::size_t>(
                                std::max(0.0, std::ceil((h - lowest) / fine.stepMm - 1.0))));
@@ -132,7 +132,8 @@ void search(Queued& q, const std::vector<Vector3d>& normals, const PlanarOptions
   std::vector<std::vector<Candidate>> found(normals.size());
   base::parallelChunks(ctx, normals.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (!isRisky(normals[i], q.piece.base.normal, rule)) // else the section itself needs support
+      // otherwise the section itself needs support
+      if (!isRisky(normals[i], q.piece.base.normal, rule))
         weigh(q.piece, faces, normals[i], rule, fine, leastStands, found[i]);
   });
   for (const auto& of : found)
@@ -151,7 +152,7 @@ Queued queued(Piece piece, const RiskRule& rule) {
   return q;
 }
 
-// The cut, where it is worth it.
+// Returns the two sides of the cut, if it is worthwhile.
 std::optional<std::vector<Queued>> halves(const Queued& q, const Plane& plane, std::int32_t tag,
                                           const Wanted& wanted, const PlanarOptions& options,
                                           const FineCutOptions& fine) {
@@ -176,8 +177,8 @@ double riskyOf(const std::vector<Queued>& pieces) {
   return sum;
 }
 
-// All above the plane cut off; where that would leave something in the air, or is not worth it, the
-// one solid above it that is worth most.
+// Cuts off everything above the plane. If that would leave a solid without a base, or is not
+// worthwhile, cuts off the one solid above the plane with the largest gain.
 std::optional<std::vector<Queued>> bestCut(const Queued& q, const Plane& plane, std::int32_t tag,
                                            const PlanarOptions& options,
                                            const FineCutOptions& fine) {

@@ -1,4 +1,4 @@
-// Pieces cut further where that leaves least risky area, one cut at a time.
+// Further greedy cuts of pieces, each minimizing the risky area.
 #pragma once
 
 #include "base/run_context.h"
@@ -12,19 +12,19 @@
 namespace voluta::planar {
 
 struct FineCutOptions {
-  std::size_t pieces = 6; // with most risky area that are looked at for each cut (k)
-  int normals = 100;      // over the upper half sphere
-  double stepMm = 5.0;    // between offsets
-  double leastMm2 = 1.0;  // smaller gains are not worth a cut
+  std::size_t pieces = 6; // pieces with the most risky area that are examined for each cut (k)
+  int normals = 100;      // number over the upper hemisphere
+  double stepMm = 5.0;    // distance between offsets
+  double leastMm2 = 1.0;  // smaller gains do not justify a cut
   Footing footing;        // of the part: see constrainedCut
-  double targetMm2 = 0.0; // risky area of all pieces at which it ends
+  double targetMm2 = 0.0; // stop at this risky area of all pieces
 };
 
-// RoboFDM, phase III, fine decomposition: of all planes that keep to constraints I and II through
-// one of the pieces at the top of the queue, the one that takes most risky area away (eq. 2 of
-// RoboFDM), again and again. All above a plane is cut off, but for splinters of less than
-// options.leastVolumeMm3; where that would leave something in the air, the one solid above it that
-// is worth most. Sections are tagged from `firstTag` on, which grows past them. Throws
+// RoboFDM, phase III, fine decomposition: repeatedly cuts by the plane that removes the most risky
+// area (eq. 2 of RoboFDM), out of all planes through the first pieces of the queue that fulfil
+// constraints I and II. Everything above a plane is cut off except for splinters smaller than
+// options.leastVolumeMm3; if that would leave a solid without a base, only the one solid above it
+// with the largest gain. Sections are tagged from `firstTag` on, which is incremented. Throws
 // Cancelled.
 std::vector<Piece> fineCuts(std::vector<Piece> pieces, const PlanarOptions& options,
                             const FineCutOptions& fine, std::int32_t& firstTag,

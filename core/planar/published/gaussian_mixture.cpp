@@ -11,14 +11,14 @@ namespace voluta::planar {
 
 namespace {
 
-constexpr double kLeastDeviation = 0.01; // of that of all values
+constexpr double kLeastDeviation = 0.01; // relative to the deviation of all values
 
 double logDensity(const Gaussian& g, double x) {
   const double z = (x - g.mean) / g.deviation;
   return -0.5 * z * z - std::log(g.deviation) - 0.5 * std::log(2.0 * base::kPi);
 }
 
-// log of the sum of share x density; each part's log in `logs`.
+// Returns the logarithm of the sum of share x density; the logarithms of the components in `logs`.
 double logSum(const std::vector<Gaussian>& parts, double x, std::vector<double>& logs) {
   logs.resize(parts.size());
   double most = -1e300;
@@ -46,7 +46,7 @@ Gaussian overAll(const std::vector<double>& values, const std::vector<double>& w
   return all;
 }
 
-// Twice the entropy of the shares of all values, weighted.
+// Returns twice the weighted entropy of the shares of all values.
 double twiceEntropy(const GaussianMixture& mixture, const std::vector<double>& values,
                     const std::vector<double>& weights) {
   double sum = 0.0;

@@ -19,9 +19,10 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kOrderSpacingMm = 2.0;
-constexpr double kLeastGain = 0.0005; // of the risky area before, for a cut
+constexpr double kLeastGain = 0.0005; // minimum gain of a cut, relative to the initial risky area
 
-// Each point half-way to the mean of its neighbours: RoboFDM smooths once before the skeleton.
+// Moves each vertex half-way to the mean of its neighbours: RoboFDM smooths once before computing
+// the skeleton.
 geometry::TriangleMesh smoothed(geometry::TriangleMesh mesh) {
   std::vector<Vector3d> sum(mesh.vertices.size(), Vector3d::Zero());
   std::vector<double> count(mesh.vertices.size(), 0.0);

@@ -12,7 +12,7 @@ namespace voluta::planar {
 
 namespace {
 
-// Of each region the area that lies on the plate.
+// Returns the contact area of each region with the plate.
 std::vector<double> contacts(const geometry::MeshQuery& query, const SurfaceRegions& regions,
                              const Piece& whole, const RiskRule& rule) {
   std::vector<double> out(static_cast<std::size_t>(regions.count), 0.0);
@@ -37,10 +37,11 @@ int rootOf(const geometry::MeshQuery& query, const SurfaceRegions& regions,
   if (!(contact[static_cast<std::size_t>(region)] > 0.0))
     throw base::Error(
         base::ErrorCode::UnusableInput,
-        base::message("the root at {x:.1f}, {y:.1f}, {z:.1f} mm does not stand on the plate"_text,
+        base::message("the root at {x:.1f}, {y:.1f}, {z:.1f} mm is not on the plate"_text,
                       base::number(root->x()), base::number(root->y()), base::number(root->z())),
         "pieceRoot"_name,
-        "pick a place on what stands on the plate, or lay the part on the face to begin with"_text);
+        "pick a point on a piece that touches the plate, or place the part on the face "
+        "to start from"_text);
   return region;
 }
 

@@ -1,4 +1,4 @@
-// In which order the regions of a part are printed.
+// Print order of a part's regions.
 #pragma once
 
 #include "planar/pieces.h"
@@ -11,19 +11,20 @@
 
 namespace voluta::planar {
 
-// RoboFDM, phase II: regions are nodes, stretches of border edges.
+// RoboFDM, phase II: regions are nodes, stretches of borders between them are edges.
 struct PieceGraph {
   int root = 0;
-  std::vector<int> order; // of regions: the root, what stands on the plate, then outwards
-  std::vector<RegionPlane> outwards; // each from the region that comes first, in that order
+  std::vector<int> order; // of regions: the root, those on the plate, then outwards
+  // each plane seen from the region that comes first, in that order
+  std::vector<RegionPlane> outwards;
 };
 
-// The region of least distance to `root` (mm), else the one with most of what `whole`, the part
-// that the regions are of, has on the plate; then breadth first. The plate stays where it is under
-// the part, so the root is printed along z, and the other regions that stand on the plate are
-// printed from it too: they come right after the root. `mesh` is what the regions are of, as fine
-// as `whole` or not. Throws Error{UnusableInput} where the region at `root` does not stand on the
-// plate.
+// Orders regions breadth first. The root is the region nearest to `root` [mm], otherwise the one
+// with the largest contact area with the plate of `whole`, the part that the regions belong to. The
+// plate stays below the part, so that the root is printed along z; the other regions on the plate
+// come right after the root and are printed from the plate too. `mesh` is the mesh that the regions
+// refer to; its resolution may differ from that of `whole`. Throws Error{UnusableInput} if the
+// region at `root` is not on the plate.
 PieceGraph pieceGraph(const geometry::TriangleMesh& mesh, const SurfaceRegions& regions,
                       const std::vector<RegionPlane>& planes, const Piece& whole,
                       const RiskRule& rule, const std::optional<Eigen::Vector3d>& root);

@@ -1,4 +1,4 @@
-// Pieces put together again.
+// Merging of pieces.
 #pragma once
 
 #include "planar/pieces.h"
@@ -7,9 +7,9 @@
 
 namespace voluta::planar {
 
-// `upper` and the piece `lower` that it stands on as one piece on lower's base: the section between
-// them is taken out and its points joined. Nothing where `upper` stands on more than `lower`, lies
-// on others' material besides, or reaches below lower's base.
+// Returns `upper` and the piece `lower` it is printed on as one piece on lower's base; the section
+// between them is removed and its points are joined. Returns nullopt if `upper` is printed on other
+// pieces too, is on other earlier material, or extends below lower's base.
 std::optional<Piece> merged(const Piece& lower, const Piece& upper);
 
 } // namespace voluta::planar

@@ -14,15 +14,17 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kOffShare = 0.01;  // of the diagonal: how far points are set off
-constexpr double kNearShare = 0.05; // of the diagonal: `behind` and `beyond` lie so near
+// relative to the diagonal: displacement of points along the normals
+constexpr double kOffShare = 0.01;
+// relative to the diagonal: `behind` and `beyond` are this close
+constexpr double kNearShare = 0.05;
 constexpr std::size_t kLeastEdges = 3;
 
 struct RimEdge {
   int low = 0, high = 0;
   Vector3d middle, normal;
   double lengthMm = 0.0;
-  Vector3d behind, beyond; // middles of its triangles
+  Vector3d behind, beyond; // centroids of its two triangles
 };
 
 using Rims = std::map<std::pair<int, int>, std::vector<RimEdge>>;
@@ -59,7 +61,7 @@ Rims rimsOf(const geometry::TriangleMesh& mesh, const SurfaceRegions& regions) {
   return out;
 }
 
-// Edges that hang together by their ends.
+// Returns the connected stretches of edges.
 std::vector<std::vector<RimEdge>> stretches(const std::vector<RimEdge>& edges,
                                             std::size_t vertices) {
   geometry::UnionFind sets(vertices);
@@ -75,7 +77,8 @@ std::vector<std::vector<RimEdge>> stretches(const std::vector<RimEdge>& edges,
   return out;
 }
 
-// The region's middle of a triangle furthest to one side, of those near the stretch.
+// Returns the centroid, farthest on one side of the plane, among the region's triangles near the
+// stretch.
 Vector3d furthest(const geometry::TriangleMesh& mesh, const SurfaceRegions& regions, int region,
                   const RegionPlane& at, double side, double nearMm, Vector3d otherwise) {
   double best = side * at.plane.heightOf(otherwise);

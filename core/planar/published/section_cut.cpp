@@ -9,7 +9,7 @@ namespace voluta::planar {
 
 namespace {
 
-// Whether the section that the piece stands on has a side in common with another section.
+// Returns whether the section that the piece is printed on shares an edge with another section.
 bool meetsOther(const Piece& piece) {
   const auto section = [&](std::size_t t) { return piece.solid.tag[t] == piece.baseTag; };
   const auto other = [&](std::size_t t) { return piece.solid.tag[t] != kSkin && !section(t); };

@@ -1,4 +1,4 @@
-// Cuts that keep to RoboFDM's constraints.
+// Cuts that fulfil RoboFDM's constraints.
 #pragma once
 
 #include "planar/decomposition.h"
@@ -10,14 +10,14 @@
 
 namespace voluta::planar {
 
-// The horizon for constraint II (RoboFDM, phase III: all base planes need to face up): least z of
-// a base plane's normal.
+// Minimum z of a base plane's normal for constraint II (RoboFDM, phase III: all base planes need to
+// face up).
 inline constexpr double kFacesUp = 0.0;
 
-// As splitPiece, but nothing where no plane near by can be closed, where a new section would meet
+// As splitPiece, but returns nullopt if no nearby plane can be closed, if a new section would touch
 // an old one (RoboFDM, phase III, constraint I: base cross-sections should not intersect each
-// other), or where what stands on the plate would keep less of `footing`, the part's, than
-// options.keptContact and keptHull.
+// other), or if the remaining contact with the plate would be less than options.keptContact and
+// keptHull of the part's `footing`.
 std::optional<PieceCut> constrainedCut(const Piece& piece, const Plane& plane, std::int32_t tag,
                                        const Wanted& wanted, const PlanarOptions& options,
                                        const Footing& footing);

@@ -1,4 +1,4 @@
-// How thick a solid is at its surface.
+// Local thickness of a solid at its surface.
 #pragma once
 
 #include "base/run_context.h"
@@ -9,8 +9,8 @@
 
 namespace voluta::planar {
 
-// For each triangle the distance from its middle to the nearest point of the skeleton, mm (RoboFDM,
-// phase I, step 2). All zero where there is no skeleton. Throws Cancelled.
+// Returns the distance from each triangle's centroid to the nearest point of the skeleton [mm]
+// (RoboFDM, phase I, step 2). All zero without a skeleton. Throws Cancelled.
 std::vector<double> shapeDiameters(const geometry::TriangleMesh& mesh,
                                    const CurveSkeleton& skeleton, const base::RunContext& ctx);
 

@@ -23,8 +23,8 @@ using MesoEdge = boost::graph_traits<Meso>::edge_descriptor;
 
 } // namespace voluta::planar
 
-// The flow collapses short edges in the order of a set, which would be that of their places in
-// memory, different each time. Numbers of half-edges are the same each time.
+// The flow collapses short edges in the order of a set. By default that would be the order of
+// memory addresses, which differs between runs; the numbers of half-edges do not.
 template <> struct std::less<voluta::planar::MesoEdge> {
   bool operator()(const voluta::planar::MesoEdge& a, const voluta::planar::MesoEdge& b) const {
     return numberOf(a) < numberOf(b);
@@ -40,7 +40,7 @@ namespace voluta::planar {
 
 namespace {
 
-// Splits make half-edges without numbers.
+// Splits create half-edges without numbers.
 void number(const Meso& mesh) {
   std::size_t next = 0;
   for (const auto h : CGAL::make_range(halfedges(mesh)))

@@ -15,9 +15,9 @@ struct CurveSkeleton {
   std::vector<std::array<int, 2>> edges;
 };
 
-// Mean-curvature flow skeleton (Tagliasacchi, Alhashim, Olson, Zhang, Mean Curvature Skeletons,
-// 2012; RoboFDM, phase I, step 1) of each solid of a closed mesh that faces outward. Walls of
-// cavities have none; nor has a mesh that is no manifold. Throws Cancelled.
+// Computes the mean-curvature flow skeleton (Tagliasacchi, Alhashim, Olson, Zhang, Mean Curvature
+// Skeletons, 2012; RoboFDM, phase I, step 1) of each solid of a closed mesh that faces outward.
+// Walls of cavities and non-manifold meshes have none. Throws Cancelled.
 CurveSkeleton curveSkeleton(const geometry::TriangleMesh& mesh, const base::RunContext& ctx);
 
 } // namespace voluta::planar

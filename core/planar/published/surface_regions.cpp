@@ -19,14 +19,14 @@ namespace {
 
 constexpr std::size_t kMostClusters = 8;
 constexpr double kLeastShare = 0.01;  // of the surface, for a region
-constexpr double kSmoothness = 0.3;   // of neighbours that agree, against the diameters
-constexpr double kConvexShare = 0.08; // of a convex edge's angle that counts
+constexpr double kSmoothness = 0.3;   // weight of agreeing neighbours against that of the diameters
+constexpr double kConvexShare = 0.08; // share of a convex edge's angle that counts
 constexpr double kLeastAngle = 1e-3, kLeastLikely = 1e-4;
 
 struct Border {
   std::size_t a = 0, b = 0; // triangles
   double lengthMm = 0.0;
-  double angle = 0.0; // how sharp the edge is, in shares of a half turn; convex ones count less
+  double angle = 0.0; // sharpness of the edge as a share of a half turn; reduced for convex edges
 };
 
 std::vector<Border> bordersOf(const geometry::TriangleMesh& mesh) {
@@ -65,7 +65,7 @@ void hangTogether(const std::vector<Border>& borders, const std::vector<std::siz
   out.count = static_cast<int>(index.size());
 }
 
-// Small regions go, the smallest first, to the neighbour with the longest common border.
+// Merges small regions, smallest first, into the neighbour with the longest common border.
 void absorbSmall(const std::vector<Border>& borders, const std::vector<double>& area, double all,
                  SurfaceRegions& out) {
   const auto count = static_cast<std::size_t>(out.count);

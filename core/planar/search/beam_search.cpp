@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// The face nearest to a point, by its middle.
+// Returns the face whose centroid is nearest to a point.
 int faceAt(const geometry::TriangleMesh& mesh, const Vector3d& p) {
   int best = 0;
   double least = 1e300;
@@ -41,16 +41,16 @@ struct Pieces {
   bool stand = true;
 };
 
-// The steps of a search, done on the part itself; where a plane does not take off what it did in
-// the search, which further steps cut on, it is polished anew. A step that the part's finer shape
-// does not allow is left out, and so are those that build on it.
+// Repeats the steps of a search on the original part. If a plane separates other pieces than in the
+// search, on which later steps depend, it is polished again. A step that the part's finer shape
+// does not allow is skipped, together with the steps that build on it.
 Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const PlanarOptions& options,
                  double leastGainMm2) {
-  std::map<int, Piece> pieces; // by the search's numbers
+  std::map<int, Piece> pieces; // by the numbers of the search
   pieces[0] = part;
   Pieces out;
   std::int32_t tag = 0;
-  int unusedId = -1; // numbers of pieces that the search does not know
+  int unusedId = -1; // ids of pieces that the search does not know
   for (const CutStep& step : steps) {
     const auto at = pieces.find(step.piece);
     if (at == pieces.end())
@@ -61,7 +61,8 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
       const FaceTable faces = faceTable(piece, options.rule);
       PolishOptions polish;
       polish.shiftMm = options.stepMm;
-      // The search has weighed what may go; here only what the finer shape adds may go besides.
+      // The search has already weighed the loss of contact; allow only the additional loss due to
+      // the finer shape.
       const int top = faceAt(piece.solid.mesh, step.topMm);
       const PlaneGain planned = planeGain(piece, faces, options.rule, step.plane, top, 1e300);
       polish.maxContactLossMm2 =
@@ -113,10 +114,10 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
   return out;
 }
 
-constexpr double kAbout = 1.25;            // of the target: a further search is not worth its time
+constexpr double kAbout = 1.25; // times the target: a further search is not worth its time
 constexpr std::size_t kTriedOnThePart = 2; // results of a search
 
-// Pieces in print order and what they are worth.
+// Pieces in print order and their score.
 struct Tried {
   std::vector<Piece> pieces;
   std::size_t blocked = 0;
@@ -140,7 +141,7 @@ Tried judged(std::vector<Piece> pieces, const PlanarOptions& options) {
   return tried;
 }
 
-// Lets go of more of what the part stands on, where not all of it must stay.
+// Allows a larger loss of contact with the plate, if not all of it must stay.
 PlanarOptions relaxed(const PlanarOptions& options) {
   constexpr double kLess = 0.4;
   PlanarOptions less = options;
@@ -149,9 +150,10 @@ PlanarOptions relaxed(const PlanarOptions& options) {
   return less;
 }
 
-// What is searched with, one after the other until the target is about reached: the options; planes
-// that face up only (RoboFDM, constraint II), and less of the foot kept: cuts that face down gain
-// much at first and may leave pieces in the way of what would gain more; and a finer mesh.
+// Returns the options of successive searches, which run until the target is nearly reached: the
+// given options; then planes that face up only (RoboFDM, constraint II) and less contact kept,
+// because cuts that face down gain much at first and may leave pieces that block better cuts; and a
+// finer mesh.
 std::vector<PlanarOptions> searches(const PlanarOptions& options, std::size_t triangles) {
   constexpr double kFiner = 1.75;
   std::vector<PlanarOptions> out{options};
@@ -185,7 +187,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
   double share = 0.0;
   const std::vector<PlanarOptions> steps = searches(options, part.triangles.size());
   Piece coarse;
-  std::size_t coarseTriangles = 0; // asked of it
+  std::size_t coarseTriangles = 0; // its requested number of triangles
   for (const PlanarOptions& step : steps) {
     if (best.good(kAbout * goal))
       break;
@@ -205,7 +207,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
                   asIs ? kHeadMarginMm : kCoarseHeadMarginMm, searching)
             .run();
     out.seconds.search += watch.seconds() - began;
-    // The best that the head can build of the part as it is.
+    // The best result whose pieces the head can build on the original part.
     std::optional<Tried> here;
     for (std::size_t i = 0; i < std::min(found.size(), kTriedOnThePart); ++i) {
       ctx.checkpoint();
@@ -221,7 +223,7 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
     }
     if (!here)
       continue;
-    // What the coarse mesh did not show.
+    // Search again for improvements that the coarse mesh did not show.
     PlanarOptions last = step;
     last.beam = 2;
     const auto again = [&] {

@@ -8,9 +8,9 @@ namespace voluta::planar {
 
 namespace {
 
-constexpr double kLeast = 1e-4; // of the risky area before: what is worth a move
+constexpr double kLeast = 1e-4; // of the initial risky area: minimum gain of a move
 
-// The face that reaches highest along a direction.
+// Returns the face that reaches highest along a direction.
 int highestFace(const geometry::TriangleMesh& mesh, const Eigen::Vector3d& direction) {
   int best = 0;
   double most = -1e300;
@@ -34,7 +34,8 @@ Nodes without(const Nodes& nodes, const Node& a, const Node& b) {
 
 } // namespace
 
-// Pairs of pieces of which the second stands on the first alone, those with the most risk first.
+// Returns pairs of pieces of which the second is based on the first alone, sorted by risky area,
+// largest first.
 std::vector<std::pair<CutSearch::NodePtr, CutSearch::NodePtr>>
 CutSearch::pairsOf(const State& state) {
   std::vector<std::pair<NodePtr, NodePtr>> pairs;
@@ -120,7 +121,7 @@ bool CutSearch::cutAnew(State& state) {
   return false;
 }
 
-// Short of the target risk counts several times: to reach it is what all this is for.
+// Risky area above the target counts several times, as reaching the target has priority.
 bool CutSearch::gains(const State& a, const State& b) const {
   constexpr double kShort = 4.0;
   if (a.blocked != b.blocked)

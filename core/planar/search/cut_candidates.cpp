@@ -65,12 +65,12 @@ std::vector<Vector3d> flatDirections(const geometry::TriangleMesh& mesh, double 
 
 namespace {
 
-// What hangs together above the falling plane.
+// A connected component above the falling plane.
 struct Above {
   double before = 0.0, after = 0.0; // risky area
   double stands = 0.0;
   int top = -1; // its highest face
-  // The best offset since the last that was kept.
+  // The best offset since the last one kept.
   double bestGain = -1.0, bestAfter = 0.0, bestOffset = 0.0;
 };
 
@@ -79,8 +79,8 @@ struct Entry {
   int face;
 };
 
-// Highest first; in steps of 2^-32 of their range, within a step by face (radix sort: there are as
-// many of these as normals). Precondition: in order of faces.
+// Sorts by height, highest first, in steps of 2^-32 of the range, within a step by face (radix
+// sort, as there is a list for every normal). Precondition: sorted by face.
 void sortFalling(std::vector<Entry>& entries) {
   constexpr int kBits = 11;
   constexpr std::size_t kBuckets = 1U << kBits;
@@ -112,7 +112,7 @@ void sortFalling(std::vector<Entry>& entries) {
     entries[i] = from[i].entry;
 }
 
-// A plane of one normal that falls through a piece, face by face.
+// Lowers a plane of one normal through a piece, face by face.
 class Sweep {
 public:
   Sweep(const geometry::TriangleMesh& mesh, const FaceTable& faces, const Vector3d& normal,
@@ -125,7 +125,7 @@ public:
   }
 
   std::vector<CutCandidate> run() {
-    constexpr double kLevel = 1e-6; // mm: corners so near in height are at one offset
+    constexpr double kLevel = 1e-6; // mm: vertices this close in height have the same offset
     double lowest = 1e300;
     const std::vector<Entry> order = fallingFaces(lowest);
     double kept = order.empty() ? 0.0 : order.front().low;
@@ -149,7 +149,7 @@ public:
   }
 
 private:
-  // A face is above a plane when its lowest corner is.
+  // A face is above a plane if its lowest vertex is.
   std::vector<Entry> fallingFaces(double& lowest) const {
     std::vector<Entry> order(faces_.area.size());
     for (std::size_t t = 0; t < order.size(); ++t) {
@@ -164,7 +164,7 @@ private:
     return order;
   }
 
-  // The face is above the plane from now on, and hangs together with its neighbours there.
+  // Adds the face to the region above the plane and joins it with its neighbours there.
   void add(int face) {
     const auto t = static_cast<std::size_t>(face);
     above_[t] = 1;
@@ -187,7 +187,7 @@ private:
     return height_[static_cast<std::size_t>(mesh_.triangles[static_cast<std::size_t>(face)][0])];
   }
 
-  // What was counted of two roots, one of which is the root of both now.
+  // Merges the figures of two roots, one of which is now the root of both.
   void merge(int a, int b) {
     const auto root = static_cast<std::size_t>(sets_.find(a));
     const auto other = static_cast<std::size_t>(root == static_cast<std::size_t>(a) ? b : a);
@@ -244,12 +244,12 @@ private:
   const FaceTable& faces_;
   const CandidateOptions& options_;
   Vector3d normal_;
-  double riskyCosine_; // risky below it
+  double riskyCosine_; // faces with a lower cosine are risky
   std::vector<double> height_;
   geometry::UnionFind sets_;
   std::vector<Above> part_; // per root
   std::vector<std::uint8_t> above_;
-  std::vector<int> fresh_; // roots with a best to keep
+  std::vector<int> fresh_; // roots with a best offset to keep
   std::vector<CutCandidate> found_;
 };
 

@@ -10,12 +10,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kRounds = 4;              // of clearings for a partial result
-constexpr std::size_t kPlanesTried = 3; // for a clearing
-constexpr double kClearMm = 1.0;        // between the plane and what is in the way above it
-constexpr double kCosts = 0.01;         // of the risky area before: what a clearing may cost
+constexpr int kRounds = 4;              // of clearings per partial result
+constexpr std::size_t kPlanesTried = 3; // per clearing
+constexpr double kClearMm = 1.0;        // between the plane and the obstacle above it
+constexpr double kCosts = 0.01;         // of the initial risky area: maximum cost of a clearing
 
-// Corners of the section that a piece stands on.
+// Returns the vertices of the section that a piece is based on.
 std::vector<Vector3d> sectionCorners(const Piece& piece) {
   std::vector<Vector3d> out;
   for (std::size_t t = 0; t < piece.solid.tag.size(); ++t)
@@ -25,7 +25,7 @@ std::vector<Vector3d> sectionCorners(const Piece& piece) {
   return out;
 }
 
-// What the faces above the plane gain by its normal as their direction.
+// Returns the risky area that the faces above the plane save when printed along its normal.
 double gainAbove(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
                  const Plane& plane) {
   double gain = 0.0;

@@ -20,19 +20,22 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kPiecesTried = 6, kCutsTried = 24; // of a partial result, of a piece
-constexpr double kAlike = 0.95, kAlikeMm = 5.0;          // normals (cosine) and offsets of cuts
-constexpr double kPieceCost = 0.002;                  // of the risky area before, for a piece more
-constexpr double kLeastGain = 0.0005;                 // of the risky area before, for a cut
-constexpr double kBaseLoss = 0.4, kBaseWeight = 0.02; // of a piece's base: share that may go, price
+constexpr std::size_t kPiecesTried = 6, kCutsTried = 24; // per partial result, per piece
+// Similar cuts: cosine of normals, distance of offsets
+constexpr double kAlike = 0.95, kAlikeMm = 5.0;
+constexpr double kPieceCost = 0.002;  // of the initial risky area, per additional piece
+constexpr double kLeastGain = 0.0005; // of the initial risky area, per cut
+// Of a piece's base: share that may be lost, price
+constexpr double kBaseLoss = 0.4, kBaseWeight = 0.02;
 constexpr double kBlockedCost =
-    0.02;                    // of the risky area before, for a piece the head does not reach
+    0.02;                    // of the initial risky area, per piece that the head does not reach
 constexpr int kCarrier = -1; // in place of a piece's number
 constexpr std::size_t kResults = 4;
-constexpr int kWideLevels = 8; // then the beam is half as wide: what is cut late counts little
+// Beam levels after which the beam is half as wide, since late cuts gain little
+constexpr int kWideLevels = 8;
 constexpr std::size_t kCheckedAtOnce = 16; // candidates
-constexpr std::size_t kBehindTried = 6;    // candidates that something is in the way of
-constexpr std::size_t kTries = 240;        // of cuts at a level
+constexpr std::size_t kBehindTried = 6;    // blocked candidates
+constexpr std::size_t kTries = 240;        // cuts tried per level
 
 } // namespace
 
@@ -83,7 +86,7 @@ CutSearch::NodePtr CutSearch::node(Piece piece) {
   if (!head_.empty()) {
     made->body = surfaceSamples(made->piece.solid.mesh, kReachSpacingMm);
     made->tips = tipsOf(made->body);
-    if (made->piece.baseTag == kPlate) // what carries the plate is asked apart
+    if (made->piece.baseTag == kPlate) // the carrier of the plate is checked separately
       made->plate = plate_ ? plate_ : samplesOfPlate(made->piece);
     made->lowestTip = 1e300;
     for (const Vector3d& p : made->tips)
@@ -112,14 +115,14 @@ double CutSearch::footPrice(const Node& n) const {
   return footing_.contactMm2 > 0.0 ? options_.contactWeight * before_ / footing_.contactMm2 : 0.0;
 }
 
-// Whether the plate under what stays is wide enough for it to stand as it did.
+// Returns whether the remaining foot on the plate is wide enough.
 bool CutSearch::keepsContact(const Node& n, const Plane& plane) const {
   return n.piece.baseTag != kPlate || footingBelow(n.piece, n.faces.stands, plane).hullMm2 >=
                                           options_.keptHull * footing_.hullMm2 - 1e-9;
 }
 
-// Whether the head comes past plate and carrier to lay what lies above the plane: all of that,
-// which may be more than the candidate takes off. What is left of the piece lies below.
+// Returns whether the head clears plate and carrier while printing all that is above the plane,
+// which may be more than the candidate cuts off. The remainder of the piece is below.
 bool CutSearch::wayIsFree(const Node& n, const CutCandidate& c) const {
   if (head_.empty())
     return true;
@@ -141,8 +144,8 @@ bool CutSearch::wayIsFree(const Node& n, const CutCandidate& c) const {
                         c.plane.offsetMm + 2.0 * options_.rule.contactMm);
 }
 
-// Of many candidates the best that are not alike, those first that the head can lay as the piece
-// is.
+// Keeps the best dissimilar candidates; those come first that the head can print with the piece as
+// it is.
 void CutSearch::findCandidates(Node& n) {
   if (n.searched)
     return;
@@ -164,7 +167,7 @@ void CutSearch::findCandidates(Node& n) {
     return std::none_of(among.begin(), among.end(),
                         [&](const CutCandidate& o) { return alike(o, c); });
   };
-  std::vector<CutCandidate> behind; // in whose way something is
+  std::vector<CutCandidate> behind; // blocked by an obstacle
   for (std::size_t at = 0; at < found.size() && n.candidates.size() < kCutsTried;) {
     std::vector<CutCandidate> checked;
     for (; at < found.size() && checked.size() < kCheckedAtOnce; ++at)
@@ -335,7 +338,7 @@ bool CutSearch::carrierInTheWay(const Node& of) const {
                        firstTipMm(of.piece, options_.rule));
 }
 
-// Works out what the states ask of the head and is not known yet.
+// Computes the head checks that the states need and that are not cached yet.
 void CutSearch::askHead(const std::vector<State>& states) {
   struct Way {
     const Node *of = nullptr, *what = nullptr; // nullptr: the carrier
@@ -373,7 +376,8 @@ CutSearch::orderIn(const State& state,
   });
 }
 
-// The first that are not alike: the same cuts in another order give about the same risk.
+// Returns the first dissimilar states: the same cuts in another order give about the same risky
+// area.
 std::vector<CutSearch::State> CutSearch::kept(std::vector<State> states, std::size_t most) const {
   constexpr double kAlikeRisk = 5e-4; // of the risky area before
   std::vector<State> out;
@@ -399,7 +403,7 @@ bool CutSearch::better(const State& a, const State& b) const {
   const double goal = options_.target * before_;
   if ((a.risky <= goal) != (b.risky <= goal))
     return a.risky <= goal;
-  // Short of the goal risk counts first, to half a per cent of what it was.
+  // Above the goal, compare the risky area first, in steps of half a per cent of the initial one.
   const auto step = [&](const State& s) { return std::floor(s.risky / (0.005 * before_)); };
   if (a.risky > goal && step(a) != step(b))
     return step(a) < step(b);

@@ -1,4 +1,5 @@
-// Several partial results side by side, each a set of pieces, cut further where it pays most.
+// Beam search over partial results: each is a set of pieces, which are cut further where it gains
+// most.
 #pragma once
 
 #include "base/run_context.h"
@@ -21,15 +22,16 @@ namespace voluta::planar {
 
 inline constexpr std::int32_t kTagsPerCut = 1000;
 
-// A cut of the search: which piece, and which pieces came of it, by numbers of the search's own.
+// A cut of the search: the cut piece and the resulting pieces, by the search's own numbers.
 struct CutStep {
   int piece = 0;
   Plane plane;
-  Eigen::Vector3d topMm = Eigen::Vector3d::Zero(); // of what is cut off, on its surface
+  Eigen::Vector3d topMm = Eigen::Vector3d::Zero(); // on the surface of the part cut off
   int below = 0;
   std::vector<int> above;
-  std::vector<Eigen::Vector3d> sectionMiddles; // of each above
-  bool clears = false; // gains nothing itself: what is cut off is printed after what it would hide
+  std::vector<Eigen::Vector3d> sectionMiddles; // of each piece above
+  // A clearing: gains nothing itself, but the part cut off is printed after the piece it would hide
+  bool clears = false;
 };
 
 struct SearchResult {
@@ -40,21 +42,21 @@ struct SearchResult {
 
 class CutSearch {
 public:
-  // Starts from `pieces`, numbered 0 and up. `riskyBeforeMm2` and `footing` are the whole
-  // part's: what shares of it are counted by, and what of it must stay on the plate. The head is
-  // taken headMarginMm wider.
+  // Starts from `pieces`, numbered from 0. `riskyBeforeMm2` and `footing` are the whole part's;
+  // shares refer to them, and the required contact with the plate follows from them. The head is
+  // enlarged by headMarginMm.
   CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, double riskyBeforeMm2,
             const Footing& footing, double headMarginMm, const base::RunContext& ctx);
   ~CutSearch();
 
-  // The best results found, best first: those that reach the target with the fewest pieces, else
-  // those with the least risky area. At least one (the start, where no cut helps). Throws
+  // Returns the best results, best first: those that reach the target with the fewest pieces, else
+  // those with the smallest risky area. At least one (the start, if no cut helps). Throws
   // Cancelled.
   std::vector<SearchResult> run();
 
-  // The pieces bettered as they are: planes between two pieces are moved now that the directions on
-  // both sides are known, and pieces are joined with their neighbours and cut anew, the worst
-  // first, as long as that helps and the target is not reached. Throws Cancelled.
+  // Improves the pieces: moves planes between two pieces, now that the directions on both sides are
+  // known, and joins pieces with their neighbours and cuts them again, worst first, as long as that
+  // helps and the target is not reached. Throws Cancelled.
   SearchResult bettered();
 
 private:
@@ -62,7 +64,7 @@ private:
   struct Cutting;
   struct State;
   using NodePtr = std::shared_ptr<Node>;
-  struct Option { // to cut a piece of a partial result
+  struct Option { // a possible cut of a piece of a partial result
     const State* state = nullptr;
     NodePtr node;
     std::size_t candidate = 0;
@@ -72,11 +74,11 @@ private:
   std::shared_ptr<const PointBlocks> samplesOfPlate(const Piece& piece) const;
   NodePtr node(Piece piece);
   double maxContactLoss(const Node& node) const;
-  double footPrice(const Node& node) const; // risky area that a mm2 of contact is worth
+  double footPrice(const Node& node) const; // risky area that a mm² of contact is worth
   bool keepsContact(const Node& node, const Plane& plane) const;
   bool wayIsFree(const Node& node, const CutCandidate& candidate) const;
   void findCandidates(Node& node);
-  // Of pieces numbered firstId and up.
+  // Considers the pieces numbered firstId and up.
   std::vector<Option> optionsOf(const std::vector<State>& beam, int firstId);
   void tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end);
   State after(const Option& option);
@@ -85,9 +87,10 @@ private:
   bool carrierInTheWay(const Node& of) const;
   void askHead(const std::vector<State>& states);
   PieceOrder orderKnown(const State& state) const;
-  // Where pieces are in others' way: these are cut too, so that the head reaches all but so many.
+  // Cuts pieces that block others, until the head reaches all but mostBlocked pieces. Returns
+  // whether that succeeds.
   bool clearWays(State& state, std::size_t mostBlocked);
-  // A cut of `what` that leaves nothing of it in the way of `of`; none: nullptr.
+  // Returns a cut of `what` that leaves nothing of it in the way of `of`; nullptr if there is none.
   std::shared_ptr<Cutting> clearing(const Node& of, Node& what);
   static PieceOrder orderIn(const State& state,
                             const std::function<bool(const Node& of, const Node& what)>& blocked);
@@ -96,10 +99,10 @@ private:
   void weigh(State& state);
   void weighHead(std::vector<State>& states);
   void weighHead(State& state);
-  // Both; where pieces are hidden from the head, so many fewer as can be cleared.
+  // Does both; if pieces are hidden from the head, clears as many as possible.
   void weighStart(State& state);
-  // Beam search of that width over the pieces numbered firstId and up; so many cuts are tried at a
-  // level.
+  // Beam search of this width over the pieces numbered firstId and up, with at most `tries` cuts
+  // per level.
   std::vector<State> bestFrom(State start, std::size_t width, std::size_t tries, int firstId);
   static SearchResult resultOf(const State& state);
   std::vector<std::pair<NodePtr, NodePtr>> pairsOf(const State& state);
@@ -112,15 +115,15 @@ private:
   HeadReach head_;
   std::vector<Eigen::Vector3d> normals_;
   std::vector<NodePtr> start_;
-  std::vector<Eigen::Vector3d> carrier_; // points of what carries the plate
-  // Of the plate; null: it is made for the piece that stands on it.
+  std::vector<Eigen::Vector3d> carrier_; // points on the carrier of the plate
+  // Samples of the plate; null: made for the piece on it.
   std::shared_ptr<const PointBlocks> plate_;
   double before_ = 0.0, least_ = 0.0;
   Footing footing_;
   int ids_ = 0;
   std::int32_t tags_ = 0;
-  std::map<std::pair<int, int>, bool> ways_; // known answers of inTheWay; second -1: of the carrier
-  std::map<std::pair<int, int>, std::shared_ptr<Cutting>> clearings_; // tried: of, what
+  std::map<std::pair<int, int>, bool> ways_; // cached results of inTheWay; second -1: the carrier
+  std::map<std::pair<int, int>, std::shared_ptr<Cutting>> clearings_; // tried clearings: of, what
   std::set<std::pair<int, int>> moved_, anew_; // pairs of pieces tried before, lower and upper
 };
 

@@ -1,4 +1,4 @@
-// What CutSearch keeps of pieces, cuts and partial results.
+// Internal data of CutSearch: pieces, cuts and partial results.
 #pragma once
 
 #include "planar/search/cut_search.h"
@@ -12,13 +12,13 @@ struct CutSearch::Node {
   Piece piece;
   double risky = 0.0, base = 0.0, volume = 0.0, footCost = 0.0;
   int id = -1;
-  std::vector<std::int32_t> holds; // tags of sections that others stand on
+  std::vector<std::int32_t> holds; // tags of sections that other pieces are based on
   std::vector<Eigen::Vector3d> tips, body;
-  // Of the plate where it stands on that; large, and mostly the same one.
+  // Samples of the plate for a piece on the plate; large and mostly shared.
   std::shared_ptr<const PointBlocks> plate;
   Eigen::AlignedBox3d box;            // of body and plate
   double lowestTip = 0.0;             // along its base's normal
-  std::vector<Eigen::Vector3d> under; // of the body what is not over z = 0
+  std::vector<Eigen::Vector3d> under; // points of the body with z <= 0
   Obstacles obstacles() const {
     Obstacles all{body};
     if (plate)

@@ -23,7 +23,7 @@ PlaneGain planeGain(const Piece& piece, const FaceTable& faces, const RiskRule& 
   };
   if (!reaches(static_cast<std::size_t>(top)))
     return out;
-  const double riskyCosine = -std::sin(rule.overhangRad); // risky below this cosine
+  const double riskyCosine = -std::sin(rule.overhangRad); // faces with a lower cosine are risky
   std::vector<std::uint8_t> seen(faces.area.size(), 0);
   std::vector<int> todo{top};
   seen[static_cast<std::size_t>(top)] = 1;
@@ -32,7 +32,7 @@ PlaneGain planeGain(const Piece& piece, const FaceTable& faces, const RiskRule& 
   while (!todo.empty()) {
     const auto t = static_cast<std::size_t>(todo.back());
     todo.pop_back();
-    // The share of the face above the plane, and its side of the section.
+    // Compute the share of the face above the plane, and its edge of the section.
     int ups = 0;
     for (std::size_t k = 0; k < 3; ++k)
       ups += heightAt(t, k) > kOn;
@@ -82,7 +82,7 @@ Plane polished(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
                ? w.gainMm2 - options.sectionWeight * w.sectionMm2 - options.footPrice * w.footMm2
                : -1e300;
   };
-  // Tilts turn the plane about the middle of the piece's part of it, not about the far origin.
+  // Tilt about a point of the piece near the plane, not about the distant origin.
   const Vector3d& pivot = piece.solid.mesh.corner(static_cast<std::size_t>(top), 0);
   Plane best = plane;
   double most = gainOf(best);

@@ -1,4 +1,4 @@
-// A cutting plane moved and tilted a little, so that it gains more.
+// Small moves and tilts of a cutting plane that increase its gain.
 #pragma once
 
 #include "planar/face_table.h"
@@ -9,23 +9,23 @@ namespace voluta::planar {
 struct PolishOptions {
   double tiltRad = 0.0872664625997165; // RoboFDM, phase III: 5 degrees
   double shiftMm = 2.0;                // RoboFDM: 2.5 % of the diagonal
-  double maxContactLossMm2 = 0.0;      // as CandidateOptions
+  double maxContactLossMm2 = 0.0;      // as in CandidateOptions
   double footPrice = 0.0;
-  double sectionWeight = 0.004; // risky area that a mm2 of section is worth
-  int rounds = 4;               // of the pattern search, each half as wide as the last
+  double sectionWeight = 0.004; // risky area that a mm² of section is worth
+  int rounds = 4;               // of the pattern search; each halves the step
 };
 
 struct PlaneGain {
-  double gainMm2 = 0.0, sectionMm2 = 0.0, footMm2 = 0.0; // foot: what goes of what it stands on
-  bool allowed = false; // no more of what the piece stands on goes than may
+  double gainMm2 = 0.0, sectionMm2 = 0.0, footMm2 = 0.0; // foot: the contact area that is cut off
+  bool allowed = false; // true: the lost contact area is within the limit
 };
 
-// What the cut gains, faces counted as far as they lie above the plane: of what hangs together
-// above it with face `top`.
+// Returns the gain of cutting off the connected part above the plane that contains face `top`.
+// Faces across the plane count by their share above it.
 PlaneGain planeGain(const Piece& piece, const FaceTable& faces, const RiskRule& rule,
                     const Plane& plane, int top, double maxContactLossMm2);
 
-// The best of planes near `plane` (pattern search over two tilts and the offset).
+// Returns the best plane near `plane` (pattern search over two tilts and the offset).
 Plane polished(const Piece& piece, const FaceTable& faces, const RiskRule& rule, const Plane& plane,
                int top, const PolishOptions& options);
 

@@ -10,14 +10,15 @@ namespace voluta::planar {
 
 namespace {
 
-constexpr double kFlat = 0.999;      // cosine: about 2.5 degrees
-constexpr double kSameMm = 1e-3;     // heights that are one
-constexpr double kRounding = 1e-9;   // of heights and numbers of layers
-constexpr double kStretched = 1.25;  // share of its height to which a last layer may be stretched
-constexpr double kShelfMm = 0.03;    // heights of one flat face
-constexpr double kShelfShare = 0.02; // of the piece's volume^(2/3), for a flat face to count
+constexpr double kFlat = 0.999;     // cosine: about 2.5 degrees
+constexpr double kSameMm = 1e-3;    // heights closer than this are equal
+constexpr double kRounding = 1e-9;  // of heights and numbers of layers
+constexpr double kStretched = 1.25; // factor by which a last layer may be stretched
+constexpr double kShelfMm = 0.03;   // maximum height difference within a flat face
+// Minimum area of a flat face, as a share of the piece's volume^(2/3)
+constexpr double kShelfShare = 0.02;
 
-// A facet as slicing sees it: between which heights, how steep.
+// A facet's height range and steepness.
 struct Slope {
   double low, high, cosine; // |n . d|
   double areaMm2;
@@ -48,8 +49,8 @@ double topOf(const Piece& piece) {
   return top;
 }
 
-// Heights, rising, of the flat faces that count and that layers can all end on; the top is one of
-// them where it is flat.
+// Returns the heights, ascending, of the relevant flat faces that layers can all end on; includes
+// the top if it is flat.
 std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
   struct Face {
     double height, areaMm2;
@@ -68,7 +69,7 @@ std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
       area += faces[to].areaMm2;
     if (area <= counts)
       continue;
-    // Fillets at its rim do not move a shelf: the median.
+    // Use the median, so that fillets at its rim do not move a shelf.
     std::size_t middle = from;
     for (double below = faces[from].areaMm2; below < 0.5 * area; below += faces[middle].areaMm2)
       ++middle;
@@ -89,7 +90,7 @@ std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
   return chosen;
 }
 
-// Boundaries of `count` layers of one height between two heights, the first left out.
+// Appends the boundaries of `count` equal layers from the last boundary up to `to`.
 void appendEven(std::vector<double>& bounds, double to, int count) {
   const double from = bounds.back();
   for (int k = 1; k < count; ++k)
@@ -97,8 +98,8 @@ void appendEven(std::vector<double>& bounds, double to, int count) {
   bounds.push_back(to);
 }
 
-// The number of layers of one height as near to the wanted one as the limits allow; where none
-// does, the fewest that are not too high.
+// Returns the number of equal layers whose height is nearest to the wanted one within the limits;
+// if none is within them, the smallest number that does not exceed the maximum height.
 int evenCount(double height, const HeightOptions& o) {
   const int count = std::max(1, static_cast<int>(std::lround(height / o.wantedMm)));
   const int most = std::max(1, static_cast<int>(std::floor(height / o.minMm + kRounding)));
@@ -106,14 +107,15 @@ int evenCount(double height, const HeightOptions& o) {
   return std::max(least, std::min(count, most));
 }
 
-// The height of the layer from `z` on, where nothing but the surface matters.
+// Returns the height of the layer above `z` that the surface alone requires.
 double adaptiveHeight(const std::vector<Slope>& slopes, double z, const HeightOptions& o) {
   double height = o.maxMm;
   for (const Slope& s : slopes) {
     if (s.low >= z + height + o.minMm)
       break;
     if (s.cosine > kFlat) {
-      // Two layers share the way to a flat place where one would leave too little for the next.
+      // Split the distance to a flat face into two layers if one would leave too little for the
+      // next.
       const double remaining = s.high - z;
       if (remaining > kSameMm && remaining < height + o.minMm - kSameMm)
         height = std::max(o.minMm, remaining <= height + kSameMm ? remaining : 0.5 * remaining);
@@ -124,7 +126,7 @@ double adaptiveHeight(const std::vector<Slope>& slopes, double z, const HeightOp
     if (s.high <= z + kSameMm)
       continue;
     const double allowed = s.cosine * o.maxMm > o.cuspMm ? o.cuspMm / s.cosine : o.maxMm;
-    // Up to where the facet begins it does not matter.
+    // Below its lowest point the facet does not limit the layer.
     height = std::min(height, std::max({o.minMm, allowed, s.low - z}));
   }
   return height;

@@ -15,11 +15,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kClear = 0.6; // of the spacing, between inner points and the boundary's
+// Of the spacing: minimum distance of inner points from the boundary's
+constexpr double kClear = 0.6;
 
 using base::at;
 
-// The least index of a point at the same place, for each.
+// Returns for each point the smallest index of a point at the same place.
 std::vector<int> firstAtPlace(const std::vector<Vector2d>& points) {
   std::vector<int> order(points.size()), first(points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -34,7 +35,7 @@ std::vector<int> firstAtPlace(const std::vector<Vector2d>& points) {
   return first;
 }
 
-// The edges by the least index at each place, without those of no length.
+// Replaces the edges' ends by the smallest index at each place and drops edges of zero length.
 std::vector<std::array<int, 2>> byPlace(const std::vector<Vector2d>& points,
                                         const std::vector<std::array<int, 2>>& edges) {
   const std::vector<int> first = firstAtPlace(points);
@@ -45,7 +46,7 @@ std::vector<std::array<int, 2>> byPlace(const std::vector<Vector2d>& points,
   return out;
 }
 
-// Points taken, to be asked for a free place.
+// Occupied points, for finding free places.
 class Places {
 public:
   explicit Places(double clear) : clear_(clear) {}
@@ -73,8 +74,8 @@ private:
   std::unordered_map<std::uint64_t, std::vector<Vector2d>> cells_;
 };
 
-// Points of a triangular grid inside, row by row: between the first and the second crossing of a
-// row with the edges, the third and the fourth and so on.
+// Adds inner points of a triangular grid, row by row: between the first and the second crossing of
+// a row with the edges, the third and the fourth and so on.
 void addInside(RegionMesh& mesh, const std::vector<std::array<int, 2>>& edges, double spacing) {
   Places occupied(kClear * spacing);
   double low = 1e300, high = -1e300;

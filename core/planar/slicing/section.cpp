@@ -68,7 +68,7 @@ Section Sections::at(double offsetMm) const {
     const double h = height_[base::at(v)] - offsetMm;
     return std::abs(h) <= onPlane_ ? 0.0 : h;
   };
-  std::unordered_map<std::uint64_t, int> known; // points by the edge, or twice the vertex
+  std::unordered_map<std::uint64_t, int> known; // points by their edge, or by twice the vertex
   const auto pointOf = [&](int a, int b) {
     if (a > b)
       std::swap(a, b);

@@ -52,7 +52,7 @@ Section sectionOf(const Paths& paths, const Plane& plane, const PlaneFrame& fram
 
 Section filledByWinding(const Section& section) {
   const PlaneFrame frame = frameOf(section.plane.normal);
-  // Simple: no point twice, so that nothing touches itself in what comes of it.
+  // Strictly simple: no point occurs twice, so that the resulting section does not touch itself.
   ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
   clipper.AddPaths(loopsOf(section, frame), ClipperLib::ptSubject, true);
   Paths out;

@@ -1,4 +1,4 @@
-// Sections as the polygons of Clipper, and back.
+// Conversion between sections and Clipper polygons.
 #pragma once
 
 #include "planar/plane.h"
@@ -8,18 +8,18 @@
 
 namespace voluta::planar {
 
-inline constexpr double kPathUnits = 1e4; // of the polygons' integers, a mm
-inline constexpr double kCleanMm = 0.02;  // details that polygons may lose at each step
+inline constexpr double kPathUnits = 1e4; // polygon integers per mm
+inline constexpr double kCleanMm = 0.02;  // size of details that polygons may lose at each step
 
-// Without details and what has no area.
+// Returns the paths without small details and without paths of no area.
 ClipperLib::Paths cleaned(ClipperLib::Paths paths);
 
-// The loops of a section in a frame of its plane, as they run.
+// Returns the loops of a section in a frame of its plane, with their orientation.
 ClipperLib::Paths loopsOf(const Section& section, const PlaneFrame& frame);
 Section sectionOf(const ClipperLib::Paths& paths, const Plane& plane, const PlaneFrame& frame);
 
-// A section whose edges cross each other, by its winding, as slicers fill it: what loops go round
-// is inside however often they do. Its edges cross nowhere.
+// Fills a section with crossing edges by its winding, as slicers do: points enclosed any number of
+// times are inside. The returned section has no crossing edges.
 Section filledByWinding(const Section& section);
 
 } // namespace voluta::planar

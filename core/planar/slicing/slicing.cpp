@@ -31,7 +31,8 @@ namespace {
 
 using base::at;
 
-// Odd is inside to the region, and so it is to the section, unless loops lie over each other.
+// Returns whether the even-odd triangulation has the section's area, which it does not if loops
+// overlap.
 bool fills(const RegionMesh& region, const Section& section) {
   double area = 0.0;
   for (const auto& t : region.triangles) {
@@ -82,14 +83,14 @@ double volumeOf(const Patch& patch) {
   return sum;
 }
 
-// One layer to be made.
+// A layer to create.
 struct Level {
   std::size_t piece;
-  double low, high; // over the piece's base
+  double low, high; // above the piece's base
   int number;       // over all pieces
 };
 
-// The columns of every piece, a patch or more a level.
+// Adds the support columns of every piece, one or more patches per level.
 void addColumns(SliceResult& result, const std::vector<Piece>& pieces,
                 const std::vector<std::vector<double>>& bounds, const SliceOptions& options,
                 const base::RunContext& ctx) {

@@ -17,14 +17,15 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kArcMm = 0.05;         // of round corners
-constexpr double kSliverMm = 0.1;       // half the width of what is none
-constexpr double kNarrowest = 0.25;     // of a bead: what reaches out by less hangs on by itself
-constexpr double kNarrowestLaid = 0.5;  // of a bead: what is narrower stays empty
+constexpr double kSliverMm = 0.1;       // half of the minimum width
+constexpr double kNarrowest = 0.25;     // of a bead: smaller overhangs need no column
+constexpr double kNarrowestLaid = 0.5;  // of a bead: narrower areas stay empty
 constexpr double kNarrowColumn = 0.9;   // of a bead
-constexpr double kNarrowFooting = 0.45; // of a bead: its middle is carried
-constexpr double kTaper = 0.5;      // of what a layer may reach out: a bead's middle stays carried
-constexpr double kTrunk = 4.0;      // beads: columns don't get thinner than that downwards
-constexpr double kUnderBase = 0.25; // of the first layer: how deep under a base it is asked for
+constexpr double kNarrowFooting = 0.45; // of a bead: its middle is supported
+constexpr double kTaper = 0.5; // of a layer's permitted overhang: a bead's middle stays supported
+constexpr double kTrunk = 4.0; // beads: minimum width to which columns taper downwards
+// Of the first layer: depth below a base at which its support is checked
+constexpr double kUnderBase = 0.25;
 
 Paths pathsOf(const Section& section, const PlaneFrame& frame) {
   Paths loops = loopsOf(section, frame);
@@ -59,7 +60,7 @@ Paths grown(const Paths& a, double byMm, ClipperLib::JoinType corners = ClipperL
   offset.Execute(out, byMm * kPathUnits);
   return cleaned(std::move(out));
 }
-// Less what is narrower than twice `byMm`.
+// Removes areas narrower than twice `byMm`.
 Paths opened(const Paths& a, double byMm) {
   return grown(grown(a, -byMm), byMm);
 }
@@ -71,7 +72,7 @@ double areaMm2(const Paths& paths) {
   return sum / (kPathUnits * kPathUnits);
 }
 
-// Outlines with their holes, each by itself.
+// Returns each outline with its holes.
 std::vector<Paths> components(const Paths& paths) {
   ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
   clipper.AddPaths(paths, ClipperLib::ptSubject, true);
@@ -89,19 +90,20 @@ std::vector<Paths> components(const Paths& paths) {
   return out;
 }
 
-// Narrower by `byMm` all round where at least a trunk is left; what is thinner, but is laid, stays,
-// whatever it hangs on to.
+// Shrinks by `byMm` where at least a trunk is left. Printable thinner areas stay, wherever they are
+// attached.
 Paths tapered(const Paths& a, double byMm, double beadWidthMm) {
   if (a.empty() || byMm <= 0.0)
     return a;
   const double half = byMm + 0.5 * kTrunk * beadWidthMm;
   const Paths wide = shared(a, grown(grown(a, -half), half, ClipperLib::jtMiter));
   const Paths thin = opened(without(a, wide), 0.5 * kNarrowestLaid * beadWidthMm);
-  return united(grown(wide, -byMm), shared(a, grown(thin, byMm + kSliverMm))); // that they meet
+  // The overlap joins both
+  return united(grown(wide, -byMm), shared(a, grown(thin, byMm + kSliverMm)));
 }
 
-// Without components that are narrower than twice `byMm` all over. Others keep their shape:
-// rounding corners at every level would eat a column up.
+// Removes components that are narrower than twice `byMm` everywhere. Others keep their shape:
+// rounding corners at every level would consume a column.
 Paths wideEnough(const Paths& a, double byMm) {
   Paths out;
   for (const Paths& one : components(a))
@@ -110,8 +112,8 @@ Paths wideEnough(const Paths& a, double byMm) {
   return out;
 }
 
-// Without what is no layer: it is too small for a bead (layers::makePatches), or too narrow for one
-// there, and carries nothing.
+// Removes areas that cannot be printed and therefore carry nothing: components too small for a bead
+// (layers::makePatches) and areas too narrow for one.
 Paths laid(const Paths& a, double beadWidthMm) {
   const double quarter = 0.5 * kNarrowestLaid * beadWidthMm;
   Paths out;
@@ -121,7 +123,7 @@ Paths laid(const Paths& a, double beadWidthMm) {
   return out;
 }
 
-// With a margin round components that are narrower than twice `byMm` all over.
+// Adds a margin to components that are narrower than twice `byMm` everywhere.
 Paths widened(const Paths& a, double byMm) {
   Paths out;
   for (const Paths& one : components(a))
@@ -129,7 +131,8 @@ Paths widened(const Paths& a, double byMm) {
   return out;
 }
 
-// What walls leave of a column where they come in under it goes round them, as wide as a bead.
+// Where walls cut into a column from below and leave only a narrow rest, replaces it by a strip
+// along the wall, one bead wide.
 Paths besideWalls(const Paths& a, const Paths& walls, double halfBeadMm) {
   Paths wide, more;
   for (const Paths& one : components(a)) {
@@ -196,9 +199,9 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
   SupportColumns out;
   out.sections.resize(n);
   const double half = 0.5 * options.beadWidthMm;
-  // From above: what hangs, and what carries it one level lower.
+  // From the top: overhangs, and the columns that carry them one level lower.
   std::vector<Paths> hanging(n), columns(n),
-      standing(n); // standing: printed before, this piece too
+      standing(n); // standing: printed before, including this piece
   bool any = false;
   for (std::size_t k = n; k-- > 1;) {
     ctx.checkpoint();
@@ -208,7 +211,7 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
       continue;
     standing[k - 1] = united(levels.own(k - 1), levels.earlier(levels.middle(k - 1)));
     hanging[k] = opened(without(hanging[k], grown(standing[k - 1], reach)), kNarrowest * half);
-    // A tip is narrower than the column that carries it.
+    // Widen the heads, because an overhanging tip may be narrower than the column that carries it.
     const Paths heads = widened(shared(grown(hanging[k], half), levels.own(k)), half);
     const Paths carried = united(heads, tapered(columns[k], kTaper * reach, options.beadWidthMm));
     const Paths occupied =
@@ -219,7 +222,7 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
   }
   if (!any)
     return out;
-  // From below: only what stands on something.
+  // From the bottom: keep only columns that are supported.
   Paths below;
   if (pieces[piece].baseTag == kPlate) {
     Path plate;
@@ -242,8 +245,8 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
         out.unheldMm2 += area;
       }
     }
-    // What of a column stands on something, and so much more that half a bead reaches out, from
-    // which it grows. On a steep slope half a bead stands on each step of it, up to the wall.
+    // Keep the supported part of a column plus half a bead around it, from which it grows. On a
+    // steep slope each step carries half a bead, up to the wall.
     Paths kept;
     for (const Paths& column : components(columns[k])) {
       if (!wideEnough(shared(column, below), kNarrowColumn * half).empty()) {

@@ -1,4 +1,4 @@
-// Columns under what pieces leave hanging, section by section.
+// Support columns below the overhangs of pieces, section by section.
 #pragma once
 
 #include "base/run_context.h"
@@ -11,27 +11,29 @@
 namespace voluta::planar {
 
 struct ColumnOptions {
-  double overhangRad = 0.7853981633974483; // how far a layer may reach out without a column
+  double overhangRad = 0.7853981633974483; // maximum overhang of a layer without a column
   double beadWidthMm = 1.2;
-  double gapMm = 0.3;                 // kept to walls beside a column
-  std::vector<Eigen::Vector2d> plate; // convex polygon on z = 0 that columns may stand on
+  double gapMm = 0.3;                 // to walls beside a column
+  std::vector<Eigen::Vector2d> plate; // convex polygon on z = 0 that may carry columns
 };
 
 struct SupportColumns {
-  std::vector<Section> sections; // one a level, at half its height; empty where nothing is carried
-  // What hangs over places where a column would have nothing to stand on.
+  // One per level, at half its height; empty where nothing is carried
+  std::vector<Section> sections;
+  // Overhangs over places where a column would have no base.
   double unheldMm2 = 0.0;
   Eigen::Vector3d unheldAt = Eigen::Vector3d::Zero();
 };
 
-// The columns that carry pieces[piece] where a level reaches out over the one under it by more than
-// overhangRad and a quarter of a bead. They go down to the piece itself, to what is printed before
-// it (pieces before it in the list), or to the plate, and keep out of what is printed later. Wide
-// ones taper downwards, by half of what a layer may reach out, to trunks of four beads, but for
-// their narrow arms; what a wall leaves of one goes on along the wall. On slopes and edges they
-// begin with what stands there, and grow out by half a bead a level. What is narrower than half a
-// bead is not laid and carries nothing. `sections`: of each piece across the normal of this one's
-// base. `bounds`: as layerBounds of this piece gives them. mm. Throws Cancelled.
+// Returns the columns below overhangs of pieces[piece]: places where a level protrudes over the one
+// below by more than overhangRad and a quarter of a bead. Columns extend down to the piece itself,
+// to the pieces before it in the list, or to the plate, and keep clear of pieces printed later.
+// Wide columns, except for narrow arms, taper downwards by half of a layer's permitted overhang to
+// trunks of four beads; where a wall cuts into a column, its rest continues along the wall. On
+// slopes and edges columns start from their supported part and grow by half a bead per level. Areas
+// narrower than half a bead are not printed and carry nothing. `sections`: of each piece,
+// perpendicular to the normal of this one's base. `bounds`: layerBounds() of this piece [mm].
+// Throws Cancelled.
 SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piece,
                               const std::vector<Sections>& sections,
                               const std::vector<double>& bounds, const ColumnOptions& options,

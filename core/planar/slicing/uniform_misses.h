@@ -1,4 +1,4 @@
-// What slicing along one direction cannot print, counted in voxels.
+// The voxels that slicing along one direction cannot print.
 #pragma once
 
 #include "voxel/solid_voxels.h"
@@ -9,9 +9,9 @@
 
 namespace voluta::planar {
 
-// Voxels that uniform slicing misses (Boge 6.3): the layers are the grid's, from the plate upwards;
-// a voxel is printed where it stands on the plate or has a printed AM-stable neighbour in the layer
-// under it (Boge, definition 3: right below or over the edge from there).
+// Voxels that uniform slicing misses (Boge 6.3). The layers are the grid's, from the plate upwards.
+// A voxel is printed if it is on the plate or has a printed AM-stable neighbour in the layer below
+// (Boge, definition 3: directly below or diagonally below across an edge).
 struct UniformMisses {
   std::size_t count = 0;
   std::vector<std::uint8_t> missed; // per cell of the grid

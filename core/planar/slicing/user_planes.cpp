@@ -21,10 +21,11 @@ using Json = nlohmann::json;
 
 namespace {
 
-constexpr double kFlatMm = 0.01;      // corners off their plane
-constexpr double kLeastFacing = 0.1;  // cosine between the normals of layers that lie on each other
-constexpr double kThinnestMm = 0.01;  // nearer layers lie beside each other, or cross
-constexpr double kBeyondShare = 0.01; // of the area, thickness beyond the limits
+constexpr double kFlatMm = 0.01; // maximum distance of corners from their plane
+// Minimum cosine between the normals of layers on top of each other
+constexpr double kLeastFacing = 0.1;
+constexpr double kThinnestMm = 0.01;  // closer layers are side by side, or cross
+constexpr double kBeyondShare = 0.01; // share of the area with thickness outside the limits
 
 [[noreturn]] void unusable(const base::Message& what, const base::Value& where) {
   throw base::Error(base::ErrorCode::UnusableInput, what, where,
@@ -35,16 +36,16 @@ constexpr double kBeyondShare = 0.01; // of the area, thickness beyond the limit
 Vector3d pointOf(const Json& j, const base::Value& where) {
   if (!j.is_array() || j.size() != 3 ||
       !std::all_of(j.begin(), j.end(), [](const Json& x) { return x.is_number(); }))
-    unusable("a point is three numbers"_text, where);
+    unusable("a point needs three numbers"_text, where);
   const Vector3d p(j[0].get<double>(), j[1].get<double>(), j[2].get<double>());
   if (!p.allFinite() || p.cwiseAbs().maxCoeff() > 1e6)
-    unusable("a point that is nowhere near a part"_text, where);
+    unusable("point too far from the origin"_text, where);
   return p;
 }
 
 UserPlane quadrilateral(const Json& corners, const base::Value& where) {
   if (!corners.is_array() || corners.size() != 4)
-    unusable("a quadrilateral has four corners"_text, where);
+    unusable("a quadrilateral needs four corners"_text, where);
   UserPlane out;
   Vector3d middle = Vector3d::Zero();
   for (const Json& c : corners) {
@@ -68,7 +69,7 @@ UserPlane quadrilateral(const Json& corners, const base::Value& where) {
   return out;
 }
 
-// How far inside the side from corner k on, negative outside.
+// Returns the distance inside the side that starts at corner k; negative outside.
 double insideOf(const UserPlane& p, std::size_t k, const Vector3d& point) {
   const Vector3d along = p.corners[(k + 1) % 4] - p.corners[k];
   return p.plane.normal.cross(along).normalized().dot(point - p.corners[k]);
@@ -81,7 +82,7 @@ bool holds(const UserPlane& p, const Vector3d& point) {
   return true;
 }
 
-// Distance along -normal to the nearest of what was laid before.
+// Returns the distance along -normal to the nearest earlier layer.
 std::optional<double> thicknessAt(const Vector3d& p, const std::vector<UserPlane>& planes,
                                   std::size_t layer) {
   const Vector3d& n = planes[layer].plane.normal;
@@ -117,7 +118,7 @@ std::vector<UserPlane> readUserPlanes(const std::string& text, const std::string
     } else if (entry.is_object() && entry.contains("point") && entry.contains("normal")) {
       const Vector3d normal = pointOf(entry["normal"], place);
       if (normal.norm() < 1e-9)
-        unusable("the normal has no direction"_text, place);
+        unusable("the normal has zero length"_text, place);
       const Vector3d unit = normal.normalized();
       const Vector3d point = pointOf(entry["point"], place);
       out.push_back({{unit, unit.dot(point)}, {}, point});
@@ -150,7 +151,7 @@ SliceResult sliceByPlanes(const geometry::TriangleMesh& part, const std::vector<
     }
     s.level = static_cast<int>(i);
     s.thicknessMm.clear();
-    // What has nothing under it is told as beginning in the air.
+    // Points without an earlier layer below are reported as unsupported.
     for (const Vector3d& v : s.surface.vertices)
       s.thicknessMm.push_back(
           std::max(kThinnestMm, thicknessAt(v, planes, i).value_or(options.heights.wantedMm)));

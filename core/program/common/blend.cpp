@@ -20,9 +20,9 @@ double blendRadiusMm(const BlendSegment& in, const BlendSegment& out, double tol
   if (!(shortest > 0.0))
     return 0.0;
   const double a = in.nozzle.norm(), b = out.nozzle.norm();
-  // Of the nozzle's own path; a segment on which it stands still turns nothing.
+  // Measured on the nozzle's path; a segment on which the nozzle does not move makes no angle.
   const double turn = turnRad(in.nozzle, out.nozzle);
-  // What the nozzle moves per mm of TCP path; the larger side bounds the corner that is cut off.
+  // Nozzle travel per mm of TCP path; the larger side bounds the corner that is cut off.
   const double perTcpMm = std::max(a / in.tcpMm, b / out.tcpMm);
   const double deviationPerMm = blendDeviationMm(perTcpMm, turn);
   double radius = kBlendShare * shortest;

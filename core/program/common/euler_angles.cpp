@@ -7,7 +7,7 @@
 namespace voluta::program {
 
 Eigen::Vector3d xyzAngles(const Eigen::Quaterniond& q) {
-  constexpr double kUpright = 1e-9; // cos b below which a and c turn about one axis
+  constexpr double kUpright = 1e-9; // cos b below which a and c rotate about the same axis
   const Eigen::Matrix3d r = q.normalized().toRotationMatrix();
   const double level = std::hypot(r(0, 0), r(1, 0)), b = std::atan2(-r(2, 0), level);
   if (level < kUpright)

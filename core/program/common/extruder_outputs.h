@@ -1,5 +1,5 @@
-// The extruder as controllers with outputs know it: a digital one, on while it runs, and an
-// analogue one, its flow as a share of the process's full flow.
+// An extruder controlled by two outputs: a digital one, on while it runs, and an analogue one with
+// its flow as a share of the process's full flow.
 #pragma once
 
 #include "plan/program.h"
@@ -10,27 +10,27 @@
 
 namespace voluta::program {
 
-// Filament that is drawn back further than this is out of the hot end, mm; what of it may not be
-// back before a bead, mm3.
+// Filament retracted further than this is out of the hot end [mm]; tolerance on the retracted
+// volume that has to be returned before a bead [mm3].
 inline constexpr double kMostDrawnBackMm = 20.0, kDrawnBackLeftMm3 = 0.02;
-// Of an amount that is pushed (drawn, below zero) where so much had been drawn back: what comes
-// out, and what is then drawn back. mm3.
+// For a volume that is pushed (negative: retracted) while drawnMm3 is retracted: returns the volume
+// that comes out and the volume retracted afterwards [mm3].
 std::pair<double, double> pushedOut(double mm3, double drawnMm3);
 
-// A share of the full flow as it is written, in [0, 1]: four significant digits.
+// Share of the full flow as written to programs, in [0, 1]: four significant digits.
 std::string shareText(double share);
 double writtenShare(double share);
 
-// What a writer last said, so that it says only what changes.
+// Output state last written, so that a writer writes changes only.
 class WrittenOutputs {
 public:
   explicit WrittenOutputs(double fullFlowMm3PerS) : full_(fullFlowMm3PerS) {}
 
-  // The extruder is off; the next flow is written whatever it is.
+  // The extruder is off; the next flow is written in any case.
   void off();
-  // The share, 0..1, as it is to be written; nothing where it stands as it is.
+  // Returns the share, 0..1, to be written; nullopt if it is unchanged.
   std::optional<std::string> flow(double mm3PerS);
-  // Whether the digital output is to be written.
+  // Returns whether the digital output has to be written.
   bool turn(bool on);
 
 private:
@@ -39,19 +39,20 @@ private:
   std::string flowText_;
 };
 
-// What a reader has been told.
+// Output state as read so far.
 class ReadOutputs {
 public:
-  // A file begins: nothing is known.
+  // At the beginning of a file nothing is known.
   void begin() { *this = {}; }
   void turn(bool on);
   void flow(double share); // 0..1
-  // Sets what the motion extrudes; false where an output was never set, which counts as off.
+  // Sets the extrusion of the motion. Returns false if an output was never set, which counts as
+  // off.
   bool moveWith(plan::ProgramMotion& motion, double fullFlowMm3PerS);
   bool on() const { return on_.value_or(false); }
-  // What flows now, as a share of the full flow.
+  // Returns the present flow as a share of the full flow.
   double flowShare() const { return on() ? flow_.value_or(0.0) : 0.0; }
-  // Both were set off since the last motion.
+  // Returns whether both were set off since the last motion.
   bool ended() const { return offSaid_ && zeroSaid_; }
 
 private:

@@ -38,7 +38,7 @@ void WordPlaces::material() {
 void WordPlaces::refuse(std::string_view word, std::size_t file, std::size_t line) {
   defects_.add(
       file, line,
-      base::message("'{word}' may not stand here: it changes the machine amid the print"_text,
+      base::message("'{word}' is not allowed here: it changes the machine during the print"_text,
                     word.substr(0, 40)));
 }
 

@@ -1,5 +1,6 @@
-// The words of controllers' languages that are neither motion nor flow, and where each may stand. A
-// word that is not in a dialect's table is refused: nobody knows what it does to a print.
+// Words of controller languages that are neither motion nor flow, and where each of them is
+// allowed. Words that are not in a dialect's table are refused, because their effect on a print is
+// unknown.
 #pragma once
 
 #include "program/common/text.h"
@@ -13,44 +14,44 @@
 
 namespace voluta::program {
 
-// Stretches of a program. Places of a word are a sum of them.
+// Sections of a program, combined as bits.
 enum : std::uint8_t {
   kBeforeMotion = 1,   // before the first motion
-  kBeforeMaterial = 2, // behind it, before anything flows
+  kBeforeMaterial = 2, // after it, before any material flows
   kAmidOff = 4,        // between the first bead and the last motion, the extruder off
   kAmidOn = 8,         // there, the extruder on
-  kAtEnd = 16          // behind the last motion
+  kAtEnd = 16          // after the last motion
 };
-// Changes nothing that is printed.
+// Does not affect the printed part.
 inline constexpr std::uint8_t kAnywhere = 31;
 // Sets the machine up.
 inline constexpr std::uint8_t kSetUp = kBeforeMotion;
-// Something else than arm and extruder, or a wait for the operator.
+// Affects other equipment than arm and extruder, or waits for the operator.
 inline constexpr std::uint8_t kAside = kBeforeMotion | kBeforeMaterial | kAtEnd;
-// Lets the arm come to rest.
+// Stops the arm.
 inline constexpr std::uint8_t kAtRest = kAside | kAmidOff;
 
 struct KnownWord {
-  std::string_view word; // in small letters where the language does not tell letters
+  std::string_view word; // in lower case if the language is not case-sensitive
   std::uint8_t places = 0;
-  std::string_view meaning; // for who reads the table
+  std::string_view meaning; // for readers of the table
 };
 
-// nullptr: not in the table.
+// Returns nullptr if the word is not in the table.
 const KnownWord* findWord(std::span<const KnownWord> table, std::string_view word);
 
-// Tells words that stand where they may not, each at its own line.
+// Reports words at places where they are not allowed, each at its own line.
 class WordPlaces {
 public:
   explicit WordPlaces(Defects& defects) : defects_(defects) {}
 
-  // A word stands here, while the extruder is on or not.
+  // Checks a word at this place; extruderOn: whether the extruder is on.
   void word(std::string_view word, std::uint8_t places, std::size_t file, std::size_t line,
             bool extruderOn);
-  // A part that runs by itself begins: it sets the machine up anew.
+  // Begins a section that runs separately and sets the machine up again.
   void begin() { moved_ = false; }
   void motion();
-  // Something flows, moving or not.
+  // Material flows, moving or not.
   void material();
   bool moved() const { return moved_; }
 
@@ -63,7 +64,7 @@ private:
 
   Defects& defects_;
   bool moved_ = false, laid_ = false;
-  std::vector<Waiting> waiting_; // may stand at the end only, if this is it
+  std::vector<Waiting> waiting_; // allowed at the end only: refused if another motion follows
 };
 
 } // namespace voluta::program

@@ -150,7 +150,7 @@ constexpr std::array kUrscript =
                                      "xor",
                                      "zero_ftsensor"});
 
-// In small letters.
+// In lower case.
 constexpr std::array kRapid = std::to_array<std::string_view>(
     {"abs",         "accset",        "acos",      "activated",
      "actunit",     "add",           "alias",     "and",

@@ -1,5 +1,5 @@
-// Names that a controller's language has for itself: a program that gives one of them to something
-// of its own is not loaded, or calls what it did not mean.
+// Reserved names of the controllers' languages: a program that defines one of them is not loaded,
+// or calls something else than intended.
 #pragma once
 
 #include <string>
@@ -9,25 +9,25 @@ namespace voluta::program {
 
 // Keywords and built-in functions (URScript manual).
 bool isUrscriptWord(std::string_view name);
-// Keywords, instructions, functions, data types and predeclared data, letters of either case
-// (Technical reference manual, RAPID Instructions, Functions and Data types).
+// Keywords, instructions, functions, data types and predeclared data, case-insensitive (Technical
+// reference manual, RAPID Instructions, Functions and Data types).
 bool isRapidWord(std::string_view name);
-// Keywords, instructions and types of KRL, letters of either case (KSS programming manual for
-// system integrators; public grammars).
+// Keywords, instructions and types of KRL, case-insensitive (KSS programming manual for system
+// integrators; public grammars).
 bool isKrlWord(std::string_view name);
-// Keywords, instructions and functions of SPEL+, letters of either case (SPEL+ Language Reference).
+// Keywords, instructions and functions of SPEL+, case-insensitive (SPEL+ Language Reference).
 bool isSpelplusWord(std::string_view name);
 
-// What a program is called after its part: "print_" and 20 characters of the part's name at most.
-// No word of any of these languages begins so.
+// Returns a program name made from the part's: "print_" and at most 20 characters. No reserved word
+// of these languages begins so.
 std::string programName(std::string_view part);
 
-// Likewise for KRL, whose names have 24 characters: 19 at most, so that five are left for a file's
+// The same for KRL, whose names have 24 characters: at most 19, so that five are left for a file
 // number.
 std::string krlName(std::string_view part);
 
-// A name for RAPID that comes from a file: a letter first, 32 characters at most, none of its
-// words.
+// Returns a RAPID name for a name from a file: it starts with a letter, has at most 32 characters
+// and is no reserved word.
 std::string rapidName(std::string_view name);
 
 } // namespace voluta::program

@@ -18,7 +18,7 @@ bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-// A sum's parts, each within brackets no deeper than kMostDepth.
+// Terms of a sum, each within brackets no deeper than kMostDepth.
 struct Sum {
   LineCursor& line;
   const NumberOfName& numberOf;

@@ -1,5 +1,5 @@
-// What stands next in a line, for languages with one statement a line (KRL, SPEL+). Letters of
-// either case mean the same; a comment goes to the line's end.
+// Scanner of a line for languages with one statement per line (KRL, SPEL+). Case-insensitive; a
+// comment extends to the end of the line.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace voluta::program {
 
 struct LineSyntax {
   char comment = ';';
-  char sign = '$'; // may stand in names, as letters do
+  char sign = '$'; // allowed in names like a letter
 };
 
-// `line` without its comment, trimmed. A comment's mark within quotes is none.
+// Returns `line` without its comment, trimmed. A comment mark within quotes does not count.
 std::string_view codeOf(std::string_view line, const LineSyntax& syntax);
 
-// Each take...() gives true and goes on where the next word is of that kind, else it leaves
-// everything as it is. The text must live as long.
+// Each take...() returns true and advances if the next word is of that kind; otherwise it changes
+// nothing. The text must outlive the cursor.
 class LineCursor {
 public:
   LineCursor(std::string_view code, const LineSyntax& syntax) : rest_(code), syntax_(syntax) {}
@@ -26,11 +26,11 @@ public:
   bool ended();
   bool isMark(char c);
   bool takeMark(char c);
-  bool isWord(std::string_view small); // a name, given in small letters
+  bool isWord(std::string_view small); // a name, given in lower case
   bool takeWord(std::string_view small);
-  bool takeName(std::string& small);     // a letter, underscore or sign first
+  bool takeName(std::string& small);     // starts with a letter, underscore or `sign`
   bool takeText(std::string_view& text); // in double quotes
-  bool takeNumber(double& value);        // without a sign before it
+  bool takeNumber(double& value);        // without a preceding sign
   std::string_view rest();
 
 private:
@@ -41,10 +41,11 @@ private:
   LineSyntax syntax_;
 };
 
-// The value of what begins with a name that is no number; the cursor stands behind the name.
+// Evaluates an operand that begins with a name; the cursor is after the name.
 using NumberOfName = std::function<bool(LineCursor&, const std::string& name, double& value)>;
 
-// A sum of products of numbers, names and brackets. false: it is none, or not finite.
+// Takes a sum of products of numbers, names and brackets. Returns false if there is none or its
+// value is not finite.
 bool takeSum(LineCursor& line, const NumberOfName& numberOf, double& value);
 
 } // namespace voluta::program

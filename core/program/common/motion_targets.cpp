@@ -87,7 +87,8 @@ double leadingJointRad(const ProgramInput& input, std::size_t point) {
 }
 
 double rampedSpeed(double rad, double seconds, double radPerS2) {
-  const double most = radPerS2 * seconds; // twice what a motion without an even stretch gets to
+  // twice the maximum speed of a motion without a constant-speed phase
+  const double most = radPerS2 * seconds;
   const double spare = most * most - 4.0 * radPerS2 * rad;
   return spare >= 0.0 ? 0.5 * (most - std::sqrt(spare))
                       : std::min(std::sqrt(radPerS2 * rad), 2.0 * rad / seconds);

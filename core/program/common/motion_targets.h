@@ -1,5 +1,5 @@
-// What every writer needs of a trajectory: where the nozzle and the TCP are at each point, and the
-// time and material of each motion.
+// Data of a trajectory that every writer needs: nozzle and TCP at each point, time and material of
+// each motion.
 #pragma once
 
 #include "base/run_context.h"
@@ -19,45 +19,45 @@ struct MotionTarget {
   Eigen::Vector3d direction;  // from the bead into the nozzle, work frame, unit
 };
 
-// Of an arm, with its external axes, that stands there; by forward kinematics.
+// Computes the target of an arm with its external axes at `q` by forward kinematics.
 MotionTarget targetOf(const robot::Cell& cell, const robot::JointVector& q);
 
-// The preconditions of ProgramInput. Throws Error{Internal}.
+// Checks the preconditions of ProgramInput. Throws Error{Internal}.
 void checkInput(const ProgramInput& input);
 
-// Targets of all points of input.trajectory.
-// Throws Error{Internal} (preconditions of ProgramInput), Cancelled.
+// Returns the targets of all points of input.trajectory. Throws Error{Internal} (preconditions of
+// ProgramInput), Cancelled.
 std::vector<MotionTarget> motionTargets(const ProgramInput& input, const base::RunContext& ctx);
 
-// Makes the targets those of the nozzle in the work frame, which a program has for its work object
-// whether that stands, turns or is held; positions rounded to `decimals` of a mm.
+// Converts the targets to those of the nozzle in the work frame, which is the program's work object
+// whether it is fixed, rotated or held by the arm. Positions are rounded to `decimals` of a mm.
 void placeInWorkFrame(const ProgramInput& input, int decimals, std::vector<MotionTarget>& targets);
 
 // Time and material of the motion that ends at `point`; 0 at point 0.
 double motionSeconds(const plan::Trajectory& trajectory, std::size_t point);
 double motionVolumeMm3(const plan::Trajectory& trajectory, std::size_t point);
-// How far the axis that goes furthest, of the arm and beside it, goes in it, rad; sliding ones by
-// robot::asTurn.
+// Returns the largest joint displacement of the motion to `point`, including external axes [rad];
+// sliding axes are converted by robot::asTurn.
 double leadingJointRad(const ProgramInput& input, std::size_t point);
-// The speed at which a joint motion from rest to rest takes `seconds` (> 0), with ramps of
-// `radPerS2`; the greatest that it gets to, where it takes longer. rad/s.
+// Returns the speed [rad/s] at which a joint motion from rest to rest takes `seconds` (> 0), with
+// ramps of `radPerS2`; the maximum speed that it reaches if it takes longer.
 double rampedSpeed(double rad, double seconds, double radPerS2);
 bool isPrint(const plan::Trajectory& trajectory, std::size_t point);
-// Before the motion to `point` the arm has lifted off its last bead.
+// Returns whether the arm has lifted off its last bead before the motion to `point`.
 bool standsClear(const plan::Trajectory& trajectory, std::size_t point);
 
-// Flow of the prime: a bead of the process's default section at its default speed, at most the
+// Flow of the prime: a bead of the process's default section at its default speed, limited to the
 // extruder's full flow.
 double primeFlowMm3PerS(const process::Process& process);
-// Does the extruder fill the nozzle where the arm stands at its start? Not where a path does.
+// Returns whether the extruder primes with the arm at rest at its start; false if a path primes.
 bool primesStanding(const ProgramInput& input);
 
-// Says, for the comments of a program, which path begins at a point.
+// Names the path that begins at a point, for comments in programs.
 class PathNames {
 public:
   explicit PathNames(const plan::ToolPlan& toolPlan) : toolPlan_(toolPlan) {}
-  // "layer 3, wall, path 12" if a path begins at `waypoint`, else empty. To be asked in print
-  // order.
+  // Returns "layer 3, wall, path 12" if a path begins at `waypoint`, otherwise an empty string.
+  // Call in print order.
   std::string at(std::size_t waypoint);
 
 private:

@@ -38,7 +38,7 @@ bool Procedures::findIn(std::size_t file, const Statement& outside) {
       outside(lines[i].code);
       continue;
     case LinePart::Ends:
-      out_.defect("nothing begins that ends here"_text);
+      out_.defect("end without a matching beginning"_text);
       sound = false;
       continue;
     case LinePart::Begins:
@@ -46,7 +46,7 @@ bool Procedures::findIn(std::size_t file, const Statement& outside) {
     }
     any = true;
     if (name.empty())
-      out_.defect("not the head of a procedure"_text);
+      out_.defect("not a valid procedure header"_text);
     Procedure found{file, i + 1, i + 1};
     const auto partAt = [&](std::size_t k) {
       return words_.part({lines[k].code, words_.syntax}, inner);
@@ -82,7 +82,7 @@ bool Procedures::run(const Statement& statement) {
     if (!cameTo_[f]) {
       out_.file = f;
       out_.line = lines_[f].empty() ? 1 : lines_[f].front().number;
-      out_.defect("nothing of this file is run"_text);
+      out_.defect("no procedure of this file is called"_text);
       all = false;
     }
   out_.file = file;

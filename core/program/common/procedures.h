@@ -1,5 +1,5 @@
-// Programs that are procedures without arguments, a statement a line, over some files (KRL, SPEL+):
-// found, then run in turn from the first one.
+// Programs of procedures without arguments, one statement per line, in several files (KRL, SPEL+):
+// finds the procedures and runs them, starting with the first.
 #pragma once
 
 #include "base/run_context.h"
@@ -16,29 +16,31 @@
 
 namespace voluta::program {
 
-// What a line is to the structure of a program.
+// Structural role of a line in a program.
 enum class LinePart { Begins, Ends, Other };
 
 class Procedures {
 public:
   struct Words {
     LineSyntax syntax;
-    // `name`: of the procedure that it begins, in small letters; empty: not the head of one that is
-    // read.
+    // `name`: returns the name of the procedure that the line begins, in lower case; empty if it is
+    // not a valid procedure header.
     LinePart (*part)(LineCursor line, std::string& name) = nullptr;
   };
-  // Both keep what they are given for as long as they live.
+  // Both arguments must outlive the object.
   Procedures(const Words& words, ProgramBuilder& out, const base::RunContext& ctx)
       : words_(words), out_(out), ctx_(ctx) {}
 
-  // Called with a line of code, none of them empty; out.file and out.line are its place.
+  // Called with each non-empty line of code; out.file and out.line give its place.
   using Statement = std::function<void(std::string_view code)>;
-  // Finds the procedures of all files; `outside` is given each statement that stands in none.
-  // Defects: what begins or ends twice, a file that is empty. false: there was one.
+  // Finds the procedures of all files and passes statements outside of them to `outside`. Adds
+  // defects for unmatched begins or ends and for empty files; returns false if there was one.
   bool find(const std::vector<plan::ProgramFile>& files, const Statement& outside);
-  // Runs the first file's first procedure. false: there is none, or a file was not come to.
+  // Runs the first procedure of the first file. Returns false if there is none, or if a file was
+  // never reached.
   bool run(const Statement& statement);
-  // Within a statement: runs that procedure. false: it is not known, or calls itself (a defect).
+  // To be called from a statement: runs that procedure. Returns false if it is unknown. A recursive
+  // call is a defect.
   bool call(const std::string& name);
   bool contains(const std::string& name) const { return procedures_.contains(name); }
 

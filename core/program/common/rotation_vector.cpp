@@ -25,7 +25,7 @@ Eigen::Vector3d rotationVectorNear(const Eigen::Quaterniond& q, const Eigen::Vec
 
 Eigen::Quaterniond rotationOf(const Eigen::Vector3d& rotationVector) {
   const double angle = rotationVector.norm();
-  // sin(x)/x by its series where the quotient loses digits.
+  // Series of sin(x)/x where the quotient loses digits.
   const double half = angle < 1e-6 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
   Eigen::Quaterniond q;
   q.w() = std::cos(0.5 * angle);

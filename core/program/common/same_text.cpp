@@ -23,7 +23,7 @@ void tellOtherText(std::string_view text, std::string_view expected, std::size_t
       return;
     if (more == wants && withoutEnd(a) == withoutEnd(b))
       continue;
-    out.defect("this line is not as Voluta writes it; it is the same for every job"_text);
+    out.defect("this line differs from the one Voluta writes; it is the same for every job"_text);
     return;
   }
 }

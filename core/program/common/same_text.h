@@ -1,4 +1,5 @@
-// Programs beside one that is judged: the same for every job, or made from that one.
+// Checks companion programs: those that are the same for every job, or derived from the main
+// program.
 #pragma once
 
 #include "base/text.h"
@@ -12,15 +13,15 @@
 
 namespace voluta::program {
 
-// A defect of the file that is read where its first line other than the expected one stands; blanks
-// and ends of lines do not count behind a line. `line`: of the text's first.
+// Adds a defect at the first line of the text that differs from the expected one; trailing blanks
+// and line ends are ignored. `line`: number of the text's first line.
 void tellOtherText(std::string_view text, std::string_view expected, std::size_t line,
                    ProgramBuilder& out);
 
-// What of a line is code, without what a user sets there; empty: a remark.
+// Returns the code of a line without values that the user sets there; empty for a remark.
 using CodeOf = std::function<std::string(std::string_view line)>;
-// A defect, with out.line there, where the text's code is not these steps one after the other:
-// `other` with its place {code}, or `cutShort`.
+// Adds a defect, at out.line, if the text's code is not this sequence of steps: `other` with the
+// placeholder {code}, or `cutShort`.
 struct OtherSteps {
   base::TextWithPlaces<1> other;
   base::Text cutShort;

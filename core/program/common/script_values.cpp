@@ -32,7 +32,7 @@ bool ScriptScanner::number(double& value) {
   return true;
 }
 
-// Of two levels: sums of products of factors.
+// Two levels: sums of products of factors.
 bool ScriptScanner::chain(ScriptValue& value, std::string_view operators) {
   const bool sum = operators == "+-";
   const auto next = [&](ScriptValue& v) { return sum ? chain(v, "*/") : factor(v); };
@@ -133,7 +133,7 @@ bool ScriptScanner::factor(ScriptValue& value) {
   value.kind = ScriptKind::Number;
   if (takeNumber(rest, value.number) || oddNumber(value.number))
     return true;
-  // -name and the like; a sign before a number belongs to it.
+  // Unary sign before a name or bracket; the sign of a number is part of the number.
   const bool minus = take('-');
   if ((!minus && !take('+')) || ++depth_ > kMostDepth || !factor(value) || !isNumber(value))
     return false;

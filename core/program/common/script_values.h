@@ -1,4 +1,4 @@
-// Values of languages whose statements hold numbers, texts, lists of numbers and names: sums,
+// Values in languages whose statements contain numbers, texts, lists of numbers and names: sums,
 // products, variables.
 #pragma once
 
@@ -16,36 +16,36 @@ enum class ScriptKind { None, Number, List, Text };
 
 struct ScriptValue {
   ScriptKind kind = ScriptKind::None;
-  double number = 0.0; // truths are 0 and 1
+  double number = 0.0; // booleans are 0 and 1
   std::vector<double> list;
-  std::vector<double> flags; // behind the list, in languages that have them
+  std::vector<double> flags; // after the list, in languages that have them
   std::string text;
 };
 
-// By their names in small letters.
+// By their names in lower case.
 using ScriptVariables = std::map<std::string, ScriptValue, std::less<>>;
 
-// Each function gives false where the text is no such thing, and may then stand anywhere.
+// Each function returns false if the text does not match; the position is then undefined.
 class ScriptScanner : public TextScanner {
 public:
-  // A list stands between `open` and the bracket that closes it.
+  // A list is enclosed by `open` and its closing bracket.
   ScriptScanner(std::string_view text, const ScriptVariables& variables, char open)
       : TextScanner{text}, variables_(variables), open_(open) {}
   virtual ~ScriptScanner() = default;
 
   bool value(ScriptValue& value);
   bool number(double& value);
-  // Behind the opening bracket: values up to the closing one.
+  // Takes values up to the closing bracket; the opening one is already taken.
   bool arguments(std::vector<ScriptValue>& values);
 
 protected:
-  // What a name stands for; by default a variable.
+  // Evaluates a name; by default a variable.
   virtual bool named(std::string_view name, ScriptValue& value);
-  // What may stand behind a list; by default nothing.
+  // Takes the text that may follow a list; by default none.
   virtual bool behindList(ScriptValue& /*list*/) { return true; }
-  // A number that is no decimal one; by default there is none.
+  // Takes a number that is not decimal; by default there is none.
   virtual bool oddNumber(double& /*value*/) { return false; }
-  // a op b where not both are numbers; by default there is no such thing.
+  // Evaluates a op b if they are not both numbers; by default not allowed.
   virtual bool operate(char op, const ScriptValue& a, const ScriptValue& b, ScriptValue& result);
 
   const ScriptVariables& variables_;

@@ -8,7 +8,7 @@ namespace voluta::program {
 namespace {
 constexpr std::array kSteps = {1.0, 1.2, 1.4, 1.7, 2.0, 2.4, 2.8,
                                3.4, 4.0, 4.8, 5.6, 6.7, 8.0, 10.0};
-constexpr double kSlack = 1e-9; // a step is its own step
+constexpr double kSlack = 1e-9; // a step maps to itself
 } // namespace
 
 double steppedUp(double value) {

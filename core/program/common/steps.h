@@ -1,10 +1,10 @@
-// Figures that need not be exact, on a scale of thirteen steps a decade: a setting that is written
-// where it changes is then written seldom.
+// Rounds values that need not be exact to a scale of thirteen steps per decade, so that a setting
+// that is written on change is written rarely.
 #pragma once
 
 namespace voluta::program {
 
-// The nearest step that is no less, or no more. Precondition: value > 0.
+// Return the nearest step that is not smaller (or not larger). Precondition: value > 0.
 double steppedUp(double value);
 double steppedDown(double value);
 

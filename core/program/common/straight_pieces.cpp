@@ -11,7 +11,7 @@ namespace {
 using Eigen::Isometry3d, Eigen::Quaterniond, Eigen::Vector3d;
 
 constexpr int kMostPieces = 256;
-constexpr double kNextRad = 0.2; // further from one piece to the next is another branch
+constexpr double kNextRad = 0.2; // a larger distance between pieces means another IK branch
 
 class Way {
 public:
@@ -21,7 +21,7 @@ public:
   std::vector<robot::JointVector> inPieces(double mostMm) {
     for (int pieces = 1; pieces <= kMostPieces; pieces *= 2) {
       std::vector<robot::JointVector> way;
-      // A long way in few pieces is as far from one to the next as another branch is.
+      // With few pieces a long way is as far from one to the next as another IK branch would be.
       bool leads = true;
       for (int k = 1; k < pieces && leads; ++k) {
         const auto q = at(static_cast<double>(k) / pieces, way.empty() ? a_ : way.back());

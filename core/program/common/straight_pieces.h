@@ -1,4 +1,4 @@
-// A straight motion in pieces for what moves an arm by its joints only.
+// Divides a straight motion into pieces, for controllers that move an arm by its joints only.
 #pragma once
 
 #include "program/program_input.h"
@@ -8,9 +8,10 @@
 
 namespace voluta::program {
 
-// Where joints at steady speeds would lead the nozzle further than `mostMm` from its straight way
-// on the part to `point` (> 0): the joints at equal shares of it on that way, turned evenly,
-// without its ends. Empty: it is near enough, or the arm cannot go there as it stands.
+// If joints at constant speeds would lead the nozzle further than `mostMm` from its straight path
+// on the part to `point` (> 0), returns the joints at equal shares of that path, with evenly
+// interpolated orientation and without the ends. Empty if the deviation is small enough, or if the
+// arm cannot follow the path in its IK branch.
 std::vector<robot::JointVector> straightPieces(const ProgramInput& input, std::size_t point,
                                                double mostMm);
 

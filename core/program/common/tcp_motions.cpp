@@ -10,11 +10,12 @@
 namespace voluta::program {
 
 namespace {
-// Below these the TCP's path says too little of the motion's time.
+// Below these the TCP's path is too short to define the motion's time.
 constexpr double kLeastTcpMm = 0.05, kLeastTcpShare = 0.1;
 constexpr double kLeastSpeedMmPerS = 0.2;
-// blendRadiusMm takes the nozzle's path on the part as straight near the corner; a plate that turns
-// while it moves bends it, in hard random motions by up to 5 % of the tolerance.
+// blendRadiusMm assumes that the nozzle's path on the part is straight near the corner. A plate
+// that turns while it moves bends that path, in extreme random motions by up to 5 % of the
+// tolerance.
 constexpr double kFirstOrderShare = 0.85;
 } // namespace
 
@@ -44,7 +45,8 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
       const double volume = motionVolumeMm3(in_.trajectory, i);
       s = std::max(s, volume / full);
       const double wanted = s > 0.0 ? volume / s : 0.0;
-      if (extruder.byAxis) { // amounts need no step of a flow
+      // an extruder axis is given amounts, so that its flow need not be stepped
+      if (extruder.byAxis) {
         flow_[i] = wanted;
       } else if (wanted > 0.0) {
         if (std::abs(wanted - held) > kFlowBand * held)
@@ -84,7 +86,7 @@ double TcpMotions::blendMm(std::size_t i) const {
   const BlendSegment out{tcpMm(i + 1), targets_[i + 1].tipMm - targets_[i].tipMm};
   if (turnRad(in.nozzle, out.nozzle) > kTurnsBackRad)
     return 0.0;
-  // Rounded down: it must not grow past what was allowed.
+  // Round down, so that the allowed radius is not exceeded.
   return std::floor(blendRadiusMm(in, out, kFirstOrderShare * kBlendToleranceMm) * 1e3) / 1e3;
 }
 

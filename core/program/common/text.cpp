@@ -27,7 +27,7 @@ void appendFixed(std::string& out, double value, int decimals, bool trim) {
   int count = 0;
   for (; scaled > 0 || count <= decimals; scaled /= 10)
     digits[count++] = static_cast<char>('0' + scaled % 10);
-  int last = 0; // digits below this one are zeros that nobody needs
+  int last = 0; // digits below this one are trailing zeros
   if (trim)
     while (last < decimals && digits[last] == '0')
       ++last;
@@ -134,7 +134,7 @@ void Defects::add(std::size_t file, std::size_t line, base::Message reason) {
   if (list_.size() + 1 < kMaxDefects)
     list_.push_back({file, line, std::move(reason)});
   else if (list_.size() + 1 == kMaxDefects)
-    list_.push_back({file, line, "and more from here on"_text});
+    list_.push_back({file, line, "further defects from here on are not listed"_text});
 }
 
 bool primes(const std::vector<std::string>& lines, std::size_t i) {

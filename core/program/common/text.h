@@ -1,4 +1,4 @@
-// Small tools of the writers and readers: numbers to text and back, lines, names. Locale-free.
+// Helpers of writers and readers: conversion of numbers, lines, names. Independent of the locale.
 #pragma once
 
 #include "plan/program.h"
@@ -13,34 +13,35 @@
 namespace voluta::program {
 
 // Appends `value` rounded to `decimals` (0..9) places, never as "-0" and never with an exponent;
-// with `trim` without zeros at its end ("0.5", "2"). Precondition: |value| * 10^decimals < 2^62.
+// with `trim` without trailing zeros ("0.5", "2"). Precondition: |value| * 10^decimals < 2^62.
 void appendFixed(std::string& out, double value, int decimals, bool trim = false);
-// What appendFixed appends, zeros at its end trimmed.
+// Returns the text that appendFixed appends, without trailing zeros.
 std::string fixedText(double value, int decimals);
-// The value that appendFixed writes.
+// Returns the value that appendFixed writes.
 double roundedTo(double value, int decimals);
-// Decimals that give `value` (> 0) the asked significant digits, at most 9.
+// Returns the number of decimals, at most 9, that give `value` (> 0) that many significant digits.
 int decimalsFor(double value, int significantDigits);
 
-// Where `mark` begins outside of double quotes; npos: nowhere.
+// Returns the position of `mark` outside of double quotes; npos if there is none.
 std::size_t findUnquoted(std::string_view text, std::string_view mark);
 
-// A letter or underscore, then letters, digits, underscores: what all controllers take for a name.
-// Other characters become underscores; at most 31 characters.
+// Returns a name that all controllers accept: a letter or underscore, then letters, digits,
+// underscores. Other characters become underscores; at most 31 characters.
 std::string identifierOf(std::string_view name);
 
-// The pieces one after the other.
+// Returns the concatenated pieces.
 std::string joined(std::initializer_list<std::string_view> pieces);
 
 std::string_view trimmed(std::string_view text);
-// The whole of `text` as a finite number. false: it isn't one.
+// Parses the whole of `text` as a finite number. Returns false if it is none.
 bool parseNumber(std::string_view text, double& value);
-// A number at the beginning of `text`, which is moved behind it.
+// Parses a number at the beginning of `text` and removes it.
 bool takeNumber(std::string_view& text, double& value);
-// The same, but an E ends the number instead of beginning an exponent.
+// As takeNumber, but an E ends the number instead of starting an exponent.
 bool takeDecimal(std::string_view& text, double& value);
 
-// Lines of a text without their ends (LF, CR LF); numbers from 1. A last line without end counts.
+// Iterates over the lines of a text without their ends (LF, CR LF); numbers from 1. A last line
+// without an end counts.
 class LineReader {
 public:
   explicit LineReader(std::string_view text) : rest_(text) {}
@@ -64,7 +65,8 @@ private:
   std::vector<plan::ProgramDefect>& list_;
 };
 
-// Line i primes the nozzle: it says so, or stands within four lines of the remark that does.
+// Returns whether line i primes the nozzle: it is marked as prime, or follows within four lines of
+// such a remark.
 bool primes(const std::vector<std::string>& lines, std::size_t i);
 
 } // namespace voluta::program

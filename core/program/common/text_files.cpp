@@ -20,7 +20,7 @@ std::size_t lineOf(std::string_view text, std::size_t at) {
                  std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-// Characters of the longest text in quotation marks.
+// Returns the length of the longest text in quotation marks.
 std::size_t longestTextOf(std::string_view line, std::string_view remark) {
   std::size_t longest = 0;
   while (true) {
@@ -47,7 +47,7 @@ bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
           {f, 1, "the file begins with a byte-order mark: save it as plain text"_text});
     else if (odd != text.end())
       defects.push_back({f, lineOf(text, static_cast<std::size_t>(odd - text.begin())),
-                         "a character that no program holds: is this a binary file?"_text});
+                         "unexpected control character: is this a binary file?"_text});
   }
   return !defects.empty();
 }
@@ -63,7 +63,7 @@ void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
          i = text.find_first_of("\r\n", i + 1)) {
       const bool pair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
       if ((known && pair != pairs) || (text[i] == '\r' && !pair)) {
-        defects.push_back({f, lineOf(text, i), "lines end in two ways, from here on another"_text});
+        defects.push_back({f, lineOf(text, i), "mixed line ends: they differ from here on"_text});
         break;
       }
       known = true;
@@ -76,22 +76,24 @@ void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
 void tellLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits& limits,
                    std::vector<plan::ProgramDefect>& defects) {
   for (std::size_t f = 0; f < files.size(); ++f) {
-    bool line = limits.line == 0, text = limits.text == 0; // told, or nothing to tell
+    bool line = limits.line == 0, text = limits.text == 0; // already reported, or no limit
     LineReader lines(files[f].text);
     for (std::string_view one; !(line && text) && lines.next(one);) {
       if (!line && one.size() > limits.line) {
-        defects.push_back({f, lines.number(),
-                           base::message("the line has {characters} characters; its controller "
-                                         "takes {most}"_text,
-                                         one.size(), limits.line)});
+        defects.push_back(
+            {f, lines.number(),
+             base::message(
+                 "the line has {characters} characters; the controller accepts at most {most}"_text,
+                 one.size(), limits.line)});
         line = true;
       }
       if (const std::size_t most = text ? 0 : longestTextOf(one, limits.remark);
           !text && most > limits.text) {
-        defects.push_back({f, lines.number(),
-                           base::message("a text has {characters} characters; its controller "
-                                         "takes {most}"_text,
-                                         most, limits.text)});
+        defects.push_back(
+            {f, lines.number(),
+             base::message(
+                 "a text has {characters} characters; the controller accepts at most {most}"_text,
+                 most, limits.text)});
         text = true;
       }
     }

@@ -1,4 +1,4 @@
-// Whether files are text that a controller loads at all.
+// Checks whether files are text that a controller can load.
 #pragma once
 
 #include "plan/program.h"
@@ -11,26 +11,26 @@ namespace voluta::program {
 
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-// A file that is no text and need not be one; nullptr: all have to be.
+// Returns whether a file is of a binary kind that is allowed; nullptr: all files have to be text.
 using IsNoText = bool (*)(std::string_view bytes);
 
-// One defect a file that begins with a byte-order mark or holds what no text holds. true: there is
-// one; such files are not to be read.
+// Adds one defect per file that begins with a byte-order mark or contains non-text characters.
+// Returns true if there is one; such files must not be parsed.
 bool tellNoTexts(const std::vector<plan::ProgramFile>& files,
                  std::vector<plan::ProgramDefect>& defects, IsNoText mayBe = nullptr);
 
-// One defect a file whose lines end now with LF, now with CR LF, or with CR alone: where that
-// begins.
+// Adds one defect per file with mixed line ends (LF and CR LF), or with CR alone, at the first
+// difference.
 void tellMixedLineEnds(const std::vector<plan::ProgramFile>& files,
                        std::vector<plan::ProgramDefect>& defects, IsNoText mayBe = nullptr);
 
-// What a controller takes of one line: characters, and those of a text in double quotation marks
-// outside remarks, which begin with `remark`. 0: any number.
+// Line limits of a controller: characters of a line, and of a text in double quotation marks
+// outside remarks, which begin with `remark`. 0: unlimited.
 struct LineLimits {
   std::size_t line = 0, text = 0;
   std::string_view remark;
 };
-// One defect a file for its first line beyond each limit.
+// Adds one defect per file and limit, for the first line that exceeds it.
 void tellLongLines(const std::vector<plan::ProgramFile>& files, const LineLimits& limits,
                    std::vector<plan::ProgramDefect>& defects);
 

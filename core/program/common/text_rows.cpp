@@ -38,7 +38,7 @@ bool readEachRow(std::string_view text, const RowsForm& form,
     if (line.empty())
       continue;
     if (ended) {
-      out.defect("text behind the end"_text);
+      out.defect("text after the end"_text);
       continue;
     }
     if (!headed) {

@@ -1,5 +1,5 @@
-// Files of rows, one a line: numbers between commas under a header line, for what a computer sends
-// a controller. Remarks begin with '#', in lines of their own or behind a row.
+// Reads files with one row per line: comma-separated numbers below a header line, as sent by a
+// computer to a controller. Remarks begin with '#', on their own line or after a row.
 #pragma once
 
 #include "base/run_context.h"
@@ -15,25 +15,26 @@
 
 namespace voluta::program {
 
-// What of a line stands before its remark.
+// Returns the part of a line before its remark.
 std::string_view rowOf(std::string_view line);
-// Numbers between commas, just as many. false: it is something else.
+// Parses exactly as many comma-separated numbers. Returns false otherwise.
 bool parseNumbers(std::string_view line, std::span<double> numbers);
 
 struct RowsForm {
   std::string_view header;
-  base::Text notHeader, cutShort; // what is wrong with another first row, and without an end
+  base::Text notHeader, cutShort; // errors for a different first row, and for a missing end
 };
-// Reads one file into `out`, whose file is set: each row but the header goes to `take`, which says
-// whether it was the end. What comes behind that, another header and a missing end are defects.
-// Gives whether the end was found. Throws Cancelled.
+// Reads one file into `out`, whose file is set: passes each row except the header to `take`, which
+// returns whether it was the end. Rows after the end, a different header and a missing end are
+// defects. Returns whether the end was found. Throws Cancelled.
 bool readEachRow(std::string_view text, const RowsForm& form,
                  const std::function<bool(std::string_view row)>& take, ProgramBuilder& out,
                  const base::RunContext& ctx);
 
-// The first row of a text, the header; empty: none in its first 16384 characters.
+// Returns the first row of a text, the header; empty if its first 16384 characters contain none.
 std::string_view firstRow(std::string_view text);
-// Names of files that stand in its head behind these words, each of which begins a line.
+// Returns the file names in the head of the text that follow these words, each of which begins a
+// line.
 std::vector<std::string> namesBehind(std::string_view text,
                                      std::initializer_list<std::string_view> notes);
 

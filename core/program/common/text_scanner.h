@@ -1,22 +1,21 @@
-// A statement that is read from left to right.
+// Scanner of a statement from left to right.
 #pragma once
 
 #include <string_view>
 
 namespace voluta::program {
 
-// Every function moves `rest` behind what it took; where there is no such thing it takes nothing
-// but blanks.
+// Each function advances `rest` past the text that it takes; if nothing matches, only past blanks.
 struct TextScanner {
   std::string_view rest;
 
   void blanks();
   bool take(char c);
-  // A letter or underscore, then letters, digits, underscores; empty: there is none.
+  // A letter or underscore, then letters, digits, underscores; empty if there is none.
   std::string_view name();
-  // Behind its opening quotation mark, and what is closed by another.
+  // Takes the text up to the closing quotation mark; the opening one is already taken.
   bool textBehindQuote(std::string_view& text);
-  // Nothing but blanks is left.
+  // Returns whether only blanks are left.
   bool ended();
 };
 

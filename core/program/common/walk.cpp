@@ -105,7 +105,7 @@ private:
     else if (turns)
       emitter_.extruder(on);
   }
-  // Behind beginFile it stands.
+  // After beginFile the extruder is stopped.
   void say(const std::string& text) {
     if (text == (said_.empty() ? extruder_.text(0.0) : said_))
       return;
@@ -155,10 +155,10 @@ private:
   PathNames paths_;
   WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
   const Extruder& extruder_;
-  double flow_ = 0.0; // wanted
+  double flow_ = 0.0; // wanted flow
   bool drawn_ = false;
   std::size_t lastPrint_ = 0;      // point
-  std::string said_;               // last
+  std::string said_;               // last text sent
   std::vector<std::size_t> zeros_; // points, of an extruder that is an axis
 };
 
@@ -175,7 +175,7 @@ MotionTarget targetAt(const ProgramInput& input, std::size_t point) {
                   Eigen::Map<const Eigen::VectorXd>(input.trajectory.at(point), input.cell.dof()));
 }
 
-// Of the nozzle at a point of a travel, over the bead before it.
+// Returns the height of the nozzle at a point of a travel above the last bead before it.
 double liftAt(const ProgramInput& input, std::size_t point) {
   std::size_t bead = point;
   while (bead > 0 && !isPrint(input.trajectory, bead))
@@ -184,7 +184,8 @@ double liftAt(const ProgramInput& input, std::size_t point) {
   return (targetAt(input, point).tipMm - end.tipMm).dot(end.direction);
 }
 
-// Where the file that begins at `begin` ends; none: nowhere up to `last`.
+// Returns where the file that begins at `begin` ends; nullopt if there is no suitable travel up to
+// `last`.
 std::optional<std::size_t> cutBehindLift(const ProgramInput& input, std::size_t begin,
                                          std::size_t most, std::size_t last) {
   constexpr double kSlackMm = 0.01;

@@ -12,7 +12,7 @@ namespace voluta::program {
 namespace {
 constexpr double kUsPerS = 1e6;
 
-// Steps a second of a flow: filament fed by its section.
+// Returns motor steps per mm³ of material: filament length per volume times steps per mm.
 double stepsPerMm3() {
   return kCastelliStepsPerMm / (base::kPi / 4.0 * kCastelliFilamentMm * kCastelliFilamentMm);
 }

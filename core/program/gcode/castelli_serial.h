@@ -1,7 +1,7 @@
-// The extruder of Castelli 2020, 2.1.4, table 2.2: a board with a stepper motor that takes short
+// The extruder of Castelli 2020, 2.1.4, table 2.2: a board with a stepper motor that accepts short
 // texts over TCP, each ended by an 'n': G<half period of a step, us>, M<nozzle, degrees C>, T0
-// (asks for the temperature), F<fan, 0..255>, R0 (starts its software anew). A G below zero runs
-// the motor back. That G0 stops it is assumed: the table has no word for that.
+// (queries the temperature), F<fan, 0..255>, R0 (restarts its software). A negative G runs the
+// motor backwards. We assume that G0 stops it, as the table has no command for that.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,25 @@ namespace voluta::program {
 
 inline constexpr double kCastelliStepsPerMm = 1674.18, kCastelliFilamentMm = 3.0;
 inline constexpr std::size_t kCastelliMostBytes = 16;
-// Where a program looks for it until somebody sets its own.
+// Default address of the board in programs.
 inline constexpr std::string_view kCastelliAddress = "192.168.0.30";
 inline constexpr int kCastelliPort = 5000;
 
-// The half period that gives a flow, a whole number of us and 1 at least; below zero for one that
-// draws back; 0: none.
+// Returns the half period for a flow, a whole number of us, at least 1; negative for retraction; 0:
+// no flow.
 long long castelliHalfPeriodUs(double mm3PerS);
 double castelliFlowMm3PerS(long long halfPeriodUs);
-// The flow that is said for one that is wanted.
+// Returns the flow that is really written for a requested one.
 double castelliWritten(double mm3PerS);
 
-// A bead of 0.1514 mm2 at 10 mm/s is "G1394n".
+// E.g. "G1394n" for a bead of 0.1514 mm² at 10 mm/s.
 std::string castelliFlowText(double mm3PerS);
 
 struct CastelliCommand {
-  char word = 'G'; // of G, M, T, F, R
+  char word = 'G'; // one of G, M, T, F, R
   long long value = 0;
 };
-// nullopt: no text of the table, or one that is longer than the board takes.
+// Returns nullopt if the text is not in the table or longer than the board accepts.
 std::optional<CastelliCommand> readCastelli(std::string_view text);
 
 } // namespace voluta::program

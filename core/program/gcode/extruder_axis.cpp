@@ -12,18 +12,19 @@ namespace voluta::program {
 base::ParameterSpec extruderAxisMm() {
   return base::numberParameter(
       "extruderAxisMm", "mm", 10000.0, 20.0, 1e6, "Programs"_text, "extruder axis: range"_text,
-      "Filament that the external axis feeds before it is set to 0 anew: as far as it may go."_text);
+      "Maximum filament length that the external axis feeds before it is reset "
+      "to 0."_text);
 }
 
 AxisCount axisCount(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
   const double most = numberOf(extruderAxisMm(), input.options) * filamentArea();
-  // The prime before, and what is drawn back within it.
+  // The prime before the first bead, and the retraction within the range.
   const double spare =
       (primesStanding(input) ? primeFlowMm3PerS(input.process) : 0.0) * input.process.primeS +
       input.process.retractMm * filamentArea();
   AxisCount count{{0}};
-  std::size_t lifted = 0; // the last place where it may be done
+  std::size_t lifted = 0; // the last point at which the axis may be reset
   for (std::size_t i = 1; i < t.pointCount(); ++i) {
     if (standsClear(t, i))
       lifted = i;
@@ -36,10 +37,10 @@ AxisCount axisCount(const ProgramInput& input) {
     if (laidSince(count.zeros.back()) > most)
       throw base::Error(
           base::ErrorCode::Usage,
-          base::message("between two lifts more than {length:.0f} of filament are laid: more than "
-                        "the extruder's axis goes"_text,
+          base::message("more than {length:.0f} of filament is needed between two lifts: beyond "
+                        "the extruder axis' range"_text,
                         base::mm(most / filamentArea())),
-          {}, base::message("take a greater {option}"_text, "extruderAxisMm"_name));
+          {}, base::message("increase {option}"_text, "extruderAxisMm"_name));
   }
   return count;
 }

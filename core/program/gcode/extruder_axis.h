@@ -1,10 +1,10 @@
-// An extruder that a controller turns as one more external axis (issued as step and direction, or
-// by the controller's own drive): a linear axis whose mm are mm of filament and that goes with each
-// motion, so that a bead gets its material however fast the arm passes.
+// An extruder that the controller runs as an additional external axis (by step and direction, or by
+// the controller's own drive). It is a linear axis in mm of filament that moves with each motion,
+// so that a bead gets its material at any speed of the arm.
 //
-// It counts on from 0 over a whole program. A controller keeps numbers to 24 bits and an axis has a
-// range: where the next bead would leave that, the program stops, lifted off, for the axis to be
-// set to 0 anew, and counts from there.
+// The axis counts from 0 over the whole program. As controllers keep numbers to 24 bits and an axis
+// has a range, the program stops, lifted off, before a bead that would leave the range, for the
+// axis to be reset to 0.
 #pragma once
 
 #include "base/parameters.h"
@@ -21,19 +21,19 @@ inline constexpr std::string_view kAxisExtruder = "external-axis";
 inline constexpr std::string_view kAxisQuestion =
     "Set the extruder's axis to 0 mm where it stands, then go on.";
 
-// mm of filament until the axis is set to 0.
+// mm of filament until the axis is reset to 0.
 base::ParameterSpec extruderAxisMm();
 
 struct AxisCount {
-  // Points, ascending, before whose motions the axis is set to 0: the first, and as many behind it
-  // as the range needs.
+  // Points, ascending, before whose motions the axis is reset to 0: the first, and as many others
+  // as the range requires.
   std::vector<std::size_t> zeros;
-  double mostMm = 0.0; // that it comes to
+  double mostMm = 0.0; // the largest axis value
 };
-// Throws Error{Usage}: between two lifts more is laid than the range.
+// Throws Error{Usage} if more is printed between two lifts than the range.
 AxisCount axisCount(const ProgramInput& input);
 
-// What the head says of it; `axis`: what the dialect calls it.
+// Returns the note for the program's head; `axis`: the axis' name in the dialect.
 std::string axisNote(std::string_view axis, const AxisCount& count);
 
 } // namespace voluta::program

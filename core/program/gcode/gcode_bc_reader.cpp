@@ -12,7 +12,7 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kSameTurn = 1e-6; // of a turn, as C is rounded
+constexpr double kSameTurn = 1e-6; // of a turn; rounding of C
 
 class TableReader : public GcodeReader {
 public:
@@ -22,7 +22,7 @@ private:
   bool isTargetWord(char letter) const override { return letter == 'B' || letter == 'C'; }
   bool movesBeside(GcodeWords& w) const override { return w.any("BC"); }
 
-  // C counts on from another number of whole turns.
+  // Accepts a change of C's count by whole turns.
   bool setsCount(GcodeWords& w) override {
     if (w['A'] || w['B'] || !w['C'] || !turn_)
       return false;
@@ -37,7 +37,7 @@ private:
     if (g != 93.0 && g != 94.0)
       return false;
     if (inverseTime_ != (g == 93.0))
-      perS_ = 0.0; // F means something else from here on
+      perS_ = 0.0; // the unit of F changes here
     inverseTime_ = g == 93.0;
     return true;
   }
@@ -54,7 +54,7 @@ private:
         std::abs(z) < 1e5)
       frame_ = {x, z}, ours_ = true;
     else
-      defect("not understood: where the plate is over the tilt axis"_text);
+      defect("invalid plate position relative to the tilt axis"_text);
   }
   static bool takeLetter(std::string_view& text, double& value) {
     text.remove_prefix(1);
@@ -69,11 +69,11 @@ private:
 
   bool target(GcodeWords& w, double g, bool extruding, plan::ProgramMotion& m) override {
     if (w.any("BC") && !knows('Z')) {
-      defect("the table turns before the nozzle is up: Z is not known yet"_text);
+      defect("table motion before Z is known: the nozzle may be down"_text);
       return false;
     }
     if (w.any("XY") && !(tilt_ && turn_)) {
-      defect("the nozzle goes over the plate before the table stands: B and C are not known"_text);
+      defect("X or Y motion before B and C are known"_text);
       return false;
     }
     if (w['B'])
@@ -81,9 +81,9 @@ private:
     if (w['C'])
       turn_ = sense_ * base::degreesToRadians(*w['C'] + countedDeg_);
     if (inverseTime_ && g == 0.0)
-      defect("a G0 under G93: nobody knows how long it takes"_text);
+      defect("a G0 under G93 has no defined time"_text);
     else if (inverseTime_ && !w['F'])
-      defect("a motion without F: under G93 each has its own"_text);
+      defect("a motion without F: under G93 each motion needs its own"_text);
     const TablePose last = pose_;
     const bool allKnown = takePosition(w) && tilt_ && turn_;
     if (!allKnown) {
@@ -92,12 +92,13 @@ private:
       return false;
     }
     if (ours_ && !inverseTime_)
-      defect("a motion without G93: its F is no time"_text);
+      defect("a motion without G93: its F is not a time"_text);
     pose_ = {position_, {*tilt_, *turn_}};
     const plan::NozzlePoint nozzle = nozzleAt(frame_, pose_);
     m.position = nozzle.position;
     m.direction = nozzle.direction;
-    m.durationS = placed_ ? secondsTo(last) : 0.0; // where it comes from first nobody knows
+    // The starting point of the first motion is unknown
+    m.durationS = placed_ ? secondsTo(last) : 0.0;
     if (placed_)
       m.way = wayOnPart(frame_, last, pose_);
     placed_ = true;
@@ -105,8 +106,8 @@ private:
     return true;
   }
 
-  // Is the table wound back there: up, by whole turns, down again? How many motions that takes; 0:
-  // it is not.
+  // Returns the number of motions with which the table is wound back here (up, by whole turns, down
+  // again); 0 if it is not.
   std::size_t windingAt(std::size_t first) {
     const auto differs = [&](std::size_t m, bool z, bool turn) {
       const TablePose &a = poses_[m - 1], &b = poses_[m];
@@ -130,7 +131,8 @@ private:
       const plan::ProgramMotion& last = out_.program().motions.back();
       out_.file = last.file;
       out_.line = last.line + 1;
-      defect("G94 is missing behind the last motion: what runs next would take F for times"_text);
+      defect("G94 is missing after the last motion: the next program would read F as "
+             "times"_text);
     }
     std::vector<plan::ProgramMotion>& motions = out_.program().motions;
     for (std::size_t m = 1; m < poses_.size() && poses_.size() == motions.size();)
@@ -157,10 +159,10 @@ private:
   TablePose pose_;
   std::vector<TablePose> poses_; // of each motion
   double sense_ = 1.0;
-  double countedDeg_ = 0.0; // C's whole turns that were taken from its count
+  double countedDeg_ = 0.0; // whole turns removed from C's count
   std::optional<double> tilt_, turn_;
   bool inverseTime_ = false, placed_ = false;
-  bool ours_ = false; // Voluta's head stands above: every motion has its time
+  bool ours_ = false; // Voluta's head was read: every motion states its time
 };
 
 } // namespace

@@ -21,7 +21,7 @@ namespace voluta::program {
 namespace {
 
 constexpr int kAngleDecimals = 5; // 1e-7 rad
-constexpr double kAboveMm = 10.0; // over all that the table can lift when it turns
+constexpr double kAboveMm = 10.0; // above everything that the table can lift when it turns
 constexpr double kStartDegPerS = 10.0, kWindDegPerS = 180.0, kLeastS = 1e-3;
 constexpr double kTurn = 2.0 * base::kPi;
 constexpr std::string_view kCounts = "count", kWinds = "wind";
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  // A point of the trajectory, or one between two where the arm would go by its joints.
+  // A point of the trajectory, or one in between where the arm would move by joints.
   struct Station {
     Eigen::Vector3d tip;
     double seconds = 0.0;
@@ -81,8 +81,8 @@ private:
       a = {rounded(a.tilt), rounded(a.turn)};
   }
 
-  // The table is wound back where a travel has lifted off, so that each stretch between two such
-  // points stays within its range.
+  // Winds the table back where a travel has lifted off, so that each stretch between two such
+  // points stays within the range.
   void findWindings() {
     std::vector<TurnRange> stretches;
     std::vector<std::size_t> begins; // stations
@@ -91,7 +91,7 @@ private:
         begins.push_back(firstOf_[i]);
     begins.push_back(stations_.size());
     for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
-      // From where the last one ended.
+      // Start at the end of the stretch before.
       const auto from = angles_.begin() + static_cast<std::ptrdiff_t>(begins[k] - (k > 0 ? 1 : 0)),
                  to = angles_.begin() + static_cast<std::ptrdiff_t>(begins[k + 1]);
       const auto [low, high] = std::ranges::minmax_element(from, to, {}, &TableAngles::turn);
@@ -103,7 +103,7 @@ private:
       throw base::Error(
           base::ErrorCode::Usage,
           base::message(
-              "the table would turn further than {turns} turns to a side within a bead"_text,
+              "within a bead the table would turn by more than {turns} turns to one side"_text,
               base::number(mostTurns_)),
           {}, base::message("set tableTurns to {turns} or more"_text, leastTurns(stretches)));
     const std::vector<int> turns = windings(stretches, kTurn * mostTurns_);
@@ -184,7 +184,7 @@ private:
     return text;
   }
 
-  // Z above all that the table can lift.
+  // Returns a Z above everything that the table can lift.
   double heightAbove() const {
     double reach = 0.0;
     for (const Station& s : stations_)
@@ -193,7 +193,7 @@ private:
     return std::max(reach - frame_.zMm, poseAt(0).axesMm.z()) + kAboveMm;
   }
 
-  // Up, then the table.
+  // Moves up first, then the table.
   void start() {
     const TablePose first = poseAt(0);
     const double travel = in_.process.travelSpeedMmPerS * 60.0;
@@ -214,7 +214,7 @@ private:
   }
 
   void remark(std::string_view text) override { text_.remark(text); }
-  // Under G93.
+  // Under G93 F is the inverse of a time.
   void retract(double filamentMm) override {
     text_.retract(filamentMm, 60.0 * kDrawnMmPerS / std::abs(filamentMm));
   }
@@ -243,8 +243,8 @@ private:
     }
   }
 
-  // Up along the nozzle, the table by whole turns, and down to where it was: nothing has changed on
-  // the part.
+  // Moves up along the nozzle, turns the table by whole turns and moves back down: nothing has
+  // changed on the part.
   void wind(int turns) {
     const TablePose at = last_;
     TablePose up = at;
@@ -270,7 +270,7 @@ private:
     text_.out += '\n';
   }
 
-  // In `s` seconds from the last one; 0: untimed.
+  // The motion takes `s` seconds; 0: untimed.
   void line(const TablePose& pose, double s, std::optional<double> filamentMm) {
     text_.word("G1 X", pose.axesMm.x(), kPositionDecimals);
     text_.word(" Y", pose.axesMm.y(), kPositionDecimals);
@@ -294,12 +294,12 @@ private:
   TableFrame frame_;
   double sense_, mostTurns_;
   bool winds_;
-  double upMm_ = 0.0;                  // above all that the table can lift
-  std::map<std::size_t, int> windsAt_; // before the motion to that station, by so many turns
-  double countedDeg_ = 0.0;            // C's whole turns that were taken from its count
+  double upMm_ = 0.0;                  // above everything that the table can lift
+  std::map<std::size_t, int> windsAt_; // turns to wind back before the motion to that station
+  double countedDeg_ = 0.0;            // whole turns removed from C's count
   std::vector<Station> stations_;
-  std::vector<TableAngles> angles_;  // a station
-  std::vector<std::size_t> firstOf_; // a point: its first station
+  std::vector<TableAngles> angles_;  // per station
+  std::vector<std::size_t> firstOf_; // per point: its first station
   TablePose last_;
   plan::Program program_;
   GcodeText text_;
@@ -308,42 +308,43 @@ private:
 } // namespace
 
 base::ParameterSpec tableXMm() {
-  return base::numberParameter("tableXMm", "mm", 0.0, -1000.0, 1000.0, "Programs"_text,
-                               "plate beside the tilt axis"_text,
-                               "G-code with B and C: how far the plate's centre stands beside the "
-                               "axis that the table tilts about, along X."_text);
+  return base::numberParameter(
+      "tableXMm", "mm", 0.0, -1000.0, 1000.0, "Programs"_text,
+      "plate offset from the tilt axis"_text,
+      "G-code with B and C: X distance of the plate's centre from the tilt axis."_text);
 }
 
 base::ParameterSpec tableZMm() {
   return base::numberParameter(
-      "tableZMm", "mm", 0.0, -1000.0, 1000.0, "Programs"_text, "plate above the tilt axis"_text,
-      "G-code with B and C: how far the plate's top lies above the axis that "
-      "the table tilts about."_text);
+      "tableZMm", "mm", 0.0, -1000.0, 1000.0, "Programs"_text,
+      "plate height above the tilt axis"_text,
+      "G-code with B and C: height of the plate's top above the tilt axis."_text);
 }
 
 base::ParameterSpec tableSense() {
   return base::choiceParameter(
       "tableSense", "part", {{"part", "the part"_text}, {"tool", "the tool (ISO 841)"_text}},
-      "Programs"_text, "table's angles turn"_text,
-      "G-code with B and C: whether B and C are the right-handed turn of the part, or that "
-      "of the tool about a part that stands."_text);
+      "Programs"_text, "table angles describe"_text,
+      "G-code with B and C: whether B and C are the right-handed rotation of the "
+      "part, or that of the tool around a fixed part."_text);
 }
 
 base::ParameterSpec tableTurns() {
   return base::numberParameter(
-      "tableTurns", "", 0.0, 0.0, 1000.0, "Programs"_text, "turns until C goes back"_text,
-      "G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; "
-      "0: as few turns as the beads allow where the table goes back, one where its count does."_text);
+      "tableTurns", "", 0.0, 0.0, 1000.0, "Programs"_text, "turns until C is reset"_text,
+      "G-code with B and C: beyond this number of turns to one side C is reset "
+      "by whole turns during a travel. 0: the minimum the beads allow if the "
+      "table is wound back, one turn if only its count is reset."_text);
 }
 
 base::ParameterSpec tableUnwind() {
   return base::choiceParameter(
       "tableUnwind", std::string(kWinds),
       {{std::string(kWinds), "the table"_text}, {std::string(kCounts), "its count (G92 C)"_text}},
-      "Programs"_text, "what goes back of C"_text,
-      "G-code with B and C: the table is wound back amid a travel, with the nozzle above all that "
-      "it lifts. Of a table that turns without end the count alone may go back: it stays where it "
-      "is."_text);
+      "Programs"_text, "reset of C"_text,
+      "G-code with B and C: winds the table back during a travel, with the "
+      "nozzle raised clear of it. For a table that turns endlessly only the "
+      "count can be reset, without a motion."_text);
 }
 
 std::vector<base::ParameterSpec> tableGcodeOptions() {

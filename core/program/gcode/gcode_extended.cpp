@@ -41,7 +41,7 @@ private:
     const Eigen::Vector3d n(*w.direction[0], *w.direction[1], *w.direction[2]);
     const double length = n.norm();
     if (!(std::abs(length - 1.0) <= kDirectionTolerance))
-      defect("a direction whose length is not 1"_text);
+      defect("a direction is not a unit vector"_text);
     if (!(length > 0.1 && length < 10.0))
       return false;
     direction_ = n / length;
@@ -99,7 +99,7 @@ bool looksLikeExtendedGcode(std::string_view text) {
 }
 
 bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::size_t i) {
-  // E is 0 before the prime, not behind it.
+  // E is 0 before the prime, but not after it.
   if (lines[i] == "G92 E0")
     return lines[i - 1].find("prime") == std::string::npos;
   // M109 heats too.

@@ -7,7 +7,7 @@
 namespace voluta::program {
 
 namespace {
-// Slicers put pictures before the first line of code.
+// Slicers put images before the first line of code.
 constexpr std::size_t kLongHead = 1'000'000, kLongBeginning = 65536;
 
 bool isCapital(char c) {
@@ -44,7 +44,7 @@ bool wordsOf(std::string_view rest, GcodeWords& words) {
     }
     const std::string_view letters = from.substr(0, from.size() - rest.size());
     double value = 0.0;
-    // Blanks may stand between a letter and its number, and between words, but need not.
+    // Blanks are optional between a letter and its number and between words.
     if (const std::string_view behind = trimmed(rest);
         !behind.empty() &&
         std::string_view("+-.0123456789").find(behind.front()) != std::string_view::npos)
@@ -54,7 +54,7 @@ bool wordsOf(std::string_view rest, GcodeWords& words) {
       return false;
     if (bare && words.bare.empty())
       words.bare = letters;
-    // Given twice: which one holds?
+    // A word given twice is ambiguous.
     if (slot->has_value() || std::abs(value) > 1e9)
       return false;
     *slot = value;

@@ -1,4 +1,4 @@
-// One line of G-code, and which of its kinds a text is.
+// Parses a line of G-code and detects a text's kind of G-code.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace voluta::program {
 
-// A value for each letter, and nX nY nZ apart.
+// The value of each letter, and of nX nY nZ.
 struct GcodeWords {
   std::array<std::optional<double>, 26> letter;
   std::array<std::optional<double>, 3> direction;
@@ -20,13 +20,13 @@ struct GcodeWords {
     return std::any_of(letters.begin(), letters.end(),
                        [&](char c) { return (*this)[c].has_value(); });
   }
-  std::string bare; // the first letters without a number, which then counts as 0; empty: none
+  std::string bare; // the first letters without a number, which count as 0; empty: none
   bool anyDirection() const { return direction[0] || direction[1] || direction[2]; }
 };
 
-// Of a line without its `;` comment and checksum; small letters and ( ) comments too, with or
+// Parses a line without its `;` comment and checksum. Accepts lower case and ( ) comments, with or
 // without blanks (G1X10E5 is X10 E5: numbers have no exponent). A letter without a number counts as
-// 0 (GcodeWords::bare). false: not understood, or a word given twice.
+// 0 (GcodeWords::bare). Returns false if the line is not understood or has a word twice.
 bool wordsOf(std::string_view line, GcodeWords& words);
 
 enum class GcodeKind {
@@ -35,7 +35,7 @@ enum class GcodeKind {
   Extended, // nX nY nZ: the nozzle's direction
   Table     // B and C: a table that tilts and turns
 };
-// By the words of its motions; what stands in comments does not count, but for a slicer's name.
+// Detected by the words of the motions; comments are ignored, except for a slicer's name.
 GcodeKind kindOfGcode(std::string_view text);
 
 } // namespace voluta::program

@@ -25,7 +25,7 @@ private:
 
   std::span<const KnownWord> ownWords() const override { return slicerWords(); }
   bool isMessage(std::string_view code) const override {
-    // What printer it is for, and which object of several is printed.
+    // M862: the printer it is for; M486: the object that is printed.
     return GcodeReader::isMessage(code) || code.starts_with("M862.") || code.starts_with("M486");
   }
   bool isEnd(std::string_view line) const override {

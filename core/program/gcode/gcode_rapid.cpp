@@ -40,10 +40,9 @@ base::ParameterSpec gcodeRunner() {
   return base::choiceParameter(
       "gcodeRunner", std::string(kNone),
       {{std::string(kNone), "nothing"_text}, {std::string(kRapid), "a RAPID module (ABB)"_text}},
-      "Programs"_text, "extended G-code is read by"_text,
-      "Extended G-code: writes beside it a RAPID module that reads the file on an ABB controller "
-      "and "
-      "runs arm and extruder by it."_text);
+      "Programs"_text, "companion reader for extended G-code"_text,
+      "Extended G-code: also writes a RAPID module that reads the file on an ABB "
+      "controller and runs arm and extruder."_text);
 }
 
 bool wantsRapidRunner(const ProgramOptions& options) {
@@ -60,10 +59,10 @@ plan::ProgramFile rapidRunner(const ProgramInput& input, std::string_view gcodeF
   if (!input.cell.externalAxes().empty())
     throw base::Error(
         base::ErrorCode::Usage,
-        base::message("a module that reads G-code cannot turn the {axis} of cell {cell}: "
-                      "G-code does not say where it is"_text,
+        base::message("a module that reads G-code cannot move the {axis} of cell {cell}: G-code "
+                      "does not state its position"_text,
                       input.cell.externalAxes().front().name, input.cell.id()),
-        {}, "take rapid"_text);
+        {}, "choose rapid"_text);
   const bool own = input.cell.robot().controller == "rapid";
   std::vector<MotionTarget> targets = motionTargets(input, ctx);
   placeInWorkFrame(input, kPositionDecimals, targets);
@@ -102,7 +101,7 @@ bool isRapidRunner(std::string_view text) {
   return text.starts_with("MODULE ") && text.substr(0, 400).find(kTitle) != std::string_view::npos;
 }
 
-// Its data by the reader of RAPID, with a motion to the start behind them.
+// Its data are read by the RAPID reader, followed by a motion to the start.
 void readRapidRunner(std::string_view text, const process::Process& process, ProgramBuilder& out,
                      const base::RunContext& ctx) {
   const std::size_t body = text.find(rapidGcodeSameBegin());
@@ -111,7 +110,7 @@ void readRapidRunner(std::string_view text, const process::Process& process, Pro
     out.defect("this is not the module that reads G-code"_text);
     return;
   }
-  // What the reader of programs has no use for.
+  // Lines that the RAPID reader does not know.
   constexpr std::string_view kOwn[] = {kFull, kFile, kByJoints, kJoints};
   int found[std::size(kOwn)] = {};
   std::string head;
@@ -124,7 +123,7 @@ void readRapidRunner(std::string_view text, const process::Process& process, Pro
       rest.remove_prefix(kFull.size());
       if (!takeNumber(rest, full) || rest != ";" ||
           std::abs(full - process.maxFlowMm3PerS) > 1e-3 * process.maxFlowMm3PerS)
-        out.defect("another full flow than the process has"_text);
+        out.defect("the full flow is not the process's"_text);
     }
     bool ours = false;
     for (std::size_t k = 0; k < std::size(kOwn); ++k)
@@ -135,7 +134,7 @@ void readRapidRunner(std::string_view text, const process::Process& process, Pro
     head += joined({ours ? "" : line, "\r\n"});
   }
   if (std::ranges::any_of(found, [](int count) { return count != 1; }))
-    out.defect("the file, the start or the full flow of the job is not there, or twice"_text);
+    out.defect("the job's file, start or full flow is missing or given twice"_text);
   const std::size_t first = lines.number() + 1;
   head += joined({"  PROC main()\r\n    ConfL\\Off;\r\n    ConfJ\\Off;\r\n    SetDO "
                   "doExtruder,0;\r\n    SetAO aoFlow,0;\r\n    MoveJ "

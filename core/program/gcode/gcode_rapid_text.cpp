@@ -4,8 +4,8 @@ namespace voluta::program {
 
 namespace {
 
-// ReadStr gives at most 80 characters: a longer line comes in pieces, of which the last word may be
-// cut. A new G or M ends a block as well, should a line have 80 characters exactly.
+// ReadStr returns at most 80 characters: a longer line is read in pieces, of which the last word
+// may be cut. A new G or M also ends a block, in case a line has exactly 80 characters.
 constexpr std::string_view kSame = R"(  ! from here on the same for every job
   CONST zonedata zBlend:=[FALSE,0.3,0.3,0.3,1,1,1];
   CONST num nFilamentMm2:=2.405282;

@@ -1,4 +1,4 @@
-// What of the module that reads G-code on the controller is the same for every job
+// The part of the module that reads G-code on the controller which is the same for every job
 // (program/gcode/gcode_rapid.h).
 #pragma once
 
@@ -6,9 +6,9 @@
 
 namespace voluta::program {
 
-// From its first line on, a remark; lines end with LF alone.
+// Returns the text from its first line on, which is a remark; lines end with LF only.
 std::string_view rapidGcodeSame();
-// That line.
+// Returns that first line.
 std::string_view rapidGcodeSameBegin();
 
 } // namespace voluta::program

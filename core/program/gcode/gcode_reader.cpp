@@ -11,7 +11,7 @@ namespace voluta::program {
 using enum plan::FactKind;
 
 namespace {
-// Commands of axes that a letter alone names (G28 X): homes, the bed, motors.
+// Returns whether the command names axes by a letter alone (G28 X): homing, the bed, motors.
 bool namesAxes(GcodeWords& w) {
   if (w['G'])
     return *w['G'] == 28.0 || *w['G'] == 29.0;
@@ -39,10 +39,10 @@ plan::ReadProgram GcodeReader::read(const std::vector<plan::ProgramFile>& files)
   }
   finish();
   if (out_.file > 0)
-    --out_.file; // what is missing is missing at the end of the last file
+    --out_.file; // missing items are reported at the end of the last file
   const bool complete = cold_ && motorsOff_ && ended_;
   if (!complete)
-    defect("the end sequence (M104 S0, M84, '; end') is missing: the file was cut short"_text);
+    defect("the end sequence (M104 S0, M84, '; end') is missing: the file is truncated"_text);
   return out_.take(complete);
 }
 
@@ -56,11 +56,11 @@ void GcodeReader::readLine(std::string_view line) {
     comment(code.substr(semicolon + 1));
     code = code.substr(0, semicolon);
   }
-  code = trimmed(code.substr(0, code.find('*'))); // a checksum is not looked at
+  code = trimmed(code.substr(0, code.find('*'))); // checksums are not verified
   if (code.empty())
     return;
   if (ended_)
-    defect("text behind the end"_text);
+    defect("text after the end"_text);
   if (isMessage(code))
     return;
   GcodeWords words;
@@ -83,7 +83,7 @@ void GcodeReader::comment(std::string_view text) {
   text.remove_prefix(kDiameterNote.size());
   double diameter = 0.0;
   if (!takeNumber(text, diameter) || diameter < 0.1 || diameter > 20.0)
-    defect("not a filament's diameter"_text);
+    defect("invalid filament diameter"_text);
   else
     filamentMm2_ = filamentArea(diameter);
 }
@@ -104,9 +104,9 @@ void GcodeReader::execute(GcodeWords& w) {
     executeM(*w['M'], w);
   else if (!w['T'])
     defect("a line without a command"_text);
-  const bool limit = w['M'] && *w['M'] > 200.0 && *w['M'] < 206.0; // T: of travels
+  const bool limit = w['M'] && *w['M'] > 200.0 && *w['M'] < 206.0; // with T: limits of travels
   if (w['T'] && *w['T'] != 0.0 && !limit)
-    defect("another tool than the one that prints"_text);
+    defect("a tool other than the printing one"_text);
 }
 
 void GcodeReader::executeG(double g, GcodeWords& w) {
@@ -121,7 +121,7 @@ void GcodeReader::executeG(double g, GcodeWords& w) {
   else if (g == 91.0)
     defect("relative positions are not understood"_text);
   else if (!command(g) && !inTable('G', g))
-    defect("a G command that is not known to the reader"_text);
+    defect("unknown G command"_text);
   if (g == 21.0)
     out_.state(Millimetres);
   else if (g == 28.0)
@@ -137,9 +137,9 @@ void GcodeReader::executeM(double m, GcodeWords& w) {
   } else if (m == 104.0 || m == 109.0) {
     heat(m, w);
   } else if (!inTable('M', m)) {
-    defect("an M command that is not known to the reader"_text);
+    defect("unknown M command"_text);
   }
-  // M1 stops where a switch says so; with P or S a stop ends by itself.
+  // M1 stops only if a switch is set; with P or S a stop ends by itself.
   if (m == 0.0 || m == 1.0)
     out_.state(OperatorStop, m == 0.0 && !w['P'] && !w['S'] ? 1.0 : 0.0);
   if (m == 84.0 || m == 18.0)
@@ -160,7 +160,7 @@ void GcodeReader::heat(double m, GcodeWords& w) {
   else if (celsius != celsius_)
     out_.wordAt(word, kAside);
   if (celsius != 0.0 && !prints(process_.material, celsius))
-    defect(base::message("{celsius} °C is no heat to print {material} with"_text,
+    defect(base::message("{celsius} °C is outside the printing range of {material}"_text,
                          base::number(celsius), process_.material.label));
   out_.state(NozzleHeat, celsius);
   if (m == 109.0 && celsius > 0.0)
@@ -191,7 +191,7 @@ void GcodeReader::motion(double g, GcodeWords& w) {
     }
   if (w['F']) {
     if (!(*w['F'] > 0.0)) {
-      defect("a speed that is not above 0"_text);
+      defect("a speed that is not positive"_text);
       return;
     }
     perS_ = *w['F'] / 60.0;
@@ -202,11 +202,11 @@ void GcodeReader::motion(double g, GcodeWords& w) {
     pushedMm = e_.to(relativeE_ ? before + *w['E'] : *w['E']);
     filamentMm = std::abs(e_.mm() - before);
     if (e_.drawnBackMm() > kMostDrawnBackMm && e_.mm() < before)
-      defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
+      defect(base::message("{length:.0f} of filament retracted: out of the hot end"_text,
                            base::mm(e_.drawnBackMm())));
   }
   const bool moves = w.any("XYZ") || movesBeside(w);
-  // Before the first target material is pushed out at home (prime); later it would be a blob.
+  // Before the first target, material is extruded at home (prime); later it would form a blob.
   if (!moves && (pushedMm == 0.0 || out_.program().motions.empty())) {
     out_.pause(secondsOf(w, filamentMm), pushedMm * filamentMm2_, filamentMm - pushedMm);
     return;

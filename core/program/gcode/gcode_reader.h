@@ -1,5 +1,5 @@
-// Reads what all kinds of G-code have in common: lines, comments, commands, the filament's length,
-// heat, the end. A kind says what its targets are.
+// Reader base for all kinds of G-code: lines, comments, commands, the filament's length, heat, the
+// end. Each kind interprets its own targets.
 #pragma once
 
 #include "base/run_context.h"
@@ -16,11 +16,11 @@
 
 namespace voluta::program {
 
-// What may stand in any kind of G-code beside motion, heat and filament, and where; everything else
-// is refused.
+// Words allowed in any kind of G-code beside motion, heat and filament, and where; all others are
+// refused.
 std::span<const KnownWord> gcodeWords();
 
-// What slicers write besides.
+// Additional words that slicers write.
 std::span<const KnownWord> slicerWords();
 
 class GcodeReader {
@@ -31,36 +31,37 @@ public:
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files);
 
 protected:
-  // Is it a word of this kind's targets, beside X Y Z?
+  // Returns whether the letter is a word of this kind's targets, beside X Y Z.
   virtual bool isTargetWord(char /*letter*/) const { return false; }
-  // Does the line go anywhere though it has no X Y Z?
+  // Returns whether the line moves although it has no X Y Z.
   virtual bool movesBeside(GcodeWords&) const { return false; }
-  // Takes over the words of a motion's target, and how fast it is reached. false: there is no
-  // motion, or a defect was told. `g`: 0 or 1.
+  // Takes the words of a motion's target and its speed. Returns false if there is no motion or a
+  // defect was reported. `g`: 0 or 1.
   virtual bool target(GcodeWords& words, double g, bool extruding, plan::ProgramMotion& motion) = 0;
-  // G92 of the axes that isTargetWord() names. false: their origin would be another.
+  // Handles G92 of the axes that isTargetWord() names. Returns false if it would shift their
+  // origin.
   virtual bool setsCount(GcodeWords&) { return false; }
-  // G commands of this kind's own. false: it is none.
+  // Handles this kind's own G commands. Returns false if it is not one of them.
   virtual bool command(double /*g*/) { return false; }
-  // Filament that is pushed or drawn on the spot.
+  // Returns the time to extrude or retract filament at rest.
   virtual double secondsOf(GcodeWords& words, double filamentMm);
   virtual void note(std::string_view /*comment*/) {}
-  // Words that this kind knows besides gcodeWords().
+  // Additional words of this kind beside gcodeWords().
   virtual std::span<const KnownWord> ownWords() const { return {}; }
-  // All has been read.
+  // Called after the last line.
   virtual void finish() {}
   virtual bool isEnd(std::string_view line) const { return line == kGcodeEnd; }
-  // A line that is a text for people.
+  // Returns whether the line is a message for people.
   virtual bool isMessage(std::string_view code) const;
 
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
-  // X Y Z as far as the line has them. false: one of them is still unknown.
+  // Takes X Y Z as far as the line has them. Returns false if one of them is still unknown.
   bool takePosition(GcodeWords& words);
   bool knows(char letter) const { return known_[static_cast<std::size_t>(letter - 'X')]; }
 
   ProgramBuilder out_;
-  Eigen::Vector3d position_ = Eigen::Vector3d::Zero(); // the axes', as last said
-  double perS_ = 0.0;                                  // F by 60; 0: none yet
+  Eigen::Vector3d position_ = Eigen::Vector3d::Zero(); // of the axes, as last stated
+  double perS_ = 0.0;                                  // F / 60; 0: none yet
 
 private:
   void readLine(std::string_view line);

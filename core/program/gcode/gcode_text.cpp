@@ -40,7 +40,7 @@ private:
   void pause() override { text_.out += joined({"M0 ; ", kPauseText, "\n"}); }
   void remark(std::string_view text) override { text_.remark(text); }
   void retract(double filamentMm) override { text_.retract(filamentMm, 60.0 * kDrawnMmPerS); }
-  // The nozzle's way is not a straight one: it is said in pieces.
+  // The nozzle's path is not straight, so it is written in pieces.
   void jointMotion(std::size_t i) override {
     const int pieces = i == 0 ? 1 : jointPieces(in_, i);
     for (int k = 1; k < pieces; ++k)
@@ -56,7 +56,7 @@ private:
          filamentMm);
   }
 
-  // In `s` seconds from the last one; 0: untimed.
+  // The motion takes `s` seconds; 0: untimed.
   void line(std::string_view command, const MotionTarget& target, double s,
             std::optional<double> filamentMm = std::nullopt) {
     Eigen::Vector3d tip;
@@ -73,10 +73,10 @@ private:
     }
     if (filamentMm)
       text_.amount(*filamentMm);
-    // The speed between the targets as written, so that rounding doesn't become speed.
+    // Compute the speed from the targets as written, so that rounding does not change it.
     const double length = (tip - lastTip_).norm();
     double speed = s > 0.0 ? length / s : 0.0;
-    if (speed < 1e-3) // on the spot, or untimed
+    if (speed < 1e-3) // at rest, or untimed
       speed = in_.process.travelSpeedMmPerS;
     text_.word(" F", speed * 60.0, 3, true);
     text_.out += '\n';

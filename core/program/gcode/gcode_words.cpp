@@ -4,8 +4,8 @@
 
 namespace voluta::program {
 
-// RepRap G-code dictionary (reprap.org/wiki/G-code). M84 and M18, heat and tool are the reader's
-// own.
+// RepRap G-code dictionary (reprap.org/wiki/G-code). The reader itself handles M84 and M18, heat
+// and tool.
 std::span<const KnownWord> gcodeWords() {
   static constexpr std::array kTable = {
       KnownWord{"G17", kAnywhere, "plane of arcs, of which there are none"},
@@ -38,8 +38,8 @@ std::span<const KnownWord> gcodeWords() {
   return kTable;
 }
 
-// What PrusaSlicer, OrcaSlicer and Cura put into programs for printers, Marlin's meanings
-// (marlinfw.org/meta/gcode). Limits and ramps change times, not the way.
+// Words that PrusaSlicer, OrcaSlicer and Cura write into programs for printers, with Marlin's
+// meanings (marlinfw.org/meta/gcode). Limits and ramps change times, not the path.
 std::span<const KnownWord> slicerWords() {
   static constexpr std::array kTable = {
       KnownWord{"G29", kSetUp, "measures the bed"},

@@ -13,7 +13,7 @@ namespace {
 constexpr double kTurn = 2.0 * base::kPi;
 constexpr double kSlackRad = 1e-9; // of rounded angles
 
-// Numbers of turns that bring a stretch within; least > most: none does.
+// The whole turns that bring a stretch within the limit; none if least > most.
 struct Turns {
   double least, most;
 };
@@ -29,7 +29,7 @@ std::vector<int> windings(std::span<const TurnRange> stretches, double mostRad) 
   turns.reserve(stretches.size());
   double last = 0.0;
   while (turns.size() < stretches.size()) {
-    // As far as one number does.
+    // Extend the run as long as one number of turns suits all stretches.
     std::size_t end = turns.size();
     Turns common = within(stretches[end], mostRad);
     if (common.least > common.most) {

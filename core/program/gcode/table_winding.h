@@ -1,5 +1,5 @@
-// Whole turns by which a table that cannot turn without end is wound back between the stretches of
-// a program in which it must not be.
+// Winding back, by whole turns, of a table that cannot turn endlessly, between the stretches of a
+// program in which it must not be wound.
 #pragma once
 
 #include <span>
@@ -7,19 +7,20 @@
 
 namespace voluta::program {
 
-// Between which angles the table stands in a stretch, rad, counted on from stretch to stretch.
+// The table's range of angles in a stretch [rad], counted continuously over all stretches.
 struct TurnRange {
   double lowest = 0.0, highest = 0.0;
 };
 
-// Turns to be added in each stretch, so that it stands within `mostRad` to either side: changed as
-// seldom as can be, and then by as little. Of a stretch that does not fit at all they bring its
-// middle next to 0.
+// Returns the turns to add in each stretch so that the table stays within `mostRad` to either side,
+// with as few changes as possible, and then as small ones as possible. A stretch that does not fit
+// is centred about 0 as far as whole turns allow.
 std::vector<int> windings(std::span<const TurnRange> stretches, double mostRad);
 
-// Can each be brought within `mostRad` to either side?
+// Returns whether every stretch can be brought within `mostRad` to either side.
 bool fitWithin(std::span<const TurnRange> stretches, double mostRad);
-// The least whole number of turns to either side, 1 or more, that they fit within.
+// Returns the smallest whole number of turns to either side, at least 1, within which all stretches
+// fit.
 int leastTurns(std::span<const TurnRange> stretches);
 
 } // namespace voluta::program

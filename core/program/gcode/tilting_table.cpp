@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTurn = 2.0 * base::kPi;
-// A table that turns while it prints lays a bead that is less sure than one that turns in a travel.
+// Turning the table while printing makes a bead less accurate than turning it in a travel.
 constexpr double kPrintWeight = 10.0;
 constexpr int kMostPieces = 1024;
 constexpr double kWayMm = 0.005, kWayRad = 0.002;
@@ -49,7 +49,7 @@ double nearestTurn(double angle, double to) {
   return angle + kTurn * std::round((to - angle) / kTurn);
 }
 
-// The two ways to stand (Viterbi's walk over them).
+// Chooses between the two solutions for B and C of each station (Viterbi algorithm).
 class Ways {
 public:
   explicit Ways(std::span<const TableStation> stations) : stations_(stations) {}
@@ -84,8 +84,9 @@ private:
                     : TableAngles{tilt, nearestTurn(turn + base::kPi, turnNow)};
   }
 
-  // Does the nozzle stay near the turn from one direction to the other where the angles go evenly?
-  // Elsewhere than about the normal a change of the way to stand leads through it.
+  // Returns whether the nozzle stays near the rotation between both directions while the angles
+  // change linearly. A change between the two solutions passes through the plate's normal and
+  // deviates elsewhere.
   static bool staysNear(const TableAngles& from, const TableAngles& to) {
     constexpr double kSlackRad = 0.005;
     const Vector3d a = directionOf(from), b = directionOf(to),
@@ -98,7 +99,7 @@ private:
     const double weight = stations_[i].prints ? kPrintWeight : 1.0;
     Standing best;
     for (std::size_t k = 0; k < 2; ++k) {
-      const std::size_t from = k == 0 ? way : 1 - way; // the same where it costs no more
+      const std::size_t from = k == 0 ? way : 1 - way; // keep the solution if that costs no more
       const Standing& last = at_[i - 1][from];
       const TableAngles angles = own(i, way, last.angles.turn);
       const double cost = last.cost + weight * (std::abs(angles.tilt - last.angles.tilt) +
@@ -113,7 +114,7 @@ private:
   std::vector<std::array<Standing, 2>> at_;
 };
 
-// Stations [first, end) are flat; from there to `end`, where there is one, the turn is to change.
+// Stations [first, end) are flat; on the way to `end`, if it exists, the turn has to change.
 void turnWhileFree(std::span<const TableStation> stations, std::vector<TableAngles>& angles,
                    std::size_t first, std::size_t end) {
   if (end == stations.size())
@@ -124,7 +125,7 @@ void turnWhileFree(std::span<const TableStation> stations, std::vector<TableAngl
       angles[i].turn = to;
     return;
   }
-  // Motions to stations [begin, last) take the turn: the last travel, else all.
+  // The motions to stations [begin, last) take the turn: the last travel, else all.
   std::size_t last = end + 1;
   while (last > first && stations[last - 1].prints)
     --last;

@@ -1,10 +1,10 @@
-// A table that tilts (B, about y) and, on the tilting part, turns (C, about its own z) beneath a
-// nozzle that stands upright and goes along X Y Z. The part's frame is the plate's: with B and C at
-// 0 it is the machine's.
+// Kinematics of a table that tilts (B, about y) and, on the tilting part, turns (C, about its own
+// z) below an upright nozzle that moves along X Y Z. The part's frame is the plate's: with B and C
+// at 0 it is the machine's.
 //
-// Of a direction n on the part B = -acos(nz), C = -atan2(ny, nx), or (-B, C + 180 degrees); of a
+// For a direction n on the part B = -acos(nz), C = -atan2(ny, nx), or (-B, C + 180 degrees); for a
 // point P, with the tilt axis through the plate's centre, X = cB cC Px - cB sC Py + sB Pz,
-// Y = sC Px + cC Py, Z = -sB cC Px + sB sC Py + cB Pz. Angles here are radians, lengths mm.
+//   Y = sC Px + cC Py, Z = -sB cC Px + sB sC Py + cB Pz. Angles are in radians, lengths in mm.
 #pragma once
 
 #include "base/units.h"
@@ -16,53 +16,53 @@
 
 namespace voluta::program {
 
-// The plate's centre as seen from the tilt axis; the turning axis goes through it.
+// The plate's centre relative to the tilt axis; the turning axis passes through it.
 struct TableFrame {
   double xMm = 0.0, zMm = 0.0;
 };
 
 struct TableAngles {
-  double tilt = 0.0, turn = 0.0; // B, C; the turn counts on
+  double tilt = 0.0, turn = 0.0; // B, C; the turn is continuous beyond 360 degrees
 };
 
-// Where all five axes are.
+// The positions of all five axes.
 struct TablePose {
   Eigen::Vector3d axesMm = Eigen::Vector3d::Zero(); // X Y Z
   TableAngles angles;
 };
 
-// Closer to the plate's normal than this the table lies flat and its turn is free.
+// Closer to the plate's normal than this the table is flat and its turn is free.
 inline constexpr double kFlatRad = 0.002;
 
-// The axes that bring the nozzle to that point of the part.
+// Returns the axes that bring the nozzle to that point of the part.
 TablePose tablePose(const TableFrame& frame, const Eigen::Vector3d& tip, TableAngles angles);
 plan::NozzlePoint nozzleAt(const TableFrame& frame, const TablePose& pose);
 
-// One after the other along a program.
+// A point of a program, in sequence.
 struct TableStation {
   Eigen::Vector3d direction; // unit
   double seconds = 0.0;      // of the motion to it
-  bool prints = false;       // does that motion lay material
+  bool prints = false;       // whether that motion deposits material
 };
-// Angles for each station: its direction to rounding, or flat within kFlatRad of the normal. Of the
-// two ways to stand that one is taken which turns least over the whole path, first of all while it
-// prints; where the turn is free it stands still, and goes to where it is needed next in the last
-// travel there, else evenly over all of that stretch. Jumps by whole turns are none: the turn
-// counts on.
+// Returns angles for each station: its direction up to rounding, or flat within kFlatRad of the
+// normal. Of the two solutions takes the one with the smallest total rotation over the path,
+// weighted towards printing motions. Where the turn is free it stays constant and moves to the next
+// required angle in the last travel before it, else evenly over the whole free stretch. The turn is
+// continuous, without jumps by whole turns.
 std::vector<TableAngles> tableAngles(std::span<const TableStation> stations);
 
-// How far the nozzle leaves the straight line on the part where all axes go straight from one pose
-// to the other.
+// Returns the distance by which the nozzle leaves the straight line on the part if all axes move
+// linearly from one pose to the other.
 double sagMm(const TableFrame& frame, const TablePose& from, const TablePose& to);
-// In how many pieces, equal in time and with their ends on the straight line on the part, it leaves
-// it by no more than `mostMm`.
+// Returns the number of pieces, equal in time and with their ends on the straight line on the part,
+// for which the deviation is at most `mostMm`.
 int tablePieces(const TableFrame& frame, const TablePose& from, const TablePose& to, double mostMm);
-// The pose on that line at `share` of the motion; angles go evenly.
+// Returns the pose on that line at `share` of the motion; angles change linearly.
 TablePose tablePiece(const TableFrame& frame, const TablePose& from, const TablePose& to,
                      double share);
 
-// The nozzle's way on the part where all axes go straight, as plan::ProgramMotion::way: to 0.005 mm
-// and 0.002 rad. Empty where the table stands still.
+// Returns the nozzle's path on the part while all axes move linearly, as plan::ProgramMotion::way,
+// to 0.005 mm and 0.002 rad. Empty if the table does not move.
 std::vector<plan::NozzlePoint> wayOnPart(const TableFrame& frame, const TablePose& from,
                                          const TablePose& to);
 

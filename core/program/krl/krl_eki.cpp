@@ -56,7 +56,7 @@ std::string startText(const LinkRow& start) {
   return text + "}";
 }
 
-// ---- what takes the lines, a statement a line
+// ---- KRL program that receives the lines, one statement per line
 
 std::vector<std::string> programLines(const Link& link, std::string_view channel,
                                       const std::vector<std::string>& remarks) {
@@ -110,7 +110,7 @@ std::vector<std::string> remarksFor(const ProgramInput& in) {
   return remarks;
 }
 
-// ---- reading them again
+// ---- reading
 
 std::string codeOfKrl(std::string_view line) {
   return std::string(codeOf(line, kKrlSyntax));
@@ -121,7 +121,7 @@ bool isData(std::string_view text) {
 bool isTaking(std::string_view text) {
   return looksLikeKrl(text);
 }
-// The name behind DEF or DEFDAT.
+// Returns the name after DEF or DEFDAT.
 std::string nameIn(std::string_view text) {
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
@@ -146,7 +146,7 @@ void readTaking(std::string_view text, const Link& link, ProgramBuilder& out) {
 bool isChannel(std::string_view text) {
   return text.substr(0, 1024).find(kChannelBegins) != std::string_view::npos;
 }
-// Address and port are the user's.
+// Removes address and port, which the user sets.
 std::string codeOfChannel(std::string_view line) {
   std::string code(trimmed(line));
   for (const std::string_view name : {"<IP>", "<PORT>"})

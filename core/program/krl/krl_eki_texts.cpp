@@ -6,8 +6,8 @@ namespace voluta::program {
 
 namespace {
 
-// Lines wait in the controller: as many as keep its advance run fed, and far fewer than EKI closes
-// the connection at.
+// Records are buffered in the controller: enough to feed its advance run, and far fewer than the
+// number at which EKI closes the connection.
 constexpr std::string_view kSender = R"py(#!/usr/bin/env python3
 """Sends the lines of a print to a KUKA controller by KUKA.EthernetKRL (EKI).
 
@@ -122,7 +122,7 @@ constexpr std::string_view kChannel = R"(<ETHERNETKRL>
 </ETHERNETKRL>
 )";
 
-// EKI reads only into variables that have a value.
+// EKI reads only into initialized variables.
 constexpr std::string_view kData = R"(DECL FRAME GOAL={X 0.0,Y 0.0,Z 0.0,A 0.0,B 0.0,C 0.0}
 DECL AXIS JOINTS={A1 0.0,A2 0.0,A3 0.0,A4 0.0,A5 0.0,A6 0.0}
 DECL REAL PACE=0.0
@@ -145,10 +145,10 @@ DECL INT UNTOLD=0
 DECL BOOL FEEDS=FALSE
 )";
 
-// No state of the machine is read, and outputs are assigned only where the arm stands: either would
-// stop the advance run. A trigger's value waits in a place of its own, since it is not known
-// whether it is looked up where the trigger stands or where it fires; motions and triggers that
-// wait are never as many as there are places ($ADVANCE).
+// No state of the machine is read, and outputs are assigned only where the arm is at rest: either
+// would stop the advance run. Each trigger's value has a separate variable, because it is
+// undocumented whether the value is read when the trigger is programmed or when it fires; there are
+// always more variables than pending motions and triggers ($ADVANCE).
 constexpr std::string_view kBegin = R"(RET=EKI_Init("%")
 RET=EKI_Open("%")
 WAIT FOR $FLAG[1]
@@ -286,7 +286,7 @@ std::vector<std::string> linesFor(std::string_view text, std::string_view channe
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
     std::string& last = all.emplace_back(line);
-    // What is put in is not looked at again: the name that a file gives may have that sign itself.
+    // The replacement is not searched again: a file's name may itself contain '%'.
     for (std::size_t at = last.find('%'); at != std::string::npos;
          at = last.find('%', at + channel.size()))
       last.replace(at, 1, channel);

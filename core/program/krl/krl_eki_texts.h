@@ -1,5 +1,5 @@
-// What of the files beside lines for EthernetKRL is the same for every job. '%' stands for the
-// channel's name, which is the program's.
+// The parts of the files for EthernetKRL that do not depend on the job. '%' is a placeholder for
+// the channel's name, which is the program's.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace voluta::program {
 
 // The script that sends the lines.
 std::string_view krlEkiSender();
-// The channel's configuration; its address and port are the user's to set.
+// The channel's configuration; the user sets its address and port.
 std::string_view krlEkiChannel();
-// Between DEFDAT and ENDDAT.
+// The lines between DEFDAT and ENDDAT.
 std::string_view krlEkiData();
-// From EKI_Init on; `joints`: motions by joints are to joints.
+// The lines from EKI_Init on; `joints`: targets of joint motions are joint values.
 std::string krlEkiLoop(bool joints);
 
-// The lines of a text, with the channel's name.
+// Returns the lines of a text, with the channel's name inserted.
 std::vector<std::string> linesFor(std::string_view text, std::string_view channel);
 
 } // namespace voluta::program

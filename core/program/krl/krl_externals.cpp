@@ -26,7 +26,7 @@ std::optional<base::Message> KrlExternals::take(const KrlValue& target, bool tur
     if (!(std::abs(*value) <= kMost))
       return "an external axis far outside any limit"_text;
     if (!turnBase && k >= carrying && k != own && at_[k] && *at_[k] != *value)
-      return "an external axis that moves no work object is not read"_text;
+      return "an external axis that moves no work object is not supported"_text;
     at_[k] = value;
   }
   if (turnBase && (!at_[0] || own == std::size_t{0}))

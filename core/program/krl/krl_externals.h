@@ -1,6 +1,5 @@
-// External axes of KRL's targets: those that turn what is printed, those that carry the robot,
-// where a program says that there are such (kKrlUnderRobot), and the extruder's, where it says that
-// it is one (kKrlExtruder).
+// External axes in KRL's targets: those that turn the part, those that carry the robot (if the
+// program defines kKrlUnderRobot), and the extruder's (if it defines kKrlExtruder).
 #pragma once
 
 #include "base/text.h"
@@ -15,30 +14,31 @@ namespace voluta::program {
 
 class KrlExternals {
 public:
-  // `variables` outlive it.
+  // `variables` must outlive this object.
   explicit KrlExternals(const KrlVariables& variables) : variables_(variables) {}
 
-  // Takes over E1 and on of a motion's target. `turnBase`: they are an external kinematic's, and
-  // become motion.externals, as those that carry the robot do; else all but the extruder's must
-  // stand where they stood. The reason why they cannot be taken; nothing: they were.
+  // Takes over E1, E2, ... of a motion's target. If `turnBase`, they belong to an external
+  // kinematic system and become motion.externals, as do those that carry the robot; otherwise all
+  // except the extruder's must keep their values. Returns the reason if they are invalid, else
+  // nullopt.
   std::optional<base::Message> take(const KrlValue& target, bool turnBase,
                                     plan::ProgramMotion& motion);
 
-  // Which E is the extruder's, from 0; nothing: it is no axis.
+  // Returns the index of the extruder's axis from 0; nullopt if the extruder is no axis.
   std::optional<std::size_t> extruder() const;
-  // As the rest, while there is one. Where it was last told to go, mm.
+  // The following require an extruder axis. Returns its last commanded position [mm].
   double extruderMm() const;
-  // Does $VEL_EXTAX hold it to less than it can?
+  // Returns whether $VEL_EXTAX limits it to less than its maximum.
   bool extruderIsSlowed() const;
-  // It counts as 0 where it stands.
+  // Sets its current position to 0.
   void zeroExtruder();
-  // Where it goes in a target that moves nothing else.
+  // Returns its position in a target that moves nothing else.
   std::optional<double> extruderAlone(const KrlValue& target) const;
-  // It goes there; how long that takes, s. Nothing: no sensible number.
+  // Moves it to the position and returns the time [s]; nullopt if a number is invalid.
   std::optional<double> feed(double mm);
 
 private:
-  std::size_t underRobot() const; // how many carry it, from E1 on
+  std::size_t underRobot() const; // number of axes that carry the robot, starting with E1
   double extruderPercent() const;
 
   const KrlVariables& variables_;

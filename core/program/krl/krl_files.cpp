@@ -66,8 +66,8 @@ void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder&
     LineCursor own(file, kKrlSyntax);
     out.line = lines.number();
     if (!name.empty() && file.ends_with(".src") && !own.isWord(name))
-      out.defect(base::message("the file {file} begins with {procedure}: a module is called as its "
-                               "first procedure"_text,
+      out.defect(base::message("the file {file} begins with {procedure}: a module must "
+                               "have the name of its first procedure"_text,
                                file, name));
   }
 }

@@ -11,7 +11,7 @@
 namespace voluta::program {
 
 namespace {
-constexpr double kTurnDegPerS = 200.0; // at least
+constexpr double kTurnDegPerS = 200.0; // minimum
 constexpr double kLeastTurnDegPerS = 0.5;
 constexpr double kStartPercent = 10.0;
 constexpr double kLeastMmPerS = 1.0; // of $VEL.CP
@@ -37,7 +37,7 @@ double KrlMotions::turnDegPerS(std::size_t i) const {
                  : 0.0;
 }
 
-// The TCP hardly moves, and how fast it turns says how long the motion takes.
+// Returns whether the TCP hardly moves, so that its rotation speed determines the motion's time.
 bool KrlMotions::goesByTurn(std::size_t i) const {
   return motions_.needsTime(i) && turnDegPerS(i) > kLeastTurnDegPerS;
 }

@@ -1,6 +1,6 @@
-// A trajectory's motions as KRL makes them: straight ones of $TOOL in $BASE, which are slowed by
-// their turn ($VEL.ORI1, $VEL.ORI2) where the TCP hardly moves; those by joints in per cent of
-// kKrlPtpDegPerS.
+// A trajectory's motions in the form KRL needs: straight motions of $TOOL in $BASE, whose time is
+// determined by their rotation ($VEL.ORI1, $VEL.ORI2) where the TCP hardly moves; joint motions in
+// percent of kKrlPtpDegPerS.
 #pragma once
 
 #include "base/run_context.h"
@@ -17,12 +17,12 @@ namespace voluta::program {
 
 class KrlMotions : public LinkMotions {
 public:
-  // Throws as motionTargets. The input lives as long.
+  // Throws as motionTargets. The input must outlive this object.
   KrlMotions(const ProgramInput& input, const base::RunContext& ctx);
   KrlMotions(const KrlMotions&) = delete;
 
   const TcpMotions& tcp() const override { return motions_; }
-  // Of the nozzle in the work frame, or on what the arm holds; positions as they are written.
+  // Pose of the nozzle in the work frame, or on the object the arm holds; positions as written.
   Eigen::Vector3d mm(std::size_t i) const override { return targets_[i].tcpMm; }
   Eigen::Vector3d degrees(std::size_t i) const override; // A, B, C
   double mmPerS(std::size_t i) const override;
@@ -30,9 +30,10 @@ public:
   double blendMm(std::size_t i) const override;
   double jointPercent(std::size_t i) const override; // whole
 
-  // Of the turn of all motions but those that it gives the time, degrees/s.
+  // Rotation speed [degrees/s] that suffices for all motions except those whose time the rotation
+  // determines.
   double turnLimit() const { return turnLimit_; }
-  // Straight motions slower than what $VEL.CP may take.
+  // Number of straight motions slower than the minimum of $VEL.CP.
   std::size_t slow() const { return slow_; }
 
 private:

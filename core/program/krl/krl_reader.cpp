@@ -61,7 +61,7 @@ public:
     complete = procedures_.run(run) && complete && !openData_;
     const bool off = externals_.extruder() || out_.outputsEnded();
     if (!off)
-      out_.defect("the extruder is not set off behind the last motion"_text);
+      out_.defect("the extruder is not switched off after the last motion"_text);
     return out_.take(complete && !missing_ && off);
   }
 
@@ -84,7 +84,7 @@ private:
     return true;
   }
 
-  // ---- outside of procedures: headers, lists of data
+  // ---- outside of procedures: headers, data lists
 
   bool outside(LineCursor& line) {
     std::string name;
@@ -140,8 +140,8 @@ private:
       return word == inSmallLetters(kKrlZero) ? zeroExtruder() : procedures_.call(word);
     }
     if (line.isMark('(') && LineCursor(line.rest().substr(1), kKrlSyntax).isMark(')'))
-      return missing_ = true, fail(base::message("the module with {procedure} is not here"_text,
-                                                 word.substr(0, 40)));
+      return missing_ = true,
+             fail(base::message("the module with {procedure} is missing"_text, word.substr(0, 40)));
     if (word == "halt" && zeroing_)
       return line.ended();
     if (!out_.word(krlWords(), word))
@@ -217,13 +217,13 @@ private:
       return fail(
           base::message("'{word}' slows the arm: the flow would not follow"_text, "$OV_PRO"_name));
     if (root == "$ipo_mode" && value.words[""] != "base" && value.words[""] != "tcp")
-      return fail("$IPO_MODE is #BASE or #TCP"_text);
+      return fail("$IPO_MODE must be #BASE or #TCP"_text);
     if (root == "$ori_type" && value.words[""] != "var")
       return fail("the tool does not turn evenly along its way"_text);
     if (root == "$vel_extax") {
       variables_.set(path, value);
       if (externals_.extruder())
-        return true; // the reader follows it
+        return true; // the reader tracks it
     }
     if (!declared_.contains(root) && !isState(root) && !out_.word(krlWords(), root))
       return fail(base::message("'{word}' is not known to the reader"_text, root.substr(0, 40)));
@@ -239,7 +239,7 @@ private:
     variables_.set(path, value);
     return true;
   }
-  // What the reader follows wherever it changes.
+  // Variables the reader tracks wherever they change.
   static bool isState(const std::string& root) {
     constexpr std::array kState = {"$base", "$tool",     "$ipo_mode", "$load",     "$vel",   "$acc",
                                    "$apo",  "$vel_axis", "$advance",  "$ori_type", "$ov_pro"};
@@ -276,13 +276,13 @@ private:
     if (number == value.numbers.end())
       return false;
     if (std::exchange(aheadOfArm_, false) && moved_)
-      return fail("an output behind CONTINUE runs ahead of the arm"_text);
+      return fail("an output after CONTINUE runs ahead of the arm"_text);
     if (path == kExtruder || path == kFlow)
       out_.statePassingOutput();
     stopAdvance();
     return setOutput(path, number->second);
   }
-  // What is not read in the advance run lets the arm come to rest at its last target.
+  // A statement outside the advance run makes the arm stop at its last target.
   void stopAdvance() {
     if (moved_)
       out_.program().motions.back().blendMm = 0.0;
@@ -290,7 +290,7 @@ private:
   bool setOutput(const std::string& path, double value) {
     if (path == kExtruder) {
       if (value != 0.0 && value != 1.0)
-        return fail("a digital output is 0 or 1"_text);
+        return fail("a digital output must be 0 or 1"_text);
       out_.turn(value == 1.0);
     } else if (path == kFlow) {
       if (!(value >= 0.0 && value <= 1.0))
@@ -302,7 +302,7 @@ private:
     return true;
   }
 
-  // TRIGGER WHEN DISTANCE=0 DELAY=0 DO output=value: where the next motion begins.
+  // TRIGGER WHEN DISTANCE=0 DELAY=0 DO output=value: takes effect at the start of the next motion.
   bool trigger(LineCursor& line) {
     double distance = 0.0, delay = 0.0;
     std::string path;
@@ -313,7 +313,7 @@ private:
         !line.takeMark('=') || !variables_.takeValue(line, value) || !value.numbers.contains(""))
       return false;
     if (distance != 0.0 || delay != 0.0)
-      return fail("only a trigger at a motion's beginning is read"_text);
+      return fail("only triggers at the start of a motion are supported"_text);
     if (const auto named = signals_.find(path); named != signals_.end())
       path = named->second;
     if (rootOf(path) != "$out" && rootOf(path) != "$anout")
@@ -330,12 +330,12 @@ private:
     if (!line.takeWord("sec") || !variables_.takeNumber(line, seconds) || !line.ended())
       return false;
     if (!(seconds >= 0.0 && seconds <= kMostSeconds))
-      return fail("WAIT SEC needs its seconds"_text);
+      return fail("WAIT SEC needs a number of seconds"_text);
     out_.pauseByOutputs(seconds);
     return true;
   }
 
-  // BAS (#WORD, number): what every controller's own procedure does.
+  // BAS (#WORD, number): the effect of the standard procedure on every controller.
   bool basis(LineCursor& line) {
     std::string word;
     double number = 0.0;
@@ -390,7 +390,7 @@ private:
     return line.ended() && finish(std::move(m), target, rounds);
   }
 
-  // WITH $VEL.CP=0.1, $APO={CDIS 1}: for this motion alone.
+  // WITH $VEL.CP=0.1, $APO={CDIS 1}: for this motion only.
   bool motionWith(const std::string& word, const KrlValue& target, bool rounds, LineCursor& line) {
     const KrlVariables kept = variables_;
     std::string path;
@@ -438,11 +438,11 @@ private:
     return true;
   }
 
-  // The extruder's axis alone.
+  // A motion of the extruder's axis alone.
   bool feed(double mm) {
     const auto seconds = externals_.feed(mm);
     if (!seconds)
-      return fail("a speed is no sensible number"_text);
+      return fail("an invalid speed"_text);
     stopAdvance();
     out_.pauseByAxis(*seconds, mm);
     return true;
@@ -458,7 +458,7 @@ private:
       return poseOf(m, target);
     m.target = plan::TargetKind::Joints;
     if (!m.jointInterpolated)
-      return fail("axes are no target of a straight motion"_text);
+      return fail("axes cannot be the target of a straight motion"_text);
     for (const std::string_view name : kKrlAxes) {
       const auto degrees = krlNumber(target, name);
       if (!degrees)
@@ -471,7 +471,7 @@ private:
     return true;
   }
 
-  // $TOOL and $BASE as they stand: what the motion's kind of target is.
+  // Takes the current $TOOL and $BASE, which determine the motion's kind of target.
   bool framesOf(plan::ProgramMotion& m) {
     const auto base = krlFrame(variables_.below("$base"));
     const auto tool = krlFrame(variables_.below("$tool"));
@@ -481,7 +481,7 @@ private:
     const std::string_view mode = variables_.word("$ipo_mode");
     const bool held = mode == "tcp";
     if (held && turnsWithAxis_)
-      return fail("a work object that robot and external axis move is not read"_text);
+      return fail("a work object moved by both robot and external axis is not supported"_text);
     if (!out_.tool(*tool, held ? base : std::nullopt))
       return fail("a second, different tool"_text);
     m.target = held             ? plan::TargetKind::WorkPose
@@ -491,14 +491,14 @@ private:
     return true;
   }
 
-  // A coordinate that is not given stays as it was.
+  // Missing coordinates keep their last values.
   bool poseOf(plan::ProgramMotion& m, const KrlValue& target) {
     const bool whole = std::all_of(kKrlPose.begin(), kKrlPose.end(),
                                    [&](std::string_view name) { return krlNumber(target, name); });
     KrlValue full = target;
     if (!whole) {
       if (!last_ || framesChanged_ || lastKind_ != m.target)
-        return fail("a coordinate is missing, and it is not known where the arm stands"_text);
+        return fail("a coordinate is missing, and the arm's position is not known"_text);
       for (std::size_t k = 0; k < kKrlPose.size(); ++k)
         full.numbers.try_emplace(std::string(kKrlPose[k]), lastParts_[k]);
     }
@@ -513,23 +513,23 @@ private:
   }
 
   ProgramBuilder out_;
-  bool missing_ = false; // a file that is called
+  bool missing_ = false; // a called file is missing
   Procedures procedures_;
   KrlVariables variables_;
   base::Message reason_;
   std::set<std::string, std::less<>> declared_;
-  std::map<std::string, std::string, std::less<>> signals_; // to $OUT[n]
+  std::map<std::string, std::string, std::less<>> signals_; // maps to $OUT[n]
   bool openData_ = false;                                   // DEFDAT without its ENDDAT
   std::size_t dataFile_ = 0;
-  bool aheadOfArm_ = false; // behind CONTINUE
+  bool aheadOfArm_ = false; // after CONTINUE
   bool moved_ = false;
-  bool zeroing_ = false;       // the extruder's axis is set to 0 by who stands by
+  bool zeroing_ = false;       // in the module where the operator sets the extruder's axis to 0
   bool turnsWithAxis_ = false; // $BASE is an external axis' frame
   bool framesChanged_ = false; // since the last pose
   Eigen::Isometry3d frame_T_base_ = Eigen::Isometry3d::Identity();
   KrlExternals externals_{variables_};
   std::array<double, 6> lastParts_{};
-  std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion, where it was a pose
+  std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion if it was a pose
   plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
   std::vector<std::pair<std::string, double>> triggers_; // of the next motion
 };

@@ -11,7 +11,7 @@ namespace voluta::program {
 namespace {
 
 constexpr double kMost = 1e5;
-constexpr double kTurnDegPerS = 400.0; // of a program that sets no limit: machine data mostly
+constexpr double kTurnDegPerS = 400.0; // for programs that set no limit: usual machine data
 
 std::optional<base::Message> jointSpeed(const KrlVariables& variables, plan::ProgramMotion& m) {
   double percent = 0.0;
@@ -21,7 +21,7 @@ std::optional<base::Message> jointSpeed(const KrlVariables& variables, plan::Pro
   if (percent == 0.0)
     percent = 100.0;
   if (!(percent > 0.0 && percent <= 100.0))
-    return "a speed is no sensible number"_text;
+    return "an invalid speed"_text;
   m.jointSpeedRadPerS = base::degreesToRadians(kKrlPtpDegPerS) * percent / 100.0;
   return std::nullopt;
 }
@@ -41,7 +41,7 @@ std::optional<base::Message> krlSpeed(const KrlVariables& variables,
   const double acceleration = variables.number("$acc.cp").value_or(0.0);
   for (const double v : {*speed, turning})
     if (!(v > 0.0 && v <= kMost))
-      return "a speed is no sensible number"_text;
+      return "an invalid speed"_text;
   if (!(acceleration >= 0.0 && acceleration <= kMost))
     return "an acceleration is no sensible number"_text;
   m.speedMmPerS = *speed * 1000.0;

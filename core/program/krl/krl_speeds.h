@@ -1,4 +1,4 @@
-// What a KRL program's variables say of how a motion goes: its speed, its turn, its corner.
+// Speed, rotation speed and blending of a motion from a KRL program's variables.
 #pragma once
 
 #include "base/text.h"
@@ -10,17 +10,17 @@
 
 namespace voluta::program {
 
-// Fills in speed and acceleration of `motion`, whose target is known; where turning takes longer
-// than the way from `last` (frame_T_tcp of the motion before, in the same frame), its time.
-// The reason why it cannot be; nothing: it was.
+// Sets speed and acceleration of `motion`, whose target is known, and its time if the rotation
+// takes longer than the path from `last` (frame_T_tcp of the preceding motion, in the same frame).
+// Returns the reason if a value is invalid, else nullopt.
 std::optional<base::Message> krlSpeed(const KrlVariables& variables,
                                       const std::optional<Eigen::Isometry3d>& last,
                                       plan::ProgramMotion& motion);
-// Likewise its blend, of a motion with C_DIS.
+// Sets the blend of a motion with C_DIS. Returns as krlSpeed().
 std::optional<base::Message> krlBlend(const KrlVariables& variables, plan::ProgramMotion& motion);
 
-// Where turning from `last` at `degPerS` takes longer than the way at the motion's speed, the
-// motion's time is that.
+// Sets the motion's time if the rotation from `last` at `degPerS` takes longer than the path at the
+// motion's speed.
 void slowByTurn(const Eigen::Isometry3d& last, double degPerS, plan::ProgramMotion& motion);
 
 } // namespace voluta::program

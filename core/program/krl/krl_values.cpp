@@ -17,7 +17,7 @@ std::string pathOf(const std::string& within, const std::string& part) {
   return within.empty() ? part : part.empty() ? within : within + "." + part;
 }
 
-// 'B0101' or 'HFF', as S and T are often given.
+// Parses 'B0101' or 'HFF', the usual notation of S and T.
 bool takeBits(LineCursor& line, double& value) {
   std::string digits;
   if (!line.takeMark('\'') || !line.takeName(digits) || !line.takeMark('\'') || digits.size() < 2)
@@ -32,7 +32,7 @@ bool takeBits(LineCursor& line, double& value) {
   return error == std::errc() && read == end;
 }
 
-// Is `path` the variable itself or a part of it? `rest`: the path within it.
+// Returns whether `path` is the variable itself or a part of it; `rest`: the path within it.
 bool isBelow(std::string_view path, std::string_view variable, std::string_view& rest) {
   if (!path.starts_with(variable))
     return false;
@@ -169,7 +169,7 @@ bool KrlVariables::takePart(LineCursor& line, const std::string& within, KrlValu
   return true;
 }
 
-// { TYPE: NAME value, NAME value, ... }; the type may be left out.
+// Parses { TYPE: NAME value, NAME value, ... }; the type is optional.
 bool KrlVariables::takeAggregate(LineCursor& line, const std::string& within, KrlValue& value,
                                  int depth) const {
   if (depth == kMostDepth || !line.takeMark('{'))

@@ -17,24 +17,24 @@ namespace voluta::program {
 
 inline constexpr LineSyntax kKrlSyntax{';', '$'};
 
-// DEF NAME ( ) and END; `name` in small letters, empty where it is not the head of a procedure that
-// is read.
+// Recognizes DEF NAME ( ) and END; `name` in small letters, empty if the line does not begin a
+// procedure that the reader supports.
 LinePart krlPart(LineCursor line, std::string& name);
-// A defect each: a module, but for the first, that is not called as its first procedure, which a
-// controller would not find.
+// Adds a defect for each module except the first that is not named after its first procedure: a
+// controller would not find it.
 void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder& out);
 
-// A variable's name with its index and parts, in small letters: "$vel.cp", "$out[1]", "p1".
+// Parses a variable's name with its index and parts, in small letters: "$vel.cp", "$out[1]", "p1".
 bool takeKrlPath(LineCursor& line, std::string& path);
 
-// The parts of a value by their paths within it: {X 1,B {Y 2}} is "x" and "b.y"; of a number "". A
-// truth is 0 or 1.
+// The parts of a value, keyed by their paths within it: {X 1,B {Y 2}} has "x" and "b.y"; a number
+// has the path "". A boolean is 0 or 1.
 struct KrlValue {
   std::map<std::string, double, std::less<>> numbers;
   std::map<std::string, std::string, std::less<>> words; // #BASE: "base"
 };
 
-// One of them; nothing: the value has no such part.
+// Returns one part; nullopt if the value has no such part.
 std::optional<double> krlNumber(const KrlValue& value, std::string_view path);
 
 inline constexpr std::array<std::string_view, 6> kKrlPose = {"x", "y", "z", "a", "b", "c"};
@@ -46,18 +46,18 @@ class KrlVariables {
 public:
   KrlVariables();
 
-  // Anything that may be assigned: an aggregate, a sum, a truth, a word, a string, another variable
-  // as a whole. false: it is none of them.
+  // Parses an assignable value: an aggregate, a sum, a boolean, a word, a string, or another
+  // variable as a whole. Returns false otherwise.
   bool takeValue(LineCursor& line, KrlValue& value) const;
   bool takeNumber(LineCursor& line, double& value) const;
-  // What is given in `value` becomes that of the variable.
+  // Overwrites those parts of the variable that `value` contains.
   void set(const std::string& path, const KrlValue& value);
   void set(const std::string& path, double value);
   void erase(const std::string& path);
 
   std::optional<double> number(std::string_view path) const;
   std::string_view word(std::string_view path) const; // empty: none
-  // All that is known below a variable.
+  // Returns all known parts of a variable.
   KrlValue below(const std::string& path) const;
 
 private:
@@ -67,9 +67,9 @@ private:
   KrlValue all_;
 };
 
-// The frame of X, Y, Z, mm, and A, B, C, degrees. Nothing: it is out of any reach.
+// Returns the frame of X, Y, Z [mm] and A, B, C [degrees]; nullopt if it is out of any reach.
 std::optional<Eigen::Isometry3d> krlPose(const Eigen::Vector3d& mm, const Eigen::Vector3d& degrees);
-// Likewise of {X,Y,Z,A,B,C}. Nothing: a part is missing, too.
+// Same for {X,Y,Z,A,B,C}; nullopt also if a part is missing.
 std::optional<Eigen::Isometry3d> krlFrame(const KrlValue& value);
 
 } // namespace voluta::program

@@ -7,8 +7,8 @@
 
 namespace voluta::program {
 
-// KUKA System Software, operating and programming instructions for system integrators. In small
-// letters.
+// Source: KUKA System Software, operating and programming instructions for system integrators. In
+// small letters.
 std::span<const KnownWord> krlWords() {
   static constexpr std::array kTable = {
       KnownWord{"halt", kAtRest, "waits for the operator"},

@@ -25,7 +25,7 @@ namespace voluta::program {
 namespace {
 
 constexpr int kSpeedDigits = 6, kBlendDecimals = 4;
-constexpr double kMostTurnDegPerS = 400.0; // that machine data mostly have
+constexpr double kMostTurnDegPerS = 400.0; // usual machine data
 
 class KrlWriter : private ProgramEmitter {
 public:
@@ -206,11 +206,11 @@ private:
     out_ += krlFrameText(pose.translation(), zyxDegrees(Eigen::Quaterniond(pose.linear())));
   }
 
-  // ---- what is said in turn
+  // ---- ProgramEmitter interface
 
   void beginFile(std::size_t) override {
     out_.clear();
-    // Settings live on, but a file is to be read by itself.
+    // Settings persist between files, but each file must also be readable alone.
     held_.clear();
     held_["$VEL.ORI1"] = held_["$VEL.ORI2"] = fixedText(motions_.turnLimit(), 0);
     outputsOff();
@@ -266,7 +266,7 @@ private:
       set(feedSpeed(), fixedText(percent, 0));
   }
 
-  // Where it isn't said already.
+  // Writes an assignment unless the variable already has this value.
   void set(std::string_view name, const std::string& value) {
     std::string& held = held_[std::string(name)];
     if (held == value)
@@ -279,7 +279,7 @@ private:
     const plan::Trajectory& t = in_.trajectory;
     const std::string said = fixedText(motions_.jointPercent(i), 0);
     if (held_["BAS"] != said) {
-      line(joined({"BAS (#VEL_PTP,", said, ")"})); // of external axes too
+      line(joined({"BAS (#VEL_PTP,", said, ")"})); // also sets the speed of external axes
       held_.erase(feedSpeed());
     }
     held_["BAS"] = said;
@@ -306,7 +306,7 @@ private:
   void external(std::size_t i) {
     for (int k = in_.cell.armDof(); k < in_.cell.dof(); ++k) {
       out_ += joined({",E", std::to_string(k - in_.cell.armDof() + 1), " "});
-      // Degrees, or mm of one that slides.
+      // degrees, or mm of a sliding axis
       number(robot::shownValue(in_.cell.limits()[static_cast<std::size_t>(k)].kind,
                                in_.trajectory.at(i)[k]),
              kKrlDegDecimals);
@@ -338,13 +338,13 @@ private:
   const ProgramInput& in_;
   const base::RunContext& ctx_;
   KrlMotions motions_;
-  std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of file k
+  std::vector<std::size_t> cuts_; // points of file k: cuts_[k - 1] .. cuts_[k]
   std::string name_, out_;
   const bool byAxis_; // the extruder is an external axis
   double axisMm_ = 0.0;
   std::vector<std::string> bodies_; // of the files
   std::map<std::string, std::string> held_;
-  bool stands_ = true; // the arm, behind the last motion
+  bool stands_ = true; // the arm is at rest after the last motion
   plan::Program program_;
 };
 
@@ -353,8 +353,8 @@ private:
 base::ParameterSpec krlMemoryMb() {
   return base::numberParameter("krlMemoryMb", "MB", 4.0, 0.1, 10000.0, "Programs"_text,
                                "KRL memory"_text,
-                               "Room for programs on the controller: a longer one says so in its "
-                               "head."_text);
+                               "Program memory of the controller. Longer programs "
+                               "contain a note in their header."_text);
 }
 
 std::vector<base::ParameterSpec> krlOptions() {

@@ -25,7 +25,7 @@ constexpr std::string_view kId = "melfa-datalink", kTitle = "lines for a data li
                            kProgramNote = "# taken by ", kSenderNote = "# sent by ",
                            kTakes = "' Takes lines by data link", kOpen = "Open \"COM";
 constexpr MelfaTaking kTaking{"' Takes lines by data link, MELFA-BASIC V", kOpen, "3:"};
-constexpr std::size_t kNameCharacters = 7; // with "_link" 12
+constexpr std::size_t kNameCharacters = 7; // 12 with "_link"
 constexpr LinkForm kForm{.header = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,mm_per_s,flow,blend_mm",
                          .fullFlow = kMelfaFullFlow,
                          .wholeFlow = true,
@@ -35,8 +35,8 @@ constexpr LinkForm kForm{.header = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,mm_per_s,fl
                          .frameDecimals = kMelfaFrameDecimals,
                          .pose = melfaPose};
 
-// The same for every job. Lines wait in the controller, no more than a few, so that it always knows
-// the next ones and never too many.
+// The same for every job. The controller buffers only a few lines, so that it always knows the next
+// ones without overflowing.
 constexpr std::string_view kSender = R"(#!/usr/bin/env python3
 """Sends the lines of a print to a MELFA controller by data link.
 
@@ -107,8 +107,8 @@ void add(std::vector<std::string>& steps, std::initializer_list<std::string> mor
   std::ranges::copy(more, std::back_inserter(steps));
 }
 
-// The steps of the program that takes the lines. A statement a step; which COM it is stands in the
-// place of "".
+// Returns the steps of the program that receives the lines, one statement per step. "" is a
+// placeholder for the COM number.
 std::vector<std::string> stepsFor(const Link& link) {
   const std::string out = std::to_string(kMelfaExtruder), flow = std::to_string(kMelfaFlow);
   const std::string on = joined({"M_Out(", out, ")=1"}), off = joined({"M_Out(", out, ")=0"});

@@ -12,7 +12,7 @@ namespace voluta::program {
 
 namespace {
 constexpr double kLeastPercent = 1.0, kLeastMmPerS = 0.01;
-constexpr double kLeastBlendMm = 0.0009; // one of 0.001 mm is written
+constexpr double kLeastBlendMm = 0.0009; // 0.001 mm is written
 
 double countedShare(double share) {
   return std::clamp(std::max(1.0, std::round(share * kMelfaFullFlow)) / kMelfaFullFlow, 0.0, 1.0);
@@ -44,8 +44,8 @@ MelfaMotions::MelfaMotions(const ProgramInput& input, const base::RunContext& ct
   placeNozzle();
 }
 
-// Targets become what moves straight: the nozzle on what the arm holds. Rounded as written, so that
-// rounding does not become speed.
+// Converts the targets to those of the straight motion: the nozzle relative to the work that the
+// arm holds. Uses rounded values as written, so that rounding does not change speeds.
 void MelfaMotions::placeNozzle() {
   const Eigen::Isometry3d& nozzle = in_.cell.base_T_fixed();
   for (std::size_t i = 0; i < targets_.size(); ++i) {

@@ -51,7 +51,7 @@ private:
     defect(base::message("not understood: '{code}'"_text, code.substr(0, 60)));
   }
 
-  // Values that are listed behind the program. They hold from its beginning.
+  // Reads the values listed after the program; they are valid from its beginning.
   void takeValues(const MelfaText& text) {
     bool behind = false;
     for (const MelfaStep& step : text.steps) {
@@ -81,7 +81,7 @@ private:
       defect("the program has no End"_text);
     }
     if (out_.program().motions.size() > motions && !out_.outputsEnded()) {
-      defect("the extruder is not set off behind the last motion"_text);
+      defect("the extruder is not switched off after the last motion"_text);
       sound = false;
     }
     out_.file = fromFile;
@@ -89,7 +89,7 @@ private:
     return sound;
   }
 
-  // To the End, or to the Return of a subroutine (depth > 0). false: neither is there.
+  // Runs to End, or to the Return of a subroutine (depth > 0). Returns false if neither is found.
   bool runFrom(std::size_t at, std::size_t depth) {
     const MelfaText& text = texts_[out_.file];
     for (; at < text.steps.size(); ++at) {
@@ -149,7 +149,7 @@ private:
       defect(base::message("'{name}' is not known to the reader"_text, word.substr(0, 40)));
   }
 
-  // Names of variables; what they are called by says of which type they are.
+  // Defines variable names; their type is determined by their names.
   void definition(MelfaScanner& scanner) {
     const std::string kind = inSmallLetters(scanner.name());
     for (const char* known : {"pos", "jnt", "inte", "long", "float", "double", "char"})
@@ -158,8 +158,8 @@ private:
     defect(base::message("'{name}' is not known to the reader"_text, "Def " + kind.substr(0, 30)));
   }
 
-  // name = value, and what outputs and work coordinates are set to. false: none of these, or not
-  // understood.
+  // Handles name = value, and assignments to outputs and work coordinates. Returns false if the
+  // code is neither, or not understood.
   bool assign(std::string_view code) {
     MelfaScanner scanner(code, variables_);
     const std::string name = scanner.variableName();
@@ -224,12 +224,12 @@ private:
         out_.turn(value > 0.0);
     } else if (count == kOutputsOfWord && first == kMelfaFlow) {
       if (value < 0.0 || value > kMelfaFullFlow || value != std::floor(value))
-        defect(base::message("a flow that is no whole number from 0 to {most}"_text,
+        defect(base::message("the flow is not an integer from 0 to {most}"_text,
                              base::number(kMelfaFullFlow)));
       else
         out_.flow(value / kMelfaFullFlow);
     } else if (touches(kMelfaExtruder, 1) || touches(kMelfaFlow, kOutputsOfWord)) {
-      defect("an output of the extruder's among others"_text);
+      defect("an output of the extruder is set together with other outputs"_text);
     } else {
       out_.wordAt(name, kAside);
     }
@@ -286,7 +286,7 @@ private:
       out_.state(plan::FactKind::OpenRounding);
   }
 
-  // A frame in the robot's base or on its flange.
+  // Reads a frame in the robot's base or on its flange.
   std::optional<Eigen::Isometry3d> poseIn(MelfaScanner& scanner) {
     ScriptValue value;
     if (!scanner.value(value))
@@ -308,7 +308,7 @@ private:
   void base(MelfaScanner& scanner) {
     const auto pose = poseIn(scanner);
     if (!pose || !scanner.ended() || !pose->isApprox(Eigen::Isometry3d::Identity(), 1e-9))
-      defect("a base other than the robot's own: write positions in that"_text);
+      defect("unsupported base: positions must be in the robot's own base"_text);
     else
       out_.state(plan::FactKind::TargetFrame);
   }
@@ -316,7 +316,7 @@ private:
   void delay(MelfaScanner& scanner) {
     const auto seconds = numberIn(scanner, 0.0, kMostSeconds);
     if (!seconds || !scanner.ended())
-      defect("'Dly' needs its seconds"_text);
+      defect("'Dly' without a time in seconds"_text);
     else
       out_.pauseByOutputs(*seconds);
   }
@@ -325,21 +325,21 @@ private:
     const std::string label = scanner.take('*') ? inSmallLetters(scanner.name()) : "";
     const auto at = texts_[out_.file].labels.find(label);
     if (at == texts_[out_.file].labels.end() || !scanner.ended() || depth >= kMostDepth) {
-      defect(base::message("'{name}' is called as it cannot be"_text, label));
+      defect(base::message("invalid call of '{name}'"_text, label));
       return;
     }
     const std::size_t line = out_.line;
     const bool back = runFrom(at->second + 1, depth + 1);
     out_.line = line;
     if (!back)
-      defect(base::message("'{name}' is called as it cannot be"_text, label));
+      defect(base::message("invalid call of '{name}'"_text, label));
   }
 
   void call(MelfaScanner& scanner, std::size_t depth) {
     ScriptValue name;
     if (!scanner.value(name) || name.kind != ScriptKind::Text || !scanner.ended() || depth > 0 ||
         out_.file != 0) {
-      defect("a call of another program that cannot be followed"_text);
+      defect("unsupported call of another program"_text);
       return;
     }
     const std::string file = inSmallLetters(name.text) + ".prg";
@@ -350,7 +350,7 @@ private:
         variables_ = own;
         return;
       }
-    defect(base::message("the program {name} is not here"_text, name.text.substr(0, 60)));
+    defect(base::message("the called program {name} is missing"_text, name.text.substr(0, 60)));
     missing_ = true;
   }
 
@@ -362,7 +362,7 @@ private:
     if (word == "emvs") {
       const auto n = numberIn(scanner, 1.0, kWorkCoordinates);
       if (!n || *n != std::floor(*n) || !scanner.take(',')) {
-        defect("'EMvs' needs its work coordinates, 1 to 8"_text);
+        defect("'EMvs' without work coordinates 1 to 8"_text);
         return;
       }
       coordinates = static_cast<std::size_t>(*n);
@@ -382,9 +382,9 @@ private:
       statePosture(target);
     out_.motionByOutputs(std::move(m));
   }
-  // Of the motion that comes next.
+  // States the posture of the next motion.
   void statePosture(const ScriptValue& target) {
-    constexpr double kBits = 4294967296.0; // 32
+    constexpr double kBits = 4294967296.0; // 2^32
     const auto bits = [](double flag) {
       return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::fmod(flag, kBits)) &
                                         0xffffffff);
@@ -400,7 +400,7 @@ private:
   bool jointTarget(const ScriptValue& target, plan::ProgramMotion& m) {
     constexpr std::size_t kAxes = 6;
     if (target.kind != ScriptKind::List || target.list.size() < kAxes) {
-      defect("a target of fewer than six joints"_text);
+      defect("target with fewer than six joints"_text);
       return false;
     }
     m.target = plan::TargetKind::Joints;
@@ -417,19 +417,20 @@ private:
     const auto pose = melfaPose(target);
     double away = 0.0;
     if (!pose || (scanner.take(',') && !scanner.number(away)) || !(std::abs(away) <= kMostMmPerS)) {
-      defect("a target that is no position in a robot's reach"_text);
+      defect("the target is not a position within a robot's reach"_text);
       return false;
     }
     m.target = plan::TargetKind::FlangePose;
     m.frame_T_tcp = *pose;
     m.frame_T_tcp.translate(Eigen::Vector3d(0.0, 0.0, away));
     if (!toolSet_)
-      defect("a position before Tool: whose is it?"_text);
-    toolSet_ = true; // said once
+      defect("a position before Tool: its TCP is unknown"_text);
+    toolSet_ = true; // Report only once
     return true;
   }
 
-  // The nozzle of all straight motions is one that stands, or one that moves.
+  // Checks that all straight motions are of the same kind: with a stationary nozzle, or a moving
+  // one.
   bool straightKind(std::string_view word, std::size_t coordinates, bool joints) {
     if (word == "mov")
       return true;
@@ -438,7 +439,7 @@ private:
       return false;
     }
     if (held_ && *held_ != (coordinates > 0)) {
-      defect("'Mvs' and 'EMvs' in one program: which of them moves the nozzle?"_text);
+      defect("'Mvs' and 'EMvs' in one program: only one of them can move the nozzle"_text);
       return false;
     }
     held_ = coordinates > 0;
@@ -447,7 +448,7 @@ private:
     const auto& nozzle = work_[coordinates - 1];
     if (!nozzle || (nozzle_ && !nozzle->isApprox(*nozzle_, 1e-9))) {
       if (nozzle)
-        defect("other work coordinates than before: a second nozzle"_text);
+        defect("the work coordinates change: only one nozzle is supported"_text);
       else
         defect("work coordinates that P_WkCord does not set"_text);
       return false;
@@ -464,7 +465,8 @@ private:
       if (word == "type") {
         const auto way = numberIn(scanner, 0.0, 0.0);
         if (!way || (scanner.take(',') && !numberIn(scanner, 0.0, 0.0))) {
-          defect("the long way round, or angles turned by themselves"_text);
+          defect("'Type' other than 0,0: the long way around, or independent rotation "
+                 "of the angles"_text);
           return false;
         }
       } else if (word == "wth") {
@@ -472,7 +474,7 @@ private:
         const std::string name = output.variableName();
         if (name.starts_with("m_out") && indexed(name, output))
           return true;
-        defect("'Wth' with what is no output"_text);
+        defect("'Wth' without an output"_text);
         return false;
       } else {
         notUnderstood(code);
@@ -497,18 +499,18 @@ private:
   const std::vector<plan::ProgramFile>& files_;
   const base::RunContext& ctx_;
   ProgramBuilder out_;
-  std::vector<MelfaText> texts_; // of files_
+  std::vector<MelfaText> texts_; // Per file of files_
   std::vector<bool> ran_;
   ScriptVariables variables_;
   std::optional<Eigen::Isometry3d> work_[kWorkCoordinates]; // base_T_work coordinates
   plan::ProgramPlace workAt_[kWorkCoordinates];
-  std::optional<Eigen::Isometry3d> nozzle_; // what straight motions are of
-  std::optional<bool> held_;                // straight motions are EMvs
+  std::optional<Eigen::Isometry3d> nozzle_; // Nozzle of the straight motions
+  std::optional<bool> held_;                // Straight motions are EMvs
   double mmPerS_ = 0.0, override_ = 100.0, jointOverride_ = 100.0;
   bool continuous_ = false;
-  std::optional<double> blendMm_; // without one: as far as it takes to stop
+  std::optional<double> blendMm_; // nullopt: over the stopping distance
   bool toolSet_ = false, everSet_ = false;
-  bool missing_ = false; // a program that is called
+  bool missing_ = false; // A called program is missing
 };
 
 } // namespace

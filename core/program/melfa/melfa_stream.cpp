@@ -31,9 +31,9 @@ constexpr MelfaTaking kTaking{"' Takes a stream by real-time control, MELFA-BASI
                               "192.168.0.2"};
 constexpr double kCr750S = 0.00711, kCr800S = 0.0035, kStartRadPerS2 = 0.5;
 constexpr std::size_t kMostPackets = 5'000'000; // 1 GB
-constexpr std::size_t kNameCharacters = 8;      // with "_mxt" 12
+constexpr std::size_t kNameCharacters = 8;      // 12 with "_mxt"
 
-// The same for every job. Packets are sent one for each answer, which keeps the controller's pace.
+// The same for every job. Sends one packet per answer, which keeps pace with the controller.
 constexpr std::string_view kSender = R"(#!/usr/bin/env python3
 """Sends packets of real-time control to a MELFA controller.
 
@@ -75,14 +75,14 @@ if __name__ == "__main__":
     main(*sys.argv[1:])
 )";
 
-// Packets set all 16 outputs: of the melfa dialect's numbers those that are no other's.
+// Packets set all 16 outputs. Uses the numbers of the melfa dialect that no other output has.
 std::string outputsNote(const process::Process& process) {
   return joined({"extruder on: output ", std::to_string(kMxtFirstOutput + 15), "; flow: outputs ",
                  std::to_string(kMxtFirstOutput), " to ", std::to_string(kMxtFirstOutput + 14),
                  " as a number, ", fullFlowText(fixedText(kMxtFullFlow, 0), process)});
 }
 
-// The steps of the program that takes the stream; an address stands in the place of "".
+// Returns the steps of the program that receives the stream; "" is a placeholder for the address.
 std::vector<std::string> stepsFor(const JointRow& start) {
   std::string joints = "J1=(";
   for (std::size_t k = 0; k < kRowJoints; ++k)
@@ -111,8 +111,8 @@ void readTaking(std::string_view text, const std::optional<JointRow>& start, Pro
         const std::size_t quote = rest.find('"');
         return quote == std::string_view::npos ? 0 : quote;
       },
-      {"not what takes this stream: '{code}'"_text,
-       "the program that takes the stream was cut short"_text},
+      {"not the program that receives this stream: '{code}'"_text,
+       "the program that receives the stream is truncated"_text},
       out);
 }
 
@@ -122,7 +122,7 @@ void readPackets(std::string_view bytes, std::string_view wanted, ProgramBuilder
     return;
   const std::size_t packet = static_cast<std::size_t>(own - bytes.begin()) / kMxtBytes;
   out.line = packet + 1;
-  out.defect(base::message("packet {number} is not what the rows make"_text, packet + 1));
+  out.defect(base::message("packet {number} does not match the rows"_text, packet + 1));
 }
 
 double cycleOf(std::string_view text) {
@@ -141,8 +141,7 @@ base::ParameterSpec mxtController() {
   return base::choiceParameter(
       "mxtController", "cr750",
       {{"cr750", "CR750 (7.11 ms)"_text}, {"cr800", "CR800 (3.5 ms)"_text}}, "Programs"_text,
-      "controller of the stream"_text,
-      "MELFA stream: a packet is sent each cycle of the controller."_text);
+      "controller"_text, "MELFA stream: one packet is sent per controller cycle."_text);
 }
 
 std::vector<base::ParameterSpec> melfaStreamOptions() {
@@ -164,8 +163,8 @@ plan::Program writeMelfaStream(const ProgramInput& input, const base::RunContext
   if (const std::size_t count = mxtPacketCount(rows.rows, cycleS); count > kMostPackets)
     throw base::Error(
         base::ErrorCode::Usage,
-        base::message("a stream of {count} packets is longer than a file should be"_text, count),
-        {}, "take melfa"_text);
+        base::message("a stream of {count} packets is too large for a file"_text, count), {},
+        "use melfa"_text);
   plan::Program program;
   program.format = kId;
   program.files = {{name + ".rows", std::move(rows.text)},

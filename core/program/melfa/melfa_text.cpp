@@ -44,9 +44,9 @@ MelfaText melfaText(std::string_view text, ProgramBuilder& out, const base::RunC
     std::size_t number = 0;
     const std::string_view code = melfaCode(line, number);
     if (trimmed(line).size() > kMelfaMostCharacters)
-      out.defect("a step of more than 127 characters"_text);
+      out.defect("step longer than 127 characters"_text);
     if (number > kMelfaMostSteps || (number > 0 && number <= last))
-      out.defect("step numbers ascend, to 32767 at most"_text);
+      out.defect("step numbers must ascend, up to 32767"_text);
     last = number > 0 ? number : last;
     if (code.empty())
       continue;
@@ -77,7 +77,7 @@ bool mayBeMissingInMelfa(const std::vector<std::string>& lines, std::size_t i) {
   std::size_t step = 0;
   const std::string_view code = melfaCode(lines[i], step);
   const auto begins = [&](std::string_view word) { return code.starts_with(word); };
-  // The arm's own speeds and accelerations are there without a word.
+  // The arm's own speeds and accelerations are the defaults.
   return code.empty() || begins("Ovrd") || begins("Accel") ||
          (begins("Cnt 0") && i > 0 && lines[i - 1].find("Accel") != std::string::npos) ||
          primes(lines, i);

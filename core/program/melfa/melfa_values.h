@@ -1,4 +1,4 @@
-// Values of MELFA-BASIC V: numbers, positions, joints; what a program keeps of them.
+// Values of MELFA-BASIC V: numbers, positions and joints, and a program's variables.
 #pragma once
 
 #include "plan/program.h"
@@ -10,21 +10,22 @@
 
 namespace voluta::program {
 
-// Positions are lists x, y, z (mm), a, b, c (degrees) and whatever further; joints lists of
-// degrees. Known besides variables: P_NBase, P_NTool, M_NSpd, M_NOvrd, M_NJOvrd; Rad, Deg, Sqr,
-// Abs, Inv; parts of positions (angles in radians), &H and &B numbers. The product of positions is
-// that of their frames, sums are taken part by part.
+// Positions are lists x, y, z [mm], a, b, c [degrees] and optional further components; joints are
+// lists of degrees. Besides variables, the scanner knows P_NBase, P_NTool, M_NSpd, M_NOvrd,
+// M_NJOvrd; Rad, Deg, Sqr, Abs, Inv; components of positions (angles in radians), and &H and &B
+// numbers. The product of positions is that of their frames; sums are computed per component.
 class MelfaScanner : public ScriptScanner {
 public:
   MelfaScanner(std::string_view text, const ScriptVariables& variables)
       : ScriptScanner(text, variables, '(') {}
 
-  // A variable's name with its mark of type (%, #, !, $), in small letters; empty: there is none.
+  // Returns a variable's name with its type mark (%, #, !, $), in lower case; empty if there is
+  // none.
   std::string variableName();
 
 protected:
   bool named(std::string_view name, ScriptValue& value) override;
-  bool behindList(ScriptValue& list) override; // flags, which say nothing of where it is
+  bool behindList(ScriptValue& list) override; // Flags, which do not affect the pose
   bool oddNumber(double& value) override;
   bool operate(char op, const ScriptValue& a, const ScriptValue& b, ScriptValue& result) override;
 
@@ -32,19 +33,20 @@ private:
   bool part(ScriptValue& value);
 };
 
-// A position's frame; nullopt: it is none, or far outside any robot's reach.
+// Returns a position's frame; nullopt if it is not a position, or far outside any robot's reach.
 std::optional<Eigen::Isometry3d> melfaPose(const ScriptValue& value);
 std::optional<Eigen::Isometry3d> melfaPose(const Eigen::Vector3d& mm,
                                            const Eigen::Vector3d& degrees);
 
-// A work that the flange holds is moved under a nozzle: targets of the TCP in Base become the
-// nozzle's on that work.
+// For a work held by the flange and moved under a nozzle: converts targets of the TCP in Base to
+// targets of the nozzle relative to that work.
 void seeFromHeldWork(plan::ReadProgram& program, const Eigen::Isometry3d& base_T_nozzle);
 
-// Sets part `name` (x, y, z, a, b, c) of a position. false: there is no such part.
+// Sets component `name` (x, y, z, a, b, c) of a position. Returns false if there is no such
+// component.
 bool setMelfaPart(ScriptValue& position, std::string_view name, double value);
 
-// What `M_NSpd` is: as fast as the arm can.
+// Value of `M_NSpd`: as fast as the arm can move.
 inline constexpr double kMelfaFastestMmPerS = 10000.0;
 
 } // namespace voluta::program

@@ -4,8 +4,8 @@
 
 namespace voluta::program {
 
-// CR750 series instruction manual, 4.13 (detailed explanation of command words). In small letters.
-// What sets speeds, outputs and positions is the reader's own.
+// CR750 series instruction manual, 4.13 (detailed explanation of command words). In lower case. The
+// reader itself handles the words that set speeds, outputs and positions.
 std::span<const KnownWord> melfaWords() {
   static constexpr std::array kTable = {
       KnownWord{"dim", kAnywhere, "declares arrays"},

@@ -17,9 +17,11 @@ namespace voluta::program {
 
 namespace {
 constexpr int kPercentDecimals = 2, kSpeedDigits = 7;
-// Speeds this near are one: each change is a step, and volume is held to 0.1 %.
+// Relative difference below which speeds count as equal: each change is a step, and volume is
+// accurate to 0.1 %.
 constexpr double kSameSpeed = 2e-4;
-constexpr std::size_t kNameCharacters = 9; // a controller's program names hold 12
+// Program names on the controller have at most 12 characters
+constexpr std::size_t kNameCharacters = 9;
 
 class MelfaWriter : private ProgramEmitter {
 public:
@@ -98,7 +100,7 @@ private:
   }
 
   void about() {
-    const std::size_t most = kMelfaMostCharacters - 12; // behind the number and the mark
+    const std::size_t most = kMelfaMostCharacters - 12; // After the number and the mark
     const auto say = [&](std::string_view text) { remark(text); };
     say("Robot program for printing, MELFA-BASIC V");
     if (program_.foreign)
@@ -192,7 +194,7 @@ private:
     }
   }
 
-  // Each change is a step: what holds still stays.
+  // Each change is a step: keep the current blend if it is close enough.
   double heldBlendMm(std::size_t i) const {
     const double most = motions_.blendMm(i);
     return blendMm_ > 0.0 && blendMm_ <= most && 2.0 * blendMm_ > most ? blendMm_ : most;
@@ -205,10 +207,10 @@ private:
   std::string name_, out_;
   plan::Program program_;
   std::size_t steps_ = 0;
-  std::string override_; // as last written
-  double mmPerS_ = 0.0;  // likewise
-  double blendMm_ = 0.0; // likewise; 0: Cnt 0
-  std::string with_;     // what the next motion begins with
+  std::string override_; // As last written
+  double mmPerS_ = 0.0;  // As last written
+  double blendMm_ = 0.0; // As last written; 0: Cnt 0
+  std::string with_;     // Output assignment with which the next motion begins
 };
 
 } // namespace

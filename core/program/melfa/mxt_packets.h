@@ -1,4 +1,4 @@
-// Packets of MELFA's real-time control (Mxt): what a computer sends a CR750 or CR800 each cycle
+// Packets of MELFA's real-time control (Mxt), which a computer sends to a CR750 or CR800 each cycle
 // over UDP (BFP-A3379, Ethernet function; docs/programs.md has the table). 196 bytes,
 // little-endian, with the joints in radians as floats.
 #pragma once
@@ -14,26 +14,26 @@
 namespace voluta::program {
 
 inline constexpr std::size_t kMxtBytes = 196;
-// The outputs that a packet sets: 16 from here on, as a number.
+// A packet sets 16 outputs from this one on, as a number.
 inline constexpr int kMxtFirstOutput = 16;
-// Of that number: the flow's share, and what is added while the extruder is on.
+// In that number: the maximum flow, and the value added while the extruder is on.
 inline constexpr double kMxtFullFlow = 10000.0;
 inline constexpr unsigned kMxtOn = 0x8000;
 
-// One that moves to these joints (Command 1), or, `ends`, that ends the control (255). `count`: of
-// the packets before it.
+// Returns a packet that moves to these joints (Command 1), or, if `ends`, ends the control (255).
+// `count`: number of packets before it.
 std::string mxtPacket(const JointRow& at, std::uint32_t count, bool ends);
 
-// What a row's flow is as the packets say it.
+// Returns a row's flow share as rounded in the packets.
 double mxtShare(double share);
 
-// The rows played at a cycle, s: the start's joints, then where the joints are each cycle later,
-// what a row's last cycle leaves over being part of the next; and the end.
+// Returns the packets of the rows at a cycle time [s]: the start's joints, then the joints after
+// each cycle, and the end. The remainder of a row's last cycle is part of the next cycle.
 std::string mxtPackets(std::span<const JointRow> rows, double cycleS);
-// How many these are.
+// Returns their number.
 std::size_t mxtPacketCount(std::span<const JointRow> rows, double cycleS);
 
-// Does a file begin as one of packets?
+// Returns whether a file begins with a packet.
 bool isMxtPackets(std::string_view bytes);
 
 } // namespace voluta::program

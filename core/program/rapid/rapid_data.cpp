@@ -64,7 +64,7 @@ std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_vie
 
 bool rapidPose(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose,
                base::Message& reason) {
-  constexpr double kTurnTolerance = 1e-5; // of a quaternion's length
+  constexpr double kTurnTolerance = 1e-5; // Of a quaternion's length
   const Eigen::Vector3d mm(numbers[at], numbers[at + 1], numbers[at + 2]);
   const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5], numbers[at + 6]);
   if (!(mm.cwiseAbs().maxCoeff() <= kMostRapidMm)) {
@@ -72,7 +72,7 @@ bool rapidPose(const std::vector<double>& numbers, std::size_t at, Eigen::Isomet
     return false;
   }
   if (!(std::abs(turn.norm() - 1.0) <= kTurnTolerance)) {
-    reason = "a quaternion whose length is not 1"_text;
+    reason = "a quaternion that is not normalised"_text;
     return false;
   }
   pose = Eigen::Isometry3d::Identity();

@@ -1,4 +1,4 @@
-// The data types of RAPID that a program for printing declares or names.
+// The data types of RAPID used in programs for printing.
 #pragma once
 
 #include "base/text.h"
@@ -12,34 +12,35 @@
 
 namespace voluta::program {
 
-// A literal as its numbers in order and its shape: n number, b truth (0 or 1), s string ("" is 0,
+// A literal as its numbers in order and its shape: n number, b boolean (0 or 1), s string ("" is 0,
 // else 1), within the literal's brackets.
 struct RapidData {
   std::string shape;
   std::vector<double> numbers;
-  std::string text; // of its string, in small letters
+  std::string text; // Text of its string, in lower case
 };
 
-// The shape of a type's literals; empty: a type that is not known. `type` in small letters.
+// Returns the shape of a type's literals; empty for an unknown type. `type` in lower case.
 std::string_view rapidShape(std::string_view type);
 
-// Tool and work object say whether the robot holds them: one of the two.
+// Tool and work object state whether the robot holds them: it holds one of the two.
 inline bool holdsObject(const RapidData& object) {
   return object.numbers[0] == 1.0;
 }
-// Does a mechanical unit move the work object?
+// Returns whether a mechanical unit moves the work object.
 inline bool isMoved(const RapidData& object) {
   return object.numbers[1] == 0.0;
 }
 
-// What every controller declares by itself: v5..v7000, fine, z0..z200, tool0, wobj0. `type` and
-// `name` in small letters.
+// Returns data that every controller predeclares: v5..v7000, fine, z0..z200, tool0, wobj0. `type`
+// and `name` in lower case.
 std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_view name);
 
-inline constexpr double kMostRapidMm = 1e5; // of a position; further off is no robot's reach
+// Maximum coordinate of a position, beyond every robot's reach
+inline constexpr double kMostRapidMm = 1e5;
 
-// Position and quaternion of a literal, from numbers[at]. false, and the reason: out of any reach,
-// or a quaternion whose length is not 1.
+// Reads the position and quaternion of a literal from numbers[at] on. Returns false, with the
+// reason, if the position is out of every robot's reach or the quaternion's length is not 1.
 bool rapidPose(const std::vector<double>& numbers, std::size_t at, Eigen::Isometry3d& pose,
                base::Message& reason);
 

@@ -79,7 +79,7 @@ bool readModuleList(std::string_view text, const std::vector<plan::ProgramFile>&
     } else if (std::string_view name = line; open && !closed && takeModule(name)) {
       if (std::none_of(files.begin(), files.end(),
                        [&](const auto& f) { return f.name.ends_with(name); }))
-        out.defect(base::message("the module {name} is not here"_text, name.substr(0, 60)));
+        out.defect(base::message("module {name} is missing"_text, name.substr(0, 60)));
     } else {
       out.defect(base::message("not understood: '{code}'"_text, line.substr(0, 60)));
     }
@@ -103,7 +103,7 @@ bool looksLikeRapid(std::string_view text) {
 bool mayBeMissingInRapid(const std::vector<std::string>& lines, std::size_t i) {
   if (lines[i].find("ConfJ") == std::string::npos)
     return primes(lines, i);
-  // About motions by joints: nothing where there is none.
+  // Joint motions are configured only if there are any.
   return std::none_of(lines.begin(), lines.end(), [](const std::string& line) {
     return line.find("MoveJ ") != std::string::npos;
   });
@@ -122,7 +122,7 @@ std::vector<std::string> filesOfRapid(std::string_view text) {
   for (RapidToken token = tokens.next(); token.kind != RapidTokenKind::End; token = tokens.next()) {
     if (token.kind != RapidTokenKind::Name || !sameWord(token.text, "load"))
       continue;
-    std::string_view last; // string of the statement: behind the folder stands the file
+    std::string_view last; // Last string of the statement: the file follows the folder
     for (token = tokens.next(); token.kind != RapidTokenKind::End && token.text != ";";
          token = tokens.next())
       if (token.kind == RapidTokenKind::Text)

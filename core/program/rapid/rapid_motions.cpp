@@ -10,7 +10,7 @@
 namespace voluta::program {
 
 namespace {
-constexpr double kUnused = 9e9; // an axis that is none
+constexpr double kUnused = 9e9; // Marks an unused axis
 constexpr double kMostMm = kMostRapidMm, kMostDegrees = 6000.0, kMostSeconds = 1e5;
 constexpr double kMostExternalDegrees = 1e7;
 constexpr std::size_t kExternals = 6;
@@ -23,7 +23,7 @@ void RapidMotions::unit(const std::string& name, bool active) {
     activeUnits_.erase(name);
 }
 
-// A unit that is active moves something: where the work object stands still, the robot.
+// An active unit moves something: if the work object is stationary, the robot.
 bool RapidMotions::mayMoveRobot() const {
   return activeUnits_.size() > (hasExtruder() ? 1u : 0u);
 }
@@ -70,17 +70,17 @@ void RapidMotions::done(const plan::ProgramMotion& motion) {
   lastExternal_ = motion.externals;
 }
 
-// eax_a and on, where they move the motion's work object or the robot, and behind them the
-// extruder's.
+// eax_a and on, if they move the motion's work object or the robot, followed by the extruder's
+// axis.
 bool RapidMotions::externalOf(const RapidMotionData& data, plan::ProgramMotion& m) {
   const RapidData& object = data.object;
   const std::vector<double>& target = data.target.numbers;
   if (holdsObject(object) && isMoved(object))
-    return fail("a work object that robot and external axis move is not read"_text);
+    return fail("a work object moved by both robot and external axis is not supported"_text);
   const auto first = target.end() - kExternals;
   auto unused = std::find(first, target.end(), kUnused);
   if (std::any_of(unused, target.end(), [](double external) { return external != kUnused; }))
-    return fail("an external axis behind one that is not used is not read"_text);
+    return fail("an external axis after an unused one is not supported"_text);
   if (std::any_of(first, unused,
                   [](double degrees) { return !(std::abs(degrees) <= kMostExternalDegrees); }))
     return fail("an external axis far outside any limit"_text);
@@ -94,10 +94,9 @@ bool RapidMotions::externalOf(const RapidMotionData& data, plan::ProgramMotion& 
   if (isMoved(object) && unused == first)
     return fail("eax_a is missing: an external axis moves the work object"_text);
   if (!isMoved(object) && unused != first && (holdsObject(object) || !mayMoveRobot()))
-    return fail("an external axis that moves no work object is not read"_text);
+    return fail("an external axis that moves no work object is not supported"_text);
   if (isMoved(object) && !activeUnits_.contains(object.text))
-    out_.defect(
-        base::message("the mechanical unit '{text}' is not active: ActUnit"_text, object.text));
+    out_.defect(base::message("mechanical unit '{text}' is not active: ActUnit"_text, object.text));
   for (auto degrees = first; degrees != unused; ++degrees)
     m.externals.push_back(base::degreesToRadians(*degrees));
   return true;
@@ -112,7 +111,7 @@ bool RapidMotions::targetOf(const RapidMotionData& data, plan::ProgramMotion& m)
     return false;
   const bool held = holdsObject(object);
   if (held == (tool[0] == 1.0))
-    return fail("the robot holds the tool or the work object, one of them"_text);
+    return fail("the robot must hold either the tool or the work object"_text);
   if (data.absolute) {
     m.target = plan::TargetKind::Joints;
     for (std::size_t k = 0; k < 6; ++k) {
@@ -126,9 +125,9 @@ bool RapidMotions::targetOf(const RapidMotionData& data, plan::ProgramMotion& m)
       return false;
     for (std::size_t k = 7; k < 11; ++k)
       if (!(std::abs(target[k]) <= 100.0 && target[k] == std::floor(target[k])))
-        return fail("a configuration is whole quarters of a turn"_text);
-    // The user frame of one that moves is the mechanical unit's own; of one that the flange holds
-    // it is the flange's.
+        return fail("a configuration that is not in whole quarter turns"_text);
+    // The user frame of a moved work object is the mechanical unit's; that of one held by the
+    // flange is the flange's.
     m.target = held              ? plan::TargetKind::WorkPose
                : isMoved(object) ? plan::TargetKind::UnitPose
                                  : plan::TargetKind::FlangePose;
@@ -141,7 +140,7 @@ bool RapidMotions::targetOf(const RapidMotionData& data, plan::ProgramMotion& m)
   const bool first = !out_.toolSet();
   if (!out_.tool(carried, nozzle))
     return fail("a second, different tool"_text);
-  constexpr std::size_t kMass = 8; // tool0 has none
+  constexpr std::size_t kMass = 8; // tool0 has no load
   if (first && tool.size() > kMass) {
     const std::size_t here =
         std::exchange(out_.line, data.toolLine > 0 ? data.toolLine : out_.line);
@@ -154,11 +153,11 @@ bool RapidMotions::targetOf(const RapidMotionData& data, plan::ProgramMotion& m)
 bool RapidMotions::zoneOf(const std::vector<double>& zone, plan::ProgramMotion& m) {
   for (std::size_t k = 1; k < 7; ++k)
     if (!(zone[k] >= 0.0 && zone[k] <= kMostMm))
-      return fail("a zone is no sensible number"_text);
+      return fail("an invalid zone"_text);
   if (zone[0] == 1.0)
     return true;
   if (zone[2] < zone[1] || zone[3] < zone[1])
-    return fail("a zone of the turn or the external axes inside the TCP's"_text);
+    return fail("a zone for orientation or external axes smaller than the TCP's"_text);
   m.blendMm = zone[1];
   return true;
 }
@@ -166,10 +165,9 @@ bool RapidMotions::zoneOf(const std::vector<double>& zone, plan::ProgramMotion& 
 bool RapidMotions::speedOf(const std::vector<double>& speed, bool timed, plan::ProgramMotion& m) {
   for (const double v : speed)
     if (!(v > 0.0 && v <= kMostMm))
-      return fail("a speed is no sensible number"_text);
+      return fail("an invalid speed"_text);
   if (timed)
-    return (m.durationS > 0.0 && m.durationS <= kMostSeconds) ||
-           fail("a time is no sensible number"_text);
+    return (m.durationS > 0.0 && m.durationS <= kMostSeconds) || fail("an invalid time"_text);
   m.speedMmPerS = speed[0];
   const std::optional<double> way = wayMm(m);
   if (!way)

@@ -1,4 +1,4 @@
-// What the data of a RAPID motion make of it: target, external axes, speed and zone.
+// Interprets the data of a RAPID motion: target, external axes, speed and zone.
 #pragma once
 
 #include "base/text.h"
@@ -17,14 +17,14 @@
 namespace voluta::program {
 
 // The mechanical unit of an extruder that is an external axis (program/gcode/extruder_axis.h):
-// while it is active the last of the axes that a target gives is the extruder's.
+// while it is active, the last axis given in a target is the extruder's.
 inline constexpr std::string_view kRapidExtruderUnit = "extruder";
 
 struct RapidMotionData {
-  bool absolute = false; // MoveAbsJ: the target is joints
-  bool timed = false;    // \T, which the motion has already
+  bool absolute = false; // MoveAbsJ: joint target
+  bool timed = false;    // The motion already has its \T
   RapidData target, speed, zone, tool, object;
-  std::size_t toolLine = 0; // where the tool was declared; 0: it is not known
+  std::size_t toolLine = 0; // Line of the tool's declaration; 0: unknown
 };
 
 class RapidMotions {
@@ -34,17 +34,17 @@ public:
   void unit(const std::string& name, bool active);
   bool hasExtruder() const;
 
-  // Fills in what the data say of `motion`, which knows whether joints lead it, and its time. Tells
-  // the builder tool and load. false: no motion is made of them, for `reason`.
+  // Fills in `motion` from the data; its interpolation and time are already set. Passes tool and
+  // load to the builder. Returns false, with `reason`, if the data form no valid motion.
   bool fill(const RapidMotionData& data, plan::ProgramMotion& motion, base::Message& reason);
-  // Of the last one that was filled: where the extruder's axis goes, mm; nothing without one.
+  // Returns the extruder's axis in the last motion filled [mm]; nullopt without such an axis.
   std::optional<double> extruderMm() const { return extruderMm_; }
-  // The extruder's axis of a target of MoveExtJ that moves nothing else.
+  // Returns the extruder's axis in a target of MoveExtJ that moves nothing else.
   std::optional<double> extruderAlone(const std::vector<double>& jointtarget) const;
 
-  // How far the TCP goes straight; nothing where it is not known from where.
+  // Returns the length of the TCP's straight path; nullopt if its start is unknown.
   std::optional<double> wayMm(const plan::ProgramMotion& motion) const;
-  // The next one goes on from there.
+  // Records the motion as the start of the next one.
   void done(const plan::ProgramMotion& motion);
 
 private:
@@ -59,8 +59,8 @@ private:
   base::Message reason_;
   std::set<std::string, std::less<>> activeUnits_;
   std::optional<double> extruderMm_;
-  std::size_t extruderAt_ = 0; // among a target's external axes, where it was given
-  // Of the last motion, where its pose is known.
+  std::size_t extruderAt_ = 0; // Index in a target's external axes, where it was given
+  // Of the last motion, if its pose is known.
   std::optional<Eigen::Isometry3d> last_; // frame_T_tcp
   plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
   std::vector<double> lastExternal_;

@@ -19,9 +19,9 @@ namespace voluta::program {
 
 namespace {
 constexpr double kMostSeconds = 1e5;
-// Sets the extruder's axis to 0, as the writer calls it.
+// The procedure that sets the extruder's axis to 0, as named by the writer.
 constexpr std::string_view kZero = "zeroextruder";
-// Of a flow in proportion to the speed, shares per mm/s; and what rounding may make of the whole.
+// Maximum share per mm/s of a flow proportional to the speed; rounding allowance of the total.
 constexpr double kMostPerMm = 1e3, kShareSlack = 1e-3;
 
 class RapidReader : private RapidValues {
@@ -46,8 +46,8 @@ public:
     }
     out_.file = files.empty() ? 0 : files.size() - 1;
     if (modules_ == 0 || modules_ - 1 < calls_.size()) {
-      defect(modules_ == 0 ? "there is no module"_text
-                           : base::message("the module with {procedure} is not here"_text,
+      defect(modules_ == 0 ? "no module"_text
+                           : base::message("the module with {procedure} is missing"_text,
                                            calls_[modules_ - 1].procedure));
       complete = false;
     }
@@ -60,9 +60,9 @@ private:
   };
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
 
-  // ---- structure
+  // ---- Structure
 
-  // A procedure's body, to be read where it is called.
+  // A procedure's body, which is read when it is called.
   struct Procedure {
     RapidTokens tokens;
     RapidToken token;
@@ -82,9 +82,9 @@ private:
     out_.line = token_.line;
     bool ended = false, procedureEnded = true;
     if (!takeWord("module") || !takeName(name))
-      defect("a module begins with MODULE and its name"_text);
+      defect("a module must begin with MODULE and its name"_text);
     if (!takeAttributes())
-      defect("not a module's attributes"_text);
+      defect("invalid module attributes"_text);
     while (!ended && token_.kind != RapidTokenKind::End) {
       out_.line = token_.line;
       if (isWord("local"))
@@ -96,13 +96,13 @@ private:
       else if (isWord("pers") || isWord("const") || isWord("var"))
         whole([&] { return declaration(false); });
       else if (takeWord("endproc"))
-        defect("ENDPROC closes no procedure"_text);
+        defect("ENDPROC without a procedure"_text);
       else
         whole([&] { return fail("a statement outside the procedure"_text); });
     }
     out_.line = token_.line;
     if (ended && token_.kind != RapidTokenKind::End)
-      defect("text behind ENDMODULE"_text);
+      defect("text after ENDMODULE"_text);
     if (!ended)
       defect("ENDMODULE is missing: the file was cut short"_text);
     const std::size_t last = out_.line;
@@ -110,18 +110,18 @@ private:
     out_.line = last;
     const bool off = motions_.hasExtruder() || out_.outputsEnded();
     if (!off)
-      defect("the extruder is not set off behind the last motion"_text);
+      defect("the extruder is not switched off after the last motion"_text);
     if (!loaded_.empty())
       defect(base::message("'{loaded}' is not unloaded"_text, loaded_));
     ++modules_;
     return ended && procedureEnded && runs && off && loaded_.empty();
   }
 
-  // Behind PROC. false: it has no end.
+  // Reads a procedure after PROC. Returns false if it has no end.
   bool procedure() {
     std::string name;
     if (!takeName(name) || !takeMark('(') || !takeMark(')'))
-      defect("not the head of a procedure"_text);
+      defect("not a valid procedure header"_text);
     Procedure body{tokens_, token_};
     while (token_.kind != RapidTokenKind::End && !isWord("endmodule") && !isWord("endproc"))
       advance();
@@ -135,7 +135,7 @@ private:
     return ended;
   }
 
-  // main of the first module, or what main calls of a later one.
+  // Runs main of the first module, or the procedure of a later one that main calls.
   bool runEntry(std::string_view file) {
     if (procedures_.empty())
       defect("the module has no procedure"_text);
@@ -144,12 +144,12 @@ private:
     const bool here = procedures_.contains(name) && later == called &&
                       (!called || file.ends_with(calls_[modules_ - 1].file));
     if (!here && !procedures_.empty())
-      defect(later ? "this module is not the one that main runs next"_text
+      defect(later ? "this is not the module that main runs next"_text
                    : "the first module has no procedure main"_text);
     if (here)
       run(name);
     else if (!procedures_.empty())
-      run(procedures_.begin()->first); // for what else is the matter
+      run(procedures_.begin()->first); // Runs it anyway, to find other defects
     return here;
   }
 
@@ -176,7 +176,7 @@ private:
     running_.pop_back();
   }
 
-  // Runs the parser of one statement; where it fails, says why and goes on behind the semicolon.
+  // Runs the parser of one statement. If it fails, reports why and continues after the semicolon.
   template <typename Parse> void whole(Parse parse) {
     const char* begin = token_.begin;
     reason_ = {};
@@ -197,7 +197,7 @@ private:
     }
   }
 
-  // ---- statements
+  // ---- Statements
 
   bool statement() {
     if (isMark('%'))
@@ -250,7 +250,7 @@ private:
     if (!out_.word(rapidWords(), word))
       return fail(base::message("'{word}' is not known to the reader"_text, word.substr(0, 40)));
     if (word == "singarea" && (advance(), !isWord("off")))
-      return fail("near singular poses the arm would leave its planned turn"_text);
+      return fail("near singular poses the arm would deviate from the planned orientation"_text);
     return word == "uimsgbox" || word == "tpreadfk" || word == "tpreadnum" || word == "stop"
                ? operatorStop()
                : skipStatement();
@@ -272,7 +272,7 @@ private:
     if (!takeNumberToken(seconds) || !takeEnd())
       return false;
     if (!(seconds >= 0.0))
-      return fail("WaitTime needs its seconds"_text);
+      return fail("WaitTime without a time in seconds"_text);
     if (perMm_ > 0.0)
       out_.flow(0.0);
     out_.pauseByOutputs(seconds);
@@ -282,7 +282,7 @@ private:
     return percent == 100.0 ||
            fail(base::message("'{word}' slows the arm: the flow would not follow"_text, word));
   }
-  // To behind its semicolon.
+  // Skips to the end of the statement, past its semicolon.
   bool skipStatement() {
     while (token_.kind != RapidTokenKind::End && !isWord("endproc") && !isWord("endmodule")) {
       closed_ = isMark(';');
@@ -305,7 +305,7 @@ private:
   }
   bool digital(double value) {
     if (value != 0.0 && value != 1.0)
-      return fail("a digital output is 0 or 1"_text);
+      return fail("a digital output must be 0 or 1"_text);
     out_.statePassingOutput();
     extruderOn_ = value == 1.0;
     out_.turn(extruderOn_);
@@ -320,7 +320,7 @@ private:
     return true;
   }
 
-  // TriggEquip name,0\Start,0\AOp:=aoFlow,share: the flow from where a TriggL begins.
+  // TriggEquip name,0\Start,0\AOp:=aoFlow,share: the flow from the start of a TriggL.
   bool triggEquip() {
     std::string name, signal;
     double mm = 0.0, lag = 0.0, share = 0.0;
@@ -341,13 +341,13 @@ private:
       return fail(base::message("'{name}' is not declared as {type}"_text, asWritten.substr(0, 40),
                                 "triggdata"_name));
     if (!read)
-      return fail("only the flow at a motion's beginning is read"_text);
+      return fail("flow changes are only supported at the start of a motion"_text);
     known->second.data.numbers = std::move(numbers);
     return true;
   }
 
-  // TriggSpeed name,0\Start,0,aoFlow,scale: aoFlow is scale times the TCP's speed in mm/s, from
-  // where a TriggL begins until it is set again.
+  // TriggSpeed name,0\Start,0,aoFlow,scale: aoFlow is scale times the TCP's speed in mm/s, from the
+  // start of a TriggL until it is set again.
   bool triggSpeed() {
     std::string name, signal;
     double mm = 0.0, lag = 0.0, scale = 0.0;
@@ -357,16 +357,16 @@ private:
         !takeName(signal) || !takeMark(',') || !takeNumberToken(scale) || !takeEnd())
       return false;
     if (!(scale > 0.0 && scale <= kMostPerMm))
-      return fail("a flow in proportion to the speed is no sensible number"_text);
+      return fail("an invalid flow per speed"_text);
     return defineTrigg(name, at, mm == 0.0 && lag == 0.0 && signal == "aoflow", {0.0, scale});
   }
-  // The flow while it goes by the speed: an amount for the way, however fast.
+  // A flow proportional to the speed gives an amount per path length, at any speed.
   bool flowBySpeed(plan::ProgramMotion& m) {
     if (!extruderOn_ || perMm_ == 0.0)
       return true;
     const std::optional<double> way = motions_.wayMm(m);
     if (!way)
-      return fail("the flow goes by the speed of a motion whose way is not known"_text);
+      return fail("a flow proportional to the speed in a motion of unknown length"_text);
     const double fastest = m.durationS > 0.0 ? *way / m.durationS : m.speedMmPerS;
     if (perMm_ * fastest > 1.0 + kShareSlack)
       return fail("an analogue output outside 0..1"_text);
@@ -404,7 +404,7 @@ private:
     if (loads && !loaded_.empty())
       return fail(base::message("'{loaded}' is not unloaded"_text, loaded_));
     if (!loads && (loaded_ != file || !called_))
-      return fail("what is unloaded was not loaded and run"_text);
+      return fail("UnLoad of a module that was not loaded and run"_text);
     loaded_ = loads ? file : "";
     called_ = false;
     return !file.empty();
@@ -414,7 +414,7 @@ private:
     if (!takeMark('%') || !takeText(name) || !takeMark('%') || !takeEnd())
       return false;
     if (loaded_.empty() || called_ || modules_ > 0)
-      return fail("a call of what was not loaded"_text);
+      return fail("a call of a module that is not loaded"_text);
     called_ = true;
     calls_.push_back({inSmallLetters(name), loaded_});
     return true;
@@ -441,7 +441,7 @@ private:
     if (!takeMark(',') || !value("zonedata", data.zone) || !takeMark(',') ||
         !value("tooldata", data.tool))
       return false;
-    if (takeMark(',') && !isMark('\\')) // RoboDK has a comma there
+    if (takeMark(',') && !isMark('\\')) // RoboDK writes a comma there
       return false;
     if (takeMark('\\') && (!takeWord("wobj") || !takeAssign() || !value("wobjdata", data.object)))
       return false;
@@ -454,7 +454,7 @@ private:
     if (!flowBySpeed(m))
       return false;
     if (!data.absolute && !(m.jointInterpolated ? jointOff_ : linearOff_))
-      defect("the arm's configuration is supervised: ConfL\\Off, ConfJ\\Off"_text);
+      defect("configuration supervision is on: ConfL\\Off, ConfJ\\Off"_text);
     motions_.done(m);
     if (const auto mm = motions_.extruderMm())
       out_.motionByAxis(std::move(m), *mm);
@@ -463,13 +463,13 @@ private:
     return true;
   }
 
-  // \T:=seconds, or nothing.
+  // Reads an optional \T:=seconds.
   bool takeTime(bool& timed, double& seconds) {
     timed = takeMark('\\');
     return !timed || (takeWord("t") && takeAssign() && takeNumberToken(seconds));
   }
 
-  // MoveExtJ jointtarget, speed\T:=seconds, zone: the extruder's axis alone.
+  // MoveExtJ jointtarget, speed\T:=seconds, zone: moves the extruder's axis alone.
   bool moveExtruder() {
     RapidData target, speed, zone;
     bool timed = false;
@@ -479,9 +479,10 @@ private:
       return false;
     const std::optional<double> mm = motions_.extruderAlone(target.numbers);
     if (!mm || !timed)
-      return fail("external axes that move alone are read of the extruder, with a time"_text);
+      return fail(
+          "external axes that move alone are only supported for the extruder, with a time"_text);
     if (!(seconds > 0.0 && seconds <= kMostSeconds))
-      return fail("a time is no sensible number"_text);
+      return fail("an invalid time"_text);
     out_.pauseByAxis(seconds, *mm);
     return true;
   }
@@ -490,15 +491,15 @@ private:
   ProgramBuilder out_;
   std::size_t modules_ = 0, statements_ = 0;
   const char* textEnd_ = nullptr;
-  std::vector<Call> calls_;                                  // by main, in order
-  std::string loaded_;                                       // file
-  bool called_ = false;                                      // what is loaded
-  std::map<std::string, Procedure, std::less<>> procedures_; // of the module
+  std::vector<Call> calls_;                                  // By main, in order
+  std::string loaded_;                                       // Loaded file
+  bool called_ = false;                                      // The loaded file was run
+  std::map<std::string, Procedure, std::less<>> procedures_; // Of the module
   std::vector<std::string> running_;
   bool linearOff_ = false, jointOff_ = false;
   RapidMotions motions_{out_};
-  bool zeroing_ = false; // the extruder's axis is set to 0 by who stands by
-  double perMm_ = 0.0;   // of the full flow, while it goes by the speed
+  bool zeroing_ = false; // The extruder's axis is being set to 0 by the operator
+  double perMm_ = 0.0;   // Share of the full flow per mm/s, while it is proportional to the speed
   bool extruderOn_ = false;
   const double fullFlowMm3PerS_;
 };

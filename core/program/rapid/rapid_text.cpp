@@ -9,7 +9,7 @@
 namespace voluta::program {
 
 namespace {
-// 1e-9 of a quaternion moves a point of the part 300 mm off by less than a millionth of a mm.
+// 1e-9 in a quaternion moves a point of the part 300 mm away by less than a millionth of a mm.
 constexpr int kFrameDecimals = 6, kFrameTurnDecimals = 9;
 
 bool heldPlate(const ProgramInput& input) {

@@ -1,4 +1,4 @@
-// The words of RAPID: names, numbers, strings and single marks; comments and blanks fall out.
+// The tokens of RAPID: names, numbers, strings and single marks; comments and blanks are skipped.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@ enum class RapidTokenKind { End, Name, Number, Text, Mark };
 
 struct RapidToken {
   RapidTokenKind kind = RapidTokenKind::End;
-  std::string_view text; // of Text: without its quotes; of Number: empty
+  std::string_view text; // Of Text: without its quotes; of Number: empty
   double number = 0.0;
-  std::size_t line = 1;        // where it begins, from 1
-  const char* begin = nullptr; // in the text
+  std::size_t line = 1;        // Where it begins, from 1
+  const char* begin = nullptr; // In the text
 };
 
-// The text must live as long as its tokens.
+// The text must outlive its tokens.
 class RapidTokens {
 public:
   explicit RapidTokens(std::string_view text, std::size_t firstLine = 1)
       : rest_(text), line_(firstLine) {}
-  // After the last one: End, for ever.
+  // Returns End after the last token, on every call.
   RapidToken next();
 
 private:
@@ -33,8 +33,8 @@ private:
   std::size_t line_;
 };
 
-// What stands next in a text, for parsers that derive from it: each take...() gives true and goes
-// on where the next word is of that kind, else it leaves everything as it is.
+// Position in a text, as a base class of parsers: each take...() returns true and advances if the
+// next token is of that kind; otherwise it returns false and changes nothing.
 class RapidCursor {
 protected:
   void advance() { token_ = tokens_.next(); }
@@ -42,10 +42,11 @@ protected:
   bool isWord(std::string_view word) const;
   bool takeMark(char c);
   bool takeWord(std::string_view word);
-  bool takeName(std::string& name); // in small letters
+  bool takeName(std::string& name); // In lower case
   bool takeText(std::string& text);
   bool takeNumberToken(double& value);
-  // (NOSTEPIN, VIEWONLY) and the like, or nothing. false: not what stands behind a module's name.
+  // Takes optional attributes such as (NOSTEPIN, VIEWONLY). Returns false if other text follows a
+  // module's name.
   bool takeAttributes();
   bool takeAssign() { return takeMark(':') && takeMark('='); }
 
@@ -53,7 +54,7 @@ protected:
   RapidToken token_;
 };
 
-// RAPID tells no capital letters from small ones. `small`: in small letters.
+// RAPID is case-insensitive. `small`: in lower case.
 bool sameWord(std::string_view word, std::string_view small);
 std::string inSmallLetters(std::string_view text);
 

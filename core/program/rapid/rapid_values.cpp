@@ -59,7 +59,7 @@ bool RapidValues::literal(RapidData& data, std::size_t depth) {
   return true;
 }
 
-// Behind Offs: ( robtarget , x , y , z ).
+// After Offs: ( robtarget , x , y , z ).
 bool RapidValues::offset(RapidData& target) {
   if (!takeMark('(') || !value("robtarget", target))
     return false;
@@ -80,7 +80,7 @@ bool RapidValues::value(std::string_view type, RapidData& data) {
     if (const auto known = declared_.find(name); known != declared_.end()) {
       data = known->second.data;
       return known->second.type == type ||
-             fail(base::message("'{name}' is no {type}"_text, name.substr(0, 40), type));
+             fail(base::message("'{name}' is not of type {type}"_text, name.substr(0, 40), type));
     }
     if (auto given = predeclaredRapid(type, name)) {
       data = std::move(*given);
@@ -90,7 +90,7 @@ bool RapidValues::value(std::string_view type, RapidData& data) {
   }
   data = {};
   return literal(data) && (data.shape == rapidShape(type) ||
-                           fail(base::message("a {type} has other parts"_text, type)));
+                           fail(base::message("a {type} must have other components"_text, type)));
 }
 
 bool RapidValues::declaration(bool inProcedure) {
@@ -100,7 +100,7 @@ bool RapidValues::declaration(bool inProcedure) {
   std::string type, name;
   if (!takeName(type) || !takeName(name))
     return false;
-  if (type == "triggdata") // filled by TriggEquip
+  if (type == "triggdata") // Filled by TriggEquip
     return takeEnd() && (declared_.try_emplace(std::move(name), Declared{type, {}}).second ||
                          fail("a name is declared twice"_text));
   if (rapidShape(type).empty())
@@ -115,7 +115,7 @@ bool RapidValues::declaration(bool inProcedure) {
          fail("a name is declared twice"_text);
 }
 
-// name := value; behind its name.
+// name := value; after its name.
 bool RapidValues::assignment(const std::string& name) {
   const auto known = declared_.find(name);
   if (known == declared_.end())
@@ -132,8 +132,7 @@ bool RapidValues::sensible(const std::string& type, const RapidData& data) {
   if (type == "tooldata")
     toolLine_ = token_.line;
   if (type == "wobjdata" && isMoved(data) == data.text.empty())
-    return fail(
-        "a work object is moved by the mechanical unit that it names, or stands still"_text);
+    return fail("a work object must name the mechanical unit that moves it, or be stationary"_text);
   return true;
 }
 

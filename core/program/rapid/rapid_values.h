@@ -1,4 +1,4 @@
-// Data of RAPID in its text: literals, names, declarations and assignments.
+// Parses RAPID data: literals, names, declarations and assignments.
 #pragma once
 
 #include "base/text.h"
@@ -13,8 +13,8 @@
 
 namespace voluta::program {
 
-// A parser of values. Each function gives false where the text is no such thing; reason_ then says
-// why, or is empty where it is not understood at all.
+// A parser of values. Each function returns false if the text has another form; reason_ then gives
+// the cause, or is empty if the text is not understood at all.
 class RapidValues : protected RapidCursor {
 protected:
   struct Declared {
@@ -26,19 +26,20 @@ protected:
   // The semicolon.
   bool takeEnd();
 
-  // Nested brackets of numbers, truths, strings and declared names.
+  // Nested brackets of numbers, booleans, strings and declared names.
   bool literal(RapidData& data, std::size_t depth = 0);
-  // A literal, a name or (of robtarget) Offs(name, x, y, z) of this type.
+  // A literal, a name or (for robtarget) Offs(name, x, y, z) of this type.
   bool value(std::string_view type, RapidData& data);
-  // PERS, CONST or VAR type name := value; one `inProcedure` is made anew whenever that is called.
+  // PERS, CONST or VAR type name := value; a declaration `inProcedure` is made anew on every call
+  // of the procedure.
   bool declaration(bool inProcedure);
-  // Behind a declared name: := value;
+  // After a declared name: := value;
   bool assignment(const std::string& name);
 
   base::Message reason_;
-  bool closed_ = false; // the statement's semicolon was taken
+  bool closed_ = false; // The statement's semicolon was taken
   std::map<std::string, Declared, std::less<>> declared_;
-  std::size_t toolLine_ = 0; // where the last tool was declared; 0: nowhere
+  std::size_t toolLine_ = 0; // Line of the last tool's declaration; 0: none
 
 private:
   bool offset(RapidData& target);

@@ -4,7 +4,7 @@
 
 namespace voluta::program {
 
-// Technical reference manual, RAPID Instructions, Functions and Data types. In small letters.
+// Technical reference manual, RAPID Instructions, Functions and Data types. In lower case.
 std::span<const KnownWord> rapidWords() {
   static constexpr std::array kTable = {
       KnownWord{"tperase", kAnywhere, "clears the pendant's window"},
@@ -22,9 +22,9 @@ std::span<const KnownWord> rapidWords() {
       KnownWord{"waituntil", kAside, "waits for a condition"},
       KnownWord{"accset", kSetUp, "share of the arm's acceleration"},
       KnownWord{"velset", kSetUp, "share of all speeds"},
-      KnownWord{"singarea", kSetUp, "what happens near singular poses"},
-      KnownWord{"motionsup", kSetUp, "supervision of collisions"},
-      KnownWord{"gripload", kSetUp, "what the gripper carries"},
+      KnownWord{"singarea", kSetUp, "behaviour near singular poses"},
+      KnownWord{"motionsup", kSetUp, "collision supervision"},
+      KnownWord{"gripload", kSetUp, "payload of the gripper"},
       KnownWord{"setgo", kAside, "an output that is not the extruder's"},
       KnownWord{"pulsedo", kAside, "an output that is not the extruder's"},
       KnownWord{"exit", kAtEnd, "ends the program"},

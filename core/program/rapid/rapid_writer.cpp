@@ -25,16 +25,16 @@ namespace voluta::program {
 
 namespace {
 constexpr std::string_view kNewLine = "\r\n";
-// 1e-8 of a quaternion moves a point of the part 300 mm off by 0.000006 mm.
+// 1e-8 in a quaternion moves a point of the part 300 mm away by 0.000006 mm.
 constexpr int kPositionDecimals = 4, kTurnDecimals = 8;
 constexpr int kDegreeDecimals = 6, kSpeedDecimals = 4, kSecondDecimals = 6, kZoneDecimals = 3;
-// Volume is held to 0.1 %.
+// The volume is accurate to 0.1 %.
 constexpr int kPerMmDigits = 5;
 constexpr double kSamePerMm = 5e-4;
-// Of the controller's own v10..v7000.
+// Of the predefined v10..v7000.
 constexpr double kTurnDegPerS = 500.0;
 constexpr std::size_t kExternals = 6;
-constexpr int kExternalDecimals = 4; // a step of 200 x 16 a turn has as many
+constexpr int kExternalDecimals = 4; // Resolves one step of a motor with 200 x 16 steps per turn
 constexpr double kAxisDegPerS = 1000.0;
 
 std::string moduleName(const std::string& part, std::size_t module) {
@@ -85,14 +85,14 @@ public:
   }
 
 private:
-  // The motions stand in main itself.
+  // Main contains the motions itself.
   bool oneModule() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
   bool movesPart() const { return in_.cell.axesMovePlatform(); }
   bool movesRobot() const { return in_.cell.axesUnderRobot() > 0; }
   std::string unit() const { return rapidName(in_.cell.externalUnit()); }
   std::string robotUnit() const { return rapidName(in_.cell.robotUnit()); }
-  // Of one of the external axes, degrees, or mm of one that slides.
+  // Returns the position of an external axis [degrees]; a sliding axis [mm].
   double axisAt(std::size_t i, std::size_t axis) const {
     return robot::shownValue(
         in_.cell.externalAxes()[axis].limits.kind,
@@ -210,8 +210,8 @@ private:
     line(joined({"  ! expects the mechanical unit ", kRapidExtruderUnit, " in MOC.cfg"}));
   }
 
-  // Controllers tell of close positions (event 50078) and of corners that they could not plan in
-  // time (50024) where motions are shorter; the plan has slowed such to this.
+  // With shorter motions, controllers report close positions (event 50078) and corners that they
+  // could not plan in time (50024). The plan has slowed such motions to this duration.
   void aboutDensity() {
     std::size_t few = 0;
     for (std::size_t i = 1; i < targets_.size(); ++i)
@@ -241,7 +241,7 @@ private:
     line(" in world, the base while the base frame is zero");
   }
 
-  // The base frame's "moved by" is not the program's to say.
+  // The base frame's "moved by" cannot be set by a program.
   void aboutTrack() {
     out_ += joined({"  ! the arm rides on the mechanical unit ", robotUnit(), ":"});
     out_ += axesNote(0, in_.cell.axesUnderRobot());
@@ -280,11 +280,11 @@ private:
   void pause() override { line(joined({"    UIMsgBox \"", kPauseText, "\";"})); }
   void prompt() override { line(joined({"    UIMsgBox \"", kStartQuestion, "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
-  // Between motions that do not stop, an assignment would run ahead of the arm: the flow is then an
+  // Between motions that do not stop, an assignment would run ahead of the arm, so the flow is an
   // event at the point where the next motion begins.
   void flow(std::string_view share) override {
     if (bySpeed_)
-      standingShare_ = share; // each bead's motion says its own
+      standingShare_ = share; // Each motion of a bead gives its own flow
     else
       sayFlow(share);
   }
@@ -295,8 +295,8 @@ private:
       line(joined({"    TriggEquip tFlow,0\\Start,0\\AOp:=aoFlow,", share, ";"}));
     atStart_ = !stands_;
   }
-  // In proportion to the TCP's real speed, from where motion i begins. What hardly has a way has no
-  // speed to go by.
+  // Flow proportional to the TCP's actual speed, from the start of motion i. A motion with hardly
+  // any path has no speed to scale with.
   void flowBySpeed(std::size_t i) {
     constexpr double kLeastWayMm = 0.01;
     const double full = in_.process.maxFlowMm3PerS;
@@ -384,7 +384,8 @@ private:
     line(joined({",", kRapidTool, "\\WObj:=", object_, ";"}));
   }
 
-  // Those that move part and robot to point i, and the extruder's; without a point they stay.
+  // Axes that move part and robot to point i, and the extruder's; without a point they keep their
+  // values.
   void externals(std::optional<std::size_t> i) {
     for (std::size_t k = 0; k < kExternals; ++k) {
       out_ += k > 0 ? ',' : '[';
@@ -398,8 +399,8 @@ private:
     out_ += ']';
   }
 
-  // Quarters of a turn of axes 1, 4 and 6, and which of the eight branches; another maker's axes
-  // say nothing here.
+  // Quarter turns of axes 1, 4 and 6, and which of the eight branches; they have no meaning for
+  // another maker's axes.
   void configuration(std::size_t i) {
     const bool known = !program_.foreign && in_.cell.armDof() == 6;
     out_ += ",[";
@@ -427,7 +428,7 @@ private:
     double degPerS = i == 0 ? kRapidStartDegPerS : kTurnDegPerS, axisDegPerS = kAxisDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);
-      // Turns must not be what the motion waits for.
+      // Rotations must not limit the motion's speed.
       const double turnRad = targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn);
       const auto never = [&](double least, double rad) {
         return std::max(least, std::ceil(1.05 * base::radiansToDegrees(rad) / s));
@@ -465,20 +466,20 @@ private:
 
   const ProgramInput& in_;
   const base::RunContext& ctx_;
-  bool stands_ = true;   // the arm, behind the last motion
-  bool atStart_ = false; // the flow changes where the next motion begins
+  bool stands_ = true;   // The arm is stopped after the last motion
+  bool atStart_ = false; // The flow changes where the next motion begins
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
   plan::Program program_;
-  std::vector<std::size_t> cuts_; // cuts_[k - 1] .. cuts_[k] are the points of module k
+  std::vector<std::size_t> cuts_; // Points of module k: cuts_[k - 1] .. cuts_[k]
   std::string name_, object_, out_;
-  const bool omniCore_; // the controller that the files are for
-  const bool byAxis_;   // the extruder is an external axis
+  const bool omniCore_; // The files are for an OmniCore controller
+  const bool byAxis_;   // The extruder is an external axis
   double axisMm_ = 0.0;
-  bool zeroes_ = false; // in this module
+  bool zeroes_ = false; // In this module
   const bool bySpeed_;
-  // As last written: the flow as a share, or a mm of way; and what it is to be while the arm
-  // stands.
+  // As last written: the flow as a share, or per mm of path; and its value while the arm is
+  // stopped.
   std::string share_, standingShare_;
   double perMm_ = 0.0;
 };
@@ -488,21 +489,18 @@ private:
 base::ParameterSpec rapidModules() {
   return base::choiceParameter(
       "rapidModules", "robot",
-      {{"robot", "as the robot's controller"_text},
+      {{"robot", "according to the robot's controller"_text},
        {"mod", "IRC5: .mod"_text},
        {"modx", "OmniCore: .modx"_text}},
       "Programs"_text, "RAPID modules"_text,
-      "Which modules and list of signals the controller loads: IRC5 (RobotWare 6) or OmniCore "
-      "(RobotWare 7)."_text);
+      "Modules and signal list for this controller: IRC5 (RobotWare 6) or OmniCore (RobotWare 7)."_text);
 }
 
 base::ParameterSpec rapidFlow() {
   return base::choiceParameter(
-      "rapidFlow", "events",
-      {{"events", "events at points"_text}, {"speed", "the TCP's speed"_text}}, "Programs"_text,
-      "RAPID: the flow goes by"_text,
-      "Events set the analogue output where a motion begins (TriggEquip); by speed it follows the "
-      "real speed of the TCP, so that slow corners get no more (TriggSpeed)."_text);
+      "rapidFlow", "events", {{"events", "events at points"_text}, {"speed", "TCP speed"_text}},
+      "Programs"_text, "RAPID: flow controlled by"_text,
+      "Events set the analogue output where a motion begins (TriggEquip); by TCP speed, it follows the TCP's actual speed, so that slow corners get no excess (TriggSpeed)."_text);
 }
 
 std::vector<base::ParameterSpec> rapidOptions() {

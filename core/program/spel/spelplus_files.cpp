@@ -32,7 +32,7 @@ bool looksLikeSpelplus(std::string_view text) {
   return false;
 }
 
-// AccelS is written no lower than what a reader takes for it anyway.
+// AccelS is never below the value that a reader assumes without it.
 bool mayBeMissingInSpelplus(const std::vector<std::string>& lines, std::size_t i) {
   const std::string_view line = trimmed(lines[i]);
   for (const std::string_view idle :

@@ -82,7 +82,7 @@ bool SpelplusVariables::takePoint(LineCursor& line, SpelplusPoint& point) const 
                      [](double degrees) { return std::abs(degrees) <= kMostDegrees; });
 }
 
-// +X(5), -X(5), :X(5), or what stands behind a slash: a local's number or a posture.
+// +X(5), -X(5), :X(5), or after a slash: a local's number or a posture.
 bool SpelplusVariables::takeOffset(LineCursor& line, SpelplusPoint& point) const {
   static constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "u", "v", "w"};
   static constexpr std::array<std::string_view, 6> kPostures = {"r", "l", "a", "b", "f", "nf"};

@@ -15,15 +15,15 @@ namespace voluta::program {
 
 inline constexpr LineSyntax kSpelplusSyntax{'\'', '$'};
 
-// Function NAME [()] and Fend; `name` in small letters, empty where it is not the head of a
-// function that is read.
+// Recognises Function NAME [()] and Fend; `name` in lower case, empty if it is not a valid function
+// header.
 LinePart spelplusPart(LineCursor line, std::string& name);
 
 struct SpelplusPoint {
   std::array<double, 6> parts{}; // X, Y, Z, mm; U, V, W, degrees
-  std::vector<double> joints;    // degrees; of AglToPls alone
+  std::vector<double> joints;    // degrees; of AglToPls only
   int local = 0;
-  int elbow = 0; // of an arm of four axes: 1 behind /R, -1 behind /L; 0: neither
+  int elbow = 0; // of a four-axis arm: 1 after /R, -1 after /L; 0: neither
 
   Eigen::Isometry3d pose() const;
 };
@@ -31,8 +31,8 @@ struct SpelplusPoint {
 class SpelplusVariables {
 public:
   bool takeNumber(LineCursor& line, double& value) const;
-  // XY(x,y,z,u[,v,w]), AglToPls(j1,...) or a point's name, then +X(5), -Z(2), :U(90), /R, /1 and
-  // the like. false: it is none, or out of any reach.
+  // Takes XY(x,y,z,u[,v,w]), AglToPls(j1,...) or the name of a point, then +X(5), -Z(2), :U(90),
+  // /R, /1 etc. Returns false if there is none or it is out of any robot's reach.
   bool takePoint(LineCursor& line, SpelplusPoint& point) const;
 
   std::map<std::string, double, std::less<>> numbers;

@@ -18,7 +18,7 @@ namespace voluta::program {
 namespace {
 
 constexpr double kVolts = 10.0, kMostSpeed = 1e5, kMostSeconds = 1e5, kMostNumber = 15.0;
-constexpr double kNoWayMm = 1e-4, kNoTurnDeg = 1e-3; // less is none to the controller
+constexpr double kNoWayMm = 1e-4, kNoTurnDeg = 1e-3; // smaller motions are none for the controller
 constexpr Procedures::Words kStructure = {kSpelplusSyntax, spelplusPart};
 
 class SpelplusReader {
@@ -33,7 +33,7 @@ public:
     const Procedures::Statement run = [this](std::string_view code) { statements(code, false); };
     complete = procedures_.run(run) && complete;
     if (!out_.outputsEnded())
-      out_.defect("the extruder is not set off behind the last motion"_text);
+      out_.defect("the extruder is not switched off after the last motion"_text);
     return out_.take(complete && !missing_ && out_.outputsEnded());
   }
 
@@ -43,7 +43,7 @@ private:
     return false;
   }
 
-  // Those of a line, between semicolons.
+  // Processes the statements of a line, separated by semicolons.
   void statements(std::string_view code, bool outside) {
     while (!code.empty()) {
       const std::size_t end = std::min(findUnquoted(code, ";"), code.size());
@@ -89,8 +89,8 @@ private:
       return line.ended() && procedures_.call(word);
     }
     if (said.size() > 5 && word != "call" && LineCursor(said, kSpelplusSyntax).isWord("call"))
-      return missing_ = true, fail(base::message("the module with {procedure} is not here"_text,
-                                                 word.substr(0, 40)));
+      return missing_ = true,
+             fail(base::message("the module with {procedure} is missing"_text, word.substr(0, 40)));
     if (word == "go" || word == "move")
       return motion(word == "go", line);
     if (word == "on" || word == "off")
@@ -137,7 +137,7 @@ private:
     } while (line.takeMark(','));
     return true;
   }
-  // Behind name =.
+  // After name =.
   bool assignment(const std::string& name, LineCursor& line) {
     const bool isPoint = name.size() > 1 && name.front() == 'p' &&
                          name.find_first_not_of("0123456789", 1) == std::string::npos;
@@ -168,7 +168,7 @@ private:
     if (port != 1.0)
       return false;
     if (!line.ended())
-      return fail("only an output that stays as it is set is read"_text);
+      return fail("only the persistent forms of output commands are supported"_text);
     out_.turn(on);
     return true;
   }
@@ -200,7 +200,7 @@ private:
     if (!variables_.takeNumber(ahead, seconds) || !ahead.ended())
       return out_.wordAt("Wait", kAside), takeRest(line);
     if (!(seconds >= 0.0 && seconds <= kMostSeconds))
-      return fail("Wait needs its seconds"_text);
+      return fail("Wait needs a number of seconds"_text);
     line = ahead;
     out_.pauseByOutputs(seconds);
     return true;
@@ -218,7 +218,7 @@ private:
     if (word == "cp") {
       rounds_ = how == "on";
     } else {
-      // Motor On sets what is set to what the robot has by itself.
+      // Motor On resets the settings to the robot's defaults.
       powerHigh_ = rounds_ = false;
       settings_.clear();
       out_.wordAt("Motor", how == "on" ? std::uint8_t{kSetUp} : std::uint8_t{kAtEnd});
@@ -249,7 +249,7 @@ private:
     return chosen == 0 || frames[chosen] ||
            fail("a tool, local or control point that only the controller knows"_text);
   }
-  // The least of the figures: acceleration and deceleration.
+  // Uses the smaller of the values for acceleration and deceleration.
   bool setting(const std::string& word, LineCursor& line) {
     double least = 0.0, value = 0.0;
     if (!variables_.takeNumber(line, least))
@@ -260,7 +260,7 @@ private:
       least = word == "accels" || word == "accelr" ? std::min(least, value) : least;
     }
     if (!(least > 0.0 && least <= (word == "speed" ? 100.0 : kMostSpeed)))
-      return fail("a speed is no sensible number"_text);
+      return fail("an invalid speed"_text);
     settings_[word] = least;
     return true;
   }
@@ -272,7 +272,7 @@ private:
     out_.wordAt("Weight", kSetUp);
     return line.takeMark(',') ? takeRest(line) : true;
   }
-  double set(std::string_view word) const { // 0: it is not
+  double set(std::string_view word) const { // 0 if it is not set
     const auto known = settings_.find(word);
     return known == settings_.end() ? 0.0 : known->second;
   }
@@ -304,7 +304,8 @@ private:
       return fail(base::message("how '{word}' rounds a corner is not known to the reader"_text,
                                 "Go CP"_name));
     if (!byJoints && external != (ecp_ != 0))
-      return fail("straight is the tool's way or the external control point's, not both"_text);
+      return fail("either the tool's path or that of the external control point is straight, "
+                  "not both"_text);
     if (!(byJoints ? percentOf(m) : speedOf(m, turns, rounds)))
       return false;
     last_ = m.target == plan::TargetKind::Joints ? std::nullopt : std::optional(m.frame_T_tcp);
@@ -347,7 +348,7 @@ private:
 
   bool speedOf(plan::ProgramMotion& m, bool turns, bool rounds) {
     if (!powerHigh_)
-      return fail("Power Low holds the speed down: Power High is missing"_text);
+      return fail("Power Low limits the speed: Power High is missing"_text);
     const std::string_view speed = turns ? "speedr" : "speeds",
                            acceleration = turns ? "accelr" : "accels";
     const double v = set(speed), a = set(acceleration);
@@ -362,9 +363,9 @@ private:
                                         .angularDistance(Eigen::Quaterniond(last_->linear())));
     }
     if (turns && !(turn > kNoTurnDeg))
-      return fail("ROT where the tool does not turn"_text);
+      return fail("ROT, but the tool does not turn"_text);
     if (!turns && known && way < kNoWayMm && turn > kNoTurnDeg)
-      return fail("a motion that only turns needs ROT"_text);
+      return fail("a pure rotation needs ROT"_text);
     const double ramp = a > 0.0 ? v * v / (2.0 * a) : 0.0; // mm, or degrees
     if (turns)
       m.durationS = turn / v;
@@ -378,15 +379,15 @@ private:
   }
 
   ProgramBuilder out_;
-  bool missing_ = false; // a file that is called
+  bool missing_ = false; // file of a called function
   Procedures procedures_;
   SpelplusVariables variables_;
   base::Message reason_;
   Frames tools_, locals_, points_; // points: external control points
   std::size_t tool_ = 0, ecp_ = 0;
-  std::map<std::string, double, std::less<>> settings_; // of the words for speeds
+  std::map<std::string, double, std::less<>> settings_; // by the words that set speeds
   bool powerHigh_ = false, rounds_ = false;
-  std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion, where it was a pose
+  std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion, if it was a pose
   plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
 };
 

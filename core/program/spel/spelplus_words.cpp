@@ -7,25 +7,25 @@
 
 namespace voluta::program {
 
-// SPEL+ Language Reference. In small letters.
+// SPEL+ Language Reference. In lower case.
 std::span<const KnownWord> spelplusWords() {
   static constexpr std::array kTable = {
-      KnownWord{"print", kAnywhere, "a line on the screen"},
+      KnownWord{"print", kAnywhere, "writes a line on the screen"},
       KnownWord{"cls", kAnywhere, "clears the screen"},
-      KnownWord{"memon", kAnywhere, "a bit of the program's own"},
-      KnownWord{"memoff", kAnywhere, "a bit of the program's own"},
+      KnownWord{"memon", kAnywhere, "sets a memory bit of the program"},
+      KnownWord{"memoff", kAnywhere, "clears a memory bit of the program"},
       KnownWord{"pause", kAtRest, "waits for the operator"},
       KnownWord{"msgbox", kAtRest, "waits for the operator"},
-      KnownWord{"setnet", kSetUp, "where another machine is"},
-      KnownWord{"opennet", kSetUp, "a way to another machine"},
-      KnownWord{"waitnet", kSetUp, "waits for it"},
-      KnownWord{"closenet", kAtEnd, "its end"},
-      KnownWord{"out", kAside, "outputs that are not the extruder's"},
+      KnownWord{"setnet", kSetUp, "address of another machine"},
+      KnownWord{"opennet", kSetUp, "connection to another machine"},
+      KnownWord{"waitnet", kSetUp, "waits for the connection"},
+      KnownWord{"closenet", kAtEnd, "closes the connection"},
+      KnownWord{"out", kAside, "outputs other than the extruder's"},
       KnownWord{"accel", kAnywhere, "acceleration of Go, percent"},
       KnownWord{"autoljm", kSetUp, "motions keep the arm's posture"},
-      KnownWord{"fine", kSetUp, "how near a motion's end is its end"},
-      KnownWord{"inertia", kSetUp, "what the arm carries"},
-      KnownWord{"robot", kSetUp, "which robot is meant"},
+      KnownWord{"fine", kSetUp, "positioning tolerance at the end of a motion"},
+      KnownWord{"inertia", kSetUp, "inertia of the load"},
+      KnownWord{"robot", kSetUp, "selects the robot"},
       KnownWord{"reset", kSetUp, "clears errors"},
       KnownWord{"limz", kSetUp, "height of Jump"},
       KnownWord{"arch", kSetUp, "shape of Jump"},

@@ -27,8 +27,8 @@ constexpr double kMostDegPerS2 = 5000.0, kLeastDegPerS = 0.1; // AccelR, SpeedR
 constexpr double kLeastMmPerS = 0.1;                          // SpeedS
 constexpr double kStartPercent = 10.0;
 constexpr double kVolts = 10.0;
-constexpr std::string_view kPort = "201"; // the first of TCP/IP
-// Of a motion that turns on the spot, at each of its ends.
+constexpr std::string_view kPort = "201"; // the first TCP/IP port
+// Share of a rotation on the spot for the ramp at either end.
 constexpr double kTurnShare = 0.45;
 
 class SpelplusWriter : private ProgramEmitter {
@@ -42,7 +42,7 @@ public:
   }
 
   plan::Program write() {
-    // Straight and fast is the nozzle on the part.
+    // The nozzle's path on the part is straight and defines the speed.
     placeInWorkFrame(in_, kPositionDecimals, targets_);
     walkTrajectory(in_, {"spel", cuts_, &motions_}, *this, ctx_);
     if (!oneFile())
@@ -54,7 +54,7 @@ private:
   bool oneFile() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
   bool fourAxes() const { return !program_.foreign && in_.cell.armDof() == 4; }
-  // Part 0: the one that calls the others.
+  // Part 0 calls the others.
   std::string functionName(std::size_t part) const {
     return part == 0 ? name_ : joined({name_, "_", std::to_string(part)});
   }
@@ -121,7 +121,7 @@ private:
       send(joined({"M", std::to_string(*celsius), "n"}));
   }
   bool sends() const { return extruderOf(in_).text != nullptr; }
-  // Write adds no end of a line, which the extruder would take for a text.
+  // Write appends no line end, which the extruder would take for a text.
   void send(std::string_view text) override {
     line(joined({"  Write #", kPort, ", \"", text, "\""}));
   }
@@ -230,7 +230,7 @@ private:
       coordinates(tcp_[i].tcpMm, tcp_[i].tcpTurn, kPositionDecimals, kDegreeDecimals);
       return;
     }
-    // U goes on behind half a turn, as joint 4 does.
+    // U continues beyond half a turn, as joint 4 does.
     const double* q = in_.trajectory.at(i);
     const double about = base::radiansToDegrees(q[0] + q[1] + q[3]) +
                          zyxDegrees(Eigen::Quaterniond(in_.cell.flange_T_moved().linear()))[0];
@@ -241,7 +241,7 @@ private:
       out_ += ',';
     }
     number(u + 360.0 * std::round((about - u) / 360.0), kDegreeDecimals);
-    // Seen from above, a right arm's forearm turns to the left.
+    // Seen from above, the forearm of a right arm turns to the left.
     out_ += q[1] >= 0.0 ? ") /R" : ") /L";
   }
 
@@ -255,12 +255,13 @@ private:
     const double v = motions_.speedMmPerS(i);
     return std::max(v > 0.0 ? v : in_.process.travelSpeedMmPerS, kLeastMmPerS);
   }
-  // What keeps the corner at the end of motion i within its blend, on both sides. 0: none there.
+  // Returns the acceleration that keeps the corner at the end of motion i within its blend, on both
+  // sides. 0: no blend.
   double cornerMmPerS2(std::size_t i, double speed) const {
     const double r = i > 0 ? motions_.blendMm(i) : 0.0;
     return r > 0.0 ? speed * speed / (2.0 * r) : 0.0;
   }
-  // AccelS of a motion; beyond the most its corners cannot be rounded.
+  // Returns AccelS of a motion; above the maximum its corners cannot be blended.
   double accelerationOf(std::size_t i) const {
     const double v = speedMmPerS(i);
     const double a = std::max(cornerMmPerS2(i - 1, v), cornerMmPerS2(i, v));

@@ -44,7 +44,7 @@ public:
     }
     line_ = lines.number();
     if (!ended || on_) {
-      defect("the stream of filament has no end: the file was cut short"_text);
+      defect("the filament stream has no end: the file is truncated"_text);
       program_.complete = false;
     }
     tellMissing();
@@ -62,7 +62,7 @@ private:
     if (takeNumber(rest, mm) && mm > 0.1 && mm < 20.0)
       mm2_ = filamentArea(mm);
     else
-      defect("a filament of no sensible diameter"_text);
+      defect("the filament diameter is out of range"_text);
   }
 
   static bool takeCount(std::string_view& text, std::size_t& count) {
@@ -88,7 +88,7 @@ private:
     if (on || off) {
       if (on == on_.has_value() || !trimmed(line).empty() ||
           (off ? motion != motion_ : started_ && motion < motion_))
-        defect("the extruder goes on or off where it cannot"_text);
+        defect("the extruder is switched on or off where that is not possible"_text);
       on_ = on ? std::optional(motion) : std::nullopt;
       motion_ = motion;
       seconds_ = mm_ = 0.0;
@@ -109,13 +109,13 @@ private:
     const double dt = seconds - seconds_, volume = (mm - mm_) * mm2_;
     const bool stands = motion == motion_;
     if (!stands && motion != motion_ + 1)
-      defect("a motion is missing in the stream of filament, or comes twice"_text);
+      defect("a motion is missing or repeated in the filament stream"_text);
     if (!(dt > 0.0))
-      defect("time runs back in the stream of filament"_text);
+      defect("time decreases in the filament stream"_text);
     else if (stands)
       stand(dt, volume);
     else if (volume < 0.0)
-      defect("filament runs back"_text);
+      defect("the filament position decreases"_text);
     else
       move(motion, dt, volume);
     motion_ = motion;
@@ -133,19 +133,19 @@ private:
             pushedOut(volume / seconds * pause.durationS, drawnMm3_);
         pause.drawnMm = std::abs(drawnMm3_ - before) / mm2_;
         if (drawnMm3_ > kMostDrawnBackMm * mm2_)
-          defect(base::message("{length:.0f} of filament are drawn back: out of the hot end"_text,
+          defect(base::message("{length:.0f} of filament retracted: out of the hot end"_text,
                                base::mm(drawnMm3_ / mm2_)));
         return;
       }
-    defect("the extruder runs where the program does not stand"_text);
+    defect("the extruder runs where the program does not pause"_text);
   }
   void move(std::size_t motion, double seconds, double volume) {
     if (motion == 0 || motion > told_.size() || !program_.motions[motion - 1].extruding) {
-      defect("the extruder runs where the program has it off"_text);
+      defect("the extruder runs where the program has switched it off"_text);
       return;
     }
     if (std::exchange(drawnMm3_, 0.0) > kDrawnBackLeftMm3)
-      defect("the filament that was drawn back is not back"_text);
+      defect("the retracted filament is not returned before the bead"_text);
     told_[motion - 1] = true;
     program_.motions[motion - 1].flowMm3PerS = volume / seconds;
   }
@@ -155,7 +155,7 @@ private:
       if (program_.motions[m].extruding && !told_[m] && (m == 0 || told_[m - 1])) {
         const plan::ProgramMotion& motion = program_.motions[m];
         defects_.add(motion.file, motion.line,
-                     "the stream of filament has nothing for this motion"_text);
+                     "the filament stream has no entry for this motion"_text);
       }
   }
 

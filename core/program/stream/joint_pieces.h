@@ -1,4 +1,4 @@
-// A joint motion as straight pieces, for dialects that can only go straight.
+// Divides a joint motion into straight pieces, for dialects that support straight motions only.
 #pragma once
 
 #include "program/common/motion_targets.h"
@@ -8,11 +8,12 @@
 
 namespace voluta::program {
 
-// How many straight pieces, equal in time, keep within 0.2 mm and half a degree of the nozzle's way
-// to `point` (> 0) by joints; at most 128. 1: it is straight by itself.
+// Returns the number of straight pieces, of equal duration, that stay within 0.2 mm and half a
+// degree of the nozzle's path under the joint motion to `point` (> 0); at most 128. 1: it is
+// straight anyway.
 int jointPieces(const ProgramInput& input, std::size_t point);
 
-// Where the arm is on that way, t from 0 to 1.
+// Returns the target of the arm on that path, t from 0 to 1.
 MotionTarget jointPiece(const ProgramInput& input, std::size_t point, double t);
 
 } // namespace voluta::program

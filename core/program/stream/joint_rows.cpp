@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSecondDecimals = 6, kJointDecimals = 7, kFlowDigits = 4;
 constexpr double kMostSeconds = 1e6, kMostRad = 1e3;
-constexpr double kSameRad = 1e-5; // as near as a dialect's targets are held to be
+constexpr double kSameRad = 1e-5; // tolerance on a dialect's targets
 
 class RowsReader {
 public:
@@ -22,7 +22,7 @@ public:
 
   RowsRead read(std::string_view text) {
     const RowsForm form{kRowHeader, "not the header of a joint stream"_text,
-                        "the row that ends the stream is missing: the file was cut short"_text};
+                        "the row that ends the stream is missing: the file is truncated"_text};
     read_.complete = readEachRow(
         text, form,
         [this](std::string_view row) {
@@ -43,7 +43,7 @@ private:
       return;
     }
     if (started_ == (row.kind == RowKind::Start))
-      defect("a stream begins with one way to the start, and has no other"_text);
+      defect("a stream has exactly one motion to the start, as its first row"_text);
     started_ = true;
     read_.rows.push_back(row);
     out_.flow(row.flow);
@@ -68,7 +68,7 @@ private:
   void stays(const JointRow& row) {
     if (!std::ranges::equal(row.joints, at_,
                             [](double a, double b) { return std::abs(a - b) <= kSameRad; }))
-      defect("the arm waits elsewhere than where it stands"_text);
+      defect("the arm waits at another target than the previous one"_text);
   }
 
   void motion(const JointRow& row) {

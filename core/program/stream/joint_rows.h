@@ -1,14 +1,14 @@
-// Joints over time as rows of text, for controllers that a computer beside them streams to: what a
-// stream's file says, whoever receives it.
+// Joints over time as rows of text, for controllers to which a computer streams: the contents of a
+// stream's file, independent of the receiver.
 //
 //   kind,seconds,j1_rad,...,j6_rad,extruder,flow
-//   1,0,...         the way to the start, behind a question to the operator
-//   3,0.2,...,1,0.4 the arm stands for so long, at the joints of the row before
-//   2,0.033,...     a motion of so long, each joint at a steady speed
+//   1,0,...         motion to the start, after confirmation by the operator
+//   3,0.2,...,1,0.4 the arm waits for this time, at the joints of the previous row
+//   2,0.033,...     a motion of this duration, each joint at a constant speed
 //   0,0,...,0,0     the end
 //
-// extruder: on (1) or off from where the row begins; flow: then a share of the full one. Remarks
-// begin with '#', in lines of their own or behind a row.
+// extruder: on (1) or off from the beginning of the row; flow: then a share of the full flow.
+// Remarks begin with '#', on their own line or after a row.
 #pragma once
 
 #include "base/run_context.h"
@@ -36,14 +36,14 @@ struct JointRow {
   double flow = 0.0; // 0..1
 };
 
-// Rounded as it is written.
+// Returns the row with values rounded as written.
 JointRow asWritten(JointRow row);
 // With a line end.
 void appendRow(std::string& out, const JointRow& row);
-// A line without its remark; false: no row.
+// Parses a line without its remark. Returns false if it is no row.
 bool parseRow(std::string_view line, JointRow& row);
 
-// How the way to the start goes, by the joint that goes furthest.
+// Speed and acceleration of the motion to the start, for the joint with the largest displacement.
 struct StartMotion {
   double radPerS, radPerS2;
 };
@@ -52,13 +52,14 @@ struct RowsRead {
   bool complete = false; // its end was found
   std::vector<JointRow> rows;
 };
-// Reads one file of rows into `out`, whose file is set. What is no row, waits elsewhere than it
-// stands or comes behind the end is a defect. Throws Cancelled.
+// Reads one file of rows into `out`, whose file is set. Lines that are no rows, waits at other
+// joints than those of the previous row, and rows after the end are defects. Throws Cancelled.
 RowsRead readRows(std::string_view text, const StartMotion& start, ProgramBuilder& out,
                   const base::RunContext& ctx);
-// Does a text's first row head rows?
+// Returns whether a text begins with the header of rows.
 bool looksLikeRows(std::string_view text);
-// Rows in which the arm stands and the extruder runs, the prime: Dialect::mayBeMissing.
+// Returns whether the arm waits in the row while the extruder runs (the prime):
+// Dialect::mayBeMissing.
 bool isWaitingRow(const std::vector<std::string>& lines, std::size_t i);
 
 } // namespace voluta::program

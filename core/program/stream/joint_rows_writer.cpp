@@ -13,7 +13,7 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kLeastS = 1e-6; // as rows are written
+constexpr double kLeastS = 1e-6; // resolution of the rows
 
 class RowsWriter : private ProgramEmitter {
 public:

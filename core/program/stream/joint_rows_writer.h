@@ -1,5 +1,5 @@
-// A trajectory as rows of joints over time (program/stream/joint_rows.h), for the dialects that
-// stream.
+// Writes a trajectory as rows of joints over time (program/stream/joint_rows.h), for streaming
+// dialects.
 #pragma once
 
 #include "base/run_context.h"
@@ -15,12 +15,12 @@ namespace voluta::program {
 
 struct WrittenRows {
   std::string text;
-  std::vector<JointRow> rows; // as they are written
+  std::vector<JointRow> rows; // with rounded values, as in the file
 };
 
-// A straight motion comes in pieces where the joints would lead the nozzle off its way by more than
-// kBlendToleranceMm (program/common/straight_pieces.h).
-// `head`: remarks above the rows. `written`: a share of the full flow as the outputs say it.
+// Divides straight motions into pieces if the joints would lead the nozzle off its path by more
+// than kBlendToleranceMm (program/common/straight_pieces.h). `head`: remarks above the rows.
+// `written`: converts a share of the full flow to the value that the outputs represent.
 // Precondition: an arm of kRowJoints joints (Error{Internal}). Throws Cancelled.
 WrittenRows writeRows(const ProgramInput& input, std::string_view format,
                       std::span<const std::string> head, double (*written)(double share),

@@ -35,7 +35,8 @@ std::string columnOf(std::size_t joint, robot::JointKind kind) {
       {",j", std::to_string(joint + 1), kind == robot::JointKind::Sliding ? "_mm" : "_deg"});
 }
 
-// "time_s,j1_deg,...,extruded_mm3,waypoint,move" -> what its joints do; none: not such a header.
+// Parses "time_s,j1_deg,...,extruded_mm3,waypoint,move" and returns the kinds of its joints; empty
+// if it is no such header.
 std::vector<robot::JointKind> jointsOfHeader(std::string_view line) {
   using enum robot::JointKind;
   constexpr std::string_view kFront = "time_s", kBack = ",extruded_mm3,waypoint,move";
@@ -83,7 +84,7 @@ private:
       if (line.empty())
         continue;
       if (ended)
-        defect("text behind the end"_text);
+        defect("text after the end"_text);
       if (line.front() == '#')
         ended = ended || line == kEnd;
       else if (joints_.empty())
@@ -94,7 +95,7 @@ private:
     if (joints_.empty())
       defect("the header line is missing"_text);
     if (!ended)
-      defect("the line '# end' is missing: the file was cut short"_text);
+      defect("the line '# end' is missing: the file is truncated"_text);
     complete_ = ended && headed_ && (out_.file == 0 || complete_);
   }
 
@@ -103,7 +104,7 @@ private:
     headed_ = !joints_.empty();
     if (!headed_) {
       defect("not the header of a joint table"_text);
-      // Rows can still be read when the columns are as many as a header has.
+      // Rows can still be read if their column count matches a possible header.
       const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
       joints_.assign(commas > 3 && commas - 3 <= 8 ? commas - 3 : 0, robot::JointKind::Turning);
     }
@@ -127,13 +128,13 @@ private:
       return;
     }
     if (waypoint < -1.0 || waypoint != std::floor(waypoint))
-      defect("a waypoint's number is a whole number from -1"_text);
+      defect("a waypoint number has to be an integer of at least -1"_text);
     m.durationS = time - time_;
     m.volumeMm3 = extruded - extruded_;
     if (m.durationS < 0.0 || time < 0.0)
-      defect("time runs backwards"_text);
+      defect("time decreases"_text);
     if (m.volumeMm3 < 0.0 || extruded < 0.0)
-      defect("extruded material becomes less"_text);
+      defect("the extruded volume decreases"_text);
     m.durationS = std::max(0.0, m.durationS);
     m.volumeMm3 = std::max(0.0, m.volumeMm3);
     m.extruding = rest == "print" || m.volumeMm3 > 0.0;
@@ -142,7 +143,7 @@ private:
     out_.motion(std::move(m));
   }
 
-  // The number before the next comma; `rest` moves behind the comma.
+  // Parses the number before the next comma; `rest` advances past the comma.
   static bool takeField(std::string_view& rest, double& value) {
     const std::size_t comma = rest.find(',');
     if (comma == std::string_view::npos || !parseNumber(trimmed(rest.substr(0, comma)), value) ||

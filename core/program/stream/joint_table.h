@@ -1,9 +1,9 @@
-// Joint table (CSV): the trajectory as it is, for programs and controllers that play tables.
+// Joint table (CSV): the unchanged trajectory, for programs and controllers that play tables.
 //
-// A comment "# ...", a header line, one row a point, and "# end" as the last line. Columns: time_s,
-// j1_deg ... (j3_mm of a joint that slides), extruded_mm3 (cumulative), waypoint (of
-// the tool plan, -1: none), move (print, linear: straight in the work frame; joint: linear in
-// joints). A motion's time is the difference of its row's and the last one's.
+// A comment "# ...", a header line, one row per point, and "# end" as the last line. Columns:
+// time_s, j1_deg ... (j3_mm for a sliding joint), extruded_mm3 (cumulative), waypoint (of the tool
+// plan, -1: none), move (print, linear: straight in the work frame; joint: linear in joints). The
+// duration of a motion is the difference between the times of its row and the previous one.
 #pragma once
 
 #include "base/run_context.h"

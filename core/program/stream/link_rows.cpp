@@ -17,7 +17,7 @@ namespace {
 constexpr int kSpeedDigits = 7, kFlowDigits = 4;
 constexpr double kMostJointDeg = 5000.0, kMostMmPerS = 1e5, kMostDegPerS = 1e5, kMostSeconds = 1e6,
                  kMostBlendMm = 1e4, kMostKg = 1e5;
-constexpr double kSame = 1e-4; // mm, degrees: as near as they are written
+constexpr double kSame = 1e-4; // mm, degrees: resolution of the lines
 constexpr std::size_t kHeaderBegins = 15;
 
 class LinkReader {
@@ -27,7 +27,7 @@ public:
 
   LinkRead read(std::string_view text) {
     const RowsForm rows{form_.header, "not the header of lines for a data link"_text,
-                        "the line that ends the stream is missing: the file was cut short"_text};
+                        "the line that ends the stream is missing: the file is truncated"_text};
     LinkRead read;
     read.complete = readEachRow(
         text, rows,
@@ -62,7 +62,7 @@ private:
     return form_.inFrame && name == kLinkLoad ? &load_ : nullptr;
   }
 
-  // false: a line of another kind.
+  // Returns false for a line of another kind.
   bool frame(std::string_view line) {
     const std::size_t comma = std::min(line.find(','), line.size());
     const std::string_view name = trimmed(line.substr(0, comma));
@@ -120,19 +120,19 @@ private:
   void begin(const LinkRow& row) {
     start_ = row;
     if (!tool_ || (form_.inFrame && !load_))
-      defect("a position before the tool: whose is it?"_text);
+      defect("a position before the tool is defined"_text);
     if (form_.inFrame && base_.has_value() == nozzle_.has_value())
-      defect("positions are in a base, or of a nozzle that stands: one of them has to be set"_text);
+      defect("either a base or a fixed nozzle has to be defined"_text);
     if (!row.moves() || !row.byJoints())
-      defect("the first line is no motion by joints to the start"_text);
+      defect("the first line is not a joint motion to the start"_text);
   }
 
   void outputs(const LinkRow& row) {
     const bool on = row.flow > 0.0, was = last_ && last_->moves() && last_->flow > 0.0;
     if (on && row.moves() && row.byJoints())
-      defect("the extruder is on in a motion by joints"_text);
+      defect("the extruder is on in a joint motion"_text);
     if (last_ && last_->blend > 0.0 && (on != was || row.byJoints() || !row.moves()))
-      defect("the arm does not stand where this line begins"_text);
+      defect("the arm does not stop before this line"_text);
     out_.flow(row.flow / form_.fullFlow);
     out_.turn(on);
   }
@@ -140,7 +140,7 @@ private:
   void stands(const LinkRow& row) {
     if (!last_ || !std::ranges::equal(row.target, last_->target,
                                       [](double a, double b) { return std::abs(a - b) <= kSame; }))
-      defect("the arm waits elsewhere than where it stands"_text);
+      defect("the arm waits at another target than the previous one"_text);
     if (row.speed < 0.0) {
       out_.pauseByOutputs(-row.speed);
       out_.turn(false);
@@ -159,9 +159,9 @@ private:
     const std::optional<Eigen::Isometry3d> from = std::exchange(
         at_, m.target == plan::TargetKind::Joints ? std::nullopt : std::optional(m.frame_T_tcp));
     if (m.jointInterpolated) {
-      // The program that takes the lines is written for one kind.
+      // The receiving program is written for one kind.
       if (row.blend != start_->blend)
-        defect("motions by joints to joints and to poses in one stream"_text);
+        defect("joint motions with joint targets and with pose targets in one stream"_text);
       m.jointSpeedRadPerS = 0.01 * row.speed * form_.jointRadPerS;
     } else {
       m.speedMmPerS = row.speed;
@@ -185,7 +185,7 @@ private:
   bool pose(const LinkRow& row, plan::ProgramMotion& m) {
     const auto said = poseOf(row.target);
     if (!said) {
-      defect("a target that is no position in a robot's reach"_text);
+      defect("the target is not a position within a robot's reach"_text);
       return false;
     }
     const bool onWork = form_.inFrame && nozzle_;
@@ -201,7 +201,7 @@ private:
   std::optional<Eigen::Isometry3d> nozzle_;
   Eigen::Isometry3d base_T_poses_ = Eigen::Isometry3d::Identity();
   std::optional<LinkRow> start_, last_;
-  std::optional<Eigen::Isometry3d> at_; // frame_T_tcp of the last motion, where it was a pose
+  std::optional<Eigen::Isometry3d> at_; // frame_T_tcp of the last motion, if it was a pose
   bool ended_ = false;
 };
 

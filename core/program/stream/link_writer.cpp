@@ -68,7 +68,7 @@ private:
     row_.turn = 0.0;
     const std::size_t line = out_.size();
     put();
-    if (i == 0) // rounded as it is written
+    if (i == 0) // rounded as written
       parseLinkRow(std::string_view(out_).substr(line, out_.size() - line - 1), form_, link_.start);
   }
   void straightMotion(std::size_t i, bool stops) override {

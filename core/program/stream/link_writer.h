@@ -14,29 +14,29 @@
 
 namespace voluta::program {
 
-// A trajectory's motions as a controller makes them, rounded as they are written. Points are
-// indices; motion i ends at point i.
+// A trajectory's motions as the controller executes them, rounded as written. Points are indices;
+// motion i ends at point i.
 class LinkMotions {
 public:
   virtual ~LinkMotions() = default;
   virtual const TcpMotions& tcp() const = 0;
-  // The target, in the frame that the form's poses are in.
+  // The target, in the frame of the form's poses.
   virtual Eigen::Vector3d mm(std::size_t i) const = 0;
   virtual Eigen::Vector3d degrees(std::size_t i) const = 0;
-  // Of what moves straight.
+  // For straight motions.
   virtual double mmPerS(std::size_t i) const = 0;
-  virtual double degPerS(std::size_t i) const = 0; // of a form that turns
-  // 0: the arm stands behind it. Precondition: i > 0.
+  virtual double degPerS(std::size_t i) const = 0; // for a form that turns
+  // 0: the arm stops after it. Precondition: i > 0.
   virtual double blendMm(std::size_t i) const = 0;
-  // Of a motion by joints.
+  // For joint motions.
   virtual double jointPercent(std::size_t i) const = 0;
 };
 
-// What stands before the first line.
+// Data written before the first line.
 struct LinkHead {
   std::string_view format;
   std::vector<std::string> remarks; // without their mark
-  Link frames;                      // its start is found
+  Link frames;                      // its start is set by the writer
 };
 struct LinkText {
   std::string text;

@@ -10,10 +10,11 @@ namespace {
 constexpr double kMostOfOne = 4.0 / 27.0; // of u (1 - u)^2
 constexpr double kMostFaster = 1.5;
 constexpr double kLeastMm = 1e-9;
-// How far an angle may be led off by the velocity at one end: by share of its way, and besides.
+// Maximum deviation of an angle caused by the velocity at one end: share of its displacement, plus
+// a constant.
 constexpr double kTurnShare = 0.25, kLeastTurnDeg = 0.15;
 
-// How far from its line a motion is led by a velocity at one of its ends, mm.
+// Returns the lateral deviation of a motion from its line caused by the velocity at one end [mm].
 double acrossMm(const PvtMotion& motion, const PvtVector& velocity) {
   const Eigen::Vector3d way = motion.way.head<3>();
   const Eigen::Vector3d v = velocity.head<3>();
@@ -46,7 +47,7 @@ PvtDeviation pvtDeviation(const PvtMotion& motion, const PvtVector& from, const 
 bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to) {
   const double even = motion.way[k] / motion.seconds;
   const double off = kMostOfOne * motion.seconds * (std::abs(from - even) + std::abs(to - even));
-  // Twice what one end may, and twice what a stop asks for.
+  // Twice the limit for one end, plus twice the deviation caused by a stop.
   return off <= 2.0 * ((kTurnShare + kMostOfOne) * std::abs(motion.way[k]) + kLeastTurnDeg);
 }
 
@@ -59,7 +60,7 @@ PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranc
     if (const double off = acrossMm(*motion, velocity); off > toleranceMm)
       share = std::min(share, toleranceMm / off);
     if (velocity.head<3>().dot(motion->way.head<3>()) < 0.0)
-      return PvtVector::Zero(); // it would run back
+      return PvtVector::Zero(); // it would reverse
     const double speed = motion->way.head<3>().norm() / motion->seconds;
     if (const double own = velocity.head<3>().norm(); own > kMostFaster * speed)
       share = std::min(share, kMostFaster * speed / own);

@@ -1,5 +1,5 @@
-// Velocities at the points of a path that a controller runs through by position, velocity and time
-// (PVT): between two points each coordinate is the cubic that has both values and velocities there
+// Velocities at the points of a path for controllers that interpolate position, velocity and time
+// (PVT): between two points each coordinate is the cubic with both values and velocities there
 // (Hermite).
 #pragma once
 
@@ -8,30 +8,30 @@
 
 namespace voluta::program {
 
-// Position in mm, and whatever turns in degrees.
+// Position in mm, orientation coordinates in degrees.
 using PvtVector = Eigen::Matrix<double, 6, 1>;
 
-// One motion: what changes, and its seconds (> 0).
+// One motion: the change of the coordinates and its duration in seconds (> 0).
 struct PvtMotion {
   PvtVector way = PvtVector::Zero();
   double seconds = 0.0;
 };
 
-// How far the cubic leaves the even motion: across the way of the first three coordinates, mm; and
-// the largest difference along it, by share of the way (0 where there is none).
+// Deviation of the cubic from uniform motion: lateral, for the first three coordinates [mm]; and
+// the maximum along the path, as a share of its length (0 if it has none).
 struct PvtDeviation {
   double acrossMm = 0.0;
   double alongShare = 0.0;
 };
 PvtDeviation pvtDeviation(const PvtMotion& motion, const PvtVector& from, const PvtVector& to);
 
-// Does coordinate k, an angle, stay near its even turn with these velocities at both ends, degrees
-// a second? True of all velocities below and of 0.
+// Returns whether the angle k stays close to its uniform rotation with these velocities at both
+// ends [degrees/s]. True for all velocities of pvtVelocity() and for 0.
 bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to);
 
-// The velocity at the point between two motions: their parabola's, less where one of them would
-// leave its line by more than `toleranceMm`, run at more than half as fast again as it should or
-// turn unevenly.
+// Returns the velocity at the point between two motions: that of the parabola through them, reduced
+// if either motion would deviate from its line by more than `toleranceMm`, exceed its mean speed by
+// more than half, or turn unevenly.
 PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranceMm);
 
 } // namespace voluta::program

@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view kId = "urscript-stream", kTitle = "joint stream, URScript",
                            kReceiverNote = "# received by ", kSenderNote = "# sent by ",
                            kPayload = "set_payload(";
-constexpr double kStartRadPerS2 = 0.5; // as the receiver has it
+constexpr double kStartRadPerS2 = 0.5; // the receiver's value
 
 std::string receiverName(const ProgramInput& input) {
   return identifierOf(input.name) + "_receiver.script";
@@ -49,7 +49,7 @@ bool isReceiver(std::string_view text) {
   return text.find(urscriptReceiverBegin()) != std::string_view::npos || text.starts_with("def ");
 }
 
-// Its head: a name, remarks and the load; all else is as it is for every job.
+// Parses the head: a name, remarks and the load; everything else is the same for every job.
 void readReceiver(std::string_view text, ProgramBuilder& out) {
   const std::size_t body = text.find(urscriptReceiverBegin());
   LineReader head(text.substr(0, body));

@@ -4,8 +4,8 @@ namespace voluta::program {
 
 namespace {
 
-// Rows that wait in the socket stand in for a queue. Times add up: what a row's last step leaves
-// over is part of the next. lookahead_time and gain are the manual's least and middle.
+// The socket's buffer of rows serves as the queue. Times accumulate: the remainder of a row's last
+// cycle is part of the next row. lookahead_time and gain are the manual's minimum and middle.
 constexpr std::string_view kReceiver = R"(  # from here on the same for every job
   def between(a, b, share):
     return [a[0]+(b[0]-a[0])*share,a[1]+(b[1]-a[1])*share,a[2]+(b[2]-a[2])*share,a[3]+(b[3]-a[3])*share,a[4]+(b[4]-a[4])*share,a[5]+(b[5]-a[5])*share]

@@ -1,18 +1,18 @@
-// The two programs beside a stream of joints for Universal Robots, without what is of a job
-// (program/stream/urscript_stream.h).
+// The two programs that accompany a stream of joints for Universal Robots, without the job-specific
+// parts (program/stream/urscript_stream.h).
 #pragma once
 
 #include <string_view>
 
 namespace voluta::program {
 
-// The receiver behind its head, from a remark that says so to the function's end. It calls a
-// computer whose address the sender puts in the place of SENDER_ADDRESS.
+// Returns the receiver after its head, from a remark that marks the beginning to the function's
+// end. It connects to a computer whose address the sender inserts for SENDER_ADDRESS.
 std::string_view urscriptReceiver();
-// Its first line; what a job has of its own stands before it.
+// Returns its first line; the job-specific part is before it.
 std::string_view urscriptReceiverBegin();
 
-// All of the sender.
+// Returns the whole sender.
 std::string_view urscriptSender();
 
 } // namespace voluta::program

@@ -33,7 +33,7 @@ TmFrame broken(std::string_view line, std::string_view script, base::Message rea
   return {.script = script, .length = line.size(), .sound = false, .reason = std::move(reason)};
 }
 
-// What stands between the frame's third comma and its end, of one that is broken.
+// Returns the text between the third comma of a broken frame and its end.
 std::string_view scriptOf(std::string_view line) {
   std::size_t at = 0;
   for (int commas = 0; commas < 3; ++commas) {
@@ -59,24 +59,24 @@ TmFrame takeTmFrame(std::string_view text) {
   line = trimmed(line);
   const std::string_view script = scriptOf(line);
   if (!text.starts_with(kHeader))
-    return broken(line, script, "a frame that is no script for a listen node"_text);
+    return broken(line, script, "the frame is not a script for a listen node"_text);
   std::size_t bytes = 0;
   const char* const first = text.data() + kHeader.size();
   const auto [digits, error] = std::from_chars(first, text.data() + text.size(), bytes);
-  const auto from = static_cast<std::size_t>(digits - text.data()) + 1; // behind the comma
+  const auto from = static_cast<std::size_t>(digits - text.data()) + 1; // After the comma
   if (error != std::errc() || from > text.size() || *digits != ',')
-    return broken(line, script, "a frame without its length"_text);
+    return broken(line, script, "frame without a length"_text);
   if (bytes > text.size() || text.size() - from < bytes + kEnd ||
       text.substr(from + bytes, 2) != ",*")
-    return broken(line, script, "a frame of another length than it says"_text);
+    return broken(line, script, "the frame's length differs from the stated one"_text);
   const std::size_t end = from + bytes + kEnd;
   const auto said = hexadecimal(text.substr(end - 2, 2));
   if (!said || *said != *hexadecimal(checksum(text.substr(1, from + bytes))))
-    return broken(line, script, "a frame whose checksum is wrong: it was changed or cut"_text);
+    return broken(line, script, "wrong checksum: the frame was modified or truncated"_text);
   const std::string_view content = text.substr(from, bytes);
   const std::size_t comma = content.find(',');
   if (comma == 0 || comma == std::string_view::npos)
-    return broken(line, script, "a frame without its name"_text);
+    return broken(line, script, "frame without a name"_text);
   return {.script = content.substr(comma + 1), .length = end, .sound = true, .reason = {}};
 }
 

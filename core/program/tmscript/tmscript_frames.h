@@ -1,6 +1,6 @@
-// Frames in which a listen node takes scripts: $TMSCT,<bytes>,<id>,<script>,*<checksum> and CR LF.
-// <bytes> are those of "id,script"; the checksum is XOR of all bytes between $ and *, in two
-// hexadecimal digits (tmr_ros1; docs/programs.md on TMscript).
+// Frames in which a listen node receives scripts: $TMSCT,<bytes>,<id>,<script>,*<checksum> and CR
+// LF. <bytes> is the length of "id,script"; the checksum is the XOR of all bytes between $ and *,
+// as two hexadecimal digits (tmr_ros1; docs/programs.md on TMscript).
 #pragma once
 
 #include "base/text.h"
@@ -11,17 +11,18 @@
 
 namespace voluta::program {
 
-// With its CR LF. Precondition: no line end in `id`.
+// Returns the frame with its CR LF. Precondition: no line end in `id`.
 std::string tmFrame(std::string_view id, std::string_view script);
 
 struct TmFrame {
   std::string_view script;
-  std::size_t length = 0; // of the whole frame, without the line end behind it
-  bool sound = true;      // else `reason` says why not; the script is then what can be made of it
+  std::size_t length = 0; // Of the whole frame, without the line end after it
+  bool sound = true; // If false, `reason` is the defect, and `script` is as much as could be read
   base::Message reason;
 };
 
-// The frame that `text` begins with, which may go on over lines. Precondition: it begins with '$'.
+// Returns the frame at the beginning of `text`, which may extend over several lines. Precondition:
+// `text` begins with '$'.
 TmFrame takeTmFrame(std::string_view text);
 
 } // namespace voluta::program

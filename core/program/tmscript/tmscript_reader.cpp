@@ -23,9 +23,10 @@ namespace {
 
 constexpr std::size_t kNumbers = 6;
 constexpr double kMostMm = 1e5, kMostDeg = 1e5, kMostMmPerS = 1e4, kMostSeconds = 1e6;
-// A cubic further off its line, or from the even motion along it, than start and stop ask for.
+// Tolerated deviation of a cubic from its line, and from even motion along it, beyond that of
+// starting and stopping.
 constexpr double kMostAcrossMm = 0.05, kMostAlongShare = 0.25;
-// Amid a bead: how far the speed at a point may be from the one that suits the way, by share of
+// Within a bead: tolerated deviation of the speed at a point from the suitable one, as a share of
 // the speeds of the motions to and from it.
 constexpr double kSpeedShare = 0.2;
 
@@ -50,8 +51,8 @@ public:
 
 private:
   struct Arguments {
-    std::string text;            // of the first, where it is one
-    std::vector<double> numbers; // of all others, lists taken apart
+    std::string text;            // First argument, if it is text
+    std::vector<double> numbers; // All others, with lists flattened
   };
 
   void defect(base::Message reason) { out_.defect(std::move(reason)); }
@@ -82,11 +83,11 @@ private:
     }
     out_.line = std::max<std::size_t>(out_.line, 2) - 1;
     if (text.find('\n') != std::string_view::npos && text.find('\r') == std::string_view::npos)
-      defect("lines end with LF alone: a listen node takes CR LF"_text);
+      defect("lines end with LF only: a listen node needs CR LF"_text);
     if (!left_)
       defect("ScriptExit() is missing at the end"_text);
     if (!out_.outputsEnded())
-      defect("the extruder is not set off behind the last motion"_text);
+      defect("the extruder is not switched off after the last motion"_text);
     return left_ && out_.outputsEnded();
   }
 
@@ -111,17 +112,17 @@ private:
       script.remove_prefix(end + 1);
       ++out_.line;
     }
-    left_ = left_ && frame.sound; // a listen node takes no other
+    left_ = left_ && frame.sound; // A listen node accepts no other frames
     rest.remove_prefix(frame.length);
     if (!trimmed(rest.substr(0, rest.find('\n'))).empty())
-      defect("text behind a frame"_text);
+      defect("text after a frame"_text);
   }
 
   void statement(std::string_view code) {
     if (code.empty())
       return;
     if (left_)
-      defect("text behind the end"_text);
+      defect("text after the end"_text);
     ScriptScanner scanner(code, variables_, '{');
     const std::string word(scanner.name());
     if (word == "IO") {
@@ -223,7 +224,7 @@ private:
     if (module != "ControlBox" || channel != 0.0)
       out_.wordAt(kind, kAside);
     else if (kind.starts_with("Instant") && !out_.program().motions.empty())
-      defect("an output at once, not where the motions are"_text);
+      defect("an immediate output, not synchronized with the motions"_text);
     else if (digital && value != 0.0 && value != 1.0)
       defect("an output is 0 or 1"_text);
     else if (digital)
@@ -257,7 +258,7 @@ private:
   void changeTcp(const Arguments& a) {
     const auto pose = poseIn(a.numbers);
     if (!pose || !a.text.empty()) {
-      defect("a tool that only the robot knows: write its numbers"_text);
+      defect("a tool known only to the robot: give its numbers"_text);
       return;
     }
     Eigen::Isometry3d& known = out_.program().flange_T_tcp;
@@ -272,7 +273,7 @@ private:
   }
   void changeLoad(const std::vector<double>& numbers) {
     if (numbers.size() != 1 || !(numbers[0] >= 0.0))
-      defect("a load needs its mass"_text);
+      defect("load without a mass"_text);
     else
       out_.load("ChangeTCP", numbers[0]);
   }
@@ -281,7 +282,7 @@ private:
                           ? std::optional(Eigen::Isometry3d::Identity())
                           : poseIn(a.numbers);
     if (!pose || (!a.text.empty() && a.text != "RobotBase")) {
-      defect("a base that only the robot knows: write its numbers"_text);
+      defect("a base known only to the robot: give its numbers"_text);
       return;
     }
     out_.state(plan::FactKind::TargetFrame);
@@ -292,7 +293,7 @@ private:
 
   void enter(const Arguments& a) {
     if (a.numbers.size() != 1 || (a.numbers[0] != 0.0 && a.numbers[0] != 1.0)) {
-      defect("'PVTEnter' takes 0, joints, or 1, poses"_text);
+      defect("'PVTEnter' needs 0 (joints) or 1 (poses)"_text);
       return;
     }
     if (block_ != Block::None)
@@ -305,7 +306,7 @@ private:
     if (block_ == Block::None)
       defect("'PVTExit' without PVTEnter before it"_text);
     else if (velocity_.norm() > 0.0)
-      defect("the last point of PVT has a velocity"_text);
+      defect("the velocity at the last PVT point is not 0"_text);
     block_ = Block::None;
   }
 
@@ -315,14 +316,14 @@ private:
       return;
     }
     if (a.numbers.size() != 2 * kNumbers + 1 || !a.text.empty()) {
-      defect("'PVTPoint' needs six positions, six velocities and its seconds"_text);
+      defect("'PVTPoint' needs six positions, six velocities and a time in seconds"_text);
       return;
     }
     const PvtVector numbers(a.numbers.data()), velocity(a.numbers.data() + kNumbers);
     const double seconds = a.numbers.back();
     if (!(seconds > 0.0) || seconds > kMostSeconds ||
         !(velocity.cwiseAbs().maxCoeff() < kMostDeg)) {
-      defect("'PVTPoint' with a time or a velocity that makes no sense"_text);
+      defect("'PVTPoint' with an invalid time or velocity"_text);
       return;
     }
     const bool stands = std::exchange(first_, false) && last_ && last_->joints == joints() &&
@@ -344,8 +345,8 @@ private:
     passPoint(motion, velocity);
   }
 
-  // The flow is the same all along a motion: amid a bead the arm has to pass each point at the
-  // speed that suits the motions to and from it.
+  // The flow is constant along a motion: within a bead the arm must pass each point at the speed
+  // that suits the motions to and from it.
   void passPoint(const std::optional<PvtMotion>& motion, const PvtVector& velocity) {
     const bool prints = motion && block_ == Block::Poses && !out_.program().motions.empty() &&
                         out_.program().motions.back().extruding;
@@ -367,8 +368,8 @@ private:
     if (std::abs(stated - suits) <= kSpeedShare * 0.5 * (speedOf(point.to) + speedOf(from)))
       return;
     const std::size_t here = std::exchange(out_.line, point.line);
-    defect(base::message("the arm passes this point at {stated:.1f} mm/s and its flow stays: "
-                         "{suits:.1f} mm/s suit its way"_text,
+    defect(base::message("the arm passes this point at {stated:.1f} mm/s with unchanged flow; "
+                         "the path requires {suits:.1f} mm/s"_text,
                          base::number(stated), base::number(suits)));
     out_.line = here;
   }
@@ -383,9 +384,9 @@ private:
     for (int k = joints() ? 0 : 3; k < 6; ++k)
       fits = fits && pvtTurnsEvenly(motion, k, velocity_[k], to[k]);
     if (!fits)
-      defect("the velocities lead off the way to this point"_text);
+      defect("the velocities lead off the path to this point"_text);
     if (block_ == Block::Poses && motion.way.tail<3>().cwiseAbs().maxCoeff() > 180.0)
-      defect("an angle goes the long way round"_text);
+      defect("an angle rotates the long way around"_text);
   }
 
   void moveTo(const PvtVector& numbers, bool joints, plan::ProgramMotion m) {
@@ -406,15 +407,15 @@ private:
       m.target = plan::TargetKind::FlangePose;
       m.frame_T_tcp = base_T_frame_ * *pose;
       if (!tcpSet_)
-        defect("a pose before ChangeTCP: whose pose is it?"_text);
-      tcpSet_ = true; // said once
+        defect("a pose before ChangeTCP: its TCP is unknown"_text);
+      tcpSet_ = true; // Report only once
     }
     last_ = Last{joints, numbers};
     out_.motionByOutputs(std::move(m));
   }
 
-  // Target, speed, milliseconds to reach it, blend, precise positioning off. nullopt (and a
-  // defect): it is none.
+  // Target, speed, acceleration time [ms], blend, precise positioning off. Returns nullopt (and
+  // reports a defect) if the arguments are not a motion.
   struct Motion {
     PvtVector numbers;
     bool joints, speedInMm, blendInMm;
@@ -423,16 +424,16 @@ private:
   std::optional<Motion> motionOf(const Arguments& a) {
     passed_.reset();
     if (block_ != Block::None) {
-      defect("a motion of its own between PVTEnter and PVTExit"_text);
+      defect("another motion between PVTEnter and PVTExit"_text);
       return std::nullopt;
     }
     const bool known = a.text.size() == 3 && (a.text[0] == 'J' || a.text[0] == 'C') &&
                        (a.text[1] == 'P' || a.text[1] == 'A') &&
                        (a.text[2] == 'P' || a.text[2] == 'R');
-    // Some poses bring the arm's configuration with them, three numbers more.
+    // Poses may include the arm's configuration, three more numbers.
     const std::size_t behind = a.numbers.size() - kNumbers;
     if (!known || a.numbers.size() < kNumbers + 3 || (behind != 3 && behind != 4)) {
-      defect("a motion's numbers are not those that its letters say"_text);
+      defect("the numbers of the motion do not match its letters"_text);
       return std::nullopt;
     }
     Motion m{PvtVector(a.numbers.data()),
@@ -447,7 +448,7 @@ private:
     };
     if (!whole(m.speed, m.speedInMm ? kMostMmPerS : 100.0) || !(m.speed > 0.0) ||
         !whole(m.rampMs, kMostSeconds) || !whole(m.blend, m.blendInMm ? kMostMm : 100.0)) {
-      defect("speed, time to reach it and blend are whole numbers"_text);
+      defect("speed, acceleration time and blend must be integers"_text);
       return std::nullopt;
     }
     return m;
@@ -458,7 +459,7 @@ private:
     if (!found)
       return;
     if (found->speedInMm) {
-      defect("'PTP' by millimetres a second"_text);
+      defect("'PTP' in millimetres per second"_text);
       return;
     }
     plan::ProgramMotion m;
@@ -473,14 +474,14 @@ private:
     if (!found)
       return;
     if (!found->speedInMm || (found->joints && found->blendInMm)) {
-      defect("a straight motion by per cent of a speed that is not known"_text);
+      defect("a straight motion in percent of an unknown speed"_text);
       return;
     }
     plan::ProgramMotion m;
     m.speedMmPerS = found->speed;
     if (found->rampMs > 0.0)
       m.accelerationMmPerS2 = 1000.0 * found->speed / found->rampMs;
-    // Per cent: of half the way.
+    // A percentage refers to half of the distance.
     if (found->blendInMm)
       m.blendMm = found->blend;
     else if (last_ && !last_->joints && !found->joints)
@@ -488,7 +489,7 @@ private:
     moveTo(found->numbers, found->joints, std::move(m));
   }
 
-  // What the last motion said.
+  // Target of the last motion.
   struct Last {
     bool joints;
     PvtVector numbers;
@@ -500,9 +501,9 @@ private:
   Eigen::Isometry3d base_T_frame_ = Eigen::Isometry3d::Identity();
   std::optional<Last> last_;
   Block block_ = Block::None;
-  PvtVector velocity_ = PvtVector::Zero(); // at the last point of PVT
-  std::optional<Passed> passed_;           // the last point, where it lies on a bead
-  bool first_ = false;                     // the next point is the block's first
+  PvtVector velocity_ = PvtVector::Zero(); // At the last PVT point
+  std::optional<Passed> passed_;           // The last point, if it is on a bead
+  bool first_ = false;                     // The next point is the first of the block
   bool left_ = false, tcpSet_ = false, everSet_ = false;
 };
 

@@ -131,7 +131,7 @@ private:
         {"PVTPoint(", numbers, ",", velocity, ",", fixedText(seconds, kSecondDecimals), ")"}));
   }
 
-  // Where the arm stands at the first point.
+  // Where the arm is stationary at the first point.
   void wait(double seconds) override {
     leave();
     frame(program_.foreign ? "PVTEnter(1)" : "PVTEnter(0)");
@@ -184,12 +184,12 @@ private:
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
   TcpMotions motions_;
-  std::size_t at_ = 0;             // point
-  std::vector<PvtVector> numbers_; // of the targets, as written
+  std::size_t at_ = 0;             // Current point
+  std::vector<PvtVector> numbers_; // Targets as written
   plan::Program program_;
   std::string out_;
   std::size_t frames_ = 0;
-  bool within_ = false; // PVTEnter was said
+  bool within_ = false; // PVTEnter has been written
 };
 
 } // namespace

@@ -20,12 +20,12 @@ bool mayBeMissingInUrscript(const std::vector<std::string>& lines, std::size_t i
          lines[i].find("sleep(") != std::string::npos || primes(lines, i);
 }
 
-// Functions without arguments that are called and stand nowhere in the text.
+// Returns the functions that are called without arguments and not defined in the text.
 std::vector<std::string> filesOfUrscript(std::string_view text) {
   static const UrscriptVariables kNone;
   std::vector<std::string> files;
   std::vector<std::string_view> defined, called;
-  if (text.starts_with(kByteOrderMark)) // is the reader's to refuse
+  if (text.starts_with(kByteOrderMark)) // The reader refuses it
     text.remove_prefix(kByteOrderMark.size());
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {

@@ -52,12 +52,12 @@ private:
     std::size_t file, first, end;
   };
   struct File {
-    std::vector<Line> lines; // with code in them
+    std::vector<Line> lines; // Lines with code
     std::map<std::size_t, std::size_t>
-        behind;                            // the line behind a definition at the top, by its own
-    std::size_t last = 0;                  // line of the text
-    std::string_view defined;              // last
-    bool mustCall = false, isPart = false; // as its notes say
+        behind;               // Per definition at top level, by its own line: the line after it
+    std::size_t last = 0;     // Last line of the text
+    std::string_view defined; // Function defined last
+    bool mustCall = false, isPart = false; // As the file's notes say
     bool closed = true, cameTo = false;
   };
   File& here() { return files_[out_.file]; }
@@ -96,14 +96,14 @@ private:
   bool end() {
     const bool ended = out_.outputsEnded();
     if (!ended)
-      defect("the extruder is not set off behind the last motion"_text);
+      defect("the extruder is not switched off after the last motion"_text);
     return ended;
   }
 
   bool runFile() {
     out_.line = here().last;
     if (here().isPart) {
-      defect("nothing of this file is run"_text);
+      defect("nothing in this file is executed"_text);
       return false;
     }
     variables_.clear();
@@ -113,8 +113,8 @@ private:
     return end() && ran;
   }
 
-  // What stands outside of functions: their definitions, set-up of variables, one call. Text that
-  // is sent to a port ends with `end` and runs by itself.
+  // Runs the code outside of functions: definitions, set-up of variables, one call. Text that is
+  // sent to a port ends with `end` and runs by itself.
   bool runTop() {
     const std::size_t tops = here().behind.size();
     const bool closed = here().closed, mustCall = here().mustCall;
@@ -173,24 +173,24 @@ private:
     scanner.name();
     return scanner.name();
   }
-  // Does a block begin with this line, to be closed by an `end`?
+  // Returns whether this line begins a block that must be closed by an `end`.
   static bool opensBlock(std::string_view code) {
     const std::string_view word = wordOf(code);
     return isDefinition(code) || word == "while" || word == "for" || word == "if";
   }
 
-  // The definition in line i, which moves behind its end. false: it has none.
+  // Reads the definition in line i and sets i to the line after its end. Returns false if there is
+  // none.
   bool define(std::size_t& i) {
     UrscriptScanner scanner{lines()[i].code, variables_};
     const std::string_view kind = scanner.name(), name = scanner.name();
     if (name.empty() || !scanner.take('(') || !scanner.take(')') || !scanner.take(':') ||
         !scanner.ended())
-      defect("not the head of a function without arguments"_text);
+      defect("not the definition of a function without arguments"_text);
     else if (kind == "thread")
-      defect("a thread of its own is not read"_text);
+      defect("threads are not supported"_text);
     else if (isUrscriptWord(name))
-      defect(base::message("'{name}' is a word of the language: no function may be called so"_text,
-                           name));
+      defect(base::message("'{name}' is a reserved word and cannot name a function"_text, name));
     else if (functions_.contains(name))
       defect(base::message("the function '{defined}' is defined twice"_text, name));
     const std::size_t first = ++i;
@@ -216,7 +216,7 @@ private:
       if (again)
         defect(base::message("'{name}' calls itself"_text, call.name));
       else
-        defect(base::message("'{name}' is called as it cannot be"_text, call.name));
+        defect(base::message("invalid call of '{name}'"_text, call.name));
       return;
     }
     const Function function = at->second;
@@ -292,7 +292,7 @@ private:
       settings(call);
   }
 
-  // Of words that the table knows, what their values mean.
+  // Evaluates the arguments of words in the table.
   void settings(const Call& call) {
     const Value* first = call.count > 0 ? &call.arguments[0].value : nullptr;
     if (call.name == "set_payload" || call.name == "set_payload_mass" ||
@@ -305,7 +305,7 @@ private:
       constexpr double kG = 9.82, kSlack = 0.1;
       if (!first || first->kind != ValueKind::List || first->count != 3 ||
           (Eigen::Vector3d(first->list.data()) - Eigen::Vector3d(0, 0, kG)).norm() > kSlack)
-        defect("gravity other than that of an arm that stands upright"_text);
+        defect("gravity of an arm that is not upright"_text);
     } else if (call.name == "popup") {
       const Value* blocking = call.find("blocking", 4);
       out_.state(plan::FactKind::OperatorStop, blocking ? blocking->number : 0.0);
@@ -335,15 +335,15 @@ private:
     return true;
   }
 
-  // A named or positional number; `absent` when it isn't given. nullopt (and a defect): no number
-  // in [0, limit].
+  // Returns a named or positional number; `absent` if it is not given. Returns nullopt (and reports
+  // a defect) if it is not a number in [0, limit].
   std::optional<double> numberOf(const Call& call, std::string_view key, std::size_t position,
                                  double limit, double absent) {
     const Value* value = call.find(key, position);
     if (!value)
       return absent;
     if (value->kind != ValueKind::Number || !(value->number >= 0.0) || value->number > limit) {
-      defect(base::message("argument {key} is no sensible number"_text, key));
+      defect(base::message("argument {key} is not a valid number"_text, key));
       return std::nullopt;
     }
     return value->number;
@@ -379,7 +379,7 @@ private:
     const Value& target = call.arguments[0].value;
     if (target.kind == ValueKind::List) {
       if (target.count < 6) {
-        defect("a target of fewer than six joints"_text);
+        defect("target with fewer than six joints"_text);
         return;
       }
       m.target = plan::TargetKind::Joints;
@@ -395,11 +395,11 @@ private:
       if (!poseOf(target, m.frame_T_tcp))
         return;
       if (!tcpSet_)
-        defect("a pose before set_tcp: whose pose is it?"_text);
-      tcpSet_ = true; // said once
+        defect("a pose before set_tcp: its TCP is unknown"_text);
+      tcpSet_ = true; // Report only once
     }
-    // The controller's defaults (URScript manual): a 1.2 m/s2 or 1.4 rad/s2, v 0.25 m/s or
-    // 1.05 rad/s, r 0.
+    // The controller's defaults (URScript manual): a 1.2 m/s2 or 1.4 rad/s2, v 0.25 m/s or 1.05
+    // rad/s, r 0.
     const auto a = numberOf(call, "a", 1, 1000.0, 1.2);
     const auto v = numberOf(call, "v", 2, kMaxSpeed, m.jointInterpolated ? 1.05 : 0.25);
     const auto t = numberOf(call, "t", process ? call.count : 3, 1e5, 0.0);
@@ -407,12 +407,12 @@ private:
     if (!a || !v || !t || !r)
       return;
     if (!(*a > 0.0) || (!(*v > 0.0) && !(*t > 0.0))) {
-      defect("a motion that never gets anywhere: no speed or acceleration"_text);
+      defect("the motion never arrives: no speed or acceleration"_text);
       return;
     }
     m.durationS = *t;
     m.blendMm = *r * 1000.0;
-    if (!(*t > 0.0)) { // which rules over both
+    if (!(*t > 0.0)) { // t takes precedence over both
       (m.jointInterpolated ? m.jointSpeedRadPerS : m.speedMmPerS) =
           m.jointInterpolated ? *v : *v * 1000.0;
       (m.jointInterpolated ? m.jointAccelerationRadPerS2 : m.accelerationMmPerS2) =
@@ -421,12 +421,13 @@ private:
     out_.motionByOutputs(std::move(m));
   }
 
-  // The two arguments of an output call; false (and a defect) when they are none of this kind.
+  // Reads the two arguments of an output call. Returns false (and reports a defect) if they are not
+  // of this kind.
   bool outputOf(const Call& call, ValueKind kind, int& channel, double& value) {
     if (call.count != 2 || call.arguments[0].value.kind != ValueKind::Number ||
         call.arguments[1].value.kind != kind || call.arguments[0].value.number < 0.0 ||
         call.arguments[0].value.number > 31.0) {
-      defect("an output needs its number and a value"_text);
+      defect("an output needs a number and a value"_text);
       return false;
     }
     channel = static_cast<int>(call.arguments[0].value.number);
@@ -470,7 +471,7 @@ private:
     Eigen::Isometry3d tcp;
     if (call.count != 1 || !poseOf(call.arguments[0].value, tcp)) {
       if (call.count != 1)
-        defect("set_tcp needs one pose"_text);
+        defect("set_tcp needs a pose"_text);
       return;
     }
     Eigen::Isometry3d& known = out_.program().flange_T_tcp;
@@ -482,7 +483,7 @@ private:
   void sleep(const Call& call) {
     if (call.count != 1 || call.arguments[0].value.kind != ValueKind::Number ||
         !(call.arguments[0].value.number >= 0.0))
-      defect("sleep needs its seconds"_text);
+      defect("sleep needs a time in seconds"_text);
     else
       out_.pauseByOutputs(call.arguments[0].value.number);
   }
@@ -492,7 +493,7 @@ private:
   std::vector<File> files_;
   std::map<std::string, Function, std::less<>> functions_;
   UrscriptVariables variables_;
-  std::vector<std::string> running_; // functions, the innermost last
+  std::vector<std::string> running_; // Functions, the innermost last
   bool tcpSet_ = false, everSet_ = false;
 };
 

@@ -40,7 +40,7 @@ Value valueOf(const Eigen::Isometry3d& pose) {
   return v;
 }
 
-// false: a function that asks the robot, or that is not known.
+// Evaluates a function. Returns false for a function that queries the robot or is unknown.
 bool given(const Call& call, Value& result) {
   const Value &first = call.arguments[0].value, &second = call.arguments[1].value;
   const bool number = call.count == 1 && isNumber(first);
@@ -134,7 +134,7 @@ bool UrscriptScanner::factor(Value& value) {
   value.kind = ValueKind::Number;
   if (takeNumber(rest, value.number))
     return true;
-  // -name and the like; a sign before a number belongs to it.
+  // -name and the like; a sign before a number belongs to the number.
   const bool minus = take('-');
   if ((!minus && !take('+')) || ++depth > kMostDepth || !factor(value) || !isNumber(value))
     return false;
@@ -171,7 +171,7 @@ bool UrscriptScanner::argument(Argument& argument) {
   return value(argument.value);
 }
 
-// Behind '('.
+// After '('.
 bool UrscriptScanner::arguments(Call& call) {
   if (take(')'))
     return true;

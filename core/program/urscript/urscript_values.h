@@ -1,6 +1,6 @@
 // Values, arguments and calls of URScript: literals, variables, sums and products, and the
-// functions that give a pose or a number without asking the robot (URScript manual, sections 1 and
-// 5).
+// functions that return a pose or a number without querying the robot (URScript manual, sections 1
+// and 5).
 #pragma once
 
 #include "program/common/text_scanner.h"
@@ -20,12 +20,12 @@ struct Value {
   ValueKind kind = ValueKind::None;
   double number = 0.0; // Number; Boolean as 0 or 1
   std::array<double, 8> list{};
-  std::size_t count = 0; // of list
-  std::string_view text; // Text, of the line
+  std::size_t count = 0; // Of list
+  std::string_view text; // Text; refers to the line
 };
 
 struct Argument {
-  std::string_view name; // empty: positional
+  std::string_view name; // Empty: positional
   Value value;
 };
 
@@ -34,28 +34,29 @@ struct Call {
   std::array<Argument, 8> arguments;
   std::size_t count = 0;
 
-  // The argument called `key`, or the positional one at `position`; nullptr when it isn't given.
+  // Returns the argument called `key`, or the positional one at `position`; nullptr if it is not
+  // given.
   const Value* find(std::string_view key, std::size_t position) const;
 };
 
 using UrscriptVariables = std::map<std::string, Value, std::less<>>;
 
-// Reads one statement from left to right; every function moves `rest` behind what it took and gives
-// false where it can't.
+// Reads one statement from left to right. Every function advances `rest` beyond the text it has
+// read, and returns false if it cannot read it.
 struct UrscriptScanner : TextScanner {
   UrscriptScanner(std::string_view text, const UrscriptVariables& known)
       : TextScanner{text}, variables(known) {}
 
   const UrscriptVariables& variables;
-  int depth = 0; // of brackets
+  int depth = 0; // Of brackets
 
-  // A sum, a list, a pose, a text, a truth; a variable by its value.
+  // A sum, a list, a pose, a text or a truth value; a variable by its value.
   bool value(Value& value);
-  // name(arguments) and nothing behind it.
+  // name(arguments) followed by nothing.
   bool call(Call& call);
 
 private:
-  bool list(Value& value); // behind '['
+  bool list(Value& value); // After '['
   bool arguments(Call& call);
   bool argument(Argument& argument);
   bool product(Value& value);

@@ -20,14 +20,15 @@
 namespace voluta::program {
 
 namespace {
-// 1e-7 m is 0.0001 mm; 1e-7 rad moves a point of the part 300 mm off by 0.00003 mm.
+// 1e-7 m is 0.0001 mm; 1e-7 rad moves a point of the part at 300 mm by 0.00003 mm.
 constexpr int kPoseDecimals = 7;
 constexpr int kTcpDecimals = 9;
 constexpr int kSpeedDecimals = 7;
 constexpr int kBlendDecimals = 6;
 constexpr double kMaxAccelerationMPerS2 = 10.0;
 constexpr double kStartRadPerS2 = 0.5;
-constexpr double kRampsOnly = 4.0; // of way / time^2: half of the time up, half of it down
+// Factor of distance / time^2: accelerating half of the time, decelerating the other half
+constexpr double kRampsOnly = 4.0;
 constexpr std::string_view kSocket = "extruder";
 
 class UrscriptWriter : private ProgramEmitter {
@@ -70,7 +71,7 @@ private:
         targets_[i].tcpMm[k] = roundedTo(targets_[i].tcpMm[k] / 1000.0, kPoseDecimals) * 1000.0;
     }
   }
-  double tcpSpeed(std::size_t i) const { // m/s; 0 where it has no meaning
+  double tcpSpeed(std::size_t i) const { // [m/s]; 0 where it is undefined
     return motions_.speedMmPerS(i) / 1000.0;
   }
 
@@ -86,7 +87,7 @@ private:
     }
   }
 
-  // Part 0: the one that calls the others, or all of it.
+  // Part 0: the function that calls the others, or the whole program.
   std::string functionName(std::size_t part) const {
     const std::string name = programName(in_.name);
     return part == 0 ? name : joined({name, "_", std::to_string(part)});
@@ -95,7 +96,7 @@ private:
     return joined({part == 0 ? identifierOf(in_.name) : functionName(part), ".script"});
   }
 
-  // For file nodes: the parts' stand before it, so that their functions are known.
+  // For file nodes: the nodes of the parts precede it, so that their functions are known.
   std::string callingFile() {
     out_.clear();
     line(joined({"def ", functionName(0), "():"}));
@@ -213,7 +214,7 @@ private:
     double speed = kStartRadPerS;
     if (const double s = motionSeconds(t, i); s > 0.0) {
       const double largest = leadingJointRad(in_, i);
-      // A piece of a longer motion stands at its end here, where the plan goes on.
+      // A section of a longer motion stops at its end here, whereas the plan continues.
       if (program_.foreign)
         acceleration =
             std::max(acceleration, std::min(kRampsOnly * largest / (s * s), armRadPerS2()));
@@ -235,7 +236,7 @@ private:
     line(")");
   }
 
-  // What all of the arm's joints are planned with at most.
+  // Returns the minimum planned acceleration limit of the arm's joints.
   double armRadPerS2() const {
     double least = std::numeric_limits<double>::infinity();
     for (const robot::JointLimits& limits : in_.cell.robot().limits)
@@ -246,8 +247,8 @@ private:
 
   void straightMotion(std::size_t i, bool stops) override {
     const double s = motions_.seconds(i), speed = tcpSpeed(i);
-    // Enough to reach this speed from the last motion's within half of this one, and to round its
-    // corner.
+    // Enough to change to this speed from that of the last motion within half of this one, and to
+    // blend its corner.
     double acceleration =
         std::max(in_.process.accelerationMmPerS2, motions_.blendMmPerS2(i)) / 1000.0;
     if (s > 0.0)
@@ -283,8 +284,9 @@ base::ParameterSpec urscriptForm() {
   return base::choiceParameter(
       "urscriptForm", "node", {{"node", "a file node"_text}, {"port", "a port"_text}},
       "Programs"_text, "URScript for"_text,
-      "A file node of PolyScope needs the function to be called behind its end; text that is sent "
-      "to port 30001 or 30002 runs by itself and must not call it."_text);
+      "In a PolyScope file node the function must be called after its end. "
+      "Text sent to port 30001 or 30002 runs by itself and must not call "
+      "it."_text);
 }
 
 std::vector<base::ParameterSpec> urscriptOptions() {

@@ -1,5 +1,4 @@
-// A cell's file from numbers: the kinds of cells that are laid out for an arm, one nozzle, one
-// plate and no external axes.
+// Writes a cell's file for cells generated around an arm: one nozzle, one plate, no external axes.
 #pragma once
 
 #include "robot/cell.h"
@@ -17,7 +16,7 @@ struct UncheckedPair {
 // mm. Poses and shapes as in the file (robot/cell/cell_reader.cpp).
 struct CellDescription {
   std::string id, label, note, robot; // robot: its id
-  Mount nozzleMount = Mount::Flange;  // the plate's is the other
+  Mount nozzleMount = Mount::Flange;  // the plate has the other mount
   Eigen::Isometry3d nozzlePose = Eigen::Isometry3d::Identity();
   std::vector<Shape> holder;
   Eigen::Isometry3d platePose = Eigen::Isometry3d::Identity();
@@ -29,8 +28,7 @@ struct CellDescription {
   std::vector<UncheckedPair> neverMeet;
 };
 
-// `kinds`: of the robot's joints. Read back, the cell is the same but for rounding in the last
-// places.
+// `kinds`: of the robot's joints. The cell read back is the same up to rounding in the last digits.
 std::string cellFileJson(const CellDescription& cell, const std::vector<JointKind>& kinds);
 
 } // namespace voluta::robot

@@ -1,52 +1,47 @@
-// A cell's file (resources/cells/ID.json; the file's name is its id). All keys are needed unless
+// A cell's file (resources/cells/ID.json; the file's name is its id). All keys are required unless
 // marked optional; an unknown key is an error. Poses as in robot/cell/json_pose.h, shapes as in
 // robot/cell/shape_reader.h.
 //   id, label             texts; id as the file's name
 //   note                  optional text: how the cell was laid out
-//   extruder              optional: id of a row of program::extruders(), "outputs" where it is not
-//                         given
+//   extruder              optional: id of a row of program::extruders(); default "outputs"
 //   robot                 id of a robot, or its whole description as in resources/robots/ID.json
 //   nozzle                {mount: "world" | "flange", pose, holder}: pose is base_T_tool or
-//                         flange_T_tool (z in the direction of extrusion); holder, optional, is
-//                         what carries the head, shapes in the tool frame. The head itself comes
-//                         from the process.
+//                         flange_T_tool (z in the direction of extrusion); holder, optional,
+//                         carries the head, shapes in the tool frame. The head itself comes from
+//                         the process.
 //   platform              {mount: the other one, pose, thicknessMm, stem, plates}: pose is
-//                         flange_T_work or base_T_work, or with external axes the work frame in
-//                         what the last one moves; the plate is the job's polygon, thicknessMm
-//                         thick below z = 0; stem, optional, is what carries it, shapes in the work
-//                         frame; plates, optional: those that there are, the smallest first, as
-//                         platforms are written ("disc:120", "rect:200x150") Or {mount: "world",
-//                         pose, rod}: rod is {diameterMm, lengthMm, printableRadiusMm}, along x of
-//                         the work frame, lengthMm free between its bearings, which are obstacles
-//   obstacles             list of {name, pose, shapes}, in the world; may be empty. pose,
-//                         optional, is where the frame of the shapes lies
-//   carriedKg             optional: what the flange carries before anything is printed, kg; half a
-//                         kilogram of plate or one of head where it is not given
-//   homeDeg               list: the robot's joints at rest (sliding ones in mm), with the plate
-//   clear
-//                         of the nozzle; external axes rest at 0
-//   travelAccelerationDegPerS2  optional: of the arm's joints in travels with what it carries (a
-//                         sliding one's as asTurn has it), at most what the robot's file gives; 80
-//                         where it is not given, which is what controllers take by themselves (1.4
-//                         rad/s2)
+//                         flange_T_work or base_T_work, or with external axes the work frame in the
+//                         moving frame of the last one; the plate is the job's polygon, thicknessMm
+//                         thick below z = 0; stem, optional, carries it, shapes in the work frame;
+//                         plates, optional: the available ones, smallest first, as platforms are
+//                         written ("disc:120", "rect:200x150"). Or {mount: "world", pose, rod}: rod
+//                         is {diameterMm, lengthMm, printableRadiusMm}, along x of the work frame,
+//                         lengthMm free between its bearings, which are obstacles
+//   obstacles             list of {name, pose, shapes}, in the world; may be empty. pose, optional:
+//                         the frame of the shapes
+//   carriedKg             optional: mass on the flange before printing, kg; default: half a
+//                         kilogram for a plate, one for a head
+//   homeDeg               list: the robot's joints in the home pose (sliding ones in mm), with the
+//                         plate clear of the nozzle; external axes are then at 0
+//   travelAccelerationDegPerS2  optional: of the arm's joints in travels with their load (of a
+//                         sliding one as asTurn converts it), at most the values of the robot's
+//                         file; default 80, the usual default of controllers (1.4 rad/s2)
 //   neverMeet             optional list of {pair: [name, name], why}: bodies that need no check;
 //                         the cell's own are named "holder", "head" and "platform"
-//   externalAxes          a list, the first axis in the world, each next on what the one before it
-//                         moves, the platform on the last; empty: none. {name, kind: "turning" |
-//                         "sliding", pose: where it lies in that frame at 0, axis: [x, y, z] of
-//                         that pose about or along which it moves, carries, bodies}; of one that
-//                         turns minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2, stepDeg (0:
-//                         it stands anywhere), end ("unwinds" or "runsOn"); of one that slides
-//                         minMm, maxMm, velocityMmPerS, accelerationMmPerS2, stepMm. carries,
-//                         optional, is "platform", or "robot": such ones come first, the one right
-//                         under the robot before the one that carries that, and their poses are in
-//                         the base as it stands with them at 0, which is what the rest of the file
-//                         takes for the world; bodies, optional, is what it moves of its own:
-//                         {name, shapes} in the frame that goes with it. A rod has one axis, along
-//                         its x
-//   externalUnit          optional: what the controller calls the mechanical unit that these axes
-//                         are; else the last one's name. Axes under the robot beside others are a
-//                         unit by the name of the last of them
+//   externalAxes          list, the first axis in the world, each next one on the moving side of
+//                         the one before it, the platform on the last; empty: none. {name, kind:
+//                         "turning" | "sliding", pose: in that frame at 0, axis: [x, y, z], its
+//                         direction in that pose, carries, bodies}; if turning: minDeg, maxDeg,
+//                         velocityDegPerS, accelerationDegPerS2, stepDeg (0: any position), end
+//                         ("unwinds" or "runsOn"); if sliding: minMm, maxMm, velocityMmPerS,
+//                         accelerationMmPerS2, stepMm. carries, optional: "platform" or "robot".
+//                         Axes that carry the robot come first, starting with the one next to the
+//                         robot; their poses are in the base as it is with them at 0, which the
+//                         rest of the file takes as the world. bodies, optional: bodies it moves,
+//                         {name, shapes} in its moving frame. A rod has one axis, along its x
+//   externalUnit          optional: the controller's name of the mechanical unit of these axes;
+//                         default: the last one's name. Axes below the robot beside others are a
+//                         unit named after the last of them
 #include "robot/cell.h"
 
 #include "base/error.h"
@@ -92,7 +87,7 @@ RobotModel readRobotOf(const base::JsonNode& node) {
   }
 }
 
-// In the tool frame the head rises along -z.
+// In the tool frame the head extends along -z.
 Body headBody(const process::HeadShape& head, int toolFrame) {
   Body body{"head", BodyRole::Head, toolFrame, {}};
   for (std::size_t i = 1; i < head.sections.size(); ++i) {
@@ -104,7 +99,7 @@ Body headBody(const process::HeadShape& head, int toolFrame) {
   return body;
 }
 
-// Cell::lastJointTurnsNozzle; near enough, as descriptions round right angles.
+// Computes Cell::lastJointTurnsNozzle, with a tolerance because descriptions round right angles.
 int turnOfNozzle(const Arm& arm, const Eigen::Isometry3d& flange_T_tool) {
   constexpr double kTurn = 1.0, kNearMm = 0.05, kNear = 1e-4;
   const Kinematics& kinematics = *arm.robot.kinematics;

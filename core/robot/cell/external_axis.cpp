@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-// A turn that takes x to the unit direction; of a frame's own axes, either way along them, the one
-// that keeps their order.
+// Returns a rotation that maps x to the unit direction; for a frame axis, in either sense, the one
+// that permutes the axes cyclically.
 Isometry3d xTo(const Vector3d& direction) {
   constexpr double kSame = 1e-12;
   Isometry3d turn = Isometry3d::Identity();
@@ -67,7 +67,7 @@ AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis*
         base::message("must be platform or robot, is '{carries}'"_text, carries));
   axis.carriesRobot = carries == "robot";
   if (axis.carriesRobot && before != nullptr && !before->carriesRobot)
-    node.at("carries").fail("must be platform behind an axis that carries the platform"_text);
+    node.at("carries").fail("must be platform after an axis that carries the platform"_text);
   axis.limits = readJointLimits(node, kind);
   if (kind == JointKind::Turning) {
     axis.step = base::degreesToRadians(node.at("stepDeg").notNegative());
@@ -79,12 +79,12 @@ AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis*
     axis.step = node.at("stepMm").notNegative();
   }
   if (axis.limits.min > 0.0 || axis.limits.max < 0.0)
-    node.fail("must have 0, where it rests, within its limits"_text);
+    node.fail("must include the home position 0 in its limits"_text);
 
   const Vector3d direction = readVector3(node.at("axis"));
   if (direction.norm() < 1e-6)
-    node.at("axis").fail("must have a direction"_text);
-  // The base sees what stands behind an axis under it go the other way.
+    node.at("axis").fail("must not be zero"_text);
+  // Seen from the base, the world moves the opposite way of an axis that carries the robot.
   const Isometry3d turn = xTo((axis.carriesRobot ? -1.0 : 1.0) * direction.normalized());
   const Isometry3d pose = readPose(node.at("pose"));
   axis.before_T_axis = pose * turn;

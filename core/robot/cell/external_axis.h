@@ -1,8 +1,8 @@
-// An axis of a cell beside the robot's own. Those of a cell are a chain as the robot's base sees
-// it: the first stands in the base, each next one on what the one before it moves, and the platform
-// on the last. An axis that carries the robot (a rail, a lift) moves the world and all that stands
-// behind it there the other way, so it comes before all that carry the platform, the one right
-// under the robot first.
+// An external axis of a cell. A cell's external axes are a chain as seen from the robot's base: the
+// first is in the base, each next one on the moving side of the one before it, and the platform on
+// the last. An axis that carries the robot (a rail, a lift) moves the world, and everything after
+// it in the chain, the opposite way; so it comes before all that carry the platform, starting with
+// the one next to the robot.
 #pragma once
 
 #include "base/json_node.h"
@@ -18,28 +18,28 @@ namespace voluta::robot {
 struct ExternalAxis {
   std::string name;
   JointLimits limits;
-  double step = 0.0;         // it stands at whole multiples of this, rad or mm; 0: anywhere
-  bool runsOn = false;       // turns without end: limits.min and max are then those of its counter
-  bool carriesRobot = false; // else the platform
-  // Where it lies in the frame of the axis before it, which goes with that one (the first: in the
-  // base), at 0. It turns about its own x, or slides along it.
+  double step = 0.0;         // positions are whole multiples of this, rad or mm; 0: any
+  bool runsOn = false;       // turns endlessly: limits.min and max are then those of its counter
+  bool carriesRobot = false; // false: it carries the platform
+  // Its pose at 0 in the moving frame of the axis before it (the first: in the base). It turns
+  // about its own x, or slides along it.
   Eigen::Isometry3d before_T_axis = Eigen::Isometry3d::Identity();
-  // The frame in which what it moves is given, in its own: they differ by a turn, or for one that
-  // carries the robot so that what it moves is given as it stands in the base with it at 0.
+  // The frame, in the axis' own, in which carried bodies are given. Both differ by a rotation; if
+  // the axis carries the robot, bodies are given in the base as it is with the axis at 0.
   Eigen::Isometry3d axis_T_moved = Eigen::Isometry3d::Identity();
 };
 
-// Where it moves its frame to from where it is at 0: `value` rad or mm.
+// Returns the motion of the axis' frame from its pose at 0 for `value` [rad or mm].
 Eigen::Isometry3d movedBy(const ExternalAxis& axis, double value);
 
-// A cell's external axis as its file has it; `bodies` is what it carries by itself.
+// An external axis as in the cell's file; `bodies`: the bodies attached to it.
 struct AxisDescription {
   ExternalAxis axis;
-  // Their frames are the cell's to fill in. Of one that carries the robot they go with what comes
-  // before it in the chain, and are given there.
+  // The cell fills in their frames. Bodies of an axis that carries the robot move with its
+  // predecessor in the chain and are given in that frame.
   std::vector<Body> bodies;
 };
-// The keys are described in robot/cell/cell_reader.cpp. `before`: the axis before it, nullptr:
+// The keys are described in robot/cell/cell_reader.cpp. `before`: the axis before it; nullptr:
 // none. Throws Error{UnusableInput}.
 AxisDescription readExternalAxis(const base::JsonNode& node, const ExternalAxis* before);
 

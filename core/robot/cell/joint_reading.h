@@ -1,6 +1,6 @@
-// What a controller calls the joints of an arm whose family counts them otherwise: turned the other
-// way round, from another zero, or with the third axis told from the base and not from the upper
-// arm (a parallelogram drives it).
+// Conversion between a controller's joint values and those of its kinematic family: opposite sense,
+// another zero, or the third axis measured from the base instead of the upper arm (driven by a
+// parallelogram).
 #pragma once
 
 #include "robot/robot_model.h"
@@ -9,18 +9,18 @@
 
 namespace voluta::robot {
 
-// Joint i of the controller is signs[i] * (the family's joint i) + offsets[i]; where the third
-// is coupled, the controller's second is added to its third.
+// Joint i of the controller is signs[i] * (the family's joint i) + offsets[i]; if the third is
+// coupled, the controller's second is added to its third.
 struct JointReading {
-  std::vector<double> signs;   // 1 or -1 each, as many as the arm has joints
-  std::vector<double> offsets; // rad; mm of a sliding joint
+  std::vector<double> signs;   // 1 or -1, one per joint
+  std::vector<double> offsets; // rad; mm for a sliding joint
   bool thirdIsCoupled = false;
 };
 
 class ReadKinematics final : public Kinematics {
 public:
-  // Precondition: `arm`, and a sign and an offset for each of its joints; three of them where the
-  // third is coupled.
+  // Preconditions: `arm` is not null; a sign and an offset for each joint; at least three joints if
+  // the third is coupled.
   ReadKinematics(std::shared_ptr<const Kinematics> arm, JointReading reading);
 
   int dof() const override { return arm_->dof(); }

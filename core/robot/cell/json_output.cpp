@@ -41,8 +41,8 @@ Json vectorJson(const Eigen::Vector3d& v) {
   return {tidy(v.x()), tidy(v.y()), tidy(v.z())};
 }
 
-// The last angle is taken from what the others leave, so that nothing is lost where the middle one
-// is a right angle.
+// The last angle is computed from the other two, so that no precision is lost at a right middle
+// angle.
 Json poseJson(const Eigen::Isometry3d& pose) {
   const auto& r = pose.linear();
   const double yaw = std::atan2(r(1, 0), r(0, 0));

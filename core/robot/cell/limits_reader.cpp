@@ -11,7 +11,7 @@ JointLimits readJointLimits(const base::JsonNode& joint, JointKind kind) {
       value(joint.at(slides ? "velocityMmPerS" : "velocityDegPerS").positive()),
       value(joint.at(slides ? "accelerationMmPerS2" : "accelerationDegPerS2").positive()), kind};
   if (limits.min >= limits.max)
-    joint.fail(slides ? "has minMm not below maxMm"_text : "has minDeg not below maxDeg"_text);
+    joint.fail(slides ? "must have minMm below maxMm"_text : "must have minDeg below maxDeg"_text);
   return limits;
 }
 

@@ -1,4 +1,4 @@
-// Limits of a joint in a robot's or a cell's file.
+// Reads limits of a joint in a robot's or a cell's file.
 #pragma once
 
 #include "base/json_node.h"
@@ -6,8 +6,8 @@
 
 namespace voluta::robot {
 
-// The keys minDeg, maxDeg, velocityDegPerS and accelerationDegPerS2 of a node, of a sliding joint
-// minMm, maxMm, velocityMmPerS and accelerationMmPerS2; it may hold others.
+// Reads the keys minDeg, maxDeg, velocityDegPerS and accelerationDegPerS2 of a node, or for a
+// sliding joint minMm, maxMm, velocityMmPerS and accelerationMmPerS2; other keys are ignored.
 // Throws Error{UnusableInput}.
 JointLimits readJointLimits(const base::JsonNode& joint, JointKind kind = JointKind::Turning);
 

@@ -1,4 +1,4 @@
-// A robot's file of its own making (robot/cell/robot_reader.cpp), of family "chain".
+// Writes a robot's file (robot/cell/robot_reader.cpp) of family "chain".
 #pragma once
 
 #include "robot/kinematics/serial_chain.h"
@@ -8,8 +8,8 @@
 
 namespace voluta::robot {
 
-// `source`: where its numbers come from. Read back, the robot is the same but for rounding in the
-// last places of turns.
+// `source`: where its numbers come from. The robot read back is the same up to rounding in the last
+// digits of rotations.
 std::string robotFileJson(const RobotModel& robot, const SerialChain& chain,
                           const std::string& source);
 

@@ -17,8 +17,8 @@ void requireNumbers(const std::vector<double>& values, std::size_t count,
                     const std::string& option) {
   if (values.size() != count)
     throw base::Error(base::ErrorCode::Usage,
-                      base::message("{option}: {wanted} numbers wanted, {given} given"_text, option,
-                                    count, values.size()));
+                      base::message("{option}: {wanted} numbers expected, {given} given"_text,
+                                    option, count, values.size()));
   if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
     throw base::Error(base::ErrorCode::Usage,
                       base::message("{option}: a value is not finite"_text, option));
@@ -26,7 +26,7 @@ void requireNumbers(const std::vector<double>& values, std::size_t count,
 
 double plainZero(double v) {
   return v == 0.0 ? 0.0 : v;
-} // no "-0.0" in the text
+} // avoids "-0.0" in the text
 
 } // namespace
 

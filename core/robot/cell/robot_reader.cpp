@@ -1,34 +1,34 @@
-// A robot's file (resources/robots/ID.json; the file's name is its id). All keys are needed unless
-// marked optional; an unknown key is an error.
+// A robot's file (resources/robots/ID.json; the file's name is its id). All keys are required
+// unless marked optional; an unknown key is an error.
 //   id, label, maker      texts; id as the file's name
 //   controller            id of the program format its controller reads, e.g. "urscript"
-//   controllerModel       optional: the controller's model where programs differ by it: "omnicore"
+//   controllerModel       optional: the controller's model if programs depend on it: "omnicore"
 //                         (ABB with RobotWare 7)
 //   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist) |
 //                         "chain" (any six turning axes) | "scara" (two upright axes and a shaft
 //                         that slides and turns)
-//   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH;
-//                         opw: {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg a list: what the
-//                         controller calls each joint where the arm stands upright; chain:
-//                         {joints, flange}: joints a list of {pose, axis}, the pose of a joint's
-//                         frame at zero in the link's before it and its axis in its own, flange the
-//                         flange's pose in the last; scara: {a1, a2, top}, both bars and the
-//                         flange's height where joint 3 is 0
-//   reading               optional, where the controller counts joints otherwise than the family:
+//   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH; opw:
+//                         {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg: list of the
+//                         controller's joint values with the arm upright; chain: {joints, flange}:
+//                         joints a list of {pose, axis}, the pose of a joint's frame at zero in the
+//                         frame of the link before it and its axis in its own, flange the flange's
+//                         pose in the last; scara: {a1, a2, top}, both bars and the flange's height
+//                         with joint 3 at 0
+//   reading               optional, if the controller counts joints differently from the family:
 //                         {signs, offsetsDeg, thirdIsCoupled}, all optional, as JointReading; an
 //                         offset of a sliding joint in mm
-//   limits                a list with an object for each joint, as the controller counts them:
+//   limits                list with an object for each joint, as the controller counts them:
 //                         {minDeg, maxDeg, velocityDegPerS, accelerationDegPerS2}, of a sliding
 //                         joint {minMm, maxMm, velocityMmPerS, accelerationMmPerS2}
-//   links                 a list of bodies {name, frame, shapes}; frame 0 is the base, n link n, in
+//   links                 list of bodies {name, frame, shapes}; frame 0 is the base, n link n, in
 //                         the frames of Kinematics::linkPoses; shapes as in
 //                         robot/cell/shape_reader.h
 //   neverMeet             optional list of {pair: [name, name], why}: links that need no check
-//   payloadKg             optional: what it may carry at its flange
-//   sources               optional list of texts: where the numbers come from
-//   assumed               list of texts: what is not from a published source
-//   shape                 optional: what it looks like, as in robot/shape/arm_shape.h; read by what
-//                         draws it
+//   payloadKg             optional: payload at the flange
+//   sources               optional list of texts: sources of the numbers
+//   assumed               list of texts: values without a published source
+//   shape                 optional: its appearance, as in robot/shape/arm_shape.h; read only for
+//                         drawing
 #include "robot/cell/robot_reader.h"
 
 #include "base/json_node.h"
@@ -71,8 +71,7 @@ std::shared_ptr<const Kinematics> opwFamily(const base::JsonNode& g) {
       g.at("c2").positive(), g.at("c3").positive(), g.at("c4").number(), {}};
   const std::vector<base::JsonNode> offsets = g.at("offsetsDeg").items();
   if (offsets.size() != geometry.offsets.size())
-    g.at("offsetsDeg")
-        .fail(base::message("must hold 6 joints, holds {found}"_text, offsets.size()));
+    g.at("offsetsDeg").fail(base::message("must have 6 joints, has {found}"_text, offsets.size()));
   for (std::size_t i = 0; i < offsets.size(); ++i)
     geometry.offsets[i] = base::degreesToRadians(offsets[i].number());
   return std::make_shared<OpwKinematics>(geometry);
@@ -85,12 +84,11 @@ std::shared_ptr<const Kinematics> chainFamily(const base::JsonNode& g) {
     joint.allowOnly({"pose", "axis"});
     const Eigen::Vector3d axis = readVector3(joint.at("axis"));
     if (axis.norm() == 0.0)
-      joint.at("axis").fail("has no length"_text);
+      joint.at("axis").fail("must not have zero length"_text);
     chain.joints.push_back({readPose(joint.at("pose")), axis.normalized()});
   }
   if (chain.joints.size() != 6)
-    g.at("joints").fail(
-        base::message("must hold 6 joints, holds {found}"_text, chain.joints.size()));
+    g.at("joints").fail(base::message("must have 6 joints, has {found}"_text, chain.joints.size()));
   chain.last_T_flange = readPose(g.at("flange"));
   return std::make_shared<ChainKinematics>(std::move(chain));
 }
@@ -117,7 +115,7 @@ std::vector<double> numbersOf(const base::JsonNode& node, int dof) {
   for (const base::JsonNode& number : node.items())
     numbers.push_back(number.number());
   if (static_cast<int>(numbers.size()) != dof)
-    node.fail(base::message("must hold {wanted} joints, holds {found}"_text, dof, numbers.size()));
+    node.fail(base::message("must have {wanted} joints, has {found}"_text, dof, numbers.size()));
   return numbers;
 }
 
@@ -148,15 +146,14 @@ std::shared_ptr<const Kinematics> readKinematics(const base::JsonNode& robot) {
       auto arm = family.make(robot.at("geometryMm"));
       return robot.has("reading") ? asRead(std::move(arm), robot.at("reading")) : arm;
     }
-  robot.at("family").fail(
-      base::message("names no kinematic family that is known: '{id}'"_text, id));
+  robot.at("family").fail(base::message("names an unknown kinematic family: '{id}'"_text, id));
 }
 
 std::vector<JointLimits> readLimits(const base::JsonNode& list, const Kinematics& arm) {
   const std::vector<base::JsonNode> joints = list.items();
   if (static_cast<int>(joints.size()) != arm.dof())
     list.fail(
-        base::message("must hold {wanted} joints, holds {found}"_text, arm.dof(), joints.size()));
+        base::message("must have {wanted} joints, has {found}"_text, arm.dof(), joints.size()));
   std::vector<JointLimits> limits;
   for (const base::JsonNode& joint : joints) {
     const JointKind kind = arm.kindOf(static_cast<int>(limits.size()));
@@ -181,7 +178,7 @@ std::vector<Body> readLinks(const base::JsonNode& list, int dof) {
       node.at("frame").fail(base::message("must be in 0..{dof}"_text, dof));
     for (const Body& other : links)
       if (other.name == link.name)
-        node.at("name").fail(base::message("is taken already: '{name}'"_text, link.name));
+        node.at("name").fail(base::message("is already used: '{name}'"_text, link.name));
     link.shapes = readShapes(node.at("shapes"));
     links.push_back(std::move(link));
   }

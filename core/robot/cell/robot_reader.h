@@ -1,4 +1,5 @@
-// A robot's description inside another file (resources/robots/ID.json on its own).
+// Reads a robot's description from a file of its own (resources/robots/ID.json) or inside another
+// file.
 #pragma once
 
 #include "base/json_node.h"
@@ -6,7 +7,7 @@
 
 namespace voluta::robot {
 
-// Returns whether `robot` is a whole description and not an id.
+// Returns whether `robot` is a whole description, not an id.
 bool holdsRobot(const base::JsonNode& robot);
 // Throws Error{UnusableInput} naming file and key.
 RobotModel readRobot(const base::JsonNode& top);

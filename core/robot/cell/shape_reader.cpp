@@ -36,7 +36,7 @@ Shape readShape(const base::JsonNode& node) {
     if (frustum.r0 < 0.0 || frustum.r1 < 0.0 || frustum.r0 + frustum.r1 <= 0.0)
       f.fail("needs radii that are not negative, one of them greater than 0"_text);
     if (frustum.p0 == frustum.p1)
-      f.fail("has no length"_text);
+      f.fail("must not have zero length"_text);
     return frustum;
   }
   node.fail("must be a capsule, a box or a frustum"_text);
@@ -49,7 +49,7 @@ std::vector<Shape> readShapes(const base::JsonNode& list) {
   for (const base::JsonNode& item : list.items())
     shapes.push_back(readShape(item));
   if (shapes.empty())
-    list.fail("must hold at least one shape"_text);
+    list.fail("must have at least one shape"_text);
   return shapes;
 }
 
@@ -63,7 +63,7 @@ std::vector<std::pair<int, int>> readBodyPairs(const base::JsonNode& list,
         return static_cast<int>(i);
       names.push_back(bodies[i].name);
     }
-    node.fail(base::message("names no body: '{name}'; the nearest is '{nearest}'"_text, name,
+    node.fail(base::message("names an unknown body: '{name}'; did you mean '{nearest}'?"_text, name,
                             base::nearestName(name, names)));
   };
   std::vector<std::pair<int, int>> pairs;

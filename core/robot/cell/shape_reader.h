@@ -1,4 +1,4 @@
-// Shapes and pairs of bodies in robot and cell files.
+// Reads shapes and pairs of bodies in robot and cell files.
 #pragma once
 
 #include "robot/body.h"
@@ -12,15 +12,15 @@ class JsonNode;
 
 namespace voluta::robot {
 
-// A list of shapes, each an object with one key, mm, in the body's own frame:
+// Reads a list of shapes, each an object with one key, mm, in the body's own frame:
 //   {"capsule": {"p0Mm": [x,y,z], "p1Mm": [x,y,z], "radiusMm": r}}
 //   {"box":     {"pose": {"xyzMm": [..], "rpyDeg": [..]}, "sizeMm": [x,y,z]}}   full edge lengths
-//   {"frustum": {"p0Mm": [..], "p1Mm": [..], "r0Mm": r, "r1Mm": r}}
-// Throws Error{UnusableInput} naming file and key; an empty list is not accepted.
+//   {"frustum": {"p0Mm": [..], "p1Mm": [..], "r0Mm": r, "r1Mm": r}} Throws Error{UnusableInput}
+//   naming file and key, also for an empty list.
 std::vector<Shape> readShapes(const base::JsonNode& list);
 
-// A list of {"pair": [name, name], "why": text} as indices into `bodies`, the lower first. Throws
-// Error{UnusableInput} naming file and key: an unknown name, a body paired with itself.
+// Reads a list of {"pair": [name, name], "why": text} as indices into `bodies`, the lower first.
+// Throws Error{UnusableInput} naming file and key for an unknown name or a body paired with itself.
 std::vector<std::pair<int, int>> readBodyPairs(const base::JsonNode& list,
                                                const std::vector<Body>& bodies);
 

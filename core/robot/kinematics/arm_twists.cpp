@@ -14,15 +14,17 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-constexpr double kProbeRad = 0.5, kProbeMm = 10.0; // far enough that rounding hardly counts
+constexpr double kProbeRad = 0.5, kProbeMm = 10.0; // Large enough that rounding is negligible
 constexpr double kNoTwist = 1e-9;
-constexpr double kLastStep = 3e-6; // rad; what it leaves is of its square
+constexpr double kLastStep = 3e-6; // [rad]; the remaining error is of the order of its square
 constexpr int kSteps = 8;
-constexpr double kSingular = 1e-14; // in place of what a singular arm lacks
-constexpr double kReachMm = 300.0;  // what a rad counts beside mm in a step
-constexpr double kNoSide = 1e-9;    // of a determinant, lengths by that: an angle about as small
+constexpr double kSingular = 1e-14; // Damping that bounds the step at a singular pose
+constexpr double kReachMm = 300.0;  // Length that makes a radian comparable to mm in a step
+// Determinant with lengths divided by kReachMm: about the smallest significant angle
+constexpr double kNoSide = 1e-9;
 
-// The sine of the turn from `is` to `wanted` along its axis; of a small one the turn itself.
+// Returns the axis of the rotation from `is` to `wanted`, scaled by the sine of its angle; for a
+// small rotation, the rotation vector.
 Vector3d smallTurn(const Matrix3d& wanted, const Matrix3d& is) {
   return 0.5 * (is.col(0).cross(wanted.col(0)) + is.col(1).cross(wanted.col(1)) +
                 is.col(2).cross(wanted.col(2)));
@@ -43,11 +45,11 @@ ArmTwists::ArmTwists(const Kinematics& kinematics) : kinematics_(kinematics) {
     for (std::size_t k = 1; k < rest.size(); ++k) {
       const Isometry3d before = rest[k - 1].inverse(Eigen::Isometry) * rest[k];
       const Isometry3d after = moved[k - 1].inverse(Eigen::Isometry) * moved[k];
-      const Isometry3d step = before.inverse(Eigen::Isometry) * after; // exp of the screw
+      const Isometry3d step = before.inverse(Eigen::Isometry) * after; // Exponential of the screw
       const Eigen::AngleAxisd angle(step.linear());
       Twist t{k, j, step.translation() / probe, Vector3d::Zero()};
       if (angle.angle() > kNoTwist) {
-        // translation = (1 - R) point + pitch: of a turn about a line through `point`.
+        // For a rotation about a line through `point`: translation = (1 - R) point + pitch.
         t.turn = angle.angle() * angle.axis() / probe;
         const Vector3d w = angle.axis();
         const double half = 0.5 * angle.angle();
@@ -91,7 +93,7 @@ bool ArmTwists::follow(const Isometry3d& wanted, double longestStep, JointVector
     if (!(longest <= longestStep))
       return false;
     q.head(dof) += step;
-    if (longest <= kLastStep) // half a turn off looks like being there
+    if (longest <= kLastStep) // At half a turn the error vanishes too
       return (wanted.linear() - is.linear()).norm() < 1e-3;
   }
   return false;

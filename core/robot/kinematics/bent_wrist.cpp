@@ -17,16 +17,17 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// The circle is looked at in this many places, and between two of them again where axis 4 turns
-// further than this from one to the other or a way ends, down to cells of the depth's power of 2.
+// The circle is sampled at this many places. Two neighbouring places are subdivided, down to cells
+// of kDepth halvings, if axis 4 rotates by more than kTurnBetween between them or a solution branch
+// ends.
 constexpr int kPlaces = 128, kDepth = 10;
 constexpr double kTurnBetween = 0.08;
-// The equation counts as fulfilled where it is only touched from one side: rad.
+// Tolerance within which the equation counts as fulfilled if it touches zero from one side [rad].
 constexpr double kTouches = 1e-10;
-// From one place to the next the axes turn by so little that the equation falls by no more than
-// this from the lower of two.
+// From one place to the next the axes rotate so little that the equation falls by at most this from
+// the lower of the two.
 constexpr double kMayTouch = 0.05;
-// Joints nearer than this are one branch.
+// Joints closer than this are the same branch.
 constexpr double kSameRad = 1e-9;
 
 double angleAbout(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
@@ -41,7 +42,7 @@ Matrix3d baseTurn(double c1, double s1, double theta23) {
   return r;
 }
 
-// Least of `of` between lo and hi, by golden section; ends at once where `enough` says so.
+// Minimum of `of` between lo and hi, by golden section; ends at once if `enough` is true.
 template <typename Of, typename Enough>
 double least(double lo, double hi, const Of& of, const Enough& enough) {
   constexpr double kGolden = 0.6180339887498949;
@@ -74,17 +75,17 @@ double least(double lo, double hi, const Of& of, const Enough& enough) {
 // Meeting point and axis 5 as functions of joint 6, in the arm's frame.
 struct BentWrist::Circle {
   Vector3d centre, across, ahead, axis5, axis5Across, axis5Ahead;
-  Matrix3d displaced; // of the last link, from zero
+  Matrix3d displaced; // Rotation of the last link, from zero
 
   Vector3d wrist(double c, double s) const { return centre + c * across - s * ahead; }
   Vector3d fifth(double c, double s) const { return axis5 + c * axis5Across - s * axis5Ahead; }
 };
 
-// Ways: shoulder before, behind; each with the elbow up, down.
+// One place on the circle. Its four ways: shoulder front, back; each with the elbow up, down.
 struct BentWrist::Sample {
   double t;
-  std::array<double, 2> reach{}; // a shoulder's: not negative where the point is in reach
-  std::array<double, 4> miss{};  // of the equation
+  std::array<double, 2> reach{}; // Per shoulder: not negative if the point is in reach
+  std::array<double, 4> miss{};  // Error of the equation
   std::array<Vector3d, 4> axis4;
   bool has(std::size_t way) const { return reach[way / 2] >= 0.0; }
 };
@@ -112,7 +113,7 @@ private:
   struct Elbow {
     double along, x, z, cosine;
   };
-  // Where the shoulder sees the wrist's point; the reach is that of Sample.
+  // Computes the elbow triangle for the wrist's point; returns the reach as in Sample.
   double shoulderAt(const Vector3d& wrist, std::size_t shoulder, Elbow& elbow) const {
     const OrthoBase& g = arm_.base_;
     const double ahead = wrist.x() * wrist.x() + wrist.y() * wrist.y() - g.b * g.b;
@@ -146,7 +147,7 @@ private:
       const double far = g.c2 + arm_.forearm_ * e.cosine;
       const double rho = 1.0 / std::max(1e-300, e.x * e.x + e.z * e.z);
       for (std::size_t elbow = 0; elbow < 2; ++elbow) {
-        // cos and sin of theta2 + theta3, as a product of three turns.
+        // cos and sin of theta2 + theta3, as a product of three rotations.
         const double s3 = elbow == 0 ? bend : -bend;
         const double side = arm_.forearm_ * s3;
         const double c2 = e.z * far + e.x * side, s2 = e.x * far - e.z * side;
@@ -197,9 +198,9 @@ private:
     ends();
   }
 
-  // Stretches in reach that lie between two places out of it.
+  // Finds intervals in reach between two places out of reach.
   void islands() {
-    const std::size_t last = samples_.size() - 1; // the first again, a turn on
+    const std::size_t last = samples_.size() - 1; // The first place again, one turn later
     const std::vector<Sample> seen = samples_;
     for (std::size_t shoulder = 0; shoulder < 2; ++shoulder)
       for (std::size_t i = 0; i < last; ++i) {
@@ -224,7 +225,7 @@ private:
     inOrder();
   }
 
-  // A place where a way ends, and the other elbow's with it, is looked at itself.
+  // Samples the places where a way ends, together with that of the other elbow.
   void ends() {
     const std::vector<Sample> seen = samples_;
     for (std::size_t shoulder = 0; shoulder < 2; ++shoulder)
@@ -255,13 +256,13 @@ private:
 
   void addRoot(std::size_t way, double t) { roots_.emplace_back(way, t); }
 
-  // Regula falsi that halves the value of an end that stays (Illinois).
+  // Regula falsi that halves the value at an end that stays (Illinois).
   void rootBetween(std::size_t way, double a, double fa, double b, double fb) {
     if (fa == 0.0)
       return addRoot(way, a);
     for (int n = 0; n < 100 && fb != 0.0 && std::abs(b - a) > 1e-16; ++n) {
       double t = (fa * b - fb * a) / (fa - fb);
-      if (n > 20) // a root that bends away
+      if (n > 20) // Slow convergence near a curved root
         t = 0.5 * (a + b);
       if (t == a || t == b)
         break;
@@ -282,7 +283,7 @@ private:
   }
 
   void rootsOf(std::size_t way) {
-    const std::size_t last = samples_.size() - 1; // the first again, a turn on
+    const std::size_t last = samples_.size() - 1; // The first place again, one turn later
     for (std::size_t i = 0; i < last; ++i) {
       const Sample &a = samples_[i], &b = samples_[i + 1];
       if (a.has(way) && b.has(way) && (a.miss[way] < 0.0) != (b.miss[way] < 0.0))
@@ -291,8 +292,9 @@ private:
     }
   }
 
-  // Between places on one side of zero the equation may come to it, and go through it twice. At the
-  // end of a way the other elbow's goes on, so that it may fall on either side of the end.
+  // Between places on the same side of zero the equation may touch zero, or cross it twice. At the
+  // end of a way the other elbow's way continues it, so that a root may be on either side of the
+  // end.
   void touchAt(std::size_t way, const Sample& before, const Sample& here, const Sample& after) {
     if (!here.has(way) || std::abs(here.miss[way]) > kMayTouch)
       return;

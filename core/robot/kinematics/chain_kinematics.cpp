@@ -25,7 +25,8 @@ Eigen::Isometry3d ChainKinematics::flange(const JointVector& q) const {
 
 void ChainKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
                               std::vector<JointVector>& solutions) const {
-  // Descriptions round right angles; what a solver takes as exact is made good on the chain.
+  // Descriptions round right angles, which a solver treats as exact; Newton steps on the chain
+  // correct the result.
   constexpr double kExactMm = 1e-9, kExactRad = 1e-12;
   const std::size_t before = solutions.size();
   arm_.inverse(base_T_flange, solutions);

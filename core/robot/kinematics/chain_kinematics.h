@@ -1,5 +1,5 @@
-// Any serial arm of six turning axes, by the poses and axes of its description: forward as the
-// description has it, inverse by the solver that its axes allow.
+// Any serial arm of six revolute axes, given by the poses and axes of its description: forward
+// kinematics exactly as described, inverse by the solver suited to its axes.
 #pragma once
 
 #include "robot/urdf/arm_recognition.h"
@@ -16,7 +16,7 @@ public:
   ArmKind kind() const { return arm_.kind; }
   void linkPoses(const JointVector& q, std::vector<Eigen::Isometry3d>& base_T_link) const override;
   Eigen::Isometry3d flange(const JointVector& q) const override;
-  // Of arms that are not ArmKind::Other every branch; of those nearly every one. Each comes to the
+  // For every ArmKind except Other, appends all branches; for Other, nearly all. Each reaches the
   // pose within 1e-6 mm and 1e-9 rad.
   void inverse(const Eigen::Isometry3d& base_T_flange,
                std::vector<JointVector>& solutions) const override;

@@ -1,5 +1,4 @@
-// What joints do, in which units their values are told, and how much a step of one counts beside
-// another's.
+// Kinds of joints, the units of their values, and how steps of different kinds compare.
 #pragma once
 
 #include "base/units.h"
@@ -10,11 +9,12 @@ namespace voluta::robot {
 
 enum class JointKind : std::uint8_t { Turning, Sliding };
 
-// A slide of so much counts as a turn of one rad wherever steps of joints are held against each
-// other: what a turning joint moves lies about so far from its axis.
+// Displacement of a sliding joint that counts as a rotation of one radian wherever steps of joints
+// are compared: a typical lever of a rotating joint.
 inline constexpr double kSlideMmPerRad = 100.0;
 
-// A step of a joint, rad or mm, as a turn, rad; speeds and accelerations likewise. And back.
+// Converts a joint step [rad] or [mm] to an equivalent rotation [rad], or back; speeds and
+// accelerations likewise.
 constexpr double asTurn(JointKind kind, double step) {
   return kind == JointKind::Sliding ? step / kSlideMmPerRad : step;
 }
@@ -22,7 +22,8 @@ constexpr double fromTurn(JointKind kind, double rad) {
   return kind == JointKind::Sliding ? rad * kSlideMmPerRad : rad;
 }
 
-// A joint's value as people read it, degrees or mm; speeds and accelerations likewise. And back.
+// Converts a joint's value to display units [degrees] or [mm], or back; speeds and accelerations
+// likewise.
 constexpr double shownValue(JointKind kind, double value) {
   return kind == JointKind::Sliding ? value : base::radiansToDegrees(value);
 }

@@ -16,12 +16,12 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr int kTurns = 20; // places a joint of the table
-constexpr int kCells = 24; // a side of the grid of cells: outward, and up from -reach to reach
+constexpr int kTurns = 20; // Table angles per joint
+constexpr int kCells = 24; // Cells per side of the grid: outward, and up from -reach to reach
 constexpr std::size_t kSeeds = 64;
-constexpr double kApartRad = 0.5; // of two seeds
+constexpr double kApartRad = 0.5; // Minimum distance of two seeds
 constexpr int kSteps = 12;
-constexpr double kGoodMm = 1e-7, kGoodRad = 1e-10; // a branch
+constexpr double kGoodMm = 1e-7, kGoodRad = 1e-10; // Required accuracy of a branch
 constexpr double kSameRad = 1e-6;
 
 double farthest(const std::array<float, 4>& a, const std::array<float, 4>& b) {
@@ -81,7 +81,7 @@ NumericInverse::NumericInverse(SerialChain chain) : chain_(std::move(chain)) {
   std::array<std::array<Isometry3d, kTurns>, 4> turned;
   std::array<float, kTurns> angles;
   for (int k = 0; k < kTurns; ++k) {
-    // Half a place off: right angles are where arms are singular.
+    // Offset by half a step, because arms are singular at right angles.
     const double angle = -base::kPi + base::kTurn * (k + 0.5) / kTurns;
     angles[static_cast<std::size_t>(k)] = static_cast<float>(angle);
     for (std::size_t j = 0; j < 4; ++j)
@@ -104,7 +104,7 @@ NumericInverse::NumericInverse(SerialChain chain) : chain_(std::move(chain)) {
       }
     }
   }
-  // Sorted by cells, in their order within them.
+  // Counting sort by cell; the order within a cell is kept.
   const auto cell = [&](const Entry& e) {
     return cellOf(outwardCell(e.place[0]), upCell(e.place[1]));
   };
@@ -123,7 +123,8 @@ JointVector NumericInverse::seedOf(const Entry& entry, const Isometry3d& base_T_
   JointVector q = JointVector::Zero(6);
   for (std::size_t i = 0; i < 4; ++i)
     q[static_cast<Eigen::Index>(i + 1)] = entry.joints[i];
-  // Joint 1 brings the point to its side, joint 6 the flange as near to its turn as it can.
+  // Joint 1 brings the point to the right azimuth, joint 6 the flange as near as possible to its
+  // orientation.
   const auto aside = [&](const Isometry3d& flange) {
     const Vector3d p = base_T_first_.inverse() * (flange * pointOn6_);
     return std::atan2(p.y(), p.x());
@@ -140,7 +141,7 @@ void NumericInverse::inverse(const Isometry3d& base_T_flange,
   const Place wanted = placeOf(base_T_flange * pointOn6_, base_T_flange.linear() * axis6_);
   if (std::hypot(wanted[0], wanted[1]) > 1.0F)
     return;
-  // What differs in the places of neighbours in the table is a third of the reach and less.
+  // Neighbours in the table differ by at most about a third of the reach.
   constexpr int kAround = 4;
   constexpr float kFar = 0.5F;
   struct Near {
@@ -154,7 +155,7 @@ void NumericInverse::inverse(const Isometry3d& base_T_flange,
       const std::size_t cell = cellOf(i, k);
       for (std::uint32_t e = cells_[cell]; e < cells_[cell + 1]; ++e) {
         Place apart = entries_[e].place - wanted;
-        apart.head<2>() *= 3.0F; // lengths settle less than turns do
+        apart.head<2>() *= 3.0F; // Newton steps correct lengths less than angles
         const float square = apart.squaredNorm();
         if (square < kFar * kFar)
           near.push_back({square, e});

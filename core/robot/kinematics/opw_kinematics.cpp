@@ -13,11 +13,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Below this sin(theta5) the wrist counts as singular: leaving theta4 at its offset turns the
+// Below this sin(theta5) the wrist counts as singular: keeping theta4 at its offset rotates the
 // flange by no more than this.
 constexpr double kWristSingular = 1e-12;
-// A pose this far out of reach is rounding, not out of reach, and the elbow's two branches this
-// near are one: mm, and cosine of the elbow.
+// Tolerances [mm] and [cosine of the elbow]: a pose out of reach by less is accepted as rounding,
+// and elbow branches closer than this count as one.
 constexpr double kShoulderSlackMm = 1e-9;
 constexpr double kElbowSlack = 1e-13;
 
@@ -97,7 +97,7 @@ void OpwKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
   const Matrix3d turn = base_T_flange.linear();
   const Vector3d wrist = base_T_flange.translation() - g_.c4 * turn.col(2);
 
-  // Joint 1: seen from axis 1 the wrist's centre is (ahead, b) in the arm's plane and across it.
+  // Joint 1: seen from axis 1, the wrist's centre is (ahead, b) in the arm's plane and across it.
   const double reach = std::hypot(wrist.x(), wrist.y());
   if (reach < std::abs(g_.b) - kShoulderSlackMm)
     return;
@@ -115,7 +115,7 @@ void OpwKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
         (x * x + z * z - g_.c2 * g_.c2 - forearm_ * forearm_) / (2.0 * g_.c2 * forearm_);
     if (std::abs(cosine) > 1.0 + kElbowSlack)
       continue;
-    const bool straight = std::abs(cosine) > 1.0 - kElbowSlack; // or folded
+    const bool straight = std::abs(cosine) > 1.0 - kElbowSlack; // Or folded
     const double c = straight ? std::copysign(1.0, cosine) : cosine;
     const double sine = straight ? 0.0 : std::sqrt((1.0 - c) * (1.0 + c));
     for (int elbow = 0; elbow < (straight ? 1 : 2); ++elbow) {
@@ -123,9 +123,9 @@ void OpwKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
       const double theta3 = std::atan2(s, c) - bend_;
       const double theta2 = std::atan2(x, z) - std::atan2(forearm_ * s, g_.c2 + forearm_ * c);
 
-      // The wrist: m = Rz(theta4) Ry(theta5) Rz(theta6). Theta5 and theta6 are taken from what
-      // theta4 leaves of m, not from m's own last row: near sin(theta5) = 0 that row is all
-      // rounding, and an error of theta4 has to be made good by theta6.
+      // The wrist: m = Rz(theta4) Ry(theta5) Rz(theta6). Theta5 and theta6 are computed from the
+      // rest of m after theta4, not from m's own last row: near sin(theta5) = 0 that row is
+      // dominated by rounding, and theta6 must compensate an error of theta4.
       const Matrix3d m = (aboutZ(theta1) * aboutY(theta2 + theta3)).transpose() * turn;
       const double sine5 = std::hypot(m(0, 2), m(1, 2));
       const bool singular = sine5 < kWristSingular;

@@ -54,7 +54,7 @@ std::optional<OrthoBase> orthoBaseOf(const std::vector<AxisLine>& axes, const Ve
   arm.b = point.y();
   arm.c2 = std::hypot(elbow.x() - shoulder.x(), elbow.z() - shoulder.z());
   arm.sign3 = axes[2].direction.dot(turn.col(1)) < 0.0 ? -1.0 : 1.0;
-  // What is nearer than this is no link: the elbow could not tell its two ways apart.
+  // A shorter link is not accepted: the elbow's two solutions could not be distinguished.
   constexpr double kNoLinkMm = 1.0;
   const double toWrist = std::hypot(point.x() - elbow.x(), point.z() - elbow.z());
   if (arm.c2 < kNoLinkMm || toWrist < kNoLinkMm)

@@ -1,8 +1,8 @@
-// Pattern: 64 points of a Fibonacci sphere at the ball's surface and again at half its radius, and
-// its centre; the nozzle upright, and tilted by a third, two thirds and all of the tilt to 12
-// sides; 24 turns about the nozzle's axis, of which one has to be in reach. Halved down to 0.25 mm:
-// a ball that stands on the plate holds every smaller one that stands there, and what fails, fails
-// at once.
+// Test pattern: 64 points of a Fibonacci sphere on the ball's surface and again at half its radius,
+// and its centre; the nozzle upright, and tilted by a third, two thirds and all of the tilt to 12
+// sides; 24 rotations about the nozzle's axis, at least one of which must be in reach. The radius
+// is bisected to 0.25 mm: a ball on the plate contains every smaller ball on it, and unreachable
+// radii fail quickly.
 #include "robot/kinematics/reachable_ball.h"
 
 #include "base/error.h"
@@ -23,7 +23,7 @@ std::vector<Eigen::Vector3d> unitBallPattern() {
   constexpr int kPoints = 64;
   std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero()};
   for (int i = 0; i < kPoints; ++i) {
-    // The poles are among them: the platform's centre and the point furthest from it.
+    // The poles are included: the platform's centre and the point furthest from it.
     const Eigen::Vector3d p = geometry::onSpiral(i, 1.0 - 2.0 * i / (kPoints - 1));
     points.push_back(p);
     points.push_back(0.5 * p);
@@ -31,7 +31,7 @@ std::vector<Eigen::Vector3d> unitBallPattern() {
   return points;
 }
 
-// work_R_tool for extrusion against `direction`, before the turn about the nozzle.
+// work_R_tool for extrusion against `direction`, before the rotation about the nozzle.
 std::vector<Eigen::Matrix3d> toolTurns(double tiltRad) {
   std::vector<Eigen::Matrix3d> turns;
   const auto add = [&](double tilt, double azimuth) {
@@ -69,7 +69,7 @@ private:
     work_T_tool.translation() = tip;
     work_T_tool.linear() = work_R_tool;
     const NozzleTurns turns(cell_, work_T_tool, cell_.home());
-    // What reached the last pose is likely to reach this one.
+    // The rotation that reached the last pose is likely to reach this one.
     for (int i = 0; i < kNozzleTurns; ++i) {
       const int turn = (lastTurn_ + i) % kNozzleTurns;
       turns.at(2.0 * kPi * turn / kNozzleTurns, solutions_);

@@ -1,12 +1,12 @@
-// Does a ball on the platform lie within reach?
+// Checks whether a ball on the platform is within reach.
 #pragma once
 
 #include "robot/cell.h"
 
 namespace voluta::robot {
 
-// Is it at most as large as the one of reachableBallRadius (robot/cell.h)? One look, where that
-// takes a dozen.
+// Returns whether the radius is at most that of reachableBallRadius (robot/cell.h). Needs one test,
+// where that function takes a dozen.
 bool reachesBall(const Cell& cell, double tiltRad, double radiusMm);
 
 } // namespace voluta::robot

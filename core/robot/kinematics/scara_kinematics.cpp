@@ -10,7 +10,7 @@ namespace voluta::robot {
 
 namespace {
 
-// A pose this far out of reach is rounding, not out of reach: cosine of joint 2.
+// Tolerance [cosine of joint 2]: a pose out of reach by less is accepted as rounding.
 constexpr double kElbowSlack = 2e-11;
 
 Eigen::Isometry3d turnedAt(double x, double y, double z, double angle) {
@@ -64,7 +64,7 @@ void ScaraKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
   for (int elbow = 0; elbow < (bend > 0.0 ? 2 : 1); ++elbow) {
     const double sine = elbow == 0 ? bend : -bend;
     const double k = g_.a1 + g_.a2 * cosine, m = g_.a2 * sine;
-    // (x, y) = turn by theta1 of (k, m).
+    // (x, y) = (k, m) rotated by theta1.
     const double theta1 = wrappedAngle(std::atan2(y * k - x * m, x * k + y * m));
     const double theta2 = wrappedAngle(std::atan2(sine, cosine));
     JointVector q(4);

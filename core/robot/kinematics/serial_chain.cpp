@@ -23,14 +23,14 @@ Isometry3d turned(const ChainJoint& joint, double q) {
   return t;
 }
 
-// The turn from `is` to `wanted` as a vector along its axis.
+// Returns the rotation vector from `is` to `wanted`.
 Vector3d turnTo(const Eigen::Matrix3d& wanted, const Eigen::Matrix3d& is) {
   const Eigen::Matrix3d r = wanted * is.transpose();
   const Vector3d twice(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
   const double sine = 0.5 * twice.norm(), cosine = 0.5 * (r.trace() - 1.0);
   if (sine < 1e-8 && cosine > 0.0)
     return 0.5 * twice;
-  if (sine < 1e-6) { // half a turn: the axis is not in `twice`
+  if (sine < 1e-6) { // Half a turn: `twice` does not contain the axis
     const Eigen::AngleAxisd turn(r);
     return turn.angle() * turn.axis();
   }
@@ -39,8 +39,8 @@ Vector3d turnTo(const Eigen::Matrix3d& wanted, const Eigen::Matrix3d& is) {
 
 struct Step {
   Eigen::Matrix<double, 6, 6> jacobian;
-  Eigen::Matrix<double, 6, 1> error; // mm, then rad
-  double lengthMm;                   // what a radian is worth beside mm
+  Eigen::Matrix<double, 6, 1> error; // [mm], then [rad]
+  double lengthMm;                   // Length that makes a radian comparable to mm
 };
 
 Step stepAt(const SerialChain& chain, const Isometry3d& wanted, const JointVector& q) {

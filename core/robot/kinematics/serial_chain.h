@@ -1,5 +1,5 @@
-// A serial arm as its description has it: poses between joints that turn about an axis each. What
-// recognises arms and what solves them read it; mm and radians.
+// A serial arm as given by its description: poses between joints that each rotate about an axis.
+// Used to recognise arms and to solve their kinematics; mm and radians.
 #pragma once
 
 #include "robot/robot_model.h"
@@ -9,10 +9,10 @@
 
 namespace voluta::robot {
 
-// A joint's frame is that of the link that it turns.
+// A joint's frame is that of the link that it moves.
 struct ChainJoint {
-  Eigen::Isometry3d link_T_joint = Eigen::Isometry3d::Identity(); // at zero, in the link before it
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                // a unit, in the joint's frame
+  Eigen::Isometry3d link_T_joint = Eigen::Isometry3d::Identity(); // At zero, in the previous link
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); // Unit vector, in the joint's frame
 };
 
 struct SerialChain {
@@ -20,9 +20,9 @@ struct SerialChain {
   Eigen::Isometry3d last_T_flange = Eigen::Isometry3d::Identity();
 };
 
-// A line in the base's frame: where a joint's axis lies with all joints at zero.
+// A line in the base frame: a joint's axis with all joints at zero.
 struct AxisLine {
-  Eigen::Vector3d point, direction; // direction: a unit
+  Eigen::Vector3d point, direction; // Direction: a unit vector
 };
 std::vector<AxisLine> axesAtZero(const SerialChain& chain);
 
@@ -31,16 +31,15 @@ void chainPoses(const SerialChain& chain, const JointVector& q,
                 std::vector<Eigen::Isometry3d>& base_T_link);
 Eigen::Isometry3d chainFlange(const SerialChain& chain, const JointVector& q);
 
-// How far a flange is from where it is wanted.
+// Distance of a flange pose from the requested one.
 struct PoseError {
   double mm, rad;
 };
 PoseError poseError(const Eigen::Isometry3d& is, const Eigen::Isometry3d& wanted);
 
-// Newton's steps with the chain's own derivatives, damped by the error itself and at most
-// `steps` of them, from q to where the flange is as wanted. Stops at 1e-10 mm and 1e-13 rad. q ends
-// at the best that was met, which is what is returned; joints may have left (-pi, pi].
-// Precondition: six joints.
+// At most `steps` Newton steps with the chain's own derivatives, damped by the error itself, from q
+// to the requested flange pose. Stops at 1e-10 mm and 1e-13 rad. q becomes the best joints found,
+// whose error is returned; they may be outside (-pi, pi]. Precondition: six joints.
 PoseError settle(const SerialChain& chain, const Eigen::Isometry3d& base_T_flange, int steps,
                  JointVector& q);
 

@@ -11,14 +11,14 @@ namespace {
 
 using base::kPi;
 
-// Below this sin(theta5) the wrist counts as singular: leaving theta6 at 0 turns the flange by no
+// Below this sin(theta5) the wrist counts as singular: keeping theta6 at 0 rotates the flange by no
 // more than this.
 constexpr double kWristSingular = 1e-10;
-// A pose this far out of reach is rounding, not out of reach: mm, and cosine of the elbow.
+// Tolerances [mm] and [cosine of the elbow]: a pose out of reach by less is accepted as rounding.
 constexpr double kShoulderSlackMm = 1e-9;
 constexpr double kElbowSlack = 2e-11;
 
-// As std::hypot, for lengths that neither overflow nor vanish, without its care for those.
+// std::hypot without its protection against overflow and underflow, which these lengths don't need.
 double lengthOf(double x, double y) {
   return std::sqrt(x * x + y * y);
 }
@@ -35,7 +35,7 @@ double wrapped(double angle) {
   return angle;
 }
 
-// Rotation by (c, s) about z after a turn of +90, 0 or -90 degrees about x.
+// Rotation by (c, s) about z after a rotation of +90, 0 or -90 degrees about x.
 Eigen::Isometry3d step(double x, double y, double z, int quarterTurnsX, double q) {
   const double c = std::cos(q), s = std::sin(q);
   Eigen::Isometry3d t = Eigen::Isometry3d::Identity();
@@ -99,14 +99,14 @@ void UrKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
              z6 = base_T_flange.linear().col(2);
   const Eigen::Vector3d p5 = base_T_flange.translation() - g_.d6 * z6;
 
-  // Joint 1: the wrist centre lies d4 across the arm's plane.
+  // Joint 1: the wrist centre is d4 across the arm's plane.
   const double reach = lengthOf(p5.x(), p5.y());
   if (reach < std::abs(g_.d4) - kShoulderSlackMm || reach == 0.0)
     return;
   const double planar = std::sqrt(std::max(0.0, (reach - g_.d4) * (reach + g_.d4)));
   const int shoulders = planar > 0.0 ? 2 : 1;
   for (int shoulder = 0; shoulder < shoulders; ++shoulder) {
-    const double a = shoulder == 0 ? planar : -planar; // wrist centre along the arm
+    const double a = shoulder == 0 ? planar : -planar; // Wrist centre along the arm
     // p5 = a along + d4 across, along = (c1, s1), across = (s1, -c1).
     const double c1 = (a * p5.x() - g_.d4 * p5.y()) / (reach * reach);
     const double s1 = (a * p5.y() + g_.d4 * p5.x()) / (reach * reach);
@@ -114,7 +114,7 @@ void UrKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
     const double size1 = lengthOf(c1, s1);
     const double ux = c1 / size1, uy = s1 / size1; // along; across = (uy, -ux)
 
-    // Joint 5 and 6: `across` seen from the flange is (s5 c6, -s5 s6, c5).
+    // Joints 5 and 6: `across` seen from the flange is (s5 c6, -s5 s6, c5).
     const double nx = uy * x6.x() - ux * x6.y(), ny = uy * y6.x() - ux * y6.y(),
                  nz = uy * z6.x() - ux * z6.y();
     const double sine = lengthOf(nx, ny);
@@ -148,11 +148,11 @@ void UrKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
         const double s3 = elbow == 0 ? bend : -bend;
         const double theta3 = elbow == 0 ? bend3 : -bend3;
         const double k = g_.a2 + g_.a3 * cosine, m = g_.a3 * s3;
-        // (x, y) = turn by theta2 of (k, m); k = m = 0 leaves joint 2 free.
+        // (x, y) = (k, m) rotated by theta2; k = m = 0 leaves joint 2 free.
         const double theta2 = std::atan2(y * k - x * m, x * k + y * m);
         JointVector q(6);
         q << theta1, theta2, theta3, wrapped(theta234 - theta2 - theta3), theta5, theta6;
-        for (int i : {0, 1, 2, 4, 5}) // atan2 may give -pi
+        for (int i : {0, 1, 2, 4, 5}) // atan2 may return -pi
           if (q[i] <= -kPi)
             q[i] = kPi;
         solutions.push_back(q);

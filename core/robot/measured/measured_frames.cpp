@@ -20,17 +20,17 @@ base::Error unusable(const base::Message& what, const base::Message& remedy) {
 }
 
 base::Error onALine() {
-  return unusable("the points lie on a line: the frame could turn about it"_text,
-                  "take a point well beside the line through the others"_text);
+  return unusable("the points are on a line: the frame's rotation about it is undefined"_text,
+                  "measure a point well off the line through the others"_text);
 }
 
 void requireFinite(bool finite) {
   if (!finite)
     throw unusable("a measured number is not finite"_text,
-                   "leave out the row, or measure it again"_text);
+                   "remove the row, or measure it again"_text);
 }
 
-// `squares`: sum of the squared distances of `points` points; `unknowns` of the fit.
+// Residual of the distances `errors`; `unknowns` of the fit.
 Residual residualOf(const std::vector<Vector3d>& errors, int unknowns) {
   Residual residual;
   double squares = 0.0;
@@ -55,7 +55,7 @@ Matrix3d crossed(const Vector3d& v) {
   return m;
 }
 
-// Second extent over the first, of points about their mean.
+// Ratio of the second extent of points about their mean to the first.
 double flatness(const Eigen::Matrix3Xd& aboutMean) {
   const Vector3d extents = Eigen::JacobiSVD<Eigen::Matrix3Xd>(aboutMean).singularValues();
   return extents.x() > 0.0 ? extents.y() / extents.x() : 0.0;
@@ -69,7 +69,7 @@ Eigen::Isometry3d frameFromPoints(const Vector3d& origin, const Vector3d& onX,
   requireFinite(origin.allFinite() && onX.allFinite() && inPlane.allFinite());
   const Vector3d a = onX - origin, b = inPlane - origin, c = inPlane - onX;
   if (a.norm() == 0.0 || b.norm() == 0.0 || c.norm() == 0.0)
-    throw unusable("two of the three points are the same"_text, "measure three points"_text);
+    throw unusable("two of the three points are identical"_text, "measure three points"_text);
   const double least = std::min({geometry::angleBetween(a, b), geometry::angleBetween(-a, b),
                                  geometry::angleBetween(a, c), geometry::angleBetween(a, -c),
                                  geometry::angleBetween(b, c), geometry::angleBetween(b, -c)});
@@ -87,7 +87,7 @@ MeasuredFrame frameFromPoints(const std::vector<TouchedPoint>& points) {
   constexpr double kLeastFlatness = 1.0 / 500.0;
   const auto n = static_cast<Eigen::Index>(points.size());
   if (n < 3)
-    throw unusable("a frame takes three points or more"_text, "measure another point"_text);
+    throw unusable("a frame needs at least three points"_text, "measure another point"_text);
   Eigen::Matrix3Xd inFrame(3, n), inBase(3, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     inFrame.col(i) = points[static_cast<std::size_t>(i)].inFrame;
@@ -118,7 +118,7 @@ MeasuredFrame frameFromPoints(const std::vector<TouchedPoint>& points) {
   Residual& residual = measured.residual;
   residual = residualOf(errors, 6);
   if (residual.noiseMm) {
-    // Gauss-Markov: turn and middle are independent, the origin hangs on both.
+    // Gauss-Markov: rotation and mean are independent; the origin depends on both.
     const double variance = *residual.noiseMm * *residual.noiseMm;
     const Matrix3d turn = variance * inertia.inverse();
     const Matrix3d lever = crossed(frame.linear() * middle);
@@ -133,13 +133,13 @@ MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
   constexpr double kSame = 1e-6, kLeastTurn = 0.02;
   const std::size_t n = base_T_flange.size();
   if (n < 4)
-    throw unusable("a tool tip takes four poses or more"_text, "measure another pose"_text);
+    throw unusable("a tool tip needs at least four poses"_text, "measure another pose"_text);
   for (std::size_t i = 0; i < n; ++i) {
     requireFinite(base_T_flange[i].matrix().allFinite());
     for (std::size_t k = 0; k < i; ++k)
       if (base_T_flange[i].isApprox(base_T_flange[k], kSame))
-        throw unusable(base::message("poses {first} and {second} are the same"_text, k + 1, i + 1),
-                       "turn the flange between one pose and the next"_text);
+        throw unusable(base::message("poses {first} and {second} are identical"_text, k + 1, i + 1),
+                       "rotate the flange between poses"_text);
   }
   Matrix3d meanTurn = Matrix3d::Zero();
   Vector3d meanPlace = Vector3d::Zero();
@@ -147,7 +147,7 @@ MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
     meanTurn += pose.linear() / static_cast<double>(n);
     meanPlace += pose.translation() / static_cast<double>(n);
   }
-  // The point eliminated: (R_i - mean R) tip = mean p - p_i.
+  // With the point eliminated: (R_i - mean R) tip = mean p - p_i.
   Eigen::MatrixX3d a(3 * static_cast<Eigen::Index>(n), 3);
   Eigen::VectorXd b(a.rows());
   for (std::size_t i = 0; i < n; ++i) {
@@ -156,8 +156,8 @@ MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
   if (svd.singularValues()[2] / std::sqrt(static_cast<double>(n)) < kLeastTurn)
-    throw unusable("the poses turn the flange about one axis only, or hardly"_text,
-                   "tilt it by 30 degrees or more about two axes"_text);
+    throw unusable("the poses rotate the flange about one axis only, or hardly at all"_text,
+                   "tilt it by at least 30 degrees about two axes"_text);
   MeasuredTip measured;
   measured.tipInFlange = svd.solve(b);
   measured.pointInBase = meanTurn * measured.tipInFlange + meanPlace;

@@ -56,9 +56,9 @@ MeasuredFrame frameOfRows(const NumberRows& rows) {
   if (width == 3 && rows.size() == 3)
     return {frameFromPoints(vectorAt(rows[0], 0), vectorAt(rows[1], 0), vectorAt(rows[2], 0)), {}};
   if (width != 6)
-    throw unusable("no table of points"_text,
-                   "give three rows x,y,z (origin, on x, beside it), or three or more rows of six: "
-                   "a point in the frame, and where it was touched"_text);
+    throw unusable(
+        "not a table of points"_text,
+        "give three rows x,y,z (origin, point on x, point in the xy plane), or at least three rows of six: nominal point in the frame, touched point"_text);
   std::vector<TouchedPoint> points;
   for (const std::vector<double>& row : rows)
     points.push_back({vectorAt(row, 0), vectorAt(row, 3)});
@@ -71,9 +71,10 @@ MeasuredTip tipOfRows(const NumberRows& rows, const RobotModel* robot) {
   for (const std::vector<double>& row : rows) {
     if (row.size() != wanted)
       throw unusable(
-          base::message("{found} numbers in a row, not {wanted}"_text, row.size(), wanted),
-          robot ? base::Message("a row holds the robot's joints"_text)
-                : base::Message("a row holds x,y,z,qw,qx,qy,qz; for joints name the robot"_text));
+          base::message("{found} numbers in a row instead of {wanted}"_text, row.size(), wanted),
+          robot
+              ? base::Message("a row contains the robot's joints"_text)
+              : base::Message("a row contains x,y,z,qw,qx,qy,qz; for joints name the robot"_text));
     poses.push_back(flangeOf(row, robot));
   }
   return toolTip(poses);

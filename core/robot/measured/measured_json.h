@@ -1,4 +1,4 @@
-// Tables of what was measured into frames and tips as JSON text, for `voluta-cli cell`
+// Converts tables of measurements to frames and tips as JSON text, for `voluta-cli cell`
 // (docs/design.md, Command line).
 #pragma once
 
@@ -12,19 +12,19 @@ namespace voluta::robot {
 
 using NumberRows = std::vector<std::vector<double>>;
 
-// Three rows x, y, z: origin, a point on x, a point with y > 0; then the residual is 0. Or rows of
-// six: a point in the frame, and where it was touched. mm. Throws Error{UnusableInput}: rows of
-// another length, three points wanted; as frameFromPoints().
+// Three rows x, y, z: origin, a point on x, a point with y > 0; the residual is then 0. Or rows of
+// six: a nominal point in the frame, and the touched point. [mm]. Throws Error{UnusableInput} for
+// rows of another length or another number of three-point rows, and as frameFromPoints().
 MeasuredFrame frameOfRows(const NumberRows& rows);
-// Rows of seven: the flange's x, y, z (mm), qw, qx, qy, qz; or with a robot its joints in degrees,
-// sliding ones in mm. Throws Error{UnusableInput}: rows of another length, a quaternion whose
-// length is not 1 within 1 %; as toolTip().
+// Rows of seven: the flange's x, y, z [mm], qw, qx, qy, qz; or with a robot its joints [degrees],
+// sliding ones [mm]. Throws Error{UnusableInput} for rows of another length or a quaternion whose
+// length is not 1 within 1 %, and as toolTip().
 MeasuredTip tipOfRows(const NumberRows& rows, const RobotModel* robot);
 
-// {"pose": {xyzMm, rpyDeg} as cells have it, "points": n, "rmsMm", "worstMm", "noiseMm",
-// "placeMm", "turnDeg"}: null for what is not known.
+// Returns {"pose": {xyzMm, rpyDeg} as in cells, "points": n, "rmsMm", "worstMm", "noiseMm",
+// "placeMm", "turnDeg"}: null for unknown values.
 std::string frameJson(const MeasuredFrame& measured, std::size_t points);
-// {"tipMm", "pointMm", "poses", "rmsMm", "worstMm", "noiseMm", "placeMm"}
+// Returns {"tipMm", "pointMm", "poses", "rmsMm", "worstMm", "noiseMm", "placeMm"}.
 std::string tipJson(const MeasuredTip& measured, std::size_t poses);
 
 } // namespace voluta::robot

@@ -9,7 +9,7 @@ namespace voluta::robot {
 
 namespace {
 
-// To thousandths, as it is written: no "-0.000".
+// Rounds to thousandths for display; avoids "-0.000".
 Eigen::Vector3d written(const Eigen::Vector3d& v) {
   return v.unaryExpr([](double x) { return std::round(1000.0 * x) / 1000.0 + 0.0; });
 }
@@ -22,24 +22,23 @@ base::Message placeOf(const Eigen::Isometry3d& frame) {
       written(base::radiansToDegrees(1.0) *
               geometry::anglesOf(Eigen::Quaterniond(frame.linear()), Eigen::Vector3d::Zero()));
   return base::message(
-      "at {x:.3f#}, {y:.3f#}, {z:.3f}, turned by {rx:.3f#}, {ry:.3f#}, {rz:.3f}"_text,
+      "at {x:.3f#}, {y:.3f#}, {z:.3f}, rotated by {rx:.3f#}, {ry:.3f#}, {rz:.3f}"_text,
       base::mm(at.x()), base::mm(at.y()), base::mm(at.z()), base::degrees(turn.x()),
       base::degrees(turn.y()), base::degrees(turn.z()));
 }
 
 base::Message agreementOf(const Residual& residual, std::size_t rows) {
   if (!residual.noiseMm || !residual.placeMm)
-    return base::message("just as many numbers as are needed: they always agree, and nothing tells "
-                         "how sure the result is"_text);
+    return base::message("no redundant measurements: the error cannot be estimated"_text);
   const double turn = base::radiansToDegrees(residual.turnRad.value_or(0.0));
   if (turn == 0.0)
     return base::message(
-        "{rows} rows, {rms:.3f} apart on average and {worst:.3f} at most: sure to {place:.3f}"_text,
+        "{rows} rows, residual {rms:.3f} on average and {worst:.3f} at most: accurate to {place:.3f}"_text,
         rows, base::mm(residual.rmsMm), base::mm(residual.worstMm), base::mm(*residual.placeMm));
-  return base::message("{rows} rows, {rms:.3f} apart on average and {worst:.3f} at most: sure to "
-                       "{place:.3f} and {turn:.3f}"_text,
-                       rows, base::mm(residual.rmsMm), base::mm(residual.worstMm),
-                       base::mm(*residual.placeMm), base::degrees(turn));
+  return base::message(
+      "{rows} rows, residual {rms:.3f} on average and {worst:.3f} at most: accurate to {place:.3f} and {turn:.3f}"_text,
+      rows, base::mm(residual.rmsMm), base::mm(residual.worstMm), base::mm(*residual.placeMm),
+      base::degrees(turn));
 }
 
 } // namespace voluta::robot

@@ -1,4 +1,4 @@
-// What measured points come to, in a sentence or two for who measured them.
+// Results of measurements as sentences for users.
 #pragma once
 
 #include "base/text.h"
@@ -8,10 +8,10 @@
 
 namespace voluta::robot {
 
-// Where the frame is: its origin, and its turns about the fixed x, then y, then z.
+// Returns the frame's origin and its rotations about the fixed x, then y, then z.
 base::Message placeOf(const Eigen::Isometry3d& frame);
-// How well the rows agree, and how sure that makes the result; that nothing tells, where there are
-// just as many numbers as unknowns.
+// Returns how well the rows agree and how accurate the result is; without redundant rows, that the
+// error is unknown.
 base::Message agreementOf(const Residual& residual, std::size_t rows);
 
 } // namespace voluta::robot

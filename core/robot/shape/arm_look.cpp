@@ -17,7 +17,7 @@ std::vector<ShapeSolid> shapeOf(const RobotModel& robot) {
     if (top.has("shape"))
       return readArmShape(top.at("shape"), robot.dof());
   } catch (const base::Error&) {
-    // The arm is drawn all the same.
+    // Fall back to the default shape.
   }
   return defaultShape(robot);
 }

@@ -1,5 +1,5 @@
-// What an arm looks like, from whatever says it: the meshes it came with, the shape in its file, or
-// else its kinematics. For the eye alone.
+// The visual appearance of an arm: its meshes, the shape in its file, or a shape derived from its
+// kinematics. For display only.
 #pragma once
 
 #include "robot/shape/arm_shape.h"
@@ -10,11 +10,11 @@
 namespace voluta::robot {
 
 struct ArmLook {
-  std::vector<LinkMesh> meshes;   // of frames that have one
-  std::vector<ShapeSolid> solids; // of the other frames
+  std::vector<LinkMesh> meshes;   // Of frames that have one
+  std::vector<ShapeSolid> solids; // Of the other frames
 };
 
-// Reads the robot's file again. An arm whose file is gone or unreadable has its default shape.
+// Reads the robot's file again. An arm whose file is missing or unreadable gets the default shape.
 ArmLook lookOf(const RobotModel& robot);
 
 } // namespace voluta::robot

@@ -33,7 +33,7 @@ Rgb readColour(const base::JsonNode& node) {
 Vector3d readDirection(const base::JsonNode& node) {
   const Vector3d direction = readVector3(node);
   if (direction.norm() == 0.0)
-    node.fail("has no length"_text);
+    node.fail("must not have zero length"_text);
   return direction.normalized();
 }
 
@@ -72,10 +72,10 @@ std::vector<LoftSection> readSections(const base::JsonNode& node, bool turned) {
     if (last.discs.empty() || last.discs.size() != first.discs.size())
       item.fail("must hold as many discs as the first, at least one"_text);
     if (sections.size() > 1 && last.at < sections[sections.size() - 2].at)
-      item.fail("must not be before the one before it"_text);
+      item.fail("must not be before the previous one"_text);
   }
   if (sections.size() < 2 || sections.back().at <= sections.front().at)
-    node.fail("has no length"_text);
+    node.fail("must not have zero length"_text);
   return sections;
 }
 
@@ -123,7 +123,7 @@ std::vector<ShapeSolid> readArmShape(const base::JsonNode& shape, int lastFrame)
       node.at("frame").fail(base::message("must be in 0..{dof}"_text, lastFrame));
     const base::JsonNode name = node.at("colour");
     if (!colours.has(name.text()))
-      name.fail(base::message("is none of the colours: '{name}'"_text, name.text()));
+      name.fail(base::message("is not one of the colours: '{name}'"_text, name.text()));
     solid.colour = readColour(colours.at(name.text()));
     solid.loft = readLoft(node);
     addCopies(node, solid, solids);

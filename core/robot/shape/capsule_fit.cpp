@@ -30,7 +30,7 @@ Circle through(const Vector2d& a, const Vector2d& b) {
 Circle through(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   const Vector2d u = b - a, v = c - a;
   const double twice = 2.0 * (u.x() * v.y() - u.y() * v.x());
-  if (twice == 0.0) { // on a line: the two that are farthest from each other
+  if (twice == 0.0) { // Collinear: use the two points that are farthest apart
     Circle best = through(a, b);
     for (const Circle& other : {through(a, c), through(b, c)})
       if (other.radius > best.radius)
@@ -42,8 +42,8 @@ Circle through(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return {a + at / twice, at.norm() / std::abs(twice)};
 }
 
-// Welzl's smallest circle, its recursion as loops. Points are taken by strides: in a mesh's order,
-// one beside the other, nearly each would be outside what the ones before it gave.
+// Welzl's smallest enclosing circle, with its recursion as loops. Points are visited with a stride:
+// in mesh order neighbours follow each other, and nearly each would be outside the previous circle.
 Circle smallestCircle(const std::vector<Vector2d>& points) {
   std::size_t stride = points.size() * 5 / 8 + 1;
   while (std::gcd(stride, points.size()) != 1)
@@ -94,7 +94,7 @@ Capsule around(const std::vector<Vector3d>& points, const Vector3d& axis) {
     low = std::min(low, points[i].dot(axis) + cap);
     high = std::max(high, points[i].dot(axis) - cap);
   }
-  if (low > high) // a ball
+  if (low > high) // A ball
     low = high = 0.5 * (low + high);
   const Vector3d foot = circle.centre.x() * u + circle.centre.y() * v;
   Capsule capsule{(foot + low * axis).unaryExpr(&toTenths),
@@ -123,7 +123,7 @@ Capsule around(const std::vector<Corners>& triangles, const Vector3d& alsoAlong)
   return enclosingCapsule(points, alsoAlong);
 }
 
-// A part of the mesh: some of its triangles, to look for cuts, and all.
+// A part of the mesh: a sample of its triangles, for finding cuts, and all triangles.
 struct Part {
   std::vector<Corners> some, all;
   Capsule capsule{Vector3d::Zero(), Vector3d::Zero(), 0.0};
@@ -131,7 +131,7 @@ struct Part {
 
 struct Cut {
   Plane plane;
-  double volume; // of both halves' capsules
+  double volume; // Sum of both halves' capsules
 };
 std::optional<Cut> bestCut(const Part& part, const Vector3d& alsoAlong) {
   const Vector3d along = part.capsule.p1 - part.capsule.p0;

@@ -1,4 +1,4 @@
-// Capsules around points, for links that come as meshes.
+// Enclosing capsules, for links that are given as meshes.
 #pragma once
 
 #include "robot/body.h"
@@ -8,17 +8,17 @@
 
 namespace voluta::robot {
 
-// The smallest, by volume, of those along the points' principal axes and along `alsoAlong` (no
-// unit needed; zero: none): around each axis as thin as it can be. Ends and radius on whole tenths
-// of a millimetre, the radius up, so that every point is in it as it is written.
-// Precondition: points.
+// Returns the capsule with the smallest volume among those along the points' principal axes and
+// along `alsoAlong` (need not be normalized; zero: none), each as thin as possible around its axis.
+// Ends and radius are rounded to tenths of a millimetre, the radius up, so that every point is
+// inside the rounded capsule. Precondition: points is not empty.
 Capsule enclosingCapsule(const std::vector<Eigen::Vector3d>& points,
                          const Eigen::Vector3d& alsoAlong);
 
-// Up to `most` capsules that hold every triangle between them: the mesh is cut by planes, each
-// where it saves most volume, as long as a cut saves a sixth of the whole. Each part's capsule as
-// enclosingCapsule has it. Where to cut is looked for on some thousand triangles.
-// Preconditions: triangles, most >= 1.
+// Returns up to `most` capsules that together contain every triangle. The mesh is cut by planes,
+// each where it saves the most volume, as long as a cut saves a sixth of the whole. Each part gets
+// its enclosingCapsule(). Cuts are searched on some thousand triangles. Preconditions: triangles is
+// not empty, most >= 1.
 std::vector<Capsule> enclosingCapsules(const std::vector<Corners>& triangles,
                                        const Eigen::Vector3d& alsoAlong, int most);
 

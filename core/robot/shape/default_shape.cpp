@@ -11,18 +11,18 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr Rgb kBody{0.82, 0.83, 0.85}, kCap{0.36, 0.40, 0.45}, kMetal{0.62, 0.64, 0.66};
-constexpr double kTestTurnRad = 0.5; // of a joint, to see about what it turns
+constexpr double kTestTurnRad = 0.5; // Test rotation of a joint, for finding its axis
 constexpr double kTestSlideMm = 50.0;
 constexpr double kThickAtBase = 0.055,
-                 kThickAtFlange = 0.03; // housings' radii, by the arm's length
-constexpr double kOfSolid = 0.85;       // a housing's radius is at most this share of its solid's
-constexpr double kTubeShare = 0.72;     // of the thinner housing's radius
-constexpr double kTogetherMm = 1.0;     // joints no further apart have no tube between them
+                 kThickAtFlange = 0.03; // Housing radii as shares of the arm's length
+constexpr double kOfSolid = 0.85;       // Maximum share of a housing's radius in its solid's
+constexpr double kTubeShare = 0.72;     // Share of the thinner housing's radius
+constexpr double kTogetherMm = 1.0;     // Closer joints have no tube between them
 
-// A joint's axis, in the frame of the link that it moves and in that of the link before.
+// A joint's axis in the frame of the link that it moves, and in that of the previous link.
 struct JointPlace {
-  Vector3d point, axis; // moved link's frame
-  Vector3d pointBefore; // link before
+  Vector3d point, axis; // In the moved link's frame
+  Vector3d pointBefore; // In the previous link's frame
   bool slides = false;
 };
 
@@ -62,7 +62,7 @@ double thinnest(const Shape& shape) {
   return std::visit(Radius(), shape);
 }
 
-// The radius of the housing at a link's lower end.
+// Returns the radius of the housing at a link's lower end.
 double housingRadius(const RobotModel& robot, int frame, double byLength) {
   double radius = byLength, solid = 0.0;
   for (const Body& link : robot.links)
@@ -107,7 +107,7 @@ public:
 private:
   const JointPlace& below(int frame) const { return places_[static_cast<std::size_t>(frame) - 1]; }
   double radius(int frame) const { return radii_[static_cast<std::size_t>(frame)]; }
-  // Where a link begins and ends, in its frame.
+  // Return where a link begins and ends, in its frame.
   Vector3d start(int frame) const {
     return frame == 0 ? Vector3d::Zero().eval() : below(frame).point;
   }
@@ -139,7 +139,7 @@ private:
     }
     add(frame, kBody, joint.point - r * joint.axis, joint.axis,
         {circleSection(0.0, r), circleSection(2.0 * r, r)}, 0.12 * r);
-    // The housing of a joint close by takes the place of the lids.
+    // The housing of a nearby joint replaces the lids.
     if ((end(frame) - start(frame)).norm() < r)
       return;
     for (const double side : {-1.0, 1.0})

@@ -1,5 +1,6 @@
-// What an arm looks like of which nobody has said it: a housing about each joint's axis, a tube
-// from each joint to the next, a foot and a flange, from its kinematics and the size of its solids.
+// The default appearance of an arm without a given shape: a housing around each joint's axis, a
+// tube from each joint to the next, a foot and a flange, derived from its kinematics and the size
+// of its collision solids.
 #pragma once
 
 #include "robot/robot_model.h"

@@ -13,14 +13,14 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kAround = 48;         // points around a circle
-constexpr int kLeastOfDisc = 6;     // points around a disc of several
-constexpr int kEdgeSteps = 5;       // along a rounded edge
-constexpr double kSharpMm = 0.2;    // edges with less room are sharp
-constexpr double kEdgeShare = 0.45; // of what an edge may take of the faces beside it
+constexpr int kAround = 48;         // Points around a circle
+constexpr int kLeastOfDisc = 6;     // Minimum points around one of several discs
+constexpr int kEdgeSteps = 5;       // Steps along a rounded edge
+constexpr double kSharpMm = 0.2;    // Edges with less room are sharp
+constexpr double kEdgeShare = 0.45; // Maximum share of the adjacent faces that an edge may use
 constexpr double kSamePointMm = 1e-7;
 
-// A section on its way along the loft: its discs are smaller by `inset` where an end is rounded.
+// A section at its place along the loft. Its discs are reduced by `inset` where an end is rounded.
 struct Station {
   double at = 0.0, inset = 0.0;
   std::vector<LoftDisc> discs;
@@ -35,7 +35,7 @@ Station combined(const Station& a, double weightA, const Station& b, double weig
   return out;
 }
 
-// How far the surface goes from one station to the next, at most.
+// Returns an upper bound of the surface length from one station to the next.
 double lengthOf(const Station& a, const Station& b) {
   double aside = std::abs(b.inset - a.inset);
   for (std::size_t i = 0; i < a.discs.size(); ++i)
@@ -44,7 +44,7 @@ double lengthOf(const Station& a, const Station& b) {
   return std::hypot(b.at - a.at, aside);
 }
 
-// The direction in which the hull's side from disc a to disc b faces.
+// Returns the angle of the outward normal of the hull's side from disc a to disc b.
 double sideAngle(const LoftDisc& a, const LoftDisc& b) {
   const Vector2d along = b.centre - a.centre;
   const double share = std::clamp((a.radius - b.radius) / along.norm(), -1.0, 1.0);
@@ -56,7 +56,8 @@ struct RimPoint {
   Vector2d normal;
 };
 
-// Points around the hull, as many for every station with that number of discs.
+// Returns points around the hull; the number is the same for all stations with that number of
+// discs.
 std::vector<RimPoint> rimOf(const std::vector<LoftDisc>& discs) {
   std::vector<RimPoint> rim;
   const std::size_t count = discs.size();
@@ -100,7 +101,7 @@ public:
   }
 
 private:
-  // The middle of an end: as far inwards as the smallest disc lets its edge go.
+  // The inner end of an end face's edge: as far inwards as the smallest disc allows.
   static Station inner(const LoftSection& section) {
     double least = section.discs.front().radius;
     for (const LoftDisc& disc : section.discs)
@@ -127,7 +128,7 @@ private:
     }
   }
 
-  // `rate`: how the station goes on along the loft. `doubled`: at the place of the ring before.
+  // `rate`: change of the station along the loft. `doubled`: same position as the previous ring.
   void addRing(const Station& station, const Station& rate, bool doubled) {
     const std::vector<RimPoint> rim = rimOf(station.discs);
     const int first = static_cast<int>(out_.mesh.vertices.size());

@@ -1,6 +1,6 @@
-// Solids for the eye, lofted along a line: each section is the convex hull of discs (one disc: a
-// circle; two: a bar with round ends; four: a rectangle with round corners). Flat ends, all edges
-// rounded. No check knows them: collisions are checked with robot::Shape.
+// Visual solids lofted along a line: each section is the convex hull of discs (one disc: a circle;
+// two: a bar with round ends; four: a rectangle with round corners). Flat ends, all edges rounded.
+// Not used by any check: collisions are checked with robot::Shape.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -15,35 +15,35 @@ struct LoftDisc {
   double radius = 0.0;
 };
 
-// Discs counter-clockwise about the loft's z, none inside another.
+// Discs counter-clockwise around the loft's z, none inside another.
 struct LoftSection {
-  double at = 0.0; // along the loft's z
+  double at = 0.0; // Position along the loft's z
   std::vector<LoftDisc> discs;
 };
 
-// mm. At least two sections with as many discs each, none lower than the one before.
+// [mm]. At least two sections with the same number of discs, each not lower than the previous one.
 struct Loft {
   Eigen::Isometry3d frame_T_loft = Eigen::Isometry3d::Identity();
   std::vector<LoftSection> sections;
-  double roundMm = 0.0; // radius of its edges, less where an edge has no room for it
+  double roundMm = 0.0; // Radius of its edges; smaller where an edge has too little room
 };
 
-// A disc, a bar and a rectangle as a section. roundMm: radius of the rectangle's corners.
+// Return a disc, a bar and a rectangle as a section. roundMm: radius of the rectangle's corners.
 LoftSection circleSection(double at, double radius);
 LoftSection barSection(double at, const LoftDisc& a, const LoftDisc& b);
 LoftSection rectangleSection(double at, const Eigen::Vector2d& size, double roundMm,
                              const Eigen::Vector2d& centre = Eigen::Vector2d::Zero());
 
-// A pose at `origin` whose z is `axis` and whose x is `across` as far as it is square to that; any
-// x where `across` is zero or parallel. Precondition: axis is not zero.
+// Returns a pose at `origin` whose z is `axis` and whose x is the component of `across`
+// perpendicular to it; any x if `across` is zero or parallel. Precondition: axis is not zero.
 Eigen::Isometry3d loftPose(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
                            const Eigen::Vector3d& across = Eigen::Vector3d::Zero());
 
-// A closed surface in the loft's frame of reference (frame_T_loft applied). Vertices on sharp edges
-// are there twice, with a normal for each side.
+// A closed surface in the loft's reference frame (frame_T_loft applied). Vertices on sharp edges
+// are duplicated, with one normal for each side.
 struct LoftMesh {
   geometry::TriangleMesh mesh;
-  std::vector<Eigen::Vector3d> normals; // one a vertex, units
+  std::vector<Eigen::Vector3d> normals; // One unit normal per vertex
 };
 // Precondition: as Loft says.
 LoftMesh meshOf(const Loft& loft);

@@ -17,8 +17,9 @@ using Eigen::Vector3d;
 constexpr Rgb kBrass{0.80, 0.62, 0.30}, kSteel{0.70, 0.72, 0.74}, kBlock{0.55, 0.57, 0.60},
     kCasing{0.30, 0.33, 0.37}, kMotor{0.17, 0.18, 0.20}, kRail{0.74, 0.76, 0.78},
     kSlot{0.32, 0.34, 0.36}, kClamp{0.24, 0.26, 0.29};
-constexpr double kInSquare = 1.38; // side of a square in a circle by its radius, corners rounded
-constexpr double kRailFromRadii = 12.0; // a holder this long by its radius is a rail
+// Side of a square with rounded corners inscribed in a circle, divided by the circle's radius
+constexpr double kInSquare = 1.38;
+constexpr double kRailFromRadii = 12.0; // A holder at least this many radii long is drawn as a rail
 constexpr double kClampMm = 12.0;
 
 class Builder {
@@ -73,7 +74,7 @@ private:
     solids_.push_back(
         {body_.frame, colour, {loftPose(from, axis, across(axis)), std::move(sections), roundMm}});
   }
-  // Square parts lie along the frame's x.
+  // Square parts are aligned with the frame's x.
   static Vector3d across(const Vector3d& axis) {
     return std::abs(axis.normalized().x()) > 0.9 ? Vector3d::UnitY() : Vector3d::UnitX();
   }
@@ -115,7 +116,7 @@ private:
           {circleSection(0.0, 0.94 * r), circleSection(0.5 * pitch, 0.94 * r)}, 0.0);
   }
 
-  // Drive housing with a cover, motor behind it.
+  // Drive housing with a cover, with the motor behind it.
   void addExtruder(const Frustum& part) {
     const Vector3d axis = part.p1 - part.p0, unit = axis.normalized();
     const double length = axis.norm(), side = kInSquare * std::min(part.r0, part.r1);

@@ -1,4 +1,5 @@
-// What a cell's head, its holder and what carries its platform look like, within their solids.
+// The visual shapes of a cell's head, its holder and the stem of its platform, inside their
+// collision solids.
 #pragma once
 
 #include "robot/body.h"
@@ -6,9 +7,9 @@
 
 namespace voluta::robot {
 
-// Solids in the body's frame. Head: nozzle, heater block, cooler and motor; its tip is the first
-// shape's end, the tool frame's origin. Holder: tubes with a clamp at each end, or a profile rail
-// where it is long. Platform: the stem alone. Nothing for other bodies.
+// Returns visual solids in the body's frame. Head: nozzle, heater block, cooler and motor; its tip
+// is the first shape's end, the tool frame's origin. Holder: tubes with a clamp at each end, or a
+// profile rail if it is long. Platform: only the stem. Empty for other bodies.
 std::vector<ShapeSolid> toolShape(const Body& body);
 
 } // namespace voluta::robot

@@ -1,4 +1,4 @@
-// Loose triangles cut by a plane.
+// Cuts a set of triangles by a plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,13 +9,14 @@ namespace voluta::robot {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-// Where normal . p = offset.
+// Points with normal . p = offset.
 struct Plane {
   Eigen::Vector3d normal;
   double offset;
 };
 
-// What is below the plane and what is above; triangles across it are cut. What lies in it is below.
+// Returns the triangles below and above the plane; triangles that cross it are cut. Triangles in
+// the plane count as below.
 std::array<std::vector<Corners>, 2> cut(const std::vector<Corners>& triangles, const Plane& plane);
 
 } // namespace voluta::robot

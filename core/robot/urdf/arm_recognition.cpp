@@ -26,7 +26,7 @@ Isometry3d pose(const Matrix3d& turn, const Vector3d& at) {
   return t;
 }
 
-// A family's joint is signs * (the chain's) + what the family calls the chain's zero.
+// The family's joint is signs * (the chain's joint) + the family's value at the chain's zero.
 JointReading readingOf(const std::array<double, 6>& signs, const std::array<double, 6>& atZero) {
   JointReading reading;
   for (std::size_t i = 0; i < 6; ++i) {
@@ -36,8 +36,8 @@ JointReading readingOf(const std::array<double, 6>& signs, const std::array<doub
   return reading;
 }
 
-// An arm that a family knows, between poses of its base and its flange that are the chain's own.
-// `zero`: the flange of the family's arm where the chain is at zero, in the family's frame.
+// Returns an arm that uses a family's kinematics, placed between the base and flange poses of the
+// chain. `zero`: the flange of the family's arm in the family's frame when the chain is at zero.
 RecognisedArm asFamily(ArmKind kind, std::shared_ptr<const Kinematics> family, JointReading reading,
                        const Isometry3d& base_T_arm, const Isometry3d& zero,
                        const Isometry3d& base_T_flangeAtZero) {
@@ -73,7 +73,7 @@ std::optional<RecognisedArm> sphericalWrist(const SerialChain& chain,
   const double theta5 = std::atan2(sixth.dot(x4), sixth.dot(forearm));
   Matrix3d last;
   last << fifth.cross(sixth), fifth, sixth;
-  // The flange at the wrist's point: how far it is from there, is the chain's affair.
+  // The flange is placed at the wrist's point; the chain adds the distance from there.
   const OpwGeometry geometry{base->a1, base->a2, base->b, 0.0, base->c2, base->c3, 0.0, {}};
   return asFamily(ArmKind::SphericalWrist, std::make_shared<OpwKinematics>(geometry),
                   readingOf({1, 1, base->sign3, base->sign4, 1, 1},
@@ -90,7 +90,7 @@ std::optional<RecognisedArm> parallelAxes(const SerialChain& chain,
   if (!shoulder || !first || !second || !across(axes[0], axes[1]) || !parallel(axes[1], axes[2]) ||
       !parallel(axes[1], axes[3]) || !across(axes[3], axes[4]) || !across(axes[4], axes[5]))
     return std::nullopt;
-  // In the family's frame axis 1 is z and, at theta1 = 0, axis 2 is -y, "across" the arm.
+  // In the family's frame, axis 1 is z and, at theta1 = 0, axis 2 is -y, "across" the arm.
   Matrix3d turn;
   turn.col(2) = axes[0].direction;
   turn.col(1) =
@@ -116,7 +116,7 @@ std::optional<RecognisedArm> parallelAxes(const SerialChain& chain,
   const double theta234 = std::atan2(down.x(), -down.z());
   const Vector3d forward(std::cos(theta234), 0, std::sin(theta234));
   const double theta5 = std::atan2(-sixth.dot(forward), sixth.dot(across));
-  // The family asks for a length along axis 6; the flange's pose takes it back.
+  // The family requires a length along axis 6; the flange's pose compensates it.
   constexpr double kLastMm = 1.0;
   const UrGeometry geometry{0.0, a2, a3, -p45.y(), (p56 - p45).dot(down), kLastMm};
   const double s3 = sign(2), s4 = sign(3);

@@ -1,4 +1,4 @@
-// Which solver an arm of six turning axes gets, told from where its axes lie at zero.
+// Chooses the solver for an arm of six turning axes from the positions of its axes at zero.
 #pragma once
 
 #include "robot/kinematics/serial_chain.h"
@@ -8,18 +8,20 @@
 namespace voluta::robot {
 
 enum class ArmKind {
-  SphericalWrist, // ortho-parallel base, axes 4-6 through one point:
-                  // robot/kinematics/opw_kinematics.h
-  ParallelAxes,   // axes 2-4 parallel, each of 4-6 meets the next: robot/kinematics/ur_kinematics.h
-  BentWrist,      // ortho-parallel base, axes 4 and 5 meet, 6 beside: robot/kinematics/bent_wrist.h
-  Other           // robot/kinematics/numeric_inverse.h
+  // Ortho-parallel base, axes 4-6 through one point: robot/kinematics/opw_kinematics.h
+  SphericalWrist,
+  // Axes 2-4 parallel, each of 4-6 intersects the next: robot/kinematics/ur_kinematics.h
+  ParallelAxes,
+  // Ortho-parallel base, axes 4 and 5 intersect, 6 is offset: robot/kinematics/bent_wrist.h
+  BentWrist,
+  Other // See robot/kinematics/numeric_inverse.h
 };
 
 struct RecognisedArm {
   ArmKind kind = ArmKind::Other;
-  // Appends branches in the chain's own joints, as Kinematics::inverse does. Where the axes are at
-  // right angles only nearly (robot/kinematics/ortho_base.h says how nearly), so are the branches'
-  // poses.
+  // Appends branches in the chain's own joints, as Kinematics::inverse does. If the axes are only
+  // nearly perpendicular (robot/kinematics/ortho_base.h defines the tolerance), the poses of the
+  // branches are approximate as well.
   std::function<void(const Eigen::Isometry3d& base_T_flange, std::vector<JointVector>& solutions)>
       inverse;
 };

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kTriangles = 12000; // of a link: as many as a picture shows
+constexpr std::size_t kTriangles = 12000; // Per link: as many as a picture can show
 constexpr int kMostFrames = 16;
 
 fs::path folderOf(const fs::path& robotFile) {

@@ -1,6 +1,6 @@
-// What the links of an arm look like: meshes for the eye, of an arm that came with some. They are
-// kept beside the robot's file, ROBOT.links/FRAME.stl, and no check knows them: what is checked are
-// the solids in the robot's file.
+// Visual meshes of an arm's links, for arms that come with meshes. They are stored next to the
+// robot's file as ROBOT.links/FRAME.stl and not used by any check: collisions are checked with the
+// solids in the robot's file.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -13,21 +13,21 @@
 namespace voluta::robot {
 
 struct LinkMesh {
-  int frame = 0;               // as Body::frame
-  geometry::TriangleMesh mesh; // in that frame, mm
+  int frame = 0;               // As Body::frame
+  geometry::TriangleMesh mesh; // In that frame [mm]
 };
 
-// Of a description: what its links have for the eye. A frame with a box, a cylinder or a mesh that
-// cannot be had among that has none, and is drawn as its solids. Throws as readUrdf().
+// Returns the visual meshes of a description's links. A frame whose visuals include a box, a
+// cylinder or an unavailable mesh has none, and is drawn as its solids. Throws as readUrdf().
 std::vector<LinkMesh> urdfLinkMeshes(const std::filesystem::path& urdf, const UrdfOptions& options);
 
-// Into the folder beside the robot's file, in place of what is there; no folder without meshes.
-// Throws Error{CannotWrite}.
+// Writes the meshes to the folder next to the robot's file, replacing its content; creates no
+// folder if there are no meshes. Throws Error{CannotWrite}.
 void writeLinkMeshes(const std::filesystem::path& robotFile, const std::vector<LinkMesh>& meshes);
-// What is there and can be read.
+// Returns the meshes that exist and can be read.
 std::vector<LinkMesh> readLinkMeshes(const std::filesystem::path& robotFile);
 
-// Those of the robot of that id; none of one that is not known.
+// Returns the meshes of the robot with that id; none for an unknown id.
 std::vector<LinkMesh> linkMeshesOf(const std::string& robotId);
 
 } // namespace voluta::robot

@@ -26,11 +26,11 @@ using Eigen::Vector3d;
 using geometry::TriangleMesh;
 using Points = std::vector<Vector3d>;
 
-constexpr int kAlong = 8;            // cubes
-constexpr double kAdded = 0.02;      // of the whole box, by joining
-constexpr double kFits = 1.1;        // a solid's volume by that of what it is about
-constexpr double kHalfThickMm = 0.5; // of what is flat
-constexpr double kSlackMm = 1e-6;    // against rounding
+constexpr int kAlong = 8;       // Cubes along the longest side
+constexpr double kAdded = 0.02; // Maximum volume added by joining, as a share of the whole box
+constexpr double kFits = 1.1; // Maximum ratio of a solid's volume to that of the enclosed component
+constexpr double kHalfThickMm = 0.5; // Half of the minimum thickness of flat pieces
+constexpr double kSlackMm = 1e-6;    // Against rounding
 
 AlignedBox3d boxOf(const Points& points) {
   AlignedBox3d box;
@@ -73,8 +73,8 @@ Frustum cylinderAbout(const Points& points, const Vector3d& foot, const Vector3d
   return {foot + (low - thick) * axis, foot + (high + thick) * axis, radius, radius};
 }
 
-// The smallest of a box along the axes and of cylinders and capsules along these and the points'
-// own axes.
+// Returns the smallest of an axis-aligned box, and cylinders and capsules along the coordinate axes
+// and the points' principal axes.
 Solid smallestAbout(const Points& points) {
   const AlignedBox3d bounds = boxOf(points);
   Solid best;
@@ -92,7 +92,7 @@ Solid smallestAbout(const Points& points) {
 }
 
 struct Piece {
-  Points points; // none: joined to another
+  Points points; // Empty: joined to another piece
   AlignedBox3d box;
   std::set<std::size_t> neighbours;
 };
@@ -101,8 +101,8 @@ double volumeOf(const AlignedBox3d& box) {
   return box.sizes().prod();
 }
 
-// Cubes over the mesh's bounds, the outermost of which reach beyond them: flat sides that lie along
-// the axes are then within cubes and not between them.
+// Cubes over the mesh's bounds, extending beyond them on all sides: flat sides parallel to the axes
+// are then inside cubes and not between them.
 class Cubes {
 public:
   explicit Cubes(const AlignedBox3d& bounds) : edge_(bounds.sizes().maxCoeff() / (kAlong - 0.5)) {
@@ -122,7 +122,7 @@ private:
   Vector3d low_ = Vector3d::Zero();
 };
 
-// What lies between one plane of the cubes and the next, for each pair of them.
+// Divides the triangles into the slabs between consecutive planes of the cubes.
 std::vector<std::vector<Corners>> slabs(std::vector<Corners> triangles, const Cubes& cubes,
                                         int axis) {
   std::vector<std::vector<Corners>> out;
@@ -135,8 +135,8 @@ std::vector<std::vector<Corners>> slabs(std::vector<Corners> triangles, const Cu
   return out;
 }
 
-// What each cube holds: corners of the triangles cut to it, and corners of its own that are inside.
-// Between them they span all of the solid that is in the cube.
+// Returns the piece of the solid in each cube: corners of the triangles clipped to it, and corners
+// of the cube that are inside. Their hull contains all of the solid in the cube.
 std::vector<Piece> cubePieces(const TriangleMesh& mesh, const base::RunContext& ctx) {
   const Cubes cubes(geometry::bounds(mesh));
   const geometry::MeshQuery query(mesh);
@@ -185,7 +185,7 @@ std::vector<Piece> cubePieces(const TriangleMesh& mesh, const base::RunContext& 
   return pieces;
 }
 
-// Joins neighbours, the cheapest first.
+// Joins neighbouring pieces, the cheapest pair first.
 class Joining {
 public:
   explicit Joining(std::vector<Piece> pieces) : pieces_(std::move(pieces)), left_(pieces_.size()) {
@@ -197,7 +197,8 @@ public:
 
   std::size_t left() const { return left_; }
   bool hasPair() const { return !costs_.empty(); }
-  // By how much the cheapest join makes all boxes together larger. Precondition: a pair.
+  // Returns the volume that the cheapest join adds to the sum of all boxes. Precondition: there is
+  // a pair.
   double least() const { return cheapest()->second; }
   void joinCheapest() {
     const auto [a, b] = cheapest()->first;
@@ -218,7 +219,7 @@ public:
     for (const std::size_t other : pieces_[a].neighbours)
       consider(a, other);
   }
-  // For what is in more separate pieces than there may be.
+  // For meshes with more disconnected pieces than allowed.
   void letAllBeNeighbours() {
     for (std::size_t a = 0; a < pieces_.size(); ++a)
       for (std::size_t b = a + 1; b < pieces_.size(); ++b)
@@ -254,7 +255,8 @@ private:
   Costs costs_;
 };
 
-// What several components hold, of which each is one piece or many.
+// Returns the points of the joined pieces: each component of `whole` starts as one piece, the rest
+// of the mesh as many.
 std::vector<Points> joinedPieces(const TriangleMesh& mesh, const std::vector<Points>& whole,
                                  int most, const base::RunContext& ctx) {
   std::vector<Piece> pieces;
@@ -329,7 +331,7 @@ std::vector<Shape> solidPieces(const TriangleMesh& mesh, int most, const base::R
     double sum = 0.0;
     for (const Solid& solid : solids)
       sum += solid.volume;
-    // The file's own axes unless others save something.
+    // Prefer the file's axes unless the others save volume.
     if (sum < least * (1.0 - 1e-6)) {
       least = sum;
       best = std::move(solids);

@@ -1,4 +1,4 @@
-// A mesh as a few simple solids, for obstacles that come as files.
+// Approximates a mesh by a few simple solids, for obstacles given as files.
 #pragma once
 
 #include "base/run_context.h"
@@ -9,18 +9,18 @@
 
 namespace voluta::robot {
 
-// Up to `most` boxes, cylinders and capsules that hold, between them, every triangle of the mesh
-// and the inside of a closed one; what they hold beside it is what simple solids cost. In the
-// mesh's frame, mm.
+// Returns up to `most` boxes, cylinders and capsules that together contain every triangle of the
+// mesh, and the inside of a closed one; they also contain some space around it. In the mesh's frame
+// [mm].
 //
-// A component that one solid fits, holding a tenth more than the component at most, is that solid.
-// The rest is cut into cubes, eight along its longest side; what each holds is boxed, and
-// neighbours are joined, those first whose common box adds least, as long as all joints add no more
-// than a fiftieth of the whole box, or more are left than `most` (approximate convex decomposition
-// from below, as Mamou and Ghorbel 2009 join clusters). Done along the axes and along the principal
-// ones, of which the smaller sum is taken; each piece becomes the smallest solid about its points.
-// What is flat is a millimetre thick. Throws Cancelled. Preconditions: triangles with finite
-// corners, not all in one point; most >= 1.
+// A component enclosed by one solid of at most 1.1 times its volume becomes that solid. The rest is
+// cut into cubes, eight along its longest side, whose contents are boxed. Neighbours are joined,
+// those first whose common box adds the least volume, as long as all joins together add no more
+// than a fiftieth of the whole box, or more than `most` pieces are left (approximate convex
+// decomposition from below, as Mamou and Ghorbel 2009 join clusters). This is done along the
+// coordinate axes and along the principal axes, and the result with the smaller sum is used; each
+// piece becomes the smallest solid around its points. Flat pieces are a millimetre thick. Throws
+// Cancelled. Preconditions: triangles with finite corners, not all in one point; most >= 1.
 std::vector<Shape> solidPieces(const geometry::TriangleMesh& mesh, int most,
                                const base::RunContext& ctx);
 

@@ -36,11 +36,11 @@ public:
     UrdfChain found;
     const std::size_t end = tip.empty() ? onlyTip() : named(tip, "--tip");
     found.tip = link(end).name;
-    const std::vector<std::size_t> way = wayTo(end); // joints from the root
+    const std::vector<std::size_t> way = wayTo(end); // Joints from the root
     const std::size_t stand = base.empty() ? usualBase() : named(base, "--base");
     found.base = link(stand).name;
 
-    // The base stands on a link of the way, or is fixed to one.
+    // The base is a link of the chain, or fixed to one.
     std::size_t on = stand;
     Eigen::Isometry3d on_T_base = Eigen::Isometry3d::Identity();
     const auto isOnWay = [&](std::size_t l) {
@@ -50,8 +50,8 @@ public:
     while (!isOnWay(on)) {
       const UrdfJoint& joint = tree_.joints[*over_[on]];
       if (joint.type != "fixed")
-        fail(message("the base '{base}' moves beside the way to '{tip}'"_text, found.base,
-                     found.tip));
+        fail(message("the base '{base}' is on a moving branch off the chain to '{tip}'"_text,
+                     found.base, found.tip));
       on_T_base = joint.parent_T_joint * on_T_base;
       on = byName_.at(joint.parent);
     }
@@ -78,9 +78,10 @@ public:
     }
     found.chain.last_T_flange = frame_T_link;
     if (found.joints.size() != 6)
-      fail(message("from '{base}' to '{tip}' {count} axes turn; six are needed"_text, found.base,
-                   found.tip, found.joints.size()),
-           "name the links between which they are: --base, --tip"_text);
+      fail(message("the chain from '{base}' to '{tip}' has {count} turning axes; six are "
+                   "needed"_text,
+                   found.base, found.tip, found.joints.size()),
+           "name the first and last link of the chain: --base, --tip"_text);
     for (const FixedLink& stem : stems) {
       found.links.push_back(stem);
       addBranches(stem, way, found);
@@ -106,12 +107,11 @@ private:
     const UrdfJoint& joint = tree_.joints[j];
     for (const std::string& name : {joint.parent, joint.child})
       if (!byName_.contains(name))
-        fail(message("joint '{joint}' names a link that is not there: '{link}'"_text, joint.name,
-                     name));
+        fail(message("joint '{joint}' names an unknown link: '{link}'"_text, joint.name, name));
     auto& over = over_[byName_.at(joint.child)];
     if (over)
-      fail(message("link '{link}' hangs on two joints, '{first}' and '{second}': a loop, which is "
-                   "not taken"_text,
+      fail(message("link '{link}' has two parent joints, '{first}' and '{second}': loops"
+                   " are not supported"_text,
                    joint.child, tree_.joints[*over].name, joint.name));
     over = j;
     under_[byName_.at(joint.parent)].push_back(j);
@@ -139,7 +139,8 @@ private:
         reached.push_back(childOf(j));
     for (std::size_t l = 0; l < over_.size(); ++l)
       if (std::find(reached.begin(), reached.end(), l) == reached.end())
-        fail(message("link '{link}' is on a loop, which is not taken"_text, link(l).name));
+        fail(
+            message("link '{link}' is part of a loop: loops are not supported"_text, link(l).name));
   }
 
   std::size_t named(const std::string& name, const char* option) const {
@@ -161,7 +162,7 @@ private:
     return way;
   }
 
-  // The joint that moves it last, going out.
+  // The last joint on the path from the root that moves the link.
   std::optional<std::size_t> mover(std::size_t l) const {
     for (; over_[l]; l = byName_.at(tree_.joints[*over_[l]].parent))
       if (tree_.joints[*over_[l]].type != "fixed")
@@ -200,19 +201,18 @@ private:
 
   void requireTurning(const UrdfJoint& joint) const {
     if (!joint.follows.empty())
-      fail(message("joint '{joint}' follows '{other}' (mimic), which is not taken"_text, joint.name,
-                   joint.follows));
+      fail(message("joint '{joint}' mimics '{other}': mimic joints are not supported"_text,
+                   joint.name, joint.follows));
     if (joint.type == "prismatic" || joint.type == "floating" || joint.type == "planar")
-      fail(message("joint '{joint}' is {type}; only joints that turn are taken"_text, joint.name,
+      fail(message("joint '{joint}' is {type}; only turning joints are supported"_text, joint.name,
                    joint.type));
     if (!turns(joint))
-      fail(message("joint '{joint}' is of no type that is known: '{type}'"_text, joint.name,
-                   joint.type));
+      fail(message("joint '{joint}' has an unknown type: '{type}'"_text, joint.name, joint.type));
     if (!(joint.axis.norm() > 0.0))
-      fail(message("joint '{joint}' has an axis of no length"_text, joint.name));
+      fail(message("joint '{joint}' has an axis of zero length"_text, joint.name));
   }
 
-  // What is fixed beside the way.
+  // Adds the links that are fixed beside the chain.
   void addBranches(const FixedLink& stem, const std::vector<std::size_t>& way,
                    UrdfChain& found) const {
     for (const std::size_t j : under_[stem.link]) {
@@ -232,8 +232,8 @@ private:
   const UrdfTree& tree_;
   std::string where_;
   std::map<std::string, std::size_t> byName_;
-  std::vector<std::optional<std::size_t>> over_; // the joint that each link hangs on
-  std::vector<std::vector<std::size_t>> under_;  // the joints that hang on it
+  std::vector<std::optional<std::size_t>> over_; // Parent joint of each link
+  std::vector<std::vector<std::size_t>> under_;  // Child joints of each link
   std::size_t root_ = 0;
 };
 

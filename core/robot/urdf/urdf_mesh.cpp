@@ -52,7 +52,7 @@ geometry::TriangleMesh readUrdfMesh(const fs::path& path, const UrdfMesh& mesh,
           : geometry::readMesh(path).mesh;
   for (Vector3d& p : read.vertices)
     p = pose * Vector3d(kMmInMetre * mesh.scale.cwiseProduct(p));
-  if (mesh.scale.prod() < 0.0) // a mirror image faces the other way
+  if (mesh.scale.prod() < 0.0) // A mirror image reverses the orientation
     for (std::array<int, 3>& triangle : read.triangles)
       std::swap(triangle[1], triangle[2]);
   return read;

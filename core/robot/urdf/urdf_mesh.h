@@ -10,12 +10,13 @@
 
 namespace voluta::robot {
 
-// Where a mesh's file is: relative to the URDF's folder; "package://NAME/REST" as NAME/REST in that
-// folder or one above it, or REST in one of them that is called NAME. Empty: it is not there.
+// Returns the path of a mesh's file: relative to the URDF's folder; "package://NAME/REST" as
+// NAME/REST in that folder or one above it, or REST in one of them that is called NAME. Empty if it
+// does not exist.
 std::filesystem::path meshPath(const std::string& written, const std::filesystem::path& urdf);
 
-// The mesh in `path`, in metres and scaled as the URDF says, at that pose. mm.
-// Throws as geometry::readMesh() and readForeign(). Precondition: no scale is 0.
+// Returns the mesh in `path`, whose unit is metres, scaled as the URDF says and moved to that pose
+// [mm]. Throws as geometry::readMesh() and readForeign(). Precondition: no scale is 0.
 geometry::TriangleMesh readUrdfMesh(const std::filesystem::path& path, const UrdfMesh& mesh,
                                     const Eigen::Isometry3d& pose);
 

@@ -33,7 +33,7 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
   const auto radians = [](double degrees) { return base::degreesToRadians(degrees); };
   JointLimits limits{-radians(kTurnDeg), radians(kTurnDeg), radians(kVelocityDegPerS),
                      radians(kAccelerationDegPerS2)};
-  // More than some turns, or than any joint turns in a second, says nothing of the arm.
+  // Values of many turns, or faster than any joint, are placeholders.
   constexpr double kMostRad = 100.0, kMostRadPerS = 100.0;
   UrdfLimit given = joint.limit.value_or(UrdfLimit{});
   if (!(std::abs(given.lower) < kMostRad && std::abs(given.upper) < kMostRad))
@@ -43,11 +43,11 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
   const bool none = given.lower == 0.0 && given.upper == 0.0;
   if (joint.type == "revolute" && !none) {
     if (!(given.lower < given.upper))
-      throw base::Error(base::ErrorCode::UnusableInput,
-                        base::message("joint '{joint}' has its lower limit not below its "
-                                      "upper"_text,
-                                      joint.name),
-                        where);
+      throw base::Error(
+          base::ErrorCode::UnusableInput,
+          base::message("joint '{joint}': the lower limit is not below the upper one"_text,
+                        joint.name),
+          where);
     limits.min = given.lower;
     limits.max = given.upper;
   } else if (joint.type == "revolute") {
@@ -84,10 +84,10 @@ UrdfRobot readUrdf(const std::filesystem::path& file, const UrdfOptions& options
                                 found.base, found.tip));
   for (const std::size_t j : found.joints)
     model.limits.push_back(limitsOf(tree.joints[j], where, assumed));
-  assumed.push_back(fmt::format("joint accelerations of {} deg/s2: descriptions have none",
+  assumed.push_back(fmt::format("joint accelerations of {} deg/s2: URDF files do not state them",
                                 kAccelerationDegPerS2));
   for (const std::string& joint : found.leftOut)
-    assumed.push_back(fmt::format("what joint '{}' moves beside the arm is left out", joint));
+    assumed.push_back(fmt::format("the branch moved by joint '{}' is left out", joint));
   model.links = urdfBodies(tree, found, file, assumed);
   model.kinematics = std::make_shared<ChainKinematics>(found.chain);
   assumed.push_back("nominal lengths: a real arm has its own calibration");

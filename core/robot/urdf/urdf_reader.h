@@ -1,5 +1,5 @@
-// A robot from its URDF: the chain of six turning axes from its base to its tip, with fixed joints
-// folded into the links that they are fixed to, limits, and a solid or a few for each link.
+// Reads a robot from its URDF: the chain of six turning axes from its base to its tip, with fixed
+// joints folded into the links that they are fixed to, limits, and one or more solids per link.
 #pragma once
 
 #include "robot/kinematics/serial_chain.h"
@@ -12,30 +12,30 @@
 namespace voluta::robot {
 
 struct UrdfOptions {
-  // The link whose frame is the flange: z out of it. Empty: the one that no joint leads on from; of
-  // several that hang on the same moving link "tool0".
+  // The link whose frame is the flange, with z pointing outwards. Empty: the link that no joint
+  // leads on from; of several on the same moving link, "tool0".
   std::string tip;
-  // The link whose frame is the base of poses. Empty: "base" where it is fixed to the root (what
-  // descriptions call the frame that the controller counts from), else the root.
+  // The link whose frame is the base of poses. Empty: "base" if it is fixed to the root (the usual
+  // name of the controller's base frame), else the root.
   std::string base;
-  std::string id;                 // empty: the description's name, in small letters and dashes
-  std::string controller = "csv"; // id of the program format that its controller reads
+  std::string id;                 // Empty: the description's name in lower case with dashes
+  std::string controller = "csv"; // Id of the program format that its controller reads
 };
 
 struct UrdfRobot {
-  RobotModel model; // its neverMeet is empty: cells/arm_import.h finds what it takes
+  RobotModel model; // Its neverMeet is empty: cells/arm_import.h computes the pairs
   SerialChain chain;
-  std::string base, tip; // names of the links that were taken
-  std::string source;    // what it was read from, for the robot's file
+  std::string base, tip; // Names of the links that were used
+  std::string source;    // Origin of the data, for the robot's file
 };
 
-// What the description does not say is assumed, and told in model.assumed. Meshes are STL, OBJ and
-// what else geometry/formats reads, each enclosed by a capsule; one that is missing or of a format
-// that is not read is replaced by a capsule along its link, and told there.
+// Reads the robot. Data missing in the description is assumed and listed in model.assumed. Meshes
+// may be STL, OBJ and other formats of geometry/formats; each is enclosed by capsules. A mesh that
+// is missing or unreadable is replaced by a capsule along its link, and listed too.
 //
-// Throws Error{UnreadableFile} as readUrdfTree, Error{UnusableInput} that names link or joint: two
-// bases, a loop, no tip or several, a name that is not there, another number of axes than six, a
-// joint that slides, floats, moves in a plane or follows another, limits in the wrong order.
+// Throws Error{UnreadableFile} as readUrdfTree, and Error{UnusableInput} naming link or joint: two
+// bases, a loop, no tip or several, an unknown name, not exactly six axes, a joint that slides,
+// floats, moves in a plane or mimics another, or limits in the wrong order.
 UrdfRobot readUrdf(const std::filesystem::path& file, const UrdfOptions& options);
 
 } // namespace voluta::robot

@@ -14,9 +14,9 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 namespace fs = std::filesystem;
 
-// Of the arm's length along its joints: how thick a link is that nothing is known of.
+// Radius of a link without any shape, as a share of the arm's length along its joints.
 constexpr double kThickness = 0.06;
-constexpr int kCapsules = 3; // a mesh at most
+constexpr int kCapsules = 3; // Maximum per mesh
 
 struct Solids {
   const fs::path& file;
@@ -25,7 +25,7 @@ struct Solids {
   const Vector3d& toNext;
   std::vector<std::string>& assumed;
   Body& body;
-  bool& replaced; // by the capsule along the link, which one mesh less is enough for
+  bool& replaced; // Set if a mesh is missing; the link then gets a capsule along it
 
   void add(const UrdfSolid& solid) const {
     const Isometry3d pose = frame_T_link * solid.link_T_solid;
@@ -50,9 +50,9 @@ private:
     };
     const fs::path path = meshPath(mesh.file, file);
     if (path.empty())
-      return leaveOut("is not there");
+      return leaveOut("is missing");
     if (mesh.scale.cwiseAbs().minCoeff() == 0.0)
-      return leaveOut("is scaled to nothing");
+      return leaveOut("has scale 0");
     try {
       const geometry::TriangleMesh read = readUrdfMesh(path, mesh, pose);
       std::vector<Corners> triangles;

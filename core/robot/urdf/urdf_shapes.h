@@ -1,4 +1,4 @@
-// Solids for the links of an arm that comes as a URDF.
+// Collision solids for the links of an arm given as a URDF.
 #pragma once
 
 #include "robot/body.h"
@@ -10,11 +10,10 @@
 
 namespace voluta::robot {
 
-// A body a frame, base first, with all that is fixed to it: what its links have for collisions, or
-// else for the eye. Cylinders, boxes and spheres as they are, meshes enclosed by some capsules
-// each.
-// What has no solid, or a mesh that cannot be had, gets a capsule along the link; all that is told
-// in `assumed`. `file`: the URDF, beside which meshes are looked for.
+// Returns one body per frame, base first, with everything that is fixed to it: the links' collision
+// shapes, or else their visual ones. Cylinders, boxes and spheres are kept, and each mesh is
+// enclosed by capsules. A link without a solid, or with an unavailable mesh, gets a capsule along
+// it, which is listed in `assumed`. `file`: the URDF, relative to which meshes are searched.
 std::vector<Body> urdfBodies(const UrdfTree& tree, const UrdfChain& chain,
                              const std::filesystem::path& file, std::vector<std::string>& assumed);
 

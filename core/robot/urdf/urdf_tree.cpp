@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 using geometry::XmlAttributes;
 
 constexpr double kMmInMetre = 1000.0;
-constexpr double kLargest = 1e6; // m, rad, or of a scale
+constexpr double kLargest = 1e6; // [m], [rad], or a scale
 
 Vector3d vectorOf(const XmlAttributes& attributes, std::string_view word,
                   const Vector3d& otherwise) {
@@ -31,11 +31,11 @@ Vector3d vectorOf(const XmlAttributes& attributes, std::string_view word,
     const auto number = words.size() == 3 ? geometry::numberOf(words[i]) : std::nullopt;
     if (!number || !std::isfinite(*number))
       throw Error(ErrorCode::UnreadableFile,
-                  base::message("'{attribute}' is no three numbers: '{text}'"_text, word,
+                  base::message("'{attribute}' must be three numbers: '{text}'"_text, word,
                                 attributes.text(word)));
     if (std::abs(*number) > kLargest)
       throw Error(ErrorCode::UnreadableFile,
-                  base::message("'{attribute}' is beyond all measure: '{text}'"_text, word,
+                  base::message("'{attribute}' is NaN or out of range: '{text}'"_text, word,
                                 attributes.text(word)));
     vector[static_cast<Eigen::Index>(i)] = *number;
   }
@@ -61,7 +61,7 @@ std::string nameIn(const XmlAttributes& attributes, std::string_view word) {
   return std::string(name);
 }
 
-// Follows the elements by the path that leads to them; what no path below names is passed over.
+// Handles elements by the path that leads to them; elements with other paths are ignored.
 class Builder {
 public:
   void begin(const geometry::XmlName& name, const XmlAttributes& attributes) {
@@ -71,7 +71,7 @@ public:
     path_ += "/" + std::string(name.word);
     if (!path_.starts_with("/robot"))
       throw Error(ErrorCode::UnreadableFile,
-                  base::message("is no URDF: it begins with <{element}>"_text, name.word));
+                  base::message("is not a URDF: it begins with <{element}>"_text, name.word));
     if (path_ == "/robot")
       tree.name = attributes.text("name");
     else if (path_ == "/robot/link")
@@ -92,7 +92,7 @@ public:
   }
   void end(const geometry::XmlName& name) {
     path_.resize(path_.size() - name.word.size() - 1);
-    // The pose and the shape come in either order.
+    // Pose and shape may come in either order.
     if (path_ == "/robot/link" && (name.word == "collision" || name.word == "visual") && shape_) {
       UrdfLink& link = tree.links.back();
       (name.word == "collision" ? link.collision : link.visual).push_back({pose_, *shape_});

@@ -1,6 +1,5 @@
-// What a URDF file says of an arm: links with their solids, and joints between them. Read as it
-// stands; what can be made of it is robot/urdf/urdf_reader.h's affair. Format:
-// wiki.ros.org/urdf/XML.
+// The content of a URDF file: links with their solids, and joints between them, unprocessed;
+// robot/urdf/urdf_reader.h makes a robot of it. Format: wiki.ros.org/urdf/XML.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,14 +14,14 @@ namespace voluta::robot {
 struct UrdfBox {
   Eigen::Vector3d sizeMm;
 };
-struct UrdfCylinder { // along z, its middle at 0
+struct UrdfCylinder { // Along z, centred at 0
   double radiusMm, lengthMm;
 };
 struct UrdfSphere {
   double radiusMm;
 };
 struct UrdfMesh {
-  std::string file; // as it is written: a path, package://..., file://...
+  std::string file; // As written: a path, package://..., file://...
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
 };
 struct UrdfSolid {
@@ -33,15 +32,15 @@ struct UrdfLink {
   std::string name;
   std::vector<UrdfSolid> collision, visual;
 };
-struct UrdfLimit { // rad, rad/s
+struct UrdfLimit { // [rad], [rad/s]
   double lower = 0.0, upper = 0.0, velocity = 0.0;
 };
 struct UrdfJoint {
   std::string name, type, parent, child;
-  Eigen::Isometry3d parent_T_joint = Eigen::Isometry3d::Identity(); // mm
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();                  // as written
+  Eigen::Isometry3d parent_T_joint = Eigen::Isometry3d::Identity(); // [mm]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();                  // As written
   std::optional<UrdfLimit> limit;
-  std::string follows; // the joint that it mimics
+  std::string follows; // The joint that it mimics
 };
 struct UrdfTree {
   std::string name;
@@ -49,8 +48,8 @@ struct UrdfTree {
   std::vector<UrdfJoint> joints;
 };
 
-// Throws Error{UnreadableFile} with the line: missing, no XML, no URDF, numbers that are none; a
-// file that xacro has yet to expand.
+// Throws Error{UnreadableFile} with the line: the file is missing, not XML, not a URDF, contains
+// invalid numbers, or is a xacro file that has not been expanded.
 UrdfTree readUrdfTree(const std::filesystem::path& file);
 
 } // namespace voluta::robot

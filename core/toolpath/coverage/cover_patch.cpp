@@ -28,36 +28,41 @@ namespace {
 using Eigen::Vector3d;
 using plan::PathKind;
 
-// mm, of beads of the usual width: further from a centreline, nothing is laid.
+// Maximum distance [mm] from a centreline at which material is assigned to it; for beads of 1.2 mm
+// (bead_scale.h).
 constexpr double kReach = 1.8;
-constexpr double kPlanStep = 0.5; // mm between points while centrelines move
+constexpr double kPlanStep = 0.5; // Point spacing [mm] while centrelines move
 constexpr int kRelaxations = 2;
-// mm, of beads of the usual width; with the passes, right angles become arcs of about 0.4 mm.
+// Resampling step [mm], for beads of 1.2 mm. With kArcPasses, right angles become arcs of radius
+// about 0.4 mm.
 constexpr double kArcStep = 0.2;
 constexpr int kArcPasses = 4;
-// mm2, of beads of the usual width: what a sample of the surface stands for at most while
-// centrelines move, for their sections, and for those of lines as even as a winding's, with which
-// coarser ones beat.
+// Maximum area [mm2] per surface sample, for beads of 1.2 mm: while centrelines move, for their
+// sections, and for the sections of wound infill. Its lines are so regular that coarser samples
+// would beat with them.
 constexpr double kMoveMm2 = 0.12, kSectionMm2 = 0.03, kWoundMm2 = 0.012;
-// On a plane, the same: while centrelines move, and for sections; finer on a patch that takes
-// fewer.
+// The same on a plane: while centrelines move, and for sections; finer on a patch that needs fewer
+// samples than kPlaneEnough.
 constexpr double kPlaneMoveMm2 = 0.05, kPlaneSectionMm2 = 0.016, kPlaneFinestMm2 = 0.008;
 constexpr double kPlaneEnough = 16000.0;
-// Hatches: further in nothing hangs on the boundary's distance but straight lines.
+// Depth [hatches] beyond which only straight lines are printed, which do not depend on the distance
+// to the boundary.
 constexpr double kFineDepth = 5.5;
-constexpr double kCoarser = 2.0; // are edges there
-// Hatches from where lines begin to be even: no further in are the nearest of what is not.
+constexpr double kCoarser = 2.0; // Edge length factor there
+// Distance [hatches] beyond the depth where lines become even; deeper vertices are never nearest to
+// other curves.
 constexpr double kNearEven = 1.2;
 
 struct Centrelines {
   std::vector<SurfaceCurve> curves;
   std::vector<PathKind> kind;
   std::vector<int> ring;
-  // Per vertex, half of what an outermost wall there is wider than other beads; empty: nothing.
+  // Per vertex: half of the additional width of the outermost wall there; empty: no additional
+  // width.
   std::vector<double> extraMm;
-  std::vector<double> depth; // per vertex, hatches from the boundary
+  std::vector<double> depth; // Per vertex: distance from the boundary [hatches]
   std::vector<double>
-      uniformSpacingMm; // InfillLines::uniformSpacingMm, where beads are to cover all
+      uniformSpacingMm; // InfillLines::uniformSpacingMm for solid infill, else empty
 
   bool isOuterWall(std::size_t k) const { return kind[k] == PathKind::Wall && ring[k] == 0; }
 
@@ -71,7 +76,7 @@ struct Centrelines {
     }
   }
 
-  // As assignToNearestCurve takes them.
+  // Returns the `extraMm` argument of assignToNearestCurve().
   std::vector<std::vector<double>> extras(const PatchSurface& s) const {
     if (extraMm.empty())
       return {};
@@ -84,8 +89,8 @@ struct Centrelines {
   }
 };
 
-// Where wide beads got more than `mostHatchMm`, which the widest lays, they leave it to their
-// neighbours; false where none did.
+// Reduces the extra width where a wide bead was assigned more than `mostHatchMm`, the hatch of the
+// widest bead, so that its neighbours get the rest. Returns whether any was reduced.
 bool lessenExtras(const std::vector<SurfaceCurve>& curves, const VoronoiShares& cells,
                   double mostHatchMm, std::vector<std::vector<double>>& extras) {
   bool any = false;
@@ -102,7 +107,7 @@ bool lessenExtras(const std::vector<SurfaceCurve>& curves, const VoronoiShares& 
           (area[before] + area[after]) / std::max(1e-9, length(before) + length(after));
       if (extra[i] <= 0.0 || hatch <= mostHatchMm)
         continue;
-      // The rim between two beads moves by half of what one of them is given.
+      // The boundary between two shares moves by half of the change of extra.
       extra[i] = std::max(0.0, extra[i] - 2.0 * (hatch - mostHatchMm));
       any = true;
     }
@@ -110,7 +115,7 @@ bool lessenExtras(const std::vector<SurfaceCurve>& curves, const VoronoiShares& 
   return any;
 }
 
-// Per vertex, from the footprints of the lines: gap_fill.h.
+// Returns gapSpines()' outsideMm: per vertex, the distance to the nearest footprint of the lines.
 std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
                               const std::vector<double>& hatchMm, double beadScale) {
   std::vector<SurfaceCurve> usual, wide;
@@ -119,7 +124,8 @@ std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
   std::vector<SourceSegment> segments = segmentsOf(s, usual);
   std::vector<char> onwards;
   if (!lines.uniformSpacingMm.empty()) {
-    // There is no gap among even lines, and those far inside are nearest to nothing else.
+    // There are no gaps between even lines, and the lines far inside are not nearest to any vertex
+    // outside.
     const double far = evenFrom(lines.uniformSpacingMm, lines.depth) + kNearEven;
     onwards.resize(s.position.size());
     for (std::size_t v = 0; v < onwards.size(); ++v)
@@ -164,7 +170,7 @@ void smoothValues(std::vector<double>& values, bool closed, int passes) {
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<double> old = values;
     for (std::size_t i = 0; i < n; ++i) {
-      // Ends reflect, which keeps the sum.
+      // Values are reflected at the ends, which keeps their sum.
       const double before = i > 0 ? old[i - 1] : closed ? old[n - 1] : old[0];
       const double after = i + 1 < n ? old[i + 1] : closed ? old[0] : old[n - 1];
       values[i] = 0.25 * before + 0.5 * old[i] + 0.25 * after;
@@ -172,7 +178,8 @@ void smoothValues(std::vector<double>& values, bool closed, int passes) {
   }
 }
 
-// Moves a centreline to the middle of its share, and its open ends out into what lies past them.
+// Moves a centreline to the middle of its share, and extends its open ends into the area beyond
+// them.
 void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share, double hatch) {
   const std::size_t n = c.points.size();
   std::vector<double> shift = share.lateralMm;
@@ -204,13 +211,13 @@ void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share
   }
 }
 
-// Sections from shares, in place: volumes per segment become a width per point.
+// Converts the volume of each segment's share to the bead width at each point.
 class Sections {
 public:
   Sections(const PatchSurface& s, const process::Process& p, double mostHatchMm)
       : s_(s), p_(p), mostHatch_(mostHatchMm) {}
 
-  // The bead of a curve but for its widths.
+  // Returns the bead along a curve, without its widths.
   Bead along(const SurfaceCurve& c, PathKind kind, int ring) const {
     Bead b;
     b.kind = kind;
@@ -225,10 +232,11 @@ public:
     return b;
   }
 
-  // Gives it the widths that lay `volume`, one a segment.
+  // Sets the widths that deposit `volume` (one value per segment).
   void widen(Bead& b, std::vector<double> volume) const {
     const std::size_t segments = volume.size(), n = segments + (b.closed ? 0 : 1);
-    // Material is laid by the way of the tip, longer than the middle's on a convex layer.
+    // Material is deposited along the path of the tip, which is longer than the centreline on a
+    // convex layer.
     std::vector<double> length(segments);
     for (std::size_t i = 0; i < segments; ++i)
       length[i] = (tipOf(b.points[i + 1]) - tipOf(b.points[i])).norm();
@@ -269,12 +277,12 @@ double volumeOf(const std::vector<Bead>& beads) {
   return v;
 }
 
-// Where fronts from opposite sides of the boundary meet, distance has a ridge that coarse triangles
-// cut off; whether two beads or one have room there hangs on its height.
+// Refines the surface where fronts from opposite sides of the boundary meet. There the distance has
+// a ridge that coarse triangles cut off, and its height decides whether one or two beads fit.
 PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& process) {
   constexpr double kFine = 0.2;    // mm
-  constexpr double kFlatter = 0.8; // of the gradient's true length, 1
-  constexpr double kDeepest = 5.0; // hatches: further in, infill lies over the ridge
+  constexpr double kFlatter = 0.8; // Share of the true gradient length, 1
+  constexpr double kDeepest = 5.0; // [hatches]: deeper in, infill covers the ridge
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const std::vector<double> d =
       distanceToSegments(s, boundarySegments(s), (kDeepest + 0.1) * hatch);
@@ -294,7 +302,7 @@ PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& proce
   return s.refinedAt(std::move(marks), kFine);
 }
 
-// Coarser where only straight lines lie.
+// Returns the refined surface, coarser where only straight lines are printed.
 PatchSurface refined(const layers::Patch& patch, const process::Process& process,
                      const ToolpathOptions& o, const InfillKind& kind) {
   if (!kind.isStraightInside)
@@ -328,7 +336,7 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   if (outerMm != hatchMm)
     for (std::size_t v = 0; v < n; ++v)
       lines.extraMm.push_back(0.5 * (outerMm[v] - hatchMm[v]));
-  // From the part's surface; the outermost hatch may be wider than the others.
+  // Distance from the part's surface in hatches. The outermost hatch may be wider than the others.
   const auto inHatches = [&](double mm, std::size_t v) {
     return mm <= outerMm[v] ? mm / outerMm[v] : 1.0 + (mm - outerMm[v]) / hatchMm[v];
   };
@@ -378,7 +386,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   if (kind.needsChart && patch.chart.empty())
     throw base::Error(
         base::ErrorCode::Usage,
-        base::message("infill '{infill}' winds around an axis, and layer {layer} has none"_text,
+        base::message("infill '{infill}' needs an axis to wind around, but layer {layer} "
+                      "has none"_text,
                       o.infill, patch.layer),
         "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
   PatchCover cover;
@@ -405,7 +414,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   };
   const UniformInterior even(s, lines.uniformSpacingMm, lines.depth, hatch,
                              std::max(kPlanStep, o.stepMm));
-  // Whatever there is of one density; the other kind is made when it is first asked for.
+  // Samples of one density. The grid is made only when the patch is not plane.
   struct Samples {
     std::optional<PlaneSamples> plane;
     double mostMm2;
@@ -435,7 +444,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
       if (!kind.needsChart || lines.kind[k] != PathKind::Infill)
         moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
   }
-  // Corners become arcs: straight beads that meet at an angle leave a wedge open at its outside.
+  // Round the corners: straight beads that meet at an angle leave a gap at the outside of the
+  // corner.
   ResampleOptions fine = dense, final;
   fine.stepMm = kArcStep * beadScale;
   final.stepMm = o.stepMm;
@@ -460,7 +470,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
       target += v;
   for (std::size_t k = 0; k < lines.curves.size(); ++k)
     cover.beads.push_back(sections.along(lines.curves[k], lines.kind[k], lines.ring[k]));
-  // Sections are set at points and laid between them: what that changes is put right over all.
+  // Widths are set at points and interpolated between them. Scale all widths to correct the
+  // resulting volume error.
   double correction = 1.0;
   for (int round = 0; round < 3; ++round) {
     for (std::size_t k = 0; k < lines.curves.size(); ++k) {

@@ -1,4 +1,4 @@
-// A patch covered with beads.
+// Covers a patch with beads.
 #pragma once
 
 #include "layers/layer_stack.h"
@@ -16,40 +16,43 @@ class RunContext;
 namespace voluta::toolpath {
 
 struct BeadPoint {
-  Eigen::Vector3d middle;         // on the patch: the middle of the bead's height, mm
-  Eigen::Vector3d direction;      // unit, of the patch
-  Eigen::Vector3d clearDirection; // unit, of the patch
+  Eigen::Vector3d middle;         // Centre of the bead's cross-section, on the patch's surface [mm]
+  Eigen::Vector3d direction;      // Unit vector; nozzle direction of the patch
+  Eigen::Vector3d clearDirection; // Unit vector; clear direction of the patch
   double widthMm = 0.0, heightMm = 0.0;
 };
 // A closed bead repeats its first point at its end.
 struct Bead {
   std::vector<BeadPoint> points;
   plan::PathKind kind = plan::PathKind::Wall;
-  int ring = 0; // walls: 0 is the outermost
+  int ring = 0; // Walls: 0 is the outermost
   bool closed = false;
 };
 
 struct PatchCover {
-  std::vector<Bead> beads;    // walls from outside inwards, infill, gap fill
-  double areaMm2 = 0.0;       // of the patch
-  double volumeMm3 = 0.0;     // of the patch: area x thickness
-  double beadVolumeMm3 = 0.0; // length of the tip's way x section (mean of each segment's ends)
-  double coveredMm2 = 0.0, overlapMm2 = 0.0; // coverage.h
-  bool simple = false;                       // the patch has one boundary loop
+  std::vector<Bead> beads;    // In the order walls from outside inwards, infill, gap fill
+  double areaMm2 = 0.0;       // Area of the patch
+  double volumeMm3 = 0.0;     // Volume of the patch: area x thickness
+  double beadVolumeMm3 = 0.0; // Length of the tip's path x section (mean of each segment's ends)
+  double coveredMm2 = 0.0, overlapMm2 = 0.0; // See coverage.h
+  bool simple = false;                       // The patch has one boundary loop
 };
 
-// 1. Walls at (i + 1/2) hatch from the boundary, infill in what they leave, gap fill along the
-//    middle of what both leave (walls.h, infill.h, gap_fill.h). A seam to another patch is no
-//    surface of the part: it has no walls, infill goes up to it.
-// 2. Every point of the patch goes to its nearest centreline; centrelines move to the middle of
-//    what they got (Lloyd), twice.
-// 3. Resampled; each stretch lays the volume of what is nearest to it: beads tile the patch and
-//    their volume is the patch's, as far as the bead's limits of width allow (Castelli 2.1.1:
-//    section = w h - (1 - pi/4) h2).
-// Outermost walls are as wide as `wallWidthMm` of the rim's vertices says (supported_walls.h; empty:
-// the usual width), where there is room for it (outer_walls.h). Lines that wind have none.
-// Preconditions: per-vertex arrays match, thickness > 0, options in range. Throws Cancelled,
-// Error{Usage} for an unknown infill, or one that winds where the patch has no chart.
+// Covers the patch in three steps:
+//   1. Walls at (i + 1/2) hatch from the boundary, infill in the remaining region, and gap fill
+//   along the middle of the remaining gaps (walls.h, infill.h, gap_fill.h). A seam to another patch
+//   is not a surface of the part: it has no walls, and infill extends up to it.
+//   2. Every point of the patch is assigned to its nearest centreline, and centrelines move to the
+//   middle of their share (Lloyd), twice.
+//   3. The centrelines are resampled, and each segment deposits the volume of its share: beads tile
+//   the patch and their volume is that of the patch, within the process's limits of bead width
+//   (Castelli 2.1.1: section = w h - (1 - pi/4) h2).
+//
+// Outermost walls get the width that `wallWidthMm` requires at the vertices of the rim
+// (supported_walls.h; empty: the usual width) where there is room (outer_walls.h). Wound
+// infill ignores it. Preconditions: per-vertex arrays match, thickness > 0, options in range.
+// Throws Cancelled, and Error{Usage} for an unknown infill or a wound infill on a patch without a
+// chart.
 PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
                       const ToolpathOptions& options, const base::RunContext& ctx,
                       const std::vector<double>& wallWidthMm = {});

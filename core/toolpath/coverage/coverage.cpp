@@ -10,18 +10,19 @@
 namespace voluta::toolpath {
 
 namespace {
-// Of the square of half the widest bead: about two dozen samples across and along a width; on a
-// patch of which so many tell its share to a few thousandths, coarser ones.
+// Area of a sample as a share of the square of half the widest bead: about two dozen samples per
+// square of the bead width. Coarser on a patch with more than kEnough samples, which determine its
+// coverage to a few thousandths.
 constexpr double kSampleOfReach = 0.15, kCoarseOfReach = 0.3, kEnough = 16000.0;
 
-// What of all beads lies over one sample.
+// The beads that cover one sample.
 struct Footprint {
-  int firstBead = -1; // of those within half a hatch
+  int firstBead = -1; // First bead whose centreline is within half a hatch
   float firstAlong = 0.0F;
   bool covered = false, twice = false;
 };
 
-// Beads as segments that tell what of them lies over a sample.
+// The beads as segments that mark the samples they cover.
 class Painter {
 public:
   explicit Painter(const std::vector<Bead>& beads) : beads_(beads), beadLength_(beads.size(), 0.0) {
@@ -43,14 +44,14 @@ public:
     return std::max(pieces_[segment].width[0], pieces_[segment].width[1]);
   }
 
-  // A sample is `squared` off a segment at `t` of it.
+  // Marks a sample at squared distance `squared` from the point `t` of the segment.
   void paint(std::size_t segment, double t, double squared, Footprint& under) const {
     if (under.covered && under.twice)
       return;
     const Piece& piece = pieces_[segment];
     const double w = (1 - t) * piece.width[0] + t * piece.width[1];
     if (squared > 0.25 * w * w)
-      return; // a hatch is no wider than its bead
+      return; // A hatch is never wider than its bead
     under.covered = true;
     const double h = (1 - t) * piece.height[0] + t * piece.height[1];
     const double hatch = process::hatchOf(w, h);
@@ -62,7 +63,7 @@ public:
       under.firstAlong = static_cast<float>(along);
       return;
     }
-    // Stretches of one bead nearer than this along it are one and the same.
+    // Parts of one bead that are closer than this along the bead count as the same part.
     const double apart = 1.2 * widest_;
     const double between = std::abs(along - static_cast<double>(under.firstAlong));
     const double round =
@@ -73,7 +74,7 @@ public:
 private:
   struct Piece {
     std::size_t bead;
-    double along; // mm from the bead's start to the segment's
+    double along; // From the bead's start to the segment's [mm]
     double length, width[2], height[2];
   };
   const std::vector<Bead>& beads_;

@@ -14,8 +14,9 @@ using Eigen::Vector3d;
 
 using base::at;
 
-constexpr double kOpenEnd = 0.08;  // hatches from the region's edge to an end that isn't joined
-constexpr double kJoinedEnd = 0.5; // and to the bead that joins two lines
+constexpr double kOpenEnd = 0.08; // [hatches] from the region's edge to an unjoined end
+// [hatches] from the region's edge to the bead that joins two lines
+constexpr double kJoinedEnd = 0.5;
 } // namespace
 
 void LineCover::add(const SurfaceCurve& c, int level) {
@@ -61,7 +62,8 @@ void LineCover::add(const SurfaceCurve& c, int level) {
   finish();
 }
 
-// Where a line, walked from its end, is deep enough for the joining bead; its size when nowhere.
+// Returns the index from which a line, walked from its end, is deep enough for the joining bead;
+// the line's size if it never is.
 std::size_t LineCover::deepFrom(const Line& line, bool fromBack) const {
   const std::size_t n = line.points.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -70,7 +72,7 @@ std::size_t LineCover::deepFrom(const Line& line, bool fromBack) const {
   return n;
 }
 
-// Points between two ends, through the region only; empty when there is no such way.
+// Returns points from one end to the other within the region; empty if there is no such path.
 std::vector<SurfacePoint> LineCover::bridge(const SurfacePoint& from,
                                             const SurfacePoint& to) const {
   const Vector3d step = to.position - from.position;
@@ -109,7 +111,7 @@ std::vector<SurfaceCurve> LineCover::joined(double spacing, const base::RunConte
     std::vector<double> chainDepth = lines[first].depth;
     for (int level = lines[first].level + 1; at(level) < byLevel.size(); ++level) {
       ctx.checkpoint();
-      // The chain's end, and the nearest end of the next level that can be joined to it.
+      // The end of the chain, and the nearest end in the next level that can be joined to it.
       Line end{chain, chainDepth, 0, false, false};
       const std::size_t cut = deepFrom(end, true);
       if (cut + 1 >= chain.size())
@@ -173,7 +175,7 @@ EvenLines evenLines(const InfillRegion& r, const std::vector<double>& depth,
   hatch /= static_cast<double>(count);
   const int n = std::max(1, static_cast<int>(std::lround((high - low) * r.density / hatch)));
   const double spacing = (high - low) / n;
-  // Of lines outside the region nothing is kept.
+  // Lines outside the region are discarded.
   std::vector<double> there(across.size(), std::numeric_limits<double>::quiet_NaN());
   for (const auto& t : r.surface.triangles)
     if (std::ranges::any_of(t, [&](int v) { return depth[at(v)] >= r.from + kOpenEnd; }))

@@ -1,4 +1,4 @@
-// Lines laid over the region of an infill: cut to it and joined end to end.
+// Cuts infill lines to a region and joins them end to end.
 #pragma once
 
 #include "toolpath/infill/infill.h"
@@ -9,11 +9,11 @@
 
 namespace voluta::toolpath {
 
-// Hatches: parts of a region that are nowhere deeper are filled along their edge.
+// [hatches]: parts of a region that are nowhere deeper are filled along their edge.
 inline constexpr double kNarrowPart = 4.2;
 
-// Calls part(depth, deepest) for each connected part of a region: depths with those of the other
-// parts outside the region, and how deep it is from the region's edge, in hatches.
+// Calls part(depth, deepest) for each connected part of a region: `depth` is set to outside in the
+// other parts, `deepest` is the maximum depth from the region's edge [hatches].
 template <typename F>
 void forEachPart(const InfillRegion& r, const base::RunContext& ctx, F&& part) {
   const Regions regions = regionsAbove(r.surface, r.depth, r.from);
@@ -33,7 +33,7 @@ void forEachPart(const InfillRegion& r, const base::RunContext& ctx, F&& part) {
   }
 }
 
-// The same infill for one part of its region.
+// Returns the same infill restricted to one part of its region.
 inline InfillRegion partOf(const InfillRegion& r, const std::vector<double>& depth) {
   return {r.surface, depth,          r.hatchMm,    r.from,     r.density,
           r.layer,   r.directionRad, r.windingRad, r.beadScale};
@@ -41,20 +41,20 @@ inline InfillRegion partOf(const InfillRegion& r, const std::vector<double>& dep
 
 class LineCover {
 public:
-  // depth: of one part of the region. Both outlive this.
+  // `depth`: of one part of the region. Region and depth must outlive this object.
   LineCover(const InfillRegion& region, const std::vector<double>& depth)
       : r_(region), s_(region.surface), depth_(depth) {}
 
-  // Keeps what of a line lies in the part. Lines of levels that follow each other are neighbours.
+  // Keeps the sections of a line that are in the part. Lines of consecutive levels are neighbours.
   void add(const SurfaceCurve& line, int level);
-  // The lines, those of neighbouring levels joined by beads along the part's edge where there is
-  // room for them.
+  // Returns the lines; those of neighbouring levels are joined by beads along the part's edge where
+  // there is room for them.
   std::vector<SurfaceCurve> joined(double spacingMm, const base::RunContext& ctx);
 
 private:
   struct Line {
     std::vector<SurfacePoint> points;
-    std::vector<double> depth; // per point
+    std::vector<double> depth; // Per point
     int level = 0;
     bool closed = false, used = false;
   };
@@ -70,10 +70,10 @@ private:
 
 struct EvenLines {
   std::vector<SurfaceCurve> curves;
-  double spacingMm = 0.0; // by `across`, between neighbours; 0: not lines of it
+  double spacingMm = 0.0; // Between neighbours, measured by `across`; 0: no even lines
 };
-// Isolines of `across` (per vertex, mm; finite in the part) over one part of a region, evenly from
-// its least value to its largest.
+// Returns isolines of `across` (per vertex, [mm]; finite in the part) over one part of a region,
+// evenly spaced from its minimum to its maximum.
 EvenLines evenLines(const InfillRegion& region, const std::vector<double>& depth,
                     const std::vector<double>& across, const base::RunContext& ctx);
 

@@ -1,4 +1,4 @@
-// What is near a segment: how near, and the box about it.
+// Distances from points to a segment, and the bounding box of the points near a segment.
 #pragma once
 
 #include "base/lanes.h"
@@ -13,10 +13,10 @@ namespace voluta::toolpath {
 
 using base::Floats;
 using base::Ints;
-// Points at a time.
+// Points processed at a time.
 inline constexpr std::size_t kLanes = base::kLanes;
 
-// A segment to the precision of a float, for many points.
+// A segment in float precision, for measuring many points.
 template <int N> class FloatSegment {
 public:
   FloatSegment(const Eigen::Matrix<double, N, 1>& a, const Eigen::Matrix<double, N, 1>& b)
@@ -25,9 +25,9 @@ public:
     inverse_ = squared > 0.0F ? 1.0F / squared : 0.0F;
   }
   struct Nearest {
-    Floats t, squared; // 0 at a, 1 at b; of the distance
+    Floats t, squared; // Parameter on the segment (0 at a, 1 at b), and squared distance
   };
-  // Points' coordinates, an array of four each.
+  // Computes the nearest points for kLanes points. `points`: one array of coordinates per axis.
   Nearest nearest(const std::array<const float*, N>& points) const {
     std::array<Floats, N> off;
     Floats along{}, squared{};
@@ -47,11 +47,12 @@ public:
 
 private:
   Eigen::Matrix<float, N, 1> from_, along_;
-  float inverse_; // of the squared length
+  float inverse_; // 1 / squared length
 };
 
-// Calls f(first, squared distances, where on the segment) for fours of the points first to end - 1,
-// those past the end infinitely far. Arrays of the points' coordinates go on kLanes - 1 further.
+// Calls f(first, squared distances, parameters) for groups of four of the points first to end - 1;
+// points past the end are infinitely far. The coordinate arrays must extend kLanes - 1 beyond the
+// end.
 template <int N, typename F>
 void forFours(const FloatSegment<N>& segment, const std::array<const float*, N>& points,
               std::size_t first, std::size_t end, F&& f) {
@@ -66,7 +67,8 @@ void forFours(const FloatSegment<N>& segment, const std::array<const float*, N>&
   }
 }
 
-// Of fours, calls f(point, squared distance, where on it) for those no further than `most`.
+// Returns a callback for forFours() that calls f(point, squared distance, parameter) for each point
+// with a squared distance up to `most`.
 template <typename F> auto eachOfFour(float most, F&& f) {
   return [most, &f](std::size_t first, const Floats& squared, const Floats& t) {
     for (std::size_t lane = 0; lane < kLanes; ++lane)
@@ -75,7 +77,7 @@ template <typename F> auto eachOfFour(float most, F&& f) {
   };
 }
 
-// How far points may lie beyond a segment's ends, mm: before a, and after b.
+// How far [mm] points may be beyond a segment's ends: before a, and after b.
 struct BeyondEnds {
   double beforeMm = 0.0, afterMm = 0.0;
 };
@@ -83,8 +85,8 @@ struct BeyondEnds {
 template <int N> struct BoundsAround { Eigen::Matrix<double, N, 1> low, high; };
 using SegmentBounds = BoundsAround<3>;
 
-// Of the points up to `radiusMm` from the segment a b that lie no further beyond its ends than
-// `beyond` says.
+// Returns the bounding box of the points up to `radiusMm` from the segment a b that exceed its ends
+// by at most `beyond`.
 template <int N>
 BoundsAround<N> boundsAround(const Eigen::Matrix<double, N, 1>& a,
                              const Eigen::Matrix<double, N, 1>& b, double radiusMm,
@@ -98,7 +100,8 @@ BoundsAround<N> boundsAround(const Eigen::Matrix<double, N, 1>& a,
   const Vector unit = (b - a) / length;
   const Vector first = a - beyond.beforeMm * unit, last = b + beyond.afterMm * unit;
   const Vector aside =
-      radiusMm * (1.0 - unit.array().square()).max(0.0).sqrt().matrix(); // of a disc across it
+      // Half extents of a disc perpendicular to the segment
+      radiusMm * (1.0 - unit.array().square()).max(0.0).sqrt().matrix();
   box.low = box.low.cwiseMax(first.cwiseMin(last) - aside);
   box.high = box.high.cwiseMin(first.cwiseMax(last) + aside);
   return box;

@@ -18,14 +18,14 @@ using Eigen::Vector3d;
 
 constexpr double kMostCells = 1 << 24;
 
-// Two numbers in [0, 1) that a number always gives.
+// Returns two pseudo-random numbers in [0, 1), determined by `number`.
 Eigen::Vector2f placeInCell(std::uint64_t number) {
   const std::uint64_t z = base::mixedBits((number + 1) * 0x9e3779b97f4a7c15U);
   constexpr float kUnit = 1.0F / (1 << 24);
   return {kUnit * static_cast<float>(z >> 40U), kUnit * static_cast<float>(z & 0xffffffU)};
 }
 
-constexpr std::size_t kTile = 64; // cells after which places come again
+constexpr std::size_t kTile = 64; // Cells after which the point positions repeat
 
 std::vector<Eigen::Vector2f> placesInTile(float pitch) {
   std::vector<Eigen::Vector2f> places(kTile * kTile);
@@ -34,8 +34,9 @@ std::vector<Eigen::Vector2f> placesInTile(float pitch) {
   return places;
 }
 
-// On which side of an edge points lie, four at a time: not less than 0 to the left of it. Told from
-// the edge's ends in one order, so that two triangles that share it tell the same of each point.
+// Determines on which side of an edge points are, four at a time: >= 0 is to the left. Evaluated
+// with the edge's ends in a fixed order, so that two triangles that share the edge agree about each
+// point.
 class EdgeSide {
 public:
   EdgeSide(const std::array<int, 3>& corners, const std::array<Vector2d, 3>& places,
@@ -58,7 +59,7 @@ private:
   float sign_, x_, y_, alongX_, alongY_;
 };
 
-// Twice the area to the left of a b, as far as p.
+// Returns twice the signed area of a b p; positive to the left of a b.
 double side(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
@@ -133,7 +134,7 @@ void PlaneSamples::paint(const PatchSurface& s, const std::vector<char>& leftOut
               y0 = std::max(0, static_cast<int>(least.y())),
               y1 = std::min(size_.y() - 1, static_cast<int>(most.y()));
     const std::array<Vector2d, 3> places{a, b, c};
-    // Often the same all over: what is not worked out costs nothing.
+    // Often constant: skip the interpolation then.
     const double thickness = s.thicknessMm[at(corners[0])];
     const bool isEven =
         thickness == s.thicknessMm[at(corners[1])] && thickness == s.thicknessMm[at(corners[2])];

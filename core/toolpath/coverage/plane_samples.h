@@ -1,4 +1,4 @@
-// A plane surface as points that each stand for the same bit of its area.
+// Samples of a plane surface that each represent the same area.
 #pragma once
 
 #include "toolpath/coverage/near_segment.h"
@@ -15,29 +15,29 @@
 
 namespace voluta::toolpath {
 
-// One point in each cell of a square raster, anywhere in it, so that no lines run along with rows
-// of points: known by where they are, they are painted, where points of other surfaces have to be
-// looked for. Stratified sampling: of what a strip's two rims cross, a cell errs by no more than
-// itself.
+// One point per cell of a square raster, at a pseudo-random position in the cell so that rows of
+// points cannot align with lines (stratified sampling). Where a strip's two rims cross a cell, the
+// error is at most one cell. As the raster locates the points, segments can paint them directly,
+// whereas samples of other surfaces need a search.
 class PlaneSamples {
 public:
-  // Points stand for `sampleMm2` > 0 each. Nothing where the surface is not plane, or holds no
-  // point or more than memory does. `leftOut`: per triangle, count its points as outside; empty:
-  // none.
+  // Points represent `sampleMm2` > 0 each. Returns nullopt if the surface is not plane, contains no
+  // point, or would need too much memory. `leftOut`: per triangle, whether its points count as
+  // outside; empty: none.
   static std::optional<PlaneSamples> of(const PatchSurface& surface, double sampleMm2,
                                         const std::vector<char>& leftOut = {});
 
-  // VoronoiShares of the raster, some of them outside.
+  // Number of raster cells, including those outside the surface.
   std::size_t count() const { return triangle_.size(); }
   bool isInside(std::size_t cell) const { return triangle_[cell] >= 0; }
-  double areaMm2() const { return areaMm2_; } // that a point stands for
+  double areaMm2() const { return areaMm2_; } // Area represented by one point
   const Eigen::Vector3d& normal(std::size_t) const { return normal_; }
   // Precondition: isInside(cell).
   SurfaceSample sample(std::size_t cell) const;
 
-  // Calls f(cell, squared distance, where on it) for points up to `radiusMm` from the segment a b
-  // of the plane, those outside too, to the precision of a float. Of those that lie further beyond
-  // its ends than `beyond` says it may leave out any.
+  // Calls f(cell, squared distance, parameter on the segment) for points up to `radiusMm` from the
+  // segment a b of the plane, including points outside the surface, in float precision. May omit
+  // points that exceed the segment's ends by more than `beyond`.
   template <typename F>
   void forEachNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
                    const BeyondEnds& beyond, F&& f) const {
@@ -45,7 +45,8 @@ public:
                  eachOfFour(static_cast<float>(radiusMm * radiusMm), std::forward<F>(f)));
   }
 
-  // The same for these and others, by fours: f(first cell, squared distances, where on it).
+  // The same in groups of four, which may include other points: f(first cell, squared distances,
+  // parameters).
   template <typename F>
   void forFoursNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
                     const BeyondEnds& beyond, F&& f) const {
@@ -72,11 +73,12 @@ private:
   }
   void paint(const PatchSurface& surface, const std::vector<char>& leftOut);
 
-  Eigen::Vector3d normal_, across_, up_;                // unit, across each other
-  double offsetMm_ = 0.0, pitch_ = 0.0, areaMm2_ = 0.0; // areaMm2_: of a point
+  Eigen::Vector3d normal_, across_, up_;                // Orthonormal
+  double offsetMm_ = 0.0, pitch_ = 0.0, areaMm2_ = 0.0; // areaMm2_: area represented by one point
   Eigen::Vector2d low_;
   Eigen::Vector2i size_;
-  std::vector<float> x_, y_;  // of points in the plane, from low_; kLanes - 1 more
+  // Positions of the points in the plane, relative to low_; padded by kLanes - 1
+  std::vector<float> x_, y_;
   std::vector<int> triangle_; // -1: outside
   std::vector<float> thicknessMm_;
 };

@@ -1,4 +1,4 @@
-// The samples of a surface by where they are, so that what lies near a segment is found at once.
+// The samples of a surface in a grid, for finding those near a segment.
 #pragma once
 
 #include "toolpath/coverage/near_segment.h"
@@ -16,11 +16,11 @@
 
 namespace voluta::toolpath {
 
-// Rows of square bins across the axis that the surface faces most; samples of a bin lie side by
-// side, those of a row of bins too.
+// Square bins in rows perpendicular to the axis that the surface mostly faces. The samples of a bin
+// are contiguous in memory, and so are those of a row of bins.
 class SampleGrid {
 public:
-  // The samples of forEachSample() (surface_samples.h). `surface` outlives it.
+  // Holds the samples of forEachSample() (surface_samples.h). `surface` must outlive this object.
   SampleGrid(const PatchSurface& surface, double mostMm2);
 
   std::size_t count() const { return samples_.size(); }
@@ -30,9 +30,9 @@ public:
     return surface_.triangleNormal[samples_[i].triangle];
   }
 
-  // Calls f(sample, squared distance, where on it) for samples up to `radiusMm` from the segment
-  // a b, to the precision of a float. Of those that lie further beyond its ends than `beyond` says
-  // it may leave out any.
+  // Calls f(sample, squared distance, parameter on the segment) for samples up to `radiusMm` from
+  // the segment a b, in float precision. May omit samples that exceed the segment's ends by more
+  // than `beyond`.
   template <typename F>
   void forEachNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
                    const BeyondEnds& beyond, F&& f) const {
@@ -40,7 +40,8 @@ public:
                  eachOfFour(static_cast<float>(radiusMm * radiusMm), std::forward<F>(f)));
   }
 
-  // The same for these and others, by fours: f(first sample, squared distances, where on it).
+  // The same in groups of four, which may include other samples: f(first sample, squared distances,
+  // parameters).
   template <typename F>
   void forFoursNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radiusMm,
                     const BeyondEnds& beyond, F&& f) const {
@@ -70,13 +71,14 @@ private:
   }
 
   const PatchSurface& surface_;
-  std::array<Eigen::Index, 2> axes_{0, 1}; // along rows, and across them
+  std::array<Eigen::Index, 2> axes_{0, 1}; // Along the rows, and across them
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  double bin_ = 1.0; // mm
+  double bin_ = 1.0; // Edge length [mm]
   std::array<int, 2> size_{1, 1};
-  std::vector<std::uint32_t> begin_;        // of a bin's samples; one more
-  std::vector<SurfaceSample> samples_;      // by bins
-  std::array<std::vector<float>, 3> point_; // of these, from origin_; kLanes - 1 more
+  std::vector<std::uint32_t> begin_; // Index of each bin's first sample; one more entry at the end
+  std::vector<SurfaceSample> samples_; // Sorted by bin
+  // Coordinates of the samples relative to origin_; padded by kLanes - 1
+  std::array<std::vector<float>, 3> point_;
 };
 
 } // namespace voluta::toolpath

@@ -3,7 +3,7 @@
 namespace voluta::toolpath {
 
 namespace {
-constexpr double kReachCells = 1.8; // cells that the reach of fine beads spans
+constexpr double kReachCells = 1.8; // Cells spanned by the reach of fine beads
 } // namespace
 
 SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, double reachMm)
@@ -22,7 +22,8 @@ SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, double reachMm)
     high = high.cwiseMax(s.a).cwiseMax(s.b);
   }
   low_ = low - Eigen::Vector3d::Constant(1e-6);
-  // A patch hardly fills its box: the grid stays below a few cells a segment's worth of memory.
+  // A patch fills little of its bounding box: limit the grid to the memory of a few cells per
+  // segment.
   const double most = 4e6;
   const Eigen::Vector3d extent = high - low_ + Eigen::Vector3d::Constant(1e-6);
   for (;; cell_ *= 1.5) {
@@ -62,7 +63,7 @@ SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, double reachMm)
 SegmentGrid::Hit SegmentGrid::nearest(const Eigen::Vector3d& p, int likely) const {
   Hit best;
   double least = reach_ * reach_;
-  // Most points have a neighbour within half a cell: look there first.
+  // Most points have a neighbour within half a cell: search there first.
   double first = std::min(0.6 * cell_, reach_);
   if (likely >= 0)
     if (const auto [t, squared] = measure(likely, p); squared < least) {

@@ -1,4 +1,4 @@
-// Nearest segment of a set of short ones.
+// Finds the nearest of a set of short segments.
 #pragma once
 
 #include "voxel/voxel_grid.h"
@@ -24,10 +24,12 @@ public:
   };
   SegmentGrid(const std::vector<Segment>& segments, double reachMm);
 
-  // The nearest segment within the reach, the first of equals; segment -1 when there is none.
-  // `likely`: one that may be near, such as the last point's; it saves time and decides nothing.
+  // Returns the nearest segment within the reach, the first of equals; segment -1 if there is none.
+  // `likely`: a segment that may be near, such as the previous point's. It only speeds up the
+  // search.
   Hit nearest(const Eigen::Vector3d& p, int likely = -1) const;
-  // Calls f(segment, t, distance) for every segment within `radiusMm` <= reach, each once or more.
+  // Calls f(segment, t, distance) for every segment within `radiusMm` <= reach; may call it more
+  // than once for a segment.
   template <typename F> void forEachWithin(const Eigen::Vector3d& p, double radiusMm, F&& f) const {
     visit(p, radiusMm, [&](int i) {
       const auto [t, squared] = measure(i, p);
@@ -58,7 +60,7 @@ private:
   std::size_t cellAt(int x, int y, int z) const {
     return voxel::VoxelGrid{.size = size_}.index(x, y, z);
   }
-  // Where on the segment p is nearest, 0 to 1, and the square of the distance.
+  // Returns the parameter (0 to 1) of the segment's nearest point to p, and the squared distance.
   std::pair<double, double> measure(int segment, const Eigen::Vector3d& p) const {
     const Ray& s = rays_[static_cast<std::size_t>(segment)];
     const Eigen::Vector3d off = p - s.a;
@@ -68,7 +70,7 @@ private:
 
   struct Ray {
     Eigen::Vector3d a, ab;
-    double inverse; // of its squared length
+    double inverse; // 1 / squared length
   };
   std::vector<Ray> rays_;
   double reach_, cell_, inverse_ = 0.0; // mm, mm, 1/mm

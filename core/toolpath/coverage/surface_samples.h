@@ -1,4 +1,4 @@
-// A surface as points that each stand for a bit of its area.
+// Samples of a surface that each represent a small area.
 #pragma once
 
 #include "toolpath/patch_surface.h"
@@ -38,8 +38,8 @@ void sampleTriangle(const SampleCorner& a, const SampleCorner& b, const SampleCo
 }
 } // namespace detail
 
-// Calls f with the centres of the surface's triangles, each quartered until none of its parts is
-// larger than `mostMm2` > 0; in order of the triangles.
+// Calls f with the centroids of the surface's triangles, in order. Each triangle is split into four
+// until no part is larger than `mostMm2` > 0.
 template <typename F> void forEachSample(const PatchSurface& s, double mostMm2, F&& f) {
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const auto corner = [&](std::size_t k) {

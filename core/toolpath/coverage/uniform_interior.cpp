@@ -12,8 +12,8 @@ namespace voluta::toolpath {
 namespace {
 using base::at;
 
-constexpr double kSteepest = 1.1; // of depth, hatches along a hatch
-// Of a line's spacing, beside it: no more is its own, however evenly lines divide their region.
+constexpr double kSteepest = 1.1; // Maximum slope of the depth [hatches per hatch]
+// Share of the line spacing: a line's share never extends further to its side.
 constexpr double kOwn = 0.6;
 } // namespace
 
@@ -37,7 +37,7 @@ UniformInterior::UniformInterior(const PatchSurface& surface, std::vector<double
                 "even lines: a depth per vertex");
   const double edge = evenFrom(uniformSpacingMm_, depth),
                widest = std::ranges::max(uniformSpacingMm_);
-  // A sample's own line lies so near that it is even too.
+  // A sample assigned to a line is so close to it that it is in the even interior too.
   const double inside = edge + kSteepest * (kOwn * widest + longestMm) / hatchMm;
   const auto corners = [&](std::size_t t, auto&& f) {
     for (const int v : s_.triangles[t])
@@ -45,7 +45,7 @@ UniformInterior::UniformInterior(const PatchSurface& surface, std::vector<double
   };
   triangles_.assign(s_.triangles.size(), 0);
   clearMm_.assign(s_.triangles.size(), -1.0);
-  double told = edge; // how deep samples lie that do tell
+  double told = edge; // Depth of the samples that are still evaluated
   for (std::size_t t = 0; t < s_.triangles.size(); ++t) {
     bool any = false, all = true;
     double most = 0.0;

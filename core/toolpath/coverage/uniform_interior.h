@@ -1,5 +1,5 @@
-// Straight infill of a plane patch: well inside, lines lie evenly side by side, and what each has
-// to lay is its spacing by its length. Samples of the patch are asked for the rest only.
+// Straight infill of a plane patch: well inside, lines are evenly spaced, and the share of each is
+// its spacing times its length. Only the rest of the patch needs samples.
 #pragma once
 
 #include "toolpath/patch_surface.h"
@@ -9,28 +9,31 @@
 namespace voluta::toolpath {
 
 struct EvenSegment {
-  double areaMm2 = 0.0, volumeMm3 = 0.0; // its share; 0: samples tell it
-  double clearMm = 0.0;                  // no sample that tells anything is nearer
+  double areaMm2 = 0.0, volumeMm3 = 0.0; // The segment's share; 0: computed from samples
+  double clearMm = 0.0;                  // Radius without samples that must be evaluated
 };
 
-// For assignToNearestCurve(): what it need not look at.
+// The parts of a surface that assignToNearestCurve() need not sample.
 struct UniformStretches {
-  std::vector<char> triangles; // of the surface: what lies in it is of even segments; empty: none
-  std::vector<std::vector<EvenSegment>> segments; // per curve, empty where none is even
+  // Per triangle of the surface: contains only area of even segments; empty: none
+  std::vector<char> triangles;
+  // Per curve; empty if none of its segments is even
+  std::vector<std::vector<EvenSegment>> segments;
 };
 
-// The least depth of what is even, by UniformInterior's numbers; infinite where nothing is.
+// Returns the minimum depth of even lines; infinite if there are none. Parameters as for
+// UniformInterior.
 double evenFrom(const std::vector<double>& uniformSpacingMm, const std::vector<double>& depth);
 
 class UniformInterior {
 public:
-  // uniformSpacingMm: InfillLines::uniformSpacingMm, or empty; depth: per vertex, hatches of
-  // `hatchMm`, of a slope of 1.1 at most. No segment is longer than `longestMm`. `surface` outlives
-  // it.
+  // uniformSpacingMm: InfillLines::uniformSpacingMm, or empty. depth: per vertex, in hatches of
+  // `hatchMm`, with a slope of at most 1.1. No segment is longer than `longestMm`. `surface` must
+  // outlive this object.
   UniformInterior(const PatchSurface& surface, std::vector<double> uniformSpacingMm,
                   const std::vector<double>& depth, double hatchMm, double longestMm);
 
-  // UniformStretches::triangles.
+  // See UniformStretches::triangles.
   const std::vector<char>& triangles() const { return triangles_; }
   UniformStretches of(const std::vector<SurfaceCurve>& curves) const;
 
@@ -40,7 +43,7 @@ private:
   const PatchSurface& s_;
   std::vector<double> uniformSpacingMm_;
   std::vector<char> triangles_;
-  std::vector<double> clearMm_; // per triangle, EvenSegment::clearMm; negative: not even
+  std::vector<double> clearMm_; // Per triangle, EvenSegment::clearMm; negative: not even
 };
 
 } // namespace voluta::toolpath

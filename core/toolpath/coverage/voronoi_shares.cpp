@@ -16,17 +16,18 @@ namespace voluta::toolpath {
 
 namespace {
 
-// Of the reach: what is nearer to the curves is painted by them, the rest looks for its own.
+// Share of the reach: samples nearer than this to a curve are painted by its segments; the others
+// search for their nearest segment.
 constexpr double kPainted = 0.4;
 
-// Gives samples of a surface to the nearest segment of the curves.
+// Assigns the samples of a surface to the nearest segment of the curves.
 class Sharer {
 public:
   Sharer(const std::vector<SurfaceCurve>& curves, double reachMm,
          const std::vector<std::vector<double>>& extraMm, const UniformStretches& even)
       : reach_(reachMm), even_(even) {
     cells_.share.resize(curves.size());
-    double steepest = 0.0; // change of an extra along its segment
+    double steepest = 0.0; // Maximum change of `extra` along a segment
     for (std::size_t c = 0; c < curves.size(); ++c) {
       const auto& points = curves[c].points;
       const std::size_t n = points.size() - (curves[c].closed ? 0 : 1);
@@ -81,7 +82,7 @@ public:
   }
 
 private:
-  // Null: samples tell.
+  // Returns the even segment; nullptr if its share is computed from samples.
   const EvenSegment* evenOf(std::size_t curve, std::size_t segment) const {
     if (even_.segments.empty() || even_.segments[curve].empty())
       return nullptr;
@@ -108,7 +109,7 @@ private:
       cells_.share[place.curve].beyondMm2[1] += area;
   }
 
-  // -1: none in reach.
+  // Returns -1 if no segment is within reach.
   int nearest(const Eigen::Vector3d& p) {
     if (!grid_)
       grid_.emplace(segments_, reach_);
@@ -117,11 +118,12 @@ private:
     return hit.segment >= 0 && mostExtra_ > 0.0 ? nearestOfWide(p, hit) : hit.segment;
   }
 
-  // Per cell, what nearest() finds, where that is so near that no other segment can be nearer than
-  // those that paint it; else -1.
+  // Returns per cell the result of nearest() if it is so near that no segment other than those that
+  // paint the cell can be nearer; else -1.
   template <typename Samples> std::vector<std::int32_t> painted(const Samples& samples) const {
     const double near = kPainted * reach_;
-    const std::size_t count = samples.count() + kLanes - 1; // fours may begin at the last
+    // A group of four may begin at the last sample
+    const std::size_t count = samples.count() + kLanes - 1;
     std::vector<std::int32_t> nearest(count, -1);
     std::vector<float> least(count, static_cast<float>(extra_.empty() ? near * near : near));
     for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -157,7 +159,7 @@ private:
     return nearest;
   }
 
-  // What lies further beyond an end at which another segment goes on is nearer to that one.
+  // Samples beyond an end at which another segment continues are nearer to that segment.
   BeyondEnds beyond(std::size_t segment, double nearMm) const {
     constexpr double kSlackMm = 1e-3;
     const Place& place = places_[segment];
@@ -166,7 +168,7 @@ private:
       const Eigen::Vector3d& next = places_[first + (segment + other - first) % count].along;
       if (isEnd || place.along.dot(next) <= 0.0)
         return nearMm;
-      // On the outside of the bend, what is nearest to the corner itself.
+      // On the outside of the bend, include the samples nearest to the corner itself.
       return kSlackMm + nearMm * (place.along.cross(next).norm() + taper_);
     };
     return {past(place.isFirst, count - 1), past(place.isLast, 1)};
@@ -177,7 +179,8 @@ private:
     return (1.0 - t) * from + t * to;
   }
 
-  // The segment whose bead's rim is nearest, among those that a wide one may take from `nearest`.
+  // Returns the segment whose bead edge is nearest, among those whose extra width may take the
+  // sample from `nearest`.
   int nearestOfWide(const Eigen::Vector3d& p, const SegmentGrid::Hit& nearest) const {
     int best = nearest.segment;
     double least = nearest.distanceMm - extraAt(nearest.segment, nearest.t);
@@ -192,26 +195,27 @@ private:
     return best;
   }
 
-  struct Place { // of a segment
+  struct Place { // A segment's position in its curve
     std::size_t curve;
-    bool isFirst, isLast;  // of an open curve
-    Eigen::Vector3d along; // unit; zero: of no length
+    bool isFirst, isLast;  // The segment is the first or last one of an open curve
+    Eigen::Vector3d along; // Unit vector; zero if the segment has no length
   };
-  struct Tally {                                          // of the samples of a segment
-    double areaMm2 = 0.0, volumeMm3 = 0.0, lateral = 0.0; // lateral: mm by mm2
+  struct Tally {                                          // Sums over the samples of a segment
+    double areaMm2 = 0.0, volumeMm3 = 0.0, lateral = 0.0; // lateral: [mm] times [mm2]
   };
   double reach_;
   const UniformStretches& even_;
-  std::vector<std::array<double, 2>> extra_; // of a segment's ends; empty: none anywhere
+  std::vector<std::array<double, 2>> extra_; // At both ends of each segment; empty: none
   double mostExtra_ = 0.0;
-  // Of a distance: so far beyond its end a wide bead may be nearer than what it narrows to.
+  // Share of a distance: how far beyond its end a wide segment may be nearer than the narrower one
+  // that continues it.
   double taper_ = 0.0;
   VoronoiShares cells_;
-  std::vector<std::size_t> begin_; // of a curve's segments; one more
+  std::vector<std::size_t> begin_; // Index of each curve's first segment; one more entry at the end
   std::vector<SegmentGrid::Segment> segments_;
   std::vector<Place> places_;
   std::vector<Tally> tallies_;
-  std::optional<SegmentGrid> grid_; // once it is asked
+  std::optional<SegmentGrid> grid_; // Made on first use
   int last_ = -1;
 };
 

@@ -13,7 +13,7 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 
-// A curve by arc length; a closed one is read with any s, an open one clamps.
+// A curve parametrized by arc length [mm]. A closed curve accepts any s, an open one clamps it.
 class ByLength {
 public:
   explicit ByLength(const SurfaceCurve& c) : curve_(c) {
@@ -27,8 +27,8 @@ public:
   const Vector3d& point(std::size_t i) const {
     return curve_.points[i % curve_.points.size()].position;
   }
-  // `near`: the stretch between knots that it is looked for from, for which the found one is put:
-  // of lengths that grow it is not far.
+  // `near`: index of the interval between knots where the search starts; set to the interval found.
+  // Efficient for increasing lengths.
   SurfacePoint at(double s, std::size_t& near) const {
     if (curve_.closed && (s < 0.0 || s >= length())) {
       s = std::fmod(s, length());
@@ -59,18 +59,18 @@ private:
   std::vector<double> s_;
 };
 
-// Arc lengths of corners: local maxima of the turn between the chords before and after.
+// Returns the arc lengths of corners: local maxima of the turn between the chords before and after.
 std::vector<double> findCorners(const ByLength& c, bool closed, const ResampleOptions& o) {
   if (o.cornerRad >= base::kPi)
     return {};
   const double window = std::min(o.cornerWindowMm, c.length() / 8);
-  // Of what turns less, how much does not matter.
+  // The exact turn of straighter places is not needed.
   const double straight = (1.0 + 1e-9) * std::max(0.0, std::cos(o.cornerRad));
   std::size_t back = 0, ahead = 0;
   std::vector<double> s, turn;
   for (std::size_t i = 0; i < c.knots().size(); ++i) {
     const double at = c.knots()[i];
-    if (closed ? i + 1 == c.knots().size() // the first knot once more
+    if (closed ? i + 1 == c.knots().size() // Wrap to the first knot
                : at < window || at > c.length() - window)
       continue;
     if (!s.empty() && at - s.back() < 0.02)
@@ -123,7 +123,7 @@ bool chordsHold(const ByLength& c, double s0, double s1, int n, double tolerance
 
 void fillStretch(const ByLength& c, double s0, double s1, const ResampleOptions& o,
                  std::vector<double>& out) {
-  constexpr double kShortest = 0.33; // mm: below it a robot's blending eats what steps would show
+  constexpr double kShortest = 0.33; // [mm]: shorter steps would disappear in the robot's blending
   int n = std::max(1, static_cast<int>(std::ceil((s1 - s0) / o.stepMm - 1e-6)));
   if (!chordsHold(c, s0, s1, n, o.chordMm)) {
     if (s1 - s0 > 2 * o.stepMm) {
@@ -156,12 +156,12 @@ Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,
   const std::vector<double> corners = findCorners(c, curve.closed, o);
   std::vector<double> arcLengths;
   if (curve.closed) {
-    // From the first corner round, so that no stretch straddles one.
+    // Start at the first corner, so that no stretch contains one.
     const double start = corners.empty() ? 0.0 : corners.front();
     for (std::size_t i = 0; i < std::max<std::size_t>(corners.size(), 1); ++i) {
       const double s0 = corners.empty() ? start : corners[i];
       const double s1 = i + 1 < corners.size() ? corners[i + 1] : start + c.length();
-      // The knots of the wrapped part lie before the start; the chord test sees them unwrapped.
+      // The knots of the wrapped part precede the start; the chord test needs them unwrapped.
       if (s1 <= c.length() + 1e-9) {
         fillStretch(c, s0, s1, o, arcLengths);
       } else {
@@ -179,7 +179,7 @@ Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,
     fillStretch(c, s0, c.length(), o, arcLengths);
     arcLengths.push_back(c.length());
   }
-  // A loop shorter than a step is still a loop.
+  // A loop shorter than a step stays a loop.
   if (curve.closed && arcLengths.size() < 3)
     arcLengths = {0.0, c.length() / 3.0, 2.0 * c.length() / 3.0};
   Resampled r;

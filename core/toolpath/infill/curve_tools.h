@@ -1,4 +1,4 @@
-// Curves on a surface: length, corners, even points.
+// Curves on a surface: length, corners, resampling.
 #pragma once
 
 #include "toolpath/patch_surface.h"
@@ -7,26 +7,28 @@
 
 namespace voluta::toolpath {
 
-// mm; the closing segment counts.
+// Returns the length [mm]; the closing segment counts.
 double lengthOf(const SurfaceCurve& curve);
 
 struct ResampleOptions {
-  double stepMm = 1.0;     // longest distance of neighbouring points, along the curve
-  double chordMm = 0.02;   // furthest the curve may leave the chord between them
-  double cornerRad = 0.61; // a turn beyond this, seen over cornerWindowMm both ways, stays a point
+  double stepMm = 1.0;   // Maximum distance of neighbouring points along the curve
+  double chordMm = 0.02; // Maximum distance of the curve from the chord between neighbouring points
+  // Corners that turn by more, measured over cornerWindowMm both ways, are kept as points
+  double cornerRad = 0.61;
   double cornerWindowMm = 0.4;
 };
 struct Resampled {
   SurfaceCurve curve;
-  std::vector<char> corner; // per point
+  std::vector<char> corner; // Per point
 };
-// Points at even distances within each stretch between corners; stretches are halved where the
-// chord asks for shorter steps. An open curve keeps its ends. Precondition: two points or more.
+// Returns points at even distances within each stretch between corners. Stretches are halved where
+// the chord tolerance requires shorter steps. An open curve keeps its ends. Precondition: at least
+// two points.
 Resampled resample(const PatchSurface& surface, const SurfaceCurve& curve,
                    const ResampleOptions& options);
 
-// Moves the points towards their neighbours' middle `passes` times and back onto the surface;
-// corners and open ends stay.
+// Moves the points towards the midpoint of their neighbours and back onto the surface, `passes`
+// times. Corners and open ends stay fixed.
 void smoothCurve(const PatchSurface& surface, SurfaceCurve& curve, const std::vector<char>& fixed,
                  int passes);
 

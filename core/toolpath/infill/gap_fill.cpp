@@ -16,20 +16,21 @@ namespace voluta::toolpath {
 namespace {
 using base::at;
 
-constexpr double kEdge = 0.18;       // hatches: the spine ends this far from the gap's end
-constexpr double kWorthwhile = 0.28; // hatches: half width of the least gap that gets a bead
-constexpr int kRounds = 8;           // branches of branches
-// mm, of beads of the usual width; the least spines of a wide gap and of a narrow one.
+constexpr double kEdge = 0.18;       // [hatches]: distance between the ends of spine and gap
+constexpr double kWorthwhile = 0.28; // [hatches]: half width of the narrowest gap that gets a bead
+constexpr int kRounds = 8;           // Branches of branches
+// [mm], for beads of 1.2 mm (bead_scale.h): resampling step, and the minimum length of the spines
+// of wide and narrow gaps.
 constexpr double kStep = 0.4, kShortestWide = 0.5, kShortestNarrow = 1.2;
 
-// Shortest ways from one vertex within a region, lengths weighted by the vertices' cost.
+// Shortest paths from one vertex within a region, with lengths weighted by the vertices' cost.
 class Ways {
 public:
   Ways(const PatchSurface& s, const Regions& regions, const std::vector<double>& cost)
       : s_(s), regions_(regions), cost_(cost), length_(s.position.size(), INFINITY),
         parent_(s.position.size(), -1) {}
 
-  // The vertex furthest from `start` that can be reached.
+  // Returns the reachable vertex that is farthest from `start`.
   int furthest(int start, bool weighted) {
     for (const int v : touched_)
       length_[at(v)] = INFINITY;
@@ -84,7 +85,7 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
                                     const std::vector<double>& boundaryMm,
                                     const std::vector<double>& hatchMm, double beadScale) {
   const std::size_t n = s.position.size();
-  // Half the gap's width to be had at a vertex, in hatches.
+  // Half of the available gap width at a vertex [hatches].
   std::vector<double> room(n);
   for (std::size_t v = 0; v < n; ++v)
     room[v] = std::min(boundaryMm[v], outsideMm[v]) / hatchMm[v];
@@ -122,14 +123,14 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
       ResampleOptions o;
       o.stepMm = kStep * beadScale;
       o.chordMm = INFINITY;
-      o.cornerRad = 10.0; // a way along edges is all corners
+      o.cornerRad = 10.0; // A path along edges consists of corners
       Resampled even = resample(s, c, o);
       smoothCurve(s, even.curve, std::vector<char>(even.curve.points.size(), 0), 6);
       fresh.push_back(std::move(even.curve));
     }
     if (fresh.empty())
       break;
-    // A spine's bead takes the gap around it as far as a bead may be wide.
+    // A spine's bead fills the gap around it up to the maximum bead width.
     const std::vector<double> toSpine =
         distanceToSegments(s, segmentsOf(s, fresh), kGapReachMm * beadScale);
     for (std::size_t v = 0; v < n; ++v)

@@ -1,4 +1,4 @@
-// Kinds of infill: one row in the table and one file each.
+// Kinds of infill: one row of the table and one file each.
 #pragma once
 
 #include "base/run_context.h"
@@ -14,38 +14,39 @@ namespace voluta::toolpath {
 // The region to be filled: where `depth` >= `from`.
 struct InfillRegion {
   const PatchSurface& surface;
-  const std::vector<double>& depth;   // per vertex: distance from the boundary, in hatches
-  const std::vector<double>& hatchMm; // per vertex: distance of neighbouring beads
+  const std::vector<double>& depth;   // Per vertex: distance from the boundary [hatches]
+  const std::vector<double>& hatchMm; // Per vertex: distance between neighbouring beads
   double from = 0.0;
-  double density = 1.0;      // (0, 1]
-  int layer = 0;             // direction alternates with it
-  double directionRad = 0.0; // of straight lines on a flat layer, from x to y
-  double windingRad = 0.0;   // of helical lines from the way around, [0, pi/2]
-  double beadScale = 1.0;    // bead_scale.h
+  double density = 1.0;      // In (0, 1]
+  int layer = 0;             // The direction alternates with the layer
+  double directionRad = 0.0; // Direction of straight lines on a flat layer, from x towards y
+  double windingRad = 0.0;   // Angle of helical lines from the circumferential direction, [0, pi/2]
+  double beadScale = 1.0;    // See bead_scale.h
 };
 
-// What an infill lays over its region.
+// The lines of an infill in its region.
 struct InfillLines {
   std::vector<SurfaceCurve> curves;
-  // Per vertex of a plane surface, mm: how far apart lines run there, straight and side by side;
-  // 0 where they may not, as near the region's edge. Empty: 0 everywhere.
+  // Per vertex of a plane surface [mm]: the distance between straight parallel lines there; 0 where
+  // lines need not be straight and parallel, as near the region's edge. Empty: 0 everywhere.
   std::vector<double> uniformSpacingMm = {};
 };
 
 struct InfillKind {
   std::string_view id;
   base::Text label;
-  // Centrelines, in an order fit for printing, open or closed, none outside the region. Throws
-  // Cancelled, a few lines later at most.
+  // Returns centrelines in an order suitable for printing, open or closed, none outside the region.
+  // Throws Cancelled at the latest a few lines after cancellation.
   InfillLines (*fill)(const InfillRegion&, const base::RunContext&);
-  // Lines wind around an axis: for surfaces with a chart, on which they are even as they are.
+  // Lines wind around an axis. Requires a surface with a chart, on which the lines are already
+  // evenly spaced.
   bool needsChart = false;
-  // Lines of wide regions go straight through, whatever way the boundary runs.
+  // In wide regions lines are straight, independent of the boundary.
   bool isStraightInside = false;
 };
-// All kinds; the first is the default.
+// Returns all kinds; the first is the default.
 std::span<const InfillKind> infillKinds();
-// Throws Error{Usage}, naming the nearest.
+// Throws Error{Usage} for an unknown id, suggesting the nearest.
 const InfillKind& infillKind(std::string_view id);
 
 // Parallel curves at equal distances on the surface, joined end to end, in the region's direction.
@@ -55,14 +56,15 @@ InfillLines zigzagInfill(const InfillRegion& region, const base::RunContext& ctx
 InfillLines concentricInfill(const InfillRegion& region, const base::RunContext& ctx);
 
 // Lines that are straight in the surface's chart (Castelli 5.3.1, appendix A). Where the region
-// goes all the way around, their number around is whole, so that they run on over the chart's seam;
-// elsewhere they are joined end to end. Precondition: the surface has a chart.
-// One helix a region; between straight ends its first and last turn narrow down to the ends.
+// extends all the way around, their number is an integer, so that they continue across the chart's
+// seam; elsewhere they are joined end to end. Precondition: the surface has a chart. aroundInfill:
+// one helix per region; if the region's ends are straight, the bead of the first and last turn
+// narrows towards the end.
 InfillLines aroundInfill(const InfillRegion& region, const base::RunContext& ctx);
 InfillLines alongInfill(const InfillRegion& region, const base::RunContext& ctx);
-// At windingRad, to one side and to the other in turns of layers.
+// Lines at windingRad, alternating sides from layer to layer.
 InfillLines helicalInfill(const InfillRegion& region, const base::RunContext& ctx);
-// Around and along in turns of layers.
+// Alternates `around` and `along` from layer to layer.
 InfillLines wovenInfill(const InfillRegion& region, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

@@ -18,14 +18,15 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kQuarter = 0.5 * base::kPi;
-constexpr double kAround = 1e-3;   // rad: lines less inclined than this go around
-constexpr double kEndDepth = 0.02; // hatches inside the region's edge: where its ends are looked at
-constexpr double kStraight = 0.05; // hatches: an end that strays less is straight
-constexpr double kLeastWidth = 0.5;  // pitches: a turn that narrows down begins with this width
-constexpr double kTurnStep = 0.25;   // mm between points of such a turn
-constexpr double kMostBend = 0.09;   // rad: an angle may be so far off for the sake of the spacing
-constexpr double kOnChart = 1e-8;    // mm
-constexpr double kOffSurface = 0.02; // mm: a place of the chart that the surface doesn't have
+constexpr double kAround = 1e-3; // [rad]: lines with a smaller inclination run around
+// [hatches] inside the region's edge: depth at which its ends are examined
+constexpr double kEndDepth = 0.02;
+constexpr double kStraight = 0.05;   // [hatches]: an end that deviates less is straight
+constexpr double kLeastWidth = 0.5;  // [pitches]: initial bead width of a narrowing turn
+constexpr double kTurnStep = 0.25;   // Point spacing of such a turn [mm]
+constexpr double kMostBend = 0.09;   // [rad]: maximum change of the angle to keep the spacing
+constexpr double kOnChart = 1e-8;    // [mm]
+constexpr double kOffSurface = 0.02; // [mm]: tolerance for chart points that are off the surface
 
 using base::at;
 
@@ -33,7 +34,8 @@ Vector2d chartAt(const PatchSurface& s, const SurfacePoint& p) {
   return s.chart.blend(s.triangles[at(p.triangle)], s.barycentric(p));
 }
 
-// Where the chart says `uv`, not far from `start`; nothing where the surface has no such place.
+// Returns the surface point with the chart coordinates `uv`, searched from `start`; nullopt if the
+// surface has no such point.
 std::optional<SurfacePoint> placeOf(const PatchSurface& s, const Vector2d& uv, SurfacePoint start) {
   Vector2d off;
   for (int round = 0; round < 12; ++round) {
@@ -54,7 +56,7 @@ std::optional<SurfacePoint> placeOf(const PatchSurface& s, const Vector2d& uv, S
   return off.norm() < kOffSurface ? std::optional(start) : std::nullopt;
 }
 
-// One part of a region.
+// One connected part of a region.
 class Part {
 public:
   Part(const InfillRegion& r, const std::vector<double>& depth, const base::RunContext& ctx)
@@ -69,7 +71,7 @@ public:
     unroll();
   }
 
-  // Does it go all the way around?
+  // Returns whether the part extends all the way around.
   bool winds() const { return winds_; }
 
   std::vector<SurfaceCurve> straight(double angle) const {
@@ -79,7 +81,8 @@ public:
     return evenLines(r_, depth_, across, ctx_).curves;
   }
 
-  // A helix over a part that winds; nothing where it is too short for two turns.
+  // Returns a helix over a part that extends all the way around; empty if it is too short for two
+  // turns.
   std::vector<SurfaceCurve> helix() const {
     const double pitch = hatch_ / r_.density, period = s_.chart.periodMm;
     const auto [low, high, areStraight] = ends();
@@ -93,7 +96,7 @@ public:
     return lines.joined(pitch, ctx_);
   }
 
-  // Helices side by side over a part that winds.
+  // Returns parallel helices over a part that extends all the way around.
   std::vector<SurfaceCurve> inclined(double angle) const {
     const double spacing = hatch_ / r_.density, period = s_.chart.periodMm;
     const double sine = std::sin(std::abs(angle));
@@ -101,7 +104,8 @@ public:
     Winding winding;
     winding.perU = starts / period;
     if (std::abs(angle) < kQuarter - kAround) {
-      // The angle that fits gives the spacing; where it is too far off, the spacing gives way.
+      // Use the angle that gives the required spacing, unless it deviates too much; then change the
+      // spacing.
       const double fitting = std::asin(std::min(1.0, winding.perU * spacing));
       const bool fits = std::abs(fitting - std::abs(angle)) < kMostBend;
       winding.perV = winding.perU / std::tan(fits ? fitting : std::abs(angle));
@@ -125,11 +129,11 @@ public:
 
 private:
   struct Ends {
-    double low = 0.0, high = 0.0; // of v
+    double low = 0.0, high = 0.0; // Range of v
     bool areStraight = false;
   };
 
-  // u without jumps, in the part and one triangle around it.
+  // Computes u without jumps, in the part and one triangle around it.
   void unroll() {
     std::vector<int> stack;
     for (std::size_t first = 0; first < depth_.size() && stack.empty(); ++first)
@@ -181,8 +185,8 @@ private:
     return e;
   }
 
-  // A helix cut where its bead reaches the ends, and on from there a turn in the middle of what is
-  // left between the bead before and the end.
+  // Cuts a helix where its bead reaches the ends, and appends at each end a turn in the middle of
+  // the gap between the previous turn and the end.
   std::vector<SurfaceCurve> betweenEnds(SurfaceCurve c, double low, double high,
                                         double pitch) const {
     if (chartAt(s_, c.points.front()).y() > chartAt(s_, c.points.back()).y())
@@ -215,9 +219,9 @@ private:
     return {std::move(piece)};
   }
 
-  // From the curve's end, where the bead is a pitch wide and touches the end of the part, towards
-  // that end (`way`: of v). Over a turn the bead before leaves less and less; as wide as that is
-  // the turn's bead, and stays at the end.
+  // Appends a turn from the curve's end, where the bead is a pitch wide and touches the end of the
+  // part, towards that end (`way`: direction in v). Over this turn the gap next to the previous
+  // turn narrows; the bead fills it and stays at the end.
   void appendNarrowing(SurfaceCurve& c, double way, double pitch) const {
     const double period = s_.chart.periodMm;
     const Vector2d from = chartAt(s_, c.points.back());
@@ -236,8 +240,8 @@ private:
   const PatchSurface& s_;
   const std::vector<double>& depth_;
   const base::RunContext& ctx_;
-  std::vector<double> u_; // per vertex; NaN where it isn't asked for
-  double hatch_ = 0.0;    // mean
+  std::vector<double> u_; // Per vertex; NaN outside the part
+  double hatch_ = 0.0;    // Mean
   bool winds_ = false;
 };
 

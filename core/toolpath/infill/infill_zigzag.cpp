@@ -17,11 +17,11 @@ using Eigen::Vector3d;
 
 using base::at;
 
-// Hatches from the region's edge: deeper than this a line has its neighbours on both sides, and
-// what joins their ends is further away.
+// [hatches] from the region's edge: deeper lines have neighbours on both sides, and the beads that
+// join line ends are farther away.
 constexpr double kEvenDepth = 1.5;
 
-// A function of (nearly) unit gradient whose isolines are the lines.
+// Returns a function of (nearly) unit gradient whose isolines are the infill lines.
 std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
   Vector3d mean = Vector3d::Zero(), centre = Vector3d::Zero();
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
@@ -34,14 +34,14 @@ std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
   Vector3d normal(std::cos(angle), std::sin(angle), 0);
   if (mean.norm() > 0.1 * s.areaMm2) {
     const Vector3d m = mean.normalized();
-    // Turned with the patch's own mean plane, so that no patch is cut along itself.
+    // Rotate with the mean plane of the patch, so that no patch is cut parallel to itself.
     normal = geometry::leastTurn(Vector3d::UnitZ(), m) * normal;
   }
   std::vector<double> u(s.position.size());
   for (std::size_t v = 0; v < u.size(); ++v)
     u[v] = normal.dot(s.position[v]);
-  // Plane cuts lie further apart on the surface where it leans along their normal. As long as that
-  // is little, straight lines are better than bent ones.
+  // Where the surface is inclined to the cutting planes' normal, plane cuts are farther apart on
+  // it. As long as that applies to little area, straight lines are better than geodesic ones.
   constexpr double kLeastSine = 0.97;
   double leaning = 0.0;
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
@@ -51,7 +51,7 @@ std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
   }
   if (leaning < 0.02 * s.areaMm2)
     return u;
-  // A plane through the middle may miss the surface where it is hollow; through a vertex it can't.
+  // A plane through the centroid may miss a hollow surface; a plane through a vertex cannot.
   std::vector<double> sorted = u;
   std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(u.size() / 2));
   std::vector<double> geodesic = distanceToSection(s, normal, sorted[u.size() / 2] + 1e-7);

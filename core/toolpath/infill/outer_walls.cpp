@@ -13,13 +13,14 @@ namespace {
 
 using base::at;
 
-constexpr double kSlope = 0.25;    // change of width along a rim
-constexpr double kRoomBeads = 1.5; // beads; along a rim, room is known so far to either side
+constexpr double kSlope = 0.25; // Maximum change of width per length of rim
+// [beads]: distance along the rim within which the measured room applies
+constexpr double kRoomBeads = 1.5;
 
-// A rim, from a vertex round to it again, without that at its end.
+// A closed rim; the first vertex is not repeated at the end.
 struct Loop {
   std::vector<int> vertices;
-  std::vector<double> stepMm; // to the next
+  std::vector<double> stepMm; // Distance to the next vertex
 };
 
 std::vector<Loop> loopsOf(const PatchSurface& s) {
@@ -44,8 +45,8 @@ std::vector<Loop> loopsOf(const PatchSurface& s) {
   return loops;
 }
 
-// Visits the loop's neighbours both ways, twice round each: f(i, j, mm between them), j next after
-// i on the way.
+// Visits the loop's edges in both directions, twice around each: f(i, j, edge length [mm]), where j
+// follows i in that direction.
 template <typename F> void sweep(const Loop& loop, F&& f) {
   const std::size_t n = loop.vertices.size();
   for (std::size_t k = 0; k < 2 * n; ++k)
@@ -54,7 +55,8 @@ template <typename F> void sweep(const Loop& loop, F&& f) {
     f((k + 1) % n, k % n, loop.stepMm[k % n]);
 }
 
-// What is wanted between vertices where it is known, straight.
+// Returns the required width per vertex of the loop, interpolated linearly between vertices where
+// it is known.
 std::vector<double> wantedAlong(const Loop& loop, const std::vector<double>& wantedMm,
                                 double usualMm) {
   const std::size_t n = loop.vertices.size();
@@ -81,13 +83,14 @@ std::vector<double> wantedAlong(const Loop& loop, const std::vector<double>& wan
   return along;
 }
 
-// The width nearest below the wanted one that leaves no place beside it which neither it nor
-// another bead can fill; `roomMm` from the rim to the middle of the patch.
+// Returns the largest width up to the wanted one that leaves no gap which neither this bead nor
+// another can fill; `roomMm`: from the rim to the middle of the patch.
 double fitting(double wantedMm, double roomMm, double hatchMm, const process::Process& process) {
   const double overlap = process.beadWidthMm - hatchMm;
   double width = std::min(wantedMm, roomMm + overlap);
   const double left = roomMm + overlap - width,
-               least = 0.5 * (process.beadWidthMinMm - overlap); // of a bead along the middle
+               // Half the minimum width of a bead along the middle
+      least = 0.5 * (process.beadWidthMinMm - overlap);
   if (width + left > process.beadWidthMaxMm && left < least)
     width -= least - left;
   return std::max(process.beadWidthMm, width);
@@ -106,15 +109,15 @@ std::vector<double> outerHatches(const PatchSurface& s, const std::vector<double
   const auto wide = [&](double mm) { return mm > process.beadWidthMm; };
   if (std::ranges::none_of(wantedMm, wide))
     return hatchMm;
-  // How deep the patch is inside each edge of its boundary: that of the deepest vertex that is
-  // nearest to it.
+  // Depth of the patch at each boundary edge: the depth of the deepest vertex that is nearest to
+  // that edge.
   const double reach = process.beadWidthMaxMm + 2.0 * process.beadWidthMm;
-  // The edge that is nearest to a vertex; null: none in reach.
+  // Returns the nearest boundary edge of a vertex; nullptr if none is within reach.
   const auto edgeOf = [&](std::size_t v) {
     const int edge = boundary.mm[v] <= reach ? boundary.nearest[v] : -1;
     return edge >= 0 ? &s.boundary[at(edge)] : nullptr;
   };
-  std::vector<double> roomMm(s.position.size(), 0.0); // at vertices of the boundary
+  std::vector<double> roomMm(s.position.size(), 0.0); // At vertices of the boundary
   for (std::size_t v = 0; v < s.position.size(); ++v)
     if (const auto* edge = edgeOf(v))
       for (const int end : {(*edge)[0], (*edge)[1]})

@@ -22,7 +22,7 @@ struct Crossing {
   int next = -1, previous = -1;
 };
 
-// An edge from its lower vertex, and the line's number as counted from there.
+// An edge, starting at its lower vertex, and the line's number counted from that vertex.
 struct CrossingKey {
   int low, high;
   long line;
@@ -51,9 +51,9 @@ public:
 private:
   double valueAt(int v) const { return winding_.at(s_.chart.at[at(v)]); }
 
-  // A corner's value by its own chart, and the whole number that brings it to the first corner's
-  // sheet. All comparisons are with the own value, the same in every triangle: a line through a
-  // vertex passes it on one side.
+  // A corner's value in its own chart, and the integer that shifts it to the first corner's sheet.
+  // Comparisons use the unshifted value, which is the same in every triangle, so that a line
+  // through a vertex passes it on the same side in all of them.
   struct Corner {
     int vertex = 0;
     double own = 0.0;
@@ -62,7 +62,7 @@ private:
     double value() const { return own + static_cast<double>(shift); }
   };
 
-  // All lines through a triangle.
+  // Adds all lines that cross a triangle.
   void cross(int triangle) {
     const auto& t = s_.triangles[at(triangle)];
     std::array<Corner, 3> corner;
@@ -79,7 +79,7 @@ private:
       const int count = isAbove(0) + isAbove(1) + isAbove(2);
       if (count == 0 || count == 3)
         continue;
-      // k: the corner alone on its side.
+      // k: the corner that is alone on its side of the line.
       const bool lone = count == 1;
       const std::size_t k = isAbove(0) == lone ? 0 : isAbove(1) == lone ? 1 : 2;
       int from = crossing(triangle, corner[k], corner[(k + 1) % 3], line),

@@ -1,4 +1,4 @@
-// Connected parts of a surface where a field is large.
+// Connected regions of a surface where a field exceeds a level.
 #pragma once
 
 #include "toolpath/patch_surface.h"
@@ -8,10 +8,11 @@
 namespace voluta::toolpath {
 
 struct Regions {
-  std::vector<int> ofVertex; // number of its region, -1 outside
+  std::vector<int> ofVertex; // index of its region, -1 outside
   int count = 0;
 };
-// Vertices with value >= level, joined along edges; numbered by least vertex.
+// Returns the connected components (along edges) of the vertices with value >= level, numbered by
+// their lowest vertex.
 Regions regionsAbove(const PatchSurface& surface, const std::vector<double>& values, double level);
 
 } // namespace voluta::toolpath

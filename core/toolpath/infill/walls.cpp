@@ -9,13 +9,14 @@ namespace voluta::toolpath {
 
 namespace {
 constexpr double kInwards = 0.4; // hatches
-// Hatches, at most; with kInwards less than what lies between the wall and the boundary.
+// Maximum closing, in hatches. With kInwards it has to be less than the distance from the wall to
+// the boundary.
 constexpr double kMostClosing = 1.0;
-// mm, of beads of the usual width; shorter rings are no more than a blob.
+// mm, for beads of the usual width; shorter rings are no more than a blob.
 constexpr double kFar = 2.0, kShortest = 3.0;
 
-// Distance to `curves` in hatches, positive where `inside` holds; on the side that is not asked
-// for, at vertices next to them only.
+// Returns the distance to `curves` in hatches, positive where `inside` holds. On the side other
+// than `asked` it is computed only at vertices next to the curves.
 template <typename Inside>
 std::vector<double> signedDistance(const PatchSurface& s, const std::vector<SurfaceCurve>& curves,
                                    const std::vector<double>& hatchMm, double beadScale, bool asked,
@@ -39,8 +40,8 @@ std::vector<SurfaceCurve> wallAt(const PatchSurface& s, const std::vector<double
   const std::vector<double> fromInner =
       signedDistance(s, inner, hatchMm, beadScale, false,
                      [&](std::size_t v) { return depth[v] >= level + kInwards; });
-  // Where the region's depth is hardly enough, what is deep enough comes in shreds: closed before
-  // the way out is gone back.
+  // Where the region is hardly deep enough, the inner region is fragmented: close the gaps before
+  // offsetting back outwards.
   const double closing = std::min(kMostClosing, std::max(0.1, level - 0.05)),
                out = -(kInwards + closing);
   const auto outer = isolines(s, fromInner, out);

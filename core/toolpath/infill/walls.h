@@ -1,4 +1,4 @@
-// Beads along the boundary of a region.
+// Walls: beads along the boundary of a region.
 #pragma once
 
 #include "toolpath/patch_surface.h"
@@ -7,10 +7,10 @@
 
 namespace voluta::toolpath {
 
-// Centreline at `level` hatches from the boundary, where the region goes on at least 0.4 hatch
-// further in; where it doesn't, two such curves from opposite sides would nearly meet, and one bead
-// on the middle line does better (gap_fill.h). That is the morphological opening of the offset
-// region: corners are rounded by 0.4 hatch, and narrow parts fall away without open ends.
+// Returns the centrelines at `level` hatches from the boundary, where the region extends at least
+// 0.4 hatch further inwards. Elsewhere two such curves from opposite sides would nearly meet, and
+// one bead on the medial line is better (gap_fill.h). This is the morphological opening of the
+// offset region: corners are rounded by 0.4 hatch, and narrow parts vanish without open ends.
 // depth: per vertex, distance from the boundary in hatches; hatchMm per vertex. beadScale as in
 // bead_scale.h.
 std::vector<SurfaceCurve> wallAt(const PatchSurface& surface, const std::vector<double>& depth,

@@ -1,12 +1,12 @@
-// Where the nozzle's tip is while a bead is laid.
+// Position of the nozzle tip while a bead is printed.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace voluta::toolpath {
 
-// Of a point of a bead: middle and height in mm, direction unit. Any such point, so that who lays
-// beads out and who asks need not know of each other.
+// `Point`: any bead point with middle and height [mm] and unit direction; a template, so that the
+// modules that create beads and those that query them need not depend on each other.
 template <typename Point> Eigen::Vector3d tipOf(const Point& p) {
   return p.middle + 0.5 * p.heightMm * p.direction;
 }

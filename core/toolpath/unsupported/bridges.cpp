@@ -14,8 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// As programs are judged: any of these heights below the tip; what the same bead laid over so much
-// of its way, or two widths, carries nothing.
+// The same criteria as in the replay: support counts at any of these depths below the tip, in bead
+// heights; material printed by the same path within the last kSoftMm, or two bead widths, is still
+// soft and carries nothing.
 constexpr std::array kBelow{1.05, 1.15, 1.25};
 constexpr double kSoftMm = 3.0;
 
@@ -31,7 +32,7 @@ Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path, std::siz
   return side.squaredNorm() > 1e-12 ? side.normalized() : direction.unitOrthogonal();
 }
 
-// The first waypoint of what the path has laid just before another.
+// Returns the first waypoint of the still soft material before waypoint i of the path.
 std::size_t softSince(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i) {
   double length = std::max(kSoftMm, 2.0 * static_cast<double>(plan.widthMm[i]));
   while (i > path.first && length > 0.0) {
@@ -46,8 +47,8 @@ bool onPlate(const platform::PlatformSolid& platform, const Vector3d& point) {
          geometry::inConvexPolygon(platform.polygon, point.head<2>());
 }
 
-// Turns stretches of `value` that are shorter than `leastMm` into the other one. What reaches an
-// end of the path is as long as it is.
+// Inverts stretches of `value` shorter than `leastMm`. Stretches of supported waypoints at an end
+// of the path are kept at any length.
 void dropShort(const plan::ToolPlan& plan, const plan::ToolPath& path, char value, double leastMm,
                std::vector<char>& marks) {
   const std::size_t end = path.first + path.count;

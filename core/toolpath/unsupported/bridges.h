@@ -1,4 +1,5 @@
-// Which beads hang: spans that nothing printed before carries, known before anything is moved.
+// Detects unsupported beads: spans without printed material below, known before the motion is
+// planned.
 #pragma once
 
 #include "collision/growing_part.h"
@@ -16,40 +17,41 @@ class RunContext;
 
 namespace voluta::toolpath {
 
-// Per waypoint, 1: neither the platform nor what is laid before lies right beneath the bead, at any
-// of eight places across its width (at fewer than `leastPlaces`), within its height and a quarter
-// more below the tip. Stretches of a path shorter than a bead's width
-// do not count, neither do such breaks of longer ones, nor what is waste. `part`: the plan's beads
-// with its ground. Throws Cancelled.
+// Returns per waypoint 1 if the bead is unsupported: neither the platform nor earlier material is
+// directly below it at any of eight samples across its width (at fewer than `leastPlaces` of them),
+// within its height and a quarter more below the tip. Ignores stretches shorter than a bead's
+// width, interruptions of longer stretches by that little, and waste. `part`: the plan's beads with
+// its ground. Throws Cancelled.
 std::vector<char> unsupportedWaypoints(const plan::ToolPlan& plan,
                                        const collision::GrowingPart& part,
                                        const platform::PlatformSolid& platform,
                                        const base::RunContext& ctx, int leastPlaces = 1);
 
-// Waypoints [begin, end) of a path that all hang.
+// A range [begin, end) of unsupported waypoints of one path.
 struct UnsupportedStretch {
   std::size_t begin = 0, end = 0;
 };
-// Those of a path that are longer, in order.
+// Returns the stretches of a path that are longer than the given length, in order.
 std::vector<UnsupportedStretch> hangingStretches(const plan::ToolPlan& plan,
                                                  const plan::ToolPath& path,
                                                  const std::vector<char>& hanging,
                                                  double longerThanMm);
 
-// How many of kPlacesAcross places across a bead are carried, as above, if the nozzle lays it with
-// its tip there, along that direction. Counts no further than `enough`.
-inline constexpr int kPlacesAcross = 8;        // as programs are judged
-inline constexpr int kMinSupportedSamples = 2; // of them: a quarter of the width
+// Returns how many of kPlacesAcross samples across a bead are supported, as above, if it is printed
+// with the tip at `tip` along `direction`. Stops counting at `enough`.
+inline constexpr int kPlacesAcross = 8;        // as in the replay
+inline constexpr int kMinSupportedSamples = 2; // a quarter of the width
 int supportedSamples(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
                      const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
                      const collision::GrowingPart& part, const platform::PlatformSolid& platform,
                      int enough = kPlacesAcross);
-// To the side of the way at a waypoint: direction x way, unit.
+// Returns the unit vector sideways to the path at a waypoint: direction x path tangent.
 Eigen::Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
                        std::size_t waypoint);
 
-// Lays what hangs, and what leads to and from it, no faster than the process bridges; what comes
-// out stays in proportion, as planned speeds and sections say.
+// Limits the speed of unsupported beads, and of the approach to and exit from them, to the
+// process's bridging speed. The flow is scaled with the speed, as given by planned speeds and
+// sections.
 void slowBridges(plan::ToolPlan& plan, const std::vector<char>& hanging,
                  const process::Process& process);
 

@@ -1,4 +1,4 @@
-// Does the head, at a waypoint, reach into what is printed or into the plate?
+// Checks whether the head at a waypoint collides with the printed part or the plate.
 #pragma once
 
 #include "collision/cell_collision.h"
@@ -11,16 +11,17 @@
 
 namespace voluta::toolpath {
 
-// By the same queries as the motion planner's, so that neither refuses what the other took.
+// Uses the same queries as the motion planner, so that both accept the same poses.
 class HeadClearance {
 public:
-  // `cell` must outlive this; process is the cell's.
+  // `cell` must outlive the object; process is the cell's.
   HeadClearance(const robot::Cell& cell, const process::Process& process);
 
-  // With the tip at `tip` and the nozzle coming from `direction` (unit): is the head, less the
-  // contact tolerance, clear of the plate and what carries it, and by marginMm of all that is
-  // filled before waypoint `before` (what lies in it by less than half a cell of the part's grid
-  // does not count)? Is the head's holder as far from both as from any body? Work frame, mm.
+  // Returns whether the head, with the tip at `tip` and the nozzle along `direction` (unit), is
+  // clear: reduced by the contact tolerance, clear of the plate and its carrier, and at least
+  // marginMm from all material filled before waypoint `before` (overlaps of less than half a cell
+  // of the part's grid do not count). The head's holder has to keep the usual body clearance from
+  // both. Work frame, mm.
   bool clears(const collision::GrowingPart& part, const Eigen::Vector3d& tip,
               const Eigen::Vector3d& direction, std::size_t before, double marginMm = 0.0) const;
 

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kStep = 0.0625; // beads
 constexpr double kMost = 0.5;    // beads
-constexpr double kSlope = 0.25;  // of the way along the path
+constexpr double kSlope = 0.25;  // mm per mm along the path
 
 class Drawer {
 public:
@@ -23,7 +23,7 @@ public:
          const platform::PlatformSolid& platform, const process::Process& process)
       : plan_(plan), part_(part), platform_(platform), process_(process) {}
 
-  // Of the waypoints of a path.
+  // Sets the moves of a path's waypoints.
   void draw(const plan::ToolPath& path, const std::vector<char>& hanging,
             std::vector<Vector3d>& moves) const {
     for (const UnsupportedStretch& stretch :
@@ -32,7 +32,8 @@ public:
   }
 
 private:
-  // The least way to that side (-1, 1) at which enough of the bead is carried; 0: there is none.
+  // Returns the smallest offset to that side (-1, 1) at which enough of the bead is supported; 0 if
+  // there is none.
   double least(const plan::ToolPath& path, std::size_t i, int side) const {
     const int steps = static_cast<int>(kMost / kStep);
     for (int k = 1; k <= steps; ++k) {
@@ -56,7 +57,7 @@ private:
       if (move.squaredNorm() > moves[i].squaredNorm())
         moves[i] = move;
     });
-    if (path.closed) { // the same place twice
+    if (path.closed) { // first and last waypoint are the same place
       Vector3d &first = moves[path.first], &last = moves[path.first + path.count - 1];
       first = last = first.squaredNorm() > last.squaredNorm() ? first : last;
     }

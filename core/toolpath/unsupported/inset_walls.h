@@ -1,4 +1,4 @@
-// Walls that would hang, laid a little aside where something carries them.
+// Insets unsupported walls to where the layer below supports them.
 #pragma once
 
 #include "collision/growing_part.h"
@@ -16,13 +16,14 @@ class RunContext;
 
 namespace voluta::toolpath {
 
-// Where the rim of a layer is more than the widest bead beyond that of the layer below
-// (supported_walls.h), its wall would be laid beside what is printed. So a stretch of which less than
-// a quarter is carried (kMinSupportedSamples), longer than half of what the process bridges, is
-// laid aside: as little as brings a quarter of its width over something, by half a bead at most,
-// gently along the path. Where that is not enough it stays. It lies on its neighbour by as much,
-// and the part is by as much short there. Per waypoint, mm; walls only. `hanging`:
-// unsupportedWaypoints() with kMinSupportedSamples. Throws Cancelled.
+// Where the rim of a layer overhangs that of the layer below by more than the widest bead
+// (supported_walls.h), its wall would be printed beside the part. Stretches that are supported over
+// less than a quarter of their width (kMinSupportedSamples) and are longer than half of the
+// process's bridge length are therefore offset sideways: by the minimum that supports a quarter of
+// the width, at most half a bead, tapered along the path. Where that is not enough they are not
+// moved. An offset bead overlaps its neighbour, and the part is short, by the same amount. Returns
+// the offset per waypoint [mm]; walls only. `hanging`: unsupportedWaypoints() with
+// kMinSupportedSamples. Throws Cancelled.
 std::vector<Eigen::Vector3d>
 insetUnsupportedWalls(const plan::ToolPlan& plan, const std::vector<char>& hanging,
                       const collision::GrowingPart& part, const platform::PlatformSolid& platform,

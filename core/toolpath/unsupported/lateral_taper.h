@@ -1,4 +1,4 @@
-// What is done to a stretch of a path, to one side of it, fades out before and after it.
+// Lateral changes of a stretch of a path that fade out before and after it.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -11,13 +11,14 @@
 
 namespace voluta::toolpath {
 
-// How much is done at each waypoint of a stretch, > 0 where it helps, to that side (-1, 1); side 0:
-// it helps nowhere.
+// The amount at each waypoint of a stretch to one side (-1, 1), > 0 where it helps. Side 0: it
+// helps nowhere.
 struct LateralOffset {
   int side = 0;
   std::vector<double> amounts;
 };
-// To the side on which least(waypoint, side) helps at more waypoints, left first.
+// Returns the offsets to the side on which least(waypoint, side) helps at more waypoints; left wins
+// ties.
 template <typename Least>
 LateralOffset betterSide(const UnsupportedStretch& s, const Least& least) {
   LateralOffset best;
@@ -35,7 +36,8 @@ LateralOffset betterSide(const UnsupportedStretch& s, const Least& least) {
   return best;
 }
 
-// The next waypoint of a path, round a closed one; the same at the end of another.
+// Returns the next waypoint of a path, wrapping around on closed paths; at the end of an open path
+// the same waypoint.
 inline std::size_t nextOf(const plan::ToolPath& path, std::size_t i, bool forwards) {
   const std::size_t last = path.first + path.count - 1;
   if (forwards)
@@ -43,8 +45,9 @@ inline std::size_t nextOf(const plan::ToolPath& path, std::size_t i, bool forwar
   return i > path.first ? i - 1 : path.closed ? last - 1 : i;
 }
 
-// Calls take(waypoint, amount) where, both ways along the path, `amounts` (>= 0, of the stretch's
-// waypoints) are not yet gone: they fade by `perMm` of the way. A waypoint may be told twice.
+// Calls take(waypoint, amount) for the stretch and, in both directions along the path, until
+// `amounts` (>= 0, of the stretch's waypoints) have faded to zero, by `perMm` per mm of path. A
+// waypoint can be passed twice.
 template <typename Take>
 void taperAlongPath(const plan::ToolPlan& plan, const plan::ToolPath& path,
                     const UnsupportedStretch& s, const std::vector<double>& amounts, double perMm,

@@ -27,10 +27,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSlender = 6.0;           // widths: higher walls tip over
-constexpr double kBreakShare = 1.0 / 14.0; // of a bead's height, between it and what carries it
-constexpr double kLeastShare = 0.5;        // of the least layer height: thinner beads don't hold
+constexpr double kBreakShare = 1.0 / 14.0; // of a bead's height, between it and its support
+constexpr double kLeastShare = 0.5; // of the minimum layer height: thinner beads do not stick
 constexpr std::array kLeansDeg{20.0, -20.0, 40.0, -40.0};
-constexpr double kUpright = 0.5; // cosine of the most that courses lean over or aside
+constexpr double kUpright = 0.5; // cosine of the maximum tilt of courses over or to the side
 
 void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction, float widthMm,
             float heightMm, float speedMmPerS) {
@@ -41,16 +41,16 @@ void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction
   plan.speedMmPerS.push_back(speedMmPerS);
 }
 
-// Is a path the first of its patch? The prime is of none.
+// Returns whether a path is the first of its patch. The prime belongs to no patch.
 bool beginsPatch(const plan::ToolPlan& plan, std::size_t path) {
   return path == 0 || plan.paths[path - 1].patch != plan.paths[path].patch ||
          plan::isWaste(plan.paths[path - 1].kind);
 }
 
-// One bead beneath another: a waypoint each.
+// One support bead below another, with one waypoint for each of its waypoints.
 struct Course {
   std::vector<Vector3d> tip, direction;
-  std::vector<std::size_t> above; // waypoint of the bead that it is for
+  std::vector<std::size_t> above; // waypoint of the bead that it supports
   std::vector<float> heightMm;
   double widthMm = 0.0;
 
@@ -62,9 +62,9 @@ struct Course {
   }
 };
 
-// What may be laid under a waypoint, along its direction.
+// The space below a waypoint, along its direction, that support may fill.
 struct Room {
-  double mm = 0.0; // how thick; 0: nothing
+  double mm = 0.0; // height; 0: no space
   Vector3d foot = Vector3d::Zero(), nozzle = Vector3d::UnitZ();
 };
 
@@ -77,7 +77,7 @@ public:
       : plan_(plan), part_(part), hanging_(hanging), platform_(platform), process_(process),
         head_(cell, process), ctx_(ctx) {}
 
-  // By path, courses from the lowest upwards.
+  // Returns the courses per path, from the lowest upwards.
   std::map<std::size_t, std::vector<Course>> courses() const {
     std::vector<std::vector<Course>> of(plan_.paths.size());
     std::vector<std::size_t> patchFirst(plan_.paths.size()); // its first waypoint
@@ -108,8 +108,9 @@ private:
     return plan_.position[i] - static_cast<double>(plan_.heightMm[i]) * plan_.direction[i];
   }
 
-  // From the bottom of a bead to what is there before another waypoint; 0: nothing is, or something
-  // comes in between before this one.
+  // Returns the distance from the bottom of a bead to the material printed before waypoint
+  // `before`, or the plate. 0 if there is none, or if later material, printed before waypoint i, is
+  // in between.
   double gapBeneath(std::size_t i, std::size_t before) const {
     const Vector3d& d = plan_.direction[i];
     const Vector3d bottom = bottomOf(i);
@@ -140,7 +141,7 @@ private:
     return room;
   }
 
-  // Does the head clear what is there, at the lowest and at the highest of the beads in a room?
+  // Returns whether the head is clear for the lowest and for the highest support bead in the space.
   bool clears(const Room& room, std::size_t i, std::size_t before) const {
     const Vector3d& d = plan_.direction[i];
     const double lowest = std::min(room.mm, process_.layerHeightMaxMm);
@@ -153,8 +154,8 @@ private:
     return room.nozzle.dot(d) >= kUpright && at(0.0, lowest) && at(room.mm - lowest, room.mm);
   }
 
-  // Ways to hold the nozzle over a stretch, the best first: upright, as what lies above is laid,
-  // leaning to either side of the way.
+  // Returns candidate nozzle directions over a stretch, best first: upright, as for the supported
+  // bead, tilted to either side of the path.
   std::vector<std::vector<Vector3d>> nozzles(std::size_t path, std::size_t b, std::size_t e) const {
     std::vector<std::vector<Vector3d>> ways(2 + kLeansDeg.size());
     for (std::size_t i = b; i < e; ++i) {
@@ -171,12 +172,13 @@ private:
     return ways;
   }
 
-  // As many courses as the thickest place needs, where the thinnest bears so many.
+  // Returns the number of courses that the highest place needs. Stretches are split where the
+  // lowest place is too low for that many.
   int coursesFor(double mostMm) const {
     return static_cast<int>(std::ceil(mostMm / process_.layerHeightMaxMm - 1e-9));
   }
 
-  // Rooms of a stretch with the nozzle held in the way that most of them bear.
+  // Returns the spaces below a stretch, with the nozzle direction for which most of them are clear.
   std::vector<Room> roomsBeneath(std::size_t path, std::size_t b, std::size_t e,
                                  std::size_t before) const {
     std::vector<Room> rooms(e - b), best(e - b);
@@ -220,7 +222,7 @@ private:
         most = std::max(most, mm);
         least = std::min(least, mm);
       }
-      // Too short a bead does not stick.
+      // A bead that is too short does not stick.
       if (most > 0.0 && t - s >= 2 && lengthOf(s, t) > process_.beadWidthMm)
         stack(s, t, room.data() + (s - b), most, to);
       s = t;
@@ -309,10 +311,10 @@ RimSupportedPlan addRimSupports(plan::ToolPlan plan, std::vector<Vector3d> clear
     out.plan.paths.push_back(under);
   };
   for (std::size_t p = 0; p < was.plan.paths.size(); ++p) {
-    // Paths change places within their patch only: it begins where it did.
+    // The order of paths changes only within a patch, so patches begin at the same indices.
     const plan::ToolPath& path = was.plan.paths[order[p].path];
-    // Before the first path of the patch come the beads under all its paths, low ones first: the
-    // head cuts into none that is higher.
+    // The support beads of all paths of the patch come before its first path, low ones first, so
+    // that the head does not collide with higher ones.
     if (beginsPatch(was.plan, p) && !plan::isWaste(path.kind)) {
       std::vector<std::pair<const Course*, const plan::ToolPath*>> beneath;
       for (std::size_t q = p; q < was.plan.paths.size() && was.plan.paths[q].patch == path.patch;
@@ -338,7 +340,7 @@ RimSupportedPlan addRimSupports(plan::ToolPlan plan, std::vector<Vector3d> clear
     for (std::size_t k = 0; k < path.count; ++k) {
       const std::size_t i = path.first + (order[p].turned ? path.count - 1 - k : k);
       plan::appendWaypoint(out.plan, was.plan, i);
-      // The speed is that of the way to a waypoint.
+      // A waypoint's speed is that of the segment leading to it.
       if (order[p].turned && k > 0)
         out.plan.speedMmPerS.back() = was.plan.speedMmPerS[i + 1];
       out.clearDirection.push_back(was.clearDirection[i]);

@@ -19,14 +19,14 @@ namespace {
 using base::at;
 using Eigen::Vector3d;
 
-// Of a bead's width: half has to be carried, and a little more, since beads are laid and judged in
-// cells and at eight places across.
+// Required supported share of a bead's width: half, plus a margin, since beads are rasterised and
+// judged at eight samples across.
 constexpr double kCarried = 0.5625;
 constexpr double kSamples = 12.0; // across a bead of the usual width
-constexpr double kOn = 0.03;      // beads: so near aside of a patch is over its edge
-constexpr double kTouches = 0.25; // beads: the edge of a wide one touches what is so near
+constexpr double kOn = 0.03;      // beads: this close beside a patch counts as over its edge
+constexpr double kTouches = 0.25; // beads: the edge of a wide bead rests on material this close
 
-// What lies below the rim of one patch.
+// Measures the support below the rim of one patch.
 class Rim {
 public:
   Rim(const layers::LayerStack& stack, std::size_t p, const layers::StackQuery& query,
@@ -65,15 +65,16 @@ public:
   }
 
 private:
-  // How far aside of the patches below the foot of a point lies; beyond the reach where none is
-  // near.
+  // Returns the lateral distance of a point's foot from the patches below; twice the search radius
+  // if none is near.
   double asideMm(std::size_t v, const Vector3d& point) const {
     const Vector3d& up = patch_.direction[v];
     const Vector3d foot = point - patch_.thicknessMm[v] * up;
     const layers::StackQuery::Place place = query_.closest(below_, foot, reachMm_);
     if (place.patch < 0)
       return 2.0 * reachMm_;
-    // Across the patch below: over its inside it lies along its directions.
+    // Measure perpendicular to the directions of the patch below: over its interior the distance is
+    // zero.
     const layers::Patch& below = stack_.patches[at(place.patch)];
     Vector3d along = Vector3d::Zero();
     for (const int corner : below.surface.triangles[at(place.triangle)])
@@ -87,7 +88,7 @@ private:
     const double usual = process_.beadWidthMm, sample = usual / kSamples, on = kOn * usual;
     const Vector3d& rim = patch_.surface.vertices[v];
     const auto aside = [&](double inMm) { return asideMm(v, rim + inMm * inwards); };
-    // Mostly a rim is over what is below, or not far off it.
+    // Common case: the rim is above the patch below or close to it.
     if (aside(0.0) < (1.0 - kCarried) * usual && aside(0.5 * usual) < on)
       return usual;
     const auto count =
@@ -96,7 +97,7 @@ private:
     for (std::size_t i = 0; i < count;) {
       const double off = aside((static_cast<double>(i) + 0.5) * sample);
       isCarried[i] = off < on;
-      // Nothing is nearer than that.
+      // No sample closer than `off` can be over a patch.
       i += std::max<std::size_t>(
           1, static_cast<std::size_t>(std::min(off / sample, static_cast<double>(count))));
     }

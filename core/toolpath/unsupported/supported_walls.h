@@ -1,4 +1,4 @@
-// How wide outermost walls have to be to lie on what is laid below them.
+// Widths of outermost walls that rest on the layers below.
 #pragma once
 
 #include "layers/layer_stack.h"
@@ -12,17 +12,17 @@ class RunContext;
 
 namespace voluta::toolpath {
 
-// The width, from the usual one to the process's widest, of a bead along a rim, of which enough
-// lies on what is below: the least that does, else the one that has most of it, the usual one where
-// none lies on anything. isCarried[i]: something is below it sampleMm * (i + 1/2) inside of the
-// rim; may go on beyond the widest bead, whose edge touches what is a little further in.
+// Returns the width of a bead along a rim, from the usual to the process's maximum: the smallest
+// width of which enough is supported, otherwise the one with the largest supported share; the usual
+// one if nothing supports it. isCarried[i]: supported at sampleMm * (i + 1/2) inside the rim. It
+// may extend beyond the widest bead, whose edge rests on material a little further in.
 double carriedWidth(const std::vector<char>& isCarried, double sampleMm,
                     const process::Process& process);
 
-// Per patch, per vertex, mm: the width that an outermost wall should have there, so that half of it
-// lies on patches of earlier layers. The usual one at vertices inside, on seams and of supports,
-// and where nothing earlier is near: on the first layer, and where a patch begins in the air.
-// Precondition: print order. Throws Cancelled.
+// Returns per patch and vertex the width of the outermost wall [mm] at which half of it rests on
+// patches of earlier layers. The usual width at inner vertices, on seams, on supports and where no
+// earlier patch is near: on the first layer, and where a patch begins in the air. Precondition:
+// print order. Throws Cancelled.
 std::vector<std::vector<double>> carriedWallWidths(const layers::LayerStack& stack,
                                                    const process::Process& process,
                                                    const base::RunContext& ctx);

@@ -11,7 +11,7 @@ namespace voluta::toolpath {
 
 namespace {
 
-// How much thicker each bead of a stretch is to be, mm: 0 where that is more than it may.
+// Returns how much thicker each bead of a stretch has to be [mm]; 0 if it would exceed the maximum.
 std::vector<double> reachDown(const plan::ToolPlan& plan, const UnsupportedStretch& s,
                               const collision::GrowingPart& part, double thickestMm) {
   const double step = 0.25 * part.grid().pitch;
@@ -29,8 +29,7 @@ std::vector<double> reachDown(const plan::ToolPlan& plan, const UnsupportedStret
   return by;
 }
 
-// What cells tell of a surface goes up and down by half of one: the middle of each and of the two
-// beside it. Single places are none.
+// Median of three: depths measured in the grid jitter by half a cell. Drops isolated waypoints.
 std::vector<double> steadied(const std::vector<double>& by) {
   std::vector<double> result(by.size(), 0.0);
   for (std::size_t k = 0; k < by.size(); ++k) {

@@ -1,4 +1,4 @@
-// Beads that would hang a little over what is printed, laid thicker.
+// Thickens beads that would be unsupported a little above printed material.
 #pragma once
 
 #include "collision/growing_part.h"
@@ -9,11 +9,11 @@
 
 namespace voluta::toolpath {
 
-// Where a stretch that nothing carries (bridges.h) is longer than half of what the process bridges,
-// and what is printed before lies beneath it by less than a bead may still be thicker, the beads
-// are laid down to it: their tips stay, no faster than the extruder gives what they hold. Their
-// marks go. True: some are. Preconditions: `part` holds the plan's beads, `hanging` is
-// unsupportedWaypoints() of both.
+// In unsupported stretches (bridges.h) longer than half of the process's bridge length, thickens
+// beads down to earlier material if that is within the remaining layer height range. Their tips
+// stay; the speed is limited by the extruder's flow for the larger section. Clears their marks.
+// Returns whether any bead was thickened. Preconditions: `part` contains the plan's beads,
+// `hanging` is unsupportedWaypoints() of both.
 bool thickenUnsupported(plan::ToolPlan& plan, std::vector<char>& hanging,
                         const collision::GrowingPart& part, const process::Process& process);
 

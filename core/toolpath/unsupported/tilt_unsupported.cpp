@@ -18,10 +18,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStepDeg = 10.0, kMostDeg = 50.0;
-constexpr double kBesideWidths = 1.5; // of a bead: from its middle to that of a neighbour, at most
-constexpr double kFadeDegPerMm = 5.0; // cells tell one waypoint from the next by chance
+// in bead widths: maximum distance between the centrelines of neighbours
+constexpr double kBesideWidths = 1.5;
+constexpr double kFadeDegPerMm = 5.0; // smooths noise between waypoints caused by the cells
 
-// But for supports, which lean where the head would cut in, and may be left out.
+// Ignores supports, which tilt where the head would collide and can be left out.
 bool isUpright(const plan::ToolPlan& plan) {
   return std::ranges::all_of(plan.paths, [&](const plan::ToolPath& path) {
     const auto first = plan.direction.begin() + static_cast<std::ptrdiff_t>(path.first);
@@ -31,7 +32,7 @@ bool isUpright(const plan::ToolPlan& plan) {
   });
 }
 
-// Those of a path that come last and lean.
+// Returns the stretches of a path that have to be printed last and tilted.
 std::vector<UnsupportedStretch> stretchesOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
                                             const std::vector<char>& hanging,
                                             const process::Process& process) {
@@ -40,14 +41,15 @@ std::vector<UnsupportedStretch> stretchesOf(const plan::ToolPlan& plan, const pl
   return hangingStretches(plan, path, hanging, 0.5 * process.bridgeMm);
 }
 
-// To the side of the way, by an angle.
+// Returns the direction tilted sideways to the path by an angle.
 Vector3d leaning(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i,
                  double deg) {
   const double rad = base::degreesToRadians(deg);
   return std::cos(rad) * plan.direction[i] + std::sin(rad) * sideOf(plan, path, i);
 }
 
-// Squared distance of the furthest of what hangs from the nearest waypoint that does not.
+// Squared distance of the unsupported waypoint furthest from all supported ones to the nearest of
+// them.
 double outwardsMm2(const plan::ToolPlan& plan, const std::vector<UnsupportedStretch>& stretches,
                    const std::vector<Vector3d>& carried) {
   double furthest = 0.0;
@@ -61,8 +63,8 @@ double outwardsMm2(const plan::ToolPlan& plan, const std::vector<UnsupportedStre
   return furthest;
 }
 
-// Of an open path: of what hangs, does more lie beside lines that the path lays later than beside
-// those it has laid?
+// For an open path, returns whether more of its unsupported waypoints are beside lines that it
+// prints later than beside lines already printed.
 bool leansOnLater(const plan::ToolPlan& plan, const plan::ToolPath& path,
                   const std::vector<UnsupportedStretch>& stretches,
                   const std::vector<char>& hanging) {
@@ -78,7 +80,7 @@ bool leansOnLater(const plan::ToolPlan& plan, const plan::ToolPath& path,
       int side = 0;
       for (std::size_t k = 0; k < path.count; ++k) {
         const std::size_t j = path.first + k;
-        // What it leads on to is not beside it.
+        // Neighbouring waypoints along the path are not beside it.
         if (hanging[j] || std::abs(along[k] - along[i - path.first]) < 2.0 * reach)
           continue;
         if (const double d = (plan.position[j] - plan.position[i]).squaredNorm(); d < nearest) {
@@ -97,7 +99,7 @@ public:
          const platform::PlatformSolid& platform)
       : plan_(plan), part_(part), platform_(platform) {}
 
-  // Of a stretch's waypoints and what leads to and from it.
+  // Tilts a stretch's waypoints, and those before and after it while the tilt fades.
   void brace(const plan::ToolPath& path, const UnsupportedStretch& s,
              std::vector<Vector3d>& directions) const {
     const LateralOffset lean =
@@ -109,7 +111,7 @@ public:
       if (d.dot(plan_.direction[i]) < directions[i].dot(plan_.direction[i]))
         directions[i] = d;
     });
-    if (path.closed) { // the same place twice
+    if (path.closed) { // first and last waypoint are the same place
       Vector3d &first = directions[path.first], &last = directions[path.first + path.count - 1];
       const Vector3d& own = plan_.direction[path.first];
       first = last = first.dot(own) < last.dot(own) ? first : last;
@@ -117,8 +119,8 @@ public:
   }
 
 private:
-  // The least lean to that side (-1, 1) at which enough of the bead is carried, or else most of it;
-  // 0: none of it ever is.
+  // Returns the smallest tilt to that side (-1, 1) at which enough of the bead is supported,
+  // otherwise the one with most support; 0 if no tilt gives any.
   double leastDeg(const plan::ToolPath& path, std::size_t i, int side) const {
     const double half = 0.5 * static_cast<double>(plan_.heightMm[i]);
     const Vector3d middle = plan_.position[i] - half * plan_.direction[i];

@@ -23,7 +23,7 @@ namespace voluta::window {
 
 struct ArmImportDialog::Look {
   std::vector<std::string> tips;
-  std::string tip, id; // that were taken
+  std::string tip, id; // Choices in use
   std::vector<std::string> assumed;
   robot::ArmKind kind = robot::ArmKind::Other;
   std::optional<base::Error> error;
@@ -31,7 +31,7 @@ struct ArmImportDialog::Look {
 
 namespace {
 
-constexpr int kSteps = 1000; // of the progress bar
+constexpr int kSteps = 1000; // Of the progress bar
 
 QString kindOf(robot::ArmKind kind) {
   switch (kind) {
@@ -40,7 +40,7 @@ QString kindOf(robot::ArmKind kind) {
   case robot::ArmKind::ParallelAxes:
     return ArmImportDialog::tr("Six axes, 2 to 4 parallel, solved in closed form");
   case robot::ArmKind::BentWrist:
-    return ArmImportDialog::tr("Six axes with a bent wrist, solved by a search");
+    return ArmImportDialog::tr("Six axes with an offset wrist, solved by a search");
   case robot::ArmKind::Other:
     break;
   }
@@ -66,7 +66,7 @@ ArmImportDialog::ArmImportDialog(const QString& urdf, const QString& folder, QWi
                      QString::fromStdString(std::string(dialect.id)));
   format_->setCurrentIndex(format_->findData(QStringLiteral("csv")));
   name_->setObjectName("armName");
-  // It names files, and is typed on the command line.
+  // The id becomes a file name and is typed on the command line.
   name_->setValidator(new QRegularExpressionValidator(
       QRegularExpression(QStringLiteral("[a-z0-9][a-z0-9._-]*")), name_));
   found_->setObjectName("armFound");

@@ -1,5 +1,5 @@
-// A robot arm from a URDF: what was found in the file, which link is its flange, what it is called
-// and what kind of cell is laid out for it.
+// Imports a robot arm from a URDF: shows the file's contents and lets the user choose the flange
+// link, the name and the kind of cell to create.
 #pragma once
 
 #include "base/error.h"
@@ -25,14 +25,16 @@ class ArmImportDialog : public QDialog {
   Q_OBJECT
 
 public:
-  // Reads the file at once, unseen. Files are written to `folder` (robots/ and cells/).
+  // Reads the file at once, before the dialog is shown. Files are written to `folder` (robots/ and
+  // cells/).
   ArmImportDialog(const QString& urdf, const QString& folder, QWidget* parent = nullptr);
 
   // The id of the cell that was written; empty until the dialog is accepted.
   const QString& cell() const { return cell_; }
 
 private:
-  struct Look; // at the file: what there is to choose from, and what comes of the choice
+  // One reading of the file: the options to choose from, and the result of the current choice
+  struct Look;
   void look();
   void show(const Look& look);
   void import();

@@ -11,7 +11,7 @@ using robot::DraftBody;
 
 namespace {
 
-constexpr int kBodyRole = Qt::UserRole; // its index among the draft's
+constexpr int kBodyRole = Qt::UserRole; // Index among the draft's bodies
 
 QString named(const std::string& text) {
   return QString::fromStdString(text);
@@ -35,7 +35,7 @@ void BodyTree::setDraft(const robot::CellDraft& draft) {
   bodies_ = draft.bodies();
   auto* base = new QTreeWidgetItem(this, {tr("Robot's base")});
   auto* flange = new QTreeWidgetItem(base, {tr("Flange of %1").arg(named(draft.robot()))});
-  QTreeWidgetItem* last = base; // what the next axis stands on
+  QTreeWidgetItem* last = base; // Parent of the next axis
   const auto add = [&](std::size_t n, QTreeWidgetItem* parent) {
     auto* item = new QTreeWidgetItem(parent, {nameOf(bodies_[n])});
     item->setData(0, kBodyRole, static_cast<qulonglong>(n));
@@ -81,7 +81,7 @@ QString BodyTree::nameOf(const DraftBody& body) {
 QString BodyTree::parentOf(const DraftBody& body, const robot::CellDraft& draft) {
   if (body.onFlange)
     return tr("in the flange");
-  // What stands is in the base as it is with the axes under the robot at 0.
+  // Fixed bodies are given in the base with the axes under the robot at 0.
   const auto isUnderPlate = [](const DraftBody& other) {
     return other.kind == DraftBody::Kind::Axis && !other.underRobot;
   };
@@ -91,7 +91,7 @@ QString BodyTree::parentOf(const DraftBody& body, const robot::CellDraft& draft)
   if (isUnderPlate(body) && std::ranges::any_of(bodies, [&](const DraftBody& other) {
         return isUnderPlate(other) && other.index < body.index;
       }))
-    return tr("on the axis before it");
+    return tr("on the previous axis");
   return tr("in the robot's base");
 }
 
@@ -109,7 +109,7 @@ Eigen::Isometry3d base_T_parent(const DraftBody& body, const robot::Cell& cell) 
       return at(cell.axisFrame(axes - 1));
     break;
   case DraftBody::Kind::Axis:
-    if (body.index > 0 && body.index <= axes) // the identity on axes under the robot, at home
+    if (body.index > 0 && body.index <= axes) // Identity for axes under the robot, at home
       return at(cell.axisFrame(body.index - 1));
     break;
   case DraftBody::Kind::Obstacle:

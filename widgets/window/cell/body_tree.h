@@ -1,4 +1,4 @@
-// The bodies of a cell that is edited, each below what it stands on; one of them is chosen.
+// Tree of the bodies of an edited cell, each below its parent; one of them is selected.
 #pragma once
 
 #include "robot/cell_draft.h"
@@ -15,20 +15,20 @@ class BodyTree : public QTreeWidget {
 public:
   explicit BodyTree(QWidget* parent = nullptr);
 
-  // What is chosen stays so where it is still there. Does not emit currentItemChanged.
+  // Keeps the selection if that body still exists. Does not emit currentItemChanged.
   void setDraft(const robot::CellDraft& draft);
   std::optional<robot::DraftBody> chosen() const;
   void choose(const robot::DraftBody& body);
 
   static QString nameOf(const robot::DraftBody& body);
-  // What its pose is told in: "in the flange".
+  // Returns the parent of its pose as text: "in the flange".
   static QString parentOf(const robot::DraftBody& body, const robot::CellDraft& draft);
 
 private:
   std::vector<robot::DraftBody> bodies_;
 };
 
-// The frame that a body's pose is told in, with the cell at rest.
+// Returns the frame in which a body's pose is given, with the cell at home.
 Eigen::Isometry3d base_T_parent(const robot::DraftBody& body, const robot::Cell& cell);
 
 } // namespace voluta::window

@@ -49,7 +49,7 @@ QString named(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-// Its links look the same then.
+// Whether the drawn links can be reused for the cell.
 bool sameArm(const scene::CellDrawing& drawn, const robot::Cell& cell) {
   return drawn.cell.robot().id == cell.robot().id;
 }
@@ -95,11 +95,11 @@ bool CellEditor::settled() const {
 
 void CellEditor::build() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  save_ = buttons->addButton(tr("Save as own cell"), QDialogButtonBox::AcceptRole);
+  save_ = buttons->addButton(tr("Save as my cell"), QDialogButtonBox::AcceptRole);
   save_->setObjectName("cellSave");
   connect(save_, &QPushButton::clicked, this, &CellEditor::save);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  // Enter commits a number, and ends nothing.
+  // Enter commits a number and must not close the dialog.
   for (QAbstractButton* button : buttons->buttons())
     static_cast<QPushButton*>(button)->setAutoDefault(false);
   auto* row = new QHBoxLayout;
@@ -128,13 +128,13 @@ QWidget* CellEditor::buildSide() {
   carried_->setUnit(QStringLiteral("kg"));
   carried_->setRange(0.0, kMostKg);
   carried_->setSingleStep(0.1);
-  carried_->setToolTip(tr("What the flange carries before anything is printed: the plate and its "
-                          "stem, or head and extruder"));
+  carried_->setToolTip(
+      tr("Mass on the flange before printing: the plate and its stem, or head and extruder"));
   auto* form = new QFormLayout;
   form->addRow(tr("Name"), name_);
   form->addRow(tr("Robot"), robot_);
   form->addRow(tr("Extruder"), extruder_);
-  form->addRow(tr("Carried"), carried_);
+  form->addRow(tr("Payload"), carried_);
 
   faultIcon_ = new QLabel(side);
   faults_ = new QLabel(side);
@@ -172,16 +172,17 @@ QWidget* CellEditor::buildBodies() {
   addBox->setObjectName("cellAddBox");
   auto* addFile = new QPushButton(tr("Add from file…"), bodies);
   addFile->setObjectName("cellAddFile");
-  addFile->setToolTip(tr("An obstacle that was drawn: a mesh, which becomes some boxes, cylinders "
-                         "and capsules about it"));
+  addFile->setToolTip(
+      tr("An obstacle from a drawing: a mesh, approximated by boxes, cylinders and capsules"));
   measure_ = new QPushButton(tr("Measure…"), bodies);
   measure_->setObjectName("cellMeasure");
-  measure_->setToolTip(tr("Where the body is, from points touched at the real cell"));
+  measure_->setToolTip(tr("Computes the body's pose from points touched at the real cell"));
   remove_ = new QPushButton(tr("Remove"), bodies);
   remove_->setObjectName("cellRemove");
-  rest_ = new QPushButton(tr("Find rest"), bodies);
+  rest_ = new QPushButton(tr("Find home pose"), bodies);
   rest_->setObjectName("cellRest");
-  rest_->setToolTip(tr("Rest where the arm is clearest of everything, the nozzle over the plate"));
+  rest_->setToolTip(
+      tr("Finds the home pose with the greatest clearance, the nozzle over the plate"));
   connect(addBox, &QPushButton::clicked, this, &CellEditor::addBox);
   connect(addFile, &QPushButton::clicked, importing_, &ObstacleImport::choose);
   connect(measure_, &QPushButton::clicked, this, &CellEditor::measure);
@@ -195,7 +196,7 @@ QWidget* CellEditor::buildBodies() {
     auto* button = new QToolButton(bodies);
     button->setDefaultAction(action);
     button->setText(undoes ? tr("Undo") : tr("Redo"));
-    // The action's text names the edit, which is for its tip.
+    // The action's text names the edit; the button shows it only as a tool tip.
     connect(action, &QAction::changed, button, [button, undoes] {
       button->setText(undoes ? CellEditor::tr("Undo") : CellEditor::tr("Redo"));
     });
@@ -203,7 +204,7 @@ QWidget* CellEditor::buildBodies() {
   }
   solids_ = new QCheckBox(tr("Collision solids"), bodies);
   solids_->setObjectName("cellSolids");
-  solids_->setToolTip(tr("Shows the solids that are checked for collisions over the arm"));
+  solids_->setToolTip(tr("Shows the solids used for collision checks over the arm"));
   connect(solids_, &QCheckBox::toggled, this, &CellEditor::showBody);
   row->addStretch(1);
   row->addWidget(solids_);
@@ -215,7 +216,7 @@ QWidget* CellEditor::buildBodies() {
   title->addWidget(frameOf_, 1);
   title->addWidget(measure_);
   for (QPushButton* button : {addBox, addFile, measure_, remove_, rest_})
-    button->setAutoDefault(false); // as the dialog's own
+    button->setAutoDefault(false); // As for the dialog's own buttons
   auto* column = new QVBoxLayout(bodies);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(tree_, 1);
@@ -240,17 +241,17 @@ void CellEditor::listen() {
     edit(draft_.withExtruder(extruder_->currentData().toString().toStdString()), tr("extruder"));
   });
   connect(carried_, &QDoubleSpinBox::valueChanged, this,
-          [this](double kg) { edit(draft_.withCarriedKg(kg), tr("carried mass")); });
+          [this](double kg) { edit(draft_.withCarriedKg(kg), tr("payload")); });
   connect(tree_, &QTreeWidget::currentItemChanged, this, &CellEditor::showBody);
   connect(viewport_, &viewer::Viewport::gizmoStarted, this, [this] { held_ = tree_->chosen(); });
   connect(viewport_, &viewer::Viewport::gizmoDragged, this, &CellEditor::drag);
   connect(viewport_, &viewer::Viewport::toolChanged, this, [this](viewer::Tool tool) {
-    // By Esc, which gives a drag up.
+    // Esc cancels a drag.
     if (tool == viewer::Tool::None && std::exchange(held_, std::nullopt))
       showDraft();
   });
   connect(importing_, &ObstacleImport::started, this,
-          [this](const QString& file) { tell(tr("%1 is being read…").arg(file)); });
+          [this](const QString& file) { tell(tr("Reading %1…").arg(file)); });
   connect(importing_, &ObstacleImport::imported, this, &CellEditor::addSolids);
   connect(importing_, &ObstacleImport::failed, this, [this](const QString& why) {
     showFaults();
@@ -301,7 +302,7 @@ void CellEditor::showBody() {
   remove_->setEnabled(body && body->kind == DraftBody::Kind::Obstacle);
   frameOf_->setText(
       body ? tr("%1, %2").arg(BodyTree::nameOf(*body), BodyTree::parentOf(*body, draft_))
-           : tr("Choose a body to move it"));
+           : tr("Select a body to move it"));
   frame_->setSizeMm(body ? body->sizeMm : std::nullopt);
   if (body)
     frame_->setFrame(body->pose);
@@ -322,7 +323,7 @@ void CellEditor::showBody() {
 
 void CellEditor::look() {
   save_->setEnabled(false);
-  tell(tr("being looked at…"));
+  tell(tr("checking…"));
   inBackground(
       runner_,
       [text = draft_.text(), id = draft_.id(), process = process_, partKg = partKg_,
@@ -357,7 +358,7 @@ Eigen::Isometry3d CellEditor::base_T_body(const DraftBody& body) const {
   return base_T_parent(body, *checked_.cell) * body.pose;
 }
 
-// The handles stand in the body's origin, and turn it about that.
+// The handles are at the body's origin and rotate the body about it.
 void CellEditor::drag(const viewer::GizmoChange& change, bool finished) {
   if (!held_ || !checked_.cell)
     return;
@@ -377,7 +378,7 @@ void CellEditor::drag(const viewer::GizmoChange& change, bool finished) {
     edit(draft_.withPose(body, heldAt_), tr("move %1").arg(BodyTree::nameOf(body)));
 }
 
-// The cell as it would be if the handle were let go, as often as it can be drawn.
+// Shows the cell as if the handle were released here, as often as it can be drawn.
 void CellEditor::preview() {
   if (previewing_.running() || !drawing_)
     return;
@@ -422,7 +423,7 @@ void CellEditor::showFaults() {
     nameGood = false;
     lines << language::words(error.message()) + ": " + language::words(error.remedy());
   }
-  tell(lines.isEmpty() ? tr("Nothing is wrong with it.") : lines.join(QLatin1Char('\n')),
+  tell(lines.isEmpty() ? tr("No problems.") : lines.join(QLatin1Char('\n')),
        !checked_.cell || !nameGood ? forms::Icon::Blocked
        : lines.isEmpty()           ? forms::Icon::Good
                                    : forms::Icon::Warning);
@@ -433,7 +434,7 @@ void CellEditor::showFaults() {
 void CellEditor::addBox() {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   if (checked_.cell) {
-    // Beside the plate, where it is seen.
+    // Beside the plate, where it is visible.
     const Eigen::Vector3d plate = checked_.cell->base_T_work(checked_.cell->home()).translation();
     pose.translation() = plate + Eigen::Vector3d(0.0, 3.0 * kNewBoxMm, 0.0);
   }
@@ -441,8 +442,8 @@ void CellEditor::addBox() {
   tree_->choose(draft_.bodies().back());
 }
 
-// Where it was drawn: the file of a whole cell then lies right, and what was drawn elsewhere is
-// moved.
+// Keeps the coordinates of the file: they are correct if it was drawn in the cell's frame;
+// otherwise the user moves the solids.
 void CellEditor::addSolids(const QString& name, const std::vector<robot::Shape>& solids) {
   edit(draft_.withSolids(name.toStdString(), Eigen::Isometry3d::Identity(), solids),
        tr("add %1").arg(name));
@@ -464,7 +465,7 @@ void CellEditor::measure() {
     return;
   Eigen::Isometry3d pose = *dialog->frame();
   if (tip)
-    pose.linear() = body->pose.linear(); // nothing is measured of it
+    pose.linear() = body->pose.linear(); // Orientation is not measured
   else if (!body->onFlange)
     pose = base_T_parent(*body, *checked_.cell).inverse(Eigen::Isometry) * pose;
   edit(draft_.withPose(*body, pose), tr("measure %1").arg(name));
@@ -479,7 +480,7 @@ void CellEditor::rest() {
   if (!checked_.cell)
     return;
   rest_->setEnabled(false);
-  faults_->setText(tr("being looked for…"));
+  faults_->setText(tr("searching…"));
   inBackground(
       runner_,
       [cell = checked_.cell, process = process_] {
@@ -488,12 +489,12 @@ void CellEditor::rest() {
       [this](auto&& found) {
         const auto& [joints, cell] = found;
         if (joints) {
-          edit(draft_.withHome(joints->head(cell->armDof()), cell->limits()), tr("rest"));
+          edit(draft_.withHome(joints->head(cell->armDof()), cell->limits()), tr("home pose"));
         }
         if (!runner_.running())
           showFaults();
         if (!joints)
-          faults_->setText(tr("Nowhere over the plate is the arm clear of everything."));
+          faults_->setText(tr("No collision-free home pose over the plate was found."));
       });
 }
 

@@ -1,6 +1,6 @@
-// A cell edited: what stands where, by numbers, by handles in the picture or from measured points;
-// which robot, what it carries. What the cell cannot do is said as it is edited; it is saved as a
-// cell of the user's own.
+// Editor for a cell: poses of its bodies, by numbers, by handles in the view or from measured
+// points; the robot and its payload. Problems of the cell are shown while it is edited; it is saved
+// as a cell of the user's own.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -45,15 +45,15 @@ class CellEditor : public QDialog {
   Q_OBJECT
 
 public:
-  // `partKg`: of the part that is to be printed, 0 without one.
+  // `partKg`: mass of the part to be printed, 0 without one.
   CellEditor(const robot::CellDraft& draft, const process::Process& process, double partKg,
              QWidget* parent);
   ~CellEditor() override;
 
-  // Of the cell that was saved; empty: none.
+  // Id of the saved cell; empty: none.
   const QString& savedId() const { return savedId_; }
   const robot::CellDraft& draft() const { return draft_; }
-  // The picture and what is said are those of the draft.
+  // Returns whether view and messages match the draft.
   bool settled() const;
 
 private:
@@ -88,10 +88,10 @@ private:
   double partKg_;
   QString savedId_;
   pipeline::CheckedCell checked_;
-  std::shared_ptr<const scene::CellDrawing> drawing_; // of the checked cell
+  std::shared_ptr<const scene::CellDrawing> drawing_; // Of the checked cell
   bool framed_ = false;
   jobs::JobRunner runner_, previewing_;
-  // While a handle is dragged: the body as it was, and where it is now.
+  // While a handle is dragged: the body before the drag, and its current pose.
   std::optional<robot::DraftBody> held_;
   Eigen::Isometry3d heldAt_ = Eigen::Isometry3d::Identity();
   ObstacleImport* importing_;

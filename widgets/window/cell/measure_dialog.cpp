@@ -27,10 +27,8 @@ constexpr std::size_t kOfAPose = 7; // x, y, z, qw, qx, qy, qz
 MeasureDialog* MeasureDialog::ofFrame(const QString& body, const QString& in, QWidget* parent) {
   return new MeasureDialog(
       body,
-      tr("Points in mm, %1, one a row. Three rows x, y, z: the origin, a point on X, and one "
-         "beside "
-         "it towards Y. Or three or more rows of six: where a point is in the frame, and where it "
-         "was touched.")
+      tr("One point per row, in mm, %1. Three rows x, y, z: origin, a point on X, a point in the "
+         "XY plane. Or at least three rows of six: nominal point, touched point.")
           .arg(in),
       QStringLiteral("400, 100, 20\n550, 100, 20\n400, 250, 20"), std::nullopt, parent);
 }
@@ -39,8 +37,8 @@ MeasureDialog* MeasureDialog::ofTip(const QString& body, const robot::RobotModel
                                     QWidget* parent) {
   return new MeasureDialog(
       body,
-      tr("Four or more poses in which the tip touches one and the same point, tilted to different "
-         "sides, one a row: the robot's joints, or x, y, z, qw, qx, qy, qz of the flange."),
+      tr("At least four poses in which the tip touches the same point, tilted to different sides, "
+         "one per row: the robot's joints, or x, y, z, qw, qx, qy, qz of the flange."),
       QStringLiteral("0, -90, 90, -90, -90, 0"), robot, parent);
 }
 

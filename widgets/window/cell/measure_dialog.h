@@ -1,5 +1,5 @@
-// A body's frame from what was measured at the real cell: rows of numbers, typed or pasted, and at
-// once the frame that they give and how well they agree.
+// Computes a body's frame from measurements at the real cell: rows of numbers, typed or pasted;
+// shows the resulting frame and how well the rows agree while typing.
 #pragma once
 
 #include "robot/robot_model.h"
@@ -19,13 +19,14 @@ class MeasureDialog : public QDialog {
   Q_OBJECT
 
 public:
-  // Of a frame: points as they were touched, told in `in` ("in the robot's base").
+  // For a frame: touched points, given in `in` ("in the robot's base").
   static MeasureDialog* ofFrame(const QString& body, const QString& in, QWidget* parent);
-  // Of a tip that the flange carries: poses of the flange, or joints of the robot, in which it
-  // touches one point.
+  // For a tool tip on the flange: flange poses, or joints of the robot, in which it touches one
+  // point.
   static MeasureDialog* ofTip(const QString& body, const robot::RobotModel& robot, QWidget* parent);
 
-  // What the rows give; nothing while they give none. A tip's turn is none.
+  // The frame computed from the rows; nullopt if they are incomplete. For a tip, the identity as
+  // rotation.
   const std::optional<Eigen::Isometry3d>& frame() const { return frame_; }
 
 private:
@@ -33,7 +34,7 @@ private:
                 std::optional<robot::RobotModel> robot, QWidget* parent);
   void evaluate();
 
-  std::optional<robot::RobotModel> robot_; // of a tip
+  std::optional<robot::RobotModel> robot_; // For a tip
   std::optional<Eigen::Isometry3d> frame_;
   QPlainTextEdit* rows_;
   QLabel *sign_, *told_;

@@ -17,7 +17,7 @@ namespace voluta::window {
 
 namespace {
 
-constexpr double kTinyMm = 10.0; // what is shorter is no obstacle
+constexpr double kTinyMm = 10.0; // Shorter meshes are no obstacles
 constexpr double kMmInMetre = 1000.0;
 
 } // namespace

@@ -1,4 +1,4 @@
-// A mesh's file, chosen by the user, read in the background into solids for an obstacle.
+// Lets the user choose a mesh file and converts it in the background to solids for an obstacle.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -16,16 +16,16 @@ class ObstacleImport : public QObject {
   Q_OBJECT
 
 public:
-  // What it asks the user is asked over `parent`.
+  // Dialogs are shown over `parent`.
   explicit ObstacleImport(QWidget* parent);
 
-  // Asks for a file; nothing happens without one.
+  // Shows the file dialog; does nothing if no file is chosen.
   void choose();
   bool running() const { return runner_.running(); }
 
 signals:
   void started(const QString& file);
-  // `name`: of the file, without its folder and ending.
+  // `name`: of the file, without folder and extension.
   void imported(const QString& name, const std::vector<voluta::robot::Shape>& solids);
   void failed(const QString& why);
 

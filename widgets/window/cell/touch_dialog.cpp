@@ -53,10 +53,9 @@ TouchDialog::TouchDialog(const Eigen::Vector2d& modelCentre, QWidget* parent)
       shift_(new QLabel(this)) {
   setObjectName("touchDialog");
   setWindowTitle(tr("Place on touched points"));
-  auto* words =
-      new QLabel(tr("Touch a cylinder that lies along x at three points or more, and "
-                    "enter them in the work frame: y z, or x y z, one point a line [mm]."),
-                 this);
+  auto* words = new QLabel(tr("Touch a cylinder along x at three points or more, and enter them in "
+                              "the work frame: y z, or x y z, one point per line [mm]."),
+                           this);
   words->setWordWrap(true);
   text_->setObjectName("touchPoints");
   text_->setPlaceholderText(QStringLiteral("-14.1 14.2\n0.05 20.1\n14.2 14.1"));
@@ -114,7 +113,7 @@ void TouchDialog::fit() {
   if (found.isEmpty() && !read.points.empty()) {
     try {
       circle_ = substrate::circleThrough(read.points);
-      found = tr("Centre y %1, z %2 mm; radius %3 mm; points: %4, off by %5 mm on average.")
+      found = tr("Centre y %1, z %2 mm; radius %3 mm; points: %4, mean deviation %5 mm.")
                   .arg(mm(circle_->centre.x()), mm(circle_->centre.y()), mm(circle_->radiusMm))
                   .arg(read.points.size())
                   .arg(mm(circle_->rmsMm));

@@ -1,4 +1,4 @@
-// Where a real cylinder lies, from points that were touched on it with the nozzle.
+// Computes the position of a real cylinder from points touched on it with the nozzle.
 #pragma once
 
 #include "substrate/touch_fit.h"
@@ -19,8 +19,8 @@ class NumberBox;
 
 namespace voluta::window {
 
-// One point a line, in mm: y and z, or x, y and z; separated by blanks, commas (then with points in
-// numbers) or semicolons. The error says which line is none.
+// Parses one point per line [mm]: y and z, or x, y and z; separated by blanks, commas (numbers then
+// have decimal points) or semicolons. The error names the invalid line.
 struct TouchedPoints {
   std::vector<Eigen::Vector2d> points; // (y, z)
   QString error;
@@ -31,12 +31,12 @@ class TouchDialog : public QDialog {
   Q_OBJECT
 
 public:
-  // `modelCentre`: (y, z) of the cylinder's axis where the part is now, mm.
+  // `modelCentre`: (y, z) of the cylinder's axis at the part's current position [mm].
   explicit TouchDialog(const Eigen::Vector2d& modelCentre, QWidget* parent = nullptr);
 
-  // none: the points give no circle.
+  // nullopt: the points determine no circle.
   const std::optional<substrate::CircleFit>& circle() const { return circle_; }
-  // From the cylinder in the model to the one that was touched: (y, z), mm.
+  // Returns the shift from the cylinder in the model to the touched one: (y, z) [mm].
   Eigen::Vector2d shiftMm() const;
 
 private:

@@ -43,7 +43,7 @@ void drawCellAtWork(scene::ViewState& view, const Workspace& work) {
   view.world = scene::World::Base;
   showCell(view, work.tree);
   if (!moves)
-    return; // at home
+    return; // At home
   view.joints = clock->jointsAt(work.timeline.timeS());
   view.printedWaypoints = clock->printedWaypoints(work.timeline.timeS());
 }

@@ -14,7 +14,7 @@
 namespace voluta::window {
 
 namespace {
-constexpr const char* kAutomatic = "auto"; // in the list of modes
+constexpr const char* kAutomatic = "auto"; // Entry in the list of modes
 
 QString named(const std::string& text) {
   return QString::fromStdString(text);
@@ -25,7 +25,7 @@ forms::ChoiceItem item(std::string_view id, base::Text label = {}, base::Text he
   return {name, label.empty() ? name : language::words(label), language::words(help)};
 }
 
-// What undo says of a choice.
+// Returns the name of a choice for undo.
 QString editNameOf(const QString& field) {
   if (field == "growth")
     return ChoicesEditor::tr("growth");
@@ -38,23 +38,23 @@ QString editNameOf(const QString& field) {
   return ChoicesEditor::tr("seed");
 }
 
-// What `to` has other than `from`, in words.
+// Describes the differences of `to` from `from`.
 QString changesOf(const project::Choices& from, const project::Choices& to) {
   QStringList parts;
   if (to.cell != from.cell)
     parts << ChoicesEditor::tr("cell %1").arg(named(base::dataName(to.cell)));
-  if (to.item().platform != from.item().platform)
-    parts << ChoicesEditor::tr("platform %1").arg(language::words(to.item().platform.shown()));
-  if (to.tool().process != from.tool().process)
-    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.tool().process)));
-  if (to.item().scale != from.item().scale)
-    parts << ChoicesEditor::tr("scale %1").arg(named(to.item().scale));
-  if (to.item().parameters != from.item().parameters)
-    parts << ChoicesEditor::tr("the part as it lies");
+  if (to.platform != from.platform)
+    parts << ChoicesEditor::tr("platform %1").arg(language::words(to.platform.shown()));
+  if (to.process != from.process)
+    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.process)));
+  if (to.scale != from.scale)
+    parts << ChoicesEditor::tr("scale %1").arg(named(to.scale));
+  if (to.parameters != from.parameters)
+    parts << ChoicesEditor::tr("the part's orientation unchanged");
   return parts.join(QStringLiteral(", "));
 }
 
-// Is the platform a body whose file has gone?
+// Returns whether the platform is a body whose file is missing.
 bool bodyIsMissing(const project::Choices& choices) {
   return choices.item().platform.isBody() &&
          !QFileInfo(named(choices.item().platform.file())).isFile();
@@ -65,7 +65,7 @@ bool wantsBody(const project::Choices& choices) {
          !choices.item().platform.isBody();
 }
 
-// As typed; what cannot be read is for the run to say.
+// As typed; the run reports values that cannot be parsed.
 forms::RodProfile rodProfileOf(const project::Choices& choices) {
   const auto text = [&](const char* key) {
     const auto at = choices.item().parameters.find(key);
@@ -95,8 +95,8 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
   form_->setObjectName("choices");
   connect(form_, &forms::ChoicesForm::changed, this, &ChoicesEditor::change);
   connect(&document_, &document::Document::stateChanged, this, [this] {
-    if (document_.choices().item().automatic && !document_.unusable())
-      form_->setNotice(wayChosen(), {}, false); // no file is read for it, however often this comes
+    if (document_.choices().automatic && !document_.unusable())
+      form_->setNotice(wayChosen(), {}, false); // Called often, so no file is read here
   });
   connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
   connect(form_, &forms::ChoicesForm::rodProfileChanged, this, &ChoicesEditor::changeRod);
@@ -105,9 +105,9 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
 void ChoicesEditor::retranslate() {
   forms::ChoiceLists lists = choiceLists();
   const QString automatic = QString::fromLatin1(kAutomatic);
-  lists.modes.insert(lists.modes.begin(), {automatic, tr("Automatic"),
-                                           tr("The first way of building, and the first platform, "
-                                              "that nothing blocks.")});
+  lists.modes.insert(lists.modes.begin(),
+                     {automatic, tr("Automatic"),
+                      tr("The first way of building and platform without blocking findings.")});
   lists.platforms[automatic] = {project::PlatformUse::Plate, project::PlatformUse::Rod,
                                 project::PlatformUse::Body};
   form_->setLists(lists);
@@ -155,8 +155,8 @@ void ChoicesEditor::changeRod(const forms::RodProfile& profile) {
   if (profile.sides > 0)
     c.item().parameters["rodSides"] = std::to_string(profile.sides);
   if (!profile.points.isEmpty())
-    c.item().parameters["rodProfile"] = profile.points.toStdString();
-  document_.setChoices(c, tr("shape of the rod"));
+    c.parameters["rodProfile"] = profile.points.toStdString();
+  document_.setChoices(c, tr("rod shape"));
 }
 
 void ChoicesEditor::switchMode(const std::string& mode) {
@@ -180,7 +180,7 @@ void ChoicesEditor::showNotice() {
   } else if (choices.item().automatic) {
     form_->setNotice(wayChosen(), {}, false);
   } else if (wantsBody(choices)) {
-    form_->setNotice(tr("Which body is printed on? Without one it is the plate."),
+    form_->setNotice(tr("Which body is printed on? If none is chosen, the plate."),
                      tr("Choose the body…"), false);
   } else if (wentAlong_.first == choices.item().mode && !wentAlong_.second.isEmpty()) {
     form_->setNotice(tr("Changed with it: %1.").arg(wentAlong_.second), {}, false);
@@ -204,7 +204,7 @@ void ChoicesEditor::pressNotice() {
   if (bodyIsMissing(choices) || wantsBody(choices))
     form_->choosePlatformFile();
   else
-    document_.setChoices(document::fitting(choices), tr("what fits the way of building"));
+    document_.setChoices(document::fitting(choices), tr("choices that fit the way of building"));
 }
 
 } // namespace voluta::window

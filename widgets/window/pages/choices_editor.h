@@ -1,5 +1,5 @@
-// The choices that are no parameters, edited in their form: with a way of building cell, process
-// and platform change along, and what does not fit is said beside them with a button that mends it.
+// Edits the choices that are not parameters in their form. A change of print mode also changes
+// cell, process and platform; conflicts are shown beside the form with a button that resolves them.
 #pragma once
 
 #include "document/mode_switch.h"
@@ -16,17 +16,17 @@ class Document;
 
 namespace voluta::window {
 
-// Every list of the form, in the language of the window.
+// Returns all lists of the form, in the language of the window.
 forms::ChoiceLists choiceLists();
 
 class ChoicesEditor : public QObject {
   Q_OBJECT
 
 public:
-  // The document outlives this.
+  // The document must outlive this.
   ChoicesEditor(document::Document& document, QObject* parent);
 
-  // Made here, to be put somewhere.
+  // Created here, to be placed by the caller.
   forms::ChoicesForm* form() { return form_; }
   void show();
   void retranslate();
@@ -36,14 +36,14 @@ private:
   void changeRod(const forms::RodProfile& profile);
   void switchMode(const std::string& mode);
   void showNotice();
-  // Of automatic choices: what was chosen, and why nothing else; empty: not planned yet.
+  // For automatic choices: the choice made and why others were rejected; empty: not planned yet.
   QString wayChosen() const;
   void pressNotice();
 
   document::Document& document_;
   forms::ChoicesForm* form_;
   document::ModeSwitch modeSwitch_;
-  // Of the mode that was last switched to, what was changed with it; empty: nothing.
+  // The mode last switched to, and the choices changed with it; empty: none.
   std::pair<std::string, QString> wentAlong_;
 };
 

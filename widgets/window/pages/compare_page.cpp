@@ -21,7 +21,7 @@ ComparePage::ComparePage(const Workspace& workspace)
   });
   connect(view_, &CompareView::adopted, this,
           [this](const QString& way, const std::shared_ptr<const pipeline::PlanResult>& result) {
-            // Plan goes on from what the comparison has made.
+            // Plan reuses the results of the comparison.
             if (result)
               pipeline::seedCache(*work().planning.cache(), result->job);
             work().shell.say(tr("Adopted: %1. Press Plan.").arg(way));
@@ -51,7 +51,7 @@ void ComparePage::retranslate() {
 }
 
 void ComparePage::draw(scene::ViewState& view) {
-  view.part = true; // nobody sees it
+  view.part = true; // It is not visible
 }
 
 } // namespace voluta::window

@@ -1,4 +1,4 @@
-// Compare: ways of building beside each other, and one of them adopted.
+// The Compare page: compares print modes side by side and adopts one of them.
 #pragma once
 
 #include "window/pages/page.h"

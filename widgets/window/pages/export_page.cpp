@@ -52,7 +52,7 @@ Checked findProgram(const pipeline::PlanResult& result, const QString& format) {
   return at == result.checked.end() ? nullptr : *at;
 }
 
-// A result's files stay where they are; the panels hold on to the result through them.
+// A result's files are not copied; the panels keep the result alive through them.
 std::vector<panels::ExportFile> exportFiles(const Checked& checked) {
   std::vector<panels::ExportFile> files;
   for (const plan::ProgramFile& file : checked->program.files)
@@ -60,7 +60,7 @@ std::vector<panels::ExportFile> exportFiles(const Checked& checked) {
                      std::shared_ptr<const std::string>(checked, &file.text)});
   return files;
 }
-// The proof of the program on show, else of the first that is written.
+// Returns the report of the program shown, else of the first written one.
 QString proofToOpen(const pipeline::Programs& programs, const QString& shownFormat) {
   const auto shown = std::ranges::find(programs, shownFormat, formatOf);
   const Checked& program = shown == programs.end() ? programs.front() : *shown;
@@ -81,7 +81,7 @@ ExportPage::ExportPage(const Workspace& workspace)
 void ExportPage::open(const QString& path) {
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
     work().shell.tell(tr("Cannot open %1").arg(QDir::toNativeSeparators(path)),
-                      tr("No program is set up on this machine to open it."));
+                      tr("No program on this computer is set up to open it."));
 }
 
 void ExportPage::listenToPanel() {
@@ -122,7 +122,7 @@ void ExportPage::listenToRuns() {
             if (!leftOut_.isEmpty())
               text += tr("; refused and not written: %1").arg(leftOut_.join(", "));
             if (*noPictures_)
-              text += tr("; the proofs have no pictures: %1").arg(language::words(**noPictures_));
+              text += tr("; the reports have no pictures: %1").arg(language::words(**noPictures_));
             work().shell.say(text);
             written_ = text;
             writtenTo_ = folder;
@@ -132,7 +132,7 @@ void ExportPage::listenToRuns() {
   connect(&exporting_, &document::Exporting::failed, this, [this](const QString& message) {
     writing_ = false;
     show();
-    work().shell.tell(tr("Nothing is exported"), message);
+    work().shell.tell(tr("Nothing was exported"), message);
   });
   document::Planning* planning = &work().planning;
   connect(planning, &document::Planning::finished, this, [this] {
@@ -159,7 +159,7 @@ std::vector<Command> ExportPage::commands() {
            "exportMenu",
            0,
            QT_TRANSLATE_NOOP("Commands", "&Verify a program…"),
-           QT_TRANSLATE_NOOP("Commands", "Replay a program from disk against the plan on show"),
+           QT_TRANSLATE_NOOP("Commands", "Replay a program from disk against the plan shown"),
            {},
            [this] { verify(); },
            [this] { return verifiable() != nullptr; }}};
@@ -187,8 +187,8 @@ void ExportPage::show() {
     return;
   panel_->setFormats(formats());
   panel_->setChecked(chosenFormats());
-  panel_->setOptions(work().document.choices().item().parameters);
-  // Beside the part, until the user says where.
+  panel_->setOptions(work().document.choices().parameters);
+  // Beside the part, until the user chooses a folder.
   if (panel_->folder().isEmpty() && work().document.source()) {
     const QFileInfo part(work().document.sourcePath());
     panel_->setFolder(part.isFile() ? part.absolutePath() : QDir::homePath());
@@ -198,7 +198,7 @@ void ExportPage::show() {
   showPreview();
 }
 
-// The files are of one plan: beside another one they would be taken for its own.
+// The files belong to one plan and must not be shown beside another one.
 void ExportPage::showWritten() {
   const auto exported = exported_.lock();
   const bool shown = exported && exported == work().document.result(Stage::Replay);
@@ -211,7 +211,7 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
   const auto cell = motion ? motion->cell : nullptr;
   const bool current = work().document.upToDate(Stage::Replay);
   std::vector<panels::ExportFormat> formats;
-  // The cell's own first, then those that any cell comes with, then other makers'.
+  // The cell's own first, then those available in every cell, then other makers'.
   std::vector<const program::Dialect*> dialects;
   for (const program::Dialect& dialect : program::dialects())
     dialects.push_back(&dialect);
@@ -248,8 +248,8 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
   return formats;
 }
 
-// Those that the choices name, else those that the cell's programs are written in. A reopened
-// project has no programs yet; it has its cell.
+// Returns the formats in the choices, else those of the cell's programs. A reopened project has no
+// programs yet, but it has its cell.
 QStringList ExportPage::chosenFormats() const {
   const project::Choices& choices = work().document.choices();
   const auto planned = work().document.lastResult();
@@ -267,17 +267,17 @@ QString ExportPage::whyNot() const {
   if (!document.source())
     return tr("Open a part first.");
   if (work().planning.running())
-    return tr("Planning is under way.");
+    return tr("Planning is in progress.");
   if (writing_)
     return tr("The files are being written.");
   if (!result)
-    return tr("Nothing is planned yet. Press Plan.");
+    return tr("Nothing has been planned yet. Press Plan.");
   if (result->checked.empty())
-    return tr("A project keeps the plan, not the programs. Press Plan to write them.");
+    return tr("Programs are not saved in a project. Press Plan to generate them.");
   const auto motion = document.result(Stage::Motion);
   if (motion && motion->job.resumedAt > 0 && !document.isRest())
-    return tr("This is the rest of a print, made with other settings. Undo the change: Plan makes "
-              "the whole part anew.");
+    return tr("This is the rest of a print made with other settings. Undo the change: Plan would "
+              "plan the whole part again.");
   if (!document.upToDate(Stage::Replay))
     return tr("The programs are out of date. Press Plan.");
   return {};
@@ -291,7 +291,7 @@ void ExportPage::showPreview() {
   showResume();
 }
 
-// Where the controller of the program on show takes longer than was planned.
+// Marks where the controller takes longer than planned for the program shown.
 void ExportPage::showSlow() {
   std::vector<timeline::Span> spans;
   const auto result = work().document.result(Stage::Replay);
@@ -300,7 +300,7 @@ void ExportPage::showSlow() {
     for (const pipeline::SlowSpan& span : program->slow)
       spans.push_back(
           {span.fromS, span.toS,
-           tr("Slower on the controller: %1 s more").arg(QLocale().toString(span.moreS, 'f', 1))});
+           tr("Slower on the controller by %1 s").arg(QLocale().toString(span.moreS, 'f', 1))});
   work().timeline.setSpans(std::move(spans));
 }
 
@@ -319,7 +319,7 @@ std::optional<std::size_t> ExportPage::resumePoint() const {
                                        static_cast<std::uint32_t>(line));
   if (line == 0 || !point || !work().document.upToDate(Stage::Replay))
     return std::nullopt;
-  // A line is a motion to its point: what it moves away from is where the print goes on.
+  // A line is a motion to its point, so printing resumes at the point before it.
   return resumableAt(work(), [&](const plan::Trajectory& t) {
     return motion::resumePoint(t, *point > 0 ? *point - 1 : 0);
   });
@@ -342,12 +342,12 @@ void ExportPage::goToLine(int file, qulonglong line) {
   showResume();
 }
 
-// No format at all is not a choice: an empty list stands for the cell's usual formats. The panel
-// asks for one.
+// An empty list would mean the cell's usual formats, so a selection without formats is not stored.
+// The panel prompts for one.
 void ExportPage::setFormats(const QStringList& ids) {
   takenOff_ = ids.isEmpty() ? chosenFormats() : QStringList();
   if (ids.isEmpty())
-    return; // the choices would name the cell's own
+    return; // The choices would name the cell's own formats
   project::Choices c = work().document.choices();
   c.formats.clear();
   for (const QString& id : ids)
@@ -383,7 +383,7 @@ void ExportPage::write(const Order& order) {
     if (!program->passed && !order.includeRefused)
       leftOut_ << formatOf(program);
   if (programs.empty()) {
-    work().shell.tell(tr("Nothing is exported"),
+    work().shell.tell(tr("Nothing was exported"),
                       tr("The replay refused all programs: %1.").arg(leftOut_.join(", ")));
     return;
   }
@@ -398,7 +398,7 @@ void ExportPage::write(const Order& order) {
   const auto draw = [noPictures](const project::Job& job) -> std::vector<std::string> {
     try {
       return pictures::drawProofPictures(job);
-    } catch (const base::Error& error) { // a proof is of use without pictures
+    } catch (const base::Error& error) { // A report is useful without pictures
       *noPictures = error.whole();
       return {};
     }
@@ -412,7 +412,7 @@ void ExportPage::write(const Order& order) {
 bool ExportPage::mayReplace(const QString& folder, const QStringList& names) {
   constexpr int kNamed = 6;
   QMessageBox box(QMessageBox::Warning, tr("Replace files?"),
-                  tr("Files are in %1 already.").arg(QDir::toNativeSeparators(folder)),
+                  tr("These files already exist in %1:").arg(QDir::toNativeSeparators(folder)),
                   QMessageBox::NoButton, side_->window());
   box.setObjectName("replaceBox");
   box.setInformativeText(names.mid(0, kNamed).join('\n') + (names.size() > kNamed ? "\n…" : ""));

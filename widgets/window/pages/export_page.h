@@ -1,4 +1,4 @@
-// Export: programs with the verdict of their replay, written into a folder.
+// The Export page: writes programs with the verdict of their replay into a folder.
 #pragma once
 
 #include "document/exporting.h"
@@ -36,7 +36,7 @@ protected:
   void left() override { work().timeline.setSpans({}); }
 
 private:
-  // What the user has asked for.
+  // The user's request.
   struct Order {
     QString folder;
     QStringList formats;
@@ -51,13 +51,13 @@ private:
   QString whyNot() const;
   void showPreview();
   void showSlow();
-  // Of the line that is set off; none: nothing can be taken up there.
+  // For the highlighted line; nullopt: printing cannot resume there.
   std::optional<std::size_t> resumePoint() const;
   void showResume();
   void showLine();
   void goToLine(int file, qulonglong line);
   void setFormats(const QStringList& ids);
-  // What a program from disk can be judged by; null: nothing that is up to date.
+  // Returns the plan to verify a program from disk against; null if none is up to date.
   std::shared_ptr<const pipeline::PlanResult> verifiable() const;
   void verify();
   void place(const Order& order);
@@ -71,15 +71,15 @@ private:
   document::Exporting exporting_;
   // Of the last export.
   std::weak_ptr<const pipeline::PlanResult> exported_;
-  QString written_;     // what it wrote, in words; empty: nothing yet
-  QString writtenTo_;   // its folder
-  QString proof_;       // file name; empty: none
-  QStringList leftOut_; // its refused formats
-  // Why its proofs have no pictures; filled in while they are written.
+  QString written_;     // Summary of the last export; empty: nothing exported yet
+  QString writtenTo_;   // Its folder
+  QString proof_;       // File name; empty: none
+  QStringList leftOut_; // Its refused formats
+  // Why its reports have no pictures; set while they are written.
   std::shared_ptr<const std::optional<base::Message>> noPictures_;
   bool writing_ = false;
-  QStringList takenOff_;         // what the choices name, where the user has unticked all of it
-  std::optional<Order> pending_; // waits for its programs to be planned
+  QStringList takenOff_;         // The formats in the choices, if the user has unticked all of them
+  std::optional<Order> pending_; // Waits for its programs to be planned
 };
 
 } // namespace voluta::window

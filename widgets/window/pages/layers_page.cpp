@@ -22,12 +22,12 @@ namespace voluta::window {
 using project::Stage;
 
 namespace {
-constexpr double kLeastRadiusMm = 30.0; // enough of the part around to know the place
-// A group of n voxels is seen with as much around it: radius in widths of a cube of n voxels.
+constexpr double kLeastRadiusMm = 30.0; // shows enough of the surroundings to recognise the place
+// View radius around a group of n voxels, in widths of a cube of n voxels.
 constexpr double kAroundGroup = 3.0;
-constexpr double kPartOpacity = 0.25; // over what was planned
+constexpr double kPartOpacity = 0.25; // over the planned results
 
-// Whose bead passes nearest.
+// Returns the layer of the nearest bead.
 int nearestLayer(const plan::ToolPlan& plan, const Eigen::Vector3d& place) {
   double best = std::numeric_limits<double>::infinity();
   int layer = 0;
@@ -131,13 +131,13 @@ LayerSubject LayersPage::subject() const {
   const LayerSubject chosen = options_->choices().subject;
   const Presenter& presenter = work().presenter;
   const bool pieces = presenter.hasPieces();
-  // A mode has either voxels or pieces: what was chosen for another one says nothing.
+  // A mode has either voxels or pieces, so a choice made for another mode may not apply.
   const bool missing =
       chosen == LayerSubject::Pieces ? !pieces : chosen == LayerSubject::Voxels && pieces;
   if (chosen != LayerSubject::Furthest && !missing)
     return chosen;
   const LayerSubject decomposed = pieces ? LayerSubject::Pieces : LayerSubject::Voxels;
-  // Modes without voxels and pieces show their last layers until there are new ones.
+  // Modes without voxels and pieces keep showing the previous layers until there are new ones.
   const bool ahead = work().document.voxelsAhead() && (pieces || presenter.hasVoxels());
   return ahead                                  ? decomposed
          : work().document.ahead(Stage::Layers) ? LayerSubject::Layers
@@ -153,7 +153,7 @@ void LayersPage::choose(LayerSubject subject) {
   showCount();
 }
 
-// Something else is asked for than a finding's place.
+// Ends looking at a finding's place.
 void LayersPage::lookElsewhere() {
   lookingAtMissed_ = false;
   work().picture.setMarker(std::nullopt);
@@ -197,7 +197,7 @@ bool LayersPage::replaysGrowth() const {
          work().timeline.step() < work().timeline.stepCount();
 }
 
-// The bar under the viewport and the layer slider serve what is on show.
+// The bar below the viewport and the layer slider control the shown subject.
 void LayersPage::showGrowth(LayerSubject subject) {
   const bool voxels = subject == LayerSubject::Voxels, pieces = subject == LayerSubject::Pieces;
   options_->setShown(subject);
@@ -211,8 +211,8 @@ void LayersPage::showGrowth(LayerSubject subject) {
   presented.setFrontStep(
       replayed && options_->choices().front ? std::optional(work().timeline.step()) : std::nullopt);
   work().layers.setEnabled(!replayed && !pieces);
-  work().layers.setToolTip(replayed ? tr("Growth is replayed: all layers")
-                           : pieces ? tr("Pieces are shown whole")
+  work().layers.setToolTip(replayed ? tr("Replaying growth: all layers shown")
+                           : pieces ? tr("Pieces are always shown whole")
                                     : QString());
 }
 
@@ -277,7 +277,8 @@ bool LayersPage::goTo(const plan::Finding& finding) {
   return false;
 }
 
-// Flies to a group of missed voxels, the others made see-through; false: the finding is no such.
+// Flies to a group of missed voxels and makes the others transparent. Returns false if the finding
+// is not about one.
 bool LayersPage::lookAtMissed(const plan::Finding& finding) {
   const VoxelPresenter& presented = work().presenter.voxels();
   if (plan::stageOf(finding) != Stage::Decompose || !finding.where || presented.missed() == 0)
@@ -295,7 +296,7 @@ bool LayersPage::lookAtMissed(const plan::Finding& finding) {
 
 void LayersPage::clicked(const std::optional<scene::Hit>& hit) {
   if (work().viewport.tool() == viewer::Tool::PickPoint || subject() == LayerSubject::Pieces)
-    return; // pieces_ has it
+    return; // pieces_ handles the click
   work().shell.chooseWaypoint(
       hit && hit->what == scene::Hit::What::Path ? std::optional(hit->waypoint) : std::nullopt);
 }

@@ -1,4 +1,4 @@
-// Layers: voxels, pieces, layers and tool-paths, by layer, by move and by step of growth.
+// Layers page: voxels, pieces, layers and tool-paths, by layer, by move and by growth step.
 #pragma once
 
 #include "window/pages/page.h"
@@ -49,9 +49,9 @@ private:
   LayerSubject subject() const; // never Furthest
   void choose(LayerSubject subject);
   void lookElsewhere();
-  // Layers of what is on show.
+  // Returns the number of layers of the shown subject.
   int layerCount() const;
-  // Of the layers on show; null: of others, or nothing is known.
+  // Returns the facts of the shown layers; null if they are of other layers or unknown.
   std::shared_ptr<const LayerFacts> facts() const;
   bool replaysGrowth() const;
   void showGrowth(LayerSubject subject);
@@ -65,8 +65,8 @@ private:
   panels::LayerInfo* info_;
   SpacingView* spacing_;
   QWidget* side_;
-  std::array<bool, 3> newest_{}; // of what is on show: decides what the viewport shows
-  bool lookingAtMissed_ = false; // until something else is asked for
+  std::array<bool, 3> newest_{}; // availability of newer results: determines the shown view
+  bool lookingAtMissed_ = false; // until the user looks at something else
 };
 
 } // namespace voluta::window

@@ -1,6 +1,6 @@
-// A page of the window: what it brings, what it shows in the viewport, what happens on it.
-// Signals go one way, from the document over the window to the pages; a page asks the window
-// through Shell and knows no other page. The pages there are stand in page_table.cpp.
+// Base class of the window's pages: their widgets, their view in the viewport and their reactions
+// to input. Signals go one way, from the document through the window to the pages; a page calls the
+// window through Shell and knows no other page. page_table.cpp lists the pages.
 #pragma once
 
 #include "plan/finding.h"
@@ -40,24 +40,24 @@ class Page;
 class Picture;
 class Presenter;
 
-// What a page asks of the window.
+// The window's interface for pages.
 class Shell {
 public:
   virtual ~Shell() = default;
   virtual void show(Page& page) = 0;
-  // The picture anew, as the page on show draws it.
+  // Redraws the viewport as the shown page defines it.
   virtual void showView() = 0;
-  // What every page has come to, and which commands can be used.
+  // Updates the states of all pages and the enabled commands.
   virtual void showStates() = 0;
-  // A path to stand out in all views, by a waypoint of it; none: no path.
+  // Highlights a path in all views, given by one of its waypoints; none: no path.
   virtual void chooseWaypoint(std::optional<std::size_t> waypoint) = 0;
-  // The rest of the print from a point of the trajectory on, as a project of its own.
+  // Opens the rest of the print, from a point of the trajectory, as a new project.
   virtual void resume(std::size_t point) = 0;
   virtual void say(const QString& text) = 0;                           // in the status line
-  virtual void tell(const QString& title, const QString& message) = 0; // in a box
+  virtual void tell(const QString& title, const QString& message) = 0; // in a message box
 };
 
-// What the pages work on; all of it outlives them.
+// The objects that the pages work on; all of them outlive the pages.
 struct WorkspaceParts {
   document::Document& document;
   document::Planning& planning;
@@ -79,17 +79,17 @@ struct Workspace : WorkspaceParts {
 struct PageInfo {
   const char* id;
   const char* name;   // source text of the context "Commands", with its mnemonic
-  bool aside = false; // beside the flow, no step of it
+  bool aside = false; // beside the flow, not a step of it
 };
 
 struct PageLayout {
   bool layerSlider = false;
-  std::optional<timeline::BarMode> timeline = {}; // none: no bar under the viewport
-  bool inCell = false;    // the picture is of the robot's cell, not of the part alone
-  bool aboutPart = false; // the picture is of the part and what stands about it
+  std::optional<timeline::BarMode> timeline = {}; // none: no bar below the viewport
+  bool inCell = false;    // the view shows the robot's cell, not the part alone
+  bool aboutPart = false; // the view shows the part and its surroundings
 };
 
-// What is done with the mouse in the viewport while its page is on show.
+// Mouse input in the viewport while its page is shown.
 class ViewportInput {
 public:
   virtual ~ViewportInput() = default;
@@ -108,34 +108,36 @@ public:
   QString id() const { return info_.id; }
   const PageInfo& info() const { return info_; }
   QString title() const;
-  // Is it the page on show?
+  // Returns whether this page is shown.
   bool isShown() const { return shown_; }
   void enter();
   void leave();
 
-  // Into the dock at the right.
+  // The widget for the right dock.
   virtual QWidget* side() = 0;
-  // In place of the viewport; null: the viewport.
+  // The widget in place of the viewport; null: the viewport.
   virtual QWidget* centre() { return nullptr; }
   virtual PageLayout layout() const { return {}; }
   virtual std::vector<Command> commands() { return {}; }
   virtual std::vector<ViewportInput*> inputs() { return {}; }
-  // Whose results it shows.
+  // The stages whose results the page shows.
   virtual std::vector<project::Stage> stages() const { return {}; }
   virtual PageState state() const; // the worst of stages()
   virtual void retranslate() {}
 
-  // What is seen, on top of Picture::base().
+  // Adds the page's content to Picture::base().
   virtual void draw(scene::ViewState& view) = 0;
-  virtual void drawn() {} // the viewport has it
-  // none: it shows no layers being laid.
+  virtual void drawn() {} // called after the viewport has drawn it
+  // The printed layers on show; none: the page shows no printing.
   virtual std::optional<Laid> laid() const { return {}; }
-  // Takes the picture to a waypoint of that path.
+  // Moves the view to a waypoint of that path.
   virtual void goToWaypoint(const plan::ToolPath&, std::size_t /*waypoint*/) {}
 
-  // How well it can show what a finding is about: the best page does. 0: not at all.
+  // Returns how well the page can show a finding; the page with the highest value is chosen. 0: not
+  // at all.
   virtual int interest(const plan::Finding&) const { return 0; }
-  // Called on show; true: the camera is there too.
+  // Shows the finding; called while the page is shown. Returns true if the camera is at its place
+  // too.
   virtual bool goTo(const plan::Finding&) { return false; }
 
 protected:
@@ -150,7 +152,7 @@ private:
 };
 
 inline constexpr const char* kPageArea = "pageArea";
-// The content of a dock in a bar that scrolls.
+// Returns a scroll area with the content of a dock.
 QScrollArea* scrolled(QWidget* content);
 
 } // namespace voluta::window

@@ -27,11 +27,11 @@ bool showsResultsOf(const Page& page, Stage stage) {
   return std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
-// What the picture is made from; none: the part alone.
+// Returns the stage that the view shows; none: the part alone.
 std::optional<Stage> stageOf(const scene::ViewState& view) {
   if (view.voxels || view.pieces)
     return Stage::Decompose;
-  if (view.joints.size() > 0) // else the cell is at home, whatever is planned
+  if (view.joints.size() > 0) // otherwise the cell is at home, whatever is planned
     return Stage::Motion;
   return view.layers  ? std::optional(Stage::Layers)
          : view.paths ? std::optional(Stage::Toolpath)
@@ -116,7 +116,7 @@ void PageStack::listenToPresenter() {
   });
 }
 
-// Moving the part takes a platform that is made for it along: that is the same one.
+// A platform made for the part moves with it and is still the same one.
 void PageStack::keepPlatformInView(const Eigen::Vector3d& sizeMm) {
   constexpr double kSameMm = 2.0;
   const bool another = (sizeMm - platformSizeMm_).cwiseAbs().maxCoeff() > kSameMm;
@@ -183,7 +183,7 @@ void PageStack::show(Page& page) {
   workspace_.layers.setVisible(layout.layerSlider);
   workspace_.timeline.setVisible(layout.timeline.has_value());
   if (!layout.timeline)
-    workspace_.timeline.pause(); // no key stops what is not seen
+    workspace_.timeline.pause(); // a bar that is not visible cannot be paused with a key
   workspace_.timeline.setMode(layout.timeline.value_or(timeline::BarMode::Time));
   page.enter();
   showView();
@@ -215,7 +215,7 @@ void PageStack::goTo(const plan::Finding& finding) {
       });
   show(**best);
   const bool there = (*best)->goTo(finding);
-  // Last: whatever the page moves on the way there takes a marker away.
+  // Set last, because the page's other changes on the way remove a marker.
   workspace_.picture.setMarker(finding.where);
   showView();
   if (finding.where && !there)
@@ -247,7 +247,8 @@ void PageStack::showView() {
   unrolled_.mark(view);
   workspace_.viewport.setView(view);
   if (std::exchange(world_, view.world) != view.world)
-    workspace_.viewport.frameAll(); // a cell has come or gone: all is in another place
+    // A cell appeared or disappeared, so that everything is in another place
+    workspace_.viewport.frameAll();
   unrolled_.showLaid(page_->laid());
   page_->drawn();
   legend_.setLegend(isColoured(workspace_.viewport.view()) ? workspace_.viewport.scene().legend()
@@ -255,7 +256,7 @@ void PageStack::showView() {
   showBadge();
 }
 
-// Says so where the picture is of other settings than those that are chosen now.
+// Shows a badge if the view is for other settings than the present ones.
 void PageStack::showBadge() {
   const document::Document& document = workspace_.document;
   const std::optional<Stage> stage = stageOf(workspace_.viewport.view());
@@ -263,9 +264,10 @@ void PageStack::showBadge() {
   if (!stage || page_->centre())
     badge_.setText({}, {});
   else if (preview && document.voxelsInPlace())
-    badge_.setText(tr("Preview"), tr("Layers, paths and programs do not follow yet: press Plan."));
+    badge_.setText(tr("Preview"),
+                   tr("Layers, paths and programs are not up to date yet: press Plan."));
   else if (!document.upToDate(*stage))
-    badge_.setText(tr("Out of date"), tr("Made before the settings were changed: press Plan."));
+    badge_.setText(tr("Out of date"), tr("The settings have changed since: press Plan."));
   else
     badge_.setText({}, {});
 }

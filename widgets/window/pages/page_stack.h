@@ -1,5 +1,5 @@
-// The pages of the window and which one is on show: brings their widgets in, draws the picture as
-// the page on show wants it, takes findings to the page that shows them best.
+// The window's pages and the shown one: adds their widgets, draws the view of the shown page and
+// takes findings to the page that shows them best.
 #pragma once
 
 #include "window/pages/page.h"
@@ -20,7 +20,7 @@ class PageStack : public QObject, public Shell {
   Q_OBJECT
 
 public:
-  // `picture`: what stands in the middle on pages without a widget of their own for it.
+  // `picture`: the central widget of pages without one of their own.
   PageStack(const WorkspaceParts& workspace, QWidget* picture, LegendView& legend,
             PictureBadge& badge, UnrolledDock& unrolled, QWidget* parent);
   ~PageStack() override;
@@ -28,14 +28,14 @@ public:
   FlowBar* flow() { return flow_; }
   QStackedWidget* sides() { return sides_; }
   QStackedWidget* centres() { return centres_; }
-  std::vector<Command> commands(); // theirs, and those that go to them
+  std::vector<Command> commands(); // the pages' own, and those that switch pages
 
   Page& page() const { return *page_; }
   Page* find(const QString& id) const; // null: unknown
   void show(Page& page) override;
   void showFirst() { show(*pages_.front()); }
   void showPageOf(project::Stage stage);
-  // Where what is planned appears: stays where some of it does.
+  // Shows the page on which planned results appear; stays on a page that shows some of them.
   void showResults();
   void goTo(const plan::Finding& finding);
   void chooseWaypoint(std::optional<std::size_t> waypoint) override;
@@ -47,7 +47,7 @@ public:
   void retranslate();
 
 signals:
-  void statesShown(); // also: another page is on show
+  void statesShown(); // also: another page is shown
   void resumeAsked(std::size_t point);
   void said(const QString& text);
   void told(const QString& title, const QString& message);
@@ -69,10 +69,10 @@ private:
   QStackedWidget *sides_, *centres_;
   std::vector<std::unique_ptr<Page>> pages_;
   Page* page_ = nullptr;
-  bool inCell_ = false, aboutPart_ = false; // the picture that the camera frames
-  std::string cell_;                        // drawn last
+  bool inCell_ = false, aboutPart_ = false; // the view that the camera frames
+  std::string cell_;                        // last drawn
   scene::World world_ = scene::World::Work;
-  Eigen::Vector3d platformSizeMm_ = Eigen::Vector3d::Zero(); // as drawn last
+  Eigen::Vector3d platformSizeMm_ = Eigen::Vector3d::Zero(); // as last drawn
 };
 
 } // namespace voluta::window

@@ -16,7 +16,7 @@ template <typename... Pages> std::vector<std::unique_ptr<Page>> made(const Works
 }
 } // namespace
 
-// Those beside the flow come last.
+// Pages beside the flow come last.
 std::vector<std::unique_ptr<Page>> makePages(const Workspace& workspace) {
   return made<PreparePage, LayersPage, SimulatePage, ExportPage, ComparePage>(workspace);
 }

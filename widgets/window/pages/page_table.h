@@ -1,4 +1,4 @@
-// The pages of the window, in the order of the flow.
+// The window's pages, in the order of the flow.
 #pragma once
 
 #include "window/pages/page.h"

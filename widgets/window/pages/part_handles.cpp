@@ -25,11 +25,11 @@ std::vector<Command> PartHandles::toolCommands() {
       {"toolMove", QT_TRANSLATE_NOOP("Commands", "&Move"),
        QT_TRANSLATE_NOOP("Commands", "Move the part with handles"), "M", "move", Tool::Move},
       {"toolTurn", QT_TRANSLATE_NOOP("Commands", "&Turn"),
-       QT_TRANSLATE_NOOP("Commands", "Turn the part with handles"), "R", "turn", Tool::Turn},
+       QT_TRANSLATE_NOOP("Commands", "Rotate the part with handles"), "R", "turn", Tool::Turn},
       {"toolScale", QT_TRANSLATE_NOOP("Commands", "&Scale"),
        QT_TRANSLATE_NOOP("Commands", "Scale the part with handles"), "S", "scale", Tool::Scale},
       {"toolLayFlat", QT_TRANSLATE_NOOP("Commands", "&Lay on face"),
-       QT_TRANSLATE_NOOP("Commands", "Click the face to lie on the plate"), "F", "lay-flat",
+       QT_TRANSLATE_NOOP("Commands", "Click the face to place on the plate"), "F", "lay-flat",
        Tool::LayFlat}};
   std::vector<Command> commands;
   for (const Row& row : kTools) {
@@ -51,7 +51,7 @@ std::vector<Command> PartHandles::toolCommands() {
 
 std::vector<Command> PartHandles::commands() {
   const auto part = [this] { return static_cast<bool>(work_.document.source()); };
-  // Around a rod the rod says where the part lies.
+  // Around a rod the rod determines the part's placement.
   const auto onPlate = [this] {
     return work_.document.source() &&
            !modes::findMode(work_.document.choices().item().mode).aroundRod;
@@ -61,7 +61,7 @@ std::vector<Command> PartHandles::commands() {
                       "editMenu",
                       2,
                       QT_TRANSLATE_NOOP("Commands", "&Drop to plate"),
-                      QT_TRANSLATE_NOOP("Commands", "Lowest point on the plate"),
+                      QT_TRANSLATE_NOOP("Commands", "Lowers the part onto the plate"),
                       {QKeySequence("D")},
                       [this] { drop(); },
                       part,
@@ -71,7 +71,7 @@ std::vector<Command> PartHandles::commands() {
                       "editMenu",
                       2,
                       QT_TRANSLATE_NOOP("Commands", "&Centre"),
-                      QT_TRANSLATE_NOOP("Commands", "Middle of the part over the plate's"),
+                      QT_TRANSLATE_NOOP("Commands", "Centres the part on the plate"),
                       {QKeySequence("C")},
                       [this] { centre(); },
                       part,
@@ -82,7 +82,7 @@ std::vector<Command> PartHandles::commands() {
        "editMenu",
        2,
        QT_TRANSLATE_NOOP("Commands", "Place on touched &points…"),
-       QT_TRANSLATE_NOOP("Commands", "Moves the part to a cylinder found by touching it"),
+       QT_TRANSLATE_NOOP("Commands", "Moves the part to a cylinder measured by touching"),
        {},
        [this] { layOnTouchedPoints(); },
        onPlate});
@@ -122,7 +122,7 @@ void PartHandles::layOnFace(const Eigen::Vector3d& normal) {
   work_.document.place(placement, tr("lay on face"));
 }
 
-// The part goes where the real cylinder is; layers that are cylinders get its axis.
+// Moves the part to the measured cylinder; cylindrical layers get its axis.
 void PartHandles::layOnTouchedPoints() {
   document::Document& document = work_.document;
   if (!document.source() || work_.presenter.partBox().isEmpty())
@@ -132,16 +132,16 @@ void PartHandles::layOnTouchedPoints() {
     return;
   const Eigen::Vector2d shift = dialog.shiftMm();
   project::Choices choices = document.choices();
-  // From where it lies now, whether by hand or by the way of building.
-  choices.item().placement = placed();
-  choices.item().placement.centreMm.y() += shift.x();
-  choices.item().placement.liftMm += shift.y();
-  if (const auto shape = choices.item().parameters.find("layerShape");
-      shape != choices.item().parameters.end() && shape->second == "cylinder")
-    choices.item().parameters["layerCentre"] = QStringLiteral("0,%1,%2")
-                                                   .arg(dialog.circle()->centre.x(), 0, 'g', 8)
-                                                   .arg(dialog.circle()->centre.y(), 0, 'g', 8)
-                                                   .toStdString();
+  // Start from the present placement, whether manual or by the mode.
+  choices.placement = placed();
+  choices.placement.centreMm.y() += shift.x();
+  choices.placement.liftMm += shift.y();
+  if (const auto shape = choices.parameters.find("layerShape");
+      shape != choices.parameters.end() && shape->second == "cylinder")
+    choices.parameters["layerCentre"] = QStringLiteral("0,%1,%2")
+                                            .arg(dialog.circle()->centre.x(), 0, 'g', 8)
+                                            .arg(dialog.circle()->centre.y(), 0, 'g', 8)
+                                            .toStdString();
   document.setChoices(choices, tr("place on touched points"));
 }
 
@@ -171,7 +171,7 @@ void PartHandles::gizmoDragged(const viewer::GizmoChange& change, bool finished)
   if (!finished)
     return;
   placeDragged(change);
-  // A drag that came to nothing leaves no new drawing that would take the preview's place.
+  // A drag without effect causes no new drawing that would replace the preview.
   if (work_.document.upToDate(Stage::Load))
     scene.setPartPreview(Eigen::Affine3d::Identity());
 }

@@ -1,4 +1,4 @@
-// The part moved, turned, scaled and laid on a face by handles and clicks in the viewport.
+// Moving, rotating, scaling and laying the part on a face by handles and clicks in the viewport.
 #pragma once
 
 #include "geometry/placement.h"
@@ -10,13 +10,13 @@ class PartHandles : public QObject, public ViewportInput {
   Q_OBJECT
 
 public:
-  // `page`: on which the tools can be used. All outlives this.
+  // `page`: on which the tools can be used. All must outlive this.
   PartHandles(const Workspace& workspace, const Page& page);
 
   std::vector<Command> commands();
-  // Where edits of the placement begin.
+  // Returns the placement with which edits start.
   geometry::Placement placed() const;
-  // None without a part.
+  // Without a part: no tool.
   void setTool(viewer::Tool tool);
 
   void clicked(const std::optional<scene::Hit>& hit) override;
@@ -33,7 +33,7 @@ private:
 
   Workspace work_;
   const Page& page_;
-  geometry::Placement before_; // the drag
+  geometry::Placement before_; // before the drag
   double scaleBefore_ = 1.0;
 };
 

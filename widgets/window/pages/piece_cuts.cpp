@@ -24,9 +24,11 @@ namespace {
 constexpr const char* kCuts = "cutPlanes";
 constexpr const char* kRoot = "pieceRoot";
 constexpr const char* kScheme = "planarScheme";
-constexpr double kFaceRadiusMm = 20.0; // of the part around a face that is looked at
-constexpr double kLeastFacing = 0.3;   // cosine between a face and the eye that it is seen well by
-// Of the part's diagonal, at the slider's end: between two pieces, and from the first to the last.
+constexpr double kFaceRadiusMm = 20.0; // of the part around a face
+// Minimum cosine between a face's normal and the view direction for the face to be visible well
+constexpr double kLeastFacing = 0.3;
+// At the slider's end, as shares of the part's diagonal: between two pieces, and from the first to
+// the last.
 constexpr double kExplodeShare = 0.4, kExplodeAllShare = 1.0;
 
 QColor colourOf(const scene::Colour& c) {
@@ -39,7 +41,7 @@ std::string chosenText(const project::Choices& choices, const char* key) {
   return chosen == choices.item().parameters.end() ? std::string() : chosen->second;
 }
 
-// The plane of `cut` turned and moved.
+// Returns the plane of `cut` rotated and moved.
 planar::GivenCut moved(const planar::GivenCut& cut, const viewer::GizmoChange& change) {
   planar::GivenCut out;
   out.point = cut.point + change.moveMm;
@@ -48,7 +50,7 @@ planar::GivenCut moved(const planar::GivenCut& cut, const viewer::GizmoChange& c
   return out;
 }
 
-// Outward, of the face whose middle is nearest.
+// Returns the outward normal of the face whose centroid is nearest.
 Eigen::Vector3d faceNormal(const std::vector<planar::Piece>& pieces, const Eigen::Vector3d& place) {
   double nearest = std::numeric_limits<double>::infinity();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
@@ -97,7 +99,7 @@ void PieceCuts::listen() {
   });
   connect(panel_, &PiecesPanel::dragging, this, [this](bool on) {
     work_.viewport.setDragging(on);
-    if (!on) // what was moved out of the picture is in it again
+    if (!on) // bring pieces that were moved out of view back into it
       work_.viewport.frameAll();
   });
   connect(panel_, &PiecesPanel::keepCutsRequested, this, [this] {
@@ -131,7 +133,7 @@ void PieceCuts::draw(scene::ViewState& view) const {
   view.moved_T_base = movedBase();
 }
 
-// The list follows what is drawn; the piece that was chosen is so by its cut.
+// Updates the list to the drawn pieces; the selection is identified by its cut.
 void PieceCuts::showPieces() {
   const auto result = work_.document.result(Stage::Decompose);
   const PiecesPresenter& drawn = work_.presenter.pieces();
@@ -154,7 +156,7 @@ void PieceCuts::showPieces() {
   showCuts();
 }
 
-// The user's cuts where there are as many as pieces on show were cut off, else those on show.
+// Shows the user's cuts if their number matches the shown pieces, else those of the shown pieces.
 void PieceCuts::showCuts() {
   const std::string text = chosenText(work_.document.choices(), kCuts);
   cuts_ = work_.presenter.pieces().cuts();
@@ -164,10 +166,10 @@ void PieceCuts::showCuts() {
       if (own.size() == cuts_.size())
         cuts_ = std::move(own);
     } catch (const base::Error&) {
-      // The run that meets it says what is wrong with it.
+      // Planning reports the error.
     }
   panel_->setOwnCuts(!text.empty());
-  // The scheme that asks for a root, where it is asked at all.
+  // Offered if the search uses the scheme with a root.
   panel_->setRootOffered(text.empty() && chosenText(work_.document.choices(), kScheme) == "greedy");
   if (work_.document.upToDate(Stage::Decompose)) {
     work_.presenter.pieces().dropEstimate();
@@ -181,7 +183,7 @@ void PieceCuts::select(int piece) {
   work_.shell.showView();
 }
 
-// Where the chosen piece's plane is now, off where it was when the pieces were made.
+// Returns the displacement of the chosen piece's plane since the pieces were made.
 std::optional<Eigen::Isometry3d> PieceCuts::movedBase() const {
   const std::vector<planar::GivenCut>& shown = work_.presenter.pieces().cuts();
   const auto cut = static_cast<std::size_t>(chosenCut_);
@@ -266,7 +268,7 @@ void PieceCuts::lookAt(const plan::Finding& finding) {
   const Eigen::Vector3d normal = faceNormal(pieces->pieces, *finding.where);
   const Eigen::Vector3d eye = scene::towardsEye(viewport.scene().renderer()).normalized();
   if (normal.dot(eye) < kLeastFacing) {
-    // About from where the user looks, as far as that side goes.
+    // Look from about the user's present direction, as far as the face is visible from there.
     Eigen::Vector3d level(eye.x(), eye.y(), 0.0);
     if (level.norm() < 1e-3 || level.normalized().dot(normal) < -0.5)
       level = Eigen::Vector3d(normal.x(), normal.y(), 0.0);
@@ -289,7 +291,7 @@ void PieceCuts::clicked(const std::optional<scene::Hit>& hit) {
 
 void PieceCuts::changeTool(viewer::Tool tool) {
   panel_->setPickingRoot(tool == viewer::Tool::PickPoint);
-  if (tool == viewer::Tool::None && shown_() && chosenCut_ >= 0) // given up by a key
+  if (tool == viewer::Tool::None && shown_() && chosenCut_ >= 0) // cancelled by a key
     select(-1);
 }
 

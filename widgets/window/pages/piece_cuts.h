@@ -1,4 +1,5 @@
-// Pieces of planar mode: chosen in tree or viewport, moved apart, their cuts dragged by handles.
+// Pieces of planar mode: selected in tree or viewport, exploded, their cut planes dragged by
+// handles.
 #pragma once
 
 #include "planar/given_cuts.h"
@@ -19,16 +20,16 @@ class PieceCuts : public QObject, public ViewportInput {
   Q_OBJECT
 
 public:
-  // `shown`: are the pieces what is on show?
+  // `shown`: returns whether the pieces are shown.
   PieceCuts(const Workspace& workspace, std::function<bool()> shown);
 
-  // Made here, to be put somewhere.
+  // Created here; the caller places it.
   panels::PiecesPanel* panel() { return panel_; }
   void draw(scene::ViewState& view) const;
-  // Handles on the chosen piece's base plane; elsewhere the tools are those of the part.
+  // Shows handles on the chosen piece's base plane; otherwise the tools apply to the part.
   void showHandles();
-  // Flies to the face that the finding is about, to a side that it is seen from; false: it is not
-  // about pieces, or there are none. What is on show is to be the pieces.
+  // concerns: returns whether the finding is about pieces and there are any. lookAt: flies to the
+  // finding's face, from a side on which it is visible; the pieces must be shown.
   bool concerns(const plan::Finding& finding) const;
   void lookAt(const plan::Finding& finding);
 
@@ -50,7 +51,7 @@ private:
   Workspace work_;
   std::function<bool()> shown_;
   panels::PiecesPanel* panel_;
-  std::vector<planar::GivenCut> cuts_, cutsBeforeDrag_; // as the choices have them, else as found
+  std::vector<planar::GivenCut> cuts_, cutsBeforeDrag_; // from the choices, else as found
   int chosenCut_ = -1;                                  // of the chosen piece; -1: none
   bool handles_ = false;
 };

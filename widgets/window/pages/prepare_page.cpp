@@ -32,7 +32,7 @@ namespace voluta::window {
 using project::Stage;
 
 namespace {
-// Without the name of the parameter: it stands beside it.
+// Without the name of the parameter, which is beside it.
 std::string problemText(const base::Error& error) {
   const QString problem = language::words(error.message());
   const QString remedy = language::words(error.remedy());
@@ -120,7 +120,7 @@ std::vector<Command> PreparePage::commands() {
                       "editMenu",
                       2,
                       QT_TRANSLATE_NOOP("Commands", "Reset all &parameters"),
-                      QT_TRANSLATE_NOOP("Commands", "Every parameter back to its default"),
+                      QT_TRANSLATE_NOOP("Commands", "Resets every parameter to its default"),
                       {},
                       [this] { work().document.resetParameters(); },
                       {},
@@ -131,7 +131,7 @@ std::vector<Command> PreparePage::commands() {
        "editMenu",
        3,
        QT_TRANSLATE_NOOP("Commands", "Edit &cell…"),
-       QT_TRANSLATE_NOOP("Commands", "Where nozzle, plate and obstacles stand, and which robot"),
+       QT_TRANSLATE_NOOP("Commands", "Robot, and positions of nozzle, plate and obstacles"),
        {},
        [this] { editCell(); }});
   return commands;
@@ -151,7 +151,7 @@ void PreparePage::editCell() {
                       work().viewport.window());
     if (editor.exec() != QDialog::Accepted)
       return;
-    choices_->retranslate(); // there is another cell to choose
+    choices_->retranslate(); // there is a new cell to choose
     project::Choices with = choices;
     with.cell = editor.savedId().toStdString();
     if (with.cell == choices.cell)
@@ -180,7 +180,7 @@ void PreparePage::left() {
 
 void PreparePage::draw(scene::ViewState& view) {
   const bool part = work().tree.isShown(panels::SceneItem::Part);
-  // While the part is handled it is in sight itself.
+  // While tools are active, the part itself is shown.
   const bool made = part && work().document.voxelsAhead() && work().document.voxelsInPlace() &&
                     work().viewport.tool() == viewer::Tool::None;
   view.voxels = made && work().presenter.hasVoxels();
@@ -207,7 +207,7 @@ void PreparePage::showChoices() {
   choices_->show();
   const base::ParameterTable table = document::parametersFor(c);
   parameters_->setDefaults(table);
-  const base::ParameterTable ofPrograms = program::programParameters(); // the Export page has them
+  const base::ParameterTable ofPrograms = program::programParameters(); // shown on the Export page
   std::set<std::string> applying;
   for (const base::ParameterSpec& spec : table.specs())
     if (modes::takesParameter(modes::findMode(c.item().mode), spec.key) &&
@@ -222,7 +222,7 @@ void PreparePage::showChoices() {
   showPart();
 }
 
-// Beneath its field, and nowhere else.
+// Shows a problem below its field only.
 void PreparePage::showProblems() {
   std::map<std::string, std::string> problems;
   if (const base::Error* error = work().document.unusable())

@@ -1,4 +1,4 @@
-// Prepare: the part laid where it is to be printed, and all that is chosen for it.
+// Prepare page: the placement of the part and all choices for it.
 #pragma once
 
 #include "window/pages/choices_editor.h"

@@ -16,7 +16,7 @@ using project::Stage;
 
 namespace {
 
-// Parts of about a height share a map.
+// Parts of similar height share a map.
 double mappedHeight(double heightMm) {
   constexpr double kStepMm = 25.0;
   return kStepMm * std::max(1.0, std::ceil(heightMm / kStepMm));
@@ -69,7 +69,7 @@ void ReachView::refresh() {
   try {
     key = pipeline::cellReachKey(document.choices(), height);
   } catch (const base::Error&) {
-    // The plan says what is wrong with the cell.
+    // Planning reports the cell's error.
   }
   if (key == key_ && (map_ || runner_.running()))
     showReach();
@@ -114,7 +114,7 @@ void ReachView::take(Found&& found) {
   work_.viewport.scene().setReach(found.drawing);
   panel_->setLooking(false);
   showReach();
-  // Whether there is a map to be seen is the picture's to know anew.
+  // The view's content depends on whether there is a map.
   work_.shell.showView();
 }
 

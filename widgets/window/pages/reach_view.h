@@ -1,5 +1,5 @@
-// Where the chosen cell's head reaches, found in the background: a map on the plate, whether the
-// part is inside it, and the way to the best place.
+// Reach of the chosen cell's head, computed in the background: a map on the plate, whether the part
+// is inside it, and moving the part to the best place.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -21,13 +21,13 @@ class ReachView : public QObject, public ViewportInput {
   Q_OBJECT
 
 public:
-  // All outlive this but the panel, which is made here to be put somewhere.
+  // All must outlive this except the panel, which is created here; the caller places it.
   ReachView(const Workspace& workspace, const PartHandles& handles, QObject* parent);
 
   panels::ReachPanel* panel() { return panel_; }
   void draw(scene::ViewState& view) const;
 
-  // The part's colour follows the handles.
+  // Updates the part's colour during dragging.
   void gizmoDragged(const viewer::GizmoChange& change, bool finished) override;
 
 private:
@@ -39,16 +39,17 @@ private:
   void showReach();
   void setBeyond(bool beyond);
   void move();
-  // Of the part as it is placed now; none: no part on a plate, or no map of it yet.
+  // Returns the place of the part in its present placement; none: no part on a plate, or no map for
+  // it yet.
   std::optional<cells::Place> placeNow() const;
 
   const Workspace& work_;
   const PartHandles& handles_;
   panels::ReachPanel* panel_;
   jobs::JobRunner runner_;
-  std::string key_; // of the map that was looked for last
+  std::string key_; // of the map computed last
   std::shared_ptr<const cells::ReachMap> map_;
-  std::optional<cells::Standing> standing_; // of the part on show
+  std::optional<cells::Standing> standing_; // of the shown part
   Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
   std::optional<cells::Place> best_;
   bool mapShown_ = false, beyond_ = false;

@@ -1,4 +1,4 @@
-// Where a print on show can be taken up again: the same on the pages that offer it.
+// Where the shown print can be resumed; shared by the pages that offer it.
 #pragma once
 
 #include "plan/trajectory.h"
@@ -11,13 +11,14 @@
 
 namespace voluta::window {
 
-// The point that `find` gives of the motion on show, which is that of the choices. None: there is
-// no such motion, nothing is printed from there on, or it comes before the rest that is on show.
+// Returns the point that `find` returns for the shown motion, if that is up to date with the
+// choices. Returns nullopt if there is no such motion, nothing is printed after the point, or it
+// precedes the shown rest of a print.
 std::optional<std::size_t>
 resumableAt(const Workspace& work,
             const std::function<std::optional<std::size_t>(const plan::Trajectory&)>& find);
 
-// "Bead 12 of 340". Precondition: a point of resumableAt.
+// Returns a text such as "Bead 12 of 340". Precondition: a point of resumableAt.
 QString placeOfPoint(const Workspace& work, std::size_t point);
 
 } // namespace voluta::window

@@ -27,7 +27,7 @@ SimulatePage::SimulatePage(const Workspace& workspace)
       plots_(new timeline::JointPlots) {
   plots_->setObjectName("plots");
   QScrollArea* area = scrolled(plots_);
-  area->setObjectName("plotsArea"); // may be tight: it is scrolled
+  area->setObjectName("plotsArea"); // may be narrow, as it scrolls
   side_ = new QWidget;
   resume_ = new panels::ResumeBar(side_);
   resume_->setContentsMargins(6, 0, 6, 4);
@@ -52,16 +52,15 @@ SimulatePage::SimulatePage(const Workspace& workspace)
 }
 
 std::vector<Command> SimulatePage::commands() {
-  return {
-      {"resumePrint",
-       "runMenu",
-       2,
-       QT_TRANSLATE_NOOP("Commands", "&Resume print from here…"),
-       QT_TRANSLATE_NOOP("Commands", "The rest of a print that was stopped at this moment, as a "
-                                     "project of its own"),
-       {},
-       [this] { resume(); },
-       [this] { return resumePoint().has_value(); }}};
+  return {{"resumePrint",
+           "runMenu",
+           2,
+           QT_TRANSLATE_NOOP("Commands", "&Resume print from here…"),
+           QT_TRANSLATE_NOOP("Commands",
+                             "Opens the rest of a print stopped at this moment as a new project"),
+           {},
+           [this] { resume(); },
+           [this] { return resumePoint().has_value(); }}};
 }
 
 std::optional<std::size_t> SimulatePage::resumePoint() const {
@@ -84,7 +83,7 @@ void SimulatePage::resume() {
 
 void SimulatePage::retranslate() {
   solids_->setText(tr("Collision solids"));
-  solids_->setToolTip(tr("Shows the solids that are checked for collisions over the arm"));
+  solids_->setToolTip(tr("Shows the solids used for collision checks over the arm"));
   showResume();
 }
 

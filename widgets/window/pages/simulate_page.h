@@ -1,4 +1,4 @@
-// Simulate: the robot prints, its joints are plotted in step.
+// Simulate page: the robot's motion with synchronized joint plots.
 #pragma once
 
 #include "window/pages/page.h"
@@ -37,7 +37,8 @@ public:
 
 private:
   void showMotion();
-  // Where the bead of the time-line begins; none: nothing can be taken up there.
+  // Returns the start of the bead at the time-line's position; none if the print cannot be resumed
+  // there.
   std::optional<std::size_t> resumePoint() const;
   void showResume();
   void resume();

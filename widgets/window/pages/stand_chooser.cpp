@@ -19,7 +19,7 @@ using project::Stage;
 namespace {
 constexpr double kSame = 0.003; // of unit vectors: a sixth of a degree
 
-// No more exact than it is.
+// Rounded to minutes, since it is an estimate.
 QString roughTime(double seconds) {
   const double minutes = std::max(1.0, std::round(seconds / 60.0));
   return minutes < 60.0 ? StandChooser::tr("%1 min").arg(minutes)
@@ -42,7 +42,7 @@ panels::ShownWay shownWay(const placement::Way& way, const QImage& picture) {
 struct StandChooser::Found {
   std::vector<placement::Way> ways;
   std::vector<QImage> pictures;
-  Eigen::Quaterniond rotation; // of the part's file, from which the ways turn
+  Eigen::Quaterniond rotation; // of the part's file; the orientations are relative to it
 };
 
 StandChooser::StandChooser(const Workspace& workspace, const PartHandles& handles, QObject* parent)
@@ -54,7 +54,7 @@ StandChooser::StandChooser(const Workspace& workspace, const PartHandles& handle
   connect(&work_.document, &Document::choicesChanged, this, &StandChooser::refresh);
   connect(&work_.document, &Document::sourceChanged, this, &StandChooser::refresh);
   connect(&work_.document, &Document::resultChanged, this, &StandChooser::refresh);
-  // What was in sight as it lay may not be as it stands.
+  // Frame the view again, because the new orientation may not be in view.
   connect(&work_.presenter, &Presenter::partDrawn, this, [this] {
     if (std::exchange(laid_, false))
       work_.viewport.frameAll();
@@ -89,7 +89,8 @@ void StandChooser::refresh() {
     return;
   const std::string key = pipeline::partWaysKey(*document.source(), placed->job.item().scale,
                                                 document.choices(), *placed->process);
-  // Another way to lie is shown beside the others; where the part stands in one of them they stay.
+  // A custom orientation is shown beside the others; while the part has one of the computed ones,
+  // they stay.
   if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame))
     showNow();
   else
@@ -146,10 +147,10 @@ void StandChooser::lay(std::size_t way) {
   const Eigen::Quaterniond rotation = choices.item().placement.rotation.normalized();
   choices.item().placement.rotation =
       (geometry::rotationLayingFlat(rotation * downs_[way]) * rotation).normalized();
-  choices.item().placement.liftMm = 0.0;
-  choices.item().parameters.erase("orient"); // a search would turn it further
+  choices.placement.liftMm = 0.0;
+  choices.parameters.erase("orient"); // a search would rotate it further
   laid_ = true;
-  work_.document.setChoices(choices, tr("stand it this way"));
+  work_.document.setChoices(choices, tr("change orientation"));
 }
 
 } // namespace voluta::window

@@ -1,4 +1,4 @@
-// The ways to stand of the part on show, found in the background and laid by a click.
+// Orientations of the shown part, computed in the background and applied by a click.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -19,7 +19,7 @@ class StandChooser : public QObject {
   Q_OBJECT
 
 public:
-  // All outlive this but the list, which is made here to be put somewhere.
+  // All must outlive this except the list, which is created here; the caller places it.
   StandChooser(const Workspace& workspace, const PartHandles& handles, QObject* parent);
 
   panels::WaysList* list() { return list_; }
@@ -31,9 +31,9 @@ private:
   void look(const std::string& key);
   void take(Found found);
   void showNow();
-  // Which of the ways has that direction of the file down; none: none.
+  // Returns the orientation in which that direction of the file points down; none if there is none.
   std::optional<std::size_t> wayDown(const Eigen::Vector3d& down) const;
-  // What is down now, in the part's file.
+  // Returns the direction that points down at present, in the part's file.
   Eigen::Vector3d down() const;
   void lay(std::size_t way);
 
@@ -41,9 +41,9 @@ private:
   const PartHandles& handles_;
   panels::WaysList* list_;
   jobs::JobRunner runner_;
-  std::string key_;                    // of the ways that were looked for last
-  Eigen::Vector3d lookedFrom_;         // what was down then
-  std::vector<Eigen::Vector3d> downs_; // of the ways on show
+  std::string key_;                    // of the orientations computed last
+  Eigen::Vector3d lookedFrom_;         // the direction that pointed down then
+  std::vector<Eigen::Vector3d> downs_; // of the shown orientations
   bool laid_ = false;                  // by a click, and not drawn yet
 };
 

@@ -74,7 +74,7 @@ std::vector<panels::RemedyButton> FindingsPresenter::remediesOf(const plan::Find
 }
 
 void FindingsPresenter::apply(const plan::Finding& finding, const QString& remedy) {
-  // A copy: an edit asks for those of other choices.
+  // A copy, because the edit below replaces offered_ for the new choices.
   const std::vector<pipeline::RemedyAction> offers = offersFor(finding);
   for (const pipeline::RemedyAction& offer : offers) {
     if (remedy.toStdString() != offer.remedy->name)

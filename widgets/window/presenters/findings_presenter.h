@@ -1,4 +1,4 @@
-// The findings that count now, in their panel and on the time-line, and what cures them.
+// Shows the current findings in their panel and on the time-line, and applies their remedies.
 #pragma once
 
 #include "panels/findings_panel.h"
@@ -24,16 +24,16 @@ class FindingsPresenter : public QObject {
   Q_OBJECT
 
 public:
-  // All outlives this.
+  // All must outlive this.
   FindingsPresenter(document::Document& document, document::Planning& planning,
                     document::LivePreview& live, panels::FindingsPanel& panel,
                     timeline::TimelineBar& timeline);
 
 private:
   void show();
-  // The error that a run ended in, where it did.
+  // Returns the error that ended a run, if any.
   plan::Findings stopped() const;
-  // Reads every cell: once for a finding, until the choices change.
+  // Reads every cell; cached per finding until the choices change.
   const std::vector<pipeline::RemedyAction>& offersFor(const plan::Finding& finding);
   std::vector<panels::RemedyButton> remediesOf(const plan::Finding& finding);
   void apply(const plan::Finding& finding, const QString& remedy);
@@ -48,7 +48,7 @@ private:
     std::vector<plan::NamedValue> values;
     std::vector<pipeline::RemedyAction> offers;
   };
-  std::optional<Offered> offered_; // last, with the present choices
+  std::optional<Offered> offered_; // the last ones, for the present choices
 };
 
 } // namespace voluta::window

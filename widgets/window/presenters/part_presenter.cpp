@@ -72,7 +72,7 @@ void PartPresenter::show(Stage stage) {
   }
 }
 
-// The part as it was read is on show before the first stage has placed it.
+// Shows the part as read until the first stage has placed it.
 void PartPresenter::drawSource() {
   const std::shared_ptr<const project::LoadedPart> source = document_.source();
   if (!source) {
@@ -96,7 +96,7 @@ void PartPresenter::drawSource() {
       });
 }
 
-// What is still being drawn must not come into an empty project.
+// Cancel drawings in progress, so that they do not appear in an empty project.
 void PartPresenter::clear() {
   for (const auto* runner : {&drawingPart_, &drawingPlatform_, &drawingCell_})
     (*runner)->cancel();
@@ -137,7 +137,7 @@ void PartPresenter::drawPlatform(const platform::PlatformSolid& platform) {
       [this](auto&& made) { swapPlatform(made.first, made.second); });
 }
 
-// The platform's outline is on show before anything is planned: its size decides what can grow.
+// Shows the platform before anything is planned, since its size determines what can grow.
 void PartPresenter::drawPlannedPlatform() {
   const auto placed = document_.result(Stage::Load);
   if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
@@ -171,8 +171,8 @@ void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
       [this](auto&& made) { swapCell(CellOf::Plan, made); });
 }
 
-// What the plate of the chosen cell is chosen for: the part as it was placed last. While an edit
-// places it anew the plate stays; null: nothing was placed in that cell.
+// Returns the last placed part, for which a plate of the chosen cell is selected. The plate stays
+// while an edit places the part again. Null: nothing was placed in that cell.
 std::shared_ptr<const pipeline::PlanResult> PartPresenter::placedForCell() const {
   const auto placed = document_.result(Stage::Load);
   const project::Choices& now = document_.choices();
@@ -181,8 +181,8 @@ std::shared_ptr<const pipeline::PlanResult> PartPresenter::placedForCell() const
   return sameCell || document_.upToDate(Stage::Load) ? placed : nullptr;
 }
 
-// The machine is on show before anything is planned. A cell that cannot be read is not drawn: the
-// plan says what is wrong with it.
+// Shows the machine before anything is planned. A cell that cannot be read is not drawn; planning
+// reports its error.
 void PartPresenter::drawChosenCell() {
   const project::Choices& choices = document_.choices();
   const auto placed = placedForCell();

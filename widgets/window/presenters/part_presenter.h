@@ -1,4 +1,4 @@
-// The part in the viewport, what it stands on and the cell around it.
+// The part in the viewport, its platform and the cell around it.
 #pragma once
 
 #include "document/document.h"
@@ -17,14 +17,14 @@ class PartPresenter : public QObject {
   Q_OBJECT
 
 public:
-  // Both outlive this.
+  // Both must outlive this.
   PartPresenter(document::Document& document, viewer::Viewport& viewport);
   ~PartPresenter() override;
 
-  // Of the part on show, work frame; empty: no part.
+  // Bounding box of the shown part, work frame; empty: no part.
   const Eigen::AlignedBox3d& box() const { return box_; }
   bool busy() const;
-  // Which cell is on show: that of the choices, at rest, or that of the plan on show.
+  // The shown cell: the chosen one in its home pose, or that of the shown plan.
   enum class CellOf { Choices, Plan };
   void showCell(CellOf which);
   // Returns whether the cell to show is drawn.
@@ -32,7 +32,7 @@ public:
 
 signals:
   void platformDrawn(const Eigen::Vector3d& sizeMm);
-  void drawn(bool another); // another: not the one that was on show with another placement
+  void drawn(bool another); // another: not the previously shown part in another placement
   void cellDrawn();
 
 private:
@@ -55,14 +55,14 @@ private:
   viewer::Viewport& viewport_;
   std::unique_ptr<jobs::JobRunner> drawingPart_, drawingPlatform_, drawingCell_, drawingChosenCell_;
   std::shared_ptr<const void> shownSource_;
-  // What was drawn last, so that the same data is never drawn twice.
+  // Last drawn, so that the same data are not drawn twice.
   std::shared_ptr<const geometry::TriangleMesh> drawnPart_;
   std::shared_ptr<const robot::Cell> drawnCell_;
-  // What the cell of the choices was drawn from: what of the choices, the part.
+  // Inputs of the drawn chosen cell: a key of the choices, the part.
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> chosenCell_;
   std::array<std::shared_ptr<const scene::CellDrawing>, 2> cells_; // by CellOf
   CellOf shownCell_ = CellOf::Choices;
-  // What the platform was drawn from: what of the choices, the part.
+  // Inputs of the drawn platform: a key of the choices, the part.
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> drawnPlatform_;
   Eigen::AlignedBox3d box_;
 };

@@ -12,7 +12,7 @@
 namespace voluta::window {
 
 namespace {
-constexpr std::size_t kCoarseTriangles = 2500; // enough to know an area by, and quick to cut
+constexpr std::size_t kCoarseTriangles = 2500; // enough for an area estimate, and quick to cut
 
 struct Drawn {
   std::shared_ptr<const scene::PiecesDrawing> drawing;
@@ -27,7 +27,7 @@ struct Estimated {
 };
 int storeysOf(const std::vector<planar::Piece>& pieces) {
   std::vector<int> level;
-  for (const planar::Piece& piece : pieces) // one comes after the one it stands on
+  for (const planar::Piece& piece : pieces) // a piece comes after the one it is based on
     level.push_back(piece.parent >= 0 && piece.parent < static_cast<int>(level.size())
                         ? level[static_cast<std::size_t>(piece.parent)] + 1
                         : 1);

@@ -1,4 +1,4 @@
-// The pieces in the viewport, the cuts that made them, and what other cuts would come to.
+// The pieces in the viewport, their cuts, and estimates for other cuts.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -20,26 +20,26 @@ class PiecesPresenter : public QObject {
   Q_OBJECT
 
 public:
-  // The viewport outlives this.
+  // The viewport must outlive this.
   explicit PiecesPresenter(viewer::Viewport& viewport, QObject* parent = nullptr);
   ~PiecesPresenter() override;
 
-  // Null: none; what is on show goes at once. `choices` say when faces need support.
+  // Null: removes the shown pieces immediately. `choices` determine which faces need support.
   void setPieces(std::shared_ptr<const planar::PlanarDecomposition> pieces,
                  const project::Choices& choices);
-  // Of the drawing on show; 0: none.
+  // Of the shown drawing; 0: none.
   int count() const { return drawing_ ? scene::pieceCount(*drawing_) : 0; }
-  // How many pieces stand on each other at most; 0: none are on show.
+  // Returns the maximum number of pieces on top of each other; 0: none shown.
   int storeys() const { return storeys_; }
-  // Of the pieces on show, as cutsOf() has them.
+  // The cuts of the shown pieces, as cutsOf() returns them.
   const std::vector<planar::GivenCut>& cuts() const { return cuts_; }
-  int cutOf(int piece) const; // -1: none, it stands on the plate
+  int cutOf(int piece) const; // -1: none, it is on the plate
   int pieceOf(int cut) const; // -1: none
-  // Where the base plane of a piece is drawn, off its place on the part.
+  // Returns the displacement of a piece's drawn base plane from its place on the part.
   Eigen::Vector3d planeOffset(int piece, double explodeMm) const;
 
-  // What of the part would need support, cut so: on a simplified part or on the part itself. Of
-  // several that follow each other fast the last counts.
+  // Estimates the area that would need support with these cuts, on a simplified part or on the part
+  // itself. Of several requests in quick succession only the last is completed.
   void estimate(std::shared_ptr<const geometry::TriangleMesh> part, const project::Choices& choices,
                 std::vector<planar::GivenCut> cuts, bool exact);
   void dropEstimate();
@@ -47,7 +47,7 @@ public:
 
 signals:
   void drawn();
-  // `problem` empty: none.
+  // `problem`: empty if there is none.
   void estimated(double riskyMm2, bool exact, const QString& problem);
 
 private:
@@ -71,7 +71,7 @@ private:
   std::vector<std::size_t> pieceOfCut_;
   int storeys_ = 0;
   Coarse coarse_;
-  std::optional<Wanted> wanted_; // the next to be estimated
+  std::optional<Wanted> wanted_; // the next one to estimate
 };
 
 } // namespace voluta::window

@@ -42,7 +42,7 @@ void Presenter::drawVoxels() {
                            result && result->process ? result->process->layerHeightMm : 0.0);
 }
 
-// Flat slicing has one piece, the part: nothing to show.
+// Flat slicing has a single piece, the part, which is not shown as a piece.
 void Presenter::drawPieces() {
   const auto result = document_.result(Stage::Decompose);
   const modes::Mode* mode = result ? modes::modeNamed(result->job.choices.item().mode) : nullptr;

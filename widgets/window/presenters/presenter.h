@@ -1,5 +1,5 @@
-// From the document's results to what the viewport draws and the panels show, prepared in the
-// background: the window's thread only swaps finished things in.
+// Turns the document's results into drawings and panel contents. Works in the background; the
+// window's thread only swaps in finished data.
 #pragma once
 
 #include "document/document.h"
@@ -19,7 +19,7 @@ class Presenter : public QObject {
   Q_OBJECT
 
 public:
-  // Both outlive this.
+  // Both must outlive this.
   Presenter(document::Document& document, viewer::Viewport& viewport, QObject* parent = nullptr);
   ~Presenter() override;
 
@@ -30,29 +30,29 @@ public:
   bool hasLayers() const { return print_.patchLayers() > 0; }
   bool hasPaths() const { return print_.pathLayers() > 0; }
   bool hasCell() const { return part_.hasCell(); }
-  // Layers of each that is drawn; 0: none.
+  // Number of drawn layers of each kind; 0: none.
   int voxelLayers() const { return voxels_.layers(); }
   int patchLayers() const { return print_.patchLayers(); }
   int pathLayers() const { return print_.pathLayers(); }
-  // Of the part on show, work frame; empty: no part.
+  // Bounding box of the shown part, work frame; empty: no part.
   const Eigen::AlignedBox3d& partBox() const { return part_.box(); }
   void showCell(PartPresenter::CellOf which) { part_.showCell(which); }
-  // Of the motion, where it is one of the chosen cell; null: there is none.
+  // Of the motion, if it is for the chosen cell; null: there is none.
   const std::shared_ptr<const timeline::Clock>& clock() const { return print_.clock(); }
   const std::shared_ptr<const LayerFacts>& facts() const { return print_.facts(); }
-  // Waypoints of a layer in print order, as moves count them.
+  // Returns the waypoints of a layer in print order, as counted by moves.
   const std::vector<std::uint32_t>& waypointsOf(int layer) const {
     return print_.waypointsOf(layer);
   }
-  // Moves of a layer, as the move slider counts them.
+  // Returns the number of moves of a layer, as counted by the move slider.
   int movesOf(int layer) const { return static_cast<int>(waypointsOf(layer).size()); }
 
-  // Anything being prepared?
+  // Returns whether anything is being prepared.
   bool busy() const;
 
 signals:
   void platformDrawn(const Eigen::Vector3d& sizeMm);
-  void partDrawn(bool another); // another: not the one that was on show with another placement
+  void partDrawn(bool another); // another: not the previously shown part in another placement
   void cellDrawn();
   void voxelsDrawn();
   void layersDrawn();
@@ -61,7 +61,7 @@ signals:
   void factsReady();
 
 private:
-  void drawVoxels(); // of the preview where there is one
+  void drawVoxels(); // of the preview if there is one
   void drawPieces();
 
   document::Document& document_;

@@ -46,7 +46,7 @@ void PrintPresenter::show(Stage stage) {
     drawMotion();
 }
 
-// Went with its part or project. What is still being drawn of it must not come after it.
+// The part or project was removed: cancel drawings in progress, so that they do not appear later.
 void PrintPresenter::drop(Stage stage) {
   if (stage == Stage::Layers) {
     drawingLayers_->cancel();
@@ -99,7 +99,7 @@ void PrintPresenter::drawPaths(const std::shared_ptr<const plan::ToolPlan>& plan
       *drawingPaths_, [plan] { return scene::drawPaths(*plan); },
       [this](auto&& made) {
         swapPaths(made);
-        if (std::exchange(clock_, nullptr)) // of the paths before
+        if (std::exchange(clock_, nullptr)) // of the previous paths
           emit motionReady();
         gatherFacts();
       });
@@ -143,7 +143,7 @@ void PrintPresenter::drawMotion() {
                          std::make_shared<const timeline::Clock>(trajectory, plan));
       },
       [this, trajectory](auto&& made) {
-        const auto motion = shownMotion(); // the choices may have changed meanwhile
+        const auto motion = shownMotion(); // the choices may have changed in the meantime
         clock_ = motion && motion->job.trajectory == trajectory ? made.second : nullptr;
         swapPaths(made.first);
         emit motionReady();
@@ -159,9 +159,8 @@ void PrintPresenter::gatherFacts() {
   const auto paths = document_.result(Stage::Toolpath);
   const auto plan = paths ? paths->job.toolPlan : nullptr;
   const auto clock = clock_ && clock_->toolPlan() == plan ? clock_ : nullptr;
-  // Layers of pieces that lean in all directions do not add up to a height.
-  const bool stacked =
-      !result->job.item().pieces() || result->job.item().pieces()->pieces.size() < 2;
+  // The layers of pieces with different directions do not add up to a height.
+  const bool stacked = !result->job.pieces() || result->job.pieces()->pieces.size() < 2;
   inBackground(
       *gathering_,
       [stack, plan, clock, stacked, heights = heightLimits(*result->process)] {

@@ -1,5 +1,4 @@
-// What is printed, in the viewport: layers, tool-paths, the robot's motion, and what is known of
-// each layer.
+// The print in the viewport: layers, tool-paths, the robot's motion, and facts about each layer.
 #pragma once
 
 #include "document/document.h"
@@ -15,7 +14,7 @@
 
 namespace voluta::window {
 
-// What the Layers page knows of the layers last made.
+// Facts about the most recent layers, for the Layers page.
 struct LayerFacts {
   std::shared_ptr<const layers::LayerStack> of;
   std::vector<panels::LayerMeasures> measures;
@@ -28,16 +27,16 @@ class PrintPresenter : public QObject {
   Q_OBJECT
 
 public:
-  // Both outlive this.
+  // Both must outlive this.
   PrintPresenter(document::Document& document, viewer::Viewport& viewport);
   ~PrintPresenter() override;
 
-  // Of the drawings on show; 0: none.
+  // Of the shown drawings; 0: none.
   int patchLayers() const { return patchLayers_; }
   int pathLayers() const { return pathLayers_; }
   const std::shared_ptr<const timeline::Clock>& clock() const { return clock_; }
   const std::shared_ptr<const LayerFacts>& facts() const { return facts_; }
-  // Waypoints of a layer in print order, as moves count them.
+  // Returns the waypoints of a layer in print order, as counted by moves.
   const std::vector<std::uint32_t>& waypointsOf(int layer) const;
   bool busy() const;
 
@@ -54,8 +53,8 @@ private:
                   const process::Process& process);
   void drawPaths(const std::shared_ptr<const plan::ToolPlan>& plan);
   void swapPaths(const std::shared_ptr<const scene::PathsDrawing>& drawing);
-  // That of the paths on show, for the chosen cell: a motion says nothing about another robot.
-  // Null: there is none.
+  // Returns the result with the motion of the shown paths, if it is for the chosen cell; a motion
+  // does not apply to another robot. Null: there is none.
   std::shared_ptr<const pipeline::PlanResult> shownMotion() const;
   void followCell();
   void drawMotion();
@@ -67,7 +66,7 @@ private:
   std::shared_ptr<const timeline::Clock> clock_;
   std::shared_ptr<const LayerFacts> facts_;
   std::shared_ptr<const scene::PathsDrawing> paths_;
-  // What was drawn last, so that the same data is never drawn twice.
+  // Last drawn, so that the same data are not drawn twice.
   std::shared_ptr<const layers::LayerStack> drawnLayers_;
   std::shared_ptr<const plan::ToolPlan> drawnPaths_;
   int patchLayers_ = 0, pathLayers_ = 0;

@@ -134,7 +134,7 @@ void VoxelPresenter::setFrontStep(std::optional<int> step) {
   drawFront();
 }
 
-// One at a time: while a slider is dragged, replacing the work under way would show none of it.
+// Draws one front at a time: restarting while a slider is dragged would never show any.
 void VoxelPresenter::drawFront() {
   if (!frontWanted_ || !decomposition_ || frontWanted_ == frontDrawn_ || front_->running())
     return;

@@ -1,4 +1,4 @@
-// The voxels in the viewport: by layer, replayed by growth step, and the convex front of a step.
+// The voxels in the viewport: by layer, by growth step, and the convex front of a step.
 #pragma once
 
 #include "curved/decomposition.h"
@@ -17,26 +17,26 @@ class VoxelPresenter : public QObject {
   Q_OBJECT
 
 public:
-  // The viewport outlives this.
+  // The viewport must outlive this.
   explicit VoxelPresenter(viewer::Viewport& viewport, QObject* parent = nullptr);
   ~VoxelPresenter() override;
 
-  // Null: none; what is on show goes at once. Otherwise the new voxels take its place when drawn;
-  // of several that follow each other fast, those are drawn that there is time for, and the last.
-  // layerHeightMm as scene::VoxelLook.
+  // Null: removes the shown voxels immediately. Otherwise the new voxels replace them once drawn;
+  // of several in quick succession only some are drawn, always including the last. layerHeightMm as
+  // in scene::VoxelLook.
   void setDecomposition(std::shared_ptr<const curved::Decomposition> decomposition,
                         double layerHeightMm);
   // Layer, GrowthStep or Peeling; others count as Layer.
   void setColouring(scene::ColourBy colourBy);
-  // Replaying needs a drawing of its own, made while `wanted` only.
+  // The replay needs a separate drawing, which is made only while `wanted`.
   void setReplayWanted(bool wanted);
-  // Draws the convex front of that step, the newest asked for when several wait. None: no front.
+  // Draws the convex front of that step; of several waiting requests the newest. None: no front.
   void setFrontStep(std::optional<int> step);
 
-  // Of the drawings on show; 0: none.
+  // Of the shown drawings; 0: none.
   int layers() const { return layers_; }
   int steps() const { return steps_; }
-  // Missed voxels on show.
+  // Number of shown missed voxels.
   std::size_t missed() const { return missed_; }
   double pitchMm() const { return decomposition_ ? decomposition_->grid.pitch : 0.0; }
   bool busy() const;
@@ -56,8 +56,8 @@ private:
   std::shared_ptr<const curved::Decomposition> decomposition_;
   double layerHeightMm_ = 0.0;
   scene::ColourBy colourBy_ = scene::ColourBy::Layer;
-  std::shared_ptr<const std::vector<std::int32_t>> peeled_; // of decomposition_, once asked for
-  bool drawAgain_ = false, replayAgain_ = false;            // newer ones came meanwhile
+  std::shared_ptr<const std::vector<std::int32_t>> peeled_; // of decomposition_, once needed
+  bool drawAgain_ = false, replayAgain_ = false; // newer requests arrived in the meantime
   bool replayWanted_ = false, replayStale_ = true;
   std::optional<int> frontWanted_, frontDrawn_;
   int layers_ = 0, steps_ = 0;

@@ -17,10 +17,10 @@ namespace voluta::window {
 
 namespace {
 constexpr double kLeastPixelsPerMm = 0.05, kMostPixelsPerMm = 2000.0;
-constexpr double kBesideShare = 0.06; // of a turn, shown beyond the seams
-constexpr double kReachPixels = 7.0;  // of the pointer
+constexpr double kBesideShare = 0.06; // Share of a turn shown beyond the seams
+constexpr double kReachPixels = 7.0;  // Around the pointer
 constexpr double kWheelZoom = 1.2, kKeyZoom = 1.3, kKeyMove = 0.15;
-constexpr int kWheelStep = 120; // eighths of a degree of one notch
+constexpr int kWheelStep = 120; // Eighths of a degree per notch
 
 QColor colourOf(const scene::Colour& c) {
   return QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]),
@@ -32,7 +32,7 @@ QColor between(const QColor& a, const QColor& b, double t) {
   return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
 
-// 1, 2 or 5 times a power of ten, at least as much as asked for.
+// Returns the smallest of 1, 2 or 5 times a power of ten that is at least `least`.
 double niceStep(double least) {
   const double decade = std::pow(10.0, std::floor(std::log10(least)));
   for (const double times : {1.0, 2.0, 5.0})
@@ -59,7 +59,7 @@ UnrolledLook lookOf(const QPalette& p) {
   return look;
 }
 
-// Ticks of the frame in sight, that is drawn at `area`.
+// Paints the ticks of the visible frame, which is drawn at `area`.
 void paintAxes(QPainter& painter, const QRectF& area, const UnrolledFrame& frame,
                const QWidget& widget) {
   const QLocale locale = widget.locale();
@@ -123,7 +123,7 @@ void UnrolledCanvas::setHint(const QString& hint) {
   update();
 }
 
-// Room for the numbers of the axes on the left and below.
+// Returns the plot area, with margins on the left and below for the numbers of the axes.
 QRectF UnrolledCanvas::plot() const {
   const double left = fontMetrics().horizontalAdvance(QStringLiteral("-00.0")) + 8.0;
   const double below = 2.0 * fontMetrics().height() + 6.0;
@@ -197,7 +197,7 @@ void UnrolledCanvas::paintEvent(QPaintEvent*) {
   }
 }
 
-// As it was drawn last, until it is drawn as it is to be.
+// Shows the last picture, moved and scaled, until the current one is ready.
 void UnrolledCanvas::paintLayer(QPainter& painter) const {
   const auto& drawn = drawing_.drawn();
   if (!drawn || !drawn->content.layer)

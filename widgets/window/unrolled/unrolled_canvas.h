@@ -1,4 +1,4 @@
-// An unrolled layer under the mouse: axes, zoom, what the pointer is on.
+// An unrolled layer with axes, zoom and hit testing.
 #pragma once
 
 #include "window/unrolled/unrolled_drawing.h"
@@ -9,9 +9,9 @@
 
 namespace voluta::window {
 
-// The wheel zooms about the pointer, a drag moves the sheet, a double click or Home shows all of
+// The wheel zooms around the pointer, dragging moves the sheet, a double click or Home shows all of
 // it; plus and minus zoom, arrows move. Pictures are drawn in the background: until the next one is
-// there the last one is shown, moved and scaled.
+// ready, the last one is shown, moved and scaled.
 class UnrolledCanvas : public QWidget {
   Q_OBJECT
 
@@ -19,20 +19,20 @@ public:
   explicit UnrolledCanvas(QWidget* parent = nullptr);
   ~UnrolledCanvas() override;
 
-  // A layer of other measures is shown whole, others as the last one was.
+  // A layer of different dimensions is shown whole; otherwise the view is kept.
   void setContent(const UnrolledContent& content);
   const UnrolledContent& content() const { return content_; }
-  // Marked in the picture.
+  // The waypoint is marked in the picture.
   void setChosen(std::optional<std::size_t> waypoint);
   // Shown instead of a layer.
   void setHint(const QString& hint);
 
   void showAll();
   double pixelsPerMm() const { return frame_.pixelsPerMm; }
-  // On the widget.
+  // Converts to and from widget coordinates.
   QPointF pixelOf(const QPointF& mm) const;
   QPointF mmAt(const QPointF& pixel) const;
-  // Is the picture that of what is to be shown?
+  // Returns whether the picture is up to date.
   bool settled() const { return drawing_.settled(); }
   const QImage& picture() const { return drawing_.picture(); }
 
@@ -40,9 +40,9 @@ public:
   QSize minimumSizeHint() const override { return {150, 140}; }
 
 signals:
-  // Nothing: beside every path.
+  // nullopt: beside all paths.
   void clicked(const std::optional<voluta::window::UnrolledHit>& hit);
-  // Where the pointer is; no place: it has left.
+  // Position of the pointer; nullopt: it has left the widget.
   void hovered(const std::optional<QPointF>& mm,
                const std::optional<voluta::window::UnrolledHit>& hit);
 
@@ -72,7 +72,7 @@ private:
   UnrolledFrame frame_;
   std::optional<QPointF> chosenMm_;
   QString hint_;
-  bool whole_ = true; // the layer is shown whole, and stays so when the widget grows
+  bool whole_ = true; // The layer is shown whole, also after resizing
   QPointF pressedAt_, last_;
   bool pressed_ = false, moved_ = false;
   int wheelRest_ = 0;

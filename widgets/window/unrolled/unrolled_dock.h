@@ -1,4 +1,4 @@
-// The unrolled layer beside the viewport, and the path that is chosen in both.
+// The unrolled layer next to the viewport, and the path selected in both.
 #pragma once
 
 #include "plan/tool_plan.h"
@@ -25,42 +25,44 @@ class Presenter;
 class UnrolledView;
 
 inline constexpr std::size_t kAllLaid = std::numeric_limits<std::size_t>::max();
-// How far the print has come in the picture: the layer on show, the first waypoint not laid yet.
+// Progress of the print in the picture: the shown layer, and the first waypoint that is not printed
+// yet.
 struct Laid {
   int layer = 0;
   std::size_t end = kAllLaid;
 };
 
-// Which paths the layers on show have: none that were made from other layers.
+// Returns the plan whose paths belong to the shown layers; nullptr if its paths were made from
+// other layers.
 std::shared_ptr<const plan::ToolPlan> planOfLayers(const document::Document& document);
 
 class UnrolledDock : public QDockWidget {
   Q_OBJECT
 
 public:
-  // All outlive this. The slider knows what a layer is called.
+  // The arguments must outlive this object. The slider provides the layers' names.
   UnrolledDock(const document::Document& document, const Presenter& presenter,
                const timeline::LayerRangeSlider& layers, QWidget* parent);
 
-  // The user's wish, kept in the settings; closed by its own button it stays closed until it is
-  // asked for again.
+  // Whether the user wants the dock; stored in the settings. If closed by its own button, it stays
+  // closed until requested again.
   bool wanted() const { return wanted_; }
   void setWanted(bool wanted);
-  // Layers on show can be laid flat.
+  // Returns whether the shown layers can be unrolled.
   bool offered() const;
 
-  // none: the page on show has no layers to lay flat. Shows or hides the dock.
+  // nullopt: the current page has no layers to unroll. Shows or hides the dock.
   void showLaid(const std::optional<Laid>& laid);
-  // Its path stands out in both views; none: no path.
+  // Highlights the waypoint's path in both views; nullopt: no path.
   void choose(std::optional<std::size_t> waypoint);
-  // Into the picture that shows paths.
+  // Marks the path in the view that shows paths.
   void mark(scene::ViewState& view) const;
   void retranslate();
 
 signals:
   void chosen(std::optional<std::size_t> waypoint);
-  void wantedChanged(); // by its own button
-  void firstShown();    // it has no share of the column yet
+  void wantedChanged(); // By its own button
+  void firstShown();    // Its share of the column is not set yet
 
 protected:
   void closeEvent(QCloseEvent* event) override;

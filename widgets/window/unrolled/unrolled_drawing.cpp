@@ -22,7 +22,7 @@ void UnrolledDrawing::start() {
         picture_ = std::move(made);
         drawn_ = now;
         emit changed();
-        // Queued: the run is still at telling its end.
+        // Queued: the run is still emitting its end.
         QMetaObject::invokeMethod(
             this, [this] { draw(wanted_); }, Qt::QueuedConnection);
       });

@@ -1,5 +1,5 @@
-// The picture of a layer laid flat, drawn in the background: one at a time, the newest next, so
-// that pictures come as fast as they can be drawn, however fast the wishes change.
+// Draws the picture of an unrolled layer in the background: one at a time, always the newest
+// request next, so that pictures appear as fast as they can be drawn.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -23,11 +23,11 @@ public:
   };
 
   void draw(const Subject& subject);
-  // Is the picture that of what was asked for last?
+  // Returns whether the picture is that of the last request.
   bool settled() const { return !runner_.running() && drawn_ && *drawn_ == wanted_; }
-  // none: nothing is drawn yet.
+  // nullopt: nothing has been drawn yet.
   const std::optional<Subject>& drawn() const { return drawn_; }
-  const QImage& picture() const { return picture_; } // of drawn()
+  const QImage& picture() const { return picture_; } // Of drawn()
 
 signals:
   void changed();

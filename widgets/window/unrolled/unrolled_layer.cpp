@@ -13,12 +13,13 @@ namespace voluta::window {
 namespace {
 constexpr std::size_t kBetweenChecks = 4096;
 
-// (u, v) with u within half a period of 0.
+// Returns (u, v) with u within half a period of 0.
 Eigen::Vector2d inTurn(const Eigen::Vector2d& at, double period) {
   return period > 0.0 ? Eigen::Vector2d(std::remainder(at.x(), period), at.y()) : at;
 }
 
-// From `from`, which is in turn, by `way`: at most one piece on either side of the seam.
+// The segment from `from` (with u within half a period) by `way`, divided at the seam into at most
+// two pieces.
 struct Pieces {
   std::array<std::pair<Eigen::Vector2d, Eigen::Vector2d>, 2> ends;
   int count = 1;
@@ -57,7 +58,7 @@ void addOutline(const layers::Patch& patch, UnrolledLayer& out) {
   }
 }
 
-// Where points beside a patch lie in its chart.
+// Finds the chart coordinates of points near a patch.
 class ChartQuery {
 public:
   explicit ChartQuery(const layers::Patch& patch) : patch_(patch), query_(patch.surface) {}
@@ -207,7 +208,7 @@ std::optional<UnrolledHit> nearestPath(const UnrolledLayer& layer, const QPointF
 }
 
 std::optional<QPointF> placeOf(const UnrolledLayer& layer, std::size_t waypoint) {
-  // The last of a waypoint's points is where it lies itself: the others are at the seam.
+  // The last of a waypoint's points is its own position; the others are at the seam.
   for (std::size_t i = layer.waypoint.size(); i-- > 0;)
     if (layer.waypoint[i] == waypoint)
       return layer.points[i];

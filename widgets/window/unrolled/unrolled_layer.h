@@ -1,4 +1,4 @@
-// One layer laid flat by its chart, as lines to draw.
+// One layer unrolled by its chart, as lines to draw.
 #pragma once
 
 #include "base/run_context.h"
@@ -16,37 +16,38 @@
 
 namespace voluta::window {
 
-// (u, v) in mm, u around and v along (layers::Chart); of a layer that closes, u lies within half a
-// period of 0, and what crosses the seam goes on at the other side.
+// (u, v) in mm, u around and v along (layers::Chart). In a closed layer, u is within half a period
+// of 0, and lines that cross the seam continue at the other side.
 struct UnrolledLayer {
   int layer = 0;
-  double periodMm = 0.0; // 0: does not close
-  QRectF area;           // a whole period, or what there is of it
+  double periodMm = 0.0; // 0: not closed
+  QRectF area;           // A whole period, or the extent of the layer
   std::vector<QLineF> outline;
 
   // Points [first, first + count) of one path between two seams.
   struct Stretch {
     std::size_t first = 0, count = 0;
-    std::size_t path = 0; // index in the ToolPlan
+    std::size_t path = 0; // Index in the ToolPlan
     plan::PathKind kind = plan::PathKind::Wall;
   };
-  std::vector<Stretch> stretches; // in print order
+  std::vector<Stretch> stretches; // In print order
   std::vector<QPointF> points;
-  std::vector<std::size_t> waypoint; // of each point: the one that the nozzle is on its way to
-  std::vector<float> widthMm;        // of the bead at each point
+  std::vector<std::size_t> waypoint; // Per point: the waypoint that the nozzle is moving to
+  std::vector<float> widthMm;        // Width of the bead at each point
 };
 
-// Has a patch of the layer a chart, of any layer where none is given?
+// Returns whether a patch of the layer (or of any layer, if none is given) has a chart.
 bool hasChart(const layers::LayerStack& stack, std::optional<int> layer = {});
 
-// `plan` may be null: outlines alone. Patches without a chart, and their paths, are left out; a
-// waypoint lies where the patch is nearest to it. Same result for any number of threads.
+// `plan` may be nullptr: outlines only. Patches without a chart, and their paths, are omitted. A
+// waypoint is placed at the nearest point of its patch. The result is independent of the number of
+// threads.
 std::shared_ptr<const UnrolledLayer> unrolledLayer(const layers::LayerStack& stack,
                                                    const plan::ToolPlan* plan, int layer,
                                                    const base::RunContext& ctx);
 
-// The waypoint that the path's nearest segment leads to, and how far that is from `place`; none
-// within `reachMm`. Periods apart counts as the same place.
+// The end waypoint of the nearest path segment, and its distance from `place`; nullopt if it is not
+// within `reachMm`. Places that differ by whole periods are the same.
 struct UnrolledHit {
   std::size_t path = 0, waypoint = 0;
   plan::PathKind kind = plan::PathKind::Wall;
@@ -54,7 +55,7 @@ struct UnrolledHit {
 };
 std::optional<UnrolledHit> nearestPath(const UnrolledLayer& layer, const QPointF& place,
                                        double reachMm);
-// Where the waypoint lies; none: not in this layer.
+// Returns the position of the waypoint; nullopt if it is not in this layer.
 std::optional<QPointF> placeOf(const UnrolledLayer& layer, std::size_t waypoint);
 
 } // namespace voluta::window

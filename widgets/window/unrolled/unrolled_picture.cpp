@@ -8,9 +8,9 @@
 namespace voluta::window {
 
 namespace {
-constexpr double kLeastLine = 1.2, kShareOfBead = 0.82; // so that neighbours are told apart
-constexpr double kLeastStep = 0.4;                      // pixels between points worth drawing
-constexpr int kFaint = 55;                              // of 255
+constexpr double kLeastLine = 1.2, kShareOfBead = 0.82; // Leave a gap between neighbours
+constexpr double kLeastStep = 0.4;                      // Minimum distance [pixels] of drawn points
+constexpr int kFaint = 55;                              // Of 255
 constexpr int kMostRepeats = 64;
 
 class Drawer {
@@ -51,7 +51,7 @@ private:
     painter.fillRect(QRectF(a, b).normalized(), look_.sheet);
   }
 
-  // Of a stretch, what is laid comes first.
+  // The printed part of a stretch is at its beginning.
   std::size_t laidCount(const UnrolledLayer::Stretch& s) const {
     const auto from = layer_.waypoint.begin() + static_cast<std::ptrdiff_t>(s.first);
     return static_cast<std::size_t>(
@@ -93,7 +93,7 @@ private:
     }
   }
 
-  // In portions that are in sight.
+  // Draws only the visible portions.
   void drawLine(QPainter& painter, std::size_t first, std::size_t count, double shiftMm,
                 double width) {
     const QRectF sight(-width, -width, frame_.size.width() + 2 * width,

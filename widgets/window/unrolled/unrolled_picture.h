@@ -1,4 +1,4 @@
-// The picture of an unrolled layer, drawn on any thread.
+// The picture of an unrolled layer; can be drawn on any thread.
 #pragma once
 
 #include "window/unrolled/unrolled_layer.h"
@@ -14,11 +14,11 @@
 
 namespace voluta::window {
 
-// What of the plane is in sight: v upwards, as seen from outside.
+// The visible part of the plane: v points upwards, as seen from outside.
 struct UnrolledFrame {
   QPointF centreMm;
   double pixelsPerMm = 10.0;
-  QSizeF size; // of the picture, in pixels that do not know of the screen's ratio
+  QSizeF size; // Size of the picture in device-independent pixels
   double pixelRatio = 1.0;
 
   QPointF pixelOf(const QPointF& mm) const {
@@ -33,22 +33,22 @@ struct UnrolledFrame {
 };
 
 struct UnrolledLook {
-  QColor sheet, beside; // within the layer's period, and its repetition beyond the seams
+  QColor sheet, beside; // Within the layer's period, and its repetition beyond the seams
   QColor outline, seam, chosen;
-  std::array<QColor, plan::kPathKinds> kinds; // of plan::PathKind
+  std::array<QColor, plan::kPathKinds> kinds; // Per plan::PathKind
   bool operator==(const UnrolledLook&) const = default;
 };
 
 struct UnrolledContent {
-  std::shared_ptr<const UnrolledLayer> layer; // null: nothing
-  // Waypoints from this one on are not laid yet: faint.
+  std::shared_ptr<const UnrolledLayer> layer; // nullptr: nothing
+  // Waypoints from this one on are not printed yet and drawn faintly.
   std::size_t notLaidFrom = std::numeric_limits<std::size_t>::max();
-  std::optional<std::size_t> path; // stands out
+  std::optional<std::size_t> path; // Highlighted path
   bool operator==(const UnrolledContent&) const = default;
 };
 
-// Beads as wide as they are, lines where that is less than a pixel or two. What lies beyond a seam
-// is drawn there once more.
+// Draws beads in their true width, or as lines if that is less than a pixel or two. Content beyond
+// a seam is repeated there.
 QImage unrolledPicture(const UnrolledContent& content, const UnrolledFrame& frame,
                        const UnrolledLook& look, const base::RunContext& ctx);
 

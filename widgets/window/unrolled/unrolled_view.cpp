@@ -87,7 +87,8 @@ bool UnrolledView::settled() const {
   return !runner_.running() && (!layer_ || layer_->layer == wanted_) && canvas_->settled();
 }
 
-// One layer at a time: while the slider runs, those that take long are passed over.
+// Prepares one layer at a time: while the slider moves, layers that would come too late are
+// skipped.
 void UnrolledView::prepare() {
   if (!isVisible() || !stack_ || wanted_ < 0 || runner_.running() ||
       (layer_ && layer_->layer == wanted_))
@@ -146,7 +147,7 @@ void UnrolledView::showPlace(const std::optional<QPointF>& mm,
 }
 
 void UnrolledView::retranslate() {
-  canvas_->setHint(tr("This layer has no paths around an axis."));
+  canvas_->setHint(tr("This layer is not wound around an axis."));
   canvas_->setAccessibleName(tr("Unrolled layer"));
   canvas_->setToolTip(tr("Click a path to find it in the 3D view. Wheel zooms, drag moves, "
                          "double click shows all."));

@@ -1,4 +1,4 @@
-// The unrolled layer with its words: which one it is, and what the pointer is on.
+// The unrolled layer with its captions: the layer's name, and the item at the pointer.
 #pragma once
 
 #include "jobs/job_runner.h"
@@ -16,7 +16,7 @@ namespace voluta::window {
 
 class UnrolledCanvas;
 
-// Layers are laid flat in the background when they are first asked for.
+// Layers are unrolled in the background on first use.
 class UnrolledView : public QWidget {
   Q_OBJECT
 
@@ -24,21 +24,21 @@ public:
   explicit UnrolledView(QWidget* parent = nullptr);
   ~UnrolledView() override;
 
-  // Of one plan; null: none.
+  // Of one plan; nullptr: none.
   void setPlan(std::shared_ptr<const layers::LayerStack> stack,
                std::shared_ptr<const plan::ToolPlan> plan);
-  // Of the layer with that index, waypoints of the plan before `laidEnd` are laid; `title` says
-  // which layer it is.
+  // Shows the layer with that index; waypoints of the plan before `laidEnd` are printed. `title`:
+  // the layer's name.
   void showLayer(int layer, std::size_t laidEnd, const QString& title);
-  // Its path stands out, and where it lies is marked.
+  // Highlights its path and marks its position.
   void choose(std::optional<std::size_t> waypoint);
 
   UnrolledCanvas& canvas() { return *canvas_; }
-  // Is what is on show all that was asked for?
+  // Returns whether the display is up to date.
   bool settled() const;
 
 signals:
-  // none: beside every path.
+  // nullopt: beside all paths.
   void chosen(std::optional<std::size_t> waypoint);
 
 protected:
