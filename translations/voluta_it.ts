@@ -24,7 +24,7 @@
         <translation>Tema sc&amp;uro</translation>
     </message>
     <message>
-        <source>Light text on dark ground</source>
+        <source>Light text on a dark background</source>
         <translation>Testo chiaro su fondo scuro</translation>
     </message>
     <message>
@@ -56,8 +56,8 @@
         <translation>Mostra il &amp;registro</translation>
     </message>
     <message>
-        <source>What was opened, planned and found, and what failed</source>
-        <translation>Ciò che è stato aperto, pianificato e trovato, e ciò che non è riuscito</translation>
+        <source>Files opened, plans, findings and errors</source>
+        <translation>File aperti, piani, segnalazioni ed errori</translation>
     </message>
     <message>
         <source>&amp;About Voluta</source>
@@ -104,7 +104,7 @@
         <translation>&amp;Ruota</translation>
     </message>
     <message>
-        <source>Turn the part with handles</source>
+        <source>Rotate the part with handles</source>
         <translation>Ruota il pezzo con le maniglie</translation>
     </message>
     <message>
@@ -120,7 +120,7 @@
         <translation>&amp;Appoggia su faccia</translation>
     </message>
     <message>
-        <source>Click the face to lie on the plate</source>
+        <source>Click the face to place on the plate</source>
         <translation>Fai clic sulla faccia da appoggiare sul piatto</translation>
     </message>
     <message>
@@ -128,24 +128,24 @@
         <translation>Abbassa sul &amp;piatto</translation>
     </message>
     <message>
-        <source>Lowest point on the plate</source>
-        <translation>Punto più basso sul piatto</translation>
+        <source>Lowers the part onto the plate</source>
+        <translation>Abbassa il pezzo sul piatto</translation>
     </message>
     <message>
         <source>&amp;Centre</source>
         <translation>C&amp;entra</translation>
     </message>
     <message>
-        <source>Middle of the part over the plate&apos;s</source>
-        <translation>Centro del pezzo sul centro del piatto</translation>
+        <source>Centres the part on the plate</source>
+        <translation>Centra il pezzo sul piatto</translation>
     </message>
     <message>
         <source>Place on touched &amp;points…</source>
         <translation>Posa su &amp;punti toccati…</translation>
     </message>
     <message>
-        <source>Moves the part to a cylinder found by touching it</source>
-        <translation>Porta il pezzo su un cilindro trovato toccandolo</translation>
+        <source>Moves the part to a cylinder measured by touching</source>
+        <translation>Porta il pezzo su un cilindro misurato toccandolo</translation>
     </message>
     <message>
         <source>&amp;Prepare</source>
@@ -156,8 +156,8 @@
         <translation>Ripristina &amp;tutti i parametri</translation>
     </message>
     <message>
-        <source>Every parameter back to its default</source>
-        <translation>Ogni parametro al valore predefinito</translation>
+        <source>Resets every parameter to its default</source>
+        <translation>Riporta ogni parametro al valore predefinito</translation>
     </message>
     <message>
         <source>&amp;Simulate</source>
@@ -168,7 +168,7 @@
         <translation>&amp;Nuovo progetto</translation>
     </message>
     <message>
-        <source>Begin without a part</source>
+        <source>Start without a part</source>
         <translation>Comincia senza pezzo</translation>
     </message>
     <message>
@@ -200,7 +200,7 @@
         <translation>Salva con n&amp;ome…</translation>
     </message>
     <message>
-        <source>Save the project under a name</source>
+        <source>Save the project under a new name</source>
         <translation>Salva il progetto con un altro nome</translation>
     </message>
     <message>
@@ -208,11 +208,11 @@
         <translation>&amp;Pianifica</translation>
     </message>
     <message>
-        <source>From the part to checked robot programs</source>
+        <source>From the part to verified robot programs</source>
         <translation>Dal pezzo ai programmi robot verificati</translation>
     </message>
     <message>
-        <source>Plan as far as the &amp;layers</source>
+        <source>Plan up to the &amp;layers</source>
         <translation>Pianifica fino agli &amp;strati</translation>
     </message>
     <message>
@@ -224,7 +224,7 @@
         <translation>&amp;Interrompi</translation>
     </message>
     <message>
-        <source>Stop; the last results stay on show</source>
+        <source>Stop; the last results stay visible</source>
         <translation>Ferma; gli ultimi risultati restano in vista</translation>
     </message>
     <message>
@@ -232,8 +232,8 @@
         <translation>&amp;Aggiorna i voxel mentre si modifica</translation>
     </message>
     <message>
-        <source>Once planned, voxels follow the settings; layers and paths wait for Plan</source>
-        <translation>Dopo un piano i voxel seguono le impostazioni; strati e percorsi attendono Pianifica</translation>
+        <source>After the first plan, voxels follow the settings; layers and paths wait for Plan</source>
+        <translation>Dopo il primo piano i voxel seguono le impostazioni; strati e percorsi attendono Pianifica</translation>
     </message>
     <message>
         <source>&amp;Front</source>
@@ -264,7 +264,7 @@
         <translation>Obli&amp;qua</translation>
     </message>
     <message>
-        <source>Look from there</source>
+        <source>View from this side</source>
         <translation>Guarda da questo lato</translation>
     </message>
     <message>
@@ -312,47 +312,47 @@
         <translation>Mostra &amp;tutto</translation>
     </message>
     <message>
-        <source>Everything in sight</source>
-        <translation>Tutto in vista</translation>
+        <source>Fit everything into the view</source>
+        <translation>Adatta tutto alla vista</translation>
     </message>
     <message>
         <source>&amp;Section plane</source>
         <translation>Piano di se&amp;zione</translation>
     </message>
     <message>
-        <source>Cut the picture open</source>
-        <translation>Apri la vista con un taglio</translation>
+        <source>Cut the view open with a plane</source>
+        <translation>Apri la vista con un piano di taglio</translation>
     </message>
     <message>
         <source>&amp;Legend</source>
         <translation>&amp;Legenda</translation>
     </message>
     <message>
-        <source>What the colours of the picture say</source>
-        <translation>Che cosa dicono i colori dell&apos;immagine</translation>
+        <source>Meaning of the colours in the view</source>
+        <translation>Significato dei colori nella vista</translation>
     </message>
     <message>
         <source>&amp;Unrolled layer</source>
         <translation>Strato &amp;srotolato</translation>
     </message>
     <message>
-        <source>Layers around an axis laid flat, beside the picture</source>
-        <translation>Gli strati intorno a un asse distesi in piano, accanto all’immagine</translation>
+        <source>Shows layers around an axis unrolled, next to the view</source>
+        <translation>Mostra gli strati intorno a un asse srotolati, accanto alla vista</translation>
     </message>
     <message>
         <source>Play or pause</source>
         <translation>Avvia o metti in pausa</translation>
     </message>
     <message>
-        <source>Runs the time-line</source>
-        <translation>Fa scorrere la simulazione</translation>
+        <source>Play or pause the time-line</source>
+        <translation>Avvia o ferma la simulazione</translation>
     </message>
     <message>
         <source>Next move</source>
         <translation>Movimento successivo</translation>
     </message>
     <message>
-        <source>One move on</source>
+        <source>One move forward</source>
         <translation>Avanti di un movimento</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>Strato successivo</translation>
     </message>
     <message>
-        <source>One layer on</source>
+        <source>One layer forward</source>
         <translation>Avanti di uno strato</translation>
     </message>
     <message>
@@ -392,8 +392,8 @@
         <translation>Informazioni su Voluta</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Prints with a robot arm: layers without support, tool-paths, a motion checked against the part as it grows, and programs that were read back and replayed.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Stampa con un braccio robot: strati senza supporto, percorsi utensile, un movimento controllato rispetto al pezzo che cresce e programmi riletti, rieseguiti e verificati.&lt;/p&gt;&lt;p&gt;Software libero con licenza GNU General Public License, versione 3 o successiva.&lt;/p&gt;</translation>
+        <source>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;3D printing with robot arms: layers without support, tool-paths, motion checked against the growing part, and programs verified by replay.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Voluta %1&lt;/h3&gt;&lt;p&gt;Stampa 3D con bracci robot: strati senza supporto, percorsi utensile, movimento controllato rispetto al pezzo che cresce e programmi verificati rieseguendoli.&lt;/p&gt;&lt;p&gt;Software libero con licenza GNU General Public License, versione 3 o successiva.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Undo %1</source>
@@ -416,15 +416,15 @@
         <translation>&amp;Riprendi la stampa da qui…</translation>
     </message>
     <message>
-        <source>The rest of a print that was stopped at this moment, as a project of its own</source>
-        <translation>Il resto di una stampa interrotta in questo momento, come progetto a sé</translation>
+        <source>Opens the rest of a print stopped at this moment as a new project</source>
+        <translation>Apre come nuovo progetto il resto di una stampa interrotta in questo momento</translation>
     </message>
     <message>
         <source>&amp;Verify a program…</source>
         <translation>&amp;Verifica un programma…</translation>
     </message>
     <message>
-        <source>Replay a program from disk against the plan on show</source>
+        <source>Replay a program from disk against the plan shown</source>
         <translation>Esegui di prova un programma da disco e confrontalo con il piano mostrato</translation>
     </message>
     <message>
@@ -432,22 +432,22 @@
         <translation>Modifica &amp;cella…</translation>
     </message>
     <message>
-        <source>Where nozzle, plate and obstacles stand, and which robot</source>
-        <translation>Dove stanno ugello, piatto e ostacoli, e quale robot</translation>
+        <source>Robot, and positions of nozzle, plate and obstacles</source>
+        <translation>Robot e posizioni di ugello, piatto e ostacoli</translation>
     </message>
     <message>
         <source>Import robot &amp;arm…</source>
         <translation>Importa &amp;braccio robotico…</translation>
     </message>
     <message>
-        <source>A robot of your own, from its URDF, with a cell for it</source>
+        <source>Your own robot from its URDF, with a cell</source>
         <translation>Un robot proprio, dal suo URDF, con una cella</translation>
     </message>
 </context>
 <context>
     <name>Core</name>
     <message>
-        <source>&quot;{text}&quot; is no point</source>
+        <source>&quot;{text}&quot; is not a point</source>
         <translation>&quot;{text}&quot; non è un punto</translation>
     </message>
     <message>
@@ -455,20 +455,20 @@
         <translation>&apos;end&apos; non chiude alcuna funzione</translation>
     </message>
     <message>
-        <source>&apos;{attribute}&apos; is no number</source>
+        <source>&apos;{attribute}&apos; is not a number</source>
         <translation>&apos;{attribute}&apos; non è un numero</translation>
     </message>
     <message>
-        <source>&apos;{attribute}&apos; is no whole number</source>
+        <source>&apos;{attribute}&apos; is not an integer</source>
         <translation>&apos;{attribute}&apos; non è un numero intero</translation>
     </message>
     <message>
-        <source>&apos;{corner}&apos; names no vertex</source>
-        <translation>&apos;{corner}&apos; non indica alcun vertice</translation>
+        <source>&apos;{corner}&apos; is not the index of a vertex</source>
+        <translation>&apos;{corner}&apos; non è l&apos;indice di un vertice</translation>
     </message>
     <message>
-        <source>&apos;{corner}&apos; names no vertex read so far</source>
-        <translation>&apos;{corner}&apos; non indica alcun vertice già letto</translation>
+        <source>&apos;{corner}&apos; is not the index of a vertex read so far</source>
+        <translation>&apos;{corner}&apos; non è l&apos;indice di un vertice già letto</translation>
     </message>
     <message>
         <source>&apos;{loaded}&apos; is not unloaded</source>
@@ -483,7 +483,7 @@
         <translation>&apos;{name}&apos; è chiamato fuori dalla funzione</translation>
     </message>
     <message>
-        <source>&apos;{name}&apos; is no {type}</source>
+        <source>&apos;{name}&apos; is not of type {type}</source>
         <translation>&apos;{name}&apos; non è di tipo {type}</translation>
     </message>
     <message>
@@ -495,7 +495,7 @@
         <translation>&apos;{name}&apos; non è noto al lettore</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; is no weight</source>
+        <source>&apos;{text}&apos; is not a weight</source>
         <translation>&apos;{text}&apos; non è un peso</translation>
     </message>
     <message>
@@ -539,32 +539,32 @@
         <translation>--ik: la lunghezza del quaternione è {length:.4g}, non 1</translation>
     </message>
     <message>
-        <source>0: a round rod; 3 or more: a prism, measured over its corners.</source>
-        <translation>0: barra tonda; 3 o più: un prisma, misurato sugli spigoli.</translation>
+        <source>0: round rod. 3 or more: prism; its diameter is measured across the corners.</source>
+        <translation>0: barra tonda. 3 o più: prisma; il diametro si misura sugli spigoli.</translation>
     </message>
     <message>
-        <source>Adaptive layers: how far the edges of layers may stand out of the surface.</source>
-        <translation>Strati adattivi: di quanto i bordi degli strati possono sporgere dalla superficie.</translation>
+        <source>Adaptive layers: largest distance between the edges of layers and the surface.</source>
+        <translation>Strati adattivi: distanza massima tra i bordi degli strati e la superficie.</translation>
     </message>
     <message>
         <source>Adds voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, toolpath.vtp and trajectory.csv.</source>
         <translation>Aggiunge voxels.vti, pieces/N.stl, pieces/cuts.json, layers.vtp, toolpath.vtp e trajectory.csv.</translation>
     </message>
     <message>
-        <source>Also writes programs that the replay refused, as refused-NAME, to be looked at and never to be run.</source>
+        <source>Also writes programs that the replay refused, as refused-NAME. For inspection only: never run them.</source>
         <translation>Scrive anche i programmi respinti dalla verifica, come refused-NOME: da esaminare, mai da eseguire.</translation>
     </message>
     <message>
-        <source>At constant radius about the axis, or at constant distance from the rod&apos;s profile.</source>
-        <translation>A raggio costante intorno all’asse, o a distanza costante dal profilo della barra.</translation>
+        <source>Layers at constant radius around the axis, or at constant distance from the rod&apos;s profile.</source>
+        <translation>Strati a raggio costante intorno all’asse, o a distanza costante dal profilo della barra.</translation>
     </message>
     <message>
         <source>Beads</source>
         <translation>cordoni</translation>
     </message>
     <message>
-        <source>Beads laid along the edge of each layer before it is filled.</source>
-        <translation>Cordoni deposti lungo il bordo di ogni strato prima del riempimento.</translation>
+        <source>Number of beads along the outline of each layer.</source>
+        <translation>Numero di cordoni lungo il contorno di ogni strato.</translation>
     </message>
     <message>
         <source>Colli-
@@ -581,15 +581,15 @@ sioni</translation>
         <translation>Scomposizione</translation>
     </message>
     <message>
-        <source>Direction of straight lines on the first layer, from x to y.</source>
-        <translation>Direzione delle linee rette sul primo strato, da x verso y.</translation>
+        <source>Direction of straight lines on the first layer, measured from x to y.</source>
+        <translation>Direzione delle linee rette sul primo strato, misurata da x verso y.</translation>
     </message>
     <message>
-        <source>Distance that all but the print head keeps from what is printed.</source>
+        <source>Minimum distance of everything but the print head from printed material.</source>
         <translation>Distanza minima dal materiale stampato per tutto tranne la testa di stampa.</translation>
     </message>
     <message>
-        <source>Distance that links, plate, nozzle holder and obstacles keep from each other.</source>
+        <source>Minimum distance between links, plate, nozzle holder and obstacles.</source>
         <translation>Distanza minima fra membri del braccio, piatto, portaugello e ostacoli.</translation>
     </message>
     <message>
@@ -597,8 +597,8 @@ sioni</translation>
         <translation>manca ENDMODULE: il file è stato troncato</translation>
     </message>
     <message>
-        <source>ENDPROC closes no procedure</source>
-        <translation>ENDPROC non chiude alcuna procedura</translation>
+        <source>ENDPROC without a procedure</source>
+        <translation>ENDPROC senza procedura</translation>
     </message>
     <message>
         <source>Field rounds</source>
@@ -617,16 +617,16 @@ sioni</translation>
         <translation>Gruppo</translation>
     </message>
     <message>
-        <source>Growth incremental, adaptive, guided: a layer takes voxels as long as it cuts off fewer than this many others. 1: none. 0: fewer than the whole layer would.</source>
+        <source>Growth incremental, adaptive, guided: a layer takes voxels as long as it shadows fewer than this many others. 1: none. 0: fewer than the whole layer would.</source>
         <translation>Crescita voxel per voxel, a strati dimezzati, guidata: uno strato prende voxel finché ne isola meno di questi. 1: nessuno. 0: meno di quanti ne isolerebbe lo strato intero.</translation>
     </message>
     <message>
-        <source>Growth incremental, adaptive, guided: where every voxel of a layer would cut others off, lay all of it as the source does (layer) or only what cuts off fewest (least).</source>
-        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: dove ogni voxel di uno strato ne isolerebbe altri, deporlo tutto come fa la fonte (strato) o solo ciò che ne isola di meno (il meno possibile).</translation>
+        <source>Growth incremental, adaptive, guided: if every voxel of a layer would shadow others, print the whole layer, as the source does (layer), or only the voxels that shadow fewest (least).</source>
+        <translation>Crescita voxel per voxel, a strati dimezzati, guidata: se ogni voxel di uno strato ne isolerebbe altri, stampa tutto lo strato come fa la fonte (strato) o solo i voxel che ne isolano di meno (il meno possibile).</translation>
     </message>
     <message>
-        <source>Growth incremental: a layer&apos;s voxels are tried outwards from the first one (flooding) or in the order they were found (insertion).</source>
-        <translation>Crescita voxel per voxel: i voxel di uno strato si provano dal primo verso l&apos;esterno (a espansione) o nell&apos;ordine in cui sono stati trovati (di inserimento).</translation>
+        <source>Growth incremental: order in which a layer&apos;s voxels are tried: outwards from the first one (flooding) or as they were found (insertion).</source>
+        <translation>Crescita voxel per voxel: ordine in cui si provano i voxel di uno strato: dal primo verso l&apos;esterno (a espansione) o come sono stati trovati (di inserimento).</translation>
     </message>
     <message>
         <source>Growth step</source>
@@ -637,28 +637,28 @@ sioni</translation>
         <translation>Altezza</translation>
     </message>
     <message>
-        <source>How far a face may lean over from the upright without support, in every mode but curved.</source>
-        <translation>Quanto una faccia può sporgere dalla verticale senza supporto, in tutti i modi tranne quello curvo.</translation>
+        <source>Largest overhang, measured from the vertical, that prints without support; in all modes except curved.</source>
+        <translation>Sbalzo massimo, misurato dalla verticale, che si stampa senza supporto; in tutti i modi tranne quello curvo.</translation>
     </message>
     <message>
-        <source>How far the nozzle leaves the part, at least, before it travels.</source>
-        <translation>Di quanto, almeno, l&apos;ugello si stacca dal pezzo prima di spostarsi a vuoto.</translation>
+        <source>Minimum distance by which the nozzle lifts off the part before it travels.</source>
+        <translation>Distanza minima di cui l&apos;ugello si stacca dal pezzo prima di spostarsi a vuoto.</translation>
     </message>
     <message>
-        <source>How many turns of the part about the nozzle&apos;s axis are tried at each place.</source>
+        <source>How many rotations of the part about the nozzle&apos;s axis are tried at each point.</source>
         <translation>Quante rotazioni del pezzo attorno all&apos;asse dell&apos;ugello vengono provate in ogni punto.</translation>
     </message>
     <message>
-        <source>How much straight lines turn from layer to layer; 0: all one way.</source>
-        <translation>Di quanto girano le linee rette da uno strato all’altro; 0: tutte allo stesso modo.</translation>
+        <source>Rotation of straight lines from layer to layer; 0: the same direction throughout.</source>
+        <translation>Rotazione delle linee rette da uno strato all’altro; 0: sempre la stessa direzione.</translation>
     </message>
     <message>
-        <source>How often growth and smooth field are fitted to each other at most. 0: layers from the ranks.</source>
-        <translation>Quante volte al massimo crescita e campo liscio vengono adattati l&apos;una all&apos;altro. 0: strati dai ranghi.</translation>
+        <source>Maximum rounds of fitting growth and smooth field to each other. 0: layers from the ranks.</source>
+        <translation>Numero massimo di cicli di adattamento fra crescita e campo liscio. 0: strati dai ranghi.</translation>
     </message>
     <message>
-        <source>How the inside of each layer is filled.</source>
-        <translation>Come viene riempito l&apos;interno di ogni strato.</translation>
+        <source>Pattern that fills the interior of each layer.</source>
+        <translation>Motivo che riempie l&apos;interno di ogni strato.</translation>
     </message>
     <message>
         <source>Infill</source>
@@ -681,20 +681,20 @@ sioni</translation>
         <translation>Strati</translation>
     </message>
     <message>
-        <source>Layers that flatten end on it: flat (at the part&apos;s top), flat:Z, radius:R (a wider cylinder) or mesh:FILE, placed with the platform&apos;s.</source>
-        <translation>Gli strati che spianano finiscono qui: flat (in cima al pezzo), flat:Z, radius:R (un cilindro più largo) o mesh:FILE, posato con quello della piattaforma.</translation>
+        <source>Surface on which flattening layers end: flat (at the part&apos;s top), flat:Z, radius:R (a larger cylinder) or mesh:FILE, placed together with the platform&apos;s mesh.</source>
+        <translation>Superficie su cui finiscono gli strati che si spianano: flat (in cima al pezzo), flat:Z, radius:R (un cilindro più largo) o mesh:FILE, posato insieme alla mesh della piattaforma.</translation>
     </message>
     <message>
         <source>Load</source>
         <translation>Caricamento</translation>
     </message>
     <message>
-        <source>Longest distance of waypoints along a tool-path.</source>
+        <source>Maximum distance between waypoints along a tool-path.</source>
         <translation>Distanza massima fra i punti di un percorso utensile.</translation>
     </message>
     <message>
-        <source>Looks for a better way for the part to lie, from where it was put: with the least overhanging area, or with the fewest voxels missed by growth.</source>
-        <translation>Cerca una giacitura migliore del pezzo, da dove è stato messo: con la minore area a sbalzo, o con il minor numero di voxel mancati dalla crescita.</translation>
+        <source>Searches for a better orientation of the part: with the smallest overhanging area, or with the fewest voxels missed by growth.</source>
+        <translation>Cerca un orientamento migliore del pezzo: con la minore area a sbalzo, o con il minor numero di voxel mancati dalla crescita.</translation>
     </message>
     <message>
         <source>Missed
@@ -715,31 +715,31 @@ persi</translation>
         <translation>Mancati, non raggiunti</translation>
     </message>
     <message>
-        <source>Mode flat: a JSON file, or its text, with the plane or quadrilateral of each layer. Empty: layers along z.</source>
-        <translation>Modo flat: un file JSON, o il suo testo, con il piano o quadrilatero di ogni strato. Vuoto: strati lungo z.</translation>
+        <source>Mode flat: a JSON file or JSON text with the plane or quadrilateral of each layer. Empty: horizontal layers.</source>
+        <translation>Modo flat: un file JSON o un testo JSON con il piano o quadrilatero di ogni strato. Vuoto: strati orizzontali.</translation>
     </message>
     <message>
-        <source>Mode planar: a JSON file, or its text, with a point and a normal for each plane that cuts the part, in turn. Empty: they are searched for.</source>
-        <translation>Modo planar: un file JSON, o il suo testo, con un punto e una normale per ogni piano che taglia il pezzo, uno dopo l&apos;altro. Vuoto: i piani vengono cercati.</translation>
+        <source>Mode planar: a JSON file or JSON text with a point and a normal for each cutting plane, in cutting order. Empty: automatic.</source>
+        <translation>Modo planar: un file JSON o un testo JSON con un punto e una normale per ogni piano di taglio, in ordine di taglio. Vuoto: automatico.</translation>
     </message>
     <message>
-        <source>Mode planar: a material or filament for each piece, separated by commas; from the first again where there are more pieces. Empty: the process&apos;s.</source>
-        <translation>Modo planar: un materiale o filamento per ogni pezzo, separati da virgole; si ricomincia dal primo se i pezzi sono di più. Vuoto: quello del processo.</translation>
+        <source>Mode planar: materials or filaments of the pieces, separated by commas. The list starts over if there are more pieces. Empty: the process&apos;s material.</source>
+        <translation>Modo planar: i materiali o filamenti dei pezzi, separati da virgole. Si ricomincia dal primo se i pezzi sono di più. Vuoto: il materiale del processo.</translation>
     </message>
     <message>
-        <source>Mode planar: beam keeps several partial results and asks of the head&apos;s true shape; greedy is the published scheme, by the part&apos;s skeleton.</source>
-        <translation>Modo planar: beam tiene più risultati parziali e tiene conto della vera forma della testa; greedy è lo schema pubblicato, secondo lo scheletro del pezzo.</translation>
+        <source>Mode planar: beam is a beam search that checks the true shape of the head; greedy is the published scheme, based on the part&apos;s skeleton.</source>
+        <translation>Modo planar: beam è una ricerca a fascio che verifica la vera forma della testa; greedy è lo schema pubblicato, basato sullo scheletro del pezzo.</translation>
     </message>
     <message>
-        <source>Mode substrate: at constant distance from the surface, on spheres, on cylinders along x, or from the surface to an end surface, thicker where the way is longer.</source>
-        <translation>Modo substrate: a distanza costante dalla superficie, su sfere, su cilindri lungo x, o dalla superficie a una superficie finale, più spessi dove la via è più lunga.</translation>
+        <source>Mode substrate: layers at constant distance from the surface, on spheres, on cylinders along x, or flattening from the surface to an end surface with varying thickness.</source>
+        <translation>Modo substrate: strati a distanza costante dalla superficie, su sfere, su cilindri lungo x, o che si spianano dalla superficie a una superficie finale con spessore variabile.</translation>
     </message>
     <message>
-        <source>Modes lathe and substrate: height of the layer on the ground; 0: as high as the others.</source>
-        <translation>Modi lathe e substrate: altezza dello strato sul fondo; 0: alto come gli altri.</translation>
+        <source>Modes lathe and substrate: height of the first layer. 0: same as the other layers.</source>
+        <translation>Modi lathe e substrate: altezza del primo strato. 0: come gli altri strati.</translation>
     </message>
     <message>
-        <source>Modes planar and flat: thinner layers where the surface leans, within the process&apos;s limits.</source>
+        <source>Modes planar and flat: thinner layers where the surface is inclined, within the process&apos;s limits.</source>
         <translation>Modi planar e flat: strati più sottili dove la superficie è inclinata, entro i limiti del processo.</translation>
     </message>
     <message>
@@ -751,15 +751,15 @@ persi</translation>
         <translation>Richiede supporto</translation>
     </message>
     <message>
-        <source>Of helical infill: 0 winds around the axis, 90 runs along it.</source>
-        <translation>Del riempimento elicoidale: 0 si avvolge attorno all&apos;asse, 90 corre lungo l&apos;asse.</translation>
+        <source>For helical infill: 0 winds around the axis, 90 runs along it.</source>
+        <translation>Per il riempimento elicoidale: 0 si avvolge attorno all&apos;asse, 90 corre lungo l&apos;asse.</translation>
     </message>
     <message>
-        <source>Of spheres and cylinders: x,y,z in mm. Empty: of the ball or cylinder that the part stands on, or below the part.</source>
-        <translation>Di sfere e cilindri: x,y,z in mm. Vuoto: quello della sfera o del cilindro su cui sta il pezzo, o sotto il pezzo.</translation>
+        <source>Centre of spheres and cylinders: x,y,z in mm. Empty: that of the sphere or cylinder below the part, or a point below the part.</source>
+        <translation>Centro di sfere e cilindri: x,y,z in mm. Vuoto: quello della sfera o del cilindro su cui sta il pezzo, o un punto sotto il pezzo.</translation>
     </message>
     <message>
-        <source>Order of trying</source>
+        <source>Order of tries</source>
         <translation>ordine dei tentativi</translation>
     </message>
     <message>
@@ -767,8 +767,8 @@ persi</translation>
         <translation>file in uscita</translation>
     </message>
     <message>
-        <source>Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with them; a step has two pairs at one x. Beyond them the rod goes on as it is. Empty: straight.</source>
-        <translation>Coppie di x e raggio in mm, come -20,2.5 0,2.5 0,3.5 20,3.5, o un file che le contiene; un gradino ha due coppie alla stessa x. Oltre, la barra continua com’è. Vuoto: diritta.</translation>
+        <source>Pairs of x and radius in mm, such as -20,2.5 0,2.5 0,3.5 20,3.5, or a file with such pairs. A step needs two pairs at the same x. Beyond the pairs the rod keeps its own diameter. Empty: straight.</source>
+        <translation>Coppie di x e raggio in mm, come -20,2.5 0,2.5 0,3.5 20,3.5, o un file che le contiene. Un gradino richiede due coppie alla stessa x. Oltre, la barra mantiene il proprio diametro. Vuoto: diritta.</translation>
     </message>
     <message>
         <source>Peeling rank</source>
@@ -811,23 +811,23 @@ mm²</translation>
         <translation>Barra</translation>
     </message>
     <message>
-        <source>Scheme greedy: how many thicknesses the part&apos;s branches are told apart by. 0: as many as stand apart.</source>
-        <translation>Schema greedy: quanti spessori distinguono i rami del pezzo. 0: quanti risultano distinti.</translation>
+        <source>Scheme greedy: number of thickness classes that distinguish the part&apos;s branches. 0: automatic.</source>
+        <translation>Schema greedy: numero di classi di spessore che distinguono i rami del pezzo. 0: automatico.</translation>
     </message>
     <message>
-        <source>Scheme greedy: x,y,z (mm) of a place on what is printed first; it must stand on the plate. Empty: what stands on it with most area.</source>
-        <translation>Schema greedy: x,y,z (mm) di un punto su ciò che si stampa per primo; deve poggiare sul piatto. Vuoto: ciò che vi poggia con più area.</translation>
+        <source>Scheme greedy: a point x,y,z (mm) on the piece to print first; that piece must touch the plate. Empty: the piece with the largest contact area.</source>
+        <translation>Schema greedy: un punto x,y,z (mm) sul pezzo da stampare per primo, che deve toccare la piastra. Vuoto: quello con l’area di contatto maggiore.</translation>
     </message>
     <message>
         <source>Shadowed per layer</source>
         <translation>isolati per strato</translation>
     </message>
     <message>
-        <source>Shape of the head that must clear all that is printed earlier: a flat one as wide as needed, or the head as it is: where voxels would be lost otherwise (nozzle) and under wide roofs (nozzle and auto).</source>
-        <translation>Forma della testa che deve evitare tutto ciò che è già stampato: una piatta, larga quanto serve, o la testa com&apos;è: dove altrimenti si perderebbero dei voxel (ugello) e sotto tetti ampi (ugello e automatico).</translation>
+        <source>Head shape that must clear the part printed so far: a flat head of unlimited width, or the real head where voxels would be lost otherwise (nozzle) and under wide roofs (nozzle and auto).</source>
+        <translation>Forma della testa che non deve toccare il pezzo già stampato: una testa piatta di larghezza illimitata, o la testa reale dove altrimenti si perderebbero dei voxel (ugello) e sotto tetti ampi (ugello e automatico).</translation>
     </message>
     <message>
-        <source>Share of the inside that is filled; 1 is solid.</source>
+        <source>Share of the interior that is filled; 1 is solid.</source>
         <translation>Quota dell&apos;interno da riempire; 1 è pieno.</translation>
     </message>
     <message>
@@ -839,8 +839,8 @@ mm²</translation>
         <translation>Velocità</translation>
     </message>
     <message>
-        <source>Step being laid</source>
-        <translation>Passo in deposizione</translation>
+        <source>Current growth step</source>
+        <translation>Passo di crescita attuale</translation>
     </message>
     <message>
         <source>Support</source>
@@ -861,8 +861,8 @@ mm³</translation>
         <translation>Superficie</translation>
     </message>
     <message>
-        <source>The sources&apos; schemes: whether a voxel that lies exactly on the convex front can still be laid (outside) or is cut off by it (inside).</source>
-        <translation>Schemi delle fonti: se un voxel che giace esattamente sul fronte convesso si può ancora deporre (fuori) o ne resta isolato (dentro).</translation>
+        <source>The sources&apos; schemes: whether a voxel exactly on the convex front can still be printed (outside) or is shadowed by it (inside).</source>
+        <translation>Schemi delle fonti: se un voxel esattamente sul fronte convesso si può ancora stampare (fuori) o ne resta isolato (dentro).</translation>
     </message>
     <message>
         <source>Tilt of the nozzle</source>
@@ -873,12 +873,12 @@ mm³</translation>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Too thick to lay</source>
-        <translation>Troppo spesso da deporre</translation>
+        <source>Too thick to print</source>
+        <translation>Troppo spesso da stampare</translation>
     </message>
     <message>
-        <source>Too thin to lay</source>
-        <translation>Troppo sottile da deporre</translation>
+        <source>Too thin to print</source>
+        <translation>Troppo sottile da stampare</translation>
     </message>
     <message>
         <source>Tool-paths</source>
@@ -901,75 +901,75 @@ mm³</translation>
         <translation>voxel sul fronte</translation>
     </message>
     <message>
-        <source>WaitTime needs its seconds</source>
-        <translation>WaitTime richiede i suoi secondi</translation>
+        <source>WaitTime without a time in seconds</source>
+        <translation>WaitTime senza un tempo in secondi</translation>
     </message>
     <message>
         <source>Wall</source>
         <translation>Parete</translation>
     </message>
     <message>
-        <source>Wanted height of a layer; the process limits what it may become.</source>
-        <translation>Altezza desiderata di uno strato; il processo ne fissa i limiti.</translation>
+        <source>Nominal layer height; limited by the process.</source>
+        <translation>Altezza nominale di uno strato; il processo ne fissa i limiti.</translation>
     </message>
     <message>
-        <source>Wanted width of a bead; the process limits what it may become.</source>
-        <translation>Larghezza desiderata di un cordone; il processo ne fissa i limiti.</translation>
+        <source>Nominal bead width; limited by the process.</source>
+        <translation>Larghezza nominale di un cordone; il processo ne fissa i limiti.</translation>
     </message>
     <message>
-        <source>What carries voxels that growth would miss: nothing, or columns as thin as a voxel, to be broken off afterwards.</source>
-        <translation>Che cosa regge i voxel che la crescita mancherebbe: nulla, o colonne sottili quanto un voxel, da staccare alla fine.</translation>
+        <source>Supports voxels that growth would miss with break-away columns one voxel wide.</source>
+        <translation>Sostiene i voxel che la crescita mancherebbe con colonne larghe un voxel, da staccare alla fine.</translation>
     </message>
     <message>
-        <source>Where nothing is safe</source>
-        <translation>dove nulla è sicuro</translation>
+        <source>If no voxel is safe</source>
+        <translation>se nessun voxel è sicuro</translation>
     </message>
     <message>
-        <source>Which of the part&apos;s own axes is laid on the rod; auto: the one that its sides run along.</source>
-        <translation>Quale degli assi del pezzo si posa sulla barra; auto: quello lungo cui corrono i suoi fianchi.</translation>
+        <source>The axis of the part that is aligned with the rod. auto: the axis parallel to its sides.</source>
+        <translation>L’asse del pezzo che si allinea alla barra. auto: quello parallelo ai suoi fianchi.</translation>
     </message>
     <message>
         <source>Width</source>
         <translation>Larghezza</translation>
     </message>
     <message>
-        <source>Width of the voxels that growth works on; layers are not bound to it.</source>
-        <translation>Larghezza dei voxel su cui lavora la crescita; gli strati non ne dipendono.</translation>
+        <source>Voxel width used for growth; the layer height is independent of it.</source>
+        <translation>Larghezza dei voxel usati per la crescita; l&apos;altezza degli strati non ne dipende.</translation>
     </message>
     <message>
-        <source>a G command that is not known to the reader</source>
-        <translation>un comando G non noto al lettore</translation>
+        <source>unknown G command</source>
+        <translation>comando G sconosciuto</translation>
     </message>
     <message>
         <source>a PLY file begins with &quot;ply&quot;</source>
         <translation>un file PLY comincia con &quot;ply&quot;</translation>
     </message>
     <message>
-        <source>a call of what was not loaded</source>
-        <translation>una chiamata a ciò che non è stato caricato</translation>
+        <source>a call of a module that is not loaded</source>
+        <translation>una chiamata a un modulo non caricato</translation>
     </message>
     <message>
-        <source>a column of {voxels} from {foot} carries {carried} that would be missed</source>
-        <translation>una colonna di {voxels} da {foot} porta {carried} che altrimenti mancherebbero</translation>
+        <source>support column of {voxels} from {foot}: it carries {carried} that would be missed</source>
+        <translation>colonna di supporto di {voxels} da {foot}: porta {carried} che altrimenti mancherebbero</translation>
     </message>
     <message>
-        <source>a configuration is whole quarters of a turn</source>
-        <translation>una configurazione è un numero intero di quarti di giro</translation>
+        <source>a configuration that is not in whole quarter turns</source>
+        <translation>una configurazione che non è in quarti di giro interi</translation>
     </message>
     <message>
-        <source>a digital output is 0 or 1</source>
-        <translation>un&apos;uscita digitale è 0 o 1</translation>
+        <source>a digital output must be 0 or 1</source>
+        <translation>un&apos;uscita digitale dev&apos;essere 0 o 1</translation>
     </message>
     <message>
         <source>a direction needs nX, nY and nZ</source>
         <translation>una direzione richiede nX, nY e nZ</translation>
     </message>
     <message>
-        <source>a direction whose length is not 1</source>
-        <translation>una direzione la cui lunghezza non è 1</translation>
+        <source>a direction is not a unit vector</source>
+        <translation>una direzione non è un vettore unitario</translation>
     </message>
     <message>
-        <source>a face names vertex {vertex} of {vertices}</source>
+        <source>a face refers to vertex {vertex} of {vertices}</source>
         <translation>una faccia indica il vertice {vertex} di {vertices}</translation>
     </message>
     <message>
@@ -977,28 +977,28 @@ mm³</translation>
         <translation>una faccia richiede il numero dei suoi vertici, poi i vertici</translation>
     </message>
     <message>
-        <source>a face needs three corners or more</source>
-        <translation>una faccia richiede tre o più vertici</translation>
+        <source>a face needs at least three corners</source>
+        <translation>una faccia richiede almeno tre vertici</translation>
     </message>
     <message>
-        <source>a facet of fewer than three vertices</source>
+        <source>a facet with fewer than three vertices</source>
         <translation>una faccetta con meno di tre vertici</translation>
     </message>
     <message>
-        <source>a flow of {flow:.1f}, the extruder gives {limit:.1f#}</source>
-        <translation>un flusso di {flow:.1f}, l&apos;estrusore dà {limit:.1f#}</translation>
+        <source>flow of {flow:.1f}, above the extruder&apos;s limit of {limit:.1f#}</source>
+        <translation>flusso di {flow:.1f}, oltre il limite dell&apos;estrusore di {limit:.1f#}</translation>
     </message>
     <message>
         <source>a joint value far outside any limit</source>
         <translation>un valore di giunto molto oltre ogni limite</translation>
     </message>
     <message>
-        <source>a larger platform, or turn the part</source>
-        <translation>una piattaforma più grande, o girare il pezzo</translation>
+        <source>use a larger platform, or turn the part</source>
+        <translation>usa una piattaforma più grande, o gira il pezzo</translation>
     </message>
     <message>
-        <source>a larger platform, supports, or join this piece to the part</source>
-        <translation>una piattaforma più grande, supporti, o unire questa parte al pezzo</translation>
+        <source>use a larger platform or supports, or join this piece to the part</source>
+        <translation>usa una piattaforma più grande o supporti, o unisci questa parte al pezzo</translation>
     </message>
     <message>
         <source>a line does not end with CR LF</source>
@@ -1009,16 +1009,16 @@ mm³</translation>
         <translation>una riga senza comando</translation>
     </message>
     <message>
-        <source>a list has an impossible length</source>
-        <translation>una lista ha una lunghezza impossibile</translation>
+        <source>a list has an invalid length</source>
+        <translation>una lista ha una lunghezza non valida</translation>
     </message>
     <message>
-        <source>a mesh with corners that are not there</source>
-        <translation>una mesh con vertici che non esistono</translation>
+        <source>triangles with missing vertices</source>
+        <translation>triangoli con vertici mancanti</translation>
     </message>
     <message>
-        <source>a module begins with MODULE and its name</source>
-        <translation>un modulo comincia con MODULE e il suo nome</translation>
+        <source>a module must begin with MODULE and its name</source>
+        <translation>un modulo deve cominciare con MODULE e il suo nome</translation>
     </message>
     <message>
         <source>a motion before X, Y and Z are all known</source>
@@ -1029,8 +1029,8 @@ mm³</translation>
         <translation>un movimento prima di una velocità (F)</translation>
     </message>
     <message>
-        <source>a motion that never gets anywhere: no speed or acceleration</source>
-        <translation>un movimento che non arriva mai: nessuna velocità o accelerazione</translation>
+        <source>the motion never arrives: no speed or acceleration</source>
+        <translation>il movimento non arriva mai: nessuna velocità o accelerazione</translation>
     </message>
     <message>
         <source>a motion with a word {letter} is not understood</source>
@@ -1045,32 +1045,32 @@ mm³</translation>
         <translation>un nome è dichiarato due volte</translation>
     </message>
     <message>
-        <source>a narrower bead or a lower layer height follows finer detail; support carries what begins in the air</source>
-        <translation>un cordone più stretto o strati più bassi seguono dettagli più fini; un supporto porta ciò che comincia nel vuoto</translation>
+        <source>use a narrower bead or a lower layer height for fine detail, supports for areas that begin in the air</source>
+        <translation>usa un cordone più stretto o strati più bassi per i dettagli fini, supporti per le zone che cominciano nel vuoto</translation>
     </message>
     <message>
         <source>a picture of {width} x {height} pixels cannot be drawn</source>
         <translation>un&apos;immagine di {width} x {height} pixel non può essere disegnata</translation>
     </message>
     <message>
-        <source>a platform is a mesh, not a voxel object</source>
-        <translation>una piattaforma è una mesh, non un oggetto di voxel</translation>
+        <source>a platform must be a mesh, not a voxel object</source>
+        <translation>una piattaforma deve essere una mesh, non un oggetto di voxel</translation>
     </message>
     <message>
-        <source>a point is not a number</source>
-        <translation>un punto non è un numero</translation>
+        <source>a point has NaN or infinite coordinates</source>
+        <translation>un punto ha coordinate non numeriche o infinite</translation>
     </message>
     <message>
-        <source>a point is three numbers</source>
-        <translation>un punto è tre numeri</translation>
+        <source>a point needs three numbers</source>
+        <translation>un punto richiede tre numeri</translation>
     </message>
     <message>
-        <source>a point that is nowhere near a part</source>
-        <translation>un punto lontanissimo da ogni pezzo</translation>
+        <source>point too far from the origin</source>
+        <translation>punto troppo lontano dall&apos;origine</translation>
     </message>
     <message>
-        <source>a pose before set_tcp: whose pose is it?</source>
-        <translation>una posa prima di set_tcp: di che cosa è la posa?</translation>
+        <source>a pose before set_tcp: its TCP is unknown</source>
+        <translation>una posa prima di set_tcp: il suo TCP non è noto</translation>
     </message>
     <message>
         <source>a pose far outside any robot&apos;s reach</source>
@@ -1089,28 +1089,28 @@ mm³</translation>
         <translation>una proprietà di tipo sconosciuto</translation>
     </message>
     <message>
-        <source>a quadrilateral does not cut a part</source>
-        <translation>un quadrilatero non taglia un pezzo</translation>
+        <source>a quadrilateral cannot cut a part</source>
+        <translation>un quadrilatero non può tagliare un pezzo</translation>
     </message>
     <message>
-        <source>a quadrilateral has four corners</source>
-        <translation>un quadrilatero ha quattro vertici</translation>
+        <source>a quadrilateral needs four corners</source>
+        <translation>un quadrilatero richiede quattro vertici</translation>
     </message>
     <message>
-        <source>a quaternion whose length is not 1</source>
-        <translation>un quaternione la cui lunghezza non è 1</translation>
+        <source>a quaternion that is not normalised</source>
+        <translation>un quaternione non normalizzato</translation>
     </message>
     <message>
-        <source>a rod is round or has three sides at least</source>
+        <source>a rod is round or has at least three sides</source>
         <translation>una barra è tonda o ha almeno tre lati</translation>
     </message>
     <message>
-        <source>a rod needs two points at least</source>
+        <source>a rod needs at least two points</source>
         <translation>una barra richiede almeno due punti</translation>
     </message>
     <message>
-        <source>a row beyond its array</source>
-        <translation>una riga oltre il suo vettore</translation>
+        <source>row beyond the end of its array</source>
+        <translation>riga oltre la fine del suo vettore</translation>
     </message>
     <message>
         <source>a second, different TCP</source>
@@ -1129,12 +1129,12 @@ mm³</translation>
         <translation>uno spazio</translation>
     </message>
     <message>
-        <source>a speed is no sensible number</source>
-        <translation>una velocità non è un numero sensato</translation>
+        <source>an invalid speed</source>
+        <translation>una velocità non valida</translation>
     </message>
     <message>
-        <source>a speed that is not above 0</source>
-        <translation>una velocità non superiore a 0</translation>
+        <source>a speed that is not positive</source>
+        <translation>una velocità non positiva</translation>
     </message>
     <message>
         <source>a statement outside the procedure</source>
@@ -1145,63 +1145,63 @@ mm³</translation>
         <translation>un gradino all&apos;estremità della barra</translation>
     </message>
     <message>
-        <source>a target of fewer than six joints</source>
-        <translation>una destinazione con meno di sei giunti</translation>
+        <source>target with fewer than six joints</source>
+        <translation>destinazione con meno di sei giunti</translation>
     </message>
     <message>
-        <source>a time is no sensible number</source>
-        <translation>un tempo non è un numero sensato</translation>
+        <source>an invalid time</source>
+        <translation>un tempo non valido</translation>
     </message>
     <message>
-        <source>a transform has not twelve numbers</source>
+        <source>a transform does not have twelve numbers</source>
         <translation>una trasformazione non ha dodici numeri</translation>
     </message>
     <message>
-        <source>a transform is not of numbers</source>
-        <translation>una trasformazione non è fatta di numeri</translation>
+        <source>a transform contains a value that is not a number</source>
+        <translation>una trasformazione contiene un valore che non è un numero</translation>
     </message>
     <message>
-        <source>a triangle of vertex {vertex}, which is not there</source>
-        <translation>un triangolo con il vertice {vertex}, che non esiste</translation>
+        <source>a triangle refers to the missing vertex {vertex}</source>
+        <translation>un triangolo indica il vertice {vertex}, che non esiste</translation>
     </message>
     <message>
         <source>a vertex needs three numbers</source>
         <translation>un vertice richiede tre numeri</translation>
     </message>
     <message>
-        <source>a voxel width of at most {fits}</source>
-        <translation>voxel larghi al massimo {fits}</translation>
+        <source>use a voxel width of at most {fits}</source>
+        <translation>usa voxel larghi al massimo {fits}</translation>
     </message>
     <message>
-        <source>a wall {usual:.2f} thick ({thinnest:.2f} at its thinnest) is thinner than a voxel of {voxel}</source>
-        <translation>una parete spessa {usual:.2f} ({thinnest:.2f} nel punto più sottile) è più sottile di un voxel di {voxel}</translation>
+        <source>wall {usual:.2f} thick ({thinnest:.2f} at its thinnest), thinner than a voxel of {voxel}</source>
+        <translation>parete spessa {usual:.2f} ({thinnest:.2f} nel punto più sottile), più sottile di un voxel di {voxel}</translation>
     </message>
     <message>
-        <source>a waypoint&apos;s number is a whole number from -1</source>
-        <translation>il numero di un punto del percorso è un intero da -1</translation>
+        <source>a waypoint number has to be an integer of at least -1</source>
+        <translation>il numero di un punto del percorso deve essere un intero di almeno -1</translation>
     </message>
     <message>
-        <source>a work object is moved by the mechanical unit that it names, or stands still</source>
-        <translation>un oggetto di lavoro è mosso dall&apos;unità meccanica che indica, o sta fermo</translation>
+        <source>a work object must name the mechanical unit that moves it, or be stationary</source>
+        <translation>un oggetto di lavoro deve indicare l&apos;unità meccanica che lo muove, o essere fermo</translation>
     </message>
     <message>
-        <source>a zone is no sensible number</source>
-        <translation>una zona non è un numero sensato</translation>
+        <source>an invalid zone</source>
+        <translation>una zona non valida</translation>
     </message>
     <message>
-        <source>a zone of the turn or the external axes inside the TCP&apos;s</source>
-        <translation>una zona della rotazione o degli assi esterni dentro quella del TCP</translation>
+        <source>a zone for orientation or external axes smaller than the TCP&apos;s</source>
+        <translation>una zona della rotazione o degli assi esterni più piccola di quella del TCP</translation>
     </message>
     <message>
-        <source>a {type} has other parts</source>
-        <translation>un {type} ha altre parti</translation>
+        <source>a {type} must have other components</source>
+        <translation>un {type} deve avere altri componenti</translation>
     </message>
     <message>
         <source>adaptive layers</source>
         <translation>strati adattivi</translation>
     </message>
     <message>
-        <source>add a row of - under the part, where it is to stand</source>
+        <source>add a row of - under the part, where it should be placed</source>
         <translation>aggiungi una riga di - sotto il pezzo, dove deve poggiare</translation>
     </message>
     <message>
@@ -1209,16 +1209,16 @@ mm³</translation>
         <translation>aggiungi supporti (supports=auto), taglia lì, o usa strati curvi</translation>
     </message>
     <message>
-        <source>all pieces are held to the plate by {foot:.3g}, of {whole:.3g#} that the part stands on uncut</source>
-        <translation>tutte le parti sono tenute alla piastra da {foot:.3g}, dei {whole:.3g#} su cui il pezzo intero poggia</translation>
+        <source>small contact area: all pieces are held to the plate by {foot:.3g}; uncut, the part has {whole:.3g#}</source>
+        <translation>piccola area di appoggio: tutte le parti sono tenute alla piastra da {foot:.3g}; intero, il pezzo poggia su {whole:.3g#}</translation>
     </message>
     <message>
         <source>along</source>
         <translation>lungo l&apos;asse</translation>
     </message>
     <message>
-        <source>an M command that is not known to the reader</source>
-        <translation>un comando M non noto al lettore</translation>
+        <source>unknown M command</source>
+        <translation>comando M sconosciuto</translation>
     </message>
     <message>
         <source>an OFF file begins with &quot;OFF&quot;</source>
@@ -1233,7 +1233,7 @@ mm³</translation>
         <translation>un argomento di {name} è sconosciuto o dato due volte</translation>
     </message>
     <message>
-        <source>an element needs its number</source>
+        <source>an element needs its count</source>
         <translation>un elemento richiede il suo numero</translation>
     </message>
     <message>
@@ -1241,12 +1241,12 @@ mm³</translation>
         <translation>un asse esterno molto oltre ogni limite</translation>
     </message>
     <message>
-        <source>an external axis that moves no work object is not read</source>
-        <translation>un asse esterno che non muove alcun oggetto di lavoro non viene letto</translation>
+        <source>an external axis that moves no work object is not supported</source>
+        <translation>un asse esterno che non muove alcun oggetto di lavoro non è supportato</translation>
     </message>
     <message>
-        <source>an output needs its number and a value</source>
-        <translation>un&apos;uscita richiede il suo numero e un valore</translation>
+        <source>an output needs a number and a value</source>
+        <translation>un&apos;uscita richiede un numero e un valore</translation>
     </message>
     <message>
         <source>an unknown PLY format</source>
@@ -1257,42 +1257,42 @@ mm³</translation>
         <translation>una riga sconosciuta nell&apos;intestazione</translation>
     </message>
     <message>
-        <source>and further places, the first at {place}: the cell prints up to {radius} from the rod&apos;s axis and {along} from its middle</source>
+        <source>and more places, the first at {place}: the cell prints up to {radius} from the rod&apos;s axis and {along} from its middle</source>
         <translation>e altri punti, il primo a {place}: la cella stampa fino a {radius} dall&apos;asse della barra e {along} dal suo centro</translation>
     </message>
     <message>
-        <source>and further places, the first at {place}: the print head would cut into the platform</source>
+        <source>and more places, the first at {place}: the print head would cut into the platform</source>
         <translation>e altri punti, il primo a {place}: la testina entrerebbe nella piattaforma</translation>
     </message>
     <message>
-        <source>and further places, the first at {place}: the print head would cut into what is printed already</source>
-        <translation>e altri punti, il primo a {place}: la testina entrerebbe in ciò che è già stampato</translation>
+        <source>and more places, the first at {place}: the print head would cut into printed material</source>
+        <translation>e altri punti, il primo a {place}: la testina entrerebbe nel materiale già stampato</translation>
     </message>
     <message>
-        <source>and further places, the first at {place}: the robot can be here, but cannot come from or go on to a neighbouring place without lifting</source>
-        <translation>e altri punti, il primo a {place}: il robot può stare qui, ma non può venire da un punto vicino o proseguire verso di esso senza sollevarsi</translation>
+        <source>and more places, the first at {place}: reachable, but the robot cannot move from or to a neighbouring point without lifting</source>
+        <translation>e altri punti, il primo a {place}: raggiungibile, ma il robot non può muoversi da o verso un punto vicino senza sollevarsi</translation>
     </message>
     <message>
-        <source>and further places, the first at {place}: the robot cannot bring this place under the nozzle: out of reach, or beyond a joint&apos;s limits, however the part is turned about the nozzle</source>
-        <translation>e altri punti, il primo a {place}: il robot non può portare questo punto sotto l&apos;ugello: fuori portata, o oltre i limiti di un giunto, comunque si giri il pezzo attorno all&apos;ugello</translation>
+        <source>and more places, the first at {place}: unreachable for the nozzle: out of reach or beyond a joint limit at every rotation of the part about the nozzle</source>
+        <translation>e altri punti, il primo a {place}: non raggiungibile con l&apos;ugello: fuori portata o oltre un limite di giunto a ogni rotazione del pezzo attorno all&apos;ugello</translation>
     </message>
     <message>
-        <source>and further places, the first at {place}: {first} would meet {second}, however the part is turned about the nozzle</source>
-        <translation>e altri punti, il primo a {place}: {first} toccherebbe {second}, comunque si giri il pezzo attorno all&apos;ugello</translation>
+        <source>and more places, the first at {place}: {first} would collide with {second} at every rotation of the part about the nozzle</source>
+        <translation>e altri punti, il primo a {place}: {first} urterebbe {second} a ogni rotazione del pezzo attorno all&apos;ugello</translation>
     </message>
     <message>
-        <source>and more from here on</source>
-        <translation>e altro da qui in poi</translation>
+        <source>further defects from here on are not listed</source>
+        <translation>altri errori da qui in poi non sono elencati</translation>
     </message>
     <message numerus="yes">
-        <source>and {collisions} collisions more</source>
+        <source>and {collisions} more collisions</source>
         <translation>
             <numerusform>e {collisions} altra collisione</numerusform>
             <numerusform>e altre {collisions} collisioni</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>and {violations} violations more</source>
+        <source>and {violations} more violations</source>
         <translation>
             <numerusform>e {violations} altra violazione</numerusform>
             <numerusform>e altre {violations} violazioni</numerusform>
@@ -1303,8 +1303,8 @@ mm³</translation>
         <translation>un&apos;altra colonna</translation>
     </message>
     <message>
-        <source>argument {key} is no sensible number</source>
-        <translation>l&apos;argomento {key} non è un numero sensato</translation>
+        <source>argument {key} is not a valid number</source>
+        <translation>l&apos;argomento {key} non è un numero valido</translation>
     </message>
     <message>
         <source>around</source>
@@ -1323,7 +1323,7 @@ mm³</translation>
         <translation>asse</translation>
     </message>
     <message>
-        <source>axis of the part</source>
+        <source>part axis</source>
         <translation>asse del pezzo</translation>
     </message>
     <message>
@@ -1367,19 +1367,19 @@ mm³</translation>
         <translation>cella {cell}</translation>
     </message>
     <message>
-        <source>cell {cell} holds a rod, and mode {mode} prints on a plate</source>
-        <translation>la cella {cell} tiene una barra, e la modalità {mode} stampa su una piastra</translation>
+        <source>cell {cell} has a rod, but mode {mode} prints on a plate</source>
+        <translation>la cella {cell} ha una barra, ma la modalità {mode} stampa su una piastra</translation>
     </message>
     <message>
-        <source>cell {id} holds no rod to print on</source>
-        <translation>la cella {id} non tiene una barra su cui stampare</translation>
+        <source>cell {id} has no rod to print on</source>
+        <translation>la cella {id} non ha una barra su cui stampare</translation>
     </message>
     <message>
-        <source>centre of layers</source>
+        <source>layer centre</source>
         <translation>centro degli strati</translation>
     </message>
     <message>
-        <source>check the flow and the infill&apos;s density</source>
+        <source>check the flow and the infill density</source>
         <translation>controlla il flusso e la densità del riempimento</translation>
     </message>
     <message>
@@ -1399,15 +1399,15 @@ mm³</translation>
         <translation>scegliere strati che lo raggiungano tutto (layerShape, layerCentre, endSurface)</translation>
     </message>
     <message>
-        <source>choose {least} to {most} pixels a side</source>
+        <source>choose {least} to {most} pixels per side</source>
         <translation>scegli da {least} a {most} pixel per lato</translation>
     </message>
     <message>
-        <source>clearance of the arm</source>
+        <source>arm clearance</source>
         <translation>distanza del braccio</translation>
     </message>
     <message>
-        <source>clearance of the part</source>
+        <source>clearance to the part</source>
         <translation>distanza dal pezzo</translation>
     </message>
     <message numerus="yes">
@@ -1441,27 +1441,27 @@ mm³</translation>
         </translation>
     </message>
     <message>
-        <source>cut short</source>
+        <source>truncated</source>
         <translation>troncato</translation>
     </message>
     <message>
-        <source>cut short within a facet</source>
+        <source>truncated within a facet</source>
         <translation>troncato dentro una faccetta</translation>
     </message>
     <message>
-        <source>cut short, or not a mesh: {what}</source>
+        <source>truncated, or not a mesh: {what}</source>
         <translation>troncato, o non è una mesh: {what}</translation>
     </message>
     <message>
-        <source>cut short: {bytes} bytes are no STL file</source>
-        <translation>troncato: {bytes} byte non sono un file STL</translation>
+        <source>truncated: {bytes} bytes are too few for an STL file</source>
+        <translation>troncato: {bytes} byte sono troppo pochi per un file STL</translation>
     </message>
     <message>
-        <source>cut short: {there} of {wanted} faces</source>
+        <source>truncated: {there} of {wanted} faces</source>
         <translation>troncato: {there} di {wanted} facce</translation>
     </message>
     <message>
-        <source>cut short: {there} of {wanted} vertices</source>
+        <source>truncated: {there} of {wanted} vertices</source>
         <translation>troncato: {there} di {wanted} vertici</translation>
     </message>
     <message>
@@ -1521,11 +1521,11 @@ mm³</translation>
         <translation>appoggialo sulla piastra</translation>
     </message>
     <message>
-        <source>drop it to the plate or choose a platform under it</source>
+        <source>drop it to the plate, or choose a platform below it</source>
         <translation>appoggialo sulla piastra o scegli una piattaforma sotto di esso</translation>
     </message>
     <message>
-        <source>drop the part to the plate</source>
+        <source>move the part down to the plate</source>
         <translation>appoggia il pezzo sulla piastra</translation>
     </message>
     <message numerus="yes">
@@ -1558,12 +1558,12 @@ mm³</translation>
         <translation>superficie finale</translation>
     </message>
     <message>
-        <source>endSurface &apos;{text}&apos; is none</source>
-        <translation>endSurface &apos;{text}&apos; non esiste</translation>
+        <source>endSurface &apos;{text}&apos; is not an end surface</source>
+        <translation>endSurface &apos;{text}&apos; non è una superficie finale</translation>
     </message>
     <message>
-        <source>endSurface mesh:FILE goes with a platform that is a body</source>
-        <translation>endSurface mesh:FILE va con una piattaforma che è un corpo</translation>
+        <source>endSurface mesh:FILE requires a platform that is a body</source>
+        <translation>endSurface mesh:FILE richiede una piattaforma che sia un corpo</translation>
     </message>
     <message>
         <source>ending layers on the surface</source>
@@ -1574,11 +1574,11 @@ mm³</translation>
         <translation>esporta o copia di nuovo il file</translation>
     </message>
     <message>
-        <source>extruded material becomes less</source>
-        <translation>il materiale estruso diminuisce</translation>
+        <source>the extruded volume decreases</source>
+        <translation>il volume estruso diminuisce</translation>
     </message>
     <message>
-        <source>fewest missed</source>
+        <source>fewest missed voxels</source>
         <translation>meno voxel mancanti</translation>
     </message>
     <message>
@@ -1642,8 +1642,8 @@ mm³</translation>
         <translation>dai 0, o da {least#} a {most}</translation>
     </message>
     <message>
-        <source>give a higher end surface (endSurface)</source>
-        <translation>dai una superficie finale più alta (endSurface)</translation>
+        <source>choose a higher end surface (endSurface)</source>
+        <translation>scegli una superficie finale più alta (endSurface)</translation>
     </message>
     <message>
         <source>give a list of {&quot;point&quot;: [x, y, z], &quot;normal&quot;: [x, y, z]} or {&quot;corners&quot;: [four points]}, in mm</source>
@@ -1658,7 +1658,7 @@ mm³</translation>
         <translation>dai un numero da 0.0001 a 10000, o fit</translation>
     </message>
     <message>
-        <source>give all slices equally many rows</source>
+        <source>give all slices the same number of rows</source>
         <translation>dai a tutte le sezioni lo stesso numero di righe</translation>
     </message>
     <message>
@@ -1666,16 +1666,16 @@ mm³</translation>
         <translation>dai un file STL, OBJ, PLY, OFF o 3MF</translation>
     </message>
     <message>
-        <source>give an end surface over the part&apos;s foot</source>
-        <translation>dai una superficie finale sopra il piede del pezzo</translation>
+        <source>choose an end surface over the part&apos;s foot</source>
+        <translation>scegli una superficie finale sopra il piede del pezzo</translation>
     </message>
     <message>
-        <source>give an end surface that is more like the surface, or a narrower part</source>
-        <translation>dai una superficie finale più simile alla superficie, o un pezzo più stretto</translation>
+        <source>choose an end surface of more similar shape, or a narrower part</source>
+        <translation>scegli una superficie finale di forma più simile, o un pezzo più stretto</translation>
     </message>
     <message>
-        <source>give an end surface that is more like the surface, or a smaller part</source>
-        <translation>dai una superficie finale più simile alla superficie, o un pezzo più piccolo</translation>
+        <source>choose an end surface of more similar shape, or a smaller part</source>
+        <translation>scegli una superficie finale di forma più simile, o un pezzo più piccolo</translation>
     </message>
     <message>
         <source>give endSurface=flat:Z or mesh:FILE</source>
@@ -1738,12 +1738,12 @@ mm³</translation>
         <translation>crescita</translation>
     </message>
     <message>
-        <source>has minDeg not below maxDeg</source>
-        <translation>ha minDeg non inferiore a maxDeg</translation>
+        <source>must have minDeg below maxDeg</source>
+        <translation>deve avere minDeg inferiore a maxDeg</translation>
     </message>
     <message>
-        <source>has no length</source>
-        <translation>non ha lunghezza</translation>
+        <source>must not have zero length</source>
+        <translation>non deve avere lunghezza zero</translation>
     </message>
     <message>
         <source>head</source>
@@ -1770,8 +1770,8 @@ mm³</translation>
         <translation>riempimento</translation>
     </message>
     <message>
-        <source>infill &apos;{infill}&apos; winds around an axis, and layer {layer} has none</source>
-        <translation>il riempimento &apos;{infill}&apos; si avvolge attorno a un asse, e lo strato {layer} non ne ha</translation>
+        <source>infill &apos;{infill}&apos; needs an axis to wind around, but layer {layer} has none</source>
+        <translation>il riempimento &apos;{infill}&apos; si avvolge attorno a un asse, ma lo strato {layer} non ne ha</translation>
     </message>
     <message>
         <source>infill density</source>
@@ -1810,7 +1810,7 @@ mm³</translation>
         <translation>è inferiore a &apos;min&apos;</translation>
     </message>
     <message>
-        <source>is cut short</source>
+        <source>is truncated</source>
         <translation>è troncato</translation>
     </message>
     <message>
@@ -1834,11 +1834,11 @@ mm³</translation>
         <translation>è oltre i limiti del giunto</translation>
     </message>
     <message>
-        <source>is packed in a way that cannot be read</source>
-        <translation>è compresso in un modo che non si può leggere</translation>
+        <source>is compressed with an unsupported method</source>
+        <translation>è compresso con un metodo non supportato</translation>
     </message>
     <message>
-        <source>is taken already: &apos;{name}&apos;</source>
+        <source>is already used: &apos;{name}&apos;</source>
         <translation>è già usato: &apos;{name}&apos;</translation>
     </message>
     <message>
@@ -1846,15 +1846,15 @@ mm³</translation>
         <translation>è un file, non una cartella</translation>
     </message>
     <message>
-        <source>its blend overlaps the one before ({blend:.3f} on {way:.3f}): the controller skips the waypoint</source>
-        <translation>il suo raccordo si sovrappone al precedente ({blend:.3f} su {way:.3f}): il controllore salta il punto</translation>
+        <source>blend overlaps the previous one ({blend:.3f} on {way:.3f}): the controller skips the waypoint</source>
+        <translation>il raccordo si sovrappone al precedente ({blend:.3f} su {way:.3f}): il controllore salta il punto</translation>
     </message>
     <message>
         <source>joint {number}</source>
         <translation>giunto {number}</translation>
     </message>
     <message>
-        <source>lay the part on a larger face, or give other cuts (cutPlanes)</source>
+        <source>place the part on a larger face, or give other cuts (cutPlanes)</source>
         <translation>appoggia il pezzo su una faccia più grande, o indica altri tagli (cutPlanes)</translation>
     </message>
     <message>
@@ -1870,7 +1870,7 @@ mm³</translation>
         <translation>strato {layer}, x {x:.1f} y {y:.1f} z {z:.1f}</translation>
     </message>
     <message>
-        <source>layerCentre &apos;{text}&apos; is no point</source>
+        <source>layerCentre &apos;{text}&apos; is not a point</source>
         <translation>layerCentre &apos;{text}&apos; non è un punto</translation>
     </message>
     <message>
@@ -1886,15 +1886,15 @@ mm³</translation>
         <translation>strati intorno alla barra</translation>
     </message>
     <message>
-        <source>layers on this surface would fold: rays along its normals cross before the end surface, from layer {layer} on</source>
-        <translation>gli strati su questa superficie si piegherebbero: i raggi lungo le sue normali si incrociano prima della superficie finale, dallo strato {layer} in poi</translation>
+        <source>layers on this surface would fold from layer {layer} on: its normals cross before the end surface</source>
+        <translation>gli strati su questa superficie si piegherebbero dallo strato {layer} in poi: le sue normali si incrociano prima della superficie finale</translation>
     </message>
     <message>
-        <source>layers that are {top:.3g} mm thick at the top and {side:.3g} mm at the sides end after layer {layer}: no circle goes through both</source>
-        <translation>strati spessi {top:.3g} mm in cima e {side:.3g} mm ai lati finiscono dopo lo strato {layer}: nessun cerchio passa per entrambi</translation>
+        <source>layers of {top:.3g} mm at the top and {side:.3g} mm at the sides end after layer {layer}: no circle passes through both</source>
+        <translation>strati di {top:.3g} mm in cima e {side:.3g} mm ai lati finiscono dopo lo strato {layer}: nessun cerchio passa per entrambi</translation>
     </message>
     <message>
-        <source>laying beads</source>
+        <source>depositing beads</source>
         <translation>disposizione dei cordoni</translation>
     </message>
     <message>
@@ -1902,19 +1902,19 @@ mm³</translation>
         <translation>il meno possibile</translation>
     </message>
     <message>
-        <source>least risky</source>
-        <translation>meno area a rischio</translation>
+        <source>minimum overhang</source>
+        <translation>meno area a sbalzo</translation>
     </message>
     <message>
-        <source>leaves a piece that stands on nothing</source>
-        <translation>lascia una parte che non poggia su nulla</translation>
+        <source>leaves a piece without a base</source>
+        <translation>lascia una parte senza base</translation>
     </message>
     <message>
-        <source>leaves a piece {thickness:.2g} thin, less than a bead&apos;s {least}</source>
-        <translation>lascia una parte spessa {thickness:.2g}, meno dei {least} di un cordone</translation>
+        <source>leaves a piece only {thickness:.2g} thick, thinner than a bead ({least})</source>
+        <translation>lascia una parte spessa solo {thickness:.2g}, più sottile di un cordone ({least})</translation>
     </message>
     <message>
-        <source>left out: {what}</source>
+        <source>omitted: {what}</source>
         <translation>tralasciato: {what}</translation>
     </message>
     <message>
@@ -1922,24 +1922,24 @@ mm³</translation>
         <translation>lasciate al controllore</translation>
     </message>
     <message>
-        <source>lengths taken as mm: the unit &apos;{unit}&apos; is not known</source>
-        <translation>lunghezze prese come mm: l&apos;unità &apos;{unit}&apos; non è nota</translation>
+        <source>lengths taken as mm: unknown unit &apos;{unit}&apos;</source>
+        <translation>lunghezze prese come mm: unità &apos;{unit}&apos; sconosciuta</translation>
     </message>
     <message>
-        <source>lengths turned from {unit} into mm</source>
+        <source>lengths converted from {unit} to mm</source>
         <translation>lunghezze convertite da {unit} in mm</translation>
     </message>
     <message>
-        <source>less flow, or beads further apart</source>
-        <translation>meno flusso, o cordoni più distanti</translation>
+        <source>reduce the flow, or space the beads further apart</source>
+        <translation>riduci il flusso, o distanzia di più i cordoni</translation>
     </message>
     <message>
-        <source>let the part rise from the rod at a gentler slope there</source>
-        <translation>lì far salire il pezzo dalla barra con minore pendenza</translation>
+        <source>give the part a gentler slope from the rod there</source>
+        <translation>dai al pezzo una pendenza minore dalla barra in quel punto</translation>
     </message>
     <message>
-        <source>let the part rise from the surface at a gentler slope there</source>
-        <translation>lì far salire il pezzo dalla superficie con minore pendenza</translation>
+        <source>give the part a gentler slope from the surface there</source>
+        <translation>dai al pezzo una pendenza minore dalla superficie in quel punto</translation>
     </message>
     <message>
         <source>lift</source>
@@ -1962,20 +1962,20 @@ mm³</translation>
         <translation>caricamento</translation>
     </message>
     <message>
-        <source>longest side {longest:.4g}: perhaps the file is in {unit} (scale {scale})</source>
+        <source>longest side {longest:.4g}: the file may be in {unit} (scale {scale})</source>
         <translation>lato più lungo {longest:.4g}: forse il file è in {unit} (scala {scale})</translation>
     </message>
     <message>
-        <source>looking beneath the beads</source>
-        <translation>controllo sotto i cordoni</translation>
+        <source>checking support below the beads</source>
+        <translation>controllo del sostegno sotto i cordoni</translation>
     </message>
     <message>
-        <source>looking for collisions</source>
+        <source>checking for collisions</source>
         <translation>ricerca di collisioni</translation>
     </message>
     <message>
-        <source>made by a newer version of Voluta (format {format}; this one reads up to {newest})</source>
-        <translation>fatto da una versione più nuova di Voluta (formato {format}; questa legge fino a {newest})</translation>
+        <source>saved by a newer version of Voluta (format {format}; this version reads up to {newest})</source>
+        <translation>salvato da una versione più nuova di Voluta (formato {format}; questa legge fino a {newest})</translation>
     </message>
     <message>
         <source>make all rows equally long</source>
@@ -1986,7 +1986,7 @@ mm³</translation>
         <translation>fai il rilievo più stretto</translation>
     </message>
     <message>
-        <source>make the object of fewer and larger cells</source>
+        <source>make the object from fewer and larger cells</source>
         <translation>fai l&apos;oggetto di celle meno numerose e più grandi</translation>
     </message>
     <message>
@@ -1994,11 +1994,11 @@ mm³</translation>
         <translation>fai il pezzo più stretto, o usa layerShape=offset</translation>
     </message>
     <message>
-        <source>make the two thicknesses more alike, or use fewer layers</source>
-        <translation>fai i due spessori più simili, o usa meno strati</translation>
+        <source>make the two thicknesses more similar, or use fewer layers</source>
+        <translation>rendi i due spessori più simili, o usa meno strati</translation>
     </message>
     <message>
-        <source>materials of pieces</source>
+        <source>piece materials</source>
         <translation>materiali dei pezzi</translation>
     </message>
     <message>
@@ -2006,12 +2006,12 @@ mm³</translation>
         <translation>misura dei cordoni</translation>
     </message>
     <message>
-        <source>mend it in a modelling program</source>
+        <source>repair it in a modelling program</source>
         <translation>correggila in un programma di modellazione</translation>
     </message>
     <message>
-        <source>mend the mesh in a modelling program if the result looks wrong</source>
-        <translation>correggi la mesh in un programma di modellazione se il risultato sembra sbagliato</translation>
+        <source>repair the mesh in a modelling program if the result looks wrong</source>
+        <translation>ripara la mesh in un programma di modellazione se il risultato sembra sbagliato</translation>
     </message>
     <message numerus="yes">
         <source>merged {count} duplicate points</source>
@@ -2037,19 +2037,19 @@ mm³</translation>
         <translation>la modalità {mode} non stampa sulla piattaforma {platform}</translation>
     </message>
     <message>
-        <source>mode {mode} prints around a rod, and cell {cell} holds none</source>
-        <translation>la modalità {mode} stampa attorno a una barra, e la cella {cell} non ne tiene</translation>
+        <source>mode {mode} prints around a rod, but cell {cell} has none</source>
+        <translation>la modalità {mode} stampa attorno a una barra, ma la cella {cell} non ne ha</translation>
     </message>
     <message>
         <source>motion</source>
         <translation>movimento</translation>
     </message>
     <message>
-        <source>move it to where it crosses the part</source>
-        <translation>spostalo dove attraversa il pezzo</translation>
+        <source>move it so that it crosses the part</source>
+        <translation>spostalo in modo che attraversi il pezzo</translation>
     </message>
     <message>
-        <source>move or tilt the plane a little</source>
+        <source>move or tilt the plane slightly</source>
         <translation>sposta o inclina un poco il piano</translation>
     </message>
     <message>
@@ -2057,12 +2057,12 @@ mm³</translation>
         <translation>sposta il pezzo lungo la barra, o usa una barra più lunga</translation>
     </message>
     <message>
-        <source>move the part on the rod, or let what is under them grow out of it</source>
-        <translation>sposta il pezzo sulla barra, o fa&apos; che ciò che sta sotto cresca da essa</translation>
+        <source>move the part on the rod, or extend it down to the rod there</source>
+        <translation>sposta il pezzo sulla barra, o prolungalo lì fino alla barra</translation>
     </message>
     <message>
-        <source>move the part on the surface, or let what is under them grow out of it</source>
-        <translation>sposta il pezzo sulla superficie, o fa&apos; che ciò che sta sotto cresca da essa</translation>
+        <source>move the part on the surface, or extend it down to the surface there</source>
+        <translation>sposta il pezzo sulla superficie, o prolungalo lì fino alla superficie</translation>
     </message>
     <message>
         <source>move the part onto the rod</source>
@@ -2077,19 +2077,19 @@ mm³</translation>
         <translation>sposta il pezzo fuori dalla superficie, o stampalo più grande</translation>
     </message>
     <message>
-        <source>move the plane, or leave it out</source>
-        <translation>sposta il piano, o omettilo</translation>
+        <source>move the plane or remove it</source>
+        <translation>sposta il piano o eliminalo</translation>
     </message>
     <message>
-        <source>move the plane, or turn its normal to the side that is to be cut off</source>
-        <translation>sposta il piano, o gira la sua normale verso il lato da tagliare</translation>
+        <source>move the plane, or point its normal to the side to cut off</source>
+        <translation>sposta il piano, o rivolgi la sua normale verso il lato da tagliare</translation>
     </message>
     <message>
-        <source>move the planes, or add some between</source>
+        <source>move the planes, or add planes between them</source>
         <translation>sposta i piani, o aggiungine in mezzo</translation>
     </message>
     <message>
-        <source>move them, or leave them out</source>
+        <source>move or remove them</source>
         <translation>spostali, o toglili</translation>
     </message>
     <message>
@@ -2133,8 +2133,8 @@ mm³</translation>
         <translation>deve essere in 0..{dof}</translation>
     </message>
     <message>
-        <source>must be more than the rod&apos;s radius</source>
-        <translation>deve essere più del raggio della barra</translation>
+        <source>must be greater than the rod&apos;s radius</source>
+        <translation>deve essere maggiore del raggio della barra</translation>
     </message>
     <message>
         <source>must be unwinds or runsOn, is &apos;{end}&apos;</source>
@@ -2149,8 +2149,8 @@ mm³</translation>
         <translation>deve essere world: una barra è tenuta a entrambe le estremità</translation>
     </message>
     <message>
-        <source>must have 0, where it rests, within its limits</source>
-        <translation>deve avere 0, dove sta a riposo, dentro i suoi limiti</translation>
+        <source>must include the home position 0 in its limits</source>
+        <translation>deve includere la posizione di riposo 0 nei suoi limiti</translation>
     </message>
     <message>
         <source>must have three numbers</source>
@@ -2161,23 +2161,23 @@ mm³</translation>
         <translation>deve avere due nomi</translation>
     </message>
     <message>
-        <source>must have two sections at least</source>
+        <source>must have at least two sections</source>
         <translation>deve avere almeno due sezioni</translation>
     </message>
     <message>
-        <source>must hold 6 joints, holds {found}</source>
+        <source>must have 6 joints, has {found}</source>
         <translation>deve contenere 6 giunti, ne contiene {found}</translation>
     </message>
     <message>
-        <source>must hold at least one shape</source>
+        <source>must have at least one shape</source>
         <translation>deve contenere almeno una forma</translation>
     </message>
     <message>
-        <source>must hold one axis, which turns the rod</source>
-        <translation>deve contenere un asse, che gira la barra</translation>
+        <source>must have exactly one axis, which turns the rod</source>
+        <translation>deve contenere un solo asse, che gira la barra</translation>
     </message>
     <message>
-        <source>must hold {wanted} joints, holds {found}</source>
+        <source>must have {wanted} joints, has {found}</source>
         <translation>deve contenere {wanted} giunti, ne contiene {found}</translation>
     </message>
     <message>
@@ -2189,20 +2189,20 @@ mm³</translation>
         <translation>non deve essere negativo</translation>
     </message>
     <message>
-        <source>must not be the nozzle&apos;s: one of them moves, the other is fixed</source>
-        <translation>non deve essere quello dell&apos;ugello: uno dei due si muove, l&apos;altro è fisso</translation>
+        <source>must differ from the nozzle&apos;s: one of them moves, the other is fixed</source>
+        <translation>deve essere diverso da quello dell&apos;ugello: uno dei due si muove, l&apos;altro è fisso</translation>
     </message>
     <message>
-        <source>name its axis (rodAxis), or turn the part onto the rod by hand</source>
-        <translation>indica il suo asse (rodAxis), o gira il pezzo sulla barra a mano</translation>
+        <source>set its axis (rodAxis), or rotate the part onto the rod manually</source>
+        <translation>imposta il suo asse (rodAxis), o ruota il pezzo sulla barra a mano</translation>
     </message>
     <message>
-        <source>names no body: &apos;{name}&apos;; the nearest is &apos;{nearest}&apos;</source>
-        <translation>non indica alcun corpo: &apos;{name}&apos;; il più vicino è &apos;{nearest}&apos;</translation>
+        <source>names an unknown body: &apos;{name}&apos;; did you mean &apos;{nearest}&apos;?</source>
+        <translation>indica un corpo sconosciuto: &apos;{name}&apos;; intendevi &apos;{nearest}&apos;?</translation>
     </message>
     <message>
-        <source>names no kinematic family that is known: &apos;{id}&apos;</source>
-        <translation>non indica alcuna famiglia cinematica nota: &apos;{id}&apos;</translation>
+        <source>names an unknown kinematic family: &apos;{id}&apos;</source>
+        <translation>indica una famiglia cinematica sconosciuta: &apos;{id}&apos;</translation>
     </message>
     <message>
         <source>names no model</source>
@@ -2224,28 +2224,28 @@ mm³</translation>
         </translation>
     </message>
     <message>
-        <source>no figure is called &apos;{key}&apos;</source>
-        <translation>nessuna misura si chiama &apos;{key}&apos;</translation>
+        <source>unknown figure &apos;{key}&apos;</source>
+        <translation>misura &apos;{key}&apos; sconosciuta</translation>
     </message>
     <message>
         <source>no function is defined</source>
         <translation>nessuna funzione è definita</translation>
     </message>
     <message>
-        <source>no number of layers between the surface and its end keeps their thickness within {least} and {most} mm: the way between them is {shortest:.3g} to {longest:.3g} mm long</source>
-        <translation>nessun numero di strati tra la superficie e la sua fine tiene il loro spessore tra {least} e {most} mm: la distanza è lunga da {shortest:.3g} a {longest:.3g} mm</translation>
+        <source>no number of layers between the surface and the end surface keeps the layer height within {least} to {most} mm: their distance is {shortest:.3g} to {longest:.3g} mm</source>
+        <translation>nessun numero di strati tra la superficie e la superficie finale tiene l&apos;altezza degli strati tra {least} e {most} mm: la loro distanza va da {shortest:.3g} a {longest:.3g} mm</translation>
     </message>
     <message>
-        <source>no number of layers between the surface and its end keeps their thickness within {least} and {most} mm: {layers} layers would be {thinnest:.3g} to {thickest:.3g} mm thick</source>
-        <translation>nessun numero di strati tra la superficie e la sua fine tiene il loro spessore tra {least} e {most} mm: {layers} strati sarebbero spessi da {thinnest:.3g} a {thickest:.3g} mm</translation>
+        <source>no number of layers between the surface and the end surface keeps the layer height within {least} to {most} mm: {layers} layers would be {thinnest:.3g} to {thickest:.3g} mm high</source>
+        <translation>nessun numero di strati tra la superficie e la superficie finale tiene l&apos;altezza degli strati tra {least} e {most} mm: {layers} strati sarebbero alti da {thinnest:.3g} a {thickest:.3g} mm</translation>
     </message>
     <message>
         <source>no such file</source>
         <translation>il file non esiste</translation>
     </message>
     <message>
-        <source>no tool-path is left to move along</source>
-        <translation>non resta alcun percorso da seguire</translation>
+        <source>no tool-paths left</source>
+        <translation>nessun percorso rimasto</translation>
     </message>
     <message>
         <source>nominal</source>
@@ -2264,16 +2264,16 @@ mm³</translation>
         <translation>non è un progetto di Voluta</translation>
     </message>
     <message>
-        <source>not a filament&apos;s diameter</source>
-        <translation>non è il diametro di un filamento</translation>
+        <source>invalid filament diameter</source>
+        <translation>diametro del filamento non valido</translation>
     </message>
     <message>
         <source>not a mesh file</source>
         <translation>non è un file di mesh</translation>
     </message>
     <message>
-        <source>not a module&apos;s attributes</source>
-        <translation>non sono attributi di un modulo</translation>
+        <source>invalid module attributes</source>
+        <translation>attributi di modulo non validi</translation>
     </message>
     <message>
         <source>not a program in any known format</source>
@@ -2284,12 +2284,12 @@ mm³</translation>
         <translation>non è una riga della tabella</translation>
     </message>
     <message>
-        <source>not a zip, or cut short</source>
+        <source>not a zip file, or truncated</source>
         <translation>non è uno zip, o è troncato</translation>
     </message>
     <message>
-        <source>not the head of a procedure</source>
-        <translation>non è l&apos;intestazione di una procedura</translation>
+        <source>not a valid procedure header</source>
+        <translation>non è un&apos;intestazione di procedura valida</translation>
     </message>
     <message>
         <source>not the header of a joint table</source>
@@ -2304,11 +2304,11 @@ mm³</translation>
         <translation>non resta nulla della mesh dopo la riparazione</translation>
     </message>
     <message>
-        <source>nothing of the surface under the part sees the end surface</source>
-        <translation>nulla della superficie sotto il pezzo vede la superficie finale</translation>
+        <source>no normal of the surface below the part hits the end surface</source>
+        <translation>nessuna normale della superficie sotto il pezzo incontra la superficie finale</translation>
     </message>
     <message>
-        <source>nothing stands on the platform</source>
+        <source>nothing is on the platform</source>
         <translation>nulla poggia sulla piattaforma</translation>
     </message>
     <message>
@@ -2316,12 +2316,12 @@ mm³</translation>
         <translation>ugello</translation>
     </message>
     <message>
-        <source>object &apos;{id}&apos; is not there</source>
-        <translation>l&apos;oggetto &apos;{id}&apos; non esiste</translation>
+        <source>object &apos;{id}&apos; is missing</source>
+        <translation>manca l&apos;oggetto &apos;{id}&apos;</translation>
     </message>
     <message>
-        <source>objects hold one another without end, or more than can be read</source>
-        <translation>oggetti che si contengono senza fine, o più di quanti se ne possano leggere</translation>
+        <source>objects contain each other, or there are too many to read</source>
+        <translation>oggetti che si contengono a vicenda, o troppi da leggere</translation>
     </message>
     <message>
         <source>offset</source>
@@ -2332,12 +2332,12 @@ mm³</translation>
         <translation>sul piatto</translation>
     </message>
     <message>
-        <source>one that ends by itself or is skipped</source>
-        <translation>uno che finisce da solo o viene saltato</translation>
+        <source>a stop that ends by itself or is skipped</source>
+        <translation>un arresto che finisce da solo o viene saltato</translation>
     </message>
     <message>
-        <source>one that the operator ends</source>
-        <translation>uno che finisce l&apos;operatore</translation>
+        <source>a stop that the operator ends</source>
+        <translation>un arresto che finisce l&apos;operatore</translation>
     </message>
     <message>
         <source>only three-dimensional OFF files can be read</source>
@@ -2348,20 +2348,20 @@ mm³</translation>
         <translation>apertura</translation>
     </message>
     <message>
-        <source>open it with the version that made it, or install that one</source>
-        <translation>aprilo con la versione che l&apos;ha fatto, o installa quella</translation>
+        <source>open it with the version that saved it</source>
+        <translation>aprilo con la versione che l&apos;ha salvato</translation>
     </message>
     <message>
         <source>ordering layers</source>
         <translation>ordinamento degli strati</translation>
     </message>
     <message>
-        <source>orient=none leaves it as it was put</source>
-        <translation>orient=none lo lascia come è stato messo</translation>
+        <source>to keep the orientation as given, use orient=none</source>
+        <translation>per conservare l&apos;orientamento dato, usa orient=none</translation>
     </message>
     <message>
-        <source>orient={orient} turns parts on a plate; mode {mode} lays them itself</source>
-        <translation>orient={orient} gira pezzi su una piastra; la modalità {mode} li dispone da sé</translation>
+        <source>orient={orient} is for parts on a plate; mode {mode} places them itself</source>
+        <translation>orient={orient} vale per pezzi su una piastra; la modalità {mode} li dispone da sé</translation>
     </message>
     <message>
         <source>orientation</source>
@@ -2396,28 +2396,28 @@ mm³</translation>
         <translation>spellatura</translation>
     </message>
     <message>
-        <source>pick a place on what stands on the plate, or lay the part on the face to begin with</source>
-        <translation>scegli un punto su ciò che poggia sulla piastra, o appoggia il pezzo sulla faccia da cui cominciare</translation>
+        <source>pick a point on a piece that touches the plate, or place the part on the face to start from</source>
+        <translation>scegli un punto su una parte che tocca la piastra, o appoggia il pezzo sulla faccia da cui cominciare</translation>
     </message>
     <message>
         <source>pieces</source>
         <translation>pezzi</translation>
     </message>
     <message>
-        <source>pieces of layers are narrower than half a bead and stay empty</source>
-        <translation>alcuni tratti di strato sono più stretti di mezzo cordone e restano vuoti</translation>
+        <source>some areas are narrower than half a bead and stay empty</source>
+        <translation>alcune zone sono più strette di mezzo cordone e restano vuote</translation>
     </message>
     <message>
         <source>placed part</source>
         <translation>pezzo posizionato</translation>
     </message>
     <message>
-        <source>plan anew with more clearance</source>
+        <source>plan again with more clearance</source>
         <translation>pianifica di nuovo con più distanza</translation>
     </message>
     <message>
-        <source>plan anew with more clearance, or another place for the part</source>
-        <translation>pianifica di nuovo con più distanza, o con un altro posto per il pezzo</translation>
+        <source>plan again with more clearance, or place the part elsewhere</source>
+        <translation>pianifica di nuovo con più distanza, o metti il pezzo altrove</translation>
     </message>
     <message>
         <source>plan it without --until</source>
@@ -2432,11 +2432,11 @@ mm³</translation>
         <translation>pianifica oltre il pezzo: voluta-cli plan PEZZO -o CARTELLA</translation>
     </message>
     <message>
-        <source>planes of layers</source>
+        <source>layer planes</source>
         <translation>piani degli strati</translation>
     </message>
     <message>
-        <source>planes of layers miss the part: {planes}</source>
+        <source>layer planes miss the part: {planes}</source>
         <translation>piani di strati non toccano il pezzo: {planes}</translation>
     </message>
     <message>
@@ -2444,11 +2444,11 @@ mm³</translation>
         <translation>piattaforma</translation>
     </message>
     <message>
-        <source>platform &apos;{platform}&apos; has no usable size</source>
-        <translation>la piattaforma &apos;{platform}&apos; non ha una misura utilizzabile</translation>
+        <source>platform &apos;{platform}&apos; has no valid size</source>
+        <translation>la piattaforma &apos;{platform}&apos; non ha una misura valida</translation>
     </message>
     <message>
-        <source>platform &apos;{platform}&apos; is no plate</source>
+        <source>platform &apos;{platform}&apos; is not a plate</source>
         <translation>la piattaforma &apos;{platform}&apos; non è una piastra</translation>
     </message>
     <message>
@@ -2476,7 +2476,7 @@ mm³</translation>
         <translation>pezzo stampato</translation>
     </message>
     <message>
-        <source>profile of the rod</source>
+        <source>rod profile</source>
         <translation>profilo della barra</translation>
     </message>
     <message>
@@ -2484,12 +2484,12 @@ mm³</translation>
         <translation>metti - solo sotto il pezzo o accanto alla sua riga più bassa</translation>
     </message>
     <message>
-        <source>put - right under the part</source>
+        <source>put - directly under the part</source>
         <translation>metti - subito sotto il pezzo</translation>
     </message>
     <message>
-        <source>put it another way by hand</source>
-        <translation>mettilo in un altro modo a mano</translation>
+        <source>orient it by hand</source>
+        <translation>orientalo a mano</translation>
     </message>
     <message>
         <source>radius</source>
@@ -2536,8 +2536,8 @@ mm³</translation>
         <translation>riparazione: autointersezioni</translation>
     </message>
     <message>
-        <source>replay {format}</source>
-        <translation>riesecuzione {format}</translation>
+        <source>replaying {format}</source>
+        <translation>riesecuzione di {format}</translation>
     </message>
     <message>
         <source>replayed</source>
@@ -2572,20 +2572,20 @@ mm³</translation>
         <translation>radice</translation>
     </message>
     <message>
-        <source>rows of patches</source>
-        <translation>righe di superfici</translation>
+        <source>size of the table of patches</source>
+        <translation>dimensione della tabella delle superfici</translation>
     </message>
     <message>
-        <source>rows of pieces</source>
-        <translation>righe di parti</translation>
+        <source>size of the table of pieces</source>
+        <translation>dimensione della tabella delle parti</translation>
     </message>
     <message>
         <source>running the program</source>
         <translation>esecuzione del programma</translation>
     </message>
     <message>
-        <source>scale &apos;{scale}&apos; is not a usable factor</source>
-        <translation>la scala &apos;{scale}&apos; non è un fattore utilizzabile</translation>
+        <source>invalid scale &apos;{scale}&apos;</source>
+        <translation>scala &apos;{scale}&apos; non valida</translation>
     </message>
     <message>
         <source>scale fit would scale the platform&apos;s mesh with the part</source>
@@ -2627,19 +2627,19 @@ mm³</translation>
         <translation>imposta {variable}</translation>
     </message>
     <message>
-        <source>set_tcp needs one pose</source>
+        <source>set_tcp needs a pose</source>
         <translation>set_tcp richiede una posa</translation>
     </message>
     <message>
-        <source>shape of layers</source>
+        <source>layer shape</source>
         <translation>forma degli strati</translation>
     </message>
     <message>
-        <source>shorter motions or smaller blends</source>
-        <translation>movimenti più corti o raccordi più piccoli</translation>
+        <source>use shorter motions or smaller blends</source>
+        <translation>usa movimenti più corti o raccordi più piccoli</translation>
     </message>
     <message>
-        <source>sides of the rod</source>
+        <source>rod sides</source>
         <translation>lati della barra</translation>
     </message>
     <message>
@@ -2647,20 +2647,20 @@ mm³</translation>
         <translation>scheletro</translation>
     </message>
     <message>
-        <source>sleep needs its seconds</source>
-        <translation>sleep richiede i suoi secondi</translation>
+        <source>sleep needs a time in seconds</source>
+        <translation>sleep richiede un tempo in secondi</translation>
     </message>
     <message>
-        <source>slice {slice} ends after {rows} rows, the first one has {first}</source>
-        <translation>la sezione {slice} finisce dopo {rows} righe, la prima ne ha {first}</translation>
+        <source>slice {slice} ends after {rows} rows, the first one after {first}</source>
+        <translation>la sezione {slice} finisce dopo {rows} righe, la prima dopo {first}</translation>
     </message>
     <message>
         <source>slicing</source>
         <translation>taglio in strati</translation>
     </message>
     <message>
-        <source>slower there, or another place in the cell</source>
-        <translation>più lento lì, o un altro posto nella cella</translation>
+        <source>print slower there, or place the part elsewhere in the cell</source>
+        <translation>stampa più lentamente lì, o metti il pezzo altrove nella cella</translation>
     </message>
     <message>
         <source>sphere</source>
@@ -2694,39 +2694,39 @@ mm³</translation>
         <translation>superficie</translation>
     </message>
     <message>
-        <source>take a cell with a rod: --cell lathe</source>
+        <source>choose a cell with a rod: --cell lathe</source>
         <translation>usa una cella con una barra: --cell lathe</translation>
     </message>
     <message>
-        <source>take a shorter rod</source>
+        <source>choose a shorter rod</source>
         <translation>usa una barra più corta</translation>
     </message>
     <message>
-        <source>take a thinner rod</source>
+        <source>choose a thinner rod</source>
         <translation>usa una barra più sottile</translation>
     </message>
     <message>
-        <source>take the rod out of the part</source>
+        <source>subtract the rod from the part</source>
         <translation>barra tolta dal pezzo</translation>
     </message>
     <message>
-        <source>take the surface out of the part</source>
+        <source>subtract the surface from the part</source>
         <translation>superficie tolta dal pezzo</translation>
     </message>
     <message>
-        <source>take {formats}</source>
+        <source>use {formats}</source>
         <translation>usa {formats}</translation>
     </message>
     <message>
-        <source>taken from a project of format 1, as it was repaired and placed there</source>
-        <translation>preso da un progetto di formato 1, come vi era riparato e posizionato</translation>
+        <source>read from a project of format 1, as repaired and placed there</source>
+        <translation>letto da un progetto di formato 1, come vi era riparato e posizionato</translation>
     </message>
     <message>
-        <source>text behind ENDMODULE</source>
+        <source>text after ENDMODULE</source>
         <translation>testo dopo ENDMODULE</translation>
     </message>
     <message>
-        <source>text behind the end</source>
+        <source>text after the end</source>
         <translation>testo dopo la fine</translation>
     </message>
     <message>
@@ -2734,43 +2734,43 @@ mm³</translation>
         <translation>il braccio non può raggiungere questa posizione</translation>
     </message>
     <message>
-        <source>the arm stands otherwise than planned, a joint by {angle:.1f}</source>
-        <translation>il braccio sta in modo diverso dal piano, un giunto di {angle:.1f}</translation>
+        <source>the arm&apos;s configuration is not the planned one: a joint differs by {angle:.1f}</source>
+        <translation>la configurazione del braccio non è quella pianificata: un giunto differisce di {angle:.1f}</translation>
     </message>
     <message>
-        <source>the arm would have to change its configuration, {joint} by {angle:.1f} at once</source>
+        <source>the arm would have to change its configuration: {joint} by {angle:.1f} at once</source>
         <translation>il braccio dovrebbe cambiare configurazione, {joint} di {angle:.1f} in una volta</translation>
     </message>
     <message>
-        <source>the arm&apos;s configuration is supervised: ConfL\Off, ConfJ\Off</source>
-        <translation>la configurazione del braccio è sorvegliata: ConfL\Off, ConfJ\Off</translation>
+        <source>configuration supervision is on: ConfL\Off, ConfJ\Off</source>
+        <translation>la sorveglianza della configurazione è attiva: ConfL\Off, ConfJ\Off</translation>
     </message>
     <message>
-        <source>the end sequence (M104 S0, M84, &apos;; end&apos;) is missing: the file was cut short</source>
-        <translation>manca la sequenza finale (M104 S0, M84, &apos;; end&apos;): il file è stato troncato</translation>
+        <source>the end sequence (M104 S0, M84, &apos;; end&apos;) is missing: the file is truncated</source>
+        <translation>manca la sequenza finale (M104 S0, M84, &apos;; end&apos;): il file è troncato</translation>
     </message>
     <message>
         <source>the end sequence is missing</source>
         <translation>manca la sequenza finale</translation>
     </message>
     <message>
-        <source>the end surface is {rise:.3g} mm over the top of the surface that layers start from</source>
-        <translation>la superficie finale è {rise:.3g} mm sopra la cima della superficie da cui partono gli strati</translation>
+        <source>the end surface is {rise:.3g} mm above the top of the starting surface</source>
+        <translation>la superficie finale è {rise:.3g} mm sopra la cima della superficie di partenza</translation>
     </message>
     <message>
-        <source>the external axis stands {angle:.3f} off its plan</source>
-        <translation>l&apos;asse esterno è a {angle:.3f} dal suo piano</translation>
+        <source>external axis {angle:.3f} off its planned position</source>
+        <translation>asse esterno a {angle:.3f} dalla posizione pianificata</translation>
     </message>
     <message>
-        <source>the extruder is not set off behind the last motion</source>
+        <source>the extruder is not switched off after the last motion</source>
         <translation>l&apos;estrusore non viene spento dopo l&apos;ultimo movimento</translation>
     </message>
     <message>
-        <source>the extruder is off where a bead is to be laid</source>
-        <translation>l&apos;estrusore è spento dove va deposto un cordone</translation>
+        <source>the extruder is off where a bead is to be printed</source>
+        <translation>l&apos;estrusore è spento dove va stampato un cordone</translation>
     </message>
     <message>
-        <source>the extruder is on over a travel</source>
+        <source>the extruder is on during a travel</source>
         <translation>l&apos;estrusore è acceso durante uno spostamento</translation>
     </message>
     <message>
@@ -2778,19 +2778,19 @@ mm³</translation>
         <translation>le uscite dell&apos;estrusore non sono impostate prima di questo movimento</translation>
     </message>
     <message>
-        <source>the feature is {width:.3g} mm wide, wider than the cylinder of {cylinder:.3g} mm that it stands on</source>
-        <translation>il rilievo è largo {width:.3g} mm, più del cilindro di {cylinder:.3g} mm su cui poggia</translation>
+        <source>the feature is {width:.3g} mm wide, wider than its cylinder of {cylinder:.3g} mm</source>
+        <translation>il rilievo è largo {width:.3g} mm, più del suo cilindro di {cylinder:.3g} mm</translation>
     </message>
     <message>
-        <source>the file ends without &quot;endsolid&quot;: it may be cut short</source>
+        <source>the file ends without &quot;endsolid&quot;: it may be truncated</source>
         <translation>il file finisce senza &quot;endsolid&quot;: forse è troncato</translation>
     </message>
     <message>
-        <source>the file holds no cells</source>
+        <source>the file contains no cells</source>
         <translation>il file non contiene celle</translation>
     </message>
     <message>
-        <source>the file is cut short: {what}</source>
+        <source>the file is truncated: {what}</source>
         <translation>il file è troncato: {what}</translation>
     </message>
     <message>
@@ -2822,32 +2822,32 @@ mm³</translation>
         <translation>manca la riga d&apos;intestazione</translation>
     </message>
     <message>
-        <source>the header names no format</source>
+        <source>the header states no format</source>
         <translation>l&apos;intestazione non indica il formato</translation>
     </message>
     <message>
-        <source>the header promises no facet, read {facets}</source>
-        <translation>l&apos;intestazione non promette faccette, lette {facets}</translation>
+        <source>the header states no facets; {facets} read</source>
+        <translation>l&apos;intestazione non indica faccette; lette {facets}</translation>
     </message>
     <message>
-        <source>the job file contradicts itself</source>
-        <translation>il progetto si contraddice</translation>
+        <source>the job file is inconsistent</source>
+        <translation>il progetto non è coerente</translation>
     </message>
     <message>
-        <source>the job file contradicts itself: {what}</source>
-        <translation>il progetto si contraddice: {what}</translation>
+        <source>the job file is inconsistent: {what}</source>
+        <translation>il progetto non è coerente: {what}</translation>
     </message>
     <message>
-        <source>the job file is cut short</source>
+        <source>the job file is truncated</source>
         <translation>il progetto è troncato</translation>
     </message>
     <message>
-        <source>the job file is damaged or cut short in its first line</source>
-        <translation>il progetto è danneggiato o troncato nella prima riga</translation>
+        <source>the first line of the job file is damaged or truncated</source>
+        <translation>la prima riga del progetto è danneggiata o troncata</translation>
     </message>
     <message>
-        <source>the job file lacks &apos;{name}&apos;</source>
-        <translation>al progetto manca &apos;{name}&apos;</translation>
+        <source>block &apos;{name}&apos; is missing in the job file</source>
+        <translation>nel progetto manca il blocco &apos;{name}&apos;</translation>
     </message>
     <message>
         <source>the job file&apos;s header is damaged</source>
@@ -2858,11 +2858,11 @@ mm³</translation>
         <translation>l&apos;intestazione del progetto è danneggiata: {why}</translation>
     </message>
     <message>
-        <source>the job holds no motion to verify against</source>
+        <source>the job has no motion to verify against</source>
         <translation>il progetto non contiene un movimento con cui verificare</translation>
     </message>
     <message>
-        <source>the job holds no {result}</source>
+        <source>the job contains no {result}</source>
         <translation>il progetto non contiene {result}</translation>
     </message>
     <message>
@@ -2870,7 +2870,7 @@ mm³</translation>
         <translation>la lettera {letter} è senza numero</translation>
     </message>
     <message>
-        <source>the line &apos;# end&apos; is missing: the file was cut short</source>
+        <source>the line &apos;# end&apos; is missing: the file is truncated</source>
         <translation>manca la riga &apos;# end&apos;: il file è stato troncato</translation>
     </message>
     <message>
@@ -2878,11 +2878,11 @@ mm³</translation>
         <translation>la lista dei moduli non ha fine</translation>
     </message>
     <message>
-        <source>the material laid is {share:.2f} of the part</source>
-        <translation>il materiale deposto è il {share:.2f} del pezzo</translation>
+        <source>deposited volume: {share:.2f} of the part&apos;s</source>
+        <translation>volume deposto: il {share:.2f} di quello del pezzo</translation>
     </message>
     <message>
-        <source>the mechanical unit &apos;{text}&apos; is not active: ActUnit</source>
+        <source>mechanical unit &apos;{text}&apos; is not active: ActUnit</source>
         <translation>l&apos;unità meccanica &apos;{text}&apos; non è attiva: ActUnit</translation>
     </message>
     <message>
@@ -2890,11 +2890,11 @@ mm³</translation>
         <translation>la mesh non ha triangoli</translation>
     </message>
     <message>
-        <source>the mesh is empty: no facet has usable coordinates</source>
-        <translation>la mesh è vuota: nessuna faccetta ha coordinate utilizzabili</translation>
+        <source>the mesh is empty: no facet has valid coordinates</source>
+        <translation>la mesh è vuota: nessuna faccetta ha coordinate valide</translation>
     </message>
     <message>
-        <source>the mesh is empty: the file holds no triangle</source>
+        <source>the mesh is empty: the file has no triangles</source>
         <translation>la mesh è vuota: il file non contiene triangoli</translation>
     </message>
     <message>
@@ -2906,36 +2906,36 @@ mm³</translation>
         <translation>il modulo non ha procedure</translation>
     </message>
     <message>
-        <source>the module with {procedure} is not here</source>
-        <translation>il modulo con {procedure} non è qui</translation>
+        <source>the module with {procedure} is missing</source>
+        <translation>manca il modulo con {procedure}</translation>
     </message>
     <message>
-        <source>the module {name} is not here</source>
-        <translation>il modulo {name} non è qui</translation>
+        <source>module {name} is missing</source>
+        <translation>manca il modulo {name}</translation>
     </message>
     <message>
-        <source>the normal has no direction</source>
-        <translation>la normale non ha direzione</translation>
+        <source>the normal has zero length</source>
+        <translation>la normale ha lunghezza zero</translation>
     </message>
     <message>
-        <source>the nozzle goes {distance:.3f} beside its plan</source>
-        <translation>l&apos;ugello passa a {distance:.3f} dal suo piano</translation>
+        <source>nozzle {distance:.3f} off the planned path</source>
+        <translation>ugello a {distance:.3f} dal percorso pianificato</translation>
     </message>
     <message>
-        <source>the nozzle&apos;s axis is {angle:.2f} off its plan</source>
-        <translation>l&apos;asse dell&apos;ugello è a {angle:.2f} dal suo piano</translation>
+        <source>nozzle axis {angle:.2f} off the planned direction</source>
+        <translation>asse dell&apos;ugello a {angle:.2f} dalla direzione pianificata</translation>
     </message>
     <message>
-        <source>the nozzle&apos;s path is {distance:.3f} off the planned one</source>
-        <translation>il percorso dell&apos;ugello è a {distance:.3f} da quello pianificato</translation>
+        <source>nozzle {distance:.3f} off the planned path</source>
+        <translation>ugello a {distance:.3f} dal percorso pianificato</translation>
     </message>
     <message>
         <source>the numbers of vertices and faces are expected here</source>
         <translation>qui sono attesi i numeri di vertici e facce</translation>
     </message>
     <message>
-        <source>the object has no part: no 1 above the platform</source>
-        <translation>l&apos;oggetto non ha pezzo: nessun 1 sopra la piattaforma</translation>
+        <source>no part: no 1 above the platform</source>
+        <translation>nessun pezzo: nessun 1 sopra la piattaforma</translation>
     </message>
     <message>
         <source>the object is too large</source>
@@ -2954,82 +2954,82 @@ mm³</translation>
         <translation>il pezzo non tocca la piattaforma</translation>
     </message>
     <message>
-        <source>the part has no clear axis: its sides face along every direction alike</source>
-        <translation>il pezzo non ha un asse chiaro: i suoi lati guardano in ogni direzione allo stesso modo</translation>
+        <source>the part has no clear axis: its surface normals have no preferred direction</source>
+        <translation>il pezzo non ha un asse chiaro: le normali della sua superficie non hanno una direzione preferita</translation>
     </message>
     <message>
         <source>the part has no surface</source>
         <translation>il pezzo non ha superficie</translation>
     </message>
     <message>
-        <source>the part is not closed, or cuts itself, where the rod is taken out of it</source>
-        <translation>il pezzo non è chiuso, o si taglia da sé, dove la barra ne viene tolta</translation>
+        <source>the part is not closed or self-intersects where the rod is subtracted</source>
+        <translation>il pezzo non è chiuso o si autointerseca dove viene sottratta la barra</translation>
     </message>
     <message>
-        <source>the part is not closed, or cuts itself, where the surface&apos;s body is taken out of it</source>
-        <translation>il pezzo non è chiuso, o si taglia da sé, dove il corpo della superficie ne viene tolto</translation>
+        <source>the part is not closed or self-intersects where the surface&apos;s body is subtracted</source>
+        <translation>il pezzo non è chiuso o si autointerseca dove viene sottratto il corpo della superficie</translation>
     </message>
     <message>
-        <source>the part is too large for a collision grid of this fineness</source>
-        <translation>il pezzo è troppo grande per una griglia di collisioni così fine</translation>
+        <source>the part is too large for a collision grid of this resolution</source>
+        <translation>il pezzo è troppo grande per una griglia di collisioni di questa risoluzione</translation>
     </message>
     <message numerus="yes">
-        <source>the part is turned by {angle:.0f} about ({x}, {y}, {z}): one pass of growth misses {missed} voxels of {voxel:.2f} instead of {missedBefore}, {overhang:.0f} overhang instead of {overhangBefore:.0f#}</source>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): one pass of growth misses {missed} voxels of {voxel:.2f} instead of {missedBefore}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
         <translation>
-            <numerusform>il pezzo è girato di {angle:.0f} attorno a ({x}, {y}, {z}): una passata di crescita manca {missed} voxel di {voxel:.2f} invece di {missedBefore}, {overhang:.0f} di sbalzo invece di {overhangBefore:.0f#}</numerusform>
-            <numerusform>il pezzo è girato di {angle:.0f} attorno a ({x}, {y}, {z}): una passata di crescita manca {missed} voxel di {voxel:.2f} invece di {missedBefore}, {overhang:.0f} di sbalzo invece di {overhangBefore:.0f#}</numerusform>
+            <numerusform>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): una passata di crescita manca {missed} voxel di {voxel:.2f} invece di {missedBefore}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</numerusform>
+            <numerusform>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): una passata di crescita manca {missed} voxel di {voxel:.2f} invece di {missedBefore}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</numerusform>
         </translation>
     </message>
     <message>
-        <source>the part is turned by {angle:.0f} about ({x}, {y}, {z}): {overhang:.0f} overhang instead of {overhangBefore:.0f#}</source>
-        <translation>il pezzo è girato di {angle:.0f} attorno a ({x}, {y}, {z}): {overhang:.0f} di sbalzo invece di {overhangBefore:.0f#}</translation>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <translation>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</translation>
     </message>
     <message>
-        <source>the part is {width:.3g} mm wide, as wide as the cylinder that it stands on</source>
-        <translation>il pezzo è largo {width:.3g} mm, quanto il cilindro su cui poggia</translation>
+        <source>the part is {width:.3g} mm wide, at least as wide as the cylinder below it</source>
+        <translation>il pezzo è largo {width:.3g} mm, almeno quanto il cilindro su cui poggia</translation>
     </message>
     <message>
-        <source>the part misses the rod: nothing of it lies on the rod</source>
-        <translation>il pezzo manca la barra: nulla di esso poggia sulla barra</translation>
+        <source>the part misses the rod: no layer of it rests on the rod</source>
+        <translation>il pezzo manca la barra: nessun suo strato poggia sulla barra</translation>
     </message>
     <message>
-        <source>the part misses the surface: nothing of it lies on the surface</source>
-        <translation>il pezzo manca la superficie: nulla di esso poggia sulla superficie</translation>
+        <source>the part misses the surface: no layer of it rests on the surface</source>
+        <translation>il pezzo manca la superficie: nessun suo strato poggia sulla superficie</translation>
     </message>
     <message>
         <source>the part reaches below the platform</source>
         <translation>il pezzo arriva sotto la piattaforma</translation>
     </message>
     <message>
-        <source>the part reaches from x = {from:.4g} to {to:.4g} mm, beyond an end of the rod at {firstEnd:.4g} or {lastEnd:.4g} mm</source>
+        <source>the part extends from x = {from:.4g} to {to:.4g} mm, beyond an end of the rod at {firstEnd:.4g} or {lastEnd:.4g} mm</source>
         <translation>il pezzo va da x = {from:.4g} a {to:.4g} mm, oltre un&apos;estremità della barra a {firstEnd:.4g} o {lastEnd:.4g} mm</translation>
     </message>
     <message>
-        <source>the part reaches {height:.3g} mm out over the rod, less than a layer of {least:.3g} mm</source>
+        <source>the part extends {height:.3g} mm beyond the rod, less than a layer of {least:.3g} mm</source>
         <translation>il pezzo sporge di {height:.3g} mm dalla barra, meno di uno strato di {least:.3g} mm</translation>
     </message>
     <message>
-        <source>the part reaches {reach:.4g} from the rod&apos;s axis, the cell prints up to {limit}</source>
+        <source>the part extends to {reach:.4g} from the rod&apos;s axis; the cell prints up to {limit}</source>
         <translation>il pezzo arriva a {reach:.4g} dall&apos;asse della barra, la cella stampa fino a {limit}</translation>
     </message>
     <message>
-        <source>the part rises {height:.3g} mm over the surface, less than a layer of {least:.3g} mm</source>
+        <source>the part rises {height:.3g} mm above the surface, less than a layer of {least:.3g} mm</source>
         <translation>il pezzo sale di {height:.3g} mm sopra la superficie, meno di uno strato di {least:.3g} mm</translation>
     </message>
     <message>
-        <source>the part stands on no cylinder along x, which an end surface radius:R is for</source>
-        <translation>il pezzo non poggia su un cilindro lungo x, per cui serve una superficie finale radius:R</translation>
+        <source>an end surface radius:R requires a cylinder along x below the part</source>
+        <translation>una superficie finale radius:R richiede un cilindro lungo x sotto il pezzo</translation>
     </message>
     <message numerus="yes">
-        <source>the part stays as it lies: none of {ways} ways that stand is better</source>
+        <source>the part keeps its orientation: none of {ways} stable ones is better</source>
         <translation>
-            <numerusform>il pezzo resta come sta: l&apos;unico modo in cui sta in piedi non è migliore</numerusform>
-            <numerusform>il pezzo resta come sta: nessuno dei {ways} modi in cui sta in piedi è migliore</numerusform>
+            <numerusform>il pezzo mantiene il suo orientamento: l&apos;unico altro stabile non è migliore</numerusform>
+            <numerusform>il pezzo mantiene il suo orientamento: nessuno dei {ways} stabili è migliore</numerusform>
         </translation>
     </message>
     <message>
-        <source>the placement is not a turn and a place in mm</source>
-        <translation>il posizionamento non è una rotazione e un punto in mm</translation>
+        <source>the placement is not a rotation and a position in mm</source>
+        <translation>il posizionamento non è una rotazione e una posizione in mm</translation>
     </message>
     <message>
         <source>the plane misses the part</source>
@@ -3048,11 +3048,11 @@ mm³</translation>
         <translation>la mesh della piattaforma non è chiusa</translation>
     </message>
     <message>
-        <source>the points lie on a line</source>
-        <translation>i punti stanno su una retta</translation>
+        <source>the points are collinear</source>
+        <translation>i punti sono allineati</translation>
     </message>
     <message>
-        <source>the print head would cut into material printed before, whatever way it leans</source>
+        <source>the print head would cut into printed material, however it is tilted</source>
         <translation>la testa di stampa urterebbe materiale già stampato, comunque si inclini</translation>
     </message>
     <message>
@@ -3060,7 +3060,7 @@ mm³</translation>
         <translation>la procedura non ha ENDPROC</translation>
     </message>
     <message numerus="yes">
-        <source>the program ends here; {motions} planned motions not in it</source>
+        <source>the program ends here; {motions} planned motions are missing</source>
         <translation>
             <numerusform>il programma finisce qui; manca {motions} movimento pianificato</numerusform>
             <numerusform>il programma finisce qui; mancano {motions} movimenti pianificati</numerusform>
@@ -3079,8 +3079,8 @@ mm³</translation>
         <translation>manca la cartella dei dati del programma</translation>
     </message>
     <message>
-        <source>the program&apos;s motions are not those of this plan</source>
-        <translation>i movimenti del programma non sono quelli di questo piano</translation>
+        <source>the program&apos;s motions do not match this plan</source>
+        <translation>i movimenti del programma non corrispondono a questo piano</translation>
     </message>
     <message>
         <source>the quadrilateral has no area</source>
@@ -3099,43 +3099,43 @@ mm³</translation>
         <translation>il raggio al punto {i} non è positivo</translation>
     </message>
     <message>
-        <source>the report is not one of a plan: {why}</source>
-        <translation>il rapporto non è quello di un piano: {why}</translation>
+        <source>not a plan&apos;s report: {why}</source>
+        <translation>non è il rapporto di un piano: {why}</translation>
     </message>
     <message>
         <source>the robot motion is empty</source>
         <translation>il movimento del robot è vuoto</translation>
     </message>
     <message>
-        <source>the rod is thicker than the part: nothing of the part is outside it</source>
-        <translation>la barra è più spessa del pezzo: nulla del pezzo ne sta fuori</translation>
+        <source>the rod is thicker than the part and contains all of it</source>
+        <translation>la barra è più spessa del pezzo e lo contiene tutto</translation>
     </message>
     <message>
-        <source>the rod reaches {reach} mm from its middle, the cell has room for {room}</source>
-        <translation>la barra arriva a {reach} mm dal suo centro, la cella ha posto per {room}</translation>
+        <source>the rod extends {reach} mm from its middle; the cell has room for {room} mm</source>
+        <translation>la barra arriva a {reach} mm dal suo centro; la cella ha posto per {room} mm</translation>
     </message>
     <message>
-        <source>the rod&apos;s radius is {radius} mm, the cell prints up to {most}</source>
-        <translation>il raggio della barra è {radius} mm, la cella stampa fino a {most}</translation>
+        <source>the rod&apos;s radius is {radius} mm; the cell prints up to {most} mm</source>
+        <translation>il raggio della barra è {radius} mm; la cella stampa fino a {most} mm</translation>
     </message>
     <message>
-        <source>the root at {x:.1f}, {y:.1f}, {z:.1f} mm does not stand on the plate</source>
-        <translation>la radice a {x:.1f}, {y:.1f}, {z:.1f} mm non poggia sulla piastra</translation>
+        <source>the root at {x:.1f}, {y:.1f}, {z:.1f} mm is not on the plate</source>
+        <translation>la radice a {x:.1f}, {y:.1f}, {z:.1f} mm non è sulla piastra</translation>
     </message>
     <message>
-        <source>the row has {cells} cells, the first one has {first}</source>
+        <source>the row has {cells} cells, the first one {first}</source>
         <translation>la riga ha {cells} celle, la prima ne ha {first}</translation>
     </message>
     <message>
-        <source>the surface covers the part: nothing of the part is outside its body</source>
-        <translation>la superficie copre il pezzo: nulla del pezzo è fuori dal suo corpo</translation>
+        <source>the body of the surface contains the whole part</source>
+        <translation>il corpo della superficie contiene tutto il pezzo</translation>
     </message>
     <message>
-        <source>the voxel object is lifted by other than whole cells: its surface is cut into new cells</source>
+        <source>the voxel object is not lifted by whole cells: its surface is cut into new cells</source>
         <translation>l&apos;oggetto di voxel è sollevato di celle non intere: la sua superficie viene divisa in celle nuove</translation>
     </message>
     <message>
-        <source>the voxel object is turned by other than quarter turns: its surface is cut into new cells</source>
+        <source>the voxel object is not turned by quarter turns: its surface is cut into new cells</source>
         <translation>l&apos;oggetto di voxel è girato di quarti non interi: la sua superficie viene divisa in celle nuove</translation>
     </message>
     <message>
@@ -3143,7 +3143,7 @@ mm³</translation>
         <translation>i voxel sono troppo piccoli per un pezzo di questa misura</translation>
     </message>
     <message>
-        <source>the {format} program is not handed over: {failed}</source>
+        <source>the {format} program is not released: {failed}</source>
         <translation>il programma {format} non viene consegnato: {failed}</translation>
     </message>
     <message>
@@ -3151,8 +3151,8 @@ mm³</translation>
         <translation>lo strato {layer} non esiste</translation>
     </message>
     <message>
-        <source>there is no module</source>
-        <translation>non c&apos;è alcun modulo</translation>
+        <source>no module</source>
+        <translation>nessun modulo</translation>
     </message>
     <message>
         <source>there is no platform: no - in any row</source>
@@ -3167,32 +3167,32 @@ mm³</translation>
         <translation>ispessisci la parete a {least} o più</translation>
     </message>
     <message>
-        <source>thicknesses</source>
-        <translation>spessori</translation>
+        <source>thickness classes</source>
+        <translation>classi di spessore</translation>
     </message>
     <message>
-        <source>this machine gives no OpenGL 3.2 without a display: {why}</source>
-        <translation>questa macchina non offre OpenGL 3.2 senza schermo: {why}</translation>
+        <source>OpenGL 3.2 without a display is not available: {why}</source>
+        <translation>OpenGL 3.2 senza schermo non è disponibile: {why}</translation>
     </message>
     <message>
-        <source>this module is not the one that main runs next</source>
+        <source>this is not the module that main runs next</source>
         <translation>questo modulo non è quello che main esegue dopo</translation>
     </message>
     <message>
-        <source>this motion and that of {other} have changed places</source>
-        <translation>questo movimento e quello di {other} si sono scambiati di posto</translation>
+        <source>this motion and the one at {other} are swapped</source>
+        <translation>questo movimento e quello in {other} sono scambiati</translation>
     </message>
     <message>
-        <source>this motion lays {volume:.3f}, planned are {planned:.3f}</source>
-        <translation>questo movimento depone {volume:.3f}, ne sono pianificati {planned:.3f}</translation>
+        <source>this motion deposits {volume:.3f} instead of {planned:.3f}</source>
+        <translation>questo movimento depone {volume:.3f} invece di {planned:.3f}</translation>
     </message>
     <message>
-        <source>this motion takes {time:.3f}, planned are {planned:.3f}</source>
-        <translation>questo movimento dura {time:.3f}, ne sono pianificati {planned:.3f}</translation>
+        <source>this motion takes {time:.3f} instead of {planned:.3f}</source>
+        <translation>questo movimento dura {time:.3f} invece di {planned:.3f}</translation>
     </message>
     <message>
-        <source>time runs backwards</source>
-        <translation>il tempo va all&apos;indietro</translation>
+        <source>time decreases</source>
+        <translation>il tempo diminuisce</translation>
     </message>
     <message>
         <source>too many triangles for an STL file</source>
@@ -3219,12 +3219,12 @@ mm³</translation>
         <translation>prova un voxelMm più grande o un pezzo più piccolo</translation>
     </message>
     <message>
-        <source>turn it by quarter turns and lift it by whole cells to keep its own</source>
-        <translation>giralo di quarti di giro e sollevalo di celle intere per tenere le sue</translation>
+        <source>turn it by quarter turns and lift it by whole cells to keep its cells</source>
+        <translation>giralo di quarti di giro e sollevalo di celle intere per conservare le sue celle</translation>
     </message>
     <message>
-        <source>turn of infill</source>
-        <translation>rotazione del riempimento</translation>
+        <source>infill rotation per layer</source>
+        <translation>rotazione del riempimento per strato</translation>
     </message>
     <message>
         <source>turn the part (orient=leastRisky), add supports, or use planar or curved mode</source>
@@ -3235,8 +3235,8 @@ mm³</translation>
         <translation>gira il pezzo (orient=leastRisky), o usa pezzi piani o strati curvi</translation>
     </message>
     <message>
-        <source>turn the part about the vertical, or try more turns (redundancySamples)</source>
-        <translation>gira il pezzo attorno alla verticale, o prova più giri (redundancySamples)</translation>
+        <source>turn the part about the vertical, or try more rotations (redundancySamples)</source>
+        <translation>gira il pezzo attorno alla verticale, o prova più rotazioni (redundancySamples)</translation>
     </message>
     <message>
         <source>turn the part, enlarge the platform or add supports</source>
@@ -3255,33 +3255,33 @@ mm³</translation>
         <translation>gira il pezzo, usa una piattaforma più piccola, o ammetti meno distanza</translation>
     </message>
     <message numerus="yes">
-        <source>turned {count} components that faced inside out</source>
+        <source>flipped {count} inside-out components</source>
         <translation>
-            <numerusform>girata {count} componente rovesciata</numerusform>
-            <numerusform>girate {count} componenti rovesciate</numerusform>
+            <numerusform>{count} componente rovesciata corretta</numerusform>
+            <numerusform>{count} componenti rovesciate corrette</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>turned {count} triangles to face as the others do</source>
+        <source>flipped {count} triangles to match their neighbours</source>
         <translation>
-            <numerusform>girato {count} triangolo per guardare come gli altri</numerusform>
-            <numerusform>girati {count} triangoli per guardare come gli altri</numerusform>
+            <numerusform>{count} triangolo rovesciato per accordarlo ai vicini</numerusform>
+            <numerusform>{count} triangoli rovesciati per accordarli ai vicini</numerusform>
         </translation>
     </message>
     <message>
-        <source>turning the part may need fewer</source>
-        <translation>girando il pezzo forse ne servono meno</translation>
+        <source>turn the part: other orientations may need fewer</source>
+        <translation>gira il pezzo: con altri orientamenti forse ne servono meno</translation>
     </message>
     <message>
-        <source>turns about the nozzle</source>
-        <translation>rotazioni attorno all&apos;ugello</translation>
+        <source>rotations tried per point</source>
+        <translation>rotazioni provate per punto</translation>
     </message>
     <message>
         <source>two commands in one line</source>
         <translation>due comandi in una riga</translation>
     </message>
     <message numerus="yes">
-        <source>united {count} overlapping components</source>
+        <source>merged {count} overlapping components</source>
         <translation>
             <numerusform>unita {count} componente sovrapposta</numerusform>
             <numerusform>unite {count} componenti sovrapposte</numerusform>
@@ -3372,7 +3372,7 @@ mm³</translation>
         <translation>usa una piattaforma più grande (fit:MARGIN), o gira il pezzo</translation>
     </message>
     <message>
-        <source>use a slimmer head, turn the part, or print it larger</source>
+        <source>use a slimmer print head, turn the part, or print it larger</source>
         <translation>usa una testa più snella, gira il pezzo, o stampalo più grande</translation>
     </message>
     <message>
@@ -3412,7 +3412,7 @@ mm³</translation>
         <translation>voxel</translation>
     </message>
     <message>
-        <source>voxels of {width} need about {needed} of memory, {available} are free</source>
+        <source>voxels of {width} need about {needed} of memory; {available} are free</source>
         <translation>voxel di {width} richiedono circa {needed} di memoria, ne sono liberi {available}</translation>
     </message>
     <message>
@@ -3420,8 +3420,8 @@ mm³</translation>
         <translation>pareti</translation>
     </message>
     <message>
-        <source>what is unloaded was not loaded and run</source>
-        <translation>ciò che viene scaricato non era stato caricato ed eseguito</translation>
+        <source>UnLoad of a module that was not loaded and run</source>
+        <translation>UnLoad di un modulo che non è stato caricato ed eseguito</translation>
     </message>
     <message>
         <source>winding angle</source>
@@ -3460,24 +3460,24 @@ mm³</translation>
         <translation>scrivi righe di 0 e 1, e - per la piattaforma</translation>
     </message>
     <message>
-        <source>write the program again, or plan anew with this change</source>
+        <source>write the program again, or plan again with this change</source>
         <translation>scrivi di nuovo il programma, o pianifica di nuovo con questa modifica</translation>
     </message>
     <message>
-        <source>write what every stage made</source>
-        <translation>scrivi il risultato di ogni fase</translation>
+        <source>write intermediate results</source>
+        <translation>scrivi i risultati intermedi</translation>
     </message>
     <message>
         <source>write x,y,z in mm</source>
         <translation>scrivi x,y,z in mm</translation>
     </message>
     <message>
-        <source>write x,y,z in mm, as 10,0,5</source>
+        <source>write x,y,z in mm, such as 10,0,5</source>
         <translation>scrivi x,y,z in mm, come 10,0,5</translation>
     </message>
     <message>
-        <source>write {format}</source>
-        <translation>scrittura {format}</translation>
+        <source>writing {format}</source>
+        <translation>scrittura di {format}</translation>
     </message>
     <message>
         <source>write {form}</source>
@@ -3492,8 +3492,8 @@ mm³</translation>
         <translation>x</translation>
     </message>
     <message>
-        <source>x runs back at point {i}</source>
-        <translation>x torna indietro al punto {i}</translation>
+        <source>x decreases at point {i}</source>
+        <translation>x diminuisce al punto {i}</translation>
     </message>
     <message>
         <source>y</source>
@@ -3508,41 +3508,41 @@ mm³</translation>
         <translation>zigzag</translation>
     </message>
     <message>
-        <source>{area:.3g} hang where a support has nothing to stand on</source>
-        <translation>{area:.3g} pendono dove un supporto non ha su che poggiare</translation>
+        <source>{area:.3g} overhangs where a support would have no footing</source>
+        <translation>{area:.3g} sporgono dove un supporto non avrebbe appoggio</translation>
     </message>
     <message>
-        <source>{area:.3g} lean over by more than {angle}</source>
-        <translation>{area:.3g} si inclinano di oltre {angle}</translation>
+        <source>{area:.3g} overhangs by more than {angle}</source>
+        <translation>{area:.3g} sporgono di oltre {angle}</translation>
     </message>
     <message>
-        <source>{area:.3g} of the part lean out by more than {angle:.3g} over lower layers, the most at x = {x:.4g}, radius {radius:.4g}</source>
-        <translation>{area:.3g} del pezzo sporgono di oltre {angle:.3g} sugli strati inferiori, il più a x = {x:.4g}, raggio {radius:.4g}</translation>
+        <source>{area:.3g} overhangs lower layers by more than {angle:.3g}, most at x = {x:.4g}, radius {radius:.4g}</source>
+        <translation>{area:.3g} sporgono di oltre {angle:.3g} sugli strati inferiori, soprattutto a x = {x:.4g}, raggio {radius:.4g}</translation>
     </message>
     <message>
-        <source>{area:.3g} of the part lean out by more than {angle:.3g} over lower layers, the most at {at:.4g}</source>
-        <translation>{area:.3g} del pezzo sporgono di oltre {angle:.3g} sugli strati inferiori, il più a {at:.4g}</translation>
+        <source>{area:.3g} overhangs lower layers by more than {angle:.3g}, most at {at:.4g}</source>
+        <translation>{area:.3g} sporgono di oltre {angle:.3g} sugli strati inferiori, soprattutto a {at:.4g}</translation>
     </message>
     <message numerus="yes">
-        <source>{bad} of {facets} facets have coordinates that are no numbers or beyond all measure, the first is facet {first}</source>
+        <source>{bad} of {facets} facets have NaN or out-of-range coordinates, first at facet {first}</source>
         <translation>
-            <numerusform>{bad} di {facets} faccette ha coordinate che non sono numeri o fuori misura, la prima è la faccetta {first}</numerusform>
-            <numerusform>{bad} di {facets} faccette hanno coordinate che non sono numeri o fuori misura, la prima è la faccetta {first}</numerusform>
+            <numerusform>{bad} di {facets} faccette ha coordinate NaN o fuori intervallo, la prima è la faccetta {first}</numerusform>
+            <numerusform>{bad} di {facets} faccette hanno coordinate NaN o fuori intervallo, la prima è la faccetta {first}</numerusform>
         </translation>
     </message>
     <message>
-        <source>{blocked} of {pieces} pieces: something printed before is in the head&apos;s way</source>
-        <translation>{blocked} di {pieces} parti: qualcosa stampato prima intralcia la testina</translation>
+        <source>blocked pieces: {blocked} of {pieces}; earlier pieces are in the print head&apos;s way</source>
+        <translation>parti bloccate: {blocked} di {pieces}; parti già stampate intralciano la testina</translation>
     </message>
     <message numerus="yes">
-        <source>{columns} more columns carry what would be missed</source>
+        <source>{columns} more support columns under voxels that would be missed</source>
         <translation>
-            <numerusform>un&apos;altra colonna porta ciò che mancherebbe</numerusform>
-            <numerusform>altre {columns} colonne portano ciò che mancherebbe</numerusform>
+            <numerusform>un&apos;altra colonna di supporto sotto voxel che mancherebbero</numerusform>
+            <numerusform>altre {columns} colonne di supporto sotto voxel che mancherebbero</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{count} components that are inside out, the first at {first:.2f}</source>
+        <source>{count} inside-out components, the first at {first:.2f}</source>
         <translation>
             <numerusform>{count} componente rovesciata, a {first:.2f}</numerusform>
             <numerusform>{count} componenti rovesciate, la prima a {first:.2f}</numerusform>
@@ -3556,7 +3556,7 @@ mm³</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{count} edges whose triangles face opposite ways, the first at {first:.2f}</source>
+        <source>{count} edges with inconsistently oriented triangles, the first at {first:.2f}</source>
         <translation>
             <numerusform>{count} spigolo i cui triangoli guardano in versi opposti, a {first:.2f}</numerusform>
             <numerusform>{count} spigoli i cui triangoli guardano in versi opposti, il primo a {first:.2f}</numerusform>
@@ -3577,7 +3577,7 @@ mm³</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{count} pairs of triangles that cut each other, the first at {first:.2f}</source>
+        <source>{count} pairs of intersecting triangles, the first at {first:.2f}</source>
         <translation>
             <numerusform>{count} coppia di triangoli che si tagliano, a {first:.2f}</numerusform>
             <numerusform>{count} coppie di triangoli che si tagliano, la prima a {first:.2f}</numerusform>
@@ -3614,52 +3614,52 @@ mm³</translation>
         <translation>{first} e {second} si scontrano</translation>
     </message>
     <message>
-        <source>{first} meets {second} in the finished motion</source>
-        <translation>{first} tocca {second} nel movimento finito</translation>
+        <source>{first} collides with {second} in the finished motion</source>
+        <translation>{first} urta {second} nel movimento finito</translation>
     </message>
     <message>
         <source>{found} is none of 0, 1 and -</source>
         <translation>{found} non è né 0 né 1 né -</translation>
     </message>
     <message>
-        <source>{joint} at {angle:.1f}, its limit is {limit:.1f#}</source>
-        <translation>{joint} a {angle:.1f}, il suo limite è {limit:.1f#}</translation>
+        <source>{joint} at {angle:.1f}, beyond its limit of {limit:.1f#}</source>
+        <translation>{joint} a {angle:.1f}, oltre il suo limite di {limit:.1f#}</translation>
     </message>
     <message>
-        <source>{joint} at {speed:.1f}, its limit is {limit:.1f#}</source>
-        <translation>{joint} a {speed:.1f}, il suo limite è {limit:.1f#}</translation>
+        <source>{joint} at {speed:.1f}, above its limit of {limit:.1f#}</source>
+        <translation>{joint} a {speed:.1f}, oltre il suo limite di {limit:.1f#}</translation>
     </message>
     <message>
-        <source>{left:.3g#} of {whole:.4g} of the part are in no layer</source>
-        <translation>{left:.3g#} di {whole:.4g} del pezzo non sono in alcuno strato</translation>
+        <source>not covered by layers: {left:.3g#} of {whole:.4g} of the part</source>
+        <translation>non coperti da strati: {left:.3g#} di {whole:.4g} del pezzo</translation>
     </message>
     <message>
-        <source>{length:.1f} of bead have nothing beneath them, the first of them here</source>
-        <translation>{length:.1f} di cordone non hanno nulla sotto, il primo è qui</translation>
+        <source>{length:.1f} of bead is unsupported; the first place is here</source>
+        <translation>{length:.1f} di cordone non sono sostenuti; il primo punto è qui</translation>
     </message>
     <message numerus="yes">
-        <source>{missed} of {voxels} voxels have nothing printed under them</source>
+        <source>unsupported voxels: {missed} of {voxels}</source>
         <translation>
-            <numerusform>{missed} di {voxels} voxel non ha nulla di stampato sotto</numerusform>
-            <numerusform>{missed} di {voxels} voxel non hanno nulla di stampato sotto</numerusform>
+            <numerusform>voxel non sostenuti: {missed} di {voxels}</numerusform>
+            <numerusform>voxel non sostenuti: {missed} di {voxels}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{motions} motions from here on not in the plan</source>
+        <source>{motions} motions from here on are not in the plan</source>
         <translation>
             <numerusform>{motions} movimento da qui in poi non è nel piano</numerusform>
             <numerusform>{motions} movimenti da qui in poi non sono nel piano</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{motions} planned motions missing before this one</source>
+        <source>{motions} planned motions are missing before this one</source>
         <translation>
             <numerusform>manca {motions} movimento pianificato prima di questo</numerusform>
             <numerusform>mancano {motions} movimenti pianificati prima di questo</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{motions} planned motions missing between {before} and this one</source>
+        <source>{motions} planned motions are missing between {before} and this one</source>
         <translation>
             <numerusform>manca {motions} movimento pianificato tra {before} e questo</numerusform>
             <numerusform>mancano {motions} movimenti pianificati tra {before} e questo</numerusform>
@@ -3670,60 +3670,60 @@ mm³</translation>
         <translation>{option}: un valore non è finito</translation>
     </message>
     <message>
-        <source>{option}: {wanted} numbers wanted, {given} given</source>
+        <source>{option}: {wanted} numbers expected, {given} given</source>
         <translation>{option}: servono {wanted} numeri, dati {given}</translation>
     </message>
     <message>
-        <source>{outside:.2f} of the part&apos;s volume is laid outside it, {noRoom:.2f} finds no room</source>
+        <source>{outside:.2f} of the part&apos;s volume is deposited outside it, {noRoom:.2f} does not fit</source>
         <translation>il {outside:.2f} del volume del pezzo è deposto fuori da esso, il {noRoom:.2f} non trova posto</translation>
     </message>
     <message numerus="yes">
-        <source>{patches} patches ({area:.1f}) begin in the air: neither the plate nor an earlier layer is under them</source>
+        <source>{patches} patches ({area:.1f}) begin in the air: neither the plate nor an earlier layer is below them</source>
         <translation>
             <numerusform>{patches} superficie ({area:.1f}) comincia nel vuoto: sotto non ha né la piastra né uno strato precedente</numerusform>
             <numerusform>{patches} superfici ({area:.1f}) cominciano nel vuoto: sotto non hanno né la piastra né uno strato precedente</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{pieces} pieces of layers are too small for a bead or would begin in the air and are not laid ({volume:.1f} in all, the largest {largest:.1f})</source>
+        <source>{pieces} pieces of layers are left out: too small for a bead, or they would begin in the air ({volume:.1f} in all, the largest {largest:.1f})</source>
         <translation>
-            <numerusform>{pieces} parte di uno strato è troppo piccola per un cordone o comincerebbe nel vuoto e non viene deposta ({volume:.1f})</numerusform>
-            <numerusform>{pieces} parti di strati sono troppo piccole per un cordone o comincerebbero nel vuoto e non vengono deposte ({volume:.1f} in tutto, la più grande {largest:.1f})</numerusform>
+            <numerusform>{pieces} parte di uno strato è omessa: troppo piccola per un cordone, o comincerebbe nel vuoto ({volume:.1f})</numerusform>
+            <numerusform>{pieces} parti di strati sono omesse: troppo piccole per un cordone, o comincerebbero nel vuoto ({volume:.1f} in tutto, la più grande {largest:.1f})</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{pieces} pieces of layers are too small for a bead or would begin in the air, {volume:.3g} of {whole:.3g#}: they are not laid</source>
+        <source>{pieces} pieces of layers are left out, {volume:.3g} of {whole:.3g#}: too small for a bead, or they would begin in the air</source>
         <translation>
-            <numerusform>{pieces} parte di uno strato è troppo piccola per un cordone o comincerebbe nel vuoto, {volume:.3g} di {whole:.3g#}: non viene deposta</numerusform>
-            <numerusform>{pieces} parti di strati sono troppo piccole per un cordone o comincerebbero nel vuoto, {volume:.3g} di {whole:.3g#}: non vengono deposte</numerusform>
+            <numerusform>{pieces} parte di uno strato è omessa, {volume:.3g} di {whole:.3g#}: troppo piccola per un cordone, o comincerebbe nel vuoto</numerusform>
+            <numerusform>{pieces} parti di strati sono omesse, {volume:.3g} di {whole:.3g#}: troppo piccole per un cordone, o comincerebbero nel vuoto</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{pieces} pieces of layers have neither the rod nor an earlier layer under them</source>
+        <source>{pieces} pieces of layers begin in the air, over neither the rod nor an earlier layer</source>
         <translation>
-            <numerusform>una parte di uno strato non ha sotto né la barra né uno strato precedente</numerusform>
-            <numerusform>{pieces} parti di strati non hanno sotto né la barra né uno strato precedente</numerusform>
+            <numerusform>una parte di uno strato comincia nel vuoto, né sulla barra né su uno strato precedente</numerusform>
+            <numerusform>{pieces} parti di strati cominciano nel vuoto, né sulla barra né su uno strato precedente</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{pieces} pieces of layers have neither the surface nor an earlier layer under them</source>
+        <source>{pieces} pieces of layers begin in the air, over neither the surface nor an earlier layer</source>
         <translation>
-            <numerusform>una parte di uno strato non ha sotto né la superficie né uno strato precedente</numerusform>
-            <numerusform>{pieces} parti di strati non hanno sotto né la superficie né uno strato precedente</numerusform>
+            <numerusform>una parte di uno strato comincia nel vuoto, né sulla superficie né su uno strato precedente</numerusform>
+            <numerusform>{pieces} parti di strati cominciano nel vuoto, né sulla superficie né su uno strato precedente</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{pieces} pieces of layers have nothing under them</source>
+        <source>{pieces} pieces of layers begin in the air</source>
         <translation>
-            <numerusform>{pieces} parte di uno strato non ha nulla sotto</numerusform>
-            <numerusform>{pieces} parti di strati non hanno nulla sotto</numerusform>
+            <numerusform>{pieces} parte di uno strato comincia nel vuoto</numerusform>
+            <numerusform>{pieces} parti di strati cominciano nel vuoto</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{places} places where the text is not what was planned</source>
+        <source>{places} places where the program differs from the plan</source>
         <translation>
-            <numerusform>{places} punto in cui il testo non è quello pianificato</numerusform>
-            <numerusform>{places} punti in cui il testo non è quello pianificato</numerusform>
+            <numerusform>{places} punto in cui il programma differisce dal piano</numerusform>
+            <numerusform>{places} punti in cui il programma differisce dal piano</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3734,17 +3734,17 @@ mm³</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{places} smaller places lean over too far, {area:.3g} together; this is the largest of them</source>
+        <source>{places} smaller places overhang too far, {area:.3g} in all; this is the largest</source>
         <translation>
-            <numerusform>{places} punto più piccolo si inclina troppo, {area:.3g}</numerusform>
-            <numerusform>{places} punti più piccoli si inclinano troppo, {area:.3g} in tutto; questo è il più grande</numerusform>
+            <numerusform>{places} punto più piccolo sporge troppo, {area:.3g}</numerusform>
+            <numerusform>{places} punti più piccoli sporgono troppo, {area:.3g} in tutto; questo è il più grande</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{place}: no way to {pieces} pieces of paths was found that keeps clear of everything</source>
+        <source>{place}: no collision-free transfer to {pieces} pieces of paths</source>
         <translation>
-            <numerusform>{place}: non si è trovata una via per {pieces} tratto di percorso che stia lontana da tutto</numerusform>
-            <numerusform>{place}: non si è trovata una via per {pieces} tratti di percorso che stia lontana da tutto</numerusform>
+            <numerusform>{place}: nessuno spostamento senza collisioni verso {pieces} tratto di percorso</numerusform>
+            <numerusform>{place}: nessuno spostamento senza collisioni verso {pieces} tratti di percorso</numerusform>
         </translation>
     </message>
     <message>
@@ -3756,48 +3756,48 @@ mm³</translation>
         <translation>{place}: la testina entrerebbe nella piattaforma</translation>
     </message>
     <message>
-        <source>{place}: the print head would cut into what is printed already</source>
-        <translation>{place}: la testina entrerebbe in ciò che è già stampato</translation>
+        <source>{place}: the print head would cut into printed material</source>
+        <translation>{place}: la testina entrerebbe nel materiale già stampato</translation>
     </message>
     <message>
-        <source>{place}: the robot can be here, but cannot come from or go on to a neighbouring place without lifting</source>
-        <translation>{place}: il robot può stare qui, ma non può venire da un punto vicino o proseguire verso di esso senza sollevarsi</translation>
+        <source>{place}: reachable, but the robot cannot move from or to a neighbouring point without lifting</source>
+        <translation>{place}: raggiungibile, ma il robot non può muoversi da o verso un punto vicino senza sollevarsi</translation>
     </message>
     <message>
-        <source>{place}: the robot cannot bring this place under the nozzle: out of reach, or beyond a joint&apos;s limits, however the part is turned about the nozzle</source>
-        <translation>{place}: il robot non può portare questo punto sotto l&apos;ugello: fuori portata, o oltre i limiti di un giunto, comunque si giri il pezzo attorno all&apos;ugello</translation>
+        <source>{place}: unreachable for the nozzle: out of reach or beyond a joint limit at every rotation of the part about the nozzle</source>
+        <translation>{place}: non raggiungibile con l&apos;ugello: fuori portata o oltre un limite di giunto a ogni rotazione del pezzo attorno all&apos;ugello</translation>
     </message>
     <message>
-        <source>{place}: {first} would meet {second}, however the part is turned about the nozzle</source>
-        <translation>{place}: {first} toccherebbe {second}, comunque si giri il pezzo attorno all&apos;ugello</translation>
+        <source>{place}: {first} would collide with {second} at every rotation of the part about the nozzle</source>
+        <translation>{place}: {first} urterebbe {second} a ogni rotazione del pezzo attorno all&apos;ugello</translation>
     </message>
     <message>
-        <source>{points} points do not make a circle: it takes three</source>
-        <translation>{points} punti non fanno un cerchio: ne servono tre</translation>
+        <source>{points} points do not define a circle: at least three are needed</source>
+        <translation>{points} punti non definiscono un cerchio: ne servono almeno tre</translation>
     </message>
     <message>
         <source>{share:.0f} of the layers&apos; area is thinner than {least} or thicker than {most}</source>
         <translation>il {share:.0f} dell&apos;area degli strati è più sottile di {least} o più spesso di {most}</translation>
     </message>
     <message>
-        <source>{share:.2f} of the part is in no bead; most of it round the place given</source>
-        <translation>il {share:.2f} del pezzo non è in alcun cordone; per lo più attorno al punto indicato</translation>
+        <source>{share:.2f} of the part is not covered by beads, mostly around this point</source>
+        <translation>il {share:.2f} del pezzo non è coperto da cordoni, soprattutto attorno a questo punto</translation>
     </message>
     <message>
         <source>{sizes} mm</source>
         <translation>{sizes} mm</translation>
     </message>
     <message>
-        <source>{there} of the {promised} facets that the header promises are there</source>
-        <translation>ci sono {there} delle {promised} faccette che l&apos;intestazione promette</translation>
+        <source>{there} of the {promised} facets stated in the header are present</source>
+        <translation>ci sono {there} delle {promised} faccette indicate nell&apos;intestazione</translation>
     </message>
     <message>
         <source>{threshold} {value:.4g} (limit {limit:.4g})</source>
         <translation>{threshold} {value:.4g} (limite {limit:.4g})</translation>
     </message>
     <message>
-        <source>{value} is beyond process {process}</source>
-        <translation>{value} è oltre il processo {process}</translation>
+        <source>{value} is outside the limits of process {process}</source>
+        <translation>{value} è fuori dai limiti del processo {process}</translation>
     </message>
     <message numerus="yes">
         <source>{voxels} more voxels are missed in smaller groups ({groups}); this is the largest</source>
@@ -3807,14 +3807,14 @@ mm³</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{voxels} voxels are shadowed: from step {step} on they lie inside the front, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm</source>
+        <source>{voxels} voxels are shadowed: inside the front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm</source>
         <translation>
             <numerusform>{voxels} voxel è in ombra: dal passo {step} in poi sta dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm</numerusform>
             <numerusform>{voxels} voxel sono in ombra: dal passo {step} in poi stanno dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{voxels} voxels are shadowed: from step {step} on they lie inside the front, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm; {more} more hang on them</source>
+        <source>{voxels} voxels are shadowed: inside the front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm; {more} more depend on them</source>
         <translation>
             <numerusform>{voxels} voxel è in ombra: dal passo {step} in poi sta dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm; altri {more} dipendono da esso</numerusform>
             <numerusform>{voxels} voxel sono in ombra: dal passo {step} in poi stanno dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm; altri {more} dipendono da essi</numerusform>
@@ -3828,7 +3828,7 @@ mm³</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{voxels} voxels are shadowed: inside the front before they were reached; {more} more hang on them</source>
+        <source>{voxels} voxels are shadowed: inside the front before they were reached; {more} more depend on them</source>
         <translation>
             <numerusform>{voxels} voxel è in ombra: dentro il fronte prima di essere raggiunto; altri {more} dipendono da esso</numerusform>
             <numerusform>{voxels} voxel sono in ombra: dentro il fronte prima di essere raggiunti; altri {more} dipendono da essi</numerusform>
@@ -3842,11 +3842,11 @@ mm³</translation>
         </translation>
     </message>
     <message>
-        <source>{voxels} voxels in a grid of {cells} cells need about {needed} of memory, {available} are free</source>
+        <source>{voxels} voxels in a grid of {cells} cells need about {needed} of memory; {available} are free</source>
         <translation>{voxels} voxel in una griglia di {cells} celle richiedono circa {needed} di memoria, ne sono liberi {available}</translation>
     </message>
     <message numerus="yes">
-        <source>{voxels} voxels lie below the plate</source>
+        <source>{voxels} voxels are below the plate</source>
         <translation>
             <numerusform>{voxels} voxel sta sotto la piastra</numerusform>
             <numerusform>{voxels} voxel stanno sotto la piastra</numerusform>
@@ -3881,8 +3881,8 @@ mm³</translation>
         <translation>Corpo da un file</translation>
     </message>
     <message>
-        <source>Margin around what stands on the plate</source>
-        <translation>Margine attorno a ciò che poggia sul piatto</translation>
+        <source>Margin around the contact area</source>
+        <translation>Margine attorno all&apos;area di contatto</translation>
     </message>
     <message>
         <source>Diameter</source>
@@ -3925,12 +3925,12 @@ mm³</translation>
         <translation>Sbuccia il pezzo e tiene il migliore di più passaggi</translation>
     </message>
     <message>
-        <source>Peeling, turned round</source>
+        <source>Reverse peeling</source>
         <translation>Sbucciatura inversa</translation>
     </message>
     <message>
-        <source>Takes voxels off from outside while the rest keeps its support; printed in the opposite order</source>
-        <translation>Toglie voxel dall&apos;esterno finché il resto mantiene il suo appoggio; si stampa nell&apos;ordine opposto</translation>
+        <source>Removes voxels from outside while the rest stays supported; printed in the opposite order</source>
+        <translation>Toglie voxel dall&apos;esterno finché il resto resta sostenuto; si stampa nell&apos;ordine opposto</translation>
     </message>
     <message>
         <source>Guided by peeling</source>
@@ -3945,7 +3945,7 @@ mm³</translation>
         <translation>A strati dimezzati</translation>
     </message>
     <message>
-        <source>Grows from the platform; a layer that would cut voxels off is halved until it does not</source>
+        <source>Grows from the platform; a layer that would shadow voxels is halved until it does not</source>
         <translation>Cresce dalla piattaforma; uno strato che isolerebbe dei voxel viene dimezzato finché non lo fa più</translation>
     </message>
     <message>
@@ -3953,7 +3953,7 @@ mm³</translation>
         <translation>Voxel per voxel</translation>
     </message>
     <message>
-        <source>Grows from the platform; a layer takes each voxel that cuts off no other</source>
+        <source>Grows from the platform; a layer takes each voxel that shadows no other</source>
         <translation>Cresce dalla piattaforma; uno strato prende ogni voxel che non ne isola altri</translation>
     </message>
     <message>
@@ -3961,7 +3961,7 @@ mm³</translation>
         <translation>Golosa</translation>
     </message>
     <message>
-        <source>Grows from the platform by whole layers, whatever they cut off</source>
+        <source>Grows from the platform by whole layers, whatever they shadow</source>
         <translation>Cresce dalla piattaforma a strati interi, qualunque cosa isolino</translation>
     </message>
     <message>
@@ -3969,32 +3969,32 @@ mm³</translation>
         <translation>Appoggia sul piatto</translation>
     </message>
     <message>
-        <source>Lowest point on the plate</source>
-        <translation>Punto più basso sul piatto</translation>
+        <source>Lowers the part onto the plate</source>
+        <translation>Abbassa il pezzo sul piatto</translation>
     </message>
     <message>
         <source>Shrink platform</source>
         <translation>Riduci la piattaforma</translation>
     </message>
     <message>
-        <source>To the area that the part stands on: the front spans less</source>
-        <translation>All&apos;area su cui poggia il pezzo: il fronte abbraccia meno</translation>
+        <source>To the part&apos;s contact area, which narrows the front</source>
+        <translation>All&apos;area di contatto del pezzo, che restringe il fronte</translation>
     </message>
     <message>
         <source>Add supports</source>
         <translation>Aggiungi supporti</translation>
     </message>
     <message>
-        <source>Thin columns that break off, as few as can be</source>
-        <translation>Colonne sottili che si staccano, il meno possibile</translation>
+        <source>As few thin break-away columns as possible</source>
+        <translation>Il minor numero possibile di colonne sottili da staccare</translation>
     </message>
     <message>
         <source>Turn the part</source>
         <translation>Gira il pezzo</translation>
     </message>
     <message>
-        <source>Searches the way to lie in which fewest voxels are missed</source>
-        <translation>Cerca la giacitura in cui mancano meno voxel</translation>
+        <source>Searches the orientation with the fewest missed voxels</source>
+        <translation>Cerca l&apos;orientamento con il minor numero di voxel mancati</translation>
     </message>
     <message>
         <source>Narrow enough for this wall; narrower voxels take longer</source>
@@ -4013,20 +4013,20 @@ mm³</translation>
         <translation>Allarga la base</translation>
     </message>
     <message>
-        <source>By 20 mm all round, so that supports have something to stand on</source>
-        <translation>Di 20 mm tutt&apos;intorno, perché i supporti abbiano su che poggiare</translation>
+        <source>By 20 mm on all sides, to give supports a base</source>
+        <translation>Di 20 mm su tutti i lati, per dare base ai supporti</translation>
     </message>
     <message>
         <source>Adapt the layers</source>
         <translation>Adatta gli strati</translation>
     </message>
     <message>
-        <source>Lower ones where the surface leans: steps leave less of it empty</source>
-        <translation>Più bassi dove la superficie è inclinata: i gradini ne lasciano vuota di meno</translation>
+        <source>Thinner layers on sloping surfaces, to reduce the gaps at steps</source>
+        <translation>Strati più sottili sulle superfici inclinate, per ridurre i vuoti dei gradini</translation>
     </message>
     <message>
-        <source>Searches the way to lie in which least area needs support</source>
-        <translation>Cerca la posizione in cui meno area richiede supporti</translation>
+        <source>Searches the orientation with the smallest area to support</source>
+        <translation>Cerca l&apos;orientamento con la minore area da sostenere</translation>
     </message>
     <message>
         <source>Around a rod</source>
@@ -4041,20 +4041,20 @@ mm³</translation>
         <translation>ripara la mesh, o usa la modalità curva, che accetta qualsiasi mesh</translation>
     </message>
     <message>
-        <source>the section of the mesh by a plane crosses itself</source>
-        <translation>la sezione della mesh con un piano interseca se stessa</translation>
+        <source>a planar section of the mesh crosses itself</source>
+        <translation>una sezione piana della mesh interseca se stessa</translation>
     </message>
     <message>
-        <source>EGL cannot start</source>
-        <translation>EGL non può partire</translation>
+        <source>EGL cannot be initialized</source>
+        <translation>EGL non può essere inizializzato</translation>
     </message>
     <message>
-        <source>EGL lacks platform displays</source>
-        <translation>a EGL mancano gli schermi di piattaforma</translation>
+        <source>EGL does not support platform displays</source>
+        <translation>EGL non supporta gli schermi di piattaforma</translation>
     </message>
     <message>
-        <source>its functions cannot be found</source>
-        <translation>le sue funzioni non si trovano</translation>
+        <source>its functions were not found</source>
+        <translation>le sue funzioni non sono state trovate</translation>
     </message>
     <message>
         <source>no context can be made</source>
@@ -4069,11 +4069,11 @@ mm³</translation>
         <translation>Piastra della cella</translation>
     </message>
     <message>
-        <source>and further places, the first at {place}: something would meet on the way there, so they are left out</source>
-        <translation>e altri punti, il primo a {place}: lungo la via qualcosa si urterebbe, perciò vengono tralasciati</translation>
+        <source>and more places, the first at {place}: a collision on the way to them; they are left out</source>
+        <translation>e altri punti, il primo a {place}: una collisione lungo la via verso di essi; vengono tralasciati</translation>
     </message>
     <message>
-        <source>cell {cell} comes without plates</source>
+        <source>cell {cell} has no plates</source>
         <translation>la cella {cell} non ha piastre</translation>
     </message>
     <message>
@@ -4089,16 +4089,16 @@ mm³</translation>
         <translation>indicare --platform disc:DIAMETER, o un&apos;altra piattaforma</translation>
     </message>
     <message>
-        <source>is no ordinary file, but a device or a pipe</source>
+        <source>is not a regular file, but a device or a pipe</source>
         <translation>non è un file ordinario, ma un dispositivo o una pipe</translation>
     </message>
     <message>
-        <source>look at these places in the picture; turn the part where they matter</source>
-        <translation>guardare questi punti nell&apos;immagine; girare il pezzo dove contano</translation>
+        <source>check these places in the view; turn the part if they matter</source>
+        <translation>controlla questi punti nella vista; gira il pezzo se contano</translation>
     </message>
     <message>
-        <source>no way of building takes platform {platform} in cell {cell}</source>
-        <translation>nessun modo di costruire prende la piattaforma {platform} nella cella {cell}</translation>
+        <source>no way of building supports platform {platform} in cell {cell}</source>
+        <translation>nessun modo di costruire supporta la piattaforma {platform} nella cella {cell}</translation>
     </message>
     <message>
         <source>plate of the cell</source>
@@ -4109,63 +4109,63 @@ mm³</translation>
         <translation>spostamenti</translation>
     </message>
     <message>
-        <source>{place}: something would meet on the way here, so this place is left out</source>
-        <translation>{place}: lungo la via fin qui qualcosa si urterebbe, perciò il punto viene tralasciato</translation>
+        <source>{place}: a collision on the way to this place; it is left out</source>
+        <translation>{place}: una collisione lungo la via verso questo punto; viene tralasciato</translation>
     </message>
     <message numerus="yes">
-        <source>{place}: the arm would not get away from where {pieces} pieces of paths end</source>
+        <source>{place}: no collision-free transfer away from the ends of {pieces} pieces of paths</source>
         <translation>
-            <numerusform>{place}: il braccio non riuscirebbe ad allontanarsi da dove finisce {pieces} tratto di percorso</numerusform>
-            <numerusform>{place}: il braccio non riuscirebbe ad allontanarsi da dove finiscono {pieces} tratti di percorsi</numerusform>
+            <numerusform>{place}: nessuno spostamento senza collisioni dalla fine di {pieces} tratto di percorso</numerusform>
+            <numerusform>{place}: nessuno spostamento senza collisioni dalle fini di {pieces} tratti di percorso</numerusform>
         </translation>
     </message>
     <message>
-        <source>pieces are not cut out of a mesh with defects</source>
-        <translation>da una mesh con difetti non si ritagliano pezzi</translation>
+        <source>a mesh with defects cannot be cut into pieces</source>
+        <translation>una mesh con difetti non può essere divisa in pezzi</translation>
     </message>
     <message>
-        <source>&apos;{units}&apos; is no unit of length</source>
+        <source>&apos;{units}&apos; is not a unit of length</source>
         <translation>&apos;{units}&apos; non è un&apos;unità di lunghezza</translation>
     </message>
     <message>
-        <source>25.4 times as large</source>
-        <translation>25,4 volte più grande</translation>
+        <source>Scales it by 25.4</source>
+        <translation>Lo scala di 25,4</translation>
     </message>
     <message>
-        <source>A thousand times as large</source>
-        <translation>Mille volte più grande</translation>
+        <source>Scales it by 1000</source>
+        <translation>Lo scala di 1000</translation>
     </message>
     <message>
-        <source>A thousandth of the size</source>
-        <translation>Un millesimo della grandezza</translation>
+        <source>Scales it by 0.001</source>
+        <translation>Lo scala di 0,001</translation>
     </message>
     <message>
-        <source>As large as the least bead needs it</source>
-        <translation>Grande quanto serve al cordone più stretto</translation>
+        <source>Large enough for the narrowest bead</source>
+        <translation>Grande abbastanza per il cordone più stretto</translation>
     </message>
     <message>
-        <source>As large as the robot reaches</source>
-        <translation>Grande quanto il robot raggiunge</translation>
+        <source>The largest scale within the robot&apos;s reach</source>
+        <translation>La scala massima raggiungibile dal robot</translation>
     </message>
     <message>
         <source>Centre the part</source>
         <translation>Centra il pezzo</translation>
     </message>
     <message>
-        <source>It is in inches</source>
-        <translation>È in pollici</translation>
+        <source>The file is in inches</source>
+        <translation>Il file è in pollici</translation>
     </message>
     <message>
-        <source>It is in metres</source>
-        <translation>È in metri</translation>
+        <source>The file is in metres</source>
+        <translation>Il file è in metri</translation>
     </message>
     <message>
-        <source>It is in micrometres</source>
-        <translation>È in micrometri</translation>
+        <source>The file is in micrometres</source>
+        <translation>Il file è in micrometri</translation>
     </message>
     <message>
-        <source>Over the middle of the platform&apos;s place</source>
-        <translation>Sopra il centro del posto della piattaforma</translation>
+        <source>On the platform&apos;s position</source>
+        <translation>Sulla posizione della piattaforma</translation>
     </message>
     <message>
         <source>Print at scale {scale}</source>
@@ -4180,90 +4180,90 @@ mm³</translation>
         <translation>Usa un processo più fine</translation>
     </message>
     <message>
-        <source>With the widest bead that these walls have room for</source>
-        <translation>Con il cordone più largo per cui queste pareti hanno posto</translation>
+        <source>With the widest bead that fits these walls</source>
+        <translation>Con il cordone più largo che entra in queste pareti</translation>
     </message>
     <message>
         <source>give one of {known}</source>
         <translation>indicare uno di {known}</translation>
     </message>
     <message>
-        <source>give the units that it was drawn in (--units)</source>
+        <source>give the units it was drawn in (--units)</source>
         <translation>indicare le unità in cui è stato disegnato (--units)</translation>
     </message>
     <message>
-        <source>place the part over the middle, or use a platform that reaches there</source>
-        <translation>mettere il pezzo sopra il centro, o usare una piattaforma che arrivi fin lì</translation>
+        <source>centre the part, or use a platform that reaches its support</source>
+        <translation>metti il pezzo al centro, o usa una piattaforma che arrivi al sostegno</translation>
     </message>
     <message>
-        <source>print it at scale {scale}, or with a process of narrower beads</source>
-        <translation>stamparlo in scala {scale}, o con un processo dai cordoni più stretti</translation>
+        <source>print it at scale {scale}, or use a process with narrower beads</source>
+        <translation>stampalo in scala {scale}, o usa un processo con cordoni più stretti</translation>
     </message>
     <message>
-        <source>print it smaller (--scale fit), or give the units that it was drawn in (--units)</source>
+        <source>print it smaller (--scale fit), or give the units it was drawn in (--units)</source>
         <translation>stamparlo più piccolo (--scale fit), o indicare le unità in cui è stato disegnato (--units)</translation>
     </message>
     <message>
-        <source>the part is {size:.3g} long, if its file is in millimetres</source>
+        <source>the part is {size:.3g} long if its file is in millimetres</source>
         <translation>il pezzo è lungo {size:.3g}, se il suo file è in millimetri</translation>
     </message>
     <message>
-        <source>the part is {size:.4g} long, if its file is in millimetres</source>
+        <source>the part is {size:.4g} long if its file is in millimetres</source>
         <translation>il pezzo è lungo {size:.4g}, se il suo file è in millimetri</translation>
     </message>
     <message>
-        <source>the platform lies {distance:.0f} beside what carries it: it would float</source>
-        <translation>la piattaforma è {distance:.0f} accanto a ciò che la regge: resterebbe sospesa</translation>
+        <source>platform {distance:.0f} beside its support: it would float</source>
+        <translation>piattaforma a {distance:.0f} dal suo sostegno: resterebbe sospesa</translation>
     </message>
     <message>
-        <source>use a process of narrower beads; as large as it had to be it is out of the robot&apos;s reach</source>
-        <translation>usare un processo dai cordoni più stretti; grande quanto dovrebbe essere, il robot non lo raggiunge</translation>
+        <source>use a process with narrower beads; scaled up enough, the part is out of the robot&apos;s reach</source>
+        <translation>usa un processo con cordoni più stretti; ingrandito quanto serve, il pezzo è fuori dalla portata del robot</translation>
     </message>
     <message>
-        <source>{share:.3g} of the part are walls thinner than the least bead of {least}, most of them {usual:.2f}</source>
-        <translation>{share:.3g} del pezzo sono pareti più sottili del cordone più stretto di {least}, per lo più {usual:.2f}</translation>
+        <source>{share:.3g} of the part is thinner than the narrowest bead ({least}); most of it is {usual:.2f} thick</source>
+        <translation>il {share:.3g} del pezzo è più sottile del cordone più stretto ({least}); per lo più è spesso {usual:.2f}</translation>
     </message>
     <message>
-        <source>Stand it the best way</source>
-        <translation>Appoggia nel modo migliore</translation>
+        <source>Use best orientation</source>
+        <translation>Usa l&apos;orientamento migliore</translation>
     </message>
     <message>
-        <source>With the most contact for what leans over, and the fewest voxels missed</source>
-        <translation>Con il maggior contatto per lo sbalzo che c’è e il minor numero di voxel mancati</translation>
+        <source>Most contact relative to the overhang, and fewest missed voxels</source>
+        <translation>Massimo contatto rispetto allo sbalzo e minor numero di voxel mancati</translation>
     </message>
     <message>
         <source>give degrees about x, y and z: 90,0,0</source>
         <translation>indica i gradi attorno a x, y e z: 90,0,0</translation>
     </message>
     <message>
-        <source>stand it that way, turned by {x:.3g} about x, {y:.3g} about y and {z:.3g} about z, or choose another of its ways to stand</source>
-        <translation>appoggialo in quel modo, girato di {x:.3g} attorno a x, {y:.3g} attorno a y e {z:.3g} attorno a z, oppure scegli un altro dei suoi appoggi</translation>
+        <source>use that orientation, turned by {x:.3g} about x, {y:.3g} about y and {z:.3g} about z, or choose another one</source>
+        <translation>usa quell&apos;orientamento, girando di {x:.3g} attorno a x, {y:.3g} attorno a y e {z:.3g} attorno a z, oppure scegline un altro</translation>
     </message>
     <message>
-        <source>the part lies badly: {contact:.0f} of it touch the plate, {overhang:.0f} lean over, and one pass of growth misses {missed:.2g}; it can stand on {bestContact:.0f} with {bestOverhang:.0f} leaning over and {bestMissed:.2g} missed</source>
-        <translation>il pezzo è appoggiato male: {contact:.0f} toccano il piatto, {overhang:.0f} sono a sbalzo e una passata di crescita ne manca {missed:.2g}; può appoggiare su {bestContact:.0f} con {bestOverhang:.0f} a sbalzo e {bestMissed:.2g} mancati</translation>
+        <source>poor orientation: contact {contact:.0f}, overhang {overhang:.0f}, {missed:.2g} missed by one pass of growth; another orientation has contact {bestContact:.0f}, overhang {bestOverhang:.0f}, {bestMissed:.2g} missed</source>
+        <translation>orientamento sfavorevole: appoggio {contact:.0f}, sbalzo {overhang:.0f}, {missed:.2g} mancato da una passata di crescita; un altro orientamento ha appoggio {bestContact:.0f}, sbalzo {bestOverhang:.0f}, {bestMissed:.2g} mancato</translation>
     </message>
     <message>
         <source>turn &apos;{turn}&apos; is not three angles</source>
         <translation>la rotazione «{turn}» non è fatta di tre angoli</translation>
     </message>
     <message>
-        <source>ways to stand</source>
-        <translation>modi di appoggio</translation>
+        <source>orientations</source>
+        <translation>orientamenti</translation>
     </message>
     <message>
-        <source>{length:.1f} of a bead have nothing right beneath them; this material bridges {bridge:.1f}</source>
-        <translation>{length:.1f} di un cordone non hanno nulla subito sotto; questo materiale ne scavalca {bridge:.1f}</translation>
+        <source>{length:.1f} of a bead is unsupported; this material bridges {bridge:.1f}</source>
+        <translation>{length:.1f} di un cordone non sono sostenuti; questo materiale ne scavalca {bridge:.1f}</translation>
     </message>
     <message>
-        <source>a pedestal made for the part clears the head&apos;s way; it comes with its drawing</source>
-        <translation>un piedistallo fatto per il pezzo lascia libera la testa; viene con il suo disegno</translation>
+        <source>use a pedestal made for the part: it leaves room for the print head; a drawing of it is written</source>
+        <translation>usa un piedistallo fatto per il pezzo: lascia spazio alla testa; ne viene scritto il disegno</translation>
     </message>
     <message numerus="yes">
-        <source>on this plate {here} voxels would be missed without columns, on a pedestal as wide as the part&apos;s foot {there}</source>
+        <source>without columns, {here} voxels would be missed on this plate, {there} on a pedestal as wide as the part&apos;s footprint</source>
         <translation>
-            <numerusform>su questo piano si perderebbe {here} voxel senza colonne, su un piedistallo largo quanto la base del pezzo {there}</numerusform>
-            <numerusform>su questo piano si perderebbero {here} voxel senza colonne, su un piedistallo largo quanto la base del pezzo {there}</numerusform>
+            <numerusform>senza colonne, su questo piano si perderebbe {here} voxel, su un piedistallo largo quanto la base del pezzo {there}</numerusform>
+            <numerusform>senza colonne, su questo piano si perderebbero {here} voxel, su un piedistallo largo quanto la base del pezzo {there}</numerusform>
         </translation>
     </message>
     <message>
@@ -4271,8 +4271,8 @@ mm³</translation>
         <translation>«unitfactor» non è maggiore di 0</translation>
     </message>
     <message>
-        <source>&apos;{attribute}&apos; is not above 0, or larger than anything printed</source>
-        <translation>«{attribute}» non è maggiore di 0, o più grande di ogni stampa</translation>
+        <source>&apos;{attribute}&apos; is not above 0, or too large</source>
+        <translation>«{attribute}» non è maggiore di 0, o è troppo grande</translation>
     </message>
     <message>
         <source>&apos;{element}&apos; outside tool-paths</source>
@@ -4283,35 +4283,35 @@ mm³</translation>
         <translation>«{name}» richiama sé stessa</translation>
     </message>
     <message>
-        <source>&apos;{name}&apos; is called as it cannot be</source>
-        <translation>«{name}» è chiamata in un modo impossibile</translation>
+        <source>invalid call of &apos;{name}&apos;</source>
+        <translation>chiamata di «{name}» non valida</translation>
     </message>
     <message>
         <source>&apos;{name}&apos; needs a mass</source>
         <translation>«{name}» richiede una massa</translation>
     </message>
     <message>
-        <source>&apos;{path}&apos; is no name of a part in the package</source>
+        <source>&apos;{path}&apos; is not the name of a part in the package</source>
         <translation>«{path}» non è il nome di una parte del pacchetto</translation>
     </message>
     <message>
-        <source>&apos;{word}&apos; may not stand here: it changes the machine amid the print</source>
-        <translation>«{word}» non può stare qui: cambia la macchina durante la stampa</translation>
+        <source>&apos;{word}&apos; is not allowed here: it changes the machine during the print</source>
+        <translation>«{word}» non è ammesso qui: cambia la macchina durante la stampa</translation>
     </message>
     <message>
         <source>&apos;{word}&apos; slows the arm: the flow would not follow</source>
         <translation>«{word}» rallenta il braccio: il flusso non lo seguirebbe</translation>
     </message>
     <message>
-        <source>&apos;{word}&apos; tells the arm another load</source>
-        <translation>«{word}» dichiara al braccio un altro carico</translation>
+        <source>&apos;{word}&apos; sets a different load</source>
+        <translation>«{word}» imposta un carico diverso</translation>
     </message>
     <message>
-        <source>A 3MF with tool-paths (.build.3mf) is printed along these. Off: its object is planned anew.</source>
-        <translation>Un 3MF con percorsi (.build.3mf) si stampa lungo questi. Disattivato: il suo oggetto viene pianificato da capo.</translation>
+        <source>Prints a 3MF with tool-paths (.build.3mf) along these. Off: plans its object again.</source>
+        <translation>Stampa un 3MF con percorsi (.build.3mf) lungo questi. Disattivato: pianifica di nuovo il suo oggetto.</translation>
     </message>
     <message>
-        <source>Adds NAME.build.3mf: the tool-paths of the plan in 6 axes for other programs (3MF Toolpath Extension).</source>
+        <source>Adds NAME.build.3mf: the plan&apos;s 6-axis tool-paths for other programs (3MF Toolpath Extension).</source>
         <translation>Aggiunge NAME.build.3mf: i percorsi del piano a 6 assi per altri programmi (3MF Toolpath Extension).</translation>
     </message>
     <message>
@@ -4339,40 +4339,40 @@ mm³</translation>
         <translation>un TriggL prima del suo TriggEquip</translation>
     </message>
     <message>
-        <source>a bead is laid by a motion in joints, planned is a straight one</source>
-        <translation>un cordone è deposto con un moto ai giunti, ne è previsto uno rettilineo</translation>
+        <source>a bead is printed by a joint motion instead of a straight one</source>
+        <translation>un cordone è stampato con un moto ai giunti invece di uno rettilineo</translation>
     </message>
     <message>
-        <source>a character that no program holds: is this a binary file?</source>
-        <translation>un carattere che nessun programma contiene: è un file binario?</translation>
+        <source>unexpected control character: is this a binary file?</source>
+        <translation>carattere di controllo inatteso: è un file binario?</translation>
     </message>
     <message>
-        <source>a larger nozzle, or slower tool-paths</source>
-        <translation>un ugello più grande, o percorsi più lenti</translation>
+        <source>use a larger nozzle, or slower tool-paths</source>
+        <translation>usa un ugello più grande, o percorsi più lenti</translation>
     </message>
     <message>
         <source>a modifier of &apos;{attribute}&apos; without a range above 0 or without a factor of e, f, g and h</source>
         <translation>un modificatore di «{attribute}» senza intervallo sopra 0 o senza fattore tra e, f, g e h</translation>
     </message>
     <message>
-        <source>a modifier of &apos;{attribute}&apos;, which cannot be followed</source>
-        <translation>un modificatore di «{attribute}», che non si può seguire</translation>
+        <source>an unsupported modifier of &apos;{attribute}&apos;</source>
+        <translation>un modificatore non supportato di «{attribute}»</translation>
     </message>
     <message>
         <source>a modifier of &apos;{attribute}&apos;, which its profile lacks</source>
         <translation>un modificatore di «{attribute}», che manca al suo profilo</translation>
     </message>
     <message>
-        <source>a modifier of type &apos;{type}&apos;, which is not known</source>
-        <translation>un modificatore di tipo «{type}», sconosciuto</translation>
+        <source>a modifier of unknown type &apos;{type}&apos;</source>
+        <translation>un modificatore di tipo sconosciuto «{type}»</translation>
     </message>
     <message>
         <source>a modifier outside a profile</source>
         <translation>un modificatore fuori da un profilo</translation>
     </message>
     <message>
-        <source>a point is more than a kilometre away</source>
-        <translation>un punto è a più di un chilometro</translation>
+        <source>a point more than a kilometre away</source>
+        <translation>un punto a più di un chilometro</translation>
     </message>
     <message>
         <source>a point&apos;s frame has no direction</source>
@@ -4391,52 +4391,52 @@ mm³</translation>
         <translation>un segmento di tipo «{type}» tra percorsi a {axes} assi</translation>
     </message>
     <message>
-        <source>a support point of a modifier outside a point</source>
+        <source>a modifier&apos;s support point outside a point</source>
         <translation>un punto d&apos;appoggio di un modificatore fuori da un punto</translation>
     </message>
     <message>
-        <source>a thread of its own is not read</source>
-        <translation>un thread a parte non viene letto</translation>
+        <source>threads are not supported</source>
+        <translation>i thread non sono supportati</translation>
     </message>
     <message>
-        <source>a tool-path lies beyond what a build file can say</source>
-        <translation>un percorso sta oltre ciò che un file di costruzione può dire</translation>
+        <source>a tool-path is beyond the range of a build file</source>
+        <translation>un percorso è oltre l&apos;intervallo di un file di costruzione</translation>
     </message>
     <message>
-        <source>a work object that robot and external axis move is not read</source>
-        <translation>un oggetto di lavoro mosso da robot e asse esterno non è letto</translation>
+        <source>a work object moved by both robot and external axis is not supported</source>
+        <translation>un oggetto di lavoro mosso sia dal robot sia da un asse esterno non è supportato</translation>
     </message>
     <message>
-        <source>a {point} where none can be</source>
-        <translation>un {point} dove non può stare</translation>
+        <source>an unexpected {point}</source>
+        <translation>un {point} inatteso</translation>
     </message>
     <message>
-        <source>another tool than the one that prints</source>
+        <source>a tool other than the printing one</source>
         <translation>un utensile diverso da quello che stampa</translation>
     </message>
     <message>
-        <source>asks for the extension &apos;{name}&apos;, which is not known</source>
-        <translation>chiede l&apos;estensione «{name}», sconosciuta</translation>
+        <source>requires the unknown extension &apos;{name}&apos;</source>
+        <translation>richiede l&apos;estensione sconosciuta «{name}»</translation>
     </message>
     <message>
-        <source>at the controller&apos;s own speeds {share:.2f} of the beads&apos; length get more than 5 % too much or too little material, the first of them here</source>
-        <translation>alle velocità proprie del controllore {share:.2f} della lunghezza dei cordoni riceve oltre il 5 % di materiale in più o in meno, il primo qui</translation>
+        <source>at the controller&apos;s speeds, {share:.2f} of the bead length gets over 5 % too much or too little material; the first place is here</source>
+        <translation>alle velocità del controllore, il {share:.2f} della lunghezza dei cordoni riceve oltre il 5 % di materiale in più o in meno; il primo punto è qui</translation>
     </message>
     <message>
         <source>bead {bead}</source>
         <translation>cordone {bead}</translation>
     </message>
     <message>
-        <source>choose a bead before it or after it</source>
-        <translation>scegliere un cordone prima o dopo</translation>
+        <source>choose an earlier or a later bead</source>
+        <translation>scegli un cordone precedente o successivo</translation>
     </message>
     <message>
         <source>choose an earlier place</source>
         <translation>scegliere un punto precedente</translation>
     </message>
     <message>
-        <source>factors of &apos;{attribute}&apos; are finer than its modifier&apos;s type</source>
-        <translation>i fattori di «{attribute}» sono più fini del tipo del modificatore</translation>
+        <source>factors of &apos;{attribute}&apos; are finer than its modifier&apos;s type allows</source>
+        <translation>i fattori di «{attribute}» sono più fini di quanto ammette il tipo del modificatore</translation>
     </message>
     <message>
         <source>from the front (x to the right, z up)</source>
@@ -4459,27 +4459,27 @@ mm³</translation>
         <translation>indicare il processo per cui i percorsi sono stati fatti</translation>
     </message>
     <message>
-        <source>gravity other than that of an arm that stands upright</source>
-        <translation>gravità diversa da quella di un braccio in piedi</translation>
+        <source>gravity of an arm that is not upright</source>
+        <translation>gravità di un braccio non in piedi</translation>
     </message>
     <message>
-        <source>has a document type, which is not taken</source>
+        <source>has a document type, which is not accepted</source>
         <translation>ha un tipo di documento, che non è accettato</translation>
     </message>
     <message>
-        <source>holds neither an object nor beads that say how wide and high they are</source>
-        <translation>non contiene né un oggetto né cordoni che dicano larghezza e altezza</translation>
+        <source>contains neither an object nor beads with width and height</source>
+        <translation>non contiene né un oggetto né cordoni con larghezza e altezza</translation>
     </message>
     <message>
-        <source>holds no tool-paths</source>
+        <source>contains no tool-paths</source>
         <translation>non contiene percorsi</translation>
     </message>
     <message>
-        <source>is more than a joint of the robot is given</source>
-        <translation>è più di quanto è dato a un giunto del robot</translation>
+        <source>exceeds the limit of a joint of the robot</source>
+        <translation>supera il limite di un giunto del robot</translation>
     </message>
     <message>
-        <source>is no layer of tool-paths</source>
+        <source>is not a layer of tool-paths</source>
         <translation>non è uno strato di percorsi</translation>
     </message>
     <message>
@@ -4487,16 +4487,16 @@ mm³</translation>
         <translation>lasciare scala e unità come sono, o dare givenToolPaths=false</translation>
     </message>
     <message>
-        <source>line {line} may be of any of {count} files</source>
-        <translation>la riga {line} può essere di uno qualsiasi di {count} file</translation>
+        <source>line {line} is ambiguous: the program has {count} files</source>
+        <translation>la riga {line} è ambigua: il programma ha {count} file</translation>
     </message>
     <message>
-        <source>lines end in two ways, from here on another</source>
-        <translation>le righe finiscono in due modi, da qui in poi in un altro</translation>
+        <source>mixed line ends: they differ from here on</source>
+        <translation>fini riga misti: da qui in poi sono diversi</translation>
     </message>
     <message>
-        <source>more than a zip file can hold</source>
-        <translation>più di quanto un file zip possa contenere</translation>
+        <source>too much for a zip file</source>
+        <translation>troppo per un file zip</translation>
     </message>
     <message>
         <source>more tool-path points than can be planned</source>
@@ -4507,56 +4507,56 @@ mm³</translation>
         <translation>movimenti per file</translation>
     </message>
     <message>
-        <source>near singular poses the arm would leave its planned turn</source>
+        <source>near singular poses the arm would deviate from the planned orientation</source>
         <translation>vicino alle singolarità il braccio lascerebbe l&apos;orientamento previsto</translation>
     </message>
     <message>
-        <source>no motion stands at line {line} or after it</source>
-        <translation>nessun moto alla riga {line} o dopo</translation>
+        <source>no motion at or after line {line}</source>
+        <translation>nessun movimento alla riga {line} o dopo di essa</translation>
     </message>
     <message>
-        <source>no object in the file: the part is what its beads make</source>
-        <translation>nessun oggetto nel file: il pezzo è ciò che fanno i suoi cordoni</translation>
+        <source>no object in the file: the part is made from its beads</source>
+        <translation>nessun oggetto nel file: il pezzo è ricavato dai suoi cordoni</translation>
     </message>
     <message>
         <source>not a program of this job</source>
         <translation>non è un programma di questo lavoro</translation>
     </message>
     <message>
-        <source>not the head of a function without arguments</source>
-        <translation>non è l&apos;intestazione di una funzione senza argomenti</translation>
+        <source>not the definition of a function without arguments</source>
+        <translation>non è la definizione di una funzione senza argomenti</translation>
     </message>
     <message>
-        <source>nothing is printed from there on</source>
+        <source>nothing is printed after that place</source>
         <translation>da lì in poi non si stampa nulla</translation>
     </message>
     <message>
-        <source>of {count} sets of tool-paths the first was taken</source>
-        <translation>di {count} insiemi di percorsi è stato preso il primo</translation>
+        <source>the first of {count} sets of tool-paths was taken</source>
+        <translation>è stato preso il primo di {count} insiemi di percorsi</translation>
     </message>
     <message>
-        <source>only the flow at a motion&apos;s beginning is read</source>
-        <translation>si legge solo il flusso all&apos;inizio di un movimento</translation>
+        <source>flow changes are only supported at the start of a motion</source>
+        <translation>i cambi di flusso sono supportati solo all&apos;inizio di un movimento</translation>
     </message>
     <message>
-        <source>take the program of the cell&apos;s own controller</source>
+        <source>use the program for the cell&apos;s own controller</source>
         <translation>usare il programma del controllore della cella</translation>
     </message>
     <message>
-        <source>the arm is told to carry {mass:.2f} kg, some {planned:.2f} kg are planned</source>
-        <translation>al braccio è dichiarato un carico di {mass:.2f} kg, ne sono previsti circa {planned:.2f} kg</translation>
+        <source>stated payload {mass:.2f} kg, planned about {planned:.2f} kg</source>
+        <translation>carico dichiarato {mass:.2f} kg, previsto circa {planned:.2f} kg</translation>
     </message>
     <message>
-        <source>the beads are thinner than can be filled with cells</source>
+        <source>the beads are too thin to be filled with cells</source>
         <translation>i cordoni sono troppo sottili per essere riempiti di celle</translation>
     </message>
     <message>
-        <source>the beads reach too far to be filled with cells</source>
+        <source>the beads extend too far to be filled with cells</source>
         <translation>i cordoni si estendono troppo per essere riempiti di celle</translation>
     </message>
     <message>
-        <source>the build&apos;s tool-paths {id} are not there</source>
-        <translation>i percorsi {id} della costruzione non ci sono</translation>
+        <source>the build&apos;s tool-paths {id} are missing</source>
+        <translation>mancano i percorsi {id} della costruzione</translation>
     </message>
     <message>
         <source>the factor &apos;{factor}&apos; is given twice</source>
@@ -4571,43 +4571,43 @@ mm³</translation>
         <translation>il file inizia con un BOM: salvarlo come testo semplice</translation>
     </message>
     <message numerus="yes">
-        <source>the file does not say how wide, high or fast {points} points of its tool-paths are printed: taken from process {process}</source>
+        <source>the file gives no width, height or speed for {points} points of its tool-paths: taken from process {process}</source>
         <translation>
-            <numerusform>il file non dice larghezza, altezza o velocità di {points} punto dei suoi percorsi: prese dal processo {process}</numerusform>
-            <numerusform>il file non dice larghezza, altezza o velocità di {points} punti dei suoi percorsi: prese dal processo {process}</numerusform>
+            <numerusform>il file non indica larghezza, altezza o velocità di {points} punto dei suoi percorsi: prese dal processo {process}</numerusform>
+            <numerusform>il file non indica larghezza, altezza o velocità di {points} punti dei suoi percorsi: prese dal processo {process}</numerusform>
         </translation>
     </message>
     <message>
-        <source>the first motion, from wherever the arm stands, is a fast one</source>
-        <translation>il primo moto, da dovunque si trovi il braccio, è veloce</translation>
+        <source>the first motion, from an unknown pose of the arm, is a fast one</source>
+        <translation>il primo moto, da una posa ignota del braccio, è veloce</translation>
     </message>
     <message>
-        <source>the frames of tool-paths look into the part; taken the other way round</source>
-        <translation>i riferimenti dei percorsi guardano dentro il pezzo; presi al contrario</translation>
+        <source>the frames of tool-paths point into the part; they were reversed</source>
+        <translation>i riferimenti dei percorsi puntano dentro il pezzo; sono stati invertiti</translation>
     </message>
     <message>
         <source>the function &apos;{defined}&apos; is defined twice</source>
         <translation>la funzione «{defined}» è definita due volte</translation>
     </message>
     <message>
-        <source>the job has no program that a line could be of</source>
+        <source>the job has no program to take the line from</source>
         <translation>il lavoro non ha un programma a cui la riga possa appartenere</translation>
     </message>
     <message>
-        <source>the job holds no motion to take up</source>
+        <source>the job has no motion to resume</source>
         <translation>il lavoro non contiene un moto da riprendere</translation>
     </message>
     <message>
-        <source>the layer &apos;{path}&apos; is not related to the model</source>
+        <source>layer &apos;{path}&apos; is not related to the model</source>
         <translation>lo strato «{path}» non è collegato al modello</translation>
     </message>
     <message>
-        <source>the layer &apos;{path}&apos; is there twice</source>
-        <translation>lo strato «{path}» c&apos;è due volte</translation>
+        <source>duplicate layer &apos;{path}&apos;</source>
+        <translation>strato «{path}» duplicato</translation>
     </message>
     <message>
-        <source>the part as it stands</source>
-        <translation>il pezzo così com&apos;è</translation>
+        <source>computing the part printed so far</source>
+        <translation>calcolo del pezzo stampato finora</translation>
     </message>
     <message>
         <source>the part {id} of a segment is not in its layer</source>
@@ -4618,56 +4618,56 @@ mm³</translation>
         <translation>il profilo «{uuid}» non è nel modello</translation>
     </message>
     <message>
-        <source>the profile &apos;{uuid}&apos; is there twice</source>
-        <translation>il profilo «{uuid}» c&apos;è due volte</translation>
+        <source>duplicate profile &apos;{uuid}&apos;</source>
+        <translation>profilo «{uuid}» duplicato</translation>
     </message>
     <message>
         <source>the profile {id} of a segment is not in its layer</source>
         <translation>il profilo {id} di un segmento non è nel suo strato</translation>
     </message>
     <message>
-        <source>the robot holds the tool or the work object, one of them</source>
-        <translation>il robot tiene l&apos;utensile o l&apos;oggetto di lavoro, uno dei due</translation>
+        <source>the robot must hold either the tool or the work object</source>
+        <translation>il robot deve tenere o l&apos;utensile o l&apos;oggetto di lavoro</translation>
     </message>
     <message>
-        <source>the support points of a modifier do not rise between 0 and 1</source>
+        <source>a modifier&apos;s support points do not increase between 0 and 1</source>
         <translation>i punti d&apos;appoggio di un modificatore non crescono tra 0 e 1</translation>
     </message>
     <message>
-        <source>the tool-paths that came with the part are damaged</source>
-        <translation>i percorsi giunti col pezzo sono danneggiati</translation>
+        <source>the tool-paths of the part&apos;s file are damaged</source>
+        <translation>i percorsi del file del pezzo sono danneggiati</translation>
     </message>
     <message>
-        <source>the unit &apos;{unit}&apos; is not known</source>
-        <translation>l&apos;unità «{unit}» è sconosciuta</translation>
+        <source>unknown unit &apos;{unit}&apos;</source>
+        <translation>unità «{unit}» sconosciuta</translation>
     </message>
     <message>
-        <source>the {format} program, for another controller, is not handed over: {failed}</source>
+        <source>the {format} program, for another controller, is not released: {failed}</source>
         <translation>il programma {format}, per un altro controllore, non viene consegnato: {failed}</translation>
     </message>
     <message>
-        <source>there is no bead {bead}; the plan has {beads}</source>
-        <translation>non c&apos;è il cordone {bead}; il piano ne ha {beads}</translation>
+        <source>no bead {bead}: the plan has {beads} beads</source>
+        <translation>il cordone {bead} non esiste: il piano ha {beads} cordoni</translation>
     </message>
     <message>
-        <source>this motion is told to speed up {times:.1f} times as hard as planned</source>
-        <translation>a questo moto è chiesta un&apos;accelerazione {times:.1f} volte quella prevista</translation>
+        <source>commanded acceleration is {times:.1f} times the planned one</source>
+        <translation>l&apos;accelerazione comandata è {times:.1f} volte quella prevista</translation>
     </message>
     <message>
-        <source>tool-paths of a file are printed in the size that it gives</source>
-        <translation>i percorsi di un file si stampano nella misura che esso dà</translation>
+        <source>the tool-paths of a file cannot be scaled</source>
+        <translation>i percorsi di un file non si possono scalare</translation>
     </message>
     <message>
         <source>tool-paths of the file</source>
         <translation>percorsi del file</translation>
     </message>
     <message>
-        <source>two modifiers of &apos;{attribute}&apos; or by one factor</source>
-        <translation>due modificatori di «{attribute}» o con un solo fattore</translation>
+        <source>two modifiers of &apos;{attribute}&apos; or with the same factor</source>
+        <translation>due modificatori di «{attribute}» o con lo stesso fattore</translation>
     </message>
     <message>
-        <source>unpacks to more than it can mean</source>
-        <translation>si espande più di quanto possa significare</translation>
+        <source>unpacks to an implausible size</source>
+        <translation>si espande a una dimensione implausibile</translation>
     </message>
     <message>
         <source>unparsed text in a layer&apos;s data</source>
@@ -4686,42 +4686,42 @@ mm³</translation>
         <translation>scrivi un file di costruzione</translation>
     </message>
     <message>
-        <source>write a proof of each program</source>
-        <translation>scrivi una prova per ogni programma</translation>
+        <source>write verification reports</source>
+        <translation>scrivi i rapporti di verifica</translation>
     </message>
     <message>
-        <source>write the program again: with times instead of speeds where the format knows them</source>
-        <translation>scrivere di nuovo il programma: con tempi al posto di velocità dove il formato li conosce</translation>
+        <source>write the program again, with times instead of speeds where the format supports them</source>
+        <translation>scrivi di nuovo il programma, con tempi al posto delle velocità dove il formato li ammette</translation>
     </message>
     <message>
-        <source>{celsius} °C is no heat to print {material} with</source>
-        <translation>{celsius} °C non è una temperatura per stampare {material}</translation>
+        <source>{celsius} °C is outside the printing range of {material}</source>
+        <translation>{celsius} °C è fuori dall&apos;intervallo di stampa di {material}</translation>
     </message>
     <message>
-        <source>{length:.0f} of filament are drawn back: out of the hot end</source>
+        <source>{length:.0f} of filament retracted: out of the hot end</source>
         <translation>{length:.0f} di filamento ritratti: fuori dall&apos;ugello</translation>
     </message>
     <message>
-        <source>{part}: proof of the {format} program</source>
-        <translation>{part}: prova del programma {format}</translation>
+        <source>{part}: verification report of the {format} program</source>
+        <translation>{part}: rapporto di verifica del programma {format}</translation>
     </message>
     <message>
-        <source>{place}: no way leads from home to where the print is to go on, clear of what is printed by then</source>
-        <translation>{place}: nessuna via porta dalla posizione di riposo a dove la stampa deve riprendere, libera da ciò che è già stampato</translation>
+        <source>{place}: no collision-free transfer from home to the place where the print resumes</source>
+        <translation>{place}: nessuno spostamento senza collisioni dalla posizione di riposo al punto in cui la stampa riprende</translation>
     </message>
     <message numerus="yes">
-        <source>{points} points of the file&apos;s tool-paths ask for more than the extruder&apos;s {limit}: printed slower</source>
+        <source>{points} points of the file&apos;s tool-paths need more flow than the extruder&apos;s {limit}: printed slower</source>
         <translation>
-            <numerusform>{points} punto dei percorsi del file chiede più dei {limit} dell&apos;estrusore: stampato più lentamente</numerusform>
-            <numerusform>{points} punti dei percorsi del file chiedono più dei {limit} dell&apos;estrusore: stampati più lentamente</numerusform>
+            <numerusform>{points} punto dei percorsi del file richiede più flusso dei {limit} dell&apos;estrusore: stampato più lentamente</numerusform>
+            <numerusform>{points} punti dei percorsi del file richiedono più flusso dei {limit} dell&apos;estrusore: stampati più lentamente</numerusform>
         </translation>
     </message>
     <message>
-        <source>{volume:.3f} are pushed out before the first bead, planned are {planned:.3f}</source>
-        <translation>prima del primo cordone escono {volume:.3f}, ne sono previsti {planned:.3f}</translation>
+        <source>{volume:.3f} is extruded before the first bead instead of {planned:.3f}</source>
+        <translation>prima del primo cordone vengono estrusi {volume:.3f} invece di {planned:.3f}</translation>
     </message>
     <message>
-        <source>{volume:.3f} flow out here while the nozzle stands for {time:.3f}</source>
+        <source>{volume:.3f} is extruded here while the nozzle does not move for {time:.3f}</source>
         <translation>qui escono {volume:.3f} mentre l&apos;ugello sta fermo per {time:.3f}</translation>
     </message>
     <message>
@@ -4729,8 +4729,8 @@ mm³</translation>
         <translation>$APO.CDIS non è impostato prima di questo movimento</translation>
     </message>
     <message>
-        <source>$IPO_MODE is #BASE or #TCP</source>
-        <translation>$IPO_MODE è #BASE o #TCP</translation>
+        <source>$IPO_MODE must be #BASE or #TCP</source>
+        <translation>$IPO_MODE dev&apos;essere #BASE o #TCP</translation>
     </message>
     <message>
         <source>$VEL.CP is not set before this motion</source>
@@ -4745,24 +4745,24 @@ mm³</translation>
         <translation>&apos;Cnt&apos; è 0, oppure 1 con due distanze</translation>
     </message>
     <message>
-        <source>&apos;Dly&apos; needs its seconds</source>
-        <translation>&apos;Dly&apos; vuole i suoi secondi</translation>
+        <source>&apos;Dly&apos; without a time in seconds</source>
+        <translation>&apos;Dly&apos; senza un tempo in secondi</translation>
     </message>
     <message>
-        <source>&apos;EMvs&apos; needs its work coordinates, 1 to 8</source>
-        <translation>&apos;EMvs&apos; vuole le sue coordinate di lavoro, da 1 a 8</translation>
+        <source>&apos;EMvs&apos; without work coordinates 1 to 8</source>
+        <translation>&apos;EMvs&apos; senza coordinate di lavoro da 1 a 8</translation>
     </message>
     <message>
-        <source>&apos;Mvs&apos; and &apos;EMvs&apos; in one program: which of them moves the nozzle?</source>
-        <translation>&apos;Mvs&apos; ed &apos;EMvs&apos; nello stesso programma: quale dei due muove l&apos;ugello?</translation>
+        <source>&apos;Mvs&apos; and &apos;EMvs&apos; in one program: only one of them can move the nozzle</source>
+        <translation>&apos;Mvs&apos; ed &apos;EMvs&apos; nello stesso programma: solo uno dei due può muovere l&apos;ugello</translation>
     </message>
     <message>
-        <source>&apos;PTP&apos; by millimetres a second</source>
+        <source>&apos;PTP&apos; in millimetres per second</source>
         <translation>&apos;PTP&apos; in millimetri al secondo</translation>
     </message>
     <message>
-        <source>&apos;PVTEnter&apos; takes 0, joints, or 1, poses</source>
-        <translation>&apos;PVTEnter&apos; vuole 0, giunti, oppure 1, pose</translation>
+        <source>&apos;PVTEnter&apos; needs 0 (joints) or 1 (poses)</source>
+        <translation>&apos;PVTEnter&apos; vuole 0 (giunti) oppure 1 (pose)</translation>
     </message>
     <message>
         <source>&apos;PVTEnter&apos; without PVTExit before it</source>
@@ -4777,20 +4777,20 @@ mm³</translation>
         <translation>&apos;PVTExit&apos; senza PVTEnter prima</translation>
     </message>
     <message>
-        <source>&apos;PVTPoint&apos; needs six positions, six velocities and its seconds</source>
-        <translation>&apos;PVTPoint&apos; vuole sei posizioni, sei velocità e i suoi secondi</translation>
+        <source>&apos;PVTPoint&apos; needs six positions, six velocities and a time in seconds</source>
+        <translation>&apos;PVTPoint&apos; vuole sei posizioni, sei velocità e un tempo in secondi</translation>
     </message>
     <message>
-        <source>&apos;PVTPoint&apos; with a time or a velocity that makes no sense</source>
-        <translation>&apos;PVTPoint&apos; con un tempo o una velocità senza senso</translation>
+        <source>&apos;PVTPoint&apos; with an invalid time or velocity</source>
+        <translation>&apos;PVTPoint&apos; con un tempo o una velocità non validi</translation>
     </message>
     <message>
         <source>&apos;PVTPoint&apos; without PVTEnter before it</source>
         <translation>&apos;PVTPoint&apos; senza PVTEnter prima</translation>
     </message>
     <message>
-        <source>&apos;Wth&apos; with what is no output</source>
-        <translation>&apos;Wth&apos; con qualcosa che non è un&apos;uscita</translation>
+        <source>&apos;Wth&apos; without an output</source>
+        <translation>&apos;Wth&apos; senza un&apos;uscita</translation>
     </message>
     <message>
         <source>&apos;{name}&apos; without a sensible value</source>
@@ -4801,12 +4801,12 @@ mm³</translation>
         <translation>&apos;{word}&apos; è un riferimento che solo il controllore conosce</translation>
     </message>
     <message>
-        <source>A motion that the plan makes in less than {time} ms takes as long, and its flow is as much less.</source>
-        <translation>Un movimento che il piano compie in meno di {time} ms dura altrettanto, e il suo flusso cala in proporzione.</translation>
+        <source>Motions shorter than {time} ms are stretched to that time and their flow is reduced to match.</source>
+        <translation>I movimenti più brevi di {time} ms vengono allungati a quel tempo e il loro flusso ridotto in proporzione.</translation>
     </message>
     <message>
-        <source>Corners are passed without a stop, as if rounded by an arc {distance:.3g} beside them.</source>
-        <translation>Gli spigoli si passano senza sosta, come arrotondati da un arco a {distance:.3g} da essi.</translation>
+        <source>Corners are passed without a stop, as if rounded by an arc with a deviation of {distance:.3g}.</source>
+        <translation>Gli spigoli si passano senza sosta, come arrotondati da un arco con uno scarto di {distance:.3g}.</translation>
     </message>
     <message>
         <source>E1 is missing: an external axis moves the base</source>
@@ -4821,24 +4821,24 @@ mm³</translation>
         <translation>G-code con B e C (una tavola che si inclina e gira)</translation>
     </message>
     <message>
-        <source>G-code with B and C: how far the plate&apos;s centre stands beside the axis that the table tilts about, along X.</source>
-        <translation>G-code con B e C: quanto il centro del piatto sta di lato all&apos;asse di inclinazione della tavola, lungo X.</translation>
+        <source>G-code with B and C: X distance of the plate&apos;s centre from the tilt axis.</source>
+        <translation>G-code con B e C: distanza in X del centro del piatto dall&apos;asse di inclinazione.</translation>
     </message>
     <message>
-        <source>G-code with B and C: how far the plate&apos;s top lies above the axis that the table tilts about.</source>
-        <translation>G-code con B e C: quanto la faccia del piatto sta sopra l&apos;asse di inclinazione della tavola.</translation>
+        <source>G-code with B and C: height of the plate&apos;s top above the tilt axis.</source>
+        <translation>G-code con B e C: altezza della faccia del piatto sopra l&apos;asse di inclinazione.</translation>
     </message>
     <message>
-        <source>G-code with B and C: whether B and C are the right-handed turn of the part, or that of the tool about a part that stands.</source>
+        <source>G-code with B and C: whether B and C are the right-handed rotation of the part, or that of the tool around a fixed part.</source>
         <translation>G-code con B e C: se B e C sono la rotazione destrorsa del pezzo, o quella dell&apos;utensile attorno a un pezzo fermo.</translation>
     </message>
     <message>
-        <source>Joint speeds are told in percent: all of it is taken for 180 degrees/s, and those travels&apos; times are estimates.</source>
-        <translation>Le velocità dei giunti sono in percentuale: il cento per cento si prende per 180 gradi/s, e i tempi di quegli spostamenti sono stime.</translation>
+        <source>Joint speeds are in percent: 100 % is assumed to be 180 degrees/s, so the times of these travels are estimates.</source>
+        <translation>Le velocità dei giunti sono in percentuale: il 100 % si assume pari a 180 gradi/s, quindi i tempi di quegli spostamenti sono stime.</translation>
     </message>
     <message>
-        <source>Joints speed up at {acceleration:.0f}/s2 where the text says nothing else.</source>
-        <translation>I giunti accelerano a {acceleration:.0f}/s2 dove il testo non dice altro.</translation>
+        <source>Joints accelerate at {acceleration:.0f}/s2 unless the program states otherwise.</source>
+        <translation>I giunti accelerano a {acceleration:.0f}/s2 se il programma non indica altro.</translation>
     </message>
     <message>
         <source>KRL (KUKA)</source>
@@ -4853,36 +4853,36 @@ mm³</translation>
         <translation>MELFA-BASIC V (Mitsubishi)</translation>
     </message>
     <message>
-        <source>Motions speed up as their text says, and at once where it says nothing.</source>
-        <translation>I movimenti accelerano come dice il testo, e di colpo dove non dice nulla.</translation>
+        <source>Programmed accelerations are used; where none is given, motion starts instantly.</source>
+        <translation>Si usano le accelerazioni programmate; dove non sono date, il movimento parte di colpo.</translation>
     </message>
     <message>
         <source>No motion is shorter than the controller&apos;s cycle of {cycle} ms.</source>
         <translation>Nessun movimento dura meno del ciclo del controllore, {cycle} ms.</translation>
     </message>
     <message>
-        <source>None of this was tried on a machine: begin slowly, with the extruder cold.</source>
-        <translation>Nulla di ciò è stato provato su una macchina: cominciare piano, con l&apos;estrusore freddo.</translation>
+        <source>Not tested on a machine: start slowly, with a cold extruder.</source>
+        <translation>Non provato su una macchina: cominciare piano, con l&apos;estrusore freddo.</translation>
     </message>
     <message>
         <source>Plain G-code (three axes, flat jobs)</source>
         <translation>G-code semplice (tre assi, lavori piani)</translation>
     </message>
     <message>
-        <source>Points of a bead nearer than {time} ms or {way} are joined where the bead stays the same.</source>
-        <translation>I punti di un cordone più vicini di {time} ms o {way} si uniscono dove il cordone resta lo stesso.</translation>
+        <source>Points of a bead closer than {time} ms or {way} are merged if the bead stays the same.</source>
+        <translation>I punti di un cordone più vicini di {time} ms o {way} si uniscono se il cordone resta lo stesso.</translation>
     </message>
     <message>
-        <source>Power Low holds the speed down: Power High is missing</source>
-        <translation>Power Low tiene bassa la velocità: manca Power High</translation>
+        <source>Power Low limits the speed: Power High is missing</source>
+        <translation>Power Low limita la velocità: manca Power High</translation>
     </message>
     <message>
-        <source>ROT where the tool does not turn</source>
-        <translation>ROT dove l&apos;utensile non gira</translation>
+        <source>ROT, but the tool does not turn</source>
+        <translation>ROT, ma l&apos;utensile non gira</translation>
     </message>
     <message>
-        <source>Room for programs on the controller: a longer one says so in its head.</source>
-        <translation>Spazio per i programmi nel controllore: uno più lungo lo dice in testa.</translation>
+        <source>Program memory of the controller. Longer programs contain a note in their header.</source>
+        <translation>Memoria per i programmi del controllore. I programmi più lunghi contengono una nota in testa.</translation>
     </message>
     <message>
         <source>SPEL+ (Epson)</source>
@@ -4893,135 +4893,135 @@ mm³</translation>
         <translation>Manca ScriptExit() alla fine</translation>
     </message>
     <message>
-        <source>Straight motions speed up at {acceleration} mm/s2 where the text says nothing else.</source>
-        <translation>I movimenti rettilinei accelerano a {acceleration} mm/s2 dove il testo non dice altro.</translation>
+        <source>Straight motions accelerate at {acceleration} mm/s2 unless the program states otherwise.</source>
+        <translation>I movimenti rettilinei accelerano a {acceleration} mm/s2 se il programma non indica altro.</translation>
     </message>
     <message>
         <source>TMscript (Techman)</source>
         <translation>TMscript (Techman)</translation>
     </message>
     <message>
-        <source>The arm stands where a motion has no blend.</source>
-        <translation>Il braccio si ferma dove un movimento non ha raccordo.</translation>
+        <source>The arm stops at points without a blend.</source>
+        <translation>Il braccio si ferma nei punti senza raccordo.</translation>
     </message>
     <message>
-        <source>The controller looks as far ahead as it has to.</source>
-        <translation>Il controllore guarda avanti quanto serve.</translation>
+        <source>Unlimited look-ahead.</source>
+        <translation>Anticipo illimitato.</translation>
     </message>
     <message>
-        <source>The controller looks {motions} motions ahead.</source>
-        <translation>Il controllore guarda avanti di {motions} movimenti.</translation>
+        <source>Look-ahead of {motions} motions.</source>
+        <translation>Anticipo di {motions} movimenti.</translation>
     </message>
     <message>
-        <source>The time that outputs take, and how the arm lags behind, are not counted.</source>
-        <translation>Il tempo che prendono le uscite e il ritardo del braccio non sono contati.</translation>
+        <source>Output delays and following error are not modelled.</source>
+        <translation>I ritardi delle uscite e l&apos;errore di inseguimento non sono modellati.</translation>
     </message>
     <message>
-        <source>The turn of the tool may have a limit of its own, a radian as long as {way:.0f} of way: of both laws the worse counts for the flow.</source>
-        <translation>La rotazione dell&apos;utensile può avere un limite proprio, un radiante lungo quanto {way:.0f} di percorso: per il flusso vale la peggiore delle due leggi.</translation>
+        <source>Tool rotation may be limited separately (1 rad = {way:.0f} of path); the slower of the two sets the flow.</source>
+        <translation>La rotazione dell&apos;utensile può avere un limite proprio (1 rad = {way:.0f} di percorso); il più lento dei due determina il flusso.</translation>
     </message>
     <message>
-        <source>WAIT SEC needs its seconds</source>
-        <translation>WAIT SEC vuole i suoi secondi</translation>
+        <source>WAIT SEC needs a number of seconds</source>
+        <translation>WAIT SEC richiede un numero di secondi</translation>
     </message>
     <message>
-        <source>Wait needs its seconds</source>
-        <translation>Wait vuole i suoi secondi</translation>
+        <source>Wait needs a number of seconds</source>
+        <translation>Wait richiede un numero di secondi</translation>
     </message>
     <message>
-        <source>a G0 under G93: nobody knows how long it takes</source>
-        <translation>un G0 sotto G93: nessuno sa quanto duri</translation>
+        <source>a G0 under G93 has no defined time</source>
+        <translation>un G0 sotto G93 non ha una durata definita</translation>
     </message>
     <message>
-        <source>a base other than the robot&apos;s own: write positions in that</source>
-        <translation>una base diversa da quella del robot: scrivere le posizioni in quella</translation>
+        <source>unsupported base: positions must be in the robot&apos;s own base</source>
+        <translation>base non supportata: le posizioni devono essere nella base del robot</translation>
     </message>
     <message>
-        <source>a base that only the robot knows: write its numbers</source>
-        <translation>una base che solo il robot conosce: scriverne i numeri</translation>
+        <source>a base known only to the robot: give its numbers</source>
+        <translation>una base nota solo al robot: indicarne i numeri</translation>
     </message>
     <message>
         <source>a blend is no sensible number</source>
         <translation>un raccordo che non è un numero sensato</translation>
     </message>
     <message>
-        <source>a call of another program that cannot be followed</source>
-        <translation>una chiamata di un altro programma che non si può seguire</translation>
+        <source>unsupported call of another program</source>
+        <translation>chiamata di un altro programma non supportata</translation>
     </message>
     <message>
-        <source>a coordinate is missing, and it is not known where the arm stands</source>
-        <translation>manca una coordinata, e non si sa dove sia il braccio</translation>
+        <source>a coordinate is missing, and the arm&apos;s position is not known</source>
+        <translation>manca una coordinata, e la posizione del braccio non è nota</translation>
     </message>
     <message>
-        <source>a flow that is no whole number from 0 to {most}</source>
-        <translation>un flusso che non è un numero intero da 0 a {most}</translation>
+        <source>the flow is not an integer from 0 to {most}</source>
+        <translation>il flusso non è un numero intero da 0 a {most}</translation>
     </message>
     <message>
-        <source>a frame of another length than it says</source>
-        <translation>un pacchetto lungo diversamente da quanto dice</translation>
+        <source>the frame&apos;s length differs from the stated one</source>
+        <translation>la lunghezza del pacchetto è diversa da quella indicata</translation>
     </message>
     <message>
-        <source>a frame that is no script for a listen node</source>
-        <translation>un pacchetto che non è uno script per un nodo di ascolto</translation>
+        <source>the frame is not a script for a listen node</source>
+        <translation>il pacchetto non è uno script per un nodo di ascolto</translation>
     </message>
     <message>
-        <source>a frame whose checksum is wrong: it was changed or cut</source>
-        <translation>un pacchetto con la somma di controllo sbagliata: è stato cambiato o troncato</translation>
+        <source>wrong checksum: the frame was modified or truncated</source>
+        <translation>somma di controllo sbagliata: il pacchetto è stato modificato o troncato</translation>
     </message>
     <message>
-        <source>a frame without its length</source>
-        <translation>un pacchetto senza la sua lunghezza</translation>
+        <source>frame without a length</source>
+        <translation>pacchetto senza lunghezza</translation>
     </message>
     <message>
-        <source>a frame without its name</source>
-        <translation>un pacchetto senza il suo nome</translation>
+        <source>frame without a name</source>
+        <translation>pacchetto senza nome</translation>
     </message>
     <message>
-        <source>a load needs its mass</source>
-        <translation>un carico vuole la sua massa</translation>
+        <source>load without a mass</source>
+        <translation>carico senza massa</translation>
     </message>
     <message>
         <source>a mass is no sensible number</source>
         <translation>una massa che non è un numero sensato</translation>
     </message>
     <message>
-        <source>a motion of its own between PVTEnter and PVTExit</source>
-        <translation>un movimento a sé fra PVTEnter e PVTExit</translation>
+        <source>another motion between PVTEnter and PVTExit</source>
+        <translation>un altro movimento fra PVTEnter e PVTExit</translation>
     </message>
     <message>
-        <source>a motion that only turns needs ROT</source>
-        <translation>un movimento che gira soltanto vuole ROT</translation>
+        <source>a pure rotation needs ROT</source>
+        <translation>una pura rotazione richiede ROT</translation>
     </message>
     <message>
-        <source>a motion without F: under G93 each has its own</source>
-        <translation>un movimento senza F: sotto G93 ognuno ha la sua</translation>
+        <source>a motion without F: under G93 each motion needs its own</source>
+        <translation>un movimento senza F: sotto G93 ognuno richiede la sua</translation>
     </message>
     <message>
-        <source>a motion without G93: its F is no time</source>
+        <source>a motion without G93: its F is not a time</source>
         <translation>un movimento senza G93: la sua F non è un tempo</translation>
     </message>
     <message>
-        <source>a motion&apos;s numbers are not those that its letters say</source>
-        <translation>i numeri di un movimento non sono quelli che dicono le sue lettere</translation>
+        <source>the numbers of the motion do not match its letters</source>
+        <translation>i numeri del movimento non corrispondono alle sue lettere</translation>
     </message>
     <message>
-        <source>a pose before ChangeTCP: whose pose is it?</source>
-        <translation>una posa prima di ChangeTCP: di chi è?</translation>
+        <source>a pose before ChangeTCP: its TCP is unknown</source>
+        <translation>una posa prima di ChangeTCP: il suo TCP non è noto</translation>
     </message>
     <message>
-        <source>a position before Tool: whose is it?</source>
-        <translation>una posizione prima di Tool: di chi è?</translation>
+        <source>a position before Tool: its TCP is unknown</source>
+        <translation>una posizione prima di Tool: il suo TCP non è noto</translation>
     </message>
     <message>
-        <source>a step of more than 127 characters</source>
-        <translation>un passo di più di 127 caratteri</translation>
+        <source>step longer than 127 characters</source>
+        <translation>passo di più di 127 caratteri</translation>
     </message>
     <message>
         <source>a straight motion before any Spd</source>
         <translation>un movimento rettilineo prima di ogni Spd</translation>
     </message>
     <message>
-        <source>a straight motion by per cent of a speed that is not known</source>
+        <source>a straight motion in percent of an unknown speed</source>
         <translation>un movimento rettilineo in percentuale di una velocità non nota</translation>
     </message>
     <message>
@@ -5029,20 +5029,20 @@ mm³</translation>
         <translation>un movimento rettilineo verso valori dei giunti</translation>
     </message>
     <message>
-        <source>a target that is no position in a robot&apos;s reach</source>
-        <translation>un bersaglio che non è una posizione alla portata di un robot</translation>
+        <source>the target is not a position within a robot&apos;s reach</source>
+        <translation>il bersaglio non è una posizione alla portata di un robot</translation>
     </message>
     <message>
-        <source>a text has {characters} characters; its controller takes {most}</source>
-        <translation>un testo ha {characters} caratteri; il suo controllore ne accetta {most}</translation>
+        <source>a text has {characters} characters; the controller accepts at most {most}</source>
+        <translation>un testo ha {characters} caratteri; il controllore ne accetta al massimo {most}</translation>
     </message>
     <message>
         <source>a tool is a position</source>
         <translation>un utensile è una posizione</translation>
     </message>
     <message>
-        <source>a tool that only the robot knows: write its numbers</source>
-        <translation>un utensile che solo il robot conosce: scriverne i numeri</translation>
+        <source>a tool known only to the robot: give its numbers</source>
+        <translation>un utensile noto solo al robot: indicarne i numeri</translation>
     </message>
     <message>
         <source>a tool, local or control point that only the controller knows</source>
@@ -5061,15 +5061,15 @@ mm³</translation>
         <translation>un&apos;uscita analogica fuori da 0 a 10 V</translation>
     </message>
     <message>
-        <source>an angle goes the long way round</source>
+        <source>an angle rotates the long way around</source>
         <translation>un angolo fa il giro lungo</translation>
     </message>
     <message>
-        <source>an output at once, not where the motions are</source>
-        <translation>un&apos;uscita immediata, non dove sono i movimenti</translation>
+        <source>an immediate output, not synchronized with the motions</source>
+        <translation>un&apos;uscita immediata, non sincronizzata con i movimenti</translation>
     </message>
     <message>
-        <source>an output behind CONTINUE runs ahead of the arm</source>
+        <source>an output after CONTINUE runs ahead of the arm</source>
         <translation>un&apos;uscita dopo CONTINUE precede il braccio</translation>
     </message>
     <message>
@@ -5077,16 +5077,16 @@ mm³</translation>
         <translation>un&apos;uscita è 0 o 1</translation>
     </message>
     <message>
-        <source>an output of the extruder&apos;s among others</source>
-        <translation>un&apos;uscita dell&apos;estrusore in mezzo ad altre</translation>
+        <source>an output of the extruder is set together with other outputs</source>
+        <translation>un&apos;uscita dell&apos;estrusore impostata insieme ad altre</translation>
     </message>
     <message>
-        <source>axes are no target of a straight motion</source>
-        <translation>gli assi non sono bersaglio di un movimento rettilineo</translation>
+        <source>axes cannot be the target of a straight motion</source>
+        <translation>gli assi non possono essere il bersaglio di un movimento rettilineo</translation>
     </message>
     <message>
-        <source>format {format} cannot lean the nozzle: this job leans it by {angle}</source>
-        <translation>il formato {format} non può inclinare l&apos;ugello: questo lavoro lo inclina di {angle}</translation>
+        <source>format {format} cannot tilt the nozzle, but this job tilts it by {angle}</source>
+        <translation>il formato {format} non può inclinare l&apos;ugello, ma questo lavoro lo inclina di {angle}</translation>
     </message>
     <message>
         <source>how &apos;{word}&apos; rounds a corner is not known to the reader</source>
@@ -5097,11 +5097,11 @@ mm³</translation>
         <translation>i giunti di un movimento rettilineo si possono raggiungere in un&apos;altra postura</translation>
     </message>
     <message>
-        <source>leave it out, or give --format {format}</source>
+        <source>omit it, or give --format {format}</source>
         <translation>ometterla, oppure dare --format {format}</translation>
     </message>
     <message>
-        <source>lines end with LF alone: a listen node takes CR LF</source>
+        <source>lines end with LF only: a listen node needs CR LF</source>
         <translation>le righe finiscono col solo LF: un nodo di ascolto vuole CR LF</translation>
     </message>
     <message>
@@ -5121,8 +5121,8 @@ mm³</translation>
         <translation>deve essere true o false</translation>
     </message>
     <message>
-        <source>no motion of format {format} is in it: line {line}: {what}</source>
-        <translation>non contiene alcun movimento del formato {format}: riga {line}: {what}</translation>
+        <source>no {format} motion found: line {line}: {what}</source>
+        <translation>nessun movimento {format} trovato: riga {line}: {what}</translation>
     </message>
     <message>
         <source>no procedure is defined</source>
@@ -5137,80 +5137,80 @@ mm³</translation>
         <translation>non tutti gli assi sono dati</translation>
     </message>
     <message>
-        <source>not understood: where the plate is over the tilt axis</source>
-        <translation>non capito: dove sta il piatto sopra l&apos;asse di inclinazione</translation>
+        <source>invalid plate position relative to the tilt axis</source>
+        <translation>posizione del piatto rispetto all&apos;asse di inclinazione non valida</translation>
     </message>
     <message>
-        <source>nothing begins that ends here</source>
-        <translation>non comincia nulla che finisca qui</translation>
+        <source>end without a matching beginning</source>
+        <translation>fine senza un inizio corrispondente</translation>
     </message>
     <message>
-        <source>nothing of this file is run</source>
-        <translation>nulla di questo file viene eseguito</translation>
+        <source>no procedure of this file is called</source>
+        <translation>nessuna procedura di questo file viene richiamata</translation>
     </message>
     <message>
-        <source>only a trigger at a motion&apos;s beginning is read</source>
-        <translation>si legge solo un trigger all&apos;inizio di un movimento</translation>
+        <source>only triggers at the start of a motion are supported</source>
+        <translation>sono supportati solo i trigger all&apos;inizio di un movimento</translation>
     </message>
     <message>
-        <source>only an output that stays as it is set is read</source>
-        <translation>si legge solo un&apos;uscita che resta come è impostata</translation>
+        <source>only the persistent forms of output commands are supported</source>
+        <translation>sono ammesse solo le forme permanenti dei comandi di uscita</translation>
     </message>
     <message>
-        <source>other work coordinates than before: a second nozzle</source>
-        <translation>coordinate di lavoro diverse da prima: un secondo ugello</translation>
+        <source>the work coordinates change: only one nozzle is supported</source>
+        <translation>le coordinate di lavoro cambiano: è supportato un solo ugello</translation>
     </message>
     <message>
         <source>part {part}, job {job}, cell {cell} with robot {robot}</source>
         <translation>pezzo {part}, lavoro {job}, cella {cell} con robot {robot}</translation>
     </message>
     <message>
-        <source>plate above the tilt axis</source>
-        <translation>piatto sopra l&apos;asse di inclinazione</translation>
+        <source>plate height above the tilt axis</source>
+        <translation>altezza del piatto sopra l&apos;asse di inclinazione</translation>
     </message>
     <message>
-        <source>plate beside the tilt axis</source>
-        <translation>piatto a lato dell&apos;asse di inclinazione</translation>
+        <source>plate offset from the tilt axis</source>
+        <translation>distanza del piatto dall&apos;asse di inclinazione</translation>
     </message>
     <message>
-        <source>speed, time to reach it and blend are whole numbers</source>
-        <translation>velocità, tempo per raggiungerla e raccordo sono numeri interi</translation>
+        <source>speed, acceleration time and blend must be integers</source>
+        <translation>velocità, tempo di accelerazione e raccordo devono essere interi</translation>
     </message>
     <message>
-        <source>step numbers ascend, to 32767 at most</source>
-        <translation>i numeri di passo crescono, fino a 32767 al massimo</translation>
+        <source>step numbers must ascend, up to 32767</source>
+        <translation>i numeri di passo devono crescere, fino a 32767</translation>
     </message>
     <message>
-        <source>straight is the tool&apos;s way or the external control point&apos;s, not both</source>
-        <translation>rettilineo è il percorso dell&apos;utensile o quello del punto di controllo esterno, non entrambi</translation>
+        <source>either the tool&apos;s path or that of the external control point is straight, not both</source>
+        <translation>è rettilineo il percorso dell&apos;utensile o quello del punto di controllo esterno, non entrambi</translation>
     </message>
     <message>
-        <source>table&apos;s angles turn</source>
-        <translation>gli angoli della tavola girano</translation>
+        <source>table angles describe</source>
+        <translation>gli angoli della tavola descrivono</translation>
     </message>
     <message>
-        <source>take {formats}, or a mode with flat layers</source>
+        <source>use {formats}, or a mode with flat layers</source>
         <translation>prendere {formats}, oppure un modo a strati piani</translation>
     </message>
     <message>
-        <source>text behind a frame</source>
+        <source>text after a frame</source>
         <translation>testo dopo un pacchetto</translation>
     </message>
     <message>
-        <source>the last point of PVT has a velocity</source>
-        <translation>l&apos;ultimo punto di PVT ha una velocità</translation>
+        <source>the velocity at the last PVT point is not 0</source>
+        <translation>la velocità all&apos;ultimo punto di PVT non è 0</translation>
     </message>
     <message>
-        <source>the line has {characters} characters; its controller takes {most}</source>
-        <translation>la riga ha {characters} caratteri; il suo controllore ne accetta {most}</translation>
+        <source>the line has {characters} characters; the controller accepts at most {most}</source>
+        <translation>la riga ha {characters} caratteri; il controllore ne accetta al massimo {most}</translation>
     </message>
     <message>
-        <source>the long way round, or angles turned by themselves</source>
-        <translation>il giro lungo, oppure angoli girati da soli</translation>
+        <source>&apos;Type&apos; other than 0,0: the long way around, or independent rotation of the angles</source>
+        <translation>&apos;Type&apos; diverso da 0,0: il giro lungo, oppure angoli ruotati in modo indipendente</translation>
     </message>
     <message>
-        <source>the nozzle goes over the plate before the table stands: B and C are not known</source>
-        <translation>l&apos;ugello va sopra il piatto prima che la tavola sia ferma: B e C non sono noti</translation>
+        <source>X or Y motion before B and C are known</source>
+        <translation>movimento di X o Y prima che B e C siano noti</translation>
     </message>
     <message>
         <source>the part</source>
@@ -5225,20 +5225,20 @@ mm³</translation>
         <translation>il programma non ha End</translation>
     </message>
     <message>
-        <source>the program says that it is for another cell: {program}; this job is {job}</source>
-        <translation>il programma dice di essere per un&apos;altra cella: {program}; questo lavoro è {job}</translation>
+        <source>the program is for another cell: {program}; this job is {job}</source>
+        <translation>il programma è per un&apos;altra cella: {program}; questo lavoro è {job}</translation>
     </message>
     <message>
-        <source>the program says that it is of another job: {program}; this job is {job}</source>
-        <translation>il programma dice di essere di un altro lavoro: {program}; questo lavoro è {job}</translation>
+        <source>the program is of another job: {program}; this job is {job}</source>
+        <translation>il programma è di un altro lavoro: {program}; questo lavoro è {job}</translation>
     </message>
     <message>
-        <source>the program {name} is not here</source>
-        <translation>il programma {name} non è qui</translation>
+        <source>the called program {name} is missing</source>
+        <translation>manca il programma chiamato {name}</translation>
     </message>
     <message>
-        <source>the table turns before the nozzle is up: Z is not known yet</source>
-        <translation>la tavola gira prima che l&apos;ugello sia in alto: Z non è ancora noto</translation>
+        <source>table motion before Z is known: the nozzle may be down</source>
+        <translation>movimento della tavola prima che Z sia noto: l&apos;ugello potrebbe essere in basso</translation>
     </message>
     <message>
         <source>the tool (ISO 841)</source>
@@ -5249,7 +5249,7 @@ mm³</translation>
         <translation>l&apos;utensile non gira in modo uniforme lungo il percorso</translation>
     </message>
     <message>
-        <source>the velocities lead off the way to this point</source>
+        <source>the velocities lead off the path to this point</source>
         <translation>le velocità portano fuori dal percorso verso questo punto</translation>
     </message>
     <message>
@@ -5261,28 +5261,28 @@ mm³</translation>
         <translation>{frame} non è impostato prima di questo movimento</translation>
     </message>
     <message>
-        <source>{option} is an option of {having}; written are {formats}</source>
-        <translation>{option} è un&apos;opzione di {having}; si scrivono {formats}</translation>
+        <source>{option} applies to {having}, but the chosen formats are {formats}</source>
+        <translation>{option} vale per {having}, ma i formati scelti sono {formats}</translation>
     </message>
     <message>
         <source>&apos;{attribute}&apos; is missing</source>
         <translation>manca &apos;{attribute}&apos;</translation>
     </message>
     <message>
-        <source>&apos;{attribute}&apos; is no three numbers: &apos;{text}&apos;</source>
-        <translation>&apos;{attribute}&apos; non è fatto di tre numeri: &apos;{text}&apos;</translation>
+        <source>&apos;{attribute}&apos; must be three numbers: &apos;{text}&apos;</source>
+        <translation>&apos;{attribute}&apos; deve essere fatto di tre numeri: &apos;{text}&apos;</translation>
     </message>
     <message>
         <source>expand it first: xacro FILE &gt; arm.urdf</source>
         <translation>espanderlo prima: xacro FILE &gt; arm.urdf</translation>
     </message>
     <message>
-        <source>from &apos;{base}&apos; to &apos;{tip}&apos; {count} axes turn; six are needed</source>
-        <translation>da &apos;{base}&apos; a &apos;{tip}&apos; girano {count} assi; ne servono sei</translation>
+        <source>the chain from &apos;{base}&apos; to &apos;{tip}&apos; has {count} turning axes; six are needed</source>
+        <translation>la catena da &apos;{base}&apos; a &apos;{tip}&apos; ha {count} assi rotanti; ne servono sei</translation>
     </message>
     <message>
-        <source>give the cell another home; where only the shapes that enclose two links overlap, list the pair under neverMeet in the robot&apos;s file</source>
-        <translation>dare alla cella un&apos;altra posizione di riposo; dove si sovrappongono solo le forme che racchiudono due membri, elencare la coppia sotto neverMeet nel file del robot</translation>
+        <source>choose another home pose for the cell; if only the enclosing shapes of two links overlap, list the pair under neverMeet in the robot&apos;s file</source>
+        <translation>scegli un&apos;altra posizione di riposo per la cella; se si sovrappongono solo le forme che racchiudono due membri, elenca la coppia sotto neverMeet nel file del robot</translation>
     </message>
     <message>
         <source>has no links</source>
@@ -5305,68 +5305,68 @@ mm³</translation>
         <translation>è un file xacro</translation>
     </message>
     <message>
-        <source>is no URDF: it begins with &lt;{element}&gt;</source>
+        <source>is not a URDF: it begins with &lt;{element}&gt;</source>
         <translation>non è un URDF: comincia con &lt;{element}&gt;</translation>
     </message>
     <message>
-        <source>joint &apos;{joint}&apos; follows &apos;{other}&apos; (mimic), which is not taken</source>
-        <translation>il giunto &apos;{joint}&apos; segue &apos;{other}&apos; (mimic), che non si accetta</translation>
+        <source>joint &apos;{joint}&apos; mimics &apos;{other}&apos;: mimic joints are not supported</source>
+        <translation>il giunto &apos;{joint}&apos; imita &apos;{other}&apos;: i giunti mimic non sono supportati</translation>
     </message>
     <message>
-        <source>joint &apos;{joint}&apos; has an axis of no length</source>
-        <translation>il giunto &apos;{joint}&apos; ha un asse senza lunghezza</translation>
+        <source>joint &apos;{joint}&apos; has an axis of zero length</source>
+        <translation>il giunto &apos;{joint}&apos; ha un asse di lunghezza zero</translation>
     </message>
     <message>
-        <source>joint &apos;{joint}&apos; has its lower limit not below its upper</source>
-        <translation>il giunto &apos;{joint}&apos; ha il limite inferiore non sotto il superiore</translation>
+        <source>joint &apos;{joint}&apos;: the lower limit is not below the upper one</source>
+        <translation>giunto &apos;{joint}&apos;: il limite inferiore non è sotto il superiore</translation>
     </message>
     <message>
-        <source>joint &apos;{joint}&apos; is of no type that is known: &apos;{type}&apos;</source>
-        <translation>il giunto &apos;{joint}&apos; non è di un tipo noto: &apos;{type}&apos;</translation>
+        <source>joint &apos;{joint}&apos; has an unknown type: &apos;{type}&apos;</source>
+        <translation>il giunto &apos;{joint}&apos; ha un tipo sconosciuto: &apos;{type}&apos;</translation>
     </message>
     <message>
-        <source>joint &apos;{joint}&apos; is {type}; only joints that turn are taken</source>
-        <translation>il giunto &apos;{joint}&apos; è {type}; si accettano solo giunti che girano</translation>
+        <source>joint &apos;{joint}&apos; is {type}; only turning joints are supported</source>
+        <translation>il giunto &apos;{joint}&apos; è {type}; sono supportati solo giunti rotanti</translation>
     </message>
     <message>
-        <source>joint &apos;{joint}&apos; names a link that is not there: &apos;{link}&apos;</source>
-        <translation>il giunto &apos;{joint}&apos; nomina un membro che non c&apos;è: &apos;{link}&apos;</translation>
+        <source>joint &apos;{joint}&apos; names an unknown link: &apos;{link}&apos;</source>
+        <translation>il giunto &apos;{joint}&apos; nomina un membro sconosciuto: &apos;{link}&apos;</translation>
     </message>
     <message>
-        <source>link &apos;{link}&apos; hangs on two joints, &apos;{first}&apos; and &apos;{second}&apos;: a loop, which is not taken</source>
-        <translation>il membro &apos;{link}&apos; è appeso a due giunti, &apos;{first}&apos; e &apos;{second}&apos;: un anello, che non si accetta</translation>
+        <source>link &apos;{link}&apos; has two parent joints, &apos;{first}&apos; and &apos;{second}&apos;: loops are not supported</source>
+        <translation>il membro &apos;{link}&apos; ha due giunti padre, &apos;{first}&apos; e &apos;{second}&apos;: gli anelli non sono supportati</translation>
     </message>
     <message>
-        <source>link &apos;{link}&apos; is on a loop, which is not taken</source>
-        <translation>il membro &apos;{link}&apos; è su un anello, che non si accetta</translation>
+        <source>link &apos;{link}&apos; is part of a loop: loops are not supported</source>
+        <translation>il membro &apos;{link}&apos; fa parte di un anello: gli anelli non sono supportati</translation>
     </message>
     <message>
         <source>name one: --tip</source>
         <translation>nominarne una: --tip</translation>
     </message>
     <message>
-        <source>name the links between which they are: --base, --tip</source>
-        <translation>nominare i membri fra cui si trovano: --base, --tip</translation>
+        <source>name the first and last link of the chain: --base, --tip</source>
+        <translation>nominare il primo e l&apos;ultimo membro della catena: --base, --tip</translation>
     </message>
     <message>
-        <source>the base &apos;{base}&apos; moves beside the way to &apos;{tip}&apos;</source>
-        <translation>la base &apos;{base}&apos; si muove fuori dalla via verso &apos;{tip}&apos;</translation>
+        <source>the base &apos;{base}&apos; is on a moving branch off the chain to &apos;{tip}&apos;</source>
+        <translation>la base &apos;{base}&apos; è su un ramo mobile fuori dalla catena verso &apos;{tip}&apos;</translation>
     </message>
     <message>
         <source>two links are named &apos;{link}&apos;</source>
         <translation>due membri si chiamano &apos;{link}&apos;</translation>
     </message>
     <message>
-        <source>{first} meets {second} where the arm rests: nothing can be moved</source>
-        <translation>{first} tocca {second} dove il braccio riposa: nulla si può muovere</translation>
+        <source>{first} collides with {second} in the home pose: no motion is possible</source>
+        <translation>{first} urta {second} nella posizione di riposo: nessun movimento è possibile</translation>
     </message>
     <message>
         <source>{option}: no link is named &apos;{name}&apos;</source>
         <translation>{option}: nessun membro si chiama &apos;{name}&apos;</translation>
     </message>
     <message>
-        <source>A file node of PolyScope needs the function to be called behind its end; text that is sent to port 30001 or 30002 runs by itself and must not call it.</source>
-        <translation>Un nodo file di PolyScope vuole che la funzione sia chiamata dopo la sua fine; un testo mandato alla porta 30001 o 30002 parte da solo e non deve chiamarla.</translation>
+        <source>In a PolyScope file node the function must be called after its end. Text sent to port 30001 or 30002 runs by itself and must not call it.</source>
+        <translation>In un nodo file di PolyScope la funzione deve essere chiamata dopo la sua fine. Un testo mandato alla porta 30001 o 30002 parte da solo e non deve chiamarla.</translation>
     </message>
     <message>
         <source>a file node</source>
@@ -5377,43 +5377,43 @@ mm³</translation>
         <translation>una porta</translation>
     </message>
     <message>
-        <source>&apos;{text}&apos; is no text that the extruder takes</source>
-        <translation>&apos;{text}&apos; non è un testo che l&apos;estrusore accetta</translation>
+        <source>&apos;{text}&apos; is not an extruder command</source>
+        <translation>&apos;{text}&apos; non è un comando dell&apos;estrusore</translation>
     </message>
     <message>
-        <source>As an ordinary printer does, the nozzle upright throughout</source>
-        <translation>Come una comune stampante, l&apos;ugello sempre verticale</translation>
+        <source>Like an ordinary printer, with the nozzle upright</source>
+        <translation>Come una comune stampante, con l&apos;ugello verticale</translation>
     </message>
     <message>
-        <source>For each travel, where the extruder can; 0: stays as it is.</source>
-        <translation>A ogni spostamento, se l&apos;estrusore può; 0: resta com&apos;è.</translation>
+        <source>Filament retracted for each travel, if the extruder can; 0: none.</source>
+        <translation>Filamento ritratto a ogni spostamento, se l&apos;estrusore può; 0: nessuno.</translation>
     </message>
     <message>
-        <source>How the nozzle is filled before the part begins: on the plate, or in the air beside it where it has no room. It is waste.</source>
-        <translation>Come si riempie l&apos;ugello prima che il pezzo cominci: sul piatto, o in aria accanto dove non c&apos;è posto. È scarto.</translation>
+        <source>Fills the nozzle before the part begins: on the plate, or in the air beside it if there is no room. The material is waste.</source>
+        <translation>Riempie l&apos;ugello prima che il pezzo cominci: sul piatto, o in aria accanto se non c&apos;è posto. Il materiale è scarto.</translation>
     </message>
     <message>
-        <source>Of the line beside the part.</source>
-        <translation>Della linea accanto al pezzo.</translation>
+        <source>Length of the line beside the part.</source>
+        <translation>Lunghezza della linea accanto al pezzo.</translation>
     </message>
     <message>
         <source>Print in flat layers</source>
         <translation>Stampa a strati piani</translation>
     </message>
     <message>
-        <source>a filament of no sensible diameter</source>
-        <translation>un filamento di diametro senza senso</translation>
+        <source>the filament diameter is out of range</source>
+        <translation>il diametro del filamento è fuori dai limiti</translation>
     </message>
     <message>
         <source>a line beside the part</source>
         <translation>una linea accanto al pezzo</translation>
     </message>
     <message>
-        <source>a motion is missing in the stream of filament, or comes twice</source>
-        <translation>nel flusso di filamento manca un movimento, o ce n&apos;è uno due volte</translation>
+        <source>a motion is missing or repeated in the filament stream</source>
+        <translation>nel flusso di filamento un movimento manca o è ripetuto</translation>
     </message>
     <message>
-        <source>a ring round the part</source>
+        <source>a ring around the part</source>
         <translation>un anello attorno al pezzo</translation>
     </message>
     <message>
@@ -5421,35 +5421,35 @@ mm³</translation>
         <translation>serve un testo da inviare</translation>
     </message>
     <message>
-        <source>an external axis behind one that is not used is not read</source>
-        <translation>un asse esterno dietro a uno non usato non viene letto</translation>
+        <source>an external axis after an unused one is not supported</source>
+        <translation>un asse esterno dopo uno non usato non è supportato</translation>
     </message>
     <message>
         <source>extruder</source>
         <translation>estrusore</translation>
     </message>
     <message>
-        <source>filament drawn back</source>
-        <translation>filamento ritirato</translation>
+        <source>retraction</source>
+        <translation>ritrazione</translation>
     </message>
     <message>
-        <source>filament runs back</source>
-        <translation>il filamento torna indietro</translation>
+        <source>the filament position decreases</source>
+        <translation>la posizione del filamento diminuisce</translation>
     </message>
     <message>
-        <source>format {format} has no words for extruder {extruder} that keep step with the motion</source>
-        <translation>il formato {format} non ha parole per l&apos;estrusore {extruder} al passo col movimento</translation>
+        <source>format {format} cannot control extruder {extruder} in step with the motion</source>
+        <translation>il formato {format} non può comandare l&apos;estrusore {extruder} al passo col movimento</translation>
     </message>
     <message>
-        <source>has a name that is taken already: &apos;{name}&apos;</source>
-        <translation>ha un nome già preso: &apos;{name}&apos;</translation>
+        <source>has a name that is already used: &apos;{name}&apos;</source>
+        <translation>ha un nome già usato: &apos;{name}&apos;</translation>
     </message>
     <message>
-        <source>has minMm not below maxMm</source>
-        <translation>ha minMm non inferiore a maxMm</translation>
+        <source>must have minMm below maxMm</source>
+        <translation>deve avere minMm inferiore a maxMm</translation>
     </message>
     <message>
-        <source>length of the prime</source>
+        <source>prime length</source>
         <translation>lunghezza dell&apos;innesco</translation>
     </message>
     <message>
@@ -5457,16 +5457,16 @@ mm³</translation>
         <translation>deve essere vuoto: il piatto è sulla flangia</translation>
     </message>
     <message>
-        <source>must be fewer: robot and axes are {most} at most</source>
-        <translation>devono essere meno: robot e assi sono al più {most}</translation>
+        <source>too many: robot and external axes together may have {most} axes</source>
+        <translation>troppi: robot e assi esterni insieme possono avere {most} assi</translation>
     </message>
     <message>
         <source>must be turning or sliding, is &apos;{kind}&apos;</source>
         <translation>deve essere turning o sliding, è &apos;{kind}&apos;</translation>
     </message>
     <message>
-        <source>must have a direction</source>
-        <translation>deve avere una direzione</translation>
+        <source>must not be zero</source>
+        <translation>non deve essere nullo</translation>
     </message>
     <message>
         <source>must turn the rod about its own axis, the work frame&apos;s x</source>
@@ -5477,48 +5477,48 @@ mm³</translation>
         <translation>innesco</translation>
     </message>
     <message>
-        <source>take extruder {extruders}</source>
+        <source>use extruder {extruders}</source>
         <translation>usa l&apos;estrusore {extruders}</translation>
     </message>
     <message>
-        <source>the extruder goes on or off where it cannot</source>
-        <translation>l&apos;estrusore si accende o si spegne dove non può</translation>
+        <source>the extruder is switched on or off where that is not possible</source>
+        <translation>l&apos;estrusore viene acceso o spento dove non è possibile</translation>
     </message>
     <message>
-        <source>the extruder runs back while the nozzle moves</source>
-        <translation>l&apos;estrusore torna indietro mentre l&apos;ugello si muove</translation>
+        <source>the extruder reverses while the nozzle moves</source>
+        <translation>l&apos;estrusore va all&apos;indietro mentre l&apos;ugello si muove</translation>
     </message>
     <message>
-        <source>the extruder runs where the program does not stand</source>
-        <translation>l&apos;estrusore gira dove il programma non sta fermo</translation>
+        <source>the extruder runs where the program does not pause</source>
+        <translation>l&apos;estrusore gira dove il programma non fa pausa</translation>
     </message>
     <message>
-        <source>the extruder runs where the program has it off</source>
+        <source>the extruder runs where the program has switched it off</source>
         <translation>l&apos;estrusore gira dove il programma lo ha spento</translation>
     </message>
     <message>
-        <source>the filament that was drawn back is not back</source>
-        <translation>il filamento ritirato non è tornato</translation>
+        <source>the retracted filament is not returned before the bead</source>
+        <translation>il filamento ritratto non è tornato prima del cordone</translation>
     </message>
     <message>
-        <source>the file {file} begins with {procedure}: a module is called as its first procedure</source>
-        <translation>il file {file} comincia con {procedure}: un modulo si chiama come la sua prima procedura</translation>
+        <source>the file {file} begins with {procedure}: a module must have the name of its first procedure</source>
+        <translation>il file {file} comincia con {procedure}: un modulo deve avere il nome della sua prima procedura</translation>
     </message>
     <message>
-        <source>the stream of filament has no end: the file was cut short</source>
-        <translation>il flusso di filamento non ha fine: il file è stato troncato</translation>
+        <source>the filament stream has no end: the file is truncated</source>
+        <translation>il flusso di filamento non ha fine: il file è troncato</translation>
     </message>
     <message>
-        <source>the stream of filament has nothing for this motion</source>
-        <translation>il flusso di filamento non ha nulla per questo movimento</translation>
+        <source>the filament stream has no entry for this motion</source>
+        <translation>il flusso di filamento non ha voci per questo movimento</translation>
     </message>
     <message>
-        <source>this arm keeps the nozzle upright, and the layers lean it, first at {place}</source>
-        <translation>questo braccio tiene l&apos;ugello verticale, e gli strati lo inclinano, dapprima in {place}</translation>
+        <source>this arm keeps the nozzle upright, but the layers need it tilted, first at {place}</source>
+        <translation>questo braccio tiene l&apos;ugello verticale, ma gli strati lo richiedono inclinato, dapprima in {place}</translation>
     </message>
     <message>
-        <source>time runs back in the stream of filament</source>
-        <translation>nel flusso di filamento il tempo torna indietro</translation>
+        <source>time decreases in the filament stream</source>
+        <translation>nel flusso di filamento il tempo diminuisce</translation>
     </message>
     <message>
         <source>unknown extruder &apos;{id}&apos;</source>
@@ -5529,8 +5529,8 @@ mm³</translation>
         <translation>usa la modalità flat, o planar con strati verticali</translation>
     </message>
     <message>
-        <source>{joint} at {speed:.1f}/s, its limit is {limit:.1f#}</source>
-        <translation>{joint} a {speed:.1f}/s, il suo limite è {limit:.1f#}</translation>
+        <source>{joint} at {speed:.1f}/s, above its limit of {limit:.1f#}</source>
+        <translation>{joint} a {speed:.1f}/s, oltre il suo limite di {limit:.1f#}</translation>
     </message>
     <message>
         <source>Castelli serial</source>
@@ -5549,35 +5549,35 @@ mm³</translation>
         <translation>della cella</translation>
     </message>
     <message>
-        <source>&apos;{attribute}&apos; is beyond all measure: &apos;{text}&apos;</source>
-        <translation>&apos;{attribute}&apos; è fuori misura: &apos;{text}&apos;</translation>
+        <source>&apos;{attribute}&apos; is NaN or out of range: &apos;{text}&apos;</source>
+        <translation>&apos;{attribute}&apos; non è un numero o è fuori scala: &apos;{text}&apos;</translation>
     </message>
     <message>
-        <source>&apos;{id}&apos; is a cell of the program&apos;s own</source>
+        <source>&apos;{id}&apos; is a built-in cell</source>
         <translation>&apos;{id}&apos; è una cella del programma</translation>
     </message>
     <message>
-        <source>&apos;{id}&apos; is no name of a cell</source>
-        <translation>&apos;{id}&apos; non è un nome di cella</translation>
+        <source>&apos;{id}&apos; is not a valid cell name</source>
+        <translation>&apos;{id}&apos; non è un nome di cella valido</translation>
     </message>
     <message>
-        <source>&apos;{word}&apos; is no number</source>
+        <source>&apos;{word}&apos; is not a number</source>
         <translation>&apos;{word}&apos; non è un numero</translation>
     </message>
     <message>
-        <source>How turns about the nozzle are made smooth: quickly, or by a search for the least jerk of the joints, which takes as long again as the rest of the motion.</source>
-        <translation>Come si rendono regolari le rotazioni attorno all&apos;ugello: in fretta, o cercando il minimo strappo dei giunti, che richiede altrettanto tempo del resto del moto.</translation>
+        <source>How rotations about the nozzle are smoothed: quickly, or by a search for minimum joint jerk, which doubles the planning time of the motion.</source>
+        <translation>Come si rendono regolari le rotazioni attorno all&apos;ugello: in fretta, o cercando il minimo strappo dei giunti, che raddoppia il tempo di pianificazione del moto.</translation>
     </message>
     <message>
-        <source>Poses reached</source>
+        <source>Reached poses</source>
         <translation>Pose raggiunte</translation>
     </message>
     <message>
-        <source>STL, OBJ, PLY, OFF, 3MF, COLLADA and glTF can be read</source>
-        <translation>si leggono STL, OBJ, PLY, OFF, 3MF, COLLADA e glTF</translation>
+        <source>use STL, OBJ, PLY, OFF, 3MF, COLLADA or glTF</source>
+        <translation>usa STL, OBJ, PLY, OFF, 3MF, COLLADA o glTF</translation>
     </message>
     <message>
-        <source>a frame takes three points or more</source>
+        <source>a frame needs at least three points</source>
         <translation>un riferimento richiede almeno tre punti</translation>
     </message>
     <message>
@@ -5589,24 +5589,24 @@ mm³</translation>
         <translation>la lunghezza di un quaternione è {length:.4g}, non 1</translation>
     </message>
     <message>
-        <source>a robot named &apos;{id}&apos; comes along with the program</source>
-        <translation>un robot di nome &apos;{id}&apos; è già nel programma</translation>
+        <source>&apos;{id}&apos; is the name of a built-in robot</source>
+        <translation>&apos;{id}&apos; è il nome di un robot già incluso</translation>
     </message>
     <message>
-        <source>a row holds the robot&apos;s joints</source>
+        <source>a row contains the robot&apos;s joints</source>
         <translation>una riga contiene i giunti del robot</translation>
     </message>
     <message>
-        <source>a row holds x,y,z,qw,qx,qy,qz; for joints name the robot</source>
+        <source>a row contains x,y,z,qw,qx,qy,qz; for joints name the robot</source>
         <translation>una riga contiene x,y,z,qw,qx,qy,qz; per i giunti indica il robot</translation>
     </message>
     <message>
-        <source>a tool tip takes four poses or more</source>
+        <source>a tool tip needs at least four poses</source>
         <translation>la punta di un utensile richiede almeno quattro pose</translation>
     </message>
     <message>
-        <source>at rest {first} meets {second}</source>
-        <translation>a riposo {first} tocca {second}</translation>
+        <source>in the home pose {first} collides with {second}</source>
+        <translation>in posizione di riposo {first} urta {second}</translation>
     </message>
     <message>
         <source>bring plate and nozzle nearer to the arm</source>
@@ -5625,7 +5625,7 @@ mm³</translation>
         <translation>la cella {cell} non ha un piatto</translation>
     </message>
     <message>
-        <source>evened out</source>
+        <source>smoothed</source>
         <translation>livellate</translation>
     </message>
     <message>
@@ -5633,19 +5633,19 @@ mm³</translation>
         <translation>dai un altro nome al braccio: --id</translation>
     </message>
     <message>
-        <source>give three rows x,y,z (origin, on x, beside it), or three or more rows of six: a point in the frame, and where it was touched</source>
-        <translation>dai tre righe x,y,z (origine, su x, di lato), o almeno tre righe di sei: un punto nel riferimento e dove è stato toccato</translation>
+        <source>give three rows x,y,z (origin, point on x, point in the xy plane), or at least three rows of six: nominal point in the frame, touched point</source>
+        <translation>dai tre righe x,y,z (origine, punto su x, punto nel piano xy), o almeno tre righe di sei: punto nominale nel riferimento, punto toccato</translation>
     </message>
     <message>
-        <source>is damaged: reading it ended badly</source>
-        <translation>è danneggiato: la lettura è finita male</translation>
+        <source>is damaged: the reader failed</source>
+        <translation>è danneggiato: il lettore non è riuscito</translation>
     </message>
     <message>
-        <source>least jerk of whole paths</source>
+        <source>minimum jerk of whole paths</source>
         <translation>minimo strappo di percorsi interi</translation>
     </message>
     <message>
-        <source>leave out the row, or measure it again</source>
+        <source>remove the row, or measure it again</source>
         <translation>togli la riga o rimisurala</translation>
     </message>
     <message>
@@ -5653,12 +5653,12 @@ mm³</translation>
         <translation>in un URDF le lunghezze sono in metri</translation>
     </message>
     <message>
-        <source>look through its limits and solids in the description, or name its links: --base, --tip</source>
+        <source>check the limits and solids in the description, or name its links: --base, --tip</source>
         <translation>controlla limiti e solidi nella descrizione, o indica i link: --base, --tip</translation>
     </message>
     <message>
-        <source>make it lighter, or take a stronger robot</source>
-        <translation>alleggeriscilo, o prendi un robot più forte</translation>
+        <source>reduce the payload, or use a stronger robot</source>
+        <translation>riduci il carico, o usa un robot più forte</translation>
     </message>
     <message>
         <source>measure another point</source>
@@ -5673,7 +5673,7 @@ mm³</translation>
         <translation>misura tre punti</translation>
     </message>
     <message>
-        <source>move one of them, or let the arm rest otherwise</source>
+        <source>move one of them, or choose another home pose</source>
         <translation>sposta uno dei due, o cambia la posa di riposo</translation>
     </message>
     <message>
@@ -5685,19 +5685,19 @@ mm³</translation>
         <translation>sposta il riferimento dell&apos;ugello</translation>
     </message>
     <message>
-        <source>no folder for cells of one&apos;s own</source>
+        <source>no folder for user-defined cells</source>
         <translation>nessuna cartella per le celle proprie</translation>
     </message>
     <message>
-        <source>no table of points</source>
+        <source>not a table of points</source>
         <translation>non è una tabella di punti</translation>
     </message>
     <message>
-        <source>places for the plate</source>
-        <translation>posti per il piatto</translation>
+        <source>searching a place for the plate</source>
+        <translation>ricerca di un posto per il piatto</translation>
     </message>
     <message>
-        <source>poses {first} and {second} are the same</source>
+        <source>poses {first} and {second} are identical</source>
         <translation>le pose {first} e {second} sono uguali</translation>
     </message>
     <message>
@@ -5705,19 +5705,19 @@ mm³</translation>
         <translation>imposta HOME, o VOLUTA_DATA su una cartella</translation>
     </message>
     <message>
-        <source>smooth turns</source>
+        <source>smoothing of rotations</source>
         <translation>rotazioni regolari</translation>
     </message>
     <message>
-        <source>take a cell with a plate</source>
-        <translation>prendi una cella con un piatto</translation>
+        <source>use a cell with a plate</source>
+        <translation>usa una cella con un piatto</translation>
     </message>
     <message>
-        <source>take a point well beside the line through the others</source>
-        <translation>prendi un punto ben fuori dalla retta per gli altri</translation>
+        <source>measure a point well off the line through the others</source>
+        <translation>misura un punto ben fuori dalla retta per gli altri</translation>
     </message>
     <message>
-        <source>take another name</source>
+        <source>choose another name</source>
         <translation>scegli un altro nome</translation>
     </message>
     <message>
@@ -5725,20 +5725,20 @@ mm³</translation>
         <translation>la lettura dura troppo</translation>
     </message>
     <message>
-        <source>the arm reaches above a plate nowhere, clear of itself and the table (reach {reach} mm)</source>
-        <translation>il braccio non arriva da nessuna parte sopra un piatto senza toccare sé stesso o il tavolo (sbraccio {reach} mm)</translation>
+        <source>no place found where the arm reaches above a plate without collision (reach {reach} mm)</source>
+        <translation>nessun posto trovato in cui il braccio arrivi sopra un piatto senza urti (sbraccio {reach} mm)</translation>
     </message>
     <message>
-        <source>the arm reaches {reach} mm, which no arm does</source>
-        <translation>il braccio arriverebbe a {reach} mm, come nessun braccio</translation>
+        <source>implausible reach of the arm: {reach} mm</source>
+        <translation>sbraccio non plausibile: {reach} mm</translation>
     </message>
     <message>
         <source>the arm&apos;s description</source>
         <translation>la descrizione del braccio</translation>
     </message>
     <message>
-        <source>the flange carries {carried:.3g} kg, the robot {most:.3g} kg</source>
-        <translation>la flangia porta {carried:.3g} kg, il robot {most:.3g} kg</translation>
+        <source>payload {carried:.3g} kg exceeds the robot&apos;s rating of {most:.3g} kg</source>
+        <translation>il carico di {carried:.3g} kg supera la portata del robot, {most:.3g} kg</translation>
     </message>
     <message>
         <source>the nozzle is inside {body}</source>
@@ -5749,23 +5749,23 @@ mm³</translation>
         <translation>il piatto è fuori dalla portata del braccio</translation>
     </message>
     <message>
-        <source>the points lie on a line: the frame could turn about it</source>
-        <translation>i punti stanno su una retta: il riferimento potrebbe ruotarle attorno</translation>
+        <source>the points are on a line: the frame&apos;s rotation about it is undefined</source>
+        <translation>i punti stanno su una retta: la rotazione del riferimento attorno ad essa è indefinita</translation>
     </message>
     <message>
-        <source>the poses turn the flange about one axis only, or hardly</source>
+        <source>the poses rotate the flange about one axis only, or hardly at all</source>
         <translation>le pose ruotano la flangia attorno a un solo asse, o quasi per nulla</translation>
     </message>
     <message>
-        <source>tilt it by 30 degrees or more about two axes</source>
+        <source>tilt it by at least 30 degrees about two axes</source>
         <translation>inclinala di almeno 30 gradi attorno a due assi</translation>
     </message>
     <message>
-        <source>turn the flange between one pose and the next</source>
-        <translation>ruota la flangia tra una posa e la successiva</translation>
+        <source>rotate the flange between poses</source>
+        <translation>ruota la flangia tra le pose</translation>
     </message>
     <message>
-        <source>two of the three points are the same</source>
+        <source>two of the three points are identical</source>
         <translation>due dei tre punti sono uguali</translation>
     </message>
     <message>
@@ -5773,20 +5773,20 @@ mm³</translation>
         <translation>usa lettere, cifre, trattini e punti</translation>
     </message>
     <message>
-        <source>where the head reaches</source>
-        <translation>dove arriva la testa</translation>
+        <source>reach of the head</source>
+        <translation>portata della testa</translation>
     </message>
     <message>
-        <source>wherever the nozzle gets to the plate, {first} meets {second}</source>
-        <translation>ovunque l&apos;ugello arrivi al piatto, {first} tocca {second}</translation>
+        <source>wherever the nozzle reaches the plate, {first} collides with {second}</source>
+        <translation>ovunque l&apos;ugello arrivi al piatto, {first} urta {second}</translation>
     </message>
     <message>
-        <source>{found} numbers in a row, not {wanted}</source>
-        <translation>{found} numeri in una riga, non {wanted}</translation>
+        <source>{found} numbers in a row instead of {wanted}</source>
+        <translation>{found} numeri in una riga invece di {wanted}</translation>
     </message>
     <message>
-        <source>{found} numbers in a row, {wanted} in the first</source>
-        <translation>{found} numeri in una riga, {wanted} nella prima</translation>
+        <source>{found} numbers in a row instead of {wanted} as in the first</source>
+        <translation>{found} numeri in una riga invece di {wanted} come nella prima</translation>
     </message>
     <message>
         <source>CR750 (7.11 ms)</source>
@@ -5797,16 +5797,16 @@ mm³</translation>
         <translation>CR800 (3,5 ms)</translation>
     </message>
     <message>
-        <source>Events set the analogue output where a motion begins (TriggEquip); by speed it follows the real speed of the TCP, so that slow corners get no more (TriggSpeed).</source>
+        <source>Events set the analogue output where a motion begins (TriggEquip); by TCP speed, it follows the TCP&apos;s actual speed, so that slow corners get no excess (TriggSpeed).</source>
         <translation>Gli eventi impostano l&apos;uscita analogica dove inizia un moto (TriggEquip); per velocità essa segue la velocità reale del TCP, così gli angoli lenti non ricevono di più (TriggSpeed).</translation>
     </message>
     <message>
-        <source>How far the nozzle may lean from its planned direction where that makes the joints&apos; motion smoother. With least jerk of whole paths only.</source>
+        <source>How far the nozzle may tilt from its planned direction where that makes the joints&apos; motion smoother. Only with minimum jerk of whole paths.</source>
         <translation>Di quanto l&apos;ugello può inclinarsi dalla direzione prevista dove ciò rende più regolare il moto dei giunti. Solo con minimo strappo di percorsi interi.</translation>
     </message>
     <message>
-        <source>How the nozzle stands about its own axis: as it suits the arm, or by a rule, where what it carries has a front. By a rule fewer places are reached.</source>
-        <translation>Come sta l&apos;ugello attorno al proprio asse: come conviene al braccio, o secondo una regola, se ciò che porta ha un davanti. Con una regola si raggiungono meno punti.</translation>
+        <source>Rotation of the nozzle about its own axis: best for the arm, or by a rule if the nozzle&apos;s attachments have a front. With a rule, fewer points can be reached.</source>
+        <translation>Rotazione dell&apos;ugello attorno al proprio asse: come conviene al braccio, o secondo una regola, se ciò che è montato sull&apos;ugello ha un davanti. Con una regola si raggiungono meno punti.</translation>
     </message>
     <message>
         <source>Joint stream (MELFA Mxt, with packets and sender)</source>
@@ -5817,28 +5817,28 @@ mm³</translation>
         <translation>Flusso di giunti (Universal Robots, con ricevente e mittente)</translation>
     </message>
     <message>
-        <source>MELFA stream: a packet is sent each cycle of the controller.</source>
+        <source>MELFA stream: one packet is sent per controller cycle.</source>
         <translation>Flusso MELFA: a ogni ciclo del controllore si invia un pacchetto.</translation>
     </message>
     <message>
-        <source>RAPID: the flow goes by</source>
-        <translation>RAPID: il flusso segue</translation>
+        <source>RAPID: flow controlled by</source>
+        <translation>RAPID: flusso comandato da</translation>
     </message>
     <message>
-        <source>a flow in proportion to the speed is no sensible number</source>
-        <translation>un flusso in proporzione alla velocità non è un numero sensato</translation>
+        <source>an invalid flow per speed</source>
+        <translation>un flusso per velocità non valido</translation>
     </message>
     <message>
         <source>a second stream</source>
         <translation>un secondo flusso</translation>
     </message>
     <message>
-        <source>a stream begins with one way to the start, and has no other</source>
-        <translation>un flusso comincia con un solo percorso verso l&apos;inizio, e non ne ha altri</translation>
+        <source>a stream has exactly one motion to the start, as its first row</source>
+        <translation>un flusso ha un solo movimento verso l&apos;inizio, nella prima riga</translation>
     </message>
     <message>
-        <source>a stream of {count} packets is longer than a file should be</source>
-        <translation>un flusso di {count} pacchetti è più lungo di quanto un file debba essere</translation>
+        <source>a stream of {count} packets is too large for a file</source>
+        <translation>un flusso di {count} pacchetti è troppo grande per un file</translation>
     </message>
     <message>
         <source>along the path</source>
@@ -5849,27 +5849,27 @@ mm³</translation>
         <translation>lungo il piatto</translation>
     </message>
     <message>
-        <source>as the arm goes best</source>
+        <source>best for the arm</source>
         <translation>come conviene al braccio</translation>
     </message>
     <message>
-        <source>controller of the stream</source>
-        <translation>controllore del flusso</translation>
+        <source>controller</source>
+        <translation>controllore</translation>
     </message>
     <message>
-        <source>directions may lean</source>
-        <translation>le direzioni possono inclinarsi</translation>
+        <source>tilt tolerance</source>
+        <translation>tolleranza d&apos;inclinazione</translation>
     </message>
     <message>
         <source>events at points</source>
         <translation>eventi nei punti</translation>
     </message>
     <message>
-        <source>format {format} tells joints of another maker&apos;s arm than the {robot} of cell {cell}</source>
+        <source>format {format} states joint values for another maker&apos;s arm, not for the {robot} of cell {cell}</source>
         <translation>il formato {format} indica i giunti del braccio di un altro costruttore, non del {robot} della cella {cell}</translation>
     </message>
     <message>
-        <source>least turn from upright</source>
+        <source>smallest rotation from upright</source>
         <translation>minima rotazione dalla verticale</translation>
     </message>
     <message>
@@ -5877,39 +5877,39 @@ mm³</translation>
         <translation>non è l&apos;intestazione di un flusso di giunti</translation>
     </message>
     <message>
-        <source>not what takes this stream: &apos;{code}&apos;</source>
-        <translation>non è ciò che riceve questo flusso: &apos;{code}&apos;</translation>
+        <source>not the program that receives this stream: &apos;{code}&apos;</source>
+        <translation>non è il programma che riceve questo flusso: &apos;{code}&apos;</translation>
     </message>
     <message>
-        <source>packet {number} is not what the rows make</source>
+        <source>packet {number} does not match the rows</source>
         <translation>il pacchetto {number} non corrisponde alle righe</translation>
     </message>
     <message>
-        <source>take melfa</source>
+        <source>use melfa</source>
         <translation>usa melfa</translation>
     </message>
     <message>
-        <source>the TCP&apos;s speed</source>
-        <translation>la velocità del TCP</translation>
+        <source>TCP speed</source>
+        <translation>velocità del TCP</translation>
     </message>
     <message>
-        <source>the arm waits elsewhere than where it stands</source>
-        <translation>il braccio attende in un punto diverso da dove si trova</translation>
+        <source>the arm waits at another target than the previous one</source>
+        <translation>il braccio attende in un bersaglio diverso dal precedente</translation>
     </message>
     <message>
         <source>the extruder&apos;s outputs are not off at the end</source>
         <translation>alla fine le uscite dell&apos;estrusore non sono spente</translation>
     </message>
     <message>
-        <source>the flow goes by the speed of a motion whose way is not known</source>
-        <translation>il flusso segue la velocità di un moto di cui non si conosce il percorso</translation>
+        <source>a flow proportional to the speed in a motion of unknown length</source>
+        <translation>un flusso proporzionale alla velocità in un movimento di lunghezza ignota</translation>
     </message>
     <message>
-        <source>the program that takes the stream was cut short</source>
+        <source>the program that receives the stream is truncated</source>
         <translation>il programma che riceve il flusso è troncato</translation>
     </message>
     <message>
-        <source>the row that ends the stream is missing: the file was cut short</source>
+        <source>the row that ends the stream is missing: the file is truncated</source>
         <translation>manca la riga che chiude il flusso: il file è troncato</translation>
     </message>
     <message>
@@ -5917,40 +5917,40 @@ mm³</translation>
         <translation>non è il programma che riceve un flusso</translation>
     </message>
     <message>
-        <source>this line is not as Voluta writes it; it is the same for every job</source>
-        <translation>questa riga non è come la scrive Voluta; è uguale per ogni lavoro</translation>
+        <source>this line differs from the one Voluta writes; it is the same for every job</source>
+        <translation>questa riga è diversa da quella che scrive Voluta; è uguale per ogni lavoro</translation>
     </message>
     <message>
-        <source>turn of the nozzle</source>
+        <source>nozzle rotation</source>
         <translation>rotazione dell&apos;ugello</translation>
     </message>
     <message>
-        <source>Filament that the external axis feeds before it is set to 0 anew: as far as it may go.</source>
-        <translation>Filamento che l&apos;asse esterno spinge prima di essere riportato a 0: fin dove può andare.</translation>
+        <source>Maximum filament length that the external axis feeds before it is reset to 0.</source>
+        <translation>Lunghezza massima di filamento spinta dall&apos;asse esterno prima di essere riportato a 0.</translation>
     </message>
     <message>
-        <source>How far the nozzle goes back over its bead, or on along one that closes, with the extruder off, before it lifts for the next. 0: it lifts where the bead ends.</source>
+        <source>How far the nozzle moves back over its bead, or on along a closed one, with the extruder off before it lifts. 0: it lifts at the end of the bead.</source>
         <translation>Di quanto l&apos;ugello torna sul suo cordone, o prosegue lungo uno che si chiude, a estrusore spento, prima di sollevarsi per il prossimo. 0: si solleva dove il cordone finisce.</translation>
     </message>
     <message>
-        <source>How the program tells the extruder how much to give: outputs, one on and off, one for the flow; Castelli serial, texts over a socket; E stream, a file of amounts over time; external axis, mm of filament in each motion.</source>
-        <translation>Come il programma dice all&apos;estrusore quanto dare: uscite, una acceso e spento, una per il flusso; seriale di Castelli, testi su un socket; flusso E, un file di quantità nel tempo; asse esterno, mm di filamento in ogni moto.</translation>
+        <source>How the program controls the extruder. Outputs: one for on/off, one for the flow. Castelli serial: texts over a socket. E stream: a file of amounts over time. External axis: mm of filament in each motion.</source>
+        <translation>Come il programma comanda l&apos;estrusore. Uscite: una acceso/spento, una per il flusso. Seriale Castelli: testi su un socket. Flusso E: un file di quantità nel tempo. Asse esterno: mm di filamento in ogni moto.</translation>
     </message>
     <message>
-        <source>all of the mesh is one point</source>
+        <source>the whole mesh is a single point</source>
         <translation>tutta la mesh è un solo punto</translation>
     </message>
     <message>
-        <source>at {x:.3f#}, {y:.3f#}, {z:.3f}, turned by {rx:.3f#}, {ry:.3f#}, {rz:.3f}</source>
+        <source>at {x:.3f#}, {y:.3f#}, {z:.3f}, rotated by {rx:.3f#}, {ry:.3f#}, {rz:.3f}</source>
         <translation>in {x:.3f#}, {y:.3f#}, {z:.3f}, ruotato di {rx:.3f#}, {ry:.3f#}, {rz:.3f}</translation>
     </message>
     <message>
-        <source>between two lifts more than {length:.0f} of filament are laid: more than the extruder&apos;s axis goes</source>
-        <translation>tra due sollevamenti si depongono più di {length:.0f} di filamento: più di quanto va l&apos;asse dell&apos;estrusore</translation>
+        <source>more than {length:.0f} of filament is needed between two lifts: beyond the extruder axis&apos; range</source>
+        <translation>tra due sollevamenti servono più di {length:.0f} di filamento: oltre la corsa dell&apos;asse dell&apos;estrusore</translation>
     </message>
     <message>
-        <source>external axes that move alone are read of the extruder, with a time</source>
-        <translation>gli assi esterni che si muovono da soli si leggono come estrusore, con un tempo</translation>
+        <source>external axes that move alone are only supported for the extruder, with a time</source>
+        <translation>gli assi esterni che si muovono da soli sono supportati solo per l&apos;estrusore, con un tempo</translation>
     </message>
     <message>
         <source>external axis</source>
@@ -5961,11 +5961,11 @@ mm³</translation>
         <translation>asse dell&apos;estrusore: corsa</translation>
     </message>
     <message>
-        <source>just as many numbers as are needed: they always agree, and nothing tells how sure the result is</source>
-        <translation>tanti numeri quanti ne servono: concordano sempre, e nulla dice quanto sia sicuro il risultato</translation>
+        <source>no redundant measurements: the error cannot be estimated</source>
+        <translation>nessuna misura ridondante: l&apos;errore non si può stimare</translation>
     </message>
     <message>
-        <source>take a greater {option}</source>
+        <source>increase {option}</source>
         <translation>usa un valore maggiore di {option}</translation>
     </message>
     <message>
@@ -5985,16 +5985,16 @@ mm³</translation>
         <translation>pulizia</translation>
     </message>
     <message>
-        <source>{rows} rows, {rms:.3f} apart on average and {worst:.3f} at most: sure to {place:.3f}</source>
-        <translation>{rows} righe, scarto medio {rms:.3f} e massimo {worst:.3f}: sicuro entro {place:.3f}</translation>
+        <source>{rows} rows, residual {rms:.3f} on average and {worst:.3f} at most: accurate to {place:.3f}</source>
+        <translation>{rows} righe, scarto medio {rms:.3f} e massimo {worst:.3f}: preciso entro {place:.3f}</translation>
     </message>
     <message>
-        <source>{rows} rows, {rms:.3f} apart on average and {worst:.3f} at most: sure to {place:.3f} and {turn:.3f}</source>
-        <translation>{rows} righe, scarto medio {rms:.3f} e massimo {worst:.3f}: sicuro entro {place:.3f} e {turn:.3f}</translation>
+        <source>{rows} rows, residual {rms:.3f} on average and {worst:.3f} at most: accurate to {place:.3f} and {turn:.3f}</source>
+        <translation>{rows} righe, scarto medio {rms:.3f} e massimo {worst:.3f}: preciso entro {place:.3f} e {turn:.3f}</translation>
     </message>
     <message>
-        <source>Extended G-code: writes beside it a RAPID module that reads the file on an ABB controller and runs arm and extruder by it.</source>
-        <translation>G-code esteso: scrive accanto un modulo RAPID che legge il file su un controllore ABB e muove con esso braccio ed estrusore.</translation>
+        <source>Extended G-code: also writes a RAPID module that reads the file on an ABB controller and runs arm and extruder.</source>
+        <translation>G-code esteso: scrive anche un modulo RAPID che legge il file su un controllore ABB e muove braccio ed estrusore.</translation>
     </message>
     <message>
         <source>Lines by data link (MELFA-BASIC V, with receiver and sender)</source>
@@ -6005,36 +6005,36 @@ mm³</translation>
         <translation>un modulo RAPID (ABB)</translation>
     </message>
     <message>
-        <source>a module that reads G-code cannot turn the {axis} of cell {cell}: G-code does not say where it is</source>
-        <translation>un modulo che legge G-code non può girare {axis} della cella {cell}: il G-code non dice dove si trova</translation>
+        <source>a module that reads G-code cannot move the {axis} of cell {cell}: G-code does not state its position</source>
+        <translation>un modulo che legge G-code non può muovere {axis} della cella {cell}: il G-code non ne indica la posizione</translation>
     </message>
     <message>
-        <source>a position before the tool: whose is it?</source>
-        <translation>una posizione prima dell&apos;utensile: di chi è?</translation>
+        <source>a position before the tool is defined</source>
+        <translation>una posizione prima che l&apos;utensile sia definito</translation>
     </message>
     <message>
-        <source>another full flow than the process has</source>
-        <translation>un altro flusso pieno rispetto a quello del processo</translation>
+        <source>the full flow is not the process&apos;s</source>
+        <translation>il flusso pieno non è quello del processo</translation>
     </message>
     <message>
-        <source>extended G-code is read by</source>
-        <translation>il G-code esteso è letto da</translation>
+        <source>companion reader for extended G-code</source>
+        <translation>lettore associato al G-code esteso</translation>
     </message>
     <message>
         <source>its count (G92 C)</source>
         <translation>il suo conto (G92 C)</translation>
     </message>
     <message>
-        <source>motions by joints to joints and to poses in one stream</source>
-        <translation>movimenti dei giunti verso giunti e verso pose in un solo flusso di righe</translation>
+        <source>joint motions with joint targets and with pose targets in one stream</source>
+        <translation>movimenti dei giunti con bersagli in giunti e in pose in un solo flusso</translation>
     </message>
     <message>
         <source>not the header of lines for a data link</source>
         <translation>non è l&apos;intestazione di righe per un data link</translation>
     </message>
     <message>
-        <source>not what takes these lines: &apos;{code}&apos;</source>
-        <translation>non è ciò che riceve queste righe: &apos;{code}&apos;</translation>
+        <source>unexpected in the program that receives these lines: &apos;{code}&apos;</source>
+        <translation>inatteso nel programma che riceve queste righe: &apos;{code}&apos;</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -6045,64 +6045,64 @@ mm³</translation>
         <translation>imposta tableTurns a {turns} o più</translation>
     </message>
     <message>
-        <source>take rapid</source>
+        <source>choose rapid</source>
         <translation>usa rapid</translation>
     </message>
     <message>
-        <source>the arm does not stand where this line begins</source>
-        <translation>il braccio non si trova dove comincia questa riga</translation>
+        <source>the arm does not stop before this line</source>
+        <translation>il braccio non si ferma prima di questa riga</translation>
     </message>
     <message>
-        <source>the extruder is on in a motion by joints</source>
+        <source>the extruder is on in a joint motion</source>
         <translation>l&apos;estrusore è acceso in un movimento dei giunti</translation>
     </message>
     <message>
-        <source>the file, the start or the full flow of the job is not there, or twice</source>
-        <translation>il file, l&apos;inizio o il flusso pieno del lavoro manca, o c&apos;è due volte</translation>
+        <source>the job&apos;s file, start or full flow is missing or given twice</source>
+        <translation>il file, l&apos;inizio o il flusso pieno del lavoro manca o c&apos;è due volte</translation>
     </message>
     <message>
-        <source>the first line is no motion by joints to the start</source>
+        <source>the first line is not a joint motion to the start</source>
         <translation>la prima riga non è un movimento dei giunti verso l&apos;inizio</translation>
     </message>
     <message>
-        <source>the layer &apos;{path}&apos; has no height above the one before</source>
+        <source>layer &apos;{path}&apos; has no height above the previous one</source>
         <translation>lo strato &apos;{path}&apos; non ha altezza sopra quello precedente</translation>
     </message>
     <message>
-        <source>the line that ends the stream is missing: the file was cut short</source>
+        <source>the line that ends the stream is missing: the file is truncated</source>
         <translation>manca la riga che chiude il flusso: il file è stato troncato</translation>
     </message>
     <message>
-        <source>the program that takes the lines was cut short</source>
-        <translation>il programma che riceve le righe è stato troncato</translation>
+        <source>the program that receives the lines is truncated</source>
+        <translation>il programma che riceve le righe è troncato</translation>
     </message>
     <message>
         <source>the table</source>
         <translation>la tavola</translation>
     </message>
     <message>
-        <source>the table would turn further than {turns} turns to a side within a bead</source>
-        <translation>la tavola girerebbe oltre {turns} giri per parte entro un cordone</translation>
+        <source>within a bead the table would turn by more than {turns} turns to one side</source>
+        <translation>entro un cordone la tavola girerebbe oltre {turns} giri da un lato</translation>
     </message>
     <message>
         <source>this is not the module that reads G-code</source>
         <translation>questo non è il modulo che legge il G-code</translation>
     </message>
     <message>
-        <source>tool-paths of type &apos;{type}&apos; without beads; what a nozzle lays is read</source>
-        <translation>percorsi di tipo &apos;{type}&apos; senza cordoni; si legge ciò che un ugello deposita</translation>
+        <source>tool-paths of type &apos;{type}&apos; without beads; only beads from a nozzle are supported</source>
+        <translation>percorsi di tipo &apos;{type}&apos; senza cordoni; sono supportati solo cordoni di un ugello</translation>
     </message>
     <message>
-        <source>turns until C goes back</source>
+        <source>turns until C is reset</source>
         <translation>giri prima che C torni indietro</translation>
     </message>
     <message>
-        <source>what goes back of C</source>
-        <translation>che cosa torna indietro di C</translation>
+        <source>reset of C</source>
+        <translation>ritorno di C</translation>
     </message>
     <message>
-        <source>Beads under what would hang just over the plate or over what is printed, which is laid thicker where that is enough. They come off.</source>
-        <translation>Cordoni sotto ciò che penderebbe appena sopra il piatto o sopra quanto è già stampato; dove basta, il cordone stesso è deposto più spesso. Si staccano.</translation>
+        <source>Adds break-away beads under low overhangs; thickens the overhanging bead instead where that is enough.</source>
+        <translation>Aggiunge cordoni staccabili sotto gli sbalzi bassi; dove basta, ispessisce invece il cordone a sbalzo.</translation>
     </message>
     <message>
         <source>Lines by EthernetKRL (KUKA, with receiver and sender)</source>
@@ -6113,29 +6113,29 @@ mm³</translation>
         <translation>manca un asse che porta il robot</translation>
     </message>
     <message numerus="yes">
-        <source>beads of support ({volume:.3g}) are laid under {paths} beads that would hang just over the plate or over what is printed</source>
+        <source>support beads ({volume:.3g}) under {paths} beads that would overhang closely above the plate or the printed part</source>
         <translation>
-            <numerusform>cordoni di supporto ({volume:.3g}) sono deposti sotto {paths} cordone che penderebbe appena sopra il piatto o sopra quanto è stampato</numerusform>
-            <numerusform>cordoni di supporto ({volume:.3g}) sono deposti sotto {paths} cordoni che penderebbero appena sopra il piatto o sopra quanto è stampato</numerusform>
+            <numerusform>cordoni di supporto ({volume:.3g}) sotto {paths} cordone che sporgerebbe appena sopra il piatto o il pezzo stampato</numerusform>
+            <numerusform>cordoni di supporto ({volume:.3g}) sotto {paths} cordoni che sporgerebbero appena sopra il piatto o il pezzo stampato</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{paths} beads would hang beside what is printed: each is laid after the one inwards of it and pressed against that, the nozzle leaning by up to {lean:.0f} more</source>
+        <source>{paths} unsupported beads are printed after their inner neighbours, with the nozzle tilted by up to {lean:.0f} more</source>
         <translation>
-            <numerusform>{paths} cordone penderebbe accanto a quanto è stampato: è deposto dopo quello più interno e premuto contro di esso, con l&apos;ugello inclinato fino a {lean:.0f} in più</numerusform>
-            <numerusform>{paths} cordoni penderebbero accanto a quanto è stampato: ciascuno è deposto dopo quello più interno e premuto contro di esso, con l&apos;ugello inclinato fino a {lean:.0f} in più</numerusform>
+            <numerusform>{paths} cordone non sostenuto è stampato dopo il vicino più interno, con l&apos;ugello inclinato fino a {lean:.0f} in più</numerusform>
+            <numerusform>{paths} cordoni non sostenuti sono stampati dopo i vicini più interni, con l&apos;ugello inclinato fino a {lean:.0f} in più</numerusform>
         </translation>
     </message>
     <message>
-        <source>where that is not wanted, turn the part or print it in flat layers with supports</source>
+        <source>if you do not want this, turn the part or print it in flat layers with supports</source>
         <translation>se non lo si vuole, girare il pezzo o stamparlo a strati piani con supporti</translation>
     </message>
     <message>
-        <source>format {format} knows no external axis: it cannot move the {axis} of cell {cell}</source>
-        <translation>il formato {format} non conosce assi esterni: non può muovere {axis} della cella {cell}</translation>
+        <source>format {format} does not support external axes: it cannot move the {axis} of cell {cell}</source>
+        <translation>il formato {format} non supporta assi esterni: non può muovere {axis} della cella {cell}</translation>
     </message>
     <message>
-        <source>must be platform behind an axis that carries the platform</source>
+        <source>must be platform after an axis that carries the platform</source>
         <translation>deve essere platform dopo un asse che porta la piattaforma</translation>
     </message>
     <message>
@@ -6143,95 +6143,95 @@ mm³</translation>
         <translation>deve essere platform o robot, è &apos;{carries}&apos;</translation>
     </message>
     <message>
-        <source>positions are in a base, or of a nozzle that stands: one of them has to be set</source>
-        <translation>le posizioni sono in una base, o di un ugello fisso: va impostato uno dei due</translation>
+        <source>either a base or a fixed nozzle has to be defined</source>
+        <translation>va definita una base oppure un ugello fisso</translation>
     </message>
     <message>
-        <source>support under what hangs low</source>
-        <translation>supporto sotto ciò che pende basso</translation>
+        <source>support low overhangs</source>
+        <translation>supporto per sbalzi bassi</translation>
     </message>
     <message>
-        <source>the program has its nozzle {distance:.2f} and {angle:.2f} from where the cell&apos;s stands</source>
-        <translation>il programma ha l&apos;ugello a {distance:.2f} e {angle:.2f} da dove sta quello della cella</translation>
+        <source>the program&apos;s nozzle is {distance:.2f} and {angle:.2f} off the cell&apos;s nozzle</source>
+        <translation>l&apos;ugello del programma è a {distance:.2f} e {angle:.2f} da quello della cella</translation>
     </message>
     <message numerus="yes">
-        <source>{waypoints} waypoints, {share:.2g} of the material, are left out here and there, as told above</source>
+        <source>{waypoints} waypoints ({share:.2g} of the material) are skipped; see the findings above</source>
         <translation>
-            <numerusform>{waypoints} punto del percorso, {share:.2g} del materiale, viene tralasciato qua e là, come detto sopra</numerusform>
-            <numerusform>{waypoints} punti del percorso, {share:.2g} del materiale, vengono tralasciati qua e là, come detto sopra</numerusform>
+            <numerusform>{waypoints} punto del percorso ({share:.2g} del materiale) viene tralasciato; vedi le segnalazioni precedenti</numerusform>
+            <numerusform>{waypoints} punti del percorso ({share:.2g} del materiale) vengono tralasciati; vedi le segnalazioni precedenti</numerusform>
         </translation>
     </message>
     <message>
-        <source>As large as the robot gets to all of it</source>
-        <translation>Grande quanto basta perché il robot arrivi ovunque</translation>
+        <source>The largest scale that the robot reaches entirely</source>
+        <translation>La scala massima che il robot raggiunge per intero</translation>
     </message>
     <message>
         <source>print it at scale {scale:.3g}, turn it, or use a larger robot</source>
         <translation>stampalo in scala {scale:.3g}, giralo o usa un robot più grande</translation>
     </message>
     <message>
-        <source>use flat layers, where the nozzle need not lean, turn the part, or use a larger robot</source>
+        <source>use flat layers, which need no tilt of the nozzle, turn the part, or use a larger robot</source>
         <translation>usa strati piani, in cui l&apos;ugello non deve inclinarsi, gira il pezzo o usa un robot più grande</translation>
     </message>
     <message>
-        <source>{share:.2g} of the tool-paths&apos; points are out of the robot&apos;s reach</source>
+        <source>{share:.2g} of the tool-path points are out of the robot&apos;s reach</source>
         <translation>{share:.2g} dei punti dei percorsi è fuori dalla portata del robot</translation>
     </message>
     <message>
-        <source>{share:.2g} of the tool-paths&apos; points are out of the robot&apos;s reach; at {size:.2g} of this size it would get to them</source>
-        <translation>{share:.2g} dei punti dei percorsi è fuori dalla portata del robot; al {size:.2g} di questa dimensione ci arriverebbe</translation>
+        <source>{share:.2g} of the tool-path points are out of the robot&apos;s reach; at {size:.2g} of this size all would be reachable</source>
+        <translation>{share:.2g} dei punti dei percorsi è fuori dalla portata del robot; al {size:.2g} di questa dimensione sarebbero tutti raggiungibili</translation>
     </message>
     <message>
         <source>Let Voluta choose</source>
         <translation>Lascia scegliere Voluta</translation>
     </message>
     <message>
-        <source>Tries the ways of building one after the other, until nothing hangs or is missed</source>
-        <translation>Prova i modi di costruire uno dopo l’altro, finché nulla pende o manca</translation>
+        <source>Tries the ways of building in turn until nothing is unsupported or missed</source>
+        <translation>Prova i modi di costruire uno dopo l&apos;altro, finché nulla è senza appoggio o manca</translation>
     </message>
     <message>
         <source>turn the part, or let Voluta choose the way of building</source>
         <translation>gira il pezzo, o lascia che Voluta scelga il modo di costruire</translation>
     </message>
     <message>
-        <source>&apos;{name}&apos; is a word of the language: no function may be called so</source>
-        <translation>&apos;{name}&apos; è una parola del linguaggio: nessuna funzione può chiamarsi così</translation>
+        <source>&apos;{name}&apos; is a reserved word and cannot name a function</source>
+        <translation>&apos;{name}&apos; è una parola riservata e non può dare il nome a una funzione</translation>
     </message>
     <message>
-        <source>&apos;{number}&apos; is a number with a decimal comma, or one of thousands</source>
-        <translation>&apos;{number}&apos; può essere un numero con la virgola decimale o uno di migliaia</translation>
+        <source>ambiguous number &apos;{number}&apos;: decimal comma or thousands separator</source>
+        <translation>numero ambiguo &apos;{number}&apos;: virgola decimale o separatore delle migliaia</translation>
     </message>
     <message>
-        <source>A fifth smaller than now</source>
-        <translation>Un quinto più piccolo di adesso</translation>
+        <source>20 % smaller</source>
+        <translation>20 % più piccolo</translation>
     </message>
     <message>
-        <source>Adds a page to hand over beside each program, NAME.proof.html and NAME.proof.pdf: the verdict, what was checked, and how near to its limits it comes; its figures as NAME.proof.json; and NAME.printed.stl, the part as printed, as a solid.</source>
-        <translation>Aggiunge accanto a ogni programma una pagina da consegnare, NOME.proof.html e NOME.proof.pdf: l&apos;esito, che cosa è stato verificato e quanto ci si avvicina ai limiti; i valori in NOME.proof.json; e NOME.printed.stl, il pezzo stampato come solido.</translation>
+        <source>Adds a verification report to each program, NAME.proof.html and NAME.proof.pdf: the verdict, the checks and the margins to the limits; its figures as NAME.proof.json; and NAME.printed.stl, the part as printed, as a solid.</source>
+        <translation>Aggiunge a ogni programma un rapporto di verifica, NOME.proof.html e NOME.proof.pdf: l&apos;esito, le verifiche e i margini dai limiti; i valori in NOME.proof.json; e NOME.printed.stl, il pezzo stampato come solido.</translation>
     </message>
     <message>
         <source>Allow less clearance</source>
         <translation>Ammetti meno distanza</translation>
     </message>
     <message>
-        <source>Amount: {share:.1f} of the part&apos;s volume is laid; {least:.0f#} to {most:.0f} are allowed.</source>
+        <source>Amount: {share:.1f} of the part&apos;s volume is deposited; {least:.0f#} to {most:.0f} allowed.</source>
         <translation>Quantità: si depone il {share:.1f} del volume del pezzo; ammesso da {least:.0f#} a {most:.0f}.</translation>
     </message>
     <message>
-        <source>Arm, joints and their limits: not checked, as the program says where the nozzle is and not where the arm is.</source>
-        <translation>Braccio, giunti e loro limiti: non verificati, perché il programma dice dov&apos;è l&apos;ugello e non dov&apos;è il braccio.</translation>
+        <source>Arm, joints and their limits: not checked, as the program contains nozzle positions but no joint values.</source>
+        <translation>Braccio, giunti e loro limiti: non verificati, perché il programma contiene posizioni dell&apos;ugello ma non valori dei giunti.</translation>
     </message>
     <message>
-        <source>As large as the cell&apos;s largest plate carries</source>
-        <translation>Grande quanto porta il piatto più grande della cella</translation>
+        <source>The largest scale that the cell&apos;s plates carry</source>
+        <translation>La scala massima che i piatti della cella portano</translation>
     </message>
     <message>
-        <source>As wide as the part&apos;s foot and 20 mm more, on a stem of its own</source>
-        <translation>Larga quanto la base del pezzo e 20 mm in più, su un suo gambo</translation>
+        <source>The part&apos;s footprint plus 20 mm, on its own stem</source>
+        <translation>La base del pezzo più 20 mm, su un proprio gambo</translation>
     </message>
     <message>
-        <source>Bead section: wrong by more than 5 % over {share:.2f} of the printed length; at most {limit:.0f}.</source>
-        <translation>Sezione del cordone: errata di oltre il 5 % sul {share:.2f} della lunghezza stampata; al massimo {limit:.0f}.</translation>
+        <source>Bead section: off by more than 5 % over {share:.2f} of the printed length; at most {limit:.0f} allowed.</source>
+        <translation>Sezione del cordone: errata di oltre il 5 % sul {share:.2f} della lunghezza stampata; ammesso al massimo {limit:.0f}.</translation>
     </message>
     <message>
         <source>Built in</source>
@@ -6246,79 +6246,79 @@ mm³</translation>
         <translation>Scelta: {way} ({values})</translation>
     </message>
     <message>
-        <source>Close the rims</source>
-        <translation>Chiudi i bordi</translation>
+        <source>Close the openings</source>
+        <translation>Chiudi le aperture</translation>
     </message>
     <message>
-        <source>Closest approach of arm, plate and part: {way:.1f} apart.</source>
+        <source>Minimum clearance between arm, plate and part: {way:.1f}.</source>
         <translation>Distanza minima fra braccio, piatto e pezzo: {way:.1f}.</translation>
     </message>
     <message>
-        <source>Collisions of head, plate and part: {collisions}; none is allowed.</source>
+        <source>Collisions of head, plate and part: {collisions}; none allowed.</source>
         <translation>Collisioni di testa, piatto e pezzo: {collisions}; nessuna è ammessa.</translation>
     </message>
     <message>
-        <source>Collisions: {collisions}; none is allowed.</source>
+        <source>Collisions: {collisions}; none allowed.</source>
         <translation>Collisioni: {collisions}; nessuna è ammessa.</translation>
     </message>
     <message>
-        <source>Fill: {share:.1f} of the part is filled; {limit:.0f} are required.</source>
+        <source>Fill: {share:.1f} of the part is filled; at least {limit:.0f} required.</source>
         <translation>Riempimento: è pieno il {share:.1f} del pezzo; richiesto {limit:.0f}.</translation>
     </message>
     <message>
-        <source>Flat patches over the rims: the part becomes solid</source>
-        <translation>Toppe piane sui bordi: il pezzo diventa solido</translation>
+        <source>Flat patches over the openings: the part becomes solid</source>
+        <translation>Toppe piane sulle aperture: il pezzo diventa solido</translation>
     </message>
     <message>
-        <source>G-code with B and C: beyond so many turns to a side C goes back by whole turns in a travel; 0: as few turns as the beads allow where the table goes back, one where its count does.</source>
-        <translation>G-code con B e C: oltre tanti giri da un lato C torna indietro di giri interi durante uno spostamento; 0: i giri più pochi che i cordoni permettono dove torna indietro la tavola, uno dove lo fa il suo conteggio.</translation>
+        <source>G-code with B and C: beyond this number of turns to one side C is reset by whole turns during a travel. 0: the minimum the beads allow if the table is wound back, one turn if only its count is reset.</source>
+        <translation>G-code con B e C: oltre questo numero di giri da un lato C torna indietro di giri interi durante uno spostamento. 0: il minimo che i cordoni permettono se la tavola viene riavvolta, un giro se torna indietro il solo conteggio.</translation>
     </message>
     <message>
-        <source>G-code with B and C: the table is wound back amid a travel, with the nozzle above all that it lifts. Of a table that turns without end the count alone may go back: it stays where it is.</source>
-        <translation>G-code con B e C: la tavola viene riavvolta durante uno spostamento, con l&apos;ugello sopra tutto ciò che solleva. Di una tavola che gira senza fine può tornare indietro il solo conteggio: essa resta dov&apos;è.</translation>
+        <source>G-code with B and C: winds the table back during a travel, with the nozzle raised clear of it. For a table that turns endlessly only the count can be reset, without a motion.</source>
+        <translation>G-code con B e C: riavvolge la tavola durante uno spostamento, con l&apos;ugello sollevato. Per una tavola che gira senza fine può tornare indietro il solo conteggio, senza movimento.</translation>
     </message>
     <message>
-        <source>G94 is missing behind the last motion: what runs next would take F for times</source>
+        <source>G94 is missing after the last motion: the next program would read F as times</source>
         <translation>G94 manca dopo l&apos;ultimo movimento: il programma seguente prenderebbe F per tempi</translation>
     </message>
     <message>
-        <source>Half as high, as far as the process goes</source>
-        <translation>Alti la metà, fin dove arriva il processo</translation>
+        <source>Half the layer height, within the process&apos;s range</source>
+        <translation>Metà altezza dello strato, entro i limiti del processo</translation>
     </message>
     <message>
-        <source>Half as large again</source>
-        <translation>Una volta e mezza</translation>
+        <source>50 % larger</source>
+        <translation>50 % più grande</translation>
     </message>
     <message>
-        <source>Half the distance that the arm keeps from itself and from the part</source>
-        <translation>Metà della distanza che il braccio tiene da sé stesso e dal pezzo</translation>
+        <source>Half the distance of the arm from itself and from the part</source>
+        <translation>Metà della distanza del braccio da sé stesso e dal pezzo</translation>
     </message>
     <message>
-        <source>Half-carried: {share:.1f} of the bead length lies on less than half its width.</source>
+        <source>Partly supported: {share:.1f} of the bead length is supported over less than half its width.</source>
         <translation>Appoggio parziale: il {share:.1f} della lunghezza dei cordoni poggia su meno di metà larghezza.</translation>
     </message>
     <message>
-        <source>How full the part is: the mean along the view, of beads with round edges</source>
-        <translation>Quanto è pieno il pezzo: la media lungo la vista, di cordoni con bordi tondi</translation>
+        <source>Fill of the part: mean along the view, for beads with round edges</source>
+        <translation>Riempimento del pezzo: media lungo la vista, per cordoni con bordi tondi</translation>
     </message>
     <message>
         <source>In a usual cell; Voluta chooses the way of building</source>
         <translation>In una cella abituale; Voluta sceglie il modo di costruire</translation>
     </message>
     <message>
-        <source>It is for another controller than the cell&apos;s own.</source>
+        <source>It is for another controller than the cell&apos;s.</source>
         <translation>È per un controllore diverso da quello della cella.</translation>
     </message>
     <message>
-        <source>It prints the rest of a part that was stopped.</source>
-        <translation>Stampa il resto di un pezzo interrotto.</translation>
+        <source>It prints the rest of a stopped print.</source>
+        <translation>Stampa il resto di una stampa interrotta.</translation>
     </message>
     <message>
-        <source>Joint range: joint {name} comes nearest to its limit, {angle:.1f} from it.</source>
-        <translation>Corsa dei giunti: il giunto {name} è il più vicino al limite, a {angle:.1f}.</translation>
+        <source>Joint range: joint {name} has the smallest margin to its limit, {angle:.1f}.</source>
+        <translation>Corsa dei giunti: il giunto {name} ha il margine minore dal limite, {angle:.1f}.</translation>
     </message>
     <message>
-        <source>Joint speed: joint {name} comes nearest to its limit, at {share:.0f} of it.</source>
+        <source>Joint speed: joint {name} is closest to its limit, at {share:.0f} of it.</source>
         <translation>Velocità dei giunti: il giunto {name} è il più vicino al limite, al {share:.0f}.</translation>
     </message>
     <message>
@@ -6326,16 +6326,16 @@ mm³</translation>
         <translation>Tieni più distanza</translation>
     </message>
     <message>
-        <source>Limits of flow and blends: {violations} violations; none is allowed.</source>
+        <source>Limits of flow and blends: {violations} violations; none allowed.</source>
         <translation>Limiti di portata e raccordi: {violations} violazioni; nessuna è ammessa.</translation>
     </message>
     <message>
-        <source>Limits of joints, speeds and flow: {violations} violations; none is allowed.</source>
+        <source>Limits of joints, speeds and flow: {violations} violations; none allowed.</source>
         <translation>Limiti di giunti, velocità e portata: {violations} violazioni; nessuna è ammessa.</translation>
     </message>
     <message>
-        <source>Longer programs are cut into files to be run in turn; 0: as the format has it (URScript and RAPID 5000, KRL 2500, MELFA 6500, SPEL+ one file).</source>
-        <translation>I programmi più lunghi sono divisi in file da eseguire uno dopo l&apos;altro; 0: come prevede il formato (URScript e RAPID 5000, KRL 2500, MELFA 6500, SPEL+ un file solo).</translation>
+        <source>Longer programs are split into files to run one after the other. 0: the format&apos;s default (URScript and RAPID 5000, KRL 2500, MELFA 6500, SPEL+ one file).</source>
+        <translation>I programmi più lunghi sono divisi in file da eseguire uno dopo l&apos;altro. 0: come prevede il formato (URScript e RAPID 5000, KRL 2500, MELFA 6500, SPEL+ un file solo).</translation>
     </message>
     <message>
         <source>Longest unsupported run: {length:.1f}; this material bridges {bridge:.1f}.</source>
@@ -6354,20 +6354,20 @@ mm³</translation>
         <translation>Materiale</translation>
     </message>
     <message>
-        <source>Nothing passes; shown is the least bad: {way} ({values})</source>
-        <translation>Nessun modo è accettato; si mostra il meno peggio: {way} ({values})</translation>
+        <source>No option passes; best one shown: {way} ({values})</source>
+        <translation>Nessun modo è accettato; si mostra il migliore: {way} ({values})</translation>
     </message>
     <message>
-        <source>Nozzle, head and material that this way of building comes with</source>
-        <translation>Ugello, testa e materiale che accompagnano questo modo di costruire</translation>
+        <source>The default nozzle, head and material of this way of building</source>
+        <translation>Ugello, testa e materiale predefiniti di questo modo di costruire</translation>
     </message>
     <message>
         <source>Open surfaces</source>
         <translation>Superfici aperte</translation>
     </message>
     <message>
-        <source>Overfill: {share:.1f} of the part&apos;s volume lies outside it or found no room; at most {limit:.0f}.</source>
-        <translation>Eccesso: il {share:.1f} del volume del pezzo è fuori da esso o non trova posto; al massimo {limit:.0f}.</translation>
+        <source>Overfill: {share:.1f} of the part&apos;s volume lies outside it or in places already full; at most {limit:.0f} allowed.</source>
+        <translation>Eccesso: il {share:.1f} del volume del pezzo è fuori da esso o in punti già pieni; ammesso al massimo {limit:.0f}.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -6378,7 +6378,7 @@ mm³</translation>
         <translation>Superato: questo programma stampa il pezzo come previsto.</translation>
     </message>
     <message>
-        <source>Path: the nozzle leaves its planned path by {way:.3f} at most; {limit:.2f} are allowed.</source>
+        <source>Path: the nozzle deviates from the planned path by up to {way:.3f}; at most {limit:.2f} allowed.</source>
         <translation>Percorso: l&apos;ugello si scosta dal percorso previsto di {way:.3f} al massimo; ammesso {limit:.2f}.</translation>
     </message>
     <message>
@@ -6388,8 +6388,8 @@ time</source>
 previsto</translation>
     </message>
     <message>
-        <source>Positions are mm in the work frame: from the middle of the platform&apos;s top, z out of it. The part as printed, as a solid: {file}</source>
-        <translation>Le posizioni sono in mm nel sistema di lavoro: dal centro del piano della piattaforma, z verso l&apos;esterno. Il pezzo stampato, come solido: {file}</translation>
+        <source>Positions are in mm in the work frame: origin at the centre of the platform&apos;s top, z pointing out of it. The printed part as a solid: {file}</source>
+        <translation>Le posizioni sono in mm nel sistema di lavoro: origine al centro del piano della piattaforma, z verso l&apos;esterno. Il pezzo stampato, come solido: {file}</translation>
     </message>
     <message>
         <source>Prime</source>
@@ -6404,8 +6404,8 @@ previsto</translation>
         <translation>Stampalo più piccolo</translation>
     </message>
     <message>
-        <source>Print lower layers</source>
-        <translation>Stampa strati più bassi</translation>
+        <source>Print thinner layers</source>
+        <translation>Stampa strati più sottili</translation>
     </message>
     <message>
         <source>Print on a plate</source>
@@ -6416,7 +6416,7 @@ previsto</translation>
         <translation>Tempo di stampa</translation>
     </message>
     <message>
-        <source>Program files, with the SHA-256 of each</source>
+        <source>Program files with their SHA-256</source>
         <translation>File del programma, con lo SHA-256 di ciascuno</translation>
     </message>
     <message>
@@ -6428,19 +6428,19 @@ previsto</translation>
         <translation>Robot</translation>
     </message>
     <message>
-        <source>Robot and plate that this way of building comes with</source>
-        <translation>Robot e piatto che accompagnano questo modo di costruire</translation>
+        <source>The default robot and plate of this way of building</source>
+        <translation>Robot e piatto predefiniti di questo modo di costruire</translation>
     </message>
     <message>
-        <source>Singular poses: isotropy falls to {ratio:.3f} (0 is singular, 1 is even).</source>
-        <translation>Pose singolari: l&apos;isotropia scende a {ratio:.3f} (0 è singolare, 1 è uniforme).</translation>
+        <source>Singularities: isotropy is at least {ratio:.3f} (0 is singular, 1 is isotropic).</source>
+        <translation>Singolarità: l&apos;isotropia è almeno {ratio:.3f} (0 è singolare, 1 è isotropo).</translation>
     </message>
     <message>
-        <source>The next one with a larger plate</source>
-        <translation>La prossima con un piatto più grande</translation>
+        <source>The next cell with a larger plate</source>
+        <translation>La prossima cella con un piatto più grande</translation>
     </message>
     <message>
-        <source>The smallest of the cell&apos;s plates that carries the part</source>
+        <source>The cell&apos;s smallest plate that carries the part</source>
         <translation>Il più piccolo dei piatti della cella che porta il pezzo</translation>
     </message>
     <message>
@@ -6452,7 +6452,7 @@ previsto</translation>
         <translation>Utensile</translation>
     </message>
     <message>
-        <source>Try more turns</source>
+        <source>Try more rotations</source>
         <translation>Prova più rotazioni</translation>
     </message>
     <message>
@@ -6460,20 +6460,20 @@ previsto</translation>
         <translation>Prova di {way} ({number} di {count})</translation>
     </message>
     <message>
-        <source>Twice as many turns about the nozzle at each place; planning takes longer</source>
+        <source>Twice as many rotations about the nozzle per point; planning takes longer</source>
         <translation>Il doppio delle rotazioni attorno all&apos;ugello in ogni punto; la pianificazione dura di più</translation>
     </message>
     <message>
-        <source>Twice the distance that the arm keeps from itself and from the part</source>
-        <translation>Il doppio della distanza che il braccio tiene da sé stesso e dal pezzo</translation>
+        <source>Twice the distance of the arm from itself and from the part</source>
+        <translation>Il doppio della distanza del braccio da sé stesso e dal pezzo</translation>
     </message>
     <message>
-        <source>Two beads wide, half of it on either side of the surface</source>
-        <translation>Larga due cordoni, metà per lato della superficie</translation>
+        <source>Two beads wide, centred on the surface</source>
+        <translation>Larga due cordoni, centrata sulla superficie</translation>
     </message>
     <message>
-        <source>Unsupported: {share:.2f} of the bead length has nothing beneath it; at most {limit:.1f}.</source>
-        <translation>Senza appoggio: il {share:.2f} della lunghezza dei cordoni non ha nulla sotto; al massimo {limit:.1f}.</translation>
+        <source>Unsupported: {share:.2f} of the bead length; at most {limit:.1f} allowed.</source>
+        <translation>Senza appoggio: il {share:.2f} della lunghezza dei cordoni; ammesso al massimo {limit:.1f}.</translation>
     </message>
     <message>
         <source>Use a larger cell</source>
@@ -6526,44 +6526,44 @@ previsto</translation>
         <translation>Voluta {version}, {date}</translation>
     </message>
     <message>
-        <source>Waypoints half as far apart; the program gets longer</source>
-        <translation>Punti distanti la metà; il programma si allunga</translation>
+        <source>Half the waypoint spacing; the program gets longer</source>
+        <translation>Metà della distanza fra i punti; il programma si allunga</translation>
     </message>
     <message>
-        <source>Waypoints twice as far apart</source>
-        <translation>Punti distanti il doppio</translation>
+        <source>Twice the waypoint spacing</source>
+        <translation>Il doppio della distanza fra i punti</translation>
     </message>
     <message>
-        <source>What becomes of a part whose surface has wide rims or no thickness: it is refused, its rims are closed with patches, or the surface becomes a wall two beads wide.</source>
-        <translation>Che cosa si fa di un pezzo la cui superficie ha bordi larghi o nessuno spessore: viene rifiutato, i bordi si chiudono con toppe, o la superficie diventa una parete larga due cordoni.</translation>
+        <source>How a part whose surface has wide openings or no thickness is handled: refuse it, close the openings with patches, or thicken the surface to a wall two beads wide.</source>
+        <translation>Come trattare un pezzo la cui superficie ha grandi aperture o nessuno spessore: rifiutarlo, chiudere le aperture con toppe o ispessire la superficie a una parete larga due cordoni.</translation>
     </message>
     <message>
-        <source>What was checked, and where it comes nearest to its limit</source>
-        <translation>Che cosa è stato verificato e dove ci si avvicina di più al limite</translation>
+        <source>Checks, with the closest approach to each limit</source>
+        <translation>Verifiche, con il punto più vicino a ciascun limite</translation>
     </message>
     <message>
-        <source>Which modules and list of signals the controller loads: IRC5 (RobotWare 6) or OmniCore (RobotWare 7).</source>
-        <translation>Quali moduli e quale elenco di segnali carica il controllore: IRC5 (RobotWare 6) oppure OmniCore (RobotWare 7).</translation>
+        <source>Modules and signal list for this controller: IRC5 (RobotWare 6) or OmniCore (RobotWare 7).</source>
+        <translation>Moduli ed elenco di segnali per questo controllore: IRC5 (RobotWare 6) oppure OmniCore (RobotWare 7).</translation>
     </message>
     <message>
-        <source>a ball at vertex {vertex}, which is not there</source>
-        <translation>una sfera al vertice {vertex}, che non c&apos;è</translation>
+        <source>a ball refers to the missing vertex {vertex}</source>
+        <translation>una sfera indica il vertice {vertex}, che non esiste</translation>
     </message>
     <message>
-        <source>a beam to vertex {vertex}, which is not there</source>
-        <translation>una trave al vertice {vertex}, che non c&apos;è</translation>
+        <source>a beam refers to the missing vertex {vertex}</source>
+        <translation>una trave indica il vertice {vertex}, che non esiste</translation>
     </message>
     <message>
         <source>a beam without a radius</source>
         <translation>una trave senza raggio</translation>
     </message>
     <message>
-        <source>a picture of a sheet is no PNG</source>
+        <source>a picture of the sheet is not a PNG</source>
         <translation>un&apos;immagine del foglio non è un PNG</translation>
     </message>
     <message>
-        <source>a stop that lasts until the operator goes on</source>
-        <translation>un arresto che dura finché l&apos;operatore non prosegue</translation>
+        <source>a stop until the operator continues</source>
+        <translation>un arresto finché l&apos;operatore non prosegue</translation>
     </message>
     <message>
         <source>a trigger for the output</source>
@@ -6574,8 +6574,8 @@ previsto</translation>
         <translation>un&apos;attesa finché l&apos;ugello è caldo</translation>
     </message>
     <message>
-        <source>a wall of {wall:.2f} is too thin for so large a surface: it would come to {facets:.2g} triangles</source>
-        <translation>una parete di {wall:.2f} è troppo sottile per una superficie così grande: darebbe {facets:.2g} triangoli</translation>
+        <source>a wall of {wall:.2f} is too thin for a surface of this size: it would need {facets:.2g} triangles</source>
+        <translation>una parete di {wall:.2f} è troppo sottile per una superficie di queste dimensioni: richiederebbe {facets:.2g} triangoli</translation>
     </message>
     <message>
         <source>absolute positions</source>
@@ -6590,12 +6590,12 @@ previsto</translation>
         <translation>un oggetto del tipo sconosciuto &apos;{type}&apos;</translation>
     </message>
     <message>
-        <source>an output of the extruder set where the arm does not stop: it takes effect elsewhere, or stops the arm on the bead</source>
-        <translation>un&apos;uscita dell&apos;estrusore impostata dove il braccio non si ferma: ha effetto altrove, o ferma il braccio sul cordone</translation>
+        <source>an extruder output is set while the arm does not stop: it takes effect elsewhere, or stops the arm on the bead</source>
+        <translation>un&apos;uscita dell&apos;estrusore è impostata mentre il braccio non si ferma: ha effetto altrove, o ferma il braccio sul cordone</translation>
     </message>
     <message>
-        <source>as the robot&apos;s controller</source>
-        <translation>come il controllore del robot</translation>
+        <source>according to the robot&apos;s controller</source>
+        <translation>secondo il controllore del robot</translation>
     </message>
     <message>
         <source>at {place:.1f}</source>
@@ -6610,8 +6610,8 @@ previsto</translation>
         <translation>chiudi</translation>
     </message>
     <message>
-        <source>closed the rims of an open surface: {share:.3g} of the surface are patches</source>
-        <translation>chiusi i bordi di una superficie aperta: il {share:.3g} della superficie sono toppe</translation>
+        <source>open edges were closed: {share:.3g} of the surface is patches</source>
+        <translation>bordi aperti chiusi: il {share:.3g} della superficie è fatto di toppe</translation>
     </message>
     <message>
         <source>curved layers</source>
@@ -6646,35 +6646,35 @@ previsto</translation>
         <translation>strati piani con supporti</translation>
     </message>
     <message>
-        <source>foot of the part: {length:.0f} by {width:.0f}, more than the cell&apos;s largest plate ({plate}) carries</source>
-        <translation>base del pezzo: {length:.0f} per {width:.0f}, più di quanto porta il piatto più grande della cella ({plate})</translation>
+        <source>footprint of the part: {length:.0f} by {width:.0f}, larger than the cell&apos;s largest plate ({plate})</source>
+        <translation>base del pezzo: {length:.0f} per {width:.0f}, più grande del piatto più grande della cella ({plate})</translation>
     </message>
     <message>
         <source>has a disc inside another</source>
         <translation>ha un disco dentro un altro</translation>
     </message>
     <message>
-        <source>holds nothing to print: {what}</source>
+        <source>contains nothing to print: {what}</source>
         <translation>non contiene nulla da stampare: {what}</translation>
     </message>
     <message>
-        <source>holds sliced G-code (&apos;{member}&apos;) and no model</source>
+        <source>contains sliced G-code (&apos;{member}&apos;) and no model</source>
         <translation>contiene G-code già affettato (&apos;{member}&apos;) e nessun modello</translation>
     </message>
     <message>
-        <source>how amounts of filament are counted</source>
-        <translation>come si contano le quantità di filamento</translation>
+        <source>the counting mode of the filament</source>
+        <translation>il modo di contare il filamento</translation>
     </message>
     <message>
         <source>infill density {density} cannot be printed yet: parts are filled solid</source>
         <translation>la densità di riempimento {density} non si può ancora stampare: i pezzi sono pieni</translation>
     </message>
     <message>
-        <source>infill density {density} of the project is left out: parts are filled solid</source>
+        <source>the project&apos;s infill density {density} is ignored: parts are filled solid</source>
         <translation>la densità di riempimento {density} del progetto è ignorata: i pezzi sono pieni</translation>
     </message>
     <message>
-        <source>is UTF-16 that is damaged or cut short</source>
+        <source>is damaged or truncated UTF-16</source>
         <translation>è in UTF-16 danneggiato o troncato</translation>
     </message>
     <message>
@@ -6682,12 +6682,12 @@ previsto</translation>
         <translation>è in UTF-32, che non si può leggere</translation>
     </message>
     <message>
-        <source>is none of the colours: &apos;{name}&apos;</source>
+        <source>is not one of the colours: &apos;{name}&apos;</source>
         <translation>non è tra i colori: &apos;{name}&apos;</translation>
     </message>
     <message>
-        <source>kept as sentences in an older project: plan again for what can be done</source>
-        <translation>conservato come frasi in un progetto più vecchio: pianifica di nuovo per sapere che cosa si può fare</translation>
+        <source>stored as text in an older project: plan again to see remedies</source>
+        <translation>conservato come testo in un progetto più vecchio: pianifica di nuovo per vedere i rimedi</translation>
     </message>
     <message>
         <source>layer height {height}, platform: {platform}</source>
@@ -6702,12 +6702,12 @@ previsto</translation>
         <translation>strato {layer}</translation>
     </message>
     <message>
-        <source>leave it out</source>
+        <source>omit it</source>
         <translation>ometterla</translation>
     </message>
     <message>
-        <source>left out the sheets without thickness: {share:.3g} of the surface, {triangles} triangles</source>
-        <translation>escluse le lamine senza spessore: il {share:.3g} della superficie, {triangles} triangoli</translation>
+        <source>sheets without thickness were left out: {share:.3g} of the surface, {triangles} triangles</source>
+        <translation>lamine senza spessore escluse: il {share:.3g} della superficie, {triangles} triangoli</translation>
     </message>
     <message>
         <source>less than {share:.0f}</source>
@@ -6750,11 +6750,11 @@ previsto</translation>
         <translation>non deve essere lungo l&apos;asse</translation>
     </message>
     <message>
-        <source>must not be before the one before it</source>
+        <source>must not be before the previous one</source>
         <translation>non deve stare prima di quella precedente</translation>
     </message>
     <message>
-        <source>no process here has narrower beads</source>
+        <source>no available process has narrower beads</source>
         <translation>nessun processo disponibile ha cordoni più stretti</translation>
     </message>
     <message>
@@ -6766,26 +6766,26 @@ previsto</translation>
         <translation>ugello {nozzle}, cordone {width#} x {height}</translation>
     </message>
     <message>
-        <source>numbers with commas, such as &apos;{number}&apos;, beside numbers with points</source>
-        <translation>numeri con la virgola, come &apos;{number}&apos;, accanto a numeri con il punto</translation>
+        <source>numbers with decimal commas, such as &apos;{number}&apos;, mixed with numbers with decimal points</source>
+        <translation>numeri con la virgola, come &apos;{number}&apos;, mescolati a numeri con il punto</translation>
     </message>
     <message>
-        <source>object &apos;{id}&apos; has a beam lattice that a mesh clips, which cannot be read</source>
+        <source>object &apos;{id}&apos; has a beam lattice clipped by a mesh, which cannot be read</source>
         <translation>l&apos;oggetto &apos;{id}&apos; ha un reticolo di travi tagliato da una mesh, che non si può leggere</translation>
     </message>
     <message>
-        <source>object &apos;{id}&apos; is given in slices (slicestack), which cannot be read</source>
+        <source>object &apos;{id}&apos; is stored as slices (slicestack), which cannot be read</source>
         <translation>l&apos;oggetto &apos;{id}&apos; è dato a strati (slicestack), che non si possono leggere</translation>
     </message>
     <message>
-        <source>only the cell&apos;s own file can be changed: Edit, Edit cell</source>
-        <translation>si può cambiare solo il file della cella: Modifica, Modifica cella</translation>
+        <source>change the cell&apos;s file: Edit, Edit cell</source>
+        <translation>cambia il file della cella: Modifica, Modifica cella</translation>
     </message>
     <message numerus="yes">
-        <source>open surface: it ends at {rims} rims, the widest {width:.3g} wide</source>
+        <source>open surface: {rims} open edge loops, the widest {width:.3g} wide</source>
         <translation>
-            <numerusform>superficie aperta: finisce in {rims} bordo, largo {width:.3g}</numerusform>
-            <numerusform>superficie aperta: finisce in {rims} bordi, il più largo {width:.3g}</numerusform>
+            <numerusform>superficie aperta: {rims} bordo aperto, largo {width:.3g}</numerusform>
+            <numerusform>superficie aperta: {rims} bordi aperti, il più largo {width:.3g}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6800,16 +6800,16 @@ previsto</translation>
         <translation>apri il modello da cui è stato affettato</translation>
     </message>
     <message>
-        <source>openSurfaces=close makes it solid instead</source>
-        <translation>openSurfaces=close ne fa invece un solido</translation>
+        <source>to get a solid instead, use openSurfaces=close</source>
+        <translation>per ottenere invece un solido, usa openSurfaces=close</translation>
     </message>
     <message>
-        <source>openSurfaces=thicken makes a wall of the surface instead</source>
-        <translation>openSurfaces=thicken ne fa invece una parete</translation>
+        <source>to get a wall instead, use openSurfaces=thicken</source>
+        <translation>per ottenere invece una parete, usa openSurfaces=thicken</translation>
     </message>
     <message>
-        <source>openSurfaces=thicken makes walls of them instead</source>
-        <translation>openSurfaces=thicken ne fa invece delle pareti</translation>
+        <source>to get walls instead, use openSurfaces=thicken</source>
+        <translation>per ottenere invece delle pareti, usa openSurfaces=thicken</translation>
     </message>
     <message>
         <source>pieces with supports</source>
@@ -6828,10 +6828,10 @@ previsto</translation>
         <translation>rifiuta</translation>
     </message>
     <message numerus="yes">
-        <source>removed the loops of {count} components that cut themselves</source>
+        <source>removed the self-intersections of {count} components</source>
         <translation>
-            <numerusform>tolti gli anelli di {count} componente che taglia sé stesso</numerusform>
-            <numerusform>tolti gli anelli di {count} componenti che tagliano sé stessi</numerusform>
+            <numerusform>autointersezioni rimosse da {count} componente</numerusform>
+            <numerusform>autointersezioni rimosse da {count} componenti</numerusform>
         </translation>
     </message>
     <message>
@@ -6843,11 +6843,11 @@ previsto</translation>
         <translation>impostarla con un trigger del movimento seguente, o riscrivere il programma</translation>
     </message>
     <message>
-        <source>sheet model: {share:.3g} of the surface are sheets without thickness, {triangles} triangles</source>
-        <translation>modello a lamine: il {share:.3g} della superficie sono lamine senza spessore, {triangles} triangoli</translation>
+        <source>sheet model: {share:.3g} of the surface has no thickness, {triangles} triangles</source>
+        <translation>modello a lamine: il {share:.3g} della superficie è senza spessore, {triangles} triangoli</translation>
     </message>
     <message numerus="yes">
-        <source>skipped: {count} items that are marked as not printable</source>
+        <source>skipped: {count} items marked as not printable</source>
         <translation>
             <numerusform>saltato: {count} elemento contrassegnato come non stampabile</numerusform>
             <numerusform>saltati: {count} elementi contrassegnati come non stampabili</numerusform>
@@ -6861,10 +6861,10 @@ previsto</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>skipped: {count} objects of type &apos;surface&apos;, which have no inside</source>
+        <source>skipped: {count} objects of type &apos;surface&apos;, which are not solids</source>
         <translation>
-            <numerusform>saltato: {count} oggetto di tipo &apos;surface&apos;, che non ha un interno</numerusform>
-            <numerusform>saltati: {count} oggetti di tipo &apos;surface&apos;, che non hanno un interno</numerusform>
+            <numerusform>saltato: {count} oggetto di tipo &apos;surface&apos;, che non è un solido</numerusform>
+            <numerusform>saltati: {count} oggetti di tipo &apos;surface&apos;, che non sono solidi</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6875,36 +6875,36 @@ previsto</translation>
         </translation>
     </message>
     <message>
-        <source>the PDF is not made: {why}</source>
+        <source>the PDF could not be created: {why}</source>
         <translation>il PDF non è stato creato: {why}</translation>
     </message>
     <message>
-        <source>the arm passes this point at {stated:.1f} mm/s and its flow stays: {suits:.1f} mm/s suit its way</source>
-        <translation>il braccio passa per questo punto a {stated:.1f} mm/s e la portata resta: al suo percorso si addicono {suits:.1f} mm/s</translation>
+        <source>the arm passes this point at {stated:.1f} mm/s with unchanged flow; the path requires {suits:.1f} mm/s</source>
+        <translation>il braccio passa per questo punto a {stated:.1f} mm/s con portata invariata; il percorso richiede {suits:.1f} mm/s</translation>
     </message>
     <message>
-        <source>the arm stands here for {time:.2f}, the hot nozzle on the part: no wait is planned</source>
-        <translation>il braccio sta fermo qui per {time:.2f}, l&apos;ugello caldo sul pezzo: nessuna attesa è prevista</translation>
+        <source>the robot dwells here for {time:.2f} with the hot nozzle touching the part</source>
+        <translation>il robot sosta qui per {time:.2f} con l&apos;ugello caldo a contatto con il pezzo</translation>
     </message>
     <message>
         <source>the arm&apos;s posture at this target: {found} in the program, {planned} planned</source>
         <translation>la postura del braccio in questo punto: {found} nel programma, {planned} prevista</translation>
     </message>
     <message>
-        <source>the bead to go on from is chosen on the Simulate page</source>
-        <translation>il cordone da cui riprendere si sceglie nella pagina Simula</translation>
+        <source>choose the bead to resume from on the Simulate page</source>
+        <translation>scegli il cordone da cui riprendere nella pagina Simula</translation>
     </message>
     <message>
-        <source>the distances by which corners are rounded</source>
+        <source>the rounding distances of corners</source>
         <translation>le distanze con cui si arrotondano gli angoli</translation>
     </message>
     <message>
-        <source>the drive to the reference</source>
+        <source>the reference run</source>
         <translation>la corsa al punto di riferimento</translation>
     </message>
     <message>
-        <source>the findings before this one have the remedies</source>
-        <translation>i rimedi sono nelle segnalazioni che precedono questa</translation>
+        <source>see the remedies of the findings before this one</source>
+        <translation>vedi i rimedi delle segnalazioni precedenti</translation>
     </message>
     <message>
         <source>the frame of the targets</source>
@@ -6919,31 +6919,31 @@ previsto</translation>
         <translation>l&apos;unità meccanica</translation>
     </message>
     <message>
-        <source>the message says what would help</source>
-        <translation>il messaggio dice che cosa aiuterebbe</translation>
+        <source>the message says how to fix it</source>
+        <translation>il messaggio dice come rimediare</translation>
     </message>
     <message>
         <source>the part as printed, every bead laid</source>
         <translation>il pezzo stampato, con tutti i cordoni deposti</translation>
     </message>
     <message>
-        <source>the plate has no room for the prime: a bead {length:.0f} long is laid in the air beside the plate and falls down here</source>
-        <translation>sul piano non c&apos;è posto per l&apos;innesco: un cordone lungo {length:.0f} viene deposto in aria accanto al piano e cade qui</translation>
+        <source>no room on the plate for the prime: a bead {length:.0f} long is printed in the air beside the plate and falls down here</source>
+        <translation>nessun posto sul piano per l&apos;innesco: un cordone lungo {length:.0f} viene stampato in aria accanto al piano e cade qui</translation>
     </message>
     <message>
-        <source>the program&apos;s text is not this plan&apos;s: nothing in the plan is to be changed</source>
-        <translation>il testo del programma non è di questo piano: nel piano non c&apos;è nulla da cambiare</translation>
+        <source>the program does not match this plan: changing the plan does not help</source>
+        <translation>il programma non corrisponde a questo piano: cambiare il piano non serve</translation>
     </message>
     <message>
         <source>the range of the flow output</source>
         <translation>l&apos;intervallo dell&apos;uscita di portata</translation>
     </message>
     <message>
-        <source>the surface crosses itself: {share:.3g} of what it encloses faces inside out and counts as outside</source>
-        <translation>la superficie attraversa sé stessa: il {share:.3g} di ciò che racchiude è rovesciato e vale come esterno</translation>
+        <source>self-intersecting surface: {share:.3g} of the enclosed volume is inside out and counts as outside</source>
+        <translation>superficie autointersecante: il {share:.3g} del volume racchiuso è rovesciato e vale come esterno</translation>
     </message>
     <message>
-        <source>the temperature of the nozzle, °C</source>
+        <source>the nozzle temperature, °C</source>
         <translation>la temperatura dell&apos;ugello, °C</translation>
     </message>
     <message>
@@ -6963,11 +6963,11 @@ previsto</translation>
         <translation>dai spessore alla superficie in un programma di modellazione</translation>
     </message>
     <message>
-        <source>thickened the open surface to a wall {wall:.2f} wide, half of it on either side</source>
-        <translation>dato alla superficie aperta lo spessore di una parete di {wall:.2f}, metà per lato</translation>
+        <source>the open surface was thickened to a wall of {wall:.2f}, half on each side</source>
+        <translation>la superficie aperta è diventata una parete di {wall:.2f}, metà per lato</translation>
     </message>
     <message numerus="yes">
-        <source>turned {count} beams of a lattice into round bars</source>
+        <source>converted {count} lattice beams into round bars</source>
         <translation>
             <numerusform>trasformata {count} trave di un reticolo in una barra tonda</numerusform>
             <numerusform>trasformate {count} travi di un reticolo in barre tonde</numerusform>
@@ -7013,8 +7013,8 @@ previsto</translation>
         <translation>{seconds} s</translation>
     </message>
     <message>
-        <source>{share:.0f} and more filled</source>
-        <translation>pieno per il {share:.0f} e oltre</translation>
+        <source>at least {share:.0f} filled</source>
+        <translation>pieno almeno per il {share:.0f}</translation>
     </message>
     <message>
         <source>{statement}: {found} in the program, {planned} planned</source>
@@ -7025,7 +7025,7 @@ previsto</translation>
         <translation>{time} sul suo controllore</translation>
     </message>
     <message>
-        <source>{way}, {height} high</source>
+        <source>{way}, {height} each</source>
         <translation>{way}, alti {height}</translation>
     </message>
 </context>
@@ -7043,28 +7043,28 @@ previsto</translation>
 <context>
     <name>ModeSwitch</name>
     <message>
-        <source>This way of building does not print on that platform.</source>
-        <translation>Questo modo di costruire non stampa su quella piattaforma.</translation>
+        <source>This way of building does not support that platform.</source>
+        <translation>Questo modo di costruire non ammette quella piattaforma.</translation>
     </message>
     <message>
-        <source>This way of building lays the part itself: it is not turned by the search for a way to lie.</source>
-        <translation>Questo modo di costruire posa da sé il pezzo: la ricerca di una giacitura non lo gira.</translation>
+        <source>This way of building places the part itself: the search for an orientation does not apply.</source>
+        <translation>Questo modo di costruire posa da sé il pezzo: la ricerca di un orientamento non si applica.</translation>
     </message>
     <message>
-        <source>This way of building needs a scale that is a number.</source>
-        <translation>Questo modo di costruire vuole una scala che sia un numero.</translation>
+        <source>This way of building needs the scale as a number.</source>
+        <translation>Questo modo di costruire vuole la scala come numero.</translation>
     </message>
     <message>
-        <source>The platform&apos;s file %1 is not there.</source>
-        <translation>Il file della piattaforma, %1, non c’è.</translation>
+        <source>The platform file %1 is missing.</source>
+        <translation>Manca il file della piattaforma, %1.</translation>
     </message>
     <message>
-        <source>This way of building needs a cell that turns a rod.</source>
-        <translation>Questo modo di costruire vuole una cella che faccia girare una barra.</translation>
+        <source>This way of building needs a cell with a rotating rod.</source>
+        <translation>Questo modo di costruire vuole una cella con una barra rotante.</translation>
     </message>
     <message>
-        <source>This cell turns a rod: the way of building needs one with a plate.</source>
-        <translation>Questa cella fa girare una barra: il modo di costruire ne vuole una con un piatto.</translation>
+        <source>This cell rotates a rod: this way of building needs one with a plate.</source>
+        <translation>Questa cella fa girare una barra: questo modo di costruire ne vuole una con un piatto.</translation>
     </message>
 </context>
 <context>
@@ -7134,7 +7134,7 @@ previsto</translation>
 <context>
     <name>voluta::document::RecentFiles</name>
     <message>
-        <source>%1 is not there any more. It was taken off the list.</source>
+        <source>%1 no longer exists. It was removed from the list.</source>
         <translation>%1 non esiste più. È stato tolto dall&apos;elenco.</translation>
     </message>
 </context>
@@ -7172,7 +7172,7 @@ previsto</translation>
         <translation>Seme</translation>
     </message>
     <message>
-        <source>Another seed may find other ways through the air; the same seed always gives the same result.</source>
+        <source>Another seed may find other travel paths; the same seed always gives the same result.</source>
         <translation>Un altro seme può trovare altri tragitti a vuoto; lo stesso seme dà sempre lo stesso risultato.</translation>
     </message>
     <message>
@@ -7195,8 +7195,8 @@ previsto</translation>
         <translation>Base</translation>
     </message>
     <message>
-        <source>Show what is needed most, and what was changed</source>
-        <translation>Mostra i più usati e quelli modificati</translation>
+        <source>Show the most important and the changed parameters</source>
+        <translation>Mostra i parametri più importanti e quelli modificati</translation>
     </message>
     <message>
         <source>All</source>
@@ -7211,12 +7211,12 @@ previsto</translation>
         <translation>Ripristina</translation>
     </message>
     <message>
-        <source>Give every parameter its default</source>
+        <source>Reset every parameter to its default</source>
         <translation>Riporta ogni parametro al valore predefinito</translation>
     </message>
     <message>
-        <source>No parameter has these words.</source>
-        <translation>Nessun parametro contiene queste parole.</translation>
+        <source>No matching parameter.</source>
+        <translation>Nessun parametro corrispondente.</translation>
     </message>
 </context>
 <context>
@@ -7253,8 +7253,8 @@ previsto</translation>
         <translation>Scegli un file…</translation>
     </message>
     <message>
-        <source>A closed mesh, in the same place as in the part&apos;s file</source>
-        <translation>Una mesh chiusa, nello stesso posto che ha nel file del pezzo</translation>
+        <source>A closed mesh, positioned as in the part&apos;s file</source>
+        <translation>Una mesh chiusa, posizionata come nel file del pezzo</translation>
     </message>
     <message>
         <source>%1
@@ -7263,7 +7263,7 @@ Click to choose another one</source>
 Fai clic per sceglierne un altro</translation>
     </message>
     <message>
-        <source>Stepped: points x,radius</source>
+        <source>Stepped: x,radius points</source>
         <translation>A gradini: punti x,raggio</translation>
     </message>
     <message>
@@ -7271,11 +7271,11 @@ Fai clic per sceglierne un altro</translation>
         <translation>Tonda</translation>
     </message>
     <message>
-        <source>Hexagonal, over corners</source>
+        <source>Hexagonal, across corners</source>
         <translation>Esagonale, sugli spigoli</translation>
     </message>
     <message>
-        <source>%1 sides, over corners</source>
+        <source>%1 sides, across corners</source>
         <translation>%1 lati, sugli spigoli</translation>
     </message>
     <message>
@@ -7298,12 +7298,12 @@ Fai clic per sceglierne un altro</translation>
         <translation>Apri prima un pezzo.</translation>
     </message>
     <message>
-        <source>Tick what to compare.</source>
-        <translation>Spunta ciò che va confrontato.</translation>
+        <source>Select what to compare.</source>
+        <translation>Seleziona che cosa confrontare.</translation>
     </message>
     <message>
-        <source>Plans to be made: %1</source>
-        <translation>Piani da fare: %1</translation>
+        <source>Plans: %1</source>
+        <translation>Piani: %1</translation>
     </message>
     <message>
         <source>Ways of building</source>
@@ -7318,23 +7318,23 @@ Fai clic per sceglierne un altro</translation>
         <translation>Piattaforme</translation>
     </message>
     <message>
-        <source>Delete takes the selected one out of the list</source>
-        <translation>Canc toglie dall&apos;elenco quella selezionata</translation>
+        <source>Delete removes the selected one from the list</source>
+        <translation>Canc rimuove dall&apos;elenco quella selezionata</translation>
     </message>
     <message>
         <source>Add</source>
         <translation>Aggiungi</translation>
     </message>
     <message>
-        <source>Compare with this platform too</source>
+        <source>Also compare with this platform</source>
         <translation>Confronta anche con questa piattaforma</translation>
     </message>
     <message>
-        <source>Plan as far as</source>
+        <source>Plan up to</source>
         <translation>Pianifica fino a</translation>
     </message>
     <message>
-        <source>checked programs</source>
+        <source>verified programs</source>
         <translation>programmi verificati</translation>
     </message>
     <message>
@@ -7354,24 +7354,24 @@ Fai clic per sceglierne un altro</translation>
         <translation>Annulla</translation>
     </message>
     <message>
-        <source>Stop; rows that are done stay</source>
-        <translation>Ferma; le righe già fatte restano</translation>
+        <source>Stops; completed rows are kept</source>
+        <translation>Ferma; le righe completate restano</translation>
     </message>
     <message>
-        <source>What counts</source>
-        <translation>Che cosa conta</translation>
+        <source>Weights</source>
+        <translation>Pesi</translation>
     </message>
     <message>
-        <source>What nothing blocks comes first. Then the least score is best: each figure&apos;s share of the largest, times its weight.</source>
-        <translation>Prima viene ciò che niente blocca. Poi vince il punteggio minore: di ogni valore la quota del massimo, per il suo peso.</translation>
+        <source>Ways without blocking findings rank first, then the lowest score: each figure as a share of the column&apos;s largest, times its weight.</source>
+        <translation>Prima i modi senza segnalazioni bloccanti, poi il punteggio minore: ogni valore come quota del massimo della colonna, per il suo peso.</translation>
     </message>
     <message>
         <source>Reset</source>
         <translation>Ripristina</translation>
     </message>
     <message>
-        <source>The weights as they were at first</source>
-        <translation>I pesi com&apos;erano all&apos;inizio</translation>
+        <source>Restore the default weights</source>
+        <translation>Ripristina i pesi predefiniti</translation>
     </message>
 </context>
 <context>
@@ -7385,8 +7385,8 @@ Fai clic per sceglierne un altro</translation>
         <translation>In uso</translation>
     </message>
     <message>
-        <source>Place by the rule, and the score below it: less is better</source>
-        <translation>Posto secondo la regola e, sotto, il punteggio: meno è meglio</translation>
+        <source>Rank, and the score below it: lower is better</source>
+        <translation>Posizione e, sotto, il punteggio: meno è meglio</translation>
     </message>
     <message>
         <source>Place</source>
@@ -7428,15 +7428,15 @@ Fai clic per sceglierne un altro</translation>
         <translation>La verifica ha respinto alcuni programmi. Non eseguirli mai su un robot.</translation>
     </message>
     <message>
-        <source>To be looked at, they can be written as:</source>
-        <translation>Per esaminarli si possono scrivere come:</translation>
+        <source>For inspection only, they can be saved as:</source>
+        <translation>Solo per esaminarli, si possono salvare come:</translation>
     </message>
     <message>
-        <source>Write them too</source>
-        <translation>Scrivi anche questi</translation>
+        <source>Save them too</source>
+        <translation>Salva anche questi</translation>
     </message>
     <message>
-        <source>Leave them out</source>
+        <source>Leave out</source>
         <translation>Escludili</translation>
     </message>
     <message>
@@ -7448,7 +7448,7 @@ Fai clic per sceglierne un altro</translation>
         <translation>File</translation>
     </message>
     <message>
-        <source>Text of the program</source>
+        <source>Program text</source>
         <translation>Testo del programma</translation>
     </message>
     <message>
@@ -7464,8 +7464,8 @@ Fai clic per sceglierne un altro</translation>
         <translation>Esporta</translation>
     </message>
     <message>
-        <source>Options of %1</source>
-        <translation>Opzioni di %1</translation>
+        <source>%1 options</source>
+        <translation>Opzioni %1</translation>
     </message>
 </context>
 <context>
@@ -7510,27 +7510,27 @@ Fai clic per sceglierne un altro</translation>
         <translation>Bloccanti (%1)</translation>
     </message>
     <message>
-        <source>Nothing is blocked.</source>
-        <translation>Niente di bloccante.</translation>
+        <source>No blocking findings.</source>
+        <translation>Nessuna segnalazione bloccante.</translation>
     </message>
     <message>
         <source>No problems found.</source>
         <translation>Nessun problema trovato.</translation>
     </message>
     <message>
-        <source>Nothing found so far.</source>
+        <source>No findings yet.</source>
         <translation>Ancora nessuna segnalazione.</translation>
     </message>
     <message>
-        <source>Show only what is blocked</source>
-        <translation>Mostra solo ciò che blocca</translation>
+        <source>Show only blocking findings</source>
+        <translation>Mostra solo le segnalazioni bloccanti</translation>
     </message>
     <message>
         <source>Show</source>
         <translation>Mostra</translation>
     </message>
     <message>
-        <source>Take the camera, the sliders and the robot there</source>
+        <source>Move the camera, the sliders and the robot there</source>
         <translation>Porta lì la vista, i cursori e il robot</translation>
     </message>
     <message>
@@ -7557,7 +7557,7 @@ Fai clic per sceglierne un altro</translation>
         <translation>Non ancora verificato</translation>
     </message>
     <message>
-        <source>Passed: the replay found nothing wrong</source>
+        <source>Passed: the replay found no errors</source>
         <translation>Superato: la verifica non ha trovato errori</translation>
     </message>
     <message>
@@ -7623,7 +7623,7 @@ Fai clic per sceglierne un altro</translation>
         <translation>Punti</translation>
     </message>
     <message>
-        <source>Least, mean and greatest</source>
+        <source>Minimum, mean and maximum</source>
         <translation>Minimo, medio e massimo</translation>
     </message>
 </context>
@@ -7634,7 +7634,7 @@ Fai clic per sceglierne un altro</translation>
         <translation>Ripara la mesh</translation>
     </message>
     <message>
-        <source>Closes holes, turns triangles and takes out doubled ones, as far as the shape is not in doubt</source>
+        <source>Closes holes, orients triangles and removes duplicates, as far as the shape is not in doubt</source>
         <translation>Chiude i fori, orienta i triangoli e toglie i doppi, finché la forma non è in dubbio</translation>
     </message>
     <message>
@@ -7650,8 +7650,8 @@ Fai clic per sceglierne un altro</translation>
         <translation>La mesh è chiusa.</translation>
     </message>
     <message>
-        <source>The mesh is watertight, but not sound.</source>
-        <translation>La mesh è chiusa, ma non corretta.</translation>
+        <source>The mesh is watertight, but has defects.</source>
+        <translation>La mesh è chiusa, ma ha difetti.</translation>
     </message>
     <message>
         <source>Triangles: %1</source>
@@ -7744,11 +7744,11 @@ Fai clic per sceglierne un altro</translation>
         <translation>Materiale</translation>
     </message>
     <message>
-        <source>In print order; a piece hangs below the one it stands on</source>
-        <translation>In ordine di stampa; ogni pezzo sta sotto quello su cui poggia</translation>
+        <source>In print order; each piece is listed below the one it is printed on</source>
+        <translation>In ordine di stampa; ogni pezzo sta sotto quello su cui è stampato</translation>
     </message>
     <message>
-        <source>Area that needs support where the piece is printed off its base</source>
+        <source>Area that needs support when the piece is printed from its base</source>
         <translation>Area che richiede supporto quando il pezzo è stampato a partire dalla sua base</translation>
     </message>
     <message>
@@ -7756,15 +7756,15 @@ Fai clic per sceglierne un altro</translation>
         <translation>Distanza</translation>
     </message>
     <message>
-        <source>Moves each piece off the one it stands on</source>
-        <translation>Allontana ogni pezzo da quello su cui poggia</translation>
+        <source>Moves each piece away from the one it is printed on</source>
+        <translation>Allontana ogni pezzo da quello su cui è stampato</translation>
     </message>
     <message>
         <source>Base planes</source>
         <translation>Piani di base</translation>
     </message>
     <message>
-        <source>Search anew</source>
+        <source>Search again</source>
         <translation>Cerca di nuovo</translation>
     </message>
     <message>
@@ -7772,11 +7772,11 @@ Fai clic per sceglierne un altro</translation>
         <translation>Tieni questi tagli</translation>
     </message>
     <message>
-        <source>Gives up your cuts and lets the search decide</source>
-        <translation>Rinuncia ai tuoi tagli e lascia decidere alla ricerca</translation>
+        <source>Discards your cuts and searches for others</source>
+        <translation>Scarta i tuoi tagli e ne cerca altri</translation>
     </message>
     <message>
-        <source>Makes the cuts that were found your own, so that they stay</source>
+        <source>Makes the cuts found your own, so that they are kept</source>
         <translation>Fa tuoi i tagli trovati, così che restino</translation>
     </message>
     <message>
@@ -7784,20 +7784,20 @@ Fai clic per sceglierne un altro</translation>
         <translation>Scegli la radice</translation>
     </message>
     <message>
-        <source>Then click the part where the first piece is to be</source>
+        <source>Then click the part where the first piece has to be</source>
         <translation>Poi fai clic sul pezzo dove dev&apos;essere la prima parte</translation>
     </message>
     <message>
-        <source>Click a piece to see where it is cut off, and to move that cut.</source>
-        <translation>Fai clic su un pezzo per vedere dove è tagliato e per spostare quel taglio.</translation>
+        <source>Click a piece to see its base plane and to move that cut.</source>
+        <translation>Fai clic su un pezzo per vedere il suo piano di base e spostare quel taglio.</translation>
     </message>
     <message>
-        <source>Drag the arrow to move the cut, a ring to tilt it. Esc lets go of it.</source>
-        <translation>Trascina la freccia per spostare il taglio, un anello per inclinarlo. Esc lo lascia.</translation>
+        <source>Drag the arrow to move the cut, a ring to tilt it. Esc deselects.</source>
+        <translation>Trascina la freccia per spostare il taglio, un anello per inclinarlo. Esc deseleziona.</translation>
     </message>
     <message>
-        <source>This piece stands on the plate: it has no cut of its own to move.</source>
-        <translation>Questo pezzo poggia sul piatto: non ha un taglio proprio da spostare.</translation>
+        <source>This piece is on the plate: it has no cut to move.</source>
+        <translation>Questo pezzo è sul piatto: non ha un taglio da spostare.</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -7808,7 +7808,7 @@ Fai clic per sceglierne un altro</translation>
         <translation>Nell&apos;immagine, in ordine di stampa</translation>
     </message>
     <message>
-        <source>Shows where each piece is cut off</source>
+        <source>Shows where each piece is cut</source>
         <translation>Mostra dove ogni pezzo è tagliato</translation>
     </message>
 </context>
@@ -7843,7 +7843,7 @@ Fai clic per sceglierne un altro</translation>
         <translation>Altezza del punto più basso sopra il piatto</translation>
     </message>
     <message>
-        <source>Middle of the part along %1</source>
+        <source>Centre of the part along %1</source>
         <translation>Centro del pezzo lungo %1</translation>
     </message>
     <message>
@@ -7851,20 +7851,20 @@ Fai clic per sceglierne un altro</translation>
         <translation>Sposta %1</translation>
     </message>
     <message>
-        <source>Turn about the fixed axis %1; X comes first, then Y, then Z</source>
+        <source>Rotate about the fixed axis %1; X comes first, then Y, then Z</source>
         <translation>Ruota attorno all&apos;asse fisso %1; prima X, poi Y, poi Z</translation>
     </message>
     <message>
-        <source>Turn %1</source>
+        <source>Rotate %1</source>
         <translation>Ruota %1</translation>
     </message>
     <message>
-        <source>Turn by -90° about %1, from how the part lies now</source>
-        <translation>Ruota di -90° attorno a %1, dalla posizione attuale</translation>
+        <source>Rotate by -90° about %1, from the present orientation</source>
+        <translation>Ruota di -90° attorno a %1, dall&apos;orientamento attuale</translation>
     </message>
     <message>
-        <source>Turn by 90° about %1, from how the part lies now</source>
-        <translation>Ruota di 90° attorno a %1, dalla posizione attuale</translation>
+        <source>Rotate by 90° about %1, from the present orientation</source>
+        <translation>Ruota di 90° attorno a %1, dall&apos;orientamento attuale</translation>
     </message>
     <message>
         <source>Scale</source>
@@ -7883,7 +7883,7 @@ Fai clic per sceglierne un altro</translation>
         <translation>Adatta al braccio</translation>
     </message>
     <message>
-        <source>Scale down, if need be, to what the arm reaches everywhere</source>
+        <source>Scale down, if necessary, to the size that the arm reaches everywhere</source>
         <translation>Riduce, se serve, fino a ciò che il braccio raggiunge ovunque</translation>
     </message>
     <message>
@@ -7895,11 +7895,11 @@ Fai clic per sceglierne un altro</translation>
         <translation>Appoggia su faccia</translation>
     </message>
     <message>
-        <source>Then click the face that is to lie on the plate</source>
+        <source>Then click the face that has to be on the plate</source>
         <translation>Poi fai clic sulla faccia da appoggiare sul piatto</translation>
     </message>
     <message>
-        <source>Put the middle of the part over the middle of the plate</source>
+        <source>Put the centre of the part over the centre of the plate</source>
         <translation>Porta il centro del pezzo sul centro del piatto</translation>
     </message>
     <message>
@@ -7907,14 +7907,14 @@ Fai clic per sceglierne un altro</translation>
         <translation>Ripristina</translation>
     </message>
     <message>
-        <source>As the part lies in its file, in its own size</source>
-        <translation>Come nel file, nelle misure originali</translation>
+        <source>Position and size as in the file</source>
+        <translation>Posizione e misure come nel file</translation>
     </message>
 </context>
 <context>
     <name>voluta::panels::ProgramFacts</name>
     <message>
-        <source>What is assumed of the controller</source>
+        <source>Assumptions about the controller</source>
         <translation>Ipotesi sul controllore</translation>
     </message>
     <message>
@@ -7941,43 +7941,43 @@ Fai clic per sceglierne un altro</translation>
 <context>
     <name>voluta::panels::ReachPanel</name>
     <message>
-        <source>being looked for…</source>
-        <translation>ricerca in corso…</translation>
+        <source>Calculating…</source>
+        <translation>Calcolo in corso…</translation>
     </message>
     <message>
         <source>No part on a plate.</source>
         <translation>Nessun pezzo su un piatto.</translation>
     </message>
     <message>
-        <source>It stands beyond the cell&apos;s plate.</source>
-        <translation>Sta oltre il piatto della cella.</translation>
+        <source>The part is off the plate.</source>
+        <translation>Il pezzo è fuori dal piatto.</translation>
     </message>
     <message>
-        <source>All of it is reached upright.</source>
-        <translation>Raggiunto tutto in verticale.</translation>
+        <source>Fully reachable upright.</source>
+        <translation>Tutto raggiungibile in verticale.</translation>
     </message>
     <message>
-        <source>%1 % of it is reached upright.</source>
-        <translation>Raggiunto in verticale: %1 %.</translation>
+        <source>%1 % reachable upright.</source>
+        <translation>Raggiungibile in verticale: %1 %.</translation>
     </message>
     <message>
-        <source>Tilted up to %1°: %2 %.</source>
-        <translation>Inclinato fino a %1°: %2 %.</translation>
+        <source>With up to %1° of tilt: %2 %.</source>
+        <translation>Con inclinazione fino a %1°: %2 %.</translation>
     </message>
     <message>
-        <source>There %1 % is reached upright, %2 % tilted</source>
-        <translation>Lì si raggiunge il %1 % in verticale, il %2 % inclinato</translation>
+        <source>There %1 % is reachable upright, %2 % tilted</source>
+        <translation>Lì è raggiungibile il %1 % in verticale, il %2 % inclinato</translation>
     </message>
     <message>
         <source>Reach</source>
         <translation>Portata</translation>
     </message>
     <message>
-        <source>Where the head gets, over the whole height of the part; what is printed may still be in its way</source>
-        <translation>Dove arriva la testa, su tutta l&apos;altezza del pezzo; ciò che è stampato può ancora ostacolarla</translation>
+        <source>Reach of the head over the whole height of the part; collisions with printed material are not checked</source>
+        <translation>Portata della testa su tutta l&apos;altezza del pezzo; le collisioni con il materiale stampato non sono verificate</translation>
     </message>
     <message>
-        <source>Show it on the plate</source>
+        <source>Show on plate</source>
         <translation>Mostra sul piatto</translation>
     </message>
     <message>
@@ -7992,15 +7992,15 @@ Fai clic per sceglierne un altro</translation>
         <translation>Riprendi da qui…</translation>
     </message>
     <message>
-        <source>The rest of a print that was stopped there, as a project of its own</source>
-        <translation>Il resto di una stampa interrotta lì, come progetto a sé</translation>
+        <source>Opens the rest of a print that was stopped there as a new project</source>
+        <translation>Apre il resto di una stampa interrotta lì come nuovo progetto</translation>
     </message>
 </context>
 <context>
     <name>voluta::panels::VerdictTable</name>
     <message>
-        <source>Part covered</source>
-        <translation>Pezzo coperto</translation>
+        <source>Coverage</source>
+        <translation>Copertura</translation>
     </message>
     <message>
         <source>Unsupported</source>
@@ -8011,20 +8011,20 @@ Fai clic per sceglierne un altro</translation>
         <translation>Eccesso</translation>
     </message>
     <message>
-        <source>Mass off by</source>
-        <translation>Scarto di massa</translation>
+        <source>Mass error</source>
+        <translation>Errore di massa</translation>
     </message>
     <message>
         <source>Collisions</source>
         <translation>Collisioni</translation>
     </message>
     <message>
-        <source>Limits broken</source>
-        <translation>Limiti superati</translation>
+        <source>Limit violations</source>
+        <translation>Violazioni dei limiti</translation>
     </message>
     <message>
-        <source>Off the plan</source>
-        <translation>Scarto dal piano</translation>
+        <source>Path deviation</source>
+        <translation>Scostamento dal percorso</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -8039,28 +8039,28 @@ Fai clic per sceglierne un altro</translation>
         <translation>Limite</translation>
     </message>
     <message>
-        <source>Kept</source>
-        <translation>Rispettato</translation>
+        <source>Within limit</source>
+        <translation>Entro il limite</translation>
     </message>
     <message>
-        <source>Not kept</source>
-        <translation>Non rispettato</translation>
+        <source>Outside limit</source>
+        <translation>Fuori limite</translation>
     </message>
     <message>
         <source>Not checked since the change</source>
         <translation>Non verificato dopo la modifica</translation>
     </message>
     <message>
-        <source>Carried by less than half</source>
-        <translation>Retto da meno di metà</translation>
+        <source>Less than half supported</source>
+        <translation>Appoggio sotto la metà</translation>
     </message>
     <message>
-        <source>Longest in the air</source>
-        <translation>Più lungo nel vuoto</translation>
+        <source>Longest unsupported run</source>
+        <translation>Tratto più lungo senza appoggio</translation>
     </message>
     <message>
-        <source>Wrong flow</source>
-        <translation>Flusso errato</translation>
+        <source>Flow error</source>
+        <translation>Errore di flusso</translation>
     </message>
     <message>
         <source>Time on the controller</source>
@@ -8082,56 +8082,56 @@ Fai clic per sceglierne un altro</translation>
         <translation>Circa %1</translation>
     </message>
     <message>
-        <source>%1 mm² touch the plate, %2 mm² lean over
+        <source>contact %1 mm², overhang %2 mm²
 %3 mm high
-%4 of %5 voxels missed by one pass of growth
-about %6 by its volume and height, without supports</source>
-        <translation>%1 mm² toccano il piatto, %2 mm² sono a sbalzo
+%4 of %5 voxels missed in one growth pass
+about %6, estimated from volume and height without supports</source>
+        <translation>contatto %1 mm², sbalzo %2 mm²
 altezza %3 mm
-%4 voxel su %5 mancati da una passata di crescita
-circa %6 in base a volume e altezza, senza supporti</translation>
+%4 voxel mancati su %5 in una passata di crescita
+circa %6, stimato da volume e altezza senza supporti</translation>
     </message>
 </context>
 <context>
     <name>voluta::panels::WaysList</name>
     <message>
-        <source>being looked for…</source>
-        <translation>ricerca in corso…</translation>
+        <source>Calculating…</source>
+        <translation>Calcolo in corso…</translation>
     </message>
     <message>
         <source>none found</source>
         <translation>nessuno trovato</translation>
     </message>
     <message>
-        <source>it lies otherwise</source>
-        <translation>è appoggiato altrimenti</translation>
+        <source>custom orientation</source>
+        <translation>orientamento personalizzato</translation>
     </message>
     <message>
-        <source>Ways to stand</source>
-        <translation>Modi di appoggio</translation>
+        <source>Orientations</source>
+        <translation>Orientamenti</translation>
     </message>
     <message>
-        <source>Click one to lay the part so</source>
-        <translation>Fai clic su uno per appoggiare così il pezzo</translation>
+        <source>Click one to orient the part that way</source>
+        <translation>Fai clic su uno per orientare così il pezzo</translation>
     </message>
 </context>
 <context>
     <name>voluta::panels::WrittenBar</name>
     <message>
-        <source>Open proof</source>
-        <translation>Apri la verifica</translation>
+        <source>Open report</source>
+        <translation>Apri il rapporto</translation>
     </message>
     <message>
-        <source>The page to hand over: verdict, margins and hashes of the program</source>
-        <translation>La pagina da consegnare: esito, margini e impronte del programma</translation>
+        <source>The report to hand over: verdict, margins and hashes of the program</source>
+        <translation>Il rapporto da consegnare: esito, margini e impronte del programma</translation>
     </message>
     <message>
         <source>Show folder</source>
         <translation>Mostra la cartella</translation>
     </message>
     <message>
-        <source>The folder with the programs, in the file manager</source>
-        <translation>La cartella con i programmi, nel gestore dei file</translation>
+        <source>Opens the folder with the programs in the file manager</source>
+        <translation>Apre la cartella con i programmi nel gestore dei file</translation>
     </message>
 </context>
 <context>
@@ -8177,11 +8177,11 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Preparazione delle curve…</translation>
     </message>
     <message>
-        <source>Joints are drawn here once the motion is planned.</source>
-        <translation>I giunti compaiono qui quando il movimento è pianificato.</translation>
+        <source>Joint curves appear here once the motion is planned.</source>
+        <translation>Le curve dei giunti compaiono qui quando il movimento è pianificato.</translation>
     </message>
     <message>
-        <source>No joint is chosen.</source>
+        <source>No joint selected.</source>
         <translation>Nessun giunto scelto.</translation>
     </message>
     <message>
@@ -8189,8 +8189,8 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Mostra l’asse %1</translation>
     </message>
     <message>
-        <source>Angle (°), way (mm)</source>
-        <translation>Angolo (°), corsa (mm)</translation>
+        <source>Angle (°), position (mm)</source>
+        <translation>Angolo (°), posizione (mm)</translation>
     </message>
     <message>
         <source>Speed (°/s, mm/s)</source>
@@ -8204,7 +8204,7 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Layers on show</source>
+        <source>Shown layers</source>
         <translation>Strati mostrati</translation>
     </message>
     <message>
@@ -8216,7 +8216,7 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Strati da %1 a %2 di %3</translation>
     </message>
     <message>
-        <source>Layers are shown here once they are planned.</source>
+        <source>Layers appear here once they are planned.</source>
         <translation>Gli strati compaiono qui quando sono pianificati.</translation>
     </message>
     <message>
@@ -8259,7 +8259,7 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Strato successivo</translation>
     </message>
     <message>
-        <source>Speed of playing</source>
+        <source>Playback speed</source>
         <translation>Velocità di riproduzione</translation>
     </message>
     <message>
@@ -8287,16 +8287,16 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Passo di crescita successivo</translation>
     </message>
     <message>
-        <source>Ten steps on</source>
+        <source>Ten steps forward</source>
         <translation>Dieci passi avanti</translation>
     </message>
     <message>
-        <source>Steps of growth</source>
+        <source>Growth steps</source>
         <translation>Passi di crescita</translation>
     </message>
     <message>
-        <source>Moment of the print / planned time</source>
-        <translation>Istante della stampa / tempo previsto</translation>
+        <source>Printing time so far / planned time</source>
+        <translation>Tempo di stampa trascorso / tempo previsto</translation>
     </message>
 </context>
 <context>
@@ -8341,7 +8341,7 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Sei assi, da 2 a 4 paralleli, risolti in forma chiusa</translation>
     </message>
     <message>
-        <source>Six axes with a bent wrist, solved by a search</source>
+        <source>Six axes with an offset wrist, solved by a search</source>
         <translation>Sei assi con polso piegato, risolti con una ricerca</translation>
     </message>
     <message>
@@ -8420,7 +8420,7 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>sull&apos;ultimo asse</translation>
     </message>
     <message>
-        <source>on the axis before it</source>
+        <source>on the previous axis</source>
         <translation>sull&apos;asse precedente</translation>
     </message>
     <message>
@@ -8439,12 +8439,12 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Modifica cella</translation>
     </message>
     <message>
-        <source>Save as own cell</source>
-        <translation>Salva come cella propria</translation>
+        <source>Save as my cell</source>
+        <translation>Salva come mia cella</translation>
     </message>
     <message>
-        <source>What the flange carries before anything is printed: the plate and its stem, or head and extruder</source>
-        <translation>Ciò che la flangia porta prima della stampa: il piatto col suo stelo, o testa ed estrusore</translation>
+        <source>Mass on the flange before printing: the plate and its stem, or head and extruder</source>
+        <translation>Massa sulla flangia prima della stampa: il piatto col suo stelo, o testa ed estrusore</translation>
     </message>
     <message>
         <source>Name</source>
@@ -8459,7 +8459,7 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Estrusore</translation>
     </message>
     <message>
-        <source>Carried</source>
+        <source>Payload</source>
         <translation>Carico</translation>
     </message>
     <message>
@@ -8471,12 +8471,12 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Togli</translation>
     </message>
     <message>
-        <source>Find rest</source>
-        <translation>Trova riposo</translation>
+        <source>Find home pose</source>
+        <translation>Trova posizione di riposo</translation>
     </message>
     <message>
-        <source>Rest where the arm is clearest of everything, the nozzle over the plate</source>
-        <translation>Riposo dove il braccio è più lontano da tutto, con l&apos;ugello sopra il piatto</translation>
+        <source>Finds the home pose with the greatest clearance, the nozzle over the plate</source>
+        <translation>Trova la posizione di riposo con la massima distanza da tutto, l&apos;ugello sopra il piatto</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -8495,8 +8495,8 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>estrusore</translation>
     </message>
     <message>
-        <source>carried mass</source>
-        <translation>massa portata</translation>
+        <source>payload</source>
+        <translation>carico</translation>
     </message>
     <message>
         <source>move %1</source>
@@ -8511,16 +8511,16 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Choose a body to move it</source>
-        <translation>Scegli un corpo per spostarlo</translation>
+        <source>Select a body to move it</source>
+        <translation>Seleziona un corpo per spostarlo</translation>
     </message>
     <message>
-        <source>being looked at…</source>
+        <source>checking…</source>
         <translation>controllo in corso…</translation>
     </message>
     <message>
-        <source>Nothing is wrong with it.</source>
-        <translation>Tutto a posto.</translation>
+        <source>No problems.</source>
+        <translation>Nessun problema.</translation>
     </message>
     <message>
         <source>add a box</source>
@@ -8531,16 +8531,16 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>togli %1</translation>
     </message>
     <message>
-        <source>being looked for…</source>
-        <translation>ricerca in corso…</translation>
+        <source>Calculating…</source>
+        <translation>Calcolo in corso…</translation>
     </message>
     <message>
-        <source>rest</source>
-        <translation>riposo</translation>
+        <source>home pose</source>
+        <translation>posizione di riposo</translation>
     </message>
     <message>
-        <source>Nowhere over the plate is the arm clear of everything.</source>
-        <translation>In nessun punto sopra il piatto il braccio è libero da tutto.</translation>
+        <source>No collision-free home pose over the plate was found.</source>
+        <translation>Nessuna posizione di riposo senza collisioni trovata sopra il piatto.</translation>
     </message>
     <message>
         <source>Replace the cell %1?</source>
@@ -8551,23 +8551,23 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Aggiungi da file…</translation>
     </message>
     <message>
-        <source>An obstacle that was drawn: a mesh, which becomes some boxes, cylinders and capsules about it</source>
-        <translation>Un ostacolo disegnato: una mesh, che diventa alcuni parallelepipedi, cilindri e capsule attorno a essa</translation>
+        <source>An obstacle from a drawing: a mesh, approximated by boxes, cylinders and capsules</source>
+        <translation>Un ostacolo da un disegno: una mesh, approssimata da parallelepipedi, cilindri e capsule</translation>
     </message>
     <message>
         <source>Measure…</source>
         <translation>Misura…</translation>
     </message>
     <message>
-        <source>Where the body is, from points touched at the real cell</source>
-        <translation>Dove sta il corpo, da punti toccati nella cella reale</translation>
+        <source>Computes the body&apos;s pose from points touched at the real cell</source>
+        <translation>Calcola la posa del corpo da punti toccati nella cella reale</translation>
     </message>
     <message>
         <source>Collision solids</source>
         <translation>Solidi di collisione</translation>
     </message>
     <message>
-        <source>%1 is being read…</source>
+        <source>Reading %1…</source>
         <translation>Lettura di %1…</translation>
     </message>
     <message>
@@ -8583,7 +8583,7 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>misura %1</translation>
     </message>
     <message>
-        <source>Shows the solids that are checked for collisions over the arm</source>
+        <source>Shows the solids used for collision checks over the arm</source>
         <translation>Mostra sopra il braccio i solidi controllati per le collisioni</translation>
     </message>
 </context>
@@ -8626,11 +8626,11 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>scala %1</translation>
     </message>
     <message>
-        <source>the part as it lies</source>
-        <translation>il pezzo come sta</translation>
+        <source>the part&apos;s orientation unchanged</source>
+        <translation>l&apos;orientamento del pezzo invariato</translation>
     </message>
     <message>
-        <source>shape of the rod</source>
+        <source>rod shape</source>
         <translation>forma della barra</translation>
     </message>
     <message>
@@ -8646,7 +8646,7 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Usa %1</translation>
     </message>
     <message>
-        <source>Which body is printed on? Without one it is the plate.</source>
+        <source>Which body is printed on? If none is chosen, the plate.</source>
         <translation>Su quale corpo si stampa? Senza, è il piatto.</translation>
     </message>
     <message>
@@ -8658,16 +8658,16 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Cambiati insieme: %1.</translation>
     </message>
     <message>
-        <source>what fits the way of building</source>
-        <translation>ciò che va col modo di costruire</translation>
+        <source>choices that fit the way of building</source>
+        <translation>scelte adatte al modo di costruire</translation>
     </message>
     <message>
         <source>Automatic</source>
         <translation>Automatico</translation>
     </message>
     <message>
-        <source>The first way of building, and the first platform, that nothing blocks.</source>
-        <translation>Il primo modo di costruire, e la prima piattaforma, che nulla blocca.</translation>
+        <source>The first way of building and platform without blocking findings.</source>
+        <translation>Il primo modo di costruire e la prima piattaforma senza segnalazioni bloccanti.</translation>
     </message>
     <message>
         <source>Rejected: %1.</source>
@@ -8708,8 +8708,8 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Superato</translation>
     </message>
     <message>
-        <source>Nothing blocks</source>
-        <translation>Nulla blocca</translation>
+        <source>No blocking findings</source>
+        <translation>Nessuna segnalazione bloccante</translation>
     </message>
     <message>
         <source>Blocked: %1</source>
@@ -8736,21 +8736,21 @@ circa %6 in base a volume e altezza, senza supporti</translation>
         <translation>Altrettanto buoni: %1.</translation>
     </message>
     <message>
-        <source>None is best: something blocks each of them.</source>
-        <translation>Nessuno è il migliore: qualcosa li blocca tutti.</translation>
+        <source>None is best: all of them are blocked.</source>
+        <translation>Nessuno è il migliore: sono tutti bloccati.</translation>
     </message>
     <message>
         <source>Which way of building suits this part?
-Tick what to compare at the right, then press Compare.</source>
+Tick the ways to compare at the right, then press Compare.</source>
         <translation>Quale modo di costruire conviene a questo pezzo?
-Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
+Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
     <message>
         <source>Adopt this way</source>
         <translation>Adotta questo modo</translation>
     </message>
     <message>
-        <source>Build the part as the selected row does; undo takes it back</source>
+        <source>Builds the part as in the selected row; can be undone</source>
         <translation>Costruisce il pezzo come la riga selezionata; si può annullare</translation>
     </message>
 </context>
@@ -8761,16 +8761,16 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Apri prima un pezzo.</translation>
     </message>
     <message>
-        <source>Planning is under way.</source>
+        <source>Planning is in progress.</source>
         <translation>Pianificazione in corso.</translation>
     </message>
     <message>
-        <source>Nothing is planned yet. Press Plan.</source>
+        <source>Nothing has been planned yet. Press Plan.</source>
         <translation>Ancora niente di pianificato. Premi Pianifica.</translation>
     </message>
     <message>
-        <source>A project keeps the plan, not the programs. Press Plan to write them.</source>
-        <translation>Un progetto conserva il piano, non i programmi. Premi Pianifica per scriverli.</translation>
+        <source>Programs are not saved in a project. Press Plan to generate them.</source>
+        <translation>I programmi non si salvano nel progetto. Premi Pianifica per generarli.</translation>
     </message>
     <message>
         <source>The programs are out of date. Press Plan.</source>
@@ -8789,7 +8789,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>; respinti e non scritti: %1</translation>
     </message>
     <message>
-        <source>; the proofs have no pictures: %1</source>
+        <source>; the reports have no pictures: %1</source>
         <translation>; le prove non hanno immagini: %1</translation>
     </message>
     <message>
@@ -8797,7 +8797,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>I file sono in scrittura.</translation>
     </message>
     <message>
-        <source>Nothing is exported</source>
+        <source>Nothing was exported</source>
         <translation>Niente è stato esportato</translation>
     </message>
     <message>
@@ -8809,19 +8809,19 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Sostituire i file?</translation>
     </message>
     <message>
-        <source>Files are in %1 already.</source>
-        <translation>In %1 ci sono già dei file.</translation>
+        <source>These files already exist in %1:</source>
+        <translation>Questi file esistono già in %1:</translation>
     </message>
     <message>
         <source>Replace</source>
         <translation>Sostituisci</translation>
     </message>
     <message>
-        <source>This is the rest of a print, made with other settings. Undo the change: Plan makes the whole part anew.</source>
-        <translation>Questo è il resto di una stampa, fatta con altre impostazioni. Annullare la modifica: Pianifica rifà tutto il pezzo.</translation>
+        <source>This is the rest of a print made with other settings. Undo the change: Plan would plan the whole part again.</source>
+        <translation>Questo è il resto di una stampa fatta con altre impostazioni. Annulla la modifica: Pianifica rifarebbe tutto il pezzo.</translation>
     </message>
     <message>
-        <source>Slower on the controller: %1 s more</source>
+        <source>Slower on the controller by %1 s</source>
         <translation>Più lento sul controllore: %1 s in più</translation>
     </message>
     <message>
@@ -8841,8 +8841,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Impossibile aprire %1</translation>
     </message>
     <message>
-        <source>No program is set up on this machine to open it.</source>
-        <translation>Su questa macchina nessun programma è impostato per aprirlo.</translation>
+        <source>No program on this computer is set up to open it.</source>
+        <translation>Su questo computer nessun programma è impostato per aprirlo.</translation>
     </message>
 </context>
 <context>
@@ -8871,11 +8871,11 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
 <context>
     <name>voluta::window::LayersPage</name>
     <message>
-        <source>Growth is replayed: all layers</source>
+        <source>Replaying growth: all layers shown</source>
         <translation>Si rivede la crescita: tutti gli strati</translation>
     </message>
     <message>
-        <source>Pieces are shown whole</source>
+        <source>Pieces are always shown whole</source>
         <translation>I pezzi sono mostrati interi</translation>
     </message>
 </context>
@@ -8894,8 +8894,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Apri la cartella</translation>
     </message>
     <message>
-        <source>No program here opens the folder %1.</source>
-        <translation>Nessun programma qui apre la cartella %1.</translation>
+        <source>No program on this computer opens the folder %1.</source>
+        <translation>Nessun programma su questo computer apre la cartella %1.</translation>
     </message>
 </context>
 <context>
@@ -8924,12 +8924,12 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
 <context>
     <name>voluta::window::MeasureDialog</name>
     <message>
-        <source>Points in mm, %1, one a row. Three rows x, y, z: the origin, a point on X, and one beside it towards Y. Or three or more rows of six: where a point is in the frame, and where it was touched.</source>
-        <translation>Punti in mm, %1, uno per riga. Tre righe x, y, z: l&apos;origine, un punto su X e uno di lato verso Y. O tre o più righe di sei: dove sta un punto nel riferimento e dove è stato toccato.</translation>
+        <source>One point per row, in mm, %1. Three rows x, y, z: origin, a point on X, a point in the XY plane. Or at least three rows of six: nominal point, touched point.</source>
+        <translation>Un punto per riga, in mm, %1. Tre righe x, y, z: origine, un punto su X, un punto nel piano XY. O almeno tre righe di sei: punto nominale, punto toccato.</translation>
     </message>
     <message>
-        <source>Four or more poses in which the tip touches one and the same point, tilted to different sides, one a row: the robot&apos;s joints, or x, y, z, qw, qx, qy, qz of the flange.</source>
-        <translation>Quattro o più pose in cui la punta tocca lo stesso punto, inclinata da parti diverse, una per riga: i giunti del robot, o x, y, z, qw, qx, qy, qz della flangia.</translation>
+        <source>At least four poses in which the tip touches the same point, tilted to different sides, one per row: the robot&apos;s joints, or x, y, z, qw, qx, qy, qz of the flange.</source>
+        <translation>Almeno quattro pose in cui la punta tocca lo stesso punto, inclinata da parti diverse, una per riga: i giunti del robot, o x, y, z, qw, qx, qy, qz della flangia.</translation>
     </message>
     <message>
         <source>Measure %1</source>
@@ -8966,7 +8966,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Anteprima</translation>
     </message>
     <message>
-        <source>Layers, paths and programs do not follow yet: press Plan.</source>
+        <source>Layers, paths and programs are not up to date yet: press Plan.</source>
         <translation>Strati, percorsi e programmi non sono ancora aggiornati: premi Pianifica.</translation>
     </message>
     <message>
@@ -8974,8 +8974,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Non aggiornato</translation>
     </message>
     <message>
-        <source>Made before the settings were changed: press Plan.</source>
-        <translation>Fatto prima che le impostazioni cambiassero: premi Pianifica.</translation>
+        <source>The settings have changed since: press Plan.</source>
+        <translation>Le impostazioni sono cambiate nel frattempo: premi Pianifica.</translation>
     </message>
 </context>
 <context>
@@ -9109,7 +9109,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Recupera il lavoro non salvato</translation>
     </message>
     <message>
-        <source>Voluta ended unexpectedly. “%1” was kept on %2.</source>
+        <source>Voluta ended unexpectedly. A copy of “%1” was saved on %2.</source>
         <translation>Voluta si è chiuso in modo imprevisto. Di “%1” c&apos;è una copia del %2.</translation>
     </message>
     <message>
@@ -9129,16 +9129,16 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Modifiche non salvate</translation>
     </message>
     <message>
-        <source>“%1” has changes that are not saved.</source>
+        <source>“%1” has unsaved changes.</source>
         <translation>“%1” ha modifiche non salvate.</translation>
     </message>
     <message>
-        <source>Resume the print from here?</source>
-        <translation>Riprendere la stampa da qui?</translation>
+        <source>Resume from here?</source>
+        <translation>Riprendere da qui?</translation>
     </message>
     <message>
-        <source>%1 % of the material counts as printed. The rest opens as a project of its own; “%2” stays as it was saved.</source>
-        <translation>Il %1 % del materiale conta come stampato. Il resto si apre come progetto a sé; «%2» resta com&apos;era salvato.</translation>
+        <source>%1 % of the material counts as printed. The rest of “%2” opens as a new project.</source>
+        <translation>Il %1 % del materiale conta come stampato. Il resto di «%2» si apre come nuovo progetto.</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -9157,8 +9157,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Descrizioni di robot (*.urdf *.xml);;Tutti i file (*)</translation>
     </message>
     <message>
-        <source>There is no folder for robots of your own: set HOME.</source>
-        <translation>Non c&apos;è una cartella per i robot propri: imposta HOME.</translation>
+        <source>No folder for your own robots: set HOME.</source>
+        <translation>Nessuna cartella per i robot propri: imposta HOME.</translation>
     </message>
     <message>
         <source>cell</source>
@@ -9215,7 +9215,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Pronto. Premi Pianifica.</translation>
     </message>
     <message>
-        <source>Done. Findings that block: %1.</source>
+        <source>Done. Blocking findings: %1.</source>
         <translation>Fatto. Segnalazioni bloccanti: %1.</translation>
     </message>
     <message>
@@ -9223,12 +9223,12 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Fatto.</translation>
     </message>
     <message>
-        <source>The pieces follow the settings. Press Plan for layers and paths.</source>
-        <translation>I pezzi seguono le impostazioni. Premi Pianifica per strati e percorsi.</translation>
+        <source>Pieces updated. Press Plan for layers and paths.</source>
+        <translation>Pezzi aggiornati. Premi Pianifica per strati e percorsi.</translation>
     </message>
     <message>
-        <source>The voxels follow the settings. Press Plan for layers and paths.</source>
-        <translation>I voxel seguono le impostazioni. Premi Pianifica per strati e percorsi.</translation>
+        <source>Voxels updated. Press Plan for layers and paths.</source>
+        <translation>Voxel aggiornati. Premi Pianifica per strati e percorsi.</translation>
     </message>
     <message>
         <source>Press Plan for layers and paths.</source>
@@ -9247,7 +9247,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Anteprima: %1, %2 passi di crescita</translation>
     </message>
     <message>
-        <source>Preview: %1, layers are being improved</source>
+        <source>Preview: %1, improving layers</source>
         <translation>Anteprima: %1, gli strati si affinano</translation>
     </message>
     <message>
@@ -9275,20 +9275,20 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>1 strato</translation>
     </message>
     <message>
-        <source>Cancelled. What was there before stays on show.</source>
-        <translation>Annullato. Resta in vista ciò che c&apos;era prima.</translation>
+        <source>Cancelled. The previous results are still shown.</source>
+        <translation>Annullato. Restano in vista i risultati precedenti.</translation>
     </message>
     <message>
-        <source>Cancelled. Press Plan to begin anew.</source>
+        <source>Cancelled. Press Plan to start again.</source>
         <translation>Annullato. Premi Pianifica per ricominciare.</translation>
     </message>
     <message>
-        <source>The run has stopped: see the findings.</source>
-        <translation>L&apos;elaborazione si è fermata: vedi le segnalazioni.</translation>
+        <source>The run failed: see the findings.</source>
+        <translation>L&apos;elaborazione è fallita: vedi le segnalazioni.</translation>
     </message>
     <message>
-        <source>Nothing can be planned like this: see the mark in the settings.</source>
-        <translation>Così non si può pianificare nulla: vedi il segno nelle impostazioni.</translation>
+        <source>Cannot plan: correct the marked setting.</source>
+        <translation>Impossibile pianificare: correggi l&apos;impostazione segnata.</translation>
     </message>
     <message>
         <source>planned time %1</source>
@@ -9326,8 +9326,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Nuovi tasti:</translation>
     </message>
     <message>
-        <source>“%1” had this key and has none now.</source>
-        <translation>“%1” aveva questi tasti e ora non ne ha.</translation>
+        <source>This key was removed from “%1”.</source>
+        <translation>Questi tasti sono stati tolti da “%1”.</translation>
     </message>
 </context>
 <context>
@@ -9337,7 +9337,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Solidi di collisione</translation>
     </message>
     <message>
-        <source>Shows the solids that are checked for collisions over the arm</source>
+        <source>Shows the solids used for collision checks over the arm</source>
         <translation>Mostra sopra il braccio i solidi controllati per le collisioni</translation>
     </message>
 </context>
@@ -9371,8 +9371,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>%1 min</translation>
     </message>
     <message>
-        <source>stand it this way</source>
-        <translation>appoggia in questo modo</translation>
+        <source>change orientation</source>
+        <translation>cambia orientamento</translation>
     </message>
 </context>
 <context>
@@ -9397,7 +9397,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Posa su punti toccati</translation>
     </message>
     <message>
-        <source>Touch a cylinder that lies along x at three points or more, and enter them in the work frame: y z, or x y z, one point a line [mm].</source>
+        <source>Touch a cylinder along x at three points or more, and enter them in the work frame: y z, or x y z, one point per line [mm].</source>
         <translation>Tocca in tre o più punti un cilindro disteso lungo x e scrivili nel riferimento di lavoro: y z, o x y z, un punto per riga [mm].</translation>
     </message>
     <message>
@@ -9417,7 +9417,7 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Sposta il pezzo</translation>
     </message>
     <message>
-        <source>Centre y %1, z %2 mm; radius %3 mm; points: %4, off by %5 mm on average.</source>
+        <source>Centre y %1, z %2 mm; radius %3 mm; points: %4, mean deviation %5 mm.</source>
         <translation>Centro y %1, z %2 mm; raggio %3 mm; punti: %4, scarto medio %5 mm.</translation>
     </message>
     <message>
@@ -9478,8 +9478,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>%1 %2, punto %3 di %4</translation>
     </message>
     <message>
-        <source>This layer has no paths around an axis.</source>
-        <translation>Questo strato non ha percorsi intorno a un asse.</translation>
+        <source>This layer is not wound around an axis.</source>
+        <translation>Questo strato non è avvolto intorno a un asse.</translation>
     </message>
     <message>
         <source>Unrolled layer</source>
@@ -9497,28 +9497,28 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
 <context>
     <name>voluta::window::VerifyDialog</name>
     <message>
-        <source>What the replay found</source>
-        <translation>Che cosa ha trovato la verifica</translation>
+        <source>Replay findings</source>
+        <translation>Segnalazioni della verifica</translation>
     </message>
     <message>
         <source>Verify %1</source>
         <translation>Verifica %1</translation>
     </message>
     <message>
-        <source>The program is read and replayed against the plan on show…</source>
-        <translation>Il programma viene letto e confrontato con il piano mostrato…</translation>
+        <source>Replaying the program against the current plan…</source>
+        <translation>Il programma viene rieseguito e confrontato con il piano attuale…</translation>
     </message>
     <message>
-        <source>%1: passed. It prints what was planned.</source>
-        <translation>%1: accettato. Stampa ciò che era previsto.</translation>
+        <source>%1: passed. The program matches the plan.</source>
+        <translation>%1: accettato. Il programma corrisponde al piano.</translation>
     </message>
     <message>
-        <source>%1: refused. Don&apos;t run it on the robot.</source>
+        <source>%1: refused. Do not run it on the robot.</source>
         <translation>%1: rifiutato. Non eseguirlo sul robot.</translation>
     </message>
     <message>
-        <source>What the replay found, the first %1 of %2</source>
-        <translation>Che cosa ha trovato la verifica, i primi %1 di %2</translation>
+        <source>Replay findings, the first %1 of %2</source>
+        <translation>Segnalazioni della verifica, le prime %1 di %2</translation>
     </message>
 </context>
 <context>
@@ -9548,19 +9548,19 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Percorsi</translation>
     </message>
     <message>
-        <source>What the plan has come to</source>
-        <translation>Il punto a cui è arrivato il piano</translation>
+        <source>The latest result of the plan</source>
+        <translation>L&apos;ultimo risultato del piano</translation>
     </message>
     <message>
-        <source>Layers as slabs of their thickness</source>
-        <translation>Strati come lastre del loro spessore</translation>
+        <source>Layers drawn with their thickness</source>
+        <translation>Strati disegnati con il loro spessore</translation>
     </message>
     <message>
-        <source>Tool-paths as the beads that are laid</source>
-        <translation>Percorsi utensile come cordoni deposti</translation>
+        <source>Tool-paths drawn as beads</source>
+        <translation>Percorsi utensile disegnati come cordoni</translation>
     </message>
     <message>
-        <source>Part&apos;s surface</source>
+        <source>Part surface</source>
         <translation>Superficie del pezzo</translation>
     </message>
     <message>
@@ -9568,8 +9568,8 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Spostamenti a vuoto</translation>
     </message>
     <message>
-        <source>Beads in their true width</source>
-        <translation>Cordoni a larghezza reale</translation>
+        <source>True bead width</source>
+        <translation>Larghezza reale dei cordoni</translation>
     </message>
     <message>
         <source>Section plane</source>
@@ -9580,40 +9580,40 @@ Spunta a destra ciò che va confrontato, poi premi Confronta.</translation>
         <translation>Inverti</translation>
     </message>
     <message>
-        <source>Cut away the other side</source>
+        <source>Remove the other side</source>
         <translation>Togli l&apos;altro lato</translation>
     </message>
     <message>
-        <source>Place of the section plane</source>
+        <source>Position of the section plane</source>
         <translation>Posizione del piano di sezione</translation>
     </message>
     <message>
-        <source>Solid voxels, and how they grow</source>
-        <translation>Voxel solidi, e come crescono</translation>
+        <source>Solid voxels and their growth order</source>
+        <translation>Voxel solidi e il loro ordine di crescita</translation>
     </message>
     <message>
         <source>Convex front</source>
         <translation>Fronte convesso</translation>
     </message>
     <message>
-        <source>While growth is replayed: the hull that the next voxels must not lie in</source>
+        <source>During growth replay: the hull in which the next voxels must not be</source>
         <translation>Mentre si rivede la crescita: l&apos;involucro in cui i prossimi voxel non devono trovarsi</translation>
     </message>
     <message>
-        <source>Later voxels faintly</source>
+        <source>Later voxels faint</source>
         <translation>Voxel futuri velati</translation>
     </message>
     <message>
-        <source>While growth is replayed: what is still to be laid</source>
-        <translation>Mentre si rivede la crescita: ciò che resta da deporre</translation>
+        <source>During growth replay: voxels not yet printed</source>
+        <translation>Mentre si rivede la crescita: i voxel non ancora stampati</translation>
     </message>
     <message>
         <source>Pieces</source>
         <translation>Pezzi</translation>
     </message>
     <message>
-        <source>Pieces that print without support, and their base planes</source>
-        <translation>Pezzi che si stampano senza supporto, e i loro piani di base</translation>
+        <source>Pieces printable without support, and their base planes</source>
+        <translation>Pezzi stampabili senza supporto, e i loro piani di base</translation>
     </message>
 </context>
 <context>

@@ -81,9 +81,9 @@ void addPartOptions(CLI::App& command, pipeline::PlanRequest& request) {
   command.add_option("--cell", choices.cell, "robot cell (see: list cells), or FILE.json");
   command.add_option("--process", choices.tool().process,
                      "nozzle, material, speeds (see: list processes), or FILE.json");
-  command.add_option("--scale", choices.scale,
+  command.add_option("--scale", choices.item().scale,
                      "factor, or fit: the largest up to 1 that is in reach");
-  command.add_option("--units", choices.units, "units of the mesh file: um, mm, cm, in, m");
+  command.add_option("--units", choices.item().units, "units of the mesh file: um, mm, cm, in, m");
   command.add_option_function<std::string>(
       "--turn",
       [&choices](const std::string& turn) {
@@ -131,7 +131,7 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
           request.choices.item().mode = mode;
       },
       "way of building; default auto: the first without blocking findings");
-  addChoice(*plan, "--growth", request.choices.growth,
+  addChoice(*plan, "--growth", request.choices.item().growth,
             "growth scheme of curved mode: " + growthIds());
   plan->add_option_function<std::string>(
       "--platform",
@@ -281,27 +281,24 @@ void addOrient(CLI::App& app, Parsed& parsed, int threads) {
 CLI::App* addImportRobot(CLI::App& robot, Parsed& parsed, int threads) {
   auto options = std::make_shared<ImportRobotOptions>();
   options->threads = threads;
-  CLI::App* import = robot.add_subcommand("import", "make a robot and a cell from a URDF");
-  import->add_option("FILE", options->urdf, "URDF, xacro expanded")->required();
-  import->add_option("--tip", options->options.tip, "link whose frame is the flange");
-  import->add_option("--base", options->options.base, "link whose frame is the base of poses");
-  import->add_option("--id", options->options.id, "id of the robot");
-  import->add_option("--controller", options->options.controller,
-                     "program format of its controller (see: list formats); default csv");
-  import->add_option("-o", options->folder,
-                     "folder for robots/ and cells/; default the user's data folder");
-  import
+  CLI::App* command = robot.add_subcommand("import", "make a robot and a cell from a URDF");
+  command->add_option("FILE", options->urdf, "URDF, xacro expanded")->required();
+  command->add_option("--tip", options->options.tip, "link whose frame is the flange");
+  command->add_option("--base", options->options.base, "link whose frame is the base of poses");
+  command->add_option("--id", options->options.id, "id of the robot");
+  command->add_option("--controller", options->options.controller,
+                      "program format of its controller (see: list formats); default csv");
+  command->add_option("-o", options->folder,
+                      "folder for robots/ and cells/; default the user's data folder");
+  command
       ->add_option("--cell", options->cell,
                    "moving (nozzle on the arm, plate on a table) or fixed (stationary "
                    "nozzle, plate on the arm)")
       ->check(CLI::IsMember({"moving", "fixed"}));
-  addThreads(*import, options->threads);
-  import->callback([options, &parsed] {
-    parsed.run = [options] { return importRobotCommand(*options);
-};
-} // namespace
-);
-return import;
+  addThreads(*command, options->threads);
+  command->callback(
+      [options, &parsed] { parsed.run = [options] { return importRobotCommand(*options); }; });
+  return command;
 }
 
 void addRobot(CLI::App& app, Parsed& parsed, int threads) {
@@ -336,7 +333,7 @@ void addReach(CLI::App& cell, Parsed& parsed, int threads) {
   };
   CLI::App* reach = cell.add_subcommand("reach", "map where the head reaches over the plate");
   addOptions(*reach);
-  addChoice(*reach, "--platform", options->choices.platform,
+  addChoice(*reach, "--platform", options->choices.item().platform,
             "plate to map; default the cell's largest");
   reach->add_option("--height", options->heightMm, "maximum height above the plate in mm")
       ->check(CLI::Range(1.0, 5000.0));

@@ -111,7 +111,7 @@ std::vector<project::Choices> automaticChoices(const project::Choices& choices) 
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("no way of building supports platform {platform} in cell {cell}"_text,
-                      choices.platform.text(), base::dataName(choices.cell)),
+                      choices.item().platform.text(), base::dataName(choices.cell)),
         {}, "choose another platform, or another cell"_text);
   return all;
 }

@@ -126,7 +126,7 @@ void setParameters(project::Choices& choices, const std::vector<std::string>& as
                               base::number(density)),
                 std::string(project::kInfillDensity), "omit it"_text);
   for (const auto& [key, value] : values.changes())
-    choices.parameters[key] = base::formatParameter(value);
+    choices.item().parameters[key] = base::formatParameter(value);
   // Store the content of planes and profile files in the choices, so that the project can be
   // reopened anywhere.
   for (const char* key : {"layerPlanes", "cutPlanes"})
@@ -230,7 +230,7 @@ process::Process chosenProcess(const project::Choices& choices,
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {
   constexpr const char* kWidth = "voxelMm";
   if (!loaded.cells)
-    return project::lengthUnit(choices.units).mm;
+    return project::lengthUnit(choices.item().units).mm;
   // The part's size must not depend on the defaults of a process or mode.
   base::ParameterValues values(allParameters());
   if (const auto own = choices.item().parameters.find(kWidth);
@@ -251,9 +251,9 @@ robot::Cell fittingCell(const project::Choices& choices, const process::Process&
   throw Error(ErrorCode::Usage,
               winds
                   ? base::message("mode {mode} prints around a rod, but cell {cell} has none"_text,
-                                  choices.mode, base::dataName(choices.cell))
+                                  choices.item().mode, base::dataName(choices.cell))
                   : base::message("cell {cell} has a rod, but mode {mode} prints on a plate"_text,
-                                  base::dataName(choices.cell), choices.mode),
+                                  base::dataName(choices.cell), choices.item().mode),
               {},
               winds ? base::Message("give --cell lathe"_text)
                     : base::message("give --mode {modes}, or another cell"_text,
@@ -310,16 +310,16 @@ void checkChoices(const project::Choices& given) {
                               choices.item().mode, choices.item().platform.kind().word),
                 {},
                 base::message("give --platform {platforms}"_text, project::platformForms(taken)));
-  const bool laysItself = static_cast<bool>(modes::findMode(choices.mode).place);
-  if (const auto orient = choices.parameters.find("orient");
-      laysItself && orient != choices.parameters.end() && orient->second != "none")
+  const bool laysItself = static_cast<bool>(modes::findMode(choices.item().mode).place);
+  if (const auto orient = choices.item().parameters.find("orient");
+      laysItself && orient != choices.item().parameters.end() && orient->second != "none")
     throw Error(ErrorCode::Usage,
                 base::message("orient={orient} is for parts on a plate; mode {mode} places them "
                               "itself"_text,
-                              orient->second, choices.mode),
+                              orient->second, choices.item().mode),
                 {}, "give orient=none"_text);
-  static_cast<void>(project::lengthUnit(choices.units));
-  if (project::parsedScale(choices.scale) == 0.0 && choices.platform.isBody())
+  static_cast<void>(project::lengthUnit(choices.item().units));
+  if (project::parsedScale(choices.item().scale) == 0.0 && choices.item().platform.isBody())
     throw Error(ErrorCode::Usage, "scale fit would scale the platform's mesh with the part"_text,
                 {}, "give a number"_text);
   const geometry::Placement& place = choices.item().placement;

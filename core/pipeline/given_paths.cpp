@@ -165,7 +165,7 @@ std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loa
 }
 
 void requireOwnSize(const project::Choices& choices) {
-  if (project::parsedScale(choices.scale) != 1.0 || choices.units != "mm")
+  if (project::parsedScale(choices.item().scale) != 1.0 || choices.item().units != "mm")
     throw base::Error(base::ErrorCode::Usage, "the tool-paths of a file cannot be scaled"_text, {},
                       "leave scale and units as they are, or give givenToolPaths=false"_text);
 }

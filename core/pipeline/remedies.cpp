@@ -35,7 +35,7 @@ std::optional<project::Choices> withParameter(const project::Choices& choices,
   if (!spec || !takes(choices, key))
     return std::nullopt;
   // In mode auto the chosen way sets some parameters itself.
-  const std::map<std::string, std::string> taken = resolved(choices).parameters;
+  const std::map<std::string, std::string> taken = resolved(choices).item().parameters;
   const auto chosen = taken.find(key);
   const std::string now =
       chosen == taken.end() ? base::formatParameter(spec->defaultValue) : chosen->second;
@@ -347,10 +347,10 @@ std::optional<project::Choices> printFlat(const plan::Finding&, const project::C
       !choices.item().platform.isForAnyOf(flat.platforms))
     return std::nullopt;
   project::Choices changed = choices;
-  changed.mode = flat.id;
-  changed.automatic = changed.platformStays = false;
-  if (choices.automatic) // the process belongs to the way
-    changed.parameters.try_emplace("supports", "auto");
+  changed.item().mode = flat.id;
+  changed.item().automatic = changed.item().platformStays = false;
+  if (choices.item().automatic) // the process belongs to the way
+    changed.item().parameters.try_emplace("supports", "auto");
   return changed;
 }
 

@@ -26,12 +26,12 @@ base::Message tryingText(const WayInTurn& way) {
 }
 
 base::Message chosenText(const project::Report& report) {
-  base::require(!report.tried.empty(), "chosenText: a plan of mode auto");
-  const base::Message values = valuesText(report.chosen);
-  return std::ranges::any_of(report.tried, &project::TriedReport::passed)
-             ? base::message("Chosen: {way} ({values})"_text, report.chosen.name, values)
+  base::require(!report.item().tried.empty(), "chosenText: a plan of mode auto");
+  const base::Message values = valuesText(report.item().chosen);
+  return std::ranges::any_of(report.item().tried, &project::TriedReport::passed)
+             ? base::message("Chosen: {way} ({values})"_text, report.item().chosen.name, values)
              : base::message("No option passes; best one shown: {way} ({values})"_text,
-                             report.chosen.name, values);
+                             report.item().chosen.name, values);
 }
 
 std::vector<base::Message> rejectedTexts(const project::Report& report) {

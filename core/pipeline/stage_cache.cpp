@@ -103,7 +103,8 @@ void seedCache(StageCache& cache, const project::Job& job) {
     stage->report = report;
     stage->timings = record.timings;
     // The file lacks a voxel object's placed cells; they are quick to compute again.
-    const bool whole = T::kStage == project::Stage::Load        ? !job.loaded || !job.loaded->cells
+    const bool whole = T::kStage == project::Stage::Load
+                           ? !job.item().loaded || !job.item().loaded->cells
                        : T::kStage == project::Stage::Decompose ? holdsResult(job)
                                                                 : true;
     if (whole && *job.reached >= T::kStage && !record.key.empty())

@@ -51,7 +51,7 @@ ProcessKeys keysOf(const process::Process& process) {
 }
 
 bool isMended(const project::LoadedPart& loaded, const project::Choices& choices) {
-  return choices.repair && !loaded.found.clean(); // A clean mesh needs no repair.
+  return choices.item().repair && !loaded.found.clean(); // A clean mesh needs no repair.
 }
 
 std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices& in,
@@ -100,7 +100,7 @@ std::string next(const std::string& before, project::Stage stage, const std::str
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
                           const base::ParameterValues& values, const process::Process& process) {
   const robot::Cell cell = fittingCell(choices, process); // The platform has its own text.
-  const modes::Mode& mode = modes::findMode(choices.mode);
+  const modes::Mode& mode = modes::findMode(choices.item().mode);
   const modes::ModeChoices in{choices, values, process};
   const std::string cellKey = cellText(cell, choices.cell);
 

@@ -10,6 +10,7 @@
 #include "pipeline/given_paths.h"
 #include "pipeline/item_stages.h"
 #include "pipeline/part_motion.h"
+#include "pipeline/part_size.h"
 #include "pipeline/pedestal.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/stage_keys.h"
@@ -323,7 +324,7 @@ private:
   // Volume filled by the tool-paths made here, handed to motion planning
   std::shared_ptr<const collision::GrowingPart> grown_;
   std::unique_ptr<PartMotion> moving_; // nullptr: released
-  bool fresh_ = false;                                  // the motion is another one than its key's
+  bool fresh_ = false;                 // the motion is another one than its key's
   project::StageKeys keys_;
   PlanResult result_;
 };

@@ -117,7 +117,7 @@ std::shared_ptr<const StartStage> startStage(const modes::LoadStage& placed,
   const robot::Cell cell = robot::loadCell(choices.cell, process, plate);
   if (cell.rod())
     return stage; // Reported where a plate is needed there.
-  if (adriftMm(choices.platform, *placed.part, cell) > 0.0)
+  if (adriftMm(choices.item().platform, *placed.part, cell) > 0.0)
     return stage; // Reported where the platform is made; the cell is not at fault.
   const collision::Margins margins =
       motionOptionsOf(parameterValues(choices), choices.seed).printing;

@@ -102,9 +102,9 @@ private:
     project::TriedReport& row = tried_.emplace_back();
     row.way = way.item().automaticWay;
     row.name = nameOfWay(way);
-    row.mode = way.mode;
-    row.platform = way.platform.text();
-    if (modes::findMode(way.mode).cuts && hasDefects(way)) {
+    row.mode = way.item().mode;
+    row.platform = way.item().platform.text();
+    if (modes::findMode(way.item().mode).cuts && hasDefects(way)) {
       row.reason = "a mesh with defects cannot be cut into pieces"_text;
       return false;
     }
