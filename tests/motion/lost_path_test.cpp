@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 class PathUnderACollar : public ::testing::Test {
 protected:
   static constexpr double kRing = 3.0, kApart = 55.0;
-  static constexpr double kHole = 8.5, kCollar = 25.0, kLow = 48.0, kHigh = 54.0;
+  static constexpr double kHole = 8.5, kCollar = 25.0, kLow = 48.0;
 
   PathUnderACollar() {
     // As wide as a collar's hole is not, then a neck that goes through it.
