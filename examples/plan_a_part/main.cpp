@@ -14,13 +14,14 @@ int main(int argc, char** argv) {
     const base::RunContext run(base::CancelToken(), 2); // two threads
     pipeline::PlanRequest request;
     request.part = argv[1];
-    request.choices.mode = "flat";
-    request.choices.scale = "0.3";
-    request.choices.platform = pipeline::usualPlatform(request.choices);
+    project::ItemChoices& choices = request.choices.item();
+    choices.mode = "flat";
+    choices.scale = "0.3";
+    choices.platform = pipeline::usualPlatform(request.choices);
     pipeline::PlanResult result = pipeline::planPart(request, run);
     std::filesystem::create_directories(argv[2]);
     pipeline::writeOutputs(result, argv[2], run);
-    std::cout << result.job.report.layers.count << " layers\n";
+    std::cout << result.job.report.item().layers.count << " layers\n";
     return pipeline::nothingBlocks(result.job.report) ? 0 : 2;
   } catch (const base::Error& error) {
     std::cerr << error.what() << "\n";
