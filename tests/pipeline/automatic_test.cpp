@@ -88,11 +88,11 @@ TEST(Automatic, AnArmThatStaysUprightGetsLevelLayersAtOnce) {
   choices.cell = "t3";
   const auto ways = automaticChoices(choices);
   ASSERT_EQ(ways.size(), 2u);
-  EXPECT_EQ(ways[0].automaticWay, "flat");
+  EXPECT_EQ(ways[0].item().automaticWay, "flat");
   EXPECT_EQ(resolved(ways[0]).item().parameters.at("supports"), "auto");
-  EXPECT_EQ(ways[1].automaticWay, "flat-low");
+  EXPECT_EQ(ways[1].item().automaticWay, "flat-low");
   choices.cell = "rv2f-moving";
-  EXPECT_EQ(automaticChoices(choices).front().mode, "curved");
+  EXPECT_EQ(automaticChoices(choices).front().item().mode, "curved");
 }
 
 TEST(Automatic, ProjectsNameAWayWhateverIsPutBeforeIt) {

@@ -213,7 +213,7 @@ TEST(GivenPaths, AProjectKeepsThem) {
   ASSERT_TRUE(again.item().loaded->toolPaths);
   EXPECT_EQ(again.item().loaded->hash, planned.job.item().loaded->hash);
   PlanRequest same;
-  same.loaded = again.item().loaded;
+  same.item().loaded = again.item().loaded;
   same.choices = again.choices;
   PlanRequest anew = same;
   anew.choices.item().parameters["givenToolPaths"] = "false";

@@ -81,20 +81,20 @@ TEST_F(JobFile, ComesBackAsItWas) {
 TEST_F(JobFile, ThePartComesBackAsItWasRead) {
   const Job job = sampleJob();
   const Job back = readBack(project::jobBytes(job));
-  EXPECT_EQ(back.loaded->name, "box.stl");
-  EXPECT_EQ(back.loaded->source->triangles.size(), 11u);
-  EXPECT_EQ(back.loaded->mesh->triangles, job.loaded->mesh->triangles);
-  EXPECT_EQ(back.loaded->hash, job.loaded->hash);
-  EXPECT_EQ(back.loaded->notes, job.loaded->notes);
-  EXPECT_EQ(base::english(back.loaded->notes.front()), "omitted: 1 facet");
-  EXPECT_EQ(back.loaded->found.boundaryEdges.count, 3u);
-  EXPECT_EQ(back.loaded->found.boundaryEdges.at, job.loaded->found.boundaryEdges.at);
-  EXPECT_FALSE(back.loaded->found.watertight);
-  EXPECT_EQ(back.loaded->found.boundsMm.max(), job.loaded->found.boundsMm.max());
-  EXPECT_EQ(back.choices.placement.rotation.coeffs(), job.choices.placement.rotation.coeffs());
-  EXPECT_EQ(back.choices.placement.centreMm, job.choices.placement.centreMm);
-  EXPECT_EQ(back.choices.placement.liftMm, 0.5);
-  EXPECT_TRUE(back.choices.repair);
+  EXPECT_EQ(back.item().loaded->name, "box.stl");
+  EXPECT_EQ(back.item().loaded->source->triangles.size(), 11u);
+  EXPECT_EQ(back.item().loaded->mesh->triangles, job.item().loaded->mesh->triangles);
+  EXPECT_EQ(back.item().loaded->hash, job.item().loaded->hash);
+  EXPECT_EQ(back.item().loaded->notes, job.item().loaded->notes);
+  EXPECT_EQ(base::english(back.item().loaded->notes.front()), "omitted: 1 facet");
+  EXPECT_EQ(back.item().loaded->found.boundaryEdges.count, 3u);
+  EXPECT_EQ(back.item().loaded->found.boundaryEdges.at, job.item().loaded->found.boundaryEdges.at);
+  EXPECT_FALSE(back.item().loaded->found.watertight);
+  EXPECT_EQ(back.item().loaded->found.boundsMm.max(), job.item().loaded->found.boundsMm.max());
+  EXPECT_EQ(back.choices.item().placement.rotation.coeffs(), job.choices.item().placement.rotation.coeffs());
+  EXPECT_EQ(back.choices.item().placement.centreMm, job.choices.item().placement.centreMm);
+  EXPECT_EQ(back.choices.item().placement.liftMm, 0.5);
+  EXPECT_TRUE(back.choices.item().repair);
 }
 
 TEST_F(JobFile, PiecesComeBack) {

@@ -112,7 +112,7 @@ protected:
     const std::filesystem::path file = folder_ / "body.stl";
     base::writeFile(file, geometry::writeStl(body));
     PlanRequest made;
-    made.loaded = loaded(std::move(part));
+    made.item().loaded = loaded(std::move(part));
     made.choices.item().mode = "substrate";
     made.choices.tool().process = "fdm-0.35";
     made.choices.item().platform = project::Platform("mesh:" + file.string());
@@ -209,13 +209,13 @@ TEST(LatheRoad, BadInputIsToldInOneLine) {
   expectRefusal(with([](Choices& c) { c.item().placement.centreMm.y() = 20; }, tube),
                 ErrorCode::UnusableInput, "the part misses the rod");
   expectRefusal(with([](Choices& c) { c.cell = "ur5-fixed"; }, tube), ErrorCode::Usage, "has none");
-  expectRefusal(with([](Choices& c) { c.platform = project::Platform("disc:80"); }, tube),
+  expectRefusal(with([](Choices& c) { c.item().platform = project::Platform("disc:80"); }, tube),
                 ErrorCode::Usage, "does not print on platform disc");
   expectRefusal(with([](Choices& c) { c.item().parameters["orient"] = "leastRisky"; }, tube),
                 ErrorCode::Usage, "orient=leastRisky");
   expectRefusal(with([](Choices& c) { c.item().parameters["rodProfile"] = "1,2 x"; }, tube),
                 ErrorCode::Usage, "'x' is neither a pair");
-  expectRefusal(with([](Choices& c) { c.parameters["firstLayerMm"] = "2"; }, tube),
+  expectRefusal(with([](Choices& c) { c.item().parameters["firstLayerMm"] = "2"; }, tube),
                 ErrorCode::Usage, "outside the limits of process fdm-0.35");
   expectRefusal(with([](Choices&) {}, test::box({-5, -5, -5}, {5, 5, 5})), ErrorCode::UnusableInput,
                 "no clear axis");

@@ -151,7 +151,7 @@ TEST(Lossless, WhatAPedestalWouldSaveIsTold) {
   request.choices.item().platform = Platform("fit:0");
   request.choices.item().parameters["supports"] = "none";
   const PlanResult fit = planPart(request, {});
-  const std::size_t missed = fit.job.report.decomposition.missedVoxels;
+  const std::size_t missed = fit.job.report.item().decomposition.missedVoxels;
   EXPECT_NE(plan::englishReason(*told).find(" on this plate, " + std::to_string(missed)),
             std::string::npos)
       << plan::englishReason(*told);

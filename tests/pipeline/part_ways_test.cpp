@@ -87,10 +87,10 @@ TEST(PartWays, AreOfThePlacedPartAndStandItWhereItWas) {
   request.choices.item().scale = "0.5";
   request.choices.item().placement.centreMm = {8.0, -3.0};
   const PlanResult result = pipeline::planPart(request, {});
-  const auto ways = pipeline::partWays(*result.placed, request.choices, *result.process, {});
+  const auto ways = pipeline::partWays(*result.item().placed, request.choices, *result.process, {});
   ASSERT_EQ(ways.size(), 2u) << "on the smallest side it would hardly stand";
   EXPECT_NEAR(ways[0].score.heightMm, 3.0, 1e-6);
-  request.choices.item().placement = pipeline::standing(ways[0], result.placed->placement);
+  request.choices.item().placement = pipeline::standing(ways[0], result.item().placed->placement);
   const Eigen::AlignedBox3d box =
       geometry::bounds(*pipeline::planPart(request, {}).job.item().part);
   EXPECT_NEAR(box.sizes().z(), 3.0, 1e-9);

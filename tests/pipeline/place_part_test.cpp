@@ -95,7 +95,7 @@ TEST(PlacePart, WhatIsPlannedToStandOnIsWhatTheDecompositionStandsOn) {
     request.choices.item().platform = project::Platform(platform);
     request.until = Stage::Decompose;
     const PlanResult result = pipeline::planPart(request, {});
-    const auto planned = pipeline::plannedPlatform(*result.placed, request.choices);
+    const auto planned = pipeline::plannedPlatform(*result.item().placed, request.choices);
     EXPECT_EQ(planned.polygon, result.job.item().platform.polygon) << platform;
   }
 }

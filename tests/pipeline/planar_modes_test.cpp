@@ -57,7 +57,7 @@ TEST(FlatMode, ABoxIsSlicedFromThePlateToItsTopAndPassesReplay) {
 
 TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
   PlanRequest flat = request("flat");
-  flat.loaded = tee();
+  flat.item().loaded = tee();
   const PlanResult result = planPart(flat, context());
   const DecompositionReport& d = result.job.report.item().decomposition;
   EXPECT_NEAR(d.riskyAreaMm2, 2 * 12 * 8, 1e-6);
@@ -79,7 +79,7 @@ TEST(FlatMode, WhatHangsOverIsToldInAreaAndInVoxels) {
 
 TEST(FlatMode, SupportsCarryWhatHangsAndCountApart) {
   PlanRequest flat = request("flat", Stage::Replay);
-  flat.loaded = tee();
+  flat.item().loaded = tee();
   flat.choices.item().platform = project::Platform("fit:15");
   flat.choices.formats = {"urscript"};
   setParameters(flat.choices, {"supports=auto"});
@@ -118,7 +118,7 @@ TEST(FlatMode, LayersLieWhereTheUserSays) {
 
 TEST(PlanarMode, ATeeComesInPiecesThatNeedNoSupport) {
   PlanRequest planar = request("planar");
-  planar.loaded = tee();
+  planar.item().loaded = tee();
   planar.choices.item().parameters = {{"pieceMaterials", "white PLA, red PLA"},
                                       {"output.debug", "true"}};
   PlanResult result = planPart(planar, context());

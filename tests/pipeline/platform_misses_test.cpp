@@ -79,7 +79,7 @@ class PlatformMisses : public testing::TestWithParam<Object> {};
 
 TEST_P(PlatformMisses, GrowWithThePlatformAndStayBelowUniformSlicing) {
   CompareOptions options;
-  options.plan.loaded = partOf(GetParam());
+  options.plan.item().loaded = partOf(GetParam());
   options.plan.choices.item().parameters["frontShape"] = "flat"; // as the source has it
   options.plan.until = Stage::Decompose;
   options.modes = {"curved", "flat"};

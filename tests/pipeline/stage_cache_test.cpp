@@ -81,8 +81,8 @@ TEST(StageCache, AJobFromDiskStandsOnTheSamePlateOfItsCell) {
   const pipeline::PlanResult first = pipeline::planPart(request, {});
   ASSERT_TRUE(first.job.choices.item().platform.isOfCell());
   const pipeline::PlanResult reopened = pipeline::resultOf(first.job);
-  ASSERT_FALSE(reopened.placed->platform.empty());
-  EXPECT_EQ(reopened.placed->platform, first.placed->platform);
+  ASSERT_FALSE(reopened.item().placed->platform.empty());
+  EXPECT_EQ(reopened.item().placed->platform, first.item().placed->platform);
   StageCache cache;
   pipeline::seedCache(cache, first.job);
   request.choices = first.job.choices;

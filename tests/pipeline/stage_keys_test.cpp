@@ -266,14 +266,14 @@ TEST_F(StageKeysOf, AModesOwnDefaultIsWhatIsMeant) {
 
 TEST_F(StageKeysOf, ThePartCountsByItsContent) {
   PlanRequest copy = boxRequest();
-  copy.loaded = loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(*boxPart()->source),
+  copy.item().loaded = loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(*boxPart()->source),
                            {}, false, {}); // not mended yet: it will be when it is planned
   expectChangesFrom(copy, kStageCount, "a copy of the mesh");
-  copy.loaded = loadedFrom("other.stl", boxPart()->source, {}, true, {});
+  copy.item().loaded = loadedFrom("other.stl", boxPart()->source, {}, true, {});
   expectChangesFrom(copy, 5, "another name"); // is written into the programs
   auto moved = *boxPart()->source;
   moved.vertices[3].z() += 1e-9;
-  copy.loaded =
+  copy.item().loaded =
       loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(moved), {}, true, {});
   expectChangesFrom(copy, 0, "a vertex moved by nearly nothing");
 }
@@ -282,15 +282,15 @@ TEST_F(StageKeysOf, RepairMattersWhereThereIsSomethingToMend) {
   auto open = *boxPart()->source;
   open.triangles.pop_back();
   PlanRequest mended, raw;
-  mended.loaded = raw.loaded =
+  mended.item().loaded = raw.item().loaded =
       loadedFrom("open.stl", std::make_shared<geometry::TriangleMesh>(open), {}, true, {});
   raw.choices.item().repair = false;
   EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
   // Whichever way the part at hand was loaded.
-  mended.loaded = withRepair(mended.loaded, false, {});
+  mended.item().loaded = withRepair(mended.item().loaded, false, {});
   EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
-  raw.loaded = mended.loaded;
-  mended.loaded = withRepair(raw.loaded, true, {});
+  raw.item().loaded = mended.item().loaded;
+  mended.item().loaded = withRepair(raw.item().loaded, true, {});
   EXPECT_NE(stageKeys(mended)[0], stageKeys(raw)[0]);
 }
 

@@ -29,7 +29,7 @@ std::string Comparing::keyOf(const pipeline::PlanRequest& request) const {
     mode = row.combination.mode;
     pipeline::PlanRequest one = request;
     one.choices = pipeline::choicesOf(row.combination, one.choices);
-    one.choices.growth = {}; // belongs to the row
+    one.choices.item().growth = {}; // belongs to the row
     key += pipeline::stageKeys(one).back();
   }
   return key;

@@ -238,7 +238,7 @@ project::Choices Document::choicesOfNextPart(const QString& path) const {
     return same;
   project::Choices next = start_;
   // A cell and a process that were set by the way of building are reset with it.
-  const modes::Mode* mode = choices_.automatic ? nullptr : modes::modeNamed(choices_.mode);
+  const modes::Mode* mode = choices_.item().automatic ? nullptr : modes::modeNamed(choices_.item().mode);
   if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != start_.cell)
     return next;
   next.cell = choices_.cell;

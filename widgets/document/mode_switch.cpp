@@ -114,12 +114,12 @@ QString obstacle(const Choices& given) {
   if (!choices.item().platform.isForAnyOf(mode.platforms))
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building does not support that platform."));
-  const auto orient = choices.item().item().parameters.find("orient");
-  if (mode.place && orient != choices.item().item().parameters.end() && orient->second != "none")
+  const auto orient = choices.item().parameters.find("orient");
+  if (mode.place && orient != choices.item().parameters.end() && orient->second != "none")
     return say(QT_TRANSLATE_NOOP(
         "ModeSwitch", "This way of building places the part itself: the search for an orientation "
                       "does not apply."));
-  if (mode.place && choices.item().item().scale == "fit")
+  if (mode.place && choices.item().scale == "fit")
     return say(
         QT_TRANSLATE_NOOP("ModeSwitch", "This way of building needs the scale as a number."));
   try {

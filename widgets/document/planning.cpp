@@ -92,8 +92,8 @@ void Planning::start() {
           post([this, stage, loaded = request.item().loaded,
                 snapshot = std::make_shared<const pipeline::PlanResult>(soFar)] {
             // The plan repairs the part, or takes it as read, if it was not loaded that way.
-            if (snapshot->job.loaded != loaded)
-              document_.replaceSource(loaded, snapshot->job.loaded);
+            if (snapshot->job.item().loaded != loaded)
+              document_.replaceSource(loaded, snapshot->job.item().loaded);
             document_.stageDone(stage, snapshot);
             emit stageDone(stage);
           });

@@ -295,7 +295,7 @@ void MainWindow::showObjects() {
       source ? sizeText(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval())
              : QString();
   tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), {});
-  tree_->setText(SceneItem::Platform, {}, language::words(c.platform.shown()));
+  tree_->setText(SceneItem::Platform, {}, language::words(c.item().platform.shown()));
   // For a cell given as text, only its id
   const QString cell = QString::fromStdString(base::dataName(c.cell));
   tree_->setText(SceneItem::Cell, {}, cell);

@@ -99,9 +99,9 @@ QString cancelText(const document::Document& document) {
 
 QString previewEndText(const document::Document& document) {
   const auto result = document.result(Stage::Decompose);
-  return result && result->job.pieces()
+  return result && result->job.item().pieces()
              ? Runs::tr("Pieces updated. Press Plan for layers and paths.")
-         : result && result->job.decomposition()
+         : result && result->job.item().decomposition()
              ? Runs::tr("Voxels updated. Press Plan for layers and paths.")
              : Runs::tr("Press Plan for layers and paths.");
 }

@@ -43,13 +43,13 @@ QString changesOf(const project::Choices& from, const project::Choices& to) {
   QStringList parts;
   if (to.cell != from.cell)
     parts << ChoicesEditor::tr("cell %1").arg(named(base::dataName(to.cell)));
-  if (to.platform != from.platform)
-    parts << ChoicesEditor::tr("platform %1").arg(language::words(to.platform.shown()));
-  if (to.process != from.process)
-    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.process)));
-  if (to.scale != from.scale)
-    parts << ChoicesEditor::tr("scale %1").arg(named(to.scale));
-  if (to.parameters != from.parameters)
+  if (to.item().platform != from.item().platform)
+    parts << ChoicesEditor::tr("platform %1").arg(language::words(to.item().platform.shown()));
+  if (to.tool().process != from.tool().process)
+    parts << ChoicesEditor::tr("process %1").arg(named(base::dataName(to.tool().process)));
+  if (to.item().scale != from.item().scale)
+    parts << ChoicesEditor::tr("scale %1").arg(named(to.item().scale));
+  if (to.item().parameters != from.item().parameters)
     parts << ChoicesEditor::tr("the part's orientation unchanged");
   return parts.join(QStringLiteral(", "));
 }
@@ -95,7 +95,7 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
   form_->setObjectName("choices");
   connect(form_, &forms::ChoicesForm::changed, this, &ChoicesEditor::change);
   connect(&document_, &document::Document::stateChanged, this, [this] {
-    if (document_.choices().automatic && !document_.unusable())
+    if (document_.choices().item().automatic && !document_.unusable())
       form_->setNotice(wayChosen(), {}, false); // Called often, so no file is read here
   });
   connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
@@ -155,7 +155,7 @@ void ChoicesEditor::changeRod(const forms::RodProfile& profile) {
   if (profile.sides > 0)
     c.item().parameters["rodSides"] = std::to_string(profile.sides);
   if (!profile.points.isEmpty())
-    c.parameters["rodProfile"] = profile.points.toStdString();
+    c.item().parameters["rodProfile"] = profile.points.toStdString();
   document_.setChoices(c, tr("rod shape"));
 }
 

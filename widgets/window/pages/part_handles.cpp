@@ -133,12 +133,12 @@ void PartHandles::layOnTouchedPoints() {
   const Eigen::Vector2d shift = dialog.shiftMm();
   project::Choices choices = document.choices();
   // Start from the present placement, whether manual or by the mode.
-  choices.placement = placed();
-  choices.placement.centreMm.y() += shift.x();
-  choices.placement.liftMm += shift.y();
-  if (const auto shape = choices.parameters.find("layerShape");
-      shape != choices.parameters.end() && shape->second == "cylinder")
-    choices.parameters["layerCentre"] = QStringLiteral("0,%1,%2")
+  choices.item().placement = placed();
+  choices.item().placement.centreMm.y() += shift.x();
+  choices.item().placement.liftMm += shift.y();
+  if (const auto shape = choices.item().parameters.find("layerShape");
+      shape != choices.item().parameters.end() && shape->second == "cylinder")
+    choices.item().parameters["layerCentre"] = QStringLiteral("0,%1,%2")
                                             .arg(dialog.circle()->centre.x(), 0, 'g', 8)
                                             .arg(dialog.circle()->centre.y(), 0, 'g', 8)
                                             .toStdString();

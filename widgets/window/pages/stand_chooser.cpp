@@ -85,7 +85,7 @@ void StandChooser::refresh() {
     return;
   }
   const auto placed = document.result(Stage::Load);
-  if (!placed || !placed->placed || !placed->process || !document.upToDate(Stage::Load))
+  if (!placed || !placed->item().placed || !placed->process || !document.upToDate(Stage::Load))
     return;
   const std::string key = pipeline::partWaysKey(*document.source(), placed->job.item().scale,
                                                 document.choices(), *placed->process);
@@ -109,7 +109,7 @@ void StandChooser::look(const std::string& key) {
   inBackground(
       runner_,
       [plan, choices = work_.document.choices()](const base::RunContext& ctx) {
-        const modes::LoadStage& placed = *plan->placed;
+        const modes::LoadStage& placed = *plan->item().placed;
         Found found{pipeline::partWays(placed, choices, *plan->process, ctx),
                     {},
                     placed.placement.rotation.normalized()};
@@ -147,8 +147,8 @@ void StandChooser::lay(std::size_t way) {
   const Eigen::Quaterniond rotation = choices.item().placement.rotation.normalized();
   choices.item().placement.rotation =
       (geometry::rotationLayingFlat(rotation * downs_[way]) * rotation).normalized();
-  choices.placement.liftMm = 0.0;
-  choices.parameters.erase("orient"); // a search would rotate it further
+  choices.item().placement.liftMm = 0.0;
+  choices.item().parameters.erase("orient"); // a search would rotate it further
   laid_ = true;
   work_.document.setChoices(choices, tr("change orientation"));
 }

@@ -149,7 +149,7 @@ void PartPresenter::drawPlannedPlatform() {
   drawnPlatform_ = wanted;
   inBackground(
       *drawingPlatform_,
-      [choices, stage = placed->placed] {
+      [choices, stage = placed->item().placed] {
         return drawingOf(pipeline::plannedPlatform(*stage, choices));
       },
       [this](auto&& made) { swapPlatform(made.first, made.second); });
@@ -201,7 +201,7 @@ void PartPresenter::drawChosenCell() {
   chosenCell_ = wanted;
   inBackground(
       *drawingChosenCell_,
-      [choices, stage = placed ? placed->placed : nullptr]() {
+      [choices, stage = placed ? placed->item().placed : nullptr]() {
         std::shared_ptr<const scene::CellDrawing> drawing;
         try {
           const process::Process process =

@@ -1,0 +1,102 @@
+// Events of a trajectory in programs: every dialect says them, or refuses.
+#include "base/error.h"
+#include "plan/stated_facts.h"
+#include "program/dialect.h"
+#include "program_fixture.h"
+
+#include <algorithm>
+
+namespace voluta::program {
+namespace {
+
+class Events : public test::Programs {
+protected:
+  void SetUp() override {
+    Programs::SetUp();
+    appendRandom(7, 120);
+  }
+  // The first motion of a travel behind the first path.
+  std::size_t travel() const {
+    std::size_t i = 1;
+    while (i + 1 < trajectory_.pointCount() && !(trajectory_.move[i] == plan::MoveKind::Print &&
+                                                 trajectory_.move[i + 1] != plan::MoveKind::Print))
+      ++i;
+    return i + 1;
+  }
+  static bool says(const Dialect& dialect, plan::EventKind kind) {
+    return std::ranges::find(dialect.events, kind) != dialect.events.end();
+  }
+};
+
+TEST_F(Events, everyDialectSaysEachOrRefuses) {
+  std::size_t said = 0;
+  for (const Dialect& dialect : dialects()) {
+    SCOPED_TRACE(dialect.id);
+    useArmFor(dialect);
+    for (const plan::EventKind kind : {plan::EventKind::ToolChange, plan::EventKind::Cut,
+                                       plan::EventKind::Pause, plan::EventKind::Feed}) {
+      trajectory_.events = {{.point = travel(), .kind = kind, .tool = 1, .feedMm = 5.0}};
+      const auto refused = refusal(dialect, *cell_, {}, &trajectory_);
+      if (!says(dialect, kind)) {
+        ASSERT_TRUE(refused);
+        EXPECT_THROW(requireEvents(dialect, trajectory_), base::Error);
+        continue;
+      }
+      EXPECT_NO_THROW(requireEvents(dialect, trajectory_));
+      ++said;
+    }
+  }
+  EXPECT_GE(said, 7u);
+}
+
+TEST_F(Events, aPauseIsReadBackBeforeItsMotion) {
+  for (const Dialect& dialect : dialects()) {
+    if (!says(dialect, plan::EventKind::Pause) || !dialect.tiltsNozzle)
+      continue;
+    SCOPED_TRACE(dialect.id);
+    useArmFor(dialect);
+    trajectory_.events.clear();
+    const auto stops = [&] {
+      const plan::Program program = writeProgram(dialect.id, input());
+      const plan::ReadProgram read = readProgram(dialect.id, program.files, process_);
+      EXPECT_TRUE(read.defects.empty())
+          << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
+      std::vector<std::size_t> before;
+      for (const plan::StatedFact& fact : read.facts)
+        if (fact.kind == plan::FactKind::OperatorStop && fact.before > 0 &&
+            fact.before < read.motions.size())
+          before.push_back(fact.before);
+      return before;
+    };
+    EXPECT_TRUE(stops().empty());
+    trajectory_.events = {{.point = travel(), .kind = plan::EventKind::Pause}};
+    const std::vector<std::size_t> before = stops();
+    ASSERT_EQ(before.size(), 1u);
+  }
+}
+
+TEST_F(Events, aJoinedTrajectoryKeepsThem) {
+  trajectory_.events = {{.point = 20, .kind = plan::EventKind::Pause},
+                        {.point = 20, .kind = plan::EventKind::Cut},
+                        {.point = travel(), .kind = plan::EventKind::Pause}};
+  const MergedPoints merged = mergedPoints(input(),
+                                           {.leastS = 10.0,
+                                            .leastMm = 50.0,
+                                            .toleranceMm = 100.0,
+                                            .toleranceRad = 10.0,
+                                            .sectionShare = 100.0},
+                                           {});
+  const plan::Trajectory& t = *merged.trajectory;
+  ASSERT_EQ(t.events.size(), 3u);
+  for (std::size_t e = 0; e < 3; ++e) {
+    EXPECT_EQ(t.events[e].kind, trajectory_.events[e].kind);
+    const std::size_t before = trajectory_.events[e].point - 1;
+    EXPECT_EQ(t.timeS[t.events[e].point - 1], trajectory_.timeS[before])
+        << "the point before stays";
+  }
+  EXPECT_EQ(t.eventsBefore(t.events[0].point).size(), 2u);
+  EXPECT_TRUE(t.eventsBefore(t.events[0].point + 1).empty());
+}
+
+} // namespace
+} // namespace voluta::program
