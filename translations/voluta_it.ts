@@ -6670,6 +6670,10 @@ previsto</translation>
         <translation>la densità di riempimento {density} non si può ancora stampare: i pezzi sono pieni</translation>
     </message>
     <message>
+        <source>parameter {oldKey} was renamed to {key}</source>
+        <translation>il parametro {oldKey} ora si chiama {key}</translation>
+    </message>
+    <message>
         <source>the project&apos;s infill density {density} is ignored: parts are filled solid</source>
         <translation>la densità di riempimento {density} del progetto è ignorata: i pezzi sono pieni</translation>
     </message>

@@ -107,7 +107,8 @@ void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
   request.until = project::stageOf(values.until);
   project::Choices& choices = request.choices;
   pipeline::takeOwnFiles(choices);
-  pipeline::setParameters(choices, values.sets);
+  for (const base::Message& note : pipeline::setParameters(choices, values.sets))
+    fmt::print(stderr, "note: {}\n", base::english(note));
   if (!choices.item().automatic && !choices.item().platformStays)
     choices.item().platform = pipeline::usualPlatform(choices);
 }

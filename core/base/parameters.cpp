@@ -7,11 +7,20 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <utility>
 
 namespace voluta::base {
 
 namespace {
+constexpr RenamedKey kRenamedKeys[] = {
+    {"directionConeDeg", "tiltToleranceDeg"},
+    {"infillTurn", "infillRotation"},
+    {"nozzleTurn", "nozzleRotation"},
+    {"turnSmoothing", "rotationSmoothing"},
+    {"underlay", "rimSupports"},
+};
+
 ParameterSpec makeSpec(std::string key, ParameterType type, std::string unit, ParameterValue value,
                        Text group, Text label, Text help, bool simple) {
   ParameterSpec spec;
@@ -83,6 +92,21 @@ ParameterSpec choiceParameter(std::string key, std::string defaultValue,
                                 group, label, help, simple);
   spec.choices = std::move(choices);
   return spec;
+}
+
+std::span<const RenamedKey> renamedKeys() {
+  return kRenamedKeys;
+}
+
+std::string_view currentKey(std::string_view key) {
+  const auto* renamed = std::ranges::find(kRenamedKeys, key, &RenamedKey::oldKey);
+  return renamed == std::end(kRenamedKeys) ? key : renamed->key;
+}
+
+Message renamedNote(std::string_view oldKey) {
+  const std::string_view key = currentKey(oldKey);
+  require(key != oldKey, "renamedNote: a renamed key");
+  return message("parameter {oldKey} was renamed to {key}"_text, oldKey, key);
 }
 
 ParameterTable::ParameterTable(std::vector<ParameterSpec> specs) {
@@ -168,7 +192,7 @@ std::string formatParameter(const ParameterValue& value) {
 }
 
 void ParameterValues::set(std::string_view key, std::string_view text) {
-  const ParameterSpec* spec = table_.find(key);
+  const ParameterSpec* spec = table_.find(currentKey(key));
   if (!spec) {
     std::vector<std::string> keys;
     for (const ParameterSpec& known : table_.specs())

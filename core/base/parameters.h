@@ -6,6 +6,7 @@
 #include "base/text.h"
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -50,6 +51,16 @@ ParameterSpec choiceParameter(std::string key, std::string defaultValue,
                               std::vector<Choice> choices, Text group, Text label, Text help,
                               bool simple = false);
 
+// A parameter's key of an older version, which project files and scripts may still contain.
+struct RenamedKey {
+  std::string_view oldKey, key;
+};
+std::span<const RenamedKey> renamedKeys();
+// Returns the current key of a renamed parameter; any other key unchanged.
+std::string_view currentKey(std::string_view key);
+// Returns the note to the user that a key was renamed. Precondition: `oldKey` is in renamedKeys().
+Message renamedNote(std::string_view oldKey);
+
 class ParameterTable {
 public:
   ParameterTable() = default;
@@ -77,7 +88,8 @@ public:
   explicit ParameterValues(ParameterTable table) : table_(std::move(table)) {}
 
   const ParameterTable& table() const { return table_; }
-  // Throws Error{Usage} for an unknown key (naming the nearest) or an invalid value.
+  // Accepts the old key of a renamed parameter. Throws Error{Usage} for an unknown key (naming the
+  // nearest) or an invalid value.
   void set(std::string_view key, std::string_view text);
   // "key=value", as on the command line.
   void setAssignment(std::string_view assignment);

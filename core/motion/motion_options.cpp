@@ -6,9 +6,9 @@
 namespace voluta::motion {
 
 namespace {
-constexpr const char *kTurnSmoothing = "turnSmoothing", *kWholePath = "wholePath";
-constexpr const char *kNozzleTurn = "nozzleTurn", *kTangent = "tangent", *kWorkAxis = "workAxis",
-                     *kRodrigues = "rodrigues";
+constexpr const char *kRotationSmoothing = "rotationSmoothing", *kWholePath = "wholePath";
+constexpr const char *kNozzleRotation = "nozzleRotation", *kTangent = "tangent",
+                     *kWorkAxis = "workAxis", *kRodrigues = "rodrigues";
 
 NozzleTurn nozzleTurn(const std::string& name) {
   return name == kTangent     ? NozzleTurn::Tangent
@@ -36,7 +36,7 @@ base::ParameterTable motionParameters() {
            "wipeMm", "mm", d.wipeMm, 0.0, 20.0, "Motion"_text, "wipe"_text,
            "How far the nozzle moves back over its bead, or on along a closed one, with the extruder off before it lifts. 0: it lifts at the end of the bead."_text),
        base::choiceParameter(
-           kNozzleTurn, "free",
+           kNozzleRotation, "free",
            {{"free", "best for the arm"_text},
             {kTangent, "along the path"_text},
             {kWorkAxis, "along the plate"_text},
@@ -47,12 +47,12 @@ base::ParameterTable motionParameters() {
            "redundancySamples", d.samples, 8, 72, "Motion"_text, "rotations tried per point"_text,
            "How many rotations of the part about the nozzle's axis are tried at each point."_text),
        base::choiceParameter(
-           kTurnSmoothing, "evened",
+           kRotationSmoothing, "evened",
            {{"evened", "smoothed"_text}, {kWholePath, "minimum jerk of whole paths"_text}},
            "Motion"_text, "smoothing of rotations"_text,
            "How rotations about the nozzle are smoothed: quickly, or by a search for minimum joint jerk, which doubles the planning time of the motion."_text),
        base::numberParameter(
-           "directionConeDeg", "deg", base::radiansToDegrees(d.leanRad), 0.0, 10.0, "Motion"_text,
+           "tiltToleranceDeg", "deg", base::radiansToDegrees(d.leanRad), 0.0, 10.0, "Motion"_text,
            "tilt tolerance"_text,
            "How far the nozzle may tilt from its planned direction where that makes the joints' motion smoother. Only with minimum jerk of whole paths."_text)});
 }
@@ -67,10 +67,10 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.wipeMm = values.number("wipeMm");
   o.hopLiftMm = std::min(o.hopLiftMm, o.liftMm);
   o.samples = static_cast<int>(values.integer("redundancySamples"));
-  o.turn = nozzleTurn(values.text(kNozzleTurn));
+  o.turn = nozzleTurn(values.text(kNozzleRotation));
   o.smoothing =
-      values.text(kTurnSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
-  o.leanRad = base::degreesToRadians(values.number("directionConeDeg"));
+      values.text(kRotationSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
+  o.leanRad = base::degreesToRadians(values.number("tiltToleranceDeg"));
   return o;
 }
 

@@ -55,8 +55,8 @@ struct MotionOptions {
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
 
-// Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleTurn, redundancySamples,
-// turnSmoothing, directionConeDeg.
+// Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,
+// rotationSmoothing, tiltToleranceDeg.
 base::ParameterTable motionParameters();
 // Does not throw if `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);

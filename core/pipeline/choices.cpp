@@ -115,10 +115,16 @@ base::ParameterTable offeredParameters() {
   return base::ParameterTable(std::move(specs));
 }
 
-void setParameters(project::Choices& choices, const std::vector<std::string>& assignments) {
+std::vector<base::Message> setParameters(project::Choices& choices,
+                                         const std::vector<std::string>& assignments) {
   base::ParameterValues values(allParameters());
-  for (const std::string& assignment : assignments)
+  std::vector<base::Message> notes;
+  for (const std::string& assignment : assignments) {
     values.setAssignment(assignment);
+    if (const std::string key = assignment.substr(0, assignment.find('='));
+        base::currentKey(key) != key)
+      notes.push_back(base::renamedNote(key));
+  }
   if (const double density = values.number(project::kInfillDensity); density < 1.0)
     throw Error(ErrorCode::Usage,
                 base::message("infill density {density} cannot be printed yet: parts are filled "
@@ -136,6 +142,7 @@ void setParameters(project::Choices& choices, const std::vector<std::string>& as
   if (const auto profile = choices.item().parameters.find("rodProfile");
       profile != choices.item().parameters.end())
     profile->second = modes::rodProfileText(profile->second);
+  return notes;
 }
 
 base::ParameterTable parametersOf(std::string_view id) {

@@ -18,9 +18,11 @@ namespace voluta::pipeline {
 
 // Returns the parameters of all modules in one table.
 base::ParameterTable allParameters();
-// Checks "key=value" texts against the table and stores them in choices.parameters. Throws
-// Error{Usage}, also for a value that cannot be printed yet.
-void setParameters(project::Choices& choices, const std::vector<std::string>& assignments);
+// Checks "key=value" texts against the table and stores them in choices.parameters. Returns a note
+// for each renamed key, whose old name is accepted. Throws Error{Usage}, also for a value that
+// cannot be printed yet.
+std::vector<base::Message> setParameters(project::Choices& choices,
+                                         const std::vector<std::string>& assignments);
 
 // Returns allParameters() without those that are not offered yet and therefore appear in no form,
 // list or help.

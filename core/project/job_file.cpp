@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/number_list.h"
+#include "base/parameters.h"
 #include "project/block_file.h"
 #include "project/content_hash.h"
 #include "project/infill_density.h"
@@ -125,6 +126,23 @@ void dropSparseInfill(ItemChoices& choices, LoadedPart& part) {
     part.notes.push_back(note);
   }
   choices.parameters.erase(density);
+}
+
+// Renames the parameters whose keys were renamed, and adds a note about each to the item's part. A
+// value of the current key stays.
+void renameKeys(ItemChoices& choices, JobItem& item) {
+  LoadedPart part = *item.loaded;
+  for (const base::RenamedKey& renamed : base::renamedKeys()) {
+    auto found = choices.parameters.extract(std::string(renamed.oldKey));
+    if (found.empty())
+      continue;
+    found.key() = renamed.key;
+    choices.parameters.insert(std::move(found));
+    for (std::vector<base::Message>* notes : {&part.readNotes, &part.notes})
+      notes->push_back(base::renamedNote(renamed.oldKey));
+  }
+  if (part.readNotes != item.loaded->readNotes)
+    item.loaded = std::make_shared<const LoadedPart>(std::move(part));
 }
 
 // ---- the part as loaded
@@ -465,6 +483,8 @@ Job readFrame(const Frame& frame, const std::string& where) {
     throw unreadable("the job file is inconsistent"_text, where, "plan the part again"_text);
   if (!job.item().loaded)
     job.item().loaded = loadedFromPlaced(job.item());
+  for (std::size_t i = 0; i < job.items.size(); ++i)
+    renameKeys(job.choices.item(i), job.item(i));
   return job;
 }
 

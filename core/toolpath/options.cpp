@@ -22,7 +22,7 @@ base::ParameterTable toolpathParameters() {
           "infillAngle", "deg", ToolpathOptions{}.infillAngleDeg, 0.0, 180.0, "Tool-paths"_text,
           "infill direction"_text,
           "Direction of straight lines on the first layer, measured from x to y."_text),
-      base::numberParameter("infillTurn", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0,
+      base::numberParameter("infillRotation", "deg", ToolpathOptions{}.infillTurnDeg, 0.0, 90.0,
                             "Tool-paths"_text, "infill rotation per layer"_text,
                             "Rotation of straight lines from layer to layer; 0: the same direction "
                             "throughout."_text),
@@ -30,7 +30,7 @@ base::ParameterTable toolpathParameters() {
                             "Tool-paths"_text, "winding angle"_text,
                             "For helical infill: 0 winds around the axis, 90 runs along it."_text),
       base::choiceParameter(
-          "underlay", "auto", {{"auto", "auto"_text}, {"none", "none"_text}}, "Tool-paths"_text,
+          "rimSupports", "auto", {{"auto", "auto"_text}, {"none", "none"_text}}, "Tool-paths"_text,
           "support low overhangs"_text,
           "Adds break-away beads under low overhangs; thickens the overhanging bead "
           "instead where that is enough."_text),
@@ -54,9 +54,9 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.infill = values.text("infill");
   o.infillDensity = values.number("infillDensity");
   o.infillAngleDeg = values.number("infillAngle");
-  o.infillTurnDeg = values.number("infillTurn");
+  o.infillTurnDeg = values.number("infillRotation");
   o.windingAngleDeg = values.number("windingAngle");
-  o.rimSupports = values.text("underlay") != "none";
+  o.rimSupports = values.text("rimSupports") != "none";
   o.prime = values.text("prime");
   o.primeLengthMm = values.number("primeLengthMm");
   return o;

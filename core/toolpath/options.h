@@ -27,8 +27,8 @@ struct ToolpathOptions {
   platform::PlatformSolid platform;
 };
 
-// Returns the parameters walls, infill, infillDensity, infillAngle, infillTurn, windingAngle,
-// addRimSupports, prime and primeLengthMm.
+// Returns the parameters walls, infill, infillDensity, infillAngle, infillRotation, windingAngle,
+// rimSupports, prime and primeLengthMm.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.

@@ -60,6 +60,18 @@ TEST(Parameters, ErrorsNameTheNearestAndTheRange) {
     EXPECT_FALSE(messageOf([&] { values.setAssignment(wrong); }).empty()) << wrong;
 }
 
+TEST(Parameters, OldKeysSetTheRenamedParameter) {
+  ParameterValues values(ParameterTable(
+      {choiceParameter("rimSupports", "auto", {{"auto", "auto"_text}, {"none", "none"_text}},
+                       "Beads"_text, "rims"_text, "Supports of rims."_text)}));
+  values.setAssignment("underlay=none");
+  EXPECT_TRUE(values.changed("rimSupports"));
+  EXPECT_FALSE(values.changed("underlay"));
+  EXPECT_EQ(values.text("rimSupports"), "none");
+  EXPECT_EQ(english(renamedNote("underlay")), "parameter underlay was renamed to rimSupports");
+  EXPECT_EQ(currentKey("walls"), "walls");
+}
+
 TEST(Parameters, AKeyTwiceIsAMistake) {
   ParameterTable table = sampleTable();
   EXPECT_THROW(table.append(sampleTable()), Error);

@@ -38,7 +38,7 @@ TEST(MotionOptions, AreTheDefaultsWhereNothingIsSet) {
 
 TEST(MotionOptions, AreWhatIsSet) {
   const MotionOptions o = optionsWith({"bodyClearanceMm=7", "partClearanceMm=3", "liftMm=0.6",
-                                       "wipeMm=4", "redundancySamples=36", "directionConeDeg=6"});
+                                       "wipeMm=4", "redundancySamples=36", "tiltToleranceDeg=6"});
   EXPECT_EQ(o.printing.bodiesMm, 7.0);
   EXPECT_EQ(o.travelling.bodiesMm, 7.0);
   EXPECT_EQ(o.printing.partMm, 3.0);
@@ -49,17 +49,18 @@ TEST(MotionOptions, AreWhatIsSet) {
   EXPECT_EQ(o.wipeMm, 4.0);
   EXPECT_EQ(o.samples, 36);
   EXPECT_NEAR(o.leanRad, base::degreesToRadians(6.0), 1e-12);
-  const auto choices = motion::motionParameters().find("nozzleTurn")->choices;
+  const auto choices = motion::motionParameters().find("nozzleRotation")->choices;
   ASSERT_EQ(choices.size(), 4u);
   const NozzleTurn turns[] = {NozzleTurn::Free, NozzleTurn::Tangent, NozzleTurn::WorkAxis,
                               NozzleTurn::Rodrigues};
   for (std::size_t k = 0; k < 4; ++k)
-    EXPECT_EQ(optionsWith({("nozzleTurn=" + choices[k].id).c_str()}).turn, turns[k]);
-  const auto ways = motion::motionParameters().find("turnSmoothing")->choices;
+    EXPECT_EQ(optionsWith({("nozzleRotation=" + choices[k].id).c_str()}).turn, turns[k]);
+  const auto ways = motion::motionParameters().find("rotationSmoothing")->choices;
   ASSERT_EQ(ways.size(), 2u);
-  EXPECT_EQ(optionsWith({("turnSmoothing=" + ways[0].id).c_str()}).smoothing, TurnMethod::Evened);
+  EXPECT_EQ(optionsWith({("rotationSmoothing=" + ways[0].id).c_str()}).smoothing,
+            TurnMethod::Evened);
   const MotionOptions whole =
-      optionsWith({("turnSmoothing=" + ways[1].id).c_str(), "directionConeDeg=2"});
+      optionsWith({("rotationSmoothing=" + ways[1].id).c_str(), "tiltToleranceDeg=2"});
   EXPECT_EQ(whole.smoothing, TurnMethod::WholePath);
   EXPECT_NEAR(whole.leans(), base::degreesToRadians(2.0), 1e-12);
 }

@@ -126,6 +126,15 @@ TEST_F(CommandLine, WrongRequestsNameTheNearest) {
   EXPECT_EQ(entries(), std::set<std::string>{"box.stl"}) << "a refused request left something";
 }
 
+TEST_F(CommandLine, AnOldKeyOfAParameterIsTakenWithANote) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  const Ended ended = run({"plan", part, "-o", out, "--mode", "flat", "--until", "layers", "--set",
+                           "underlay=none", "--set", "infillTurn=60"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.err, "note: parameter underlay was renamed to rimSupports\n"
+                       "note: parameter infillTurn was renamed to infillRotation\n");
+}
+
 TEST_F(CommandLine, OrientListsTheWaysToStandAndPlanTakesOne) {
   const std::string part =
       stl("plate.stl", test::box(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(50, 6, 40)));

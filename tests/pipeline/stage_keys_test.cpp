@@ -65,15 +65,15 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"infillDensity", {"0.5", 3}},
     {"windingAngle", {"30", 3}},
     {"infillAngle", {"0", 3}},
-    {"infillTurn", {"0", 3}},
+    {"infillRotation", {"0", 3}},
     {"bodyClearanceMm", {"3", 4}},
     {"partClearanceMm", {"3", 4}},
     {"liftMm", {"3", 4}},
     {"wipeMm", {"3", 4}},
-    {"nozzleTurn", {"workAxis", 4}},
+    {"nozzleRotation", {"workAxis", 4}},
     {"redundancySamples", {"12", 4}},
-    {"turnSmoothing", {"wholePath", 4}},
-    {"directionConeDeg", {"2.5", 4}},
+    {"rotationSmoothing", {"wholePath", 4}},
+    {"tiltToleranceDeg", {"2.5", 4}},
     {"motionsPerFile", {"2000", 5}},
     {"urscriptForm", {"port", 5}},
     {"rapidModules", {"modx", kStageCount}}, // no program here is RAPID
@@ -88,7 +88,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"mxtController", {"cr800", kStageCount}},
     {"extruderAxisMm", {"5000", kStageCount}}, // nor here
     {"retractMm", {"1", 5}},
-    {"underlay", {"none", 3}},
+    {"rimSupports", {"none", 3}},
     {"prime", {"skirt", 3}},
     {"primeLengthMm", {"60", 3}},
     {"extruder", {"e-stream", 5}},
@@ -266,8 +266,9 @@ TEST_F(StageKeysOf, AModesOwnDefaultIsWhatIsMeant) {
 
 TEST_F(StageKeysOf, ThePartCountsByItsContent) {
   PlanRequest copy = boxRequest();
-  copy.item().loaded = loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(*boxPart()->source),
-                           {}, false, {}); // not mended yet: it will be when it is planned
+  copy.item().loaded =
+      loadedFrom("box.stl", std::make_shared<geometry::TriangleMesh>(*boxPart()->source), {}, false,
+                 {}); // not mended yet: it will be when it is planned
   expectChangesFrom(copy, kStageCount, "a copy of the mesh");
   copy.item().loaded = loadedFrom("other.stl", boxPart()->source, {}, true, {});
   expectChangesFrom(copy, 5, "another name"); // is written into the programs

@@ -1,0 +1,70 @@
+// Parameters whose keys were renamed: the old keys are still read, with a note.
+#include "helpers/temporary_folder.h"
+#include "pipeline/choices.h"
+#include "pipeline/sample_job.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using namespace voluta::pipeline;
+
+namespace {
+
+bool holds(const std::vector<base::Message>& notes, const char* english) {
+  return std::ranges::any_of(
+      notes, [&](const base::Message& note) { return base::english(note) == english; });
+}
+
+constexpr const char* kNote = "parameter underlay was renamed to rimSupports";
+
+TEST(RenamedKeys, LeadToParameters) {
+  const base::ParameterTable table = allParameters();
+  for (const base::RenamedKey& renamed : base::renamedKeys()) {
+    EXPECT_NE(table.find(renamed.key), nullptr) << renamed.key;
+    EXPECT_EQ(table.find(renamed.oldKey), nullptr) << renamed.oldKey << " has two meanings";
+  }
+}
+
+TEST(RenamedKeys, AnAssignmentWithTheOldKeySetsTheParameterWithANote) {
+  project::Choices choices;
+  const std::vector<base::Message> notes = setParameters(choices, {"underlay=none", "walls=3"});
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(holds(notes, kNote));
+  EXPECT_EQ(choices.item().parameters,
+            (std::map<std::string, std::string>{{"rimSupports", "none"}, {"walls", "3"}}));
+}
+
+TEST(RenamedKeys, ChoicesWithTheOldKeyGiveTheValue) {
+  project::Choices choices;
+  choices.item().parameters["infillTurn"] = "60";
+  EXPECT_DOUBLE_EQ(parameterValues(choices).number("infillRotation"), 60.0);
+}
+
+TEST(RenamedKeys, AProjectWithTheOldKeyIsReadWithANote) {
+  const test::TemporaryFolder folder;
+  project::Job job = test::sampleJob();
+  job.choices.item().parameters = {{"underlay", "none"}, {"walls", "3"}};
+  project::writeJob(folder / "old.voluta", job);
+  const project::Job read = project::readJob(folder / "old.voluta");
+  EXPECT_EQ(read.choices.item().parameters,
+            (std::map<std::string, std::string>{{"rimSupports", "none"}, {"walls", "3"}}));
+  EXPECT_TRUE(holds(read.item().loaded->notes, kNote));
+  EXPECT_TRUE(holds(read.item().loaded->readNotes, kNote));
+
+  project::writeJob(folder / "new.voluta", read);
+  const project::Job again = project::readJob(folder / "new.voluta");
+  EXPECT_EQ(again.choices.item().parameters, read.choices.item().parameters);
+  EXPECT_EQ(again.item().loaded->notes.size(), read.item().loaded->notes.size());
+}
+
+TEST(RenamedKeys, AProjectWithBothKeysKeepsTheValueOfTheCurrentOne) {
+  const test::TemporaryFolder folder;
+  project::Job job = test::sampleJob();
+  job.choices.item().parameters = {{"underlay", "none"}, {"rimSupports", "auto"}};
+  project::writeJob(folder / "both.voluta", job);
+  EXPECT_EQ(project::readJob(folder / "both.voluta").choices.item().parameters,
+            (std::map<std::string, std::string>{{"rimSupports", "auto"}}));
+}
+
+} // namespace
