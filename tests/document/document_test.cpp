@@ -1,7 +1,11 @@
 #include "document/document.h"
 
+#include "base/data_files.h"
 #include "base/error.h"
+#include "base/files.h"
+#include "document/mode_switch.h"
 #include "document/parts.h"
+#include "pipeline/choices.h"
 
 #include <QSignalSpy>
 #include <gtest/gtest.h>
@@ -79,6 +83,41 @@ TEST(Document, AParameterAtItsDefaultIsUnchanged) {
   EXPECT_EQ(document.choices().item().parameters.at("voxelMm"), "1.5");
   document.setParameter("voxelMm", "0.80");
   EXPECT_TRUE(document.choices().item().parameters.empty());
+}
+
+// A process of which the filament is retracted 2 mm before travels.
+project::Choices retracting(project::Choices choices) {
+  std::string text = base::readFile(base::resourceFolder() / "processes" / "fdm-1.0.json");
+  text.insert(text.find('{') + 1, "\"retractMm\": 2, ");
+  choices.tool().process = text;
+  return choices;
+}
+
+double retractionOf(const Document& document) {
+  const project::Choices& choices = document.choices();
+  return pipeline::chosenProcess(choices, pipeline::parameterValues(choices)).retractMm;
+}
+
+TEST(Document, DefaultsAreThoseOfTheProcess) {
+  Document document;
+  document.setChoices(retracting(document.choices()), "Change process");
+  const base::ParameterTable table = parametersFor(document.choices());
+  const base::ParameterTable core = pipeline::parametersOf(document.choices());
+  ASSERT_NE(table.find("retractMm"), nullptr);
+  EXPECT_EQ(std::get<double>(table.find("retractMm")->defaultValue), 2.0);
+  for (const char* key : {"layerHeightMm", "beadWidthMm", "stepMm", "cuspMm", "primeLengthMm"})
+    EXPECT_EQ(table.find(key)->defaultValue, core.find(key)->defaultValue) << key;
+}
+
+TEST(Document, RetractionOfAProcessCanBeSetToZero) {
+  Document document;
+  document.setChoices(retracting(document.choices()), "Change process");
+  EXPECT_EQ(retractionOf(document), 2.0);
+  document.setParameter("retractMm", "0");
+  EXPECT_EQ(document.choices().item().parameters.at("retractMm"), "0");
+  EXPECT_EQ(retractionOf(document), 0.0);
+  document.setParameter("retractMm", "2");
+  EXPECT_TRUE(document.choices().item().parameters.empty()) << "the process's own value";
 }
 
 TEST(Document, WrongParametersChangeNothing) {

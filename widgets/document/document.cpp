@@ -175,7 +175,7 @@ void Document::setParameter(const QString& key, const QString& text) {
   const base::ParameterTable table = parametersFor(choices_);
   base::ParameterValues values(table);
   values.set(key.toStdString(), text.toStdString());
-  const base::ParameterSpec& spec = *table.find(key.toStdString());
+  const base::ParameterSpec& spec = *table.find(base::currentKey(key.toStdString()));
   const base::ParameterValue& value = values.changes().at(spec.key);
   project::Choices choices = choices_;
   if (value == spec.defaultValue)
@@ -238,7 +238,8 @@ project::Choices Document::choicesOfNextPart(const QString& path) const {
     return same;
   project::Choices next = start_;
   // A cell and a process that were set by the way of building are reset with it.
-  const modes::Mode* mode = choices_.item().automatic ? nullptr : modes::modeNamed(choices_.item().mode);
+  const modes::Mode* mode =
+      choices_.item().automatic ? nullptr : modes::modeNamed(choices_.item().mode);
   if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != start_.cell)
     return next;
   next.cell = choices_.cell;
