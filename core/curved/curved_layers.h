@@ -27,7 +27,7 @@ struct SupportPatch {
 
 struct LayersResult {
   layers::LayerStack stack; // In print order
-  layers::LayerStatistics statistics;
+  plan::LayerStatistics statistics;
   double spacingMm = 0.0;         // Spacing of the levels in the field, as used
   std::size_t partialPatches = 0; // Patches of less or more than one level
   double partialAreaMm2 = 0.0;

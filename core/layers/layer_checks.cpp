@@ -109,8 +109,9 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
 
 } // namespace
 
-LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits) {
-  LayerStatistics s;
+plan::LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits) {
+  plan::LayerStatistics s;
+  s.withinLimitsFraction = 1.0; // of no area at all
   s.count = stack.layerCount;
   std::vector<std::pair<double, double>> samples; // thickness, area
   double sum = 0.0, squares = 0.0, within = 0.0;

@@ -5,27 +5,17 @@
 #include "geometry/mesh_query.h"
 #include "layers/ground.h"
 #include "layers/layer_stack.h"
+#include "plan/statistics.h"
 
 #include <limits>
 #include <vector>
 
 namespace voluta::layers {
 
-// The "layers" section of report.json. Area-weighted, so that areaMm2 * thicknessMeanMm is the
-// volume. Without supports, unless noted.
-struct LayerStatistics {
-  int count = 0; // layers, including those that only contain supports
-  std::size_t patches = 0;
-  double areaMm2 = 0.0;
-  double thicknessMeanMm = 0.0, thicknessStdMm = 0.0, thicknessP01Mm = 0.0, thicknessP99Mm = 0.0;
-  double withinLimitsFraction = 1.0; // share of the area whose thickness is within the limits
-
-  double volumeMm3() const { return areaMm2 * thicknessMeanMm; }
-};
 struct HeightLimits {
   double minMm = 0.0, maxMm = std::numeric_limits<double>::infinity();
 };
-LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits = {});
+plan::LayerStatistics layerStatistics(const LayerStack& stack, const HeightLimits& limits = {});
 
 // Boundary check for tests; each entry is for the patch of the same index.
 struct BoundaryCheck {

@@ -139,7 +139,7 @@ std::shared_ptr<const LayersStage> curvedLayersOf(const curved::LayerOptions& cu
   const curved::Decomposition& decomposition = *std::get<project::Voxels>(decomposed.result);
   curved::LayersResult layers = curved::curvedLayers(decomposition, part, cut, ctx,
                                                      supportPatches(decomposition, part, cut, ctx));
-  stage->report = reportOf(layers.statistics);
+  stage->report = layers.statistics;
   stage->findings = std::move(layers.findings);
   stage->timings.extract = layers.seconds.extract;
   stage->timings.trim = layers.seconds.trim;

@@ -39,7 +39,7 @@ void tellLevels(const substrate::OverhangRule& rule, int layers,
 
 std::shared_ptr<const LayersStage> layersStage(substrate::StackedLevels stacked, double seconds) {
   auto stage = std::make_shared<LayersStage>();
-  stage->report = reportOf(stacked.statistics);
+  stage->report = stacked.statistics;
   stage->findings = std::move(stacked.findings);
   stage->timings.extract = seconds;
   stage->layers = layers::kept(std::move(stacked.stack));

@@ -8,7 +8,6 @@
 #include "curved/decomposition.h"
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
-#include "layers/layer_checks.h"
 #include "modes/from_options.h"
 #include "modes/part_voxels.h"
 #include "modes/stages.h"
@@ -81,8 +80,5 @@ struct Mode {
 
   bool requiresParameter(std::string_view parameter) const;
 };
-
-// Converts layer statistics to the report's fields.
-project::LayersReport reportOf(const layers::LayerStatistics& statistics);
 
 } // namespace voluta::modes

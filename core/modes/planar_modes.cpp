@@ -229,7 +229,7 @@ decomposeFlat(const FlatPlan& plan, const DecomposeInput& input, const base::Run
 
 std::shared_ptr<const LayersStage> layersFrom(planar::SliceResult sliced) {
   auto stage = std::make_shared<LayersStage>();
-  stage->report = reportOf(sliced.statistics);
+  stage->report = sliced.statistics;
   stage->findings = std::move(sliced.findings);
   stage->supportVolumeMm3 = sliced.supportVolumeMm3;
   stage->timings.extract = sliced.seconds.extract;

@@ -44,7 +44,7 @@ struct DecomposeStage {
 struct LayersStage {
   static constexpr project::Stage kStage = project::Stage::Layers;
   std::shared_ptr<const layers::LayerStack> layers;
-  project::LayersReport report;
+  plan::LayerStatistics report;
   double supportVolumeMm3 = 0.0; // of supports made together with the layers
   plan::Findings findings;
   project::Timings timings;

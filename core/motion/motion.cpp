@@ -290,7 +290,7 @@ private:
 
     double time = 0.0, volume = 0.0;
     append(home_.q, 0.0, plan::MoveKind::Joint, plan::kNoWaypoint, 0.0);
-    MotionStatistics& s = result_.statistics;
+    plan::MotionStatistics& s = result_.statistics;
     const auto appendWay = [&](std::size_t i) {
       const Transfer& way = sequence.ways[i];
       for (std::size_t k = 0; k < way.points.size(); ++k) {
@@ -334,7 +334,7 @@ private:
   }
 
   void report(const base::RunContext& ctx) {
-    MotionStatistics& s = result_.statistics;
+    plan::MotionStatistics& s = result_.statistics;
     const plan::Trajectory& t = result_.trajectory;
     std::vector<double> timeOf(plan_.waypointCount(), -1.0);
     for (std::size_t i = 0; i < t.pointCount(); ++i)

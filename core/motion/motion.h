@@ -5,9 +5,10 @@
 #include "motion/motion_options.h"
 #include "motion/too_large.h"
 #include "plan/finding.h"
+#include "plan/statistics.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "robot/cell.h"
 
 #include <cstddef>
@@ -21,26 +22,6 @@ class RunContext;
 
 namespace voluta::motion {
 
-// "motion" of report.json.
-struct MotionStatistics {
-  std::size_t waypoints = 0;   // Printed
-  std::size_t unreachable = 0; // Waypoints left out: out of reach, or connected to no neighbour
-  // Waypoints left out because of collisions, and points of the finished trajectory that collide
-  // (always none)
-  std::size_t collisions = 0;
-  std::size_t splits = 0; // Printed pieces in excess of the number of paths
-  std::size_t transfers = 0, arcTransfers = 0, jointTransfers = 0, treeTransfers = 0;
-  std::vector<double> maxJerk; // Per joint while printing [rad/s3] ([mm/s3])
-  // Before: with the rotations chosen by the ladder, over the same times.
-  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0;
-  // Between bodies and part, without the head's clearance to plate and part; at most
-  // kClearanceCapMm
-  double minClearanceMm = 0.0;
-  double minClearanceAtS = 0.0; // Time of that clearance
-  // Share of the plan's material; includes all waypoints that are not printed
-  double leftOutFraction = 0.0;
-  double durationS = 0.0;
-};
 inline constexpr double kClearanceCapMm = 100.0;
 
 // Wall-clock times [s], disjoint.
@@ -54,7 +35,7 @@ struct MotionResult {
   std::vector<std::size_t> skipped; // Waypoints that are not printed, ascending
   plan::Findings findings;
   std::optional<TooLarge> tooLarge; // To be reported before the findings
-  MotionStatistics statistics;
+  plan::MotionStatistics statistics;
   MotionTimes times;
 };
 
@@ -78,10 +59,10 @@ struct MotionResult {
 //   const motion::MotionResult moved = planner.plan(ctx);
 class MotionPlanner {
 public:
-  // All arguments must outlive the planner. Preconditions: part was grown from `plan`; process is
-  // the cell's.
+  // All arguments but the tooling must outlive the planner. Preconditions: part was grown from
+  // `plan`; the process of the first tool is the cell's.
   MotionPlanner(const plan::ToolPlan& plan, const robot::Cell& cell,
-                const process::Process& process, const collision::GrowingPart& part,
+                const process::Tooling& tooling, const collision::GrowingPart& part,
                 const MotionOptions& options);
   ~MotionPlanner();
 

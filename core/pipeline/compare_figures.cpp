@@ -89,14 +89,14 @@ const std::vector<Figure>& figures() {
           "supportVolumeMm3", "supports"_text, "Supports\nmm³"_text, 1.0),
       figure<kDecomposition, &DecompositionReport::pieces, decomposed>("pieces", "pieces"_text,
                                                                        "Pieces"_text, 0.5),
-      figure<&project::ItemReport::layers, &project::LayersReport::count, layered>(
+      figure<&project::ItemReport::layers, &plan::LayerStatistics::count, layered>(
           "layers", "layers"_text, "Layers"_text, 0.0),
-      figure<kMotion, &project::MotionReport::durationS, moves>("printTimeS", "planned time"_text,
-                                                                "Planned\ntime"_text, 1.0),
+      figure<kMotion, &plan::MotionStatistics::durationS, moves>("printTimeS", "planned time"_text,
+                                                                 "Planned\ntime"_text, 1.0),
       {"reachableFraction", "reachable"_text, "Reach\n%"_text, "%", 2.0, reachable, true, true,
        "out of reach"_text},
-      figure<kMotion, &project::MotionReport::collisions, moves>("collisions", "collisions"_text,
-                                                                 "Colli-\nsions"_text, 2.0),
+      figure<kMotion, &plan::MotionStatistics::collisions, moves>("collisions", "collisions"_text,
+                                                                  "Colli-\nsions"_text, 2.0),
   };
   return kFigures;
 }

@@ -115,8 +115,8 @@ private:
   plan::ToolPlan plan_;
 };
 
-project::ToolpathReport reportOf(const plan::ToolPlan& plan) {
-  project::ToolpathReport r;
+plan::ToolpathStatistics statisticsOf(const plan::ToolPlan& plan) {
+  plan::ToolpathStatistics r;
   r.paths = r.starts = plan.paths.size();
   r.waypoints = plan.waypointCount();
   for (std::size_t p = 0; p < plan.paths.size(); ++p) {
@@ -197,7 +197,7 @@ std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPar
   const Laid laid = laidBy(loaded, placed);
   Taking taking(*loaded.toolPaths, laid, process);
   stage->toolPlan = std::make_shared<plan::ToolPlan>(taking.take(ctx));
-  stage->report = reportOf(*stage->toolPlan);
+  stage->report = statisticsOf(*stage->toolPlan);
   if (taking.filled > 0)
     stage->findings.push_back(plan::makeFinding(
         plan::FindingKind::GivenWithoutSection,

@@ -39,8 +39,7 @@ std::shared_ptr<const MotionStage> PartMotion::plan(const base::RunContext& ctx,
   if (planner_)
     return stageOf(planner_->plan(ctx, mostLeftOut));
   auto stage = std::make_shared<MotionStage>();
-  stage->report.robot = cell_.robot().id;
-  stage->report.cell = cell_.id();
+  stage->report = {{}, cell_.robot().id, cell_.id()};
   stage->findings = {plan::makeFinding(plan::FindingKind::NothingToPrint)};
   return stage;
 }
@@ -56,20 +55,7 @@ PartMotion::planWithout(const std::vector<std::size_t>& waypoints, const base::R
 std::shared_ptr<const MotionStage> PartMotion::stageOf(motion::MotionResult moved) {
   growing_.reset();
   auto stage = std::make_shared<MotionStage>();
-  project::MotionReport& r = stage->report;
-  r.robot = cell_.robot().id;
-  r.cell = cell_.id();
-  const motion::MotionStatistics& s = moved.statistics;
-  r.waypoints = s.waypoints;
-  r.unreachable = s.unreachable;
-  r.collisions = s.collisions;
-  r.splits = s.splits;
-  r.maxJerk = s.maxJerk;
-  r.sumSquaredJerk = s.sumSquaredJerk;
-  r.sumSquaredJerkBefore = s.sumSquaredJerkBefore;
-  r.minClearanceMm = s.minClearanceMm;
-  r.minClearanceAtS = s.minClearanceAtS;
-  r.durationS = s.durationS;
+  stage->report = {std::move(moved.statistics), cell_.robot().id, cell_.id()};
   stage->timings.ik = moved.times.ik;
   stage->timings.graph = moved.times.graph;
   stage->timings.collision = std::exchange(depositS_, 0.0) + moved.times.collision;

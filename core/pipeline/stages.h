@@ -37,7 +37,7 @@ namespace voluta::pipeline {
 struct ToolpathStage {
   static constexpr project::Stage kStage = project::Stage::Toolpath;
   std::shared_ptr<const plan::ToolPlan> toolPlan;
-  project::ToolpathReport report;
+  plan::ToolpathStatistics report;
   plan::Findings findings;
   project::Timings timings;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan/finding.h"
+#include "plan/statistics.h"
 
 #include <Eigen/Geometry>
 #include <string>
@@ -39,27 +40,8 @@ struct DecompositionReport {
   std::vector<PieceReport> pieceList;
 };
 
-struct LayersReport {
-  int count = 0;
-  double areaMm2 = 0.0, thicknessMeanMm = 0.0, thicknessStdMm = 0.0, thicknessP01Mm = 0.0,
-         thicknessP99Mm = 0.0, withinLimitsFraction = 0.0;
-};
-
-struct ToolpathReport {
-  std::size_t paths = 0, waypoints = 0;
-  double lengthMm = 0.0, travelMm = 0.0;
-  std::size_t starts = 0, simpleRegions = 0;
-  double coveredFraction = 0.0, overlapFraction = 0.0;
-  std::size_t gouges = 0;
-  double maxTurnDeg = 0.0, materialMm3 = 0.0;
-};
-
-struct MotionReport {
+struct MotionReport : plan::MotionStatistics {
   std::string robot, cell;
-  std::size_t waypoints = 0, unreachable = 0, collisions = 0, splits = 0;
-  std::vector<double> maxJerk; // [rad/s³] per joint
-  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0, minClearanceMm = 0.0;
-  double minClearanceAtS = 0.0, durationS = 0.0;
 };
 
 struct ProgramReport {
@@ -121,14 +103,14 @@ struct Timings {
 struct ItemReport {
   ModelReport model;
   DecompositionReport decomposition;
-  LayersReport layers;
+  plan::LayerStatistics layers;
   ChosenReport chosen;
   std::vector<TriedReport> tried; // in the order they were tried
 };
 
 struct Report {
   std::vector<ItemReport> items = {ItemReport{}}; // one or more, as the job's
-  ToolpathReport toolpath;
+  plan::ToolpathStatistics toolpath;
   MotionReport motion;
   std::vector<ProgramReport> programs;
   ReplayReport replay;

@@ -53,8 +53,8 @@ constexpr auto fieldsOf(std::type_identity<DecompositionReport>) {
                     Field{"riskyAreaBeforeMm2", &R::riskyAreaBeforeMm2, "mm²"},
                     Field{"pieceList", &R::pieceList, "", true}};
 }
-constexpr auto fieldsOf(std::type_identity<LayersReport>) {
-  using R = LayersReport;
+constexpr auto fieldsOf(std::type_identity<plan::LayerStatistics>) {
+  using R = plan::LayerStatistics;
   return std::tuple{Field{"count", &R::count},
                     Field{"areaMm2", &R::areaMm2, "mm²"},
                     Field{"thicknessMeanMm", &R::thicknessMeanMm, "mm"},
@@ -63,8 +63,8 @@ constexpr auto fieldsOf(std::type_identity<LayersReport>) {
                     Field{"thicknessP99Mm", &R::thicknessP99Mm, "mm"},
                     Field{"withinLimitsFraction", &R::withinLimitsFraction, "%"}};
 }
-constexpr auto fieldsOf(std::type_identity<ToolpathReport>) {
-  using R = ToolpathReport;
+constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
+  using R = plan::ToolpathStatistics;
   return std::tuple{Field{"paths", &R::paths},
                     Field{"waypoints", &R::waypoints},
                     Field{"lengthMm", &R::lengthMm, "mm"},
@@ -77,11 +77,9 @@ constexpr auto fieldsOf(std::type_identity<ToolpathReport>) {
                     Field{"maxTurnDeg", &R::maxTurnDeg, "deg"},
                     Field{"materialMm3", &R::materialMm3, "mm³"}};
 }
-constexpr auto fieldsOf(std::type_identity<MotionReport>) {
-  using R = MotionReport;
-  return std::tuple{Field{"robot", &R::robot},
-                    Field{"cell", &R::cell},
-                    Field{"waypoints", &R::waypoints},
+constexpr auto fieldsOf(std::type_identity<plan::MotionStatistics>) {
+  using R = plan::MotionStatistics;
+  return std::tuple{Field{"waypoints", &R::waypoints},
                     Field{"unreachable", &R::unreachable},
                     Field{"collisions", &R::collisions},
                     Field{"splits", &R::splits},
@@ -91,6 +89,11 @@ constexpr auto fieldsOf(std::type_identity<MotionReport>) {
                     Field{"minClearanceMm", &R::minClearanceMm, "mm"},
                     Field{"minClearanceAtS", &R::minClearanceAtS, "s", true},
                     Field{"durationS", &R::durationS, "s"}};
+}
+constexpr auto fieldsOf(std::type_identity<MotionReport>) {
+  using R = MotionReport;
+  return std::tuple_cat(std::tuple{Field{"robot", &R::robot}, Field{"cell", &R::cell}},
+                        fieldsOf(std::type_identity<plan::MotionStatistics>{}));
 }
 constexpr auto fieldsOf(std::type_identity<ProgramReport>) {
   using R = ProgramReport;

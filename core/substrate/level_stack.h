@@ -52,7 +52,7 @@ struct LevelFamily {
 
 struct StackedLevels {
   layers::LayerStack stack; // In print order
-  layers::LayerStatistics statistics;
+  plan::LayerStatistics statistics;
   std::size_t mergedPieces = 0;
   std::size_t slivers = 0; // Pieces of layers that are not printed
   double sliverVolumeMm3 = 0.0;

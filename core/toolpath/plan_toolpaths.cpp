@@ -178,7 +178,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   if (told)
     r.findings.push_back(std::move(*told));
 
-  ToolpathStatistics& s = r.statistics;
+  plan::ToolpathStatistics& s = r.statistics;
   s.paths = s.starts = r.plan.paths.size();
   s.waypoints = r.plan.waypointCount();
   s.gouges = oriented.gouges;

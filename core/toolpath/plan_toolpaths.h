@@ -4,6 +4,7 @@
 #include "collision/growing_part.h"
 #include "layers/layer_stack.h"
 #include "plan/finding.h"
+#include "plan/statistics.h"
 #include "plan/tool_plan.h"
 #include "process/process.h"
 #include "robot/cell.h"
@@ -20,23 +21,9 @@ class RunContext;
 
 namespace voluta::toolpath {
 
-struct ToolpathStatistics { // report.json "toolpath"
-  std::size_t paths = 0, waypoints = 0;
-  // of beads; straight-line distances between consecutive paths
-  double lengthMm = 0.0, travelMm = 0.0;
-  std::size_t starts = 0;                              // extruder starts, one per path
-  std::size_t simpleRegions = 0;                       // patches with one boundary loop
-  double coveredFraction = 0.0, overlapFraction = 0.0; // of the patches' area (coverage.h)
-  std::size_t gouges = 0;
-  double maxTurnDeg = 0.0, materialMm3 = 0.0;
-  double rimSupportMm3 =
-      0.0; // of support beads under low rims (rim_supports.h), included in materialMm3
-  double layerVolumeMm3 = 0.0; // area x thickness of all patches: the target of materialMm3
-};
-
 struct ToolpathResult {
   plan::ToolPlan plan;
-  ToolpathStatistics statistics;
+  plan::ToolpathStatistics statistics;
   plan::Findings findings;
   // From OrientResult; null: not available.
   std::shared_ptr<const collision::GrowingPart> grown;

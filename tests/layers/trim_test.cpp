@@ -269,7 +269,7 @@ TEST(LayerStatistics, AreaTimesMeanIsTheVolume) {
     p.thicknessMm.assign(p.surface.vertices.size(), t);
     stack.patches.push_back(p);
   }
-  const LayerStatistics s = layerStatistics(stack);
+  const plan::LayerStatistics s = layerStatistics(stack);
   EXPECT_NEAR(s.areaMm2, 200.0, 1e-9);
   EXPECT_NEAR(s.volumeMm3(), 140.0, 1e-9);
   EXPECT_NEAR(s.thicknessStdMm, 0.2, 1e-9);

@@ -28,7 +28,7 @@ struct SliceOptions {
 
 struct SliceResult {
   layers::LayerStack stack; // in print order; group: index of the piece, or kSupportGroup
-  layers::LayerStatistics statistics;
+  plan::LayerStatistics statistics;
   std::vector<int> layersOfPiece;
   std::vector<double> volumeOfPiece; // sum of patch area x thickness, mm³
   double supportVolumeMm3 = 0.0;

@@ -1,0 +1,56 @@
+// Figures that stages measure and that a plan's report states (docs/design.md, Report).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace voluta::plan {
+
+// Of layers. Area-weighted, so that areaMm2 * thicknessMeanMm is the volume. Without supports,
+// unless noted.
+struct LayerStatistics {
+  int count = 0; // layers, including those that only contain supports
+  std::size_t patches = 0;
+  double areaMm2 = 0.0;
+  double thicknessMeanMm = 0.0, thicknessStdMm = 0.0, thicknessP01Mm = 0.0, thicknessP99Mm = 0.0;
+  double withinLimitsFraction = 0.0; // share of the area whose thickness is within the limits
+
+  double volumeMm3() const { return areaMm2 * thicknessMeanMm; }
+};
+
+// Of tool-paths.
+struct ToolpathStatistics {
+  std::size_t paths = 0, waypoints = 0;
+  // of beads; straight-line distances between consecutive paths
+  double lengthMm = 0.0, travelMm = 0.0;
+  std::size_t starts = 0;                              // extruder starts, one per path
+  std::size_t simpleRegions = 0;                       // patches with one boundary loop
+  double coveredFraction = 0.0, overlapFraction = 0.0; // of the patches' area
+  std::size_t gouges = 0;
+  double maxTurnDeg = 0.0, materialMm3 = 0.0;
+  double rimSupportMm3 = 0.0;  // of support beads under low rims, included in materialMm3
+  double layerVolumeMm3 = 0.0; // area x thickness of all patches: the target of materialMm3
+};
+
+// Of a motion.
+struct MotionStatistics {
+  std::size_t waypoints = 0;   // Printed
+  std::size_t unreachable = 0; // Waypoints left out: out of reach, or connected to no neighbour
+  // Waypoints left out because of collisions, and points of the finished trajectory that collide
+  // (always none)
+  std::size_t collisions = 0;
+  std::size_t splits = 0; // Printed pieces in excess of the number of paths
+  std::size_t transfers = 0, arcTransfers = 0, jointTransfers = 0, treeTransfers = 0;
+  std::vector<double> maxJerk; // Per joint while printing [rad/s3] ([mm/s3])
+  // Before: with the rotations chosen by the ladder, over the same times.
+  double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0;
+  // Between bodies and part, without the head's clearance to plate and part; at most
+  // motion::kClearanceCapMm
+  double minClearanceMm = 0.0;
+  double minClearanceAtS = 0.0; // Time of that clearance
+  // Share of the plan's material; includes all waypoints that are not printed
+  double leftOutFraction = 0.0;
+  double durationS = 0.0;
+};
+
+} // namespace voluta::plan
