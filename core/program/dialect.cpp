@@ -549,7 +549,7 @@ namespace {
 // Reads all files but an extruder stream by the dialect's reader; the stream then sets the flow.
 plan::ReadProgram readWithStream(const Dialect& dialect,
                                  const std::vector<plan::ProgramFile>& files,
-                                 const process::Process& process, const base::RunContext& ctx) {
+                                 const process::Tooling& tooling, const base::RunContext& ctx) {
   std::vector<plan::ProgramFile> own;
   std::vector<std::size_t> places; // indices of the files in `own`
   std::size_t stream = files.size();
@@ -561,8 +561,8 @@ plan::ReadProgram readWithStream(const Dialect& dialect,
       places.push_back(f);
     }
   if (stream == files.size())
-    return dialect.read(files, process, ctx);
-  plan::ReadProgram program = dialect.read(own, process, ctx);
+    return dialect.read(files, tooling, ctx);
+  plan::ReadProgram program = dialect.read(own, tooling, ctx);
   const auto place = [&](auto& what) {
     if (what.file < places.size())
       what.file = places[what.file];
@@ -588,12 +588,12 @@ std::vector<std::string> continuationFiles(const Dialect& dialect, std::string_v
 }
 
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,
-                              const process::Process& process, const base::RunContext& ctx) {
+                              const process::Tooling& tooling, const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
   plan::ReadProgram program;
   program.format = dialect.id;
   if (!tellNoTexts(files, program.defects, dialect.isBinary)) {
-    program = readWithStream(dialect, files, process, ctx);
+    program = readWithStream(dialect, files, tooling, ctx);
     if (program.defects.empty())
       tellMixedLineEnds(files, program.defects, dialect.isBinary);
     if (program.defects.empty())

@@ -67,7 +67,7 @@ struct Dialect {
   // Never throws because of the text: whatever is not understood is a defect with its line, and the
   // result contains the remaining motions. At most kMaxDefects defects are listed. Throws
   // Cancelled.
-  plan::ReadProgram (*read)(const std::vector<plan::ProgramFile>&, const process::Process&,
+  plan::ReadProgram (*read)(const std::vector<plan::ProgramFile>&, const process::Tooling&,
                             const base::RunContext&) = nullptr;
   // Returns whether the beginning of a text looks like this dialect.
   bool (*looksLike)(std::string_view text) = nullptr;
@@ -146,12 +146,12 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
 // Calls findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing
 // also throws as requireOwnRobot, requireRodTurns and requireEvents, and as requireUpright for
 // motions that are not joint moves; it uses the dialect's own options only. Example:
-//   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
+//   const program::ProgramInput input{toolPlan, trajectory, cell, tooling, "part"};
 //   const plan::Program program = program::writeProgram("urscript", input, ctx);
-//   const plan::ReadProgram read = program::readProgram("urscript", program.files, process, ctx);
+//   const plan::ReadProgram read = program::readProgram("urscript", program.files, tooling, ctx);
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx = {});
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,
-                              const process::Process& process, const base::RunContext& ctx = {});
+                              const process::Tooling& tooling, const base::RunContext& ctx = {});
 
 } // namespace voluta::program

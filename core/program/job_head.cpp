@@ -92,7 +92,7 @@ std::string plainText(std::string_view text, std::size_t most) {
 std::string jobHash(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
   Hash hash;
-  for (const std::string& id : {input.cell.id(), input.cell.robot().id, input.process.id})
+  for (const std::string& id : {input.cell.id(), input.cell.robot().id, input.process().id})
     hash.add(std::string_view(id));
   for (const double joint : t.joints)
     hash.add(joint);
@@ -107,7 +107,7 @@ std::string jobHash(const ProgramInput& input) {
 JobHead jobHead(const ProgramInput& input) {
   return {plainText(input.name), input.job.empty() ? jobHash(input) : input.job,
           plainText(input.cell.id()), plainText(input.cell.robot().id),
-          plainText(input.process.id)};
+          plainText(input.process().id)};
 }
 
 std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) {
@@ -130,7 +130,7 @@ std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) 
 
 std::vector<std::string> headLines(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
-  const process::Process& p = input.process;
+  const process::Process& p = input.process();
   const double mm3 = t.extrudedMm3.back();
   const JobHead head = jobHead(input);
   std::vector<std::string> lines = {

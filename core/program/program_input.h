@@ -3,7 +3,7 @@
 
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "program/program_options.h"
 #include "robot/cell.h"
 
@@ -18,13 +18,16 @@ struct ProgramInput {
   const plan::ToolPlan& toolPlan;
   const plan::Trajectory& trajectory;
   const robot::Cell& cell;
-  const process::Process& process;
+  process::Tooling tooling;
   std::string name; // of the part; file and function names are derived from it
   ProgramOptions options = {};
   // Hash of the motion before its points were merged for this dialect (job_head.h); empty: hash of
   // `trajectory`.
   std::string job = {};
   bool foreign = false; // for a controller other than the cell's; set by writeProgram
+
+  // Of the tool that the program begins with.
+  const process::Process& process() const { return tooling.first().process; }
 };
 
 } // namespace voluta::program

@@ -114,7 +114,7 @@ double primeFlowMm3PerS(const process::Process& process) {
 }
 
 bool primesStanding(const ProgramInput& input) {
-  return input.process.primeS > 0.0 && input.trajectory.extrudedMm3.back() > 0.0 &&
+  return input.process().primeS > 0.0 && input.trajectory.extrudedMm3.back() > 0.0 &&
          !plan::primesOnPath(input.toolPlan, input.trajectory);
 }
 

@@ -23,7 +23,7 @@ double assumedLoadKg(const ProgramInput& input) {
   if (input.cell.nozzleMount() != robot::Mount::World)
     return input.cell.carriedKg();
   return input.cell.carriedKg() +
-         input.trajectory.extrudedMm3.back() * 1e-6 * input.process.material.densityGPerCm3;
+         input.trajectory.extrudedMm3.back() * 1e-6 * input.process().material.densityGPerCm3;
 }
 
 std::string_view assumedLoadText(const ProgramInput& input) {
@@ -36,7 +36,7 @@ std::string_view assumedLoadText(const ProgramInput& input) {
 TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets,
                        double (*written)(double share))
     : in_(input), targets_(targets), seconds_(targets.size(), 0.0), flow_(targets.size(), 0.0) {
-  const double full = in_.process.maxFlowMm3PerS;
+  const double full = in_.process().maxFlowMm3PerS;
   const Extruder& extruder = extruderOf(in_);
   double held = 0.0;
   for (std::size_t i = 1; i < targets.size(); ++i) {
@@ -50,7 +50,7 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
         flow_[i] = wanted;
       } else if (wanted > 0.0) {
         if (std::abs(wanted - held) > kFlowBand * held)
-          held = writtenBy(extruder, in_.process, wanted / full, written) * full;
+          held = writtenBy(extruder, in_.process(), wanted / full, written) * full;
         flow_[i] = held;
         s = held > 0.0 ? volume / held : s;
       }

@@ -56,7 +56,7 @@ private:
       flow(walk_.outputs->flowMm3PerS(i));
     extruder(isPrint(t, i));
     if (i > 0 && isPrint(t, i - 1) && !isPrint(t, i) && i < lastPrint_ &&
-        in_.process.retractMm > 0.0)
+        in_.process().retractMm > 0.0)
       draw(true);
     if (i == 0)
       emitter_.prompt();
@@ -115,7 +115,7 @@ private:
 
   void draw(bool back) {
     drawn_ = back;
-    const double mm = in_.process.retractMm, seconds = mm / kDrawBackMmPerS;
+    const double mm = in_.process().retractMm, seconds = mm / kDrawBackMmPerS;
     if (walk_.outputs == nullptr) {
       emitter_.retract(back ? -mm : mm);
     } else if (extruder_.byAxis) {
@@ -136,11 +136,11 @@ private:
     if (walk_.outputs == nullptr || !primesStanding(in_))
       return;
     emitter_.remark("prime");
-    const double seconds = in_.process.primeS;
+    const double seconds = in_.process().primeS;
     if (extruder_.byAxis) {
-      emitter_.extrudeInPlace(primeFlowMm3PerS(in_.process) * seconds / filamentArea(), seconds);
+      emitter_.extrudeInPlace(primeFlowMm3PerS(in_.process()) * seconds / filamentArea(), seconds);
     } else {
-      flow(primeFlowMm3PerS(in_.process));
+      flow(primeFlowMm3PerS(in_.process()));
       extruder(true);
       emitter_.wait(seconds);
       extruder(false);
@@ -153,7 +153,7 @@ private:
   ProgramEmitter& emitter_;
   const base::RunContext& ctx_;
   PathNames paths_;
-  WrittenOutputs outputs_{in_.process.maxFlowMm3PerS};
+  WrittenOutputs outputs_{in_.process().maxFlowMm3PerS};
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;

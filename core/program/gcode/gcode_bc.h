@@ -52,7 +52,7 @@ plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext&
 // (plan::ProgramMotion::aside). The table must not turn before Z is known, and X and Y must not
 // move before B and C are.
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
-                                 const process::Process& process, const base::RunContext& ctx);
+                                 const process::Tooling& tooling, const base::RunContext& ctx);
 bool looksLikeTableGcode(std::string_view text);
 
 } // namespace voluta::program

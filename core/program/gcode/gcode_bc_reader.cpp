@@ -168,8 +168,8 @@ private:
 } // namespace
 
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
-                                 const process::Process& process, const base::RunContext& ctx) {
-  return TableReader("gcode-bc", process, ctx).read(files);
+                                 const process::Tooling& tooling, const base::RunContext& ctx) {
+  return TableReader("gcode-bc", tooling.first().process, ctx).read(files);
 }
 
 bool looksLikeTableGcode(std::string_view text) {

@@ -196,7 +196,7 @@ private:
   // Moves up first, then the table.
   void start() {
     const TablePose first = poseAt(0);
-    const double travel = in_.process.travelSpeedMmPerS * 60.0;
+    const double travel = in_.process().travelSpeedMmPerS * 60.0;
     text_.word("G1 Z", upMm_, kPositionDecimals);
     text_.word(" F", travel, 3, true);
     text_.word("\nG1 B", sense_ * base::radiansToDegrees(first.angles.tilt), kAngleDecimals);
@@ -249,7 +249,7 @@ private:
     const TablePose at = last_;
     TablePose up = at;
     up.axesMm.z() = std::max(upMm_, at.axesMm.z());
-    const double liftS = (up.axesMm.z() - at.axesMm.z()) / in_.process.travelSpeedMmPerS;
+    const double liftS = (up.axesMm.z() - at.axesMm.z()) / in_.process().travelSpeedMmPerS;
     text_.remark("the table is wound back");
     line(up, liftS, std::nullopt);
     for (int k = 1; k <= std::abs(turns); ++k) {
@@ -281,7 +281,7 @@ private:
     if (filamentMm)
       text_.amount(*filamentMm);
     if (!(s > 0.0))
-      s = std::max(kLeastS, (pose.axesMm - last_.axesMm).norm() / in_.process.travelSpeedMmPerS);
+      s = std::max(kLeastS, (pose.axesMm - last_.axesMm).norm() / in_.process().travelSpeedMmPerS);
     const double perMinute = 60.0 / s;
     text_.word(" F", perMinute, std::min(6, decimalsFor(perMinute, 8)), true);
     text_.out += '\n';

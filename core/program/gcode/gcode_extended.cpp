@@ -73,18 +73,19 @@ plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunConte
 }
 
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
-                                    const process::Process& process, const base::RunContext& ctx) {
+                                    const process::Tooling& tooling, const base::RunContext& ctx) {
   std::vector<plan::ProgramFile> own = files;
   for (plan::ProgramFile& file : own)
     if (isRapidRunner(file.text))
       file.text.clear();
   while (own.size() > 1 && own.back().text.empty())
     own.pop_back();
-  plan::ReadProgram program = ExtendedReader("gcode-extended", process, ctx).read(own);
-  ProgramBuilder beside("gcode-extended", process);
+  plan::ReadProgram program =
+      ExtendedReader("gcode-extended", tooling.first().process, ctx).read(own);
+  ProgramBuilder beside("gcode-extended", tooling.first().process);
   for (beside.file = 0; beside.file < files.size(); ++beside.file)
     if (isRapidRunner(files[beside.file].text))
-      readRapidRunner(files[beside.file].text, process, beside, ctx);
+      readRapidRunner(files[beside.file].text, tooling.first().process, beside, ctx);
   for (plan::ProgramDefect& defect : beside.take(true).defects)
     program.defects.push_back(std::move(defect));
   return program;

@@ -33,7 +33,7 @@ plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunConte
 // kDirectionTolerance is a defect. Material that is retracted and returned counts once. `complete`:
 // M104 S0, M84 and the line "; end" follow the last motion.
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
-                                    const process::Process& process, const base::RunContext& ctx);
+                                    const process::Tooling& tooling, const base::RunContext& ctx);
 std::vector<std::string> filesOfExtendedGcode(std::string_view text); // Dialect
 bool looksLikeExtendedGcode(std::string_view text);
 bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::size_t i); // Dialect

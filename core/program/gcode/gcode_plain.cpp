@@ -47,8 +47,8 @@ plan::Program writePlainGcode(const ProgramInput& input, const base::RunContext&
 }
 
 plan::ReadProgram readPlainGcode(const std::vector<plan::ProgramFile>& files,
-                                 const process::Process& process, const base::RunContext& ctx) {
-  return PlainReader("gcode", process, ctx).read(files);
+                                 const process::Tooling& tooling, const base::RunContext& ctx) {
+  return PlainReader("gcode", tooling.first().process, ctx).read(files);
 }
 
 bool looksLikePlainGcode(std::string_view text) {

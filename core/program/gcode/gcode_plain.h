@@ -19,7 +19,7 @@ plan::Program writePlainGcode(const ProgramInput& input, const base::RunContext&
 // retraction, speeds and single axes on separate lines before the first bead, heat and fans. Their
 // own end line counts as "; end".
 plan::ReadProgram readPlainGcode(const std::vector<plan::ProgramFile>& files,
-                                 const process::Process& process, const base::RunContext& ctx);
+                                 const process::Tooling& tooling, const base::RunContext& ctx);
 bool looksLikePlainGcode(std::string_view text);
 
 } // namespace voluta::program

@@ -92,7 +92,7 @@ plan::ProgramFile rapidRunner(const ProgramInput& input, std::string_view gcodeF
   line(joined({"],", kRapidNoAxes, "];"}));
   line(joined({kByJoints, own ? "TRUE;" : "FALSE;"}));
   line(joined({kFile, gcodeFile, "\";"}));
-  line(joined({kFull, fixedText(input.process.maxFlowMm3PerS, kFlowDecimals), ";"}));
+  line(joined({kFull, fixedText(input.process().maxFlowMm3PerS, kFlowDecimals), ";"}));
   out += rapidGcodeSame();
   return {rapidRunnerName(input), withCrLf(out)};
 }

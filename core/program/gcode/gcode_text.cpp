@@ -77,7 +77,7 @@ private:
     const double length = (tip - lastTip_).norm();
     double speed = s > 0.0 ? length / s : 0.0;
     if (speed < 1e-3) // at rest, or untimed
-      speed = in_.process.travelSpeedMmPerS;
+      speed = in_.process().travelSpeedMmPerS;
     text_.word(" F", speed * 60.0, 3, true);
     text_.out += '\n';
     lastTip_ = tip;
@@ -121,7 +121,7 @@ void GcodeText::remark(std::string_view text) {
 
 void GcodeText::head(const ProgramInput& input, std::string_view title, std::string_view question,
                      const std::vector<std::string>& notes) {
-  const process::Process& p = input.process;
+  const process::Process& p = input.process();
   remark(title);
   for (const std::string& head : headLines(input))
     remark(head);

@@ -78,7 +78,7 @@ plan::Program writeKrl(const ProgramInput& input, const base::RunContext& ctx);
 // takes longer than the path, it determines the motion's time. `complete`: every procedure ended,
 // every file was reached, and the extruder's outputs are off after the last motion.
 plan::ReadProgram readKrl(const std::vector<plan::ProgramFile>& files,
-                          const process::Process& process, const base::RunContext& ctx);
+                          const process::Tooling& tooling, const base::RunContext& ctx);
 // Returns the other known words and where they may occur: statements, and variables that may be
 // assigned.
 std::span<const KnownWord> krlWords();

@@ -33,7 +33,7 @@ const LinkForm& krlLinkForm();
 plan::Program writeKrlEki(const ProgramInput& input, const base::RunContext& ctx);
 // `complete`: the lines are complete.
 plan::ReadProgram readKrlEki(const std::vector<plan::ProgramFile>& files,
-                             const process::Process& process, const base::RunContext& ctx);
+                             const process::Tooling& tooling, const base::RunContext& ctx);
 bool looksLikeKrlEki(std::string_view text);
 std::vector<std::string> filesOfKrlEki(std::string_view text);                   // See Dialect.
 bool mayBeMissingInKrlEki(const std::vector<std::string>& lines, std::size_t i); // See Dialect.

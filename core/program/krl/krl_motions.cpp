@@ -52,7 +52,7 @@ void KrlMotions::findTurnLimit() {
 
 double KrlMotions::mmPerS(std::size_t i) const {
   const double mmPerS = motions_.speedMmPerS(i);
-  return goesByTurn(i) || !(mmPerS > 0.0) ? std::max(in_.process.travelSpeedMmPerS, 2.0 * mmPerS)
+  return goesByTurn(i) || !(mmPerS > 0.0) ? std::max(in_.process().travelSpeedMmPerS, 2.0 * mmPerS)
                                           : mmPerS;
 }
 

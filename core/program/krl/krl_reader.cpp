@@ -537,8 +537,8 @@ private:
 } // namespace
 
 plan::ReadProgram readKrl(const std::vector<plan::ProgramFile>& files,
-                          const process::Process& process, const base::RunContext& ctx) {
-  return KrlReader(process, ctx).read(files);
+                          const process::Tooling& tooling, const base::RunContext& ctx) {
+  return KrlReader(tooling.first().process, ctx).read(files);
 }
 
 } // namespace voluta::program

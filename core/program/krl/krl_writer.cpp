@@ -150,7 +150,7 @@ private:
                    "; 100 percent of its speed is taken as ", fixedText(kKrlExtruderMmPerS, 0),
                    " mm/s"}));
     else
-      line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], ", fullFlowText("1", in_.process),
+      line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], ", fullFlowText("1", in_.process()),
                    ", 0 to 10 V"}));
     if (motions_.turnLimit() > kMostTurnDegPerS)
       line(joined({"; the tool turns by up to ", fixedText(motions_.turnLimit(), 0),

@@ -68,7 +68,7 @@ plan::Program writeMelfa(const ProgramInput& input, const base::RunContext& ctx)
 // is reported as OpenRounding. `complete`: every program ended with End, with the extruder's
 // outputs off after its last motion.
 plan::ReadProgram readMelfa(const std::vector<plan::ProgramFile>& files,
-                            const process::Process& process, const base::RunContext& ctx);
+                            const process::Tooling& tooling, const base::RunContext& ctx);
 // Returns the other words that a program may contain, and where; all others are refused.
 std::span<const KnownWord> melfaWords();
 bool looksLikeMelfa(std::string_view text);

@@ -163,7 +163,7 @@ std::string outputsNote(const process::Process& process) {
 }
 
 std::string programText(const ProgramInput& in, const Link& link) {
-  std::vector<std::string> notes{outputsNote(in.process)};
+  std::vector<std::string> notes{outputsNote(in.process())};
   if (link.nozzle)
     notes.emplace_back("fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's");
   notes.emplace_back(
@@ -208,7 +208,7 @@ plan::Program writeMelfaDatalink(const ProgramInput& input, const base::RunConte
     head.remarks.emplace_back(
         "FOREIGN: not the language of the cell's controller; Cartesian targets only");
   std::ranges::copy(headLines(input), std::back_inserter(head.remarks));
-  head.remarks.push_back(outputsNote(input.process));
+  head.remarks.push_back(outputsNote(input.process()));
   head.frames.tool = frameOf(input.cell.flange_T_moved());
   if (motions.holdsWork())
     head.frames.nozzle = frameOf(input.cell.base_T_fixed());
@@ -223,8 +223,9 @@ plan::Program writeMelfaDatalink(const ProgramInput& input, const base::RunConte
 }
 
 plan::ReadProgram readMelfaDatalink(const std::vector<plan::ProgramFile>& files,
-                                    const process::Process& process, const base::RunContext& ctx) {
-  return readLinkFiles(kId, files, kForm, kSender, {{isTaking, readTaking}}, process, ctx);
+                                    const process::Tooling& tooling, const base::RunContext& ctx) {
+  return readLinkFiles(kId, files, kForm, kSender, {{isTaking, readTaking}},
+                       tooling.first().process, ctx);
 }
 
 bool looksLikeMelfaDatalink(std::string_view text) {

@@ -27,7 +27,7 @@ const LinkForm& melfaLinkForm();
 plan::Program writeMelfaDatalink(const ProgramInput& input, const base::RunContext& ctx);
 // `complete`: the lines are complete.
 plan::ReadProgram readMelfaDatalink(const std::vector<plan::ProgramFile>& files,
-                                    const process::Process& process, const base::RunContext& ctx);
+                                    const process::Tooling& tooling, const base::RunContext& ctx);
 bool looksLikeMelfaDatalink(std::string_view text);
 std::vector<std::string> filesOfMelfaDatalink(std::string_view text); // See Dialect
 // See Dialect

@@ -66,7 +66,7 @@ void MelfaMotions::placeNozzle() {
 
 double MelfaMotions::mmPerS(std::size_t i) const {
   return motions_.seconds(i) > 0.0 ? std::max(motions_.speedMmPerS(i), kLeastMmPerS)
-                                   : in_.process.travelSpeedMmPerS;
+                                   : in_.process().travelSpeedMmPerS;
 }
 
 double MelfaMotions::blendMm(std::size_t i) const {

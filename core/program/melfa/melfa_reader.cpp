@@ -516,8 +516,8 @@ private:
 } // namespace
 
 plan::ReadProgram readMelfa(const std::vector<plan::ProgramFile>& files,
-                            const process::Process& process, const base::RunContext& ctx) {
-  return MelfaReader(files, process, ctx).read();
+                            const process::Tooling& tooling, const base::RunContext& ctx) {
+  return MelfaReader(files, tooling.first().process, ctx).read();
 }
 
 } // namespace voluta::program

@@ -96,7 +96,7 @@ std::vector<std::string> stepsFor(const JointRow& start) {
 
 std::string programText(const ProgramInput& in, const JointRow& start) {
   return melfaTakingText(in, kTaking,
-                         {outputsNote(in.process),
+                         {outputsNote(in.process()),
                           "the address behind ENET is the computer's that sends, to be set",
                           std::string(kStartQuestion)},
                          stepsFor(start));
@@ -158,7 +158,7 @@ plan::Program writeMelfaStream(const ProgramInput& input, const base::RunContext
       joined({kProgramNote.substr(2), taking}), joined({kSenderNote.substr(2), sender}),
       joined({kCycleNote.substr(2), fixedText(1000.0 * cycleS, 3), " ms"})};
   std::ranges::copy(headLines(input), std::back_inserter(head));
-  head.push_back(outputsNote(input.process));
+  head.push_back(outputsNote(input.process()));
   WrittenRows rows = writeRows(input, kId, head, mxtShare, ctx);
   if (const std::size_t count = mxtPacketCount(rows.rows, cycleS); count > kMostPackets)
     throw base::Error(
@@ -175,8 +175,8 @@ plan::Program writeMelfaStream(const ProgramInput& input, const base::RunContext
 }
 
 plan::ReadProgram readMelfaStream(const std::vector<plan::ProgramFile>& files,
-                                  const process::Process& process, const base::RunContext& ctx) {
-  ProgramBuilder out(kId, process);
+                                  const process::Tooling& tooling, const base::RunContext& ctx) {
+  ProgramBuilder out(kId, tooling.first().process);
   const auto isBeside = [](std::string_view text) {
     return isMxtPackets(text) || text.starts_with("#!") ||
            text.substr(0, 16384).find(kTakes) != std::string_view::npos;

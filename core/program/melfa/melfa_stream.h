@@ -27,7 +27,7 @@ std::vector<base::ParameterSpec> melfaStreamOptions();
 plan::Program writeMelfaStream(const ProgramInput& input, const base::RunContext& ctx);
 // `complete`: the rows are complete.
 plan::ReadProgram readMelfaStream(const std::vector<plan::ProgramFile>& files,
-                                  const process::Process& process, const base::RunContext& ctx);
+                                  const process::Tooling& tooling, const base::RunContext& ctx);
 bool looksLikeMelfaStream(std::string_view text);
 std::vector<std::string> filesOfMelfaStream(std::string_view text); // See Dialect
 

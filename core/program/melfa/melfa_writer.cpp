@@ -116,7 +116,7 @@ private:
     }
     say(joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
                 std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
-                " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), in_.process)}));
+                " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), in_.process())}));
     say(joined({"load assumed: ", fixedText(assumedLoadKg(in_), 3), " kg, to be set in HNDDAT1"}));
   }
 

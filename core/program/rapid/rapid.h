@@ -81,7 +81,7 @@ plan::Program writeRapid(const ProgramInput& input, const base::RunContext& ctx)
 // v_reax), the motion's time is that of the rotation. `complete`: every module was ended and run,
 // and the extruder's outputs are off after its last motion.
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
-                            const process::Process& process, const base::RunContext& ctx);
+                            const process::Tooling& tooling, const base::RunContext& ctx);
 // Other words that a program may contain, and where; all further words are refused.
 std::span<const KnownWord> rapidWords();
 bool looksLikeRapid(std::string_view text);

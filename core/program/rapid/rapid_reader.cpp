@@ -507,8 +507,8 @@ private:
 } // namespace
 
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
-                            const process::Process& process, const base::RunContext& ctx) {
-  return RapidReader(process, ctx).read(files);
+                            const process::Tooling& tooling, const base::RunContext& ctx) {
+  return RapidReader(tooling.first().process, ctx).read(files);
 }
 
 } // namespace voluta::program

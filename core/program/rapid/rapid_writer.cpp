@@ -196,7 +196,7 @@ private:
   }
 
   void aboutSignals() {
-    line(joined({"  ! extruder on: doExtruder; flow: aoFlow, ", fullFlowText("1", in_.process)}));
+    line(joined({"  ! extruder on: doExtruder; flow: aoFlow, ", fullFlowText("1", in_.process())}));
     if (bySpeed_)
       line("  ! in beads aoFlow is the TCP's real speed in mm/s times TriggSpeed's last number");
     line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,
@@ -299,7 +299,7 @@ private:
   // any path has no speed to scale with.
   void flowBySpeed(std::size_t i) {
     constexpr double kLeastWayMm = 0.01;
-    const double full = in_.process.maxFlowMm3PerS;
+    const double full = in_.process().maxFlowMm3PerS;
     const double way = i > 0 ? motions_.tcpMm(i) : 0.0;
     if (i == 0 || in_.trajectory.move[i - 1] == plan::MoveKind::Joint || way < kLeastWayMm) {
       if (const std::string share = shareText(motions_.flowMm3PerS(i) / full);
@@ -424,7 +424,7 @@ private:
   void speed(std::size_t i, bool joint) {
     const double s = joint ? motionSeconds(in_.trajectory, i) : motions_.seconds(i);
     const bool timed = s > 0.0 && (joint || motions_.needsTime(i));
-    double mmPerS = i == 0 ? kRapidStartMmPerS : in_.process.travelSpeedMmPerS;
+    double mmPerS = i == 0 ? kRapidStartMmPerS : in_.process().travelSpeedMmPerS;
     double degPerS = i == 0 ? kRapidStartDegPerS : kTurnDegPerS, axisDegPerS = kAxisDegPerS;
     if (s > 0.0 && !timed) {
       mmPerS = motions_.speedMmPerS(i);

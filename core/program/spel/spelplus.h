@@ -55,7 +55,7 @@ plan::Program writeSpelplus(const ProgramInput& input, const base::RunContext& c
 // motion under Power Low. `complete`: every function ended, every file was reached, the extruder's
 // outputs are off after the last motion.
 plan::ReadProgram readSpelplus(const std::vector<plan::ProgramFile>& files,
-                               const process::Process& process, const base::RunContext& ctx);
+                               const process::Tooling& tooling, const base::RunContext& ctx);
 // Other allowed words, and where they are allowed.
 std::span<const KnownWord> spelplusWords();
 bool looksLikeSpelplus(std::string_view text);

@@ -394,8 +394,8 @@ private:
 } // namespace
 
 plan::ReadProgram readSpelplus(const std::vector<plan::ProgramFile>& files,
-                               const process::Process& process, const base::RunContext& ctx) {
-  return SpelplusReader(process, ctx).read(files);
+                               const process::Tooling& tooling, const base::RunContext& ctx) {
+  return SpelplusReader(tooling.first().process, ctx).read(files);
 }
 
 } // namespace voluta::program

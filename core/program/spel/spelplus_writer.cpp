@@ -91,7 +91,7 @@ private:
             : "  ' moving nozzle: poses are tool 1's in Base, the nozzle's tip");
     line(joined(
         {"  ' ", extruderNote(in_, joined({"extruder on: output 1; flow: analogue output 1, ",
-                                           fullFlowText("10 V", in_.process)}))}));
+                                           fullFlowText("10 V", in_.process())}))}));
     line("  ' to be added to a project of RC+, and called or chosen to be run");
   }
 
@@ -117,7 +117,7 @@ private:
                  std::to_string(kCastelliPort), ", CRLF ' the extruder's address, to be set"}));
     line(joined({"  OpenNet #", kPort, " As Client"}));
     line(joined({"  WaitNet #", kPort}));
-    if (const auto celsius = in_.process.material.nozzleC)
+    if (const auto celsius = in_.process().material.nozzleC)
       send(joined({"M", std::to_string(*celsius), "n"}));
   }
   bool sends() const { return extruderOf(in_).text != nullptr; }
@@ -253,7 +253,7 @@ private:
   }
   double speedMmPerS(std::size_t i) const {
     const double v = motions_.speedMmPerS(i);
-    return std::max(v > 0.0 ? v : in_.process.travelSpeedMmPerS, kLeastMmPerS);
+    return std::max(v > 0.0 ? v : in_.process().travelSpeedMmPerS, kLeastMmPerS);
   }
   // Returns the acceleration that keeps the corner at the end of motion i within its blend, on both
   // sides. 0: no blend.

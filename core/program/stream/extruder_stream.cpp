@@ -197,12 +197,12 @@ plan::ProgramFile streamFile(const ProgramInput& input, const base::RunContext& 
     appendFixed(out, mm, kFilamentDecimals);
     out += '\n';
   };
-  if (const double s = input.process.primeS; primesStanding(input)) {
+  if (const double s = input.process().primeS; primesStanding(input)) {
     mark("on", 1);
-    step(1, s, primeFlowMm3PerS(input.process) * s);
+    step(1, s, primeFlowMm3PerS(input.process()) * s);
     mark("off", 1);
   }
-  const double drawMm = input.process.retractMm;
+  const double drawMm = input.process().retractMm;
   const auto draw = [&](std::size_t motion, double forthMm) {
     mark("on", motion);
     step(motion, std::abs(forthMm) / kDrawBackMmPerS, forthMm * filamentArea());

@@ -219,8 +219,8 @@ plan::Program writeJointTable(const ProgramInput& input, const base::RunContext&
 }
 
 plan::ReadProgram readJointTable(const std::vector<plan::ProgramFile>& files,
-                                 const process::Process& process, const base::RunContext& ctx) {
-  return JointTableReader(process, ctx).read(files);
+                                 const process::Tooling& tooling, const base::RunContext& ctx) {
+  return JointTableReader(tooling.first().process, ctx).read(files);
 }
 
 bool looksLikeJointTable(std::string_view text) {

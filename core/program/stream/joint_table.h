@@ -15,7 +15,7 @@ namespace voluta::program {
 plan::Program writeJointTable(const ProgramInput& input, const base::RunContext& ctx);
 // `complete`: the line "# end" is the last one.
 plan::ReadProgram readJointTable(const std::vector<plan::ProgramFile>& files,
-                                 const process::Process& process, const base::RunContext& ctx);
+                                 const process::Tooling& tooling, const base::RunContext& ctx);
 bool looksLikeJointTable(std::string_view text);
 
 } // namespace voluta::program

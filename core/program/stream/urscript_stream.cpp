@@ -79,8 +79,8 @@ plan::Program writeUrscriptStream(const ProgramInput& input, const base::RunCont
                                    joined({kReceiverNote.substr(2), receiverName(input)}),
                                    joined({kSenderNote.substr(2), senderName(input)})};
   std::ranges::copy(headLines(input), std::back_inserter(head));
-  head.push_back(joined(
-      {"extruder: digital output 0; flow: analogue output 0, ", fullFlowText("1", input.process)}));
+  head.push_back(joined({"extruder: digital output 0; flow: analogue output 0, ",
+                         fullFlowText("1", input.process())}));
   plan::Program program;
   program.format = kId;
   program.files = {
@@ -91,8 +91,8 @@ plan::Program writeUrscriptStream(const ProgramInput& input, const base::RunCont
 }
 
 plan::ReadProgram readUrscriptStream(const std::vector<plan::ProgramFile>& files,
-                                     const process::Process& process, const base::RunContext& ctx) {
-  ProgramBuilder out(kId, process);
+                                     const process::Tooling& tooling, const base::RunContext& ctx) {
+  ProgramBuilder out(kId, tooling.first().process);
   bool complete = false, stream = false;
   for (out.file = 0; out.file < files.size(); ++out.file) {
     const std::string_view text = files[out.file].text;

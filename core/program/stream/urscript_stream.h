@@ -28,7 +28,7 @@ namespace voluta::program {
 plan::Program writeUrscriptStream(const ProgramInput& input, const base::RunContext& ctx);
 // `complete`: the end of the rows was found.
 plan::ReadProgram readUrscriptStream(const std::vector<plan::ProgramFile>& files,
-                                     const process::Process& process, const base::RunContext& ctx);
+                                     const process::Tooling& tooling, const base::RunContext& ctx);
 bool looksLikeUrscriptStream(std::string_view text);
 std::vector<std::string> filesOfUrscriptStream(std::string_view text); // Dialect
 

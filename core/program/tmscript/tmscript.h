@@ -43,7 +43,7 @@ plan::Program writeTmscript(const ProgramInput& input, const base::RunContext& c
 // has no duration, as the rounded percentage does not determine it. `complete`: the program ends
 // with ScriptExit, and the extruder's outputs are off after the last motion.
 plan::ReadProgram readTmscript(const std::vector<plan::ProgramFile>& files,
-                               const process::Process& process, const base::RunContext& ctx);
+                               const process::Tooling& tooling, const base::RunContext& ctx);
 inline constexpr double kTmLeastPercent = 12.0;
 // Returns the other words that a program may contain, and where; all others are refused.
 std::span<const KnownWord> tmscriptWords();

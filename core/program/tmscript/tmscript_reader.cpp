@@ -510,8 +510,8 @@ private:
 } // namespace
 
 plan::ReadProgram readTmscript(const std::vector<plan::ProgramFile>& files,
-                               const process::Process& process, const base::RunContext& ctx) {
-  return TmscriptReader(process, ctx).read(files);
+                               const process::Tooling& tooling, const base::RunContext& ctx) {
+  return TmscriptReader(tooling.first().process, ctx).read(files);
 }
 
 bool looksLikeTmscript(std::string_view text) {

@@ -86,8 +86,8 @@ private:
     remark(in_.cell.nozzleMount() == robot::Mount::World
                ? "fixed nozzle: the TCP is the plate's centre, poses are the plate's in RobotBase"
                : "moving nozzle: the TCP is the nozzle's tip, poses are in RobotBase");
-    remark(joined(
-        {"extruder on: DO 0 of the control box; flow: AO 0, ", fullFlowText("10 V", in_.process)}));
+    remark(joined({"extruder on: DO 0 of the control box; flow: AO 0, ",
+                   fullFlowText("10 V", in_.process())}));
   }
 
   void endFile(std::size_t) override {
@@ -176,7 +176,7 @@ private:
   PvtMotion motion(std::size_t i) const {
     double seconds = motions_.seconds(i);
     if (!(seconds > 0.0))
-      seconds = motions_.tcpMm(i) / in_.process.travelSpeedMmPerS;
+      seconds = motions_.tcpMm(i) / in_.process().travelSpeedMmPerS;
     return {.way = numbers_[i] - numbers_[i - 1], .seconds = std::max(seconds, kLeastSeconds)};
   }
 

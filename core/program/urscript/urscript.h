@@ -60,7 +60,7 @@ plan::Program writeUrscript(const ProgramInput& input, const base::RunContext& c
 // themselves in their order. `complete`: every function is closed by `end` and, where the text
 // contains kCalledNote, called, and the extruder's two outputs are off after the last motion.
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
-                               const process::Process& process, const base::RunContext& ctx);
+                               const process::Tooling& tooling, const base::RunContext& ctx);
 // Returns the other words that a program may contain, and where; all others are refused.
 std::span<const KnownWord> urscriptWords();
 bool looksLikeUrscript(std::string_view text);

@@ -500,8 +500,8 @@ private:
 } // namespace
 
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
-                               const process::Process& process, const base::RunContext& ctx) {
-  return UrscriptReader(process, ctx).read(files);
+                               const process::Tooling& tooling, const base::RunContext& ctx) {
+  return UrscriptReader(tooling.first().process, ctx).read(files);
 }
 
 } // namespace voluta::program

@@ -147,7 +147,7 @@ private:
     line(joined({"  socket_open(\"", kCastelliAddress, "\",", std::to_string(kCastelliPort), ",\"",
                  kSocket, "\") # the extruder's address, to be set"}));
     outputsOff();
-    if (const auto celsius = in_.process.material.nozzleC; celsius && file == 0)
+    if (const auto celsius = in_.process().material.nozzleC; celsius && file == 0)
       send(joined({"M", std::to_string(*celsius), "n"}));
   }
   bool sends() const { return extruderOf(in_).text != nullptr; }
@@ -176,7 +176,7 @@ private:
     line(joined(
         {"  # ",
          extruderNote(in_, joined({"extruder on: digital output 0; flow: analogue output 0, ",
-                                   fullFlowText("1", in_.process)}))}));
+                                   fullFlowText("1", in_.process())}))}));
   }
 
   void pause() override {
@@ -250,7 +250,7 @@ private:
     // Enough to change to this speed from that of the last motion within half of this one, and to
     // blend its corner.
     double acceleration =
-        std::max(in_.process.accelerationMmPerS2, motions_.blendMmPerS2(i)) / 1000.0;
+        std::max(in_.process().accelerationMmPerS2, motions_.blendMmPerS2(i)) / 1000.0;
     if (s > 0.0)
       acceleration = std::max(acceleration, 2.0 * std::abs(speed - tcpSpeed(i - 1)) / s);
     acceleration = std::clamp(acceleration, 0.01, kMaxAccelerationMPerS2);
@@ -261,7 +261,7 @@ private:
     if (s > 0.0)
       number(",t=", s, 6);
     else
-      number(",v=", in_.process.travelSpeedMmPerS / 1000.0, kSpeedDecimals);
+      number(",v=", in_.process().travelSpeedMmPerS / 1000.0, kSpeedDecimals);
     if (const double r = stops ? 0.0 : motions_.blendMm(i); r > 0.0)
       number(",r=", r / 1000.0, kBlendDecimals);
     line(")");
