@@ -82,14 +82,10 @@ double clearanceOnWay(const MotionScene& scene, const collision::WayClearance& w
   return leastMm;
 }
 
-} // namespace
-
-TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const MotionScene& scene,
-                                const std::vector<std::size_t>& headBefore, double capMm,
-                                const base::RunContext& ctx) {
+// The waypoint of each point, or the waypoint it leads to; after the last one the whole part is
+// present.
+std::vector<std::size_t> nextWaypoints(const plan::Trajectory& trajectory) {
   const std::size_t n = trajectory.pointCount();
-  // The waypoint of each point, or the waypoint it leads to; after the last one the whole part is
-  // present.
   std::vector<std::size_t> next(n, 0);
   for (std::size_t last : trajectory.waypoint)
     if (last != plan::kNoWaypoint)
@@ -99,120 +95,163 @@ TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const Motion
       next[i] = trajectory.waypoint[i];
     else if (i + 1 < n)
       next[i] = next[i + 1];
+  return next;
+}
 
-  const auto jointsAt = [&](std::size_t i) {
-    return JointVector(Eigen::Map<const Eigen::VectorXd>(trajectory.at(i), trajectory.dof));
+class Checker {
+public:
+  Checker(const plan::Trajectory& trajectory, const MotionScene& scene,
+          const std::vector<std::size_t>& headBefore, double capMm, const base::RunContext& ctx)
+      : trajectory_(trajectory), scene_(scene), headBefore_(headBefore), ctx_(ctx),
+        margins_(scene.options.printing), next_(nextWaypoints(trajectory)),
+        chunks_((trajectory.pointCount() + kChunk - 1) / kChunk) {
+    for (Chunk& chunk : chunks_)
+      chunk.leastMm = capMm;
+    check_.minClearanceMm = capMm;
+  }
+
+  TrajectoryCheck run() {
+    inChunks([this](Chunk& chunk, std::size_t b, std::size_t e) { points(chunk, b, e); });
+    for (const Chunk& chunk : chunks_)
+      check_.collisions.insert(check_.collisions.end(), chunk.found.begin(), chunk.found.end());
+    takeLeast();
+    inChunks([this](Chunk& chunk, std::size_t b, std::size_t e) { ways(chunk, b, e); });
+    takeLeast();
+    return std::move(check_);
+  }
+
+private:
+  using Frames = collision::CellCollision::Frames;
+
+  struct Chunk {
+    std::vector<TrajectoryCollision> found;
+    double leastMm = 0.0;    // clearance
+    std::size_t closest = 0; // point that has it
   };
-  const collision::Margins& margins = scene.options.printing;
-  const auto toolOf = [&](const collision::CellCollision::Frames& frames) -> Eigen::Isometry3d {
+
+  template <typename Visit> void inChunks(const Visit& visit) {
+    base::parallelChunks(ctx_, trajectory_.pointCount(), kChunk,
+                         [&](std::size_t b, std::size_t e) { visit(chunks_[b / kChunk], b, e); });
+    ctx_.checkpoint();
+  }
+  void takeLeast() {
+    for (const Chunk& chunk : chunks_)
+      if (chunk.leastMm < check_.minClearanceMm) {
+        check_.minClearanceMm = chunk.leastMm;
+        check_.closestPoint = chunk.closest;
+      }
+  }
+
+  JointVector jointsAt(std::size_t i) const {
+    return Eigen::Map<const Eigen::VectorXd>(trajectory_.at(i), trajectory_.dof);
+  }
+  bool isAtWaypoint(std::size_t i) const { return trajectory_.waypoint[i] != plan::kNoWaypoint; }
+  bool isPrinting(std::size_t i) const { return trajectory_.move[i] == plan::MoveKind::Print; }
+  Eigen::Isometry3d toolOf(const Frames& frames) const {
     const auto frame = [&](int f) { return frames[static_cast<std::size_t>(f)]; };
-    return frame(scene.cell.workFrame()).inverse() * frame(scene.cell.toolFrame());
-  };
-  const auto headInPart = [&](const collision::CellCollision::Frames& frames, std::size_t i,
-                              bool atWork) -> std::optional<collision::Contact> {
-    const std::size_t before = atWork ? headBefore[next[i]] : next[i];
-    if (scene.collision.headTouchesPart(toolOf(frames), scene.part, before, margins.headMm,
-                                        next[i]))
-      for (const int b : scene.cell.bodiesAgainstPart())
-        if (scene.cell.bodies()[static_cast<std::size_t>(b)].role == robot::BodyRole::Head)
+    return frame(scene_.cell.workFrame()).inverse() * frame(scene_.cell.toolFrame());
+  }
+
+  std::optional<collision::Contact> headInPart(const Frames& frames, std::size_t i,
+                                               bool atWork) const {
+    const std::size_t before = atWork ? headBefore_[next_[i]] : next_[i];
+    if (scene_.collision.headTouchesPart(toolOf(frames), scene_.part, before, margins_.headMm,
+                                         next_[i]))
+      for (const int b : scene_.cell.bodiesAgainstPart())
+        if (scene_.cell.bodies()[static_cast<std::size_t>(b)].role == robot::BodyRole::Head)
           return collision::Contact{b, collision::kPrintedPart};
     return std::nullopt;
-  };
-  const auto bodiesOf = [&](const collision::CellCollision::Frames& frames,
-                            std::size_t i) -> std::optional<collision::Contact> {
-    if (const auto contact = scene.collision.bodies(frames, margins))
+  }
+  std::optional<collision::Contact> bodiesOf(const Frames& frames, std::size_t i) const {
+    if (const auto contact = scene_.collision.bodies(frames, margins_))
       return contact;
-    return scene.collision.bodiesAndPart(frames, scene.part, next[i], margins);
-  };
+    return scene_.collision.bodiesAndPart(frames, scene_.part, next_[i], margins_);
+  }
 
-  std::vector<std::vector<TrajectoryCollision>> found((n + kChunk - 1) / kChunk);
-  std::vector<double> least(found.size(), capMm);
-  std::vector<std::size_t> closest(found.size(), 0);
-  base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
-    collision::CellCollision::Frames frames;
-    double& clearance = least[b / kChunk];
+  // Points [b, e) and the states between each and the point before it.
+  void points(Chunk& chunk, std::size_t b, std::size_t e) const {
+    Frames frames;
     std::size_t nearest = 0;
-    for (std::size_t i = b; i < e; ++i) {
-      if (ctx.cancelled())
-        return;
-      const bool printing = trajectory.move[i] == plan::MoveKind::Print;
-      const JointVector q = jointsAt(i);
-      scene.cell.framePoses(q, frames);
+    for (std::size_t i = b; i < e && !ctx_.cancelled(); ++i) {
+      scene_.cell.framePoses(jointsAt(i), frames);
       // The head was checked at the waypoints already. It is round, so the arm's pose does not
       // matter, unless directions may tilt.
       std::optional<collision::Contact> contact;
-      const bool divides = trajectory.waypoint[i] == plan::kNoWaypoint;
-      if (divides || scene.options.leans() > 0.0)
-        contact = headInPart(frames, i, printing || !divides);
-      const double bodies = scene.collision.clearance(frames, clearance, &nearest);
-      const double all = scene.collision.clearanceToPart(frames, scene.part, next[i], bodies);
-      const bool roomy = bodies > margins.bodiesMm && all > margins.partMm &&
-                         !scene.collision.headTouchesPlatform(toolOf(frames), margins.headMm);
+      if (!isAtWaypoint(i) || scene_.options.leans() > 0.0)
+        contact = headInPart(frames, i, isPrinting(i) || isAtWaypoint(i));
+      const double bodies = scene_.collision.clearance(frames, chunk.leastMm, &nearest);
+      const double all = scene_.collision.clearanceToPart(frames, scene_.part, next_[i], bodies);
+      const bool roomy = bodies > margins_.bodiesMm && all > margins_.partMm &&
+                         !scene_.collision.headTouchesPlatform(toolOf(frames), margins_.headMm);
       if (!contact && !roomy)
         contact = bodiesOf(frames, i);
       if (!contact) {
-        if (all < clearance)
-          closest[b / kChunk] = i;
-        clearance = all;
-        if (i > 0) {
-          const JointVector last = jointsAt(i - 1);
-          const double step =
-              trajectory.move[i] == plan::MoveKind::Joint ? kJointStep : kStraightStep;
-          const int pieces = static_cast<int>(std::ceil(scene.span(last, q) / step));
-          Between between(scene.cell, last, q, isStraight(trajectory.move[i]));
-          for (int k = 1; k < pieces && !contact; ++k) {
-            scene.cell.framePoses(between.at(static_cast<double>(k) / pieces), frames);
-            // The head also counts as printing where printing stops or starts, until it has
-            // departed.
-            const bool atWork = printing || trajectory.waypoint[i] != plan::kNoWaypoint ||
-                                trajectory.move[i - 1] == plan::MoveKind::Print;
-            contact = headInPart(frames, i, atWork && next[i] < headBefore.size());
-            if (!contact)
-              contact = bodiesOf(frames, i);
-          }
-        }
+        if (all < chunk.leastMm)
+          chunk.closest = i;
+        chunk.leastMm = all;
+        contact = contactBefore(i, frames);
       }
       if (contact)
-        found[b / kChunk].push_back({i, *contact});
+        chunk.found.push_back({i, *contact});
     }
-  });
-  ctx.checkpoint();
-  TrajectoryCheck check;
-  check.minClearanceMm = capMm;
-  const auto takeLeast = [&] {
-    for (std::size_t c = 0; c < found.size(); ++c)
-      if (least[c] < check.minClearanceMm) {
-        check.minClearanceMm = least[c];
-        check.closestPoint = closest[c];
-      }
-  };
-  for (const std::vector<TrajectoryCollision>& some : found)
-    check.collisions.insert(check.collisions.end(), some.begin(), some.end());
-  takeLeast();
+  }
 
-  // Clearance between the points.
-  const collision::WayClearance ways(scene.collision, scene.part);
-  base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
-    double& clearance = least[b / kChunk];
-    clearance = check.minClearanceMm;
-    auto met = found[b / kChunk].begin();
-    for (std::size_t i = std::max<std::size_t>(b, 1); i < e; ++i) {
-      if (ctx.cancelled())
-        return;
-      while (met != found[b / kChunk].end() && met->point < i)
-        ++met;
-      if (met != found[b / kChunk].end() && met->point == i)
-        continue;
-      const double all = clearanceOnWay(scene, ways, trajectory.move[i], jointsAt(i - 1),
-                                        jointsAt(i), next[i], clearance);
-      if (all < clearance)
-        closest[b / kChunk] = i;
-      clearance = all;
+  // The first contact on the way from the point before i; `frames` is memory for the call.
+  std::optional<collision::Contact> contactBefore(std::size_t i, Frames& frames) const {
+    if (i == 0)
+      return std::nullopt;
+    const JointVector last = jointsAt(i - 1), q = jointsAt(i);
+    const double step = trajectory_.move[i] == plan::MoveKind::Joint ? kJointStep : kStraightStep;
+    const int pieces = static_cast<int>(std::ceil(scene_.span(last, q) / step));
+    // The head also counts as printing where printing stops or starts, until it has departed.
+    const bool atWork = isPrinting(i) || isAtWaypoint(i) || isPrinting(i - 1);
+    Between between(scene_.cell, last, q, isStraight(trajectory_.move[i]));
+    for (int k = 1; k < pieces; ++k) {
+      scene_.cell.framePoses(between.at(static_cast<double>(k) / pieces), frames);
+      std::optional<collision::Contact> contact =
+          headInPart(frames, i, atWork && next_[i] < headBefore_.size());
+      if (!contact)
+        contact = bodiesOf(frames, i);
+      if (contact)
+        return contact;
     }
-  });
-  ctx.checkpoint();
-  takeLeast();
-  return check;
+    return std::nullopt;
+  }
+
+  // The clearance on the ways to points [b, e), but for those on which a collision was found.
+  void ways(Chunk& chunk, std::size_t b, std::size_t e) const {
+    chunk.leastMm = check_.minClearanceMm;
+    auto met = chunk.found.begin();
+    for (std::size_t i = std::max<std::size_t>(b, 1); i < e && !ctx_.cancelled(); ++i) {
+      while (met != chunk.found.end() && met->point < i)
+        ++met;
+      if (met != chunk.found.end() && met->point == i)
+        continue;
+      const double all = clearanceOnWay(scene_, ways_, trajectory_.move[i], jointsAt(i - 1),
+                                        jointsAt(i), next_[i], chunk.leastMm);
+      if (all < chunk.leastMm)
+        chunk.closest = i;
+      chunk.leastMm = all;
+    }
+  }
+
+  const plan::Trajectory& trajectory_;
+  const MotionScene& scene_;
+  const std::vector<std::size_t>& headBefore_;
+  const base::RunContext& ctx_;
+  const collision::Margins& margins_;
+  const collision::WayClearance ways_{scene_.collision, scene_.part};
+  const std::vector<std::size_t> next_;
+  std::vector<Chunk> chunks_;
+  TrajectoryCheck check_;
+};
+
+} // namespace
+
+TrajectoryCheck checkTrajectory(const plan::Trajectory& trajectory, const MotionScene& scene,
+                                const std::vector<std::size_t>& headBefore, double capMm,
+                                const base::RunContext& ctx) {
+  return Checker(trajectory, scene, headBefore, capMm, ctx).run();
 }
 
 } // namespace voluta::motion
