@@ -62,7 +62,7 @@ namespace voluta::robot {
 
 namespace {
 constexpr double kTravelDegPerS2 = 80.0;
-constexpr double kPlateKg = 0.5, kHeadKg = 1.0; // assumed
+constexpr double kPlateKg = 0.5, kHeadKg = 1.0; // Assumed
 
 constexpr double kStepMm = 1e-9; // head sections closer than this are a step, not a frustum
 
@@ -120,7 +120,7 @@ int turnOfNozzle(const Arm& arm, const Eigen::Isometry3d& flange_T_tool) {
 
 } // namespace
 
-// Reads a cell key by key. Later steps use what earlier ones have read: frames and the joint vector
+// Reads a cell key by key. Later steps depend on earlier ones: frames and the joint vector
 // depend on arm and axes, bodies on frames, pairs on all bodies.
 class Cell::Reader {
 public:
@@ -194,8 +194,9 @@ private:
     }
     if (cell_.dof() > JointVector::MaxRowsAtCompileTime)
       top_.at("externalAxes")
-          .fail(base::message("must be fewer: robot and axes are {most} at most"_text,
-                              static_cast<int>(JointVector::MaxRowsAtCompileTime)));
+          .fail(
+              base::message("too many: robot and external axes together may have {most} axes"_text,
+                            static_cast<int>(JointVector::MaxRowsAtCompileTime)));
   }
 
   void nameUnits() {
@@ -218,15 +219,15 @@ private:
     }
     if (solid.rod && !cell_.rod_)
       throw base::Error(base::ErrorCode::UnusableInput,
-                        base::message("cell {id} holds no rod to print on"_text, cell_.id_), {},
-                        "take a cell with a rod: --cell lathe"_text);
+                        base::message("cell {id} has no rod to print on"_text, cell_.id_), {},
+                        "choose a cell with a rod: --cell lathe"_text);
   }
 
   void readMounts(const base::JsonNode& nozzle, const base::JsonNode& platform) {
     cell_.nozzleMount_ = readMount(nozzle.at("mount"));
     if (readMount(platform.at("mount")) == cell_.nozzleMount_)
       platform.at("mount").fail(
-          "must not be the nozzle's: one of them moves, the other is fixed"_text);
+          "must differ from the nozzle's: one of them moves, the other is fixed"_text);
   }
 
   void readCarried() {
@@ -281,7 +282,7 @@ private:
     for (Body& body : axisBodies_) {
       if (isTaken(body.name))
         top_.at("externalAxes")
-            .fail(base::message("has a name that is taken already: '{name}'"_text, body.name));
+            .fail(base::message("has a name that is already used: '{name}'"_text, body.name));
       cell_.bodies_.push_back(std::move(body));
     }
   }
@@ -291,7 +292,7 @@ private:
       obstacle.allowOnly({"name", "pose", "shapes"});
       const std::string name = obstacle.at("name").text();
       if (isTaken(name))
-        obstacle.at("name").fail(base::message("is taken already: '{name}'"_text, name));
+        obstacle.at("name").fail(base::message("is already used: '{name}'"_text, name));
       Body body{name, BodyRole::Obstacle, cell_.worldFrame(), readShapes(obstacle.at("shapes"))};
       if (obstacle.has("pose"))
         for (Shape& shape : body.shapes)
@@ -304,7 +305,7 @@ private:
     Arm& arm = cell_.arms_.front();
     const std::vector<base::JsonNode> home = top_.at("homeDeg").items();
     if (static_cast<int>(home.size()) != arm.jointCount())
-      top_.at("homeDeg").fail(base::message("must hold {wanted} joints, holds {found}"_text,
+      top_.at("homeDeg").fail(base::message("must have {wanted} joints, has {found}"_text,
                                             arm.jointCount(), home.size()));
     arm.home = JointVector::Zero(arm.jointCount());
     for (std::size_t i = 0; i < home.size(); ++i) {
@@ -323,7 +324,7 @@ private:
     const char* travel = "travelAccelerationDegPerS2";
     const double travelDeg = top_.has(travel) ? top_.at(travel).positive() : kTravelDegPerS2;
     if (top_.has(travel) && base::degreesToRadians(travelDeg) > most * (1.0 + 1e-9))
-      top_.at(travel).fail("is more than a joint of the robot is given"_text);
+      top_.at(travel).fail("exceeds the limit of a joint of the robot"_text);
     cell_.travelAcceleration_ = std::min(most, base::degreesToRadians(travelDeg));
   }
 

@@ -14,7 +14,7 @@ namespace voluta::robot {
 namespace {
 constexpr double kStepMm = 1e-9; // sections of a rod closer than this are a step, not a frustum
 
-// The rod that is in the cell: the job's where it has one.
+// Returns the rod in the cell: the job's if it has one.
 platform::RodShape rodOf(const CellRod& own, const std::optional<platform::RodShape>& wanted,
                          const std::string& cell) {
   constexpr double kSlackMm = 1e-9;
@@ -30,15 +30,15 @@ platform::RodShape rodOf(const CellRod& own, const std::optional<platform::RodSh
   if (reach > 0.5 * own.lengthMm)
     throw refuse(
         base::message(
-            "the rod reaches {reach} mm from its middle, the cell has room for {room}"_text,
+            "the rod extends {reach} mm from its middle; the cell has room for {room} mm"_text,
             base::number(reach), base::number(0.5 * own.lengthMm)),
-        "take a shorter rod"_text);
+        "choose a shorter rod"_text);
   for (const Eigen::Vector2d& at : wanted->profile)
     if (at.y() > own.printableRadiusMm)
       throw refuse(
-          base::message("the rod's radius is {radius} mm, the cell prints up to {most}"_text,
+          base::message("the rod's radius is {radius} mm; the cell prints up to {most} mm"_text,
                         base::number(at.y()), base::number(own.printableRadiusMm)),
-          "take a thinner rod"_text);
+          "choose a thinner rod"_text);
   return *wanted;
 }
 
@@ -62,22 +62,22 @@ CellRod readRod(const base::JsonNode& node) {
   const CellRod rod{node.at("diameterMm").positive(), node.at("lengthMm").positive(),
                     node.at("printableRadiusMm").positive()};
   if (rod.printableRadiusMm <= 0.5 * rod.diameterMm)
-    node.at("printableRadiusMm").fail("must be more than the rod's radius"_text);
+    node.at("printableRadiusMm").fail("must be greater than the rod's radius"_text);
   return rod;
 }
 
-// A rod lies on the work frame's x, and is turned about it.
+// A rod is on the work frame's x and turns about it.
 void requireTurnsRod(const base::JsonNode& axes, const std::vector<ExternalAxis>& chain,
                      const Eigen::Isometry3d& axis_T_work) {
   constexpr double kSame = 1e-9;
   if (chain.size() != 1 || chain.front().limits.kind != JointKind::Turning)
-    axes.fail("must hold one axis, which turns the rod"_text);
+    axes.fail("must have exactly one axis, which turns the rod"_text);
   if ((axis_T_work.linear().col(0) - Eigen::Vector3d::UnitX()).norm() > kSame ||
       axis_T_work.translation().tail<2>().norm() > kSame)
     axes.fail("must turn the rod about its own axis, the work frame's x"_text);
 }
 
-// Round about its corners where it is a prism. No frustum where the radius steps.
+// Replaces a prism by the round rod through its vertices. A step of the radius needs no frustum.
 Body rodBody(const CellRod& own, const std::optional<platform::RodShape>& wanted,
              const std::string& cell, int workFrame) {
   const platform::RodShape rod = rodOf(own, wanted, cell);
