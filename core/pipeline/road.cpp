@@ -27,11 +27,30 @@ bool takesGivenPathsOf(PlanRequest& request, const base::RunContext& ctx) {
   return true;
 }
 
+// Throws Error{Usage} if the choices of an item are invalid, or if several items leave their way of
+// building to a search, which plans a part alone.
+void checkItems(const project::Choices& choices) {
+  for (std::size_t i = 0; i < choices.items.size(); ++i) {
+    checkChoices(project::onlyItem(choices, i));
+    if (choices.items.size() > 1 && choices.item(i).automatic)
+      throw base::Error(base::ErrorCode::Usage, "mode auto plans one part at a time"_text, {},
+                        "choose a way of building for each part"_text);
+  }
+}
+
+project::StageKeys keysOfItem(const project::LoadedPart& loaded, const project::Choices& choices) {
+  const bool given = takesGivenPaths(loaded, parameterValues(choices));
+  const project::Choices own =
+      resolved(given ? choicesForGivenPaths(choices) : wayOrFirst(choices));
+  const base::ParameterValues values = parameterValues(own);
+  return keysOf(loaded, own, values, chosenProcess(own, values));
+}
+
 } // namespace
 
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
                     const PlanObservers& observers) {
-  checkChoices(request.choices);
+  checkItems(request.choices);
   PlanRequest given = request;
   // While the user edits, the part is placed and decomposed in the way that the last search chose.
   const bool searches = request.until > project::Stage::Decompose || !namesWay(request.choices);
@@ -41,17 +60,17 @@ PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, Sta
 }
 
 project::StageKeys stageKeys(const PlanRequest& request) {
-  base::require(request.item().loaded != nullptr, "stageKeys: a part that is loaded");
-  checkChoices(request.choices);
-  const bool given = takesGivenPaths(*request.item().loaded, parameterValues(request.choices));
-  const project::Choices choices =
-      resolved(given ? choicesForGivenPaths(request.choices) : wayOrFirst(request.choices));
-  const base::ParameterValues values = parameterValues(choices);
-  return keysOf(*request.item().loaded, choices, values, chosenProcess(choices, values));
+  checkItems(request.choices);
+  std::vector<project::StageKeys> keys;
+  for (std::size_t i = 0; i < request.items.size(); ++i) {
+    base::require(request.item(i).loaded != nullptr, "stageKeys: parts that are loaded");
+    keys.push_back(keysOfItem(*request.item(i).loaded, project::onlyItem(request.choices, i)));
+  }
+  return joinedKeys(keys, request.choices.printOrder);
 }
 
 PlanResult resultOf(project::Job job) {
-  checkChoices(job.choices);
+  checkItems(job.choices);
   PlanResult result;
   const base::ParameterValues values = parameterValues(job.choices);
   result.process = std::make_shared<process::Process>(chosenProcess(job.choices, values));

@@ -1,0 +1,102 @@
+// A job of two items: each is planned by itself up to its layers, which are then printed in order.
+#include "pipeline/box_request.h"
+#include "pipeline/road.h"
+#include "pipeline/stage_cache.h"
+
+#include "helpers/temporary_folder.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+using namespace voluta;
+using project::Stage;
+
+namespace {
+
+// Two boxes, 40 mm apart, in flat layers.
+pipeline::PlanRequest twoBoxes(layers::PrintOrder order) {
+  pipeline::PlanRequest request = test::boxRequest();
+  request.choices.item().automatic = false;
+  request.choices.item().mode = "flat";
+  request.choices.printOrder = order;
+  request.items.push_back(request.item());
+  request.choices.items.push_back(request.choices.item());
+  request.choices.item(0).placement.centreMm = {-20.0, 0.0};
+  request.choices.item(1).placement.centreMm = {20.0, 0.0};
+  request.until = Stage::Toolpath;
+  return request;
+}
+
+// The items in the order of their paths, each run of one item once.
+std::vector<int> itemRuns(const plan::ToolPlan& plan) {
+  std::vector<int> runs;
+  for (const plan::ToolPath& path : plan.paths)
+    if (!plan::isWaste(path.kind) && (runs.empty() || runs.back() != path.item))
+      runs.push_back(path.item);
+  return runs;
+}
+
+double middleX(const plan::ToolPlan& plan, int item) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      if (path.item == item && !plan::isWaste(path.kind)) {
+        sum += plan.position[i].x();
+        ++count;
+      }
+  return sum / static_cast<double>(count);
+}
+
+TEST(Items, OneAfterAnotherArePrintedWhole) {
+  const pipeline::PlanResult result =
+      pipeline::planPart(twoBoxes(layers::PrintOrder::OneAfterAnother), {});
+  ASSERT_TRUE(result.job.toolPlan);
+  const plan::ToolPlan& plan = *result.job.toolPlan;
+  EXPECT_EQ(itemRuns(plan), (std::vector<int>{0, 1}));
+  EXPECT_NEAR(middleX(plan, 0), -20.0, 1.0);
+  EXPECT_NEAR(middleX(plan, 1), 20.0, 1.0);
+  EXPECT_EQ(result.job.items.size(), 2u);
+  EXPECT_EQ(result.job.report.item(0).layers.count, result.job.report.item(1).layers.count);
+}
+
+TEST(Items, ByLayerAlternate) {
+  const pipeline::PlanResult result = pipeline::planPart(twoBoxes(layers::PrintOrder::ByLayer), {});
+  ASSERT_TRUE(result.job.toolPlan);
+  const int layers = result.job.report.item(0).layers.count;
+  EXPECT_EQ(itemRuns(*result.job.toolPlan).size(), 2u * static_cast<std::size_t>(layers));
+}
+
+TEST(Items, AreCachedEachByItself) {
+  pipeline::StageCache cache(4);
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  request.until = Stage::Layers;
+  const pipeline::PlanResult first = pipeline::planPart(request, {}, &cache);
+  request.choices.item(1).placement.centreMm.x() = 25.0;
+  const pipeline::PlanResult moved = pipeline::planPart(request, {}, &cache);
+  EXPECT_EQ(moved.job.item(0).layers, first.job.item(0).layers) << "the first item was not moved";
+  EXPECT_NE(moved.job.item(1).layers, first.job.item(1).layers);
+  EXPECT_NE(moved.job.keys(), first.job.keys());
+}
+
+TEST(Items, ComeBackFromAProject) {
+  const test::TemporaryFolder folder;
+  const pipeline::PlanResult result = pipeline::planPart(twoBoxes(layers::PrintOrder::ByLayer), {});
+  project::writeJob(folder / "job.voluta", result.job);
+  const project::Job back = project::readJob(folder / "job.voluta");
+  ASSERT_EQ(back.items.size(), 2u);
+  EXPECT_EQ(back.choices.printOrder, layers::PrintOrder::ByLayer);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back.choices.item(i).placement.centreMm,
+              result.job.choices.item(i).placement.centreMm);
+    EXPECT_EQ(back.item(i).part->vertices, result.job.item(i).part->vertices);
+    EXPECT_EQ(back.item(i).layers->patches.size(), result.job.item(i).layers->patches.size());
+    EXPECT_EQ(back.report.item(i).layers.count, result.job.report.item(i).layers.count);
+  }
+  ASSERT_TRUE(back.toolPlan);
+  EXPECT_TRUE(std::ranges::equal(back.toolPlan->paths, result.job.toolPlan->paths, {},
+                                 &plan::ToolPath::item, &plan::ToolPath::item));
+  EXPECT_EQ(back.keys(), result.job.keys());
+}
+
+} // namespace
