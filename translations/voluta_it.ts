@@ -1257,46 +1257,40 @@ mm³</translation>
         <translation>una riga sconosciuta nell&apos;intestazione</translation>
     </message>
     <message>
-        <source>and more places, the first at {place}: the cell prints up to {radius} from the rod&apos;s axis and {along} from its middle</source>
-        <translation>e altri punti, il primo a {place}: la cella stampa fino a {radius} dall&apos;asse della barra e {along} dal suo centro</translation>
-    </message>
-    <message>
-        <source>and more places, the first at {place}: the print head would cut into the platform</source>
-        <translation>e altri punti, il primo a {place}: la testina entrerebbe nella piattaforma</translation>
-    </message>
-    <message>
-        <source>and more places, the first at {place}: the print head would cut into printed material</source>
-        <translation>e altri punti, il primo a {place}: la testina entrerebbe nel materiale già stampato</translation>
-    </message>
-    <message>
-        <source>and more places, the first at {place}: reachable, but the robot cannot move from or to a neighbouring point without lifting</source>
-        <translation>e altri punti, il primo a {place}: raggiungibile, ma il robot non può muoversi da o verso un punto vicino senza sollevarsi</translation>
-    </message>
-    <message>
-        <source>and more places, the first at {place}: unreachable for the nozzle: out of reach or beyond a joint limit at every rotation of the part about the nozzle</source>
-        <translation>e altri punti, il primo a {place}: non raggiungibile con l&apos;ugello: fuori portata o oltre un limite di giunto a ogni rotazione del pezzo attorno all&apos;ugello</translation>
-    </message>
-    <message>
-        <source>and more places, the first at {place}: {first} would collide with {second} at every rotation of the part about the nozzle</source>
-        <translation>e altri punti, il primo a {place}: {first} urterebbe {second} a ogni rotazione del pezzo attorno all&apos;ugello</translation>
-    </message>
-    <message>
         <source>further defects from here on are not listed</source>
         <translation>altri errori da qui in poi non sono elencati</translation>
     </message>
     <message numerus="yes">
-        <source>and {collisions} more collisions</source>
+        <source>{count} more collisions</source>
         <translation>
-            <numerusform>e {collisions} altra collisione</numerusform>
-            <numerusform>e altre {collisions} collisioni</numerusform>
+            <numerusform>un&apos;altra collisione</numerusform>
+            <numerusform>altre {count} collisioni</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>and {violations} more violations</source>
+        <source>{count} more violations</source>
         <translation>
-            <numerusform>e {violations} altra violazione</numerusform>
-            <numerusform>e altre {violations} violazioni</numerusform>
+            <numerusform>un&apos;altra violazione</numerusform>
+            <numerusform>altre {count} violazioni</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} more waypoints, the first: {what}</source>
+        <translation>
+            <numerusform>un altro punto: {what}</numerusform>
+            <numerusform>altri {count} punti, il primo: {what}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{what}; {more} more voxels depend on this</source>
+        <translation>
+            <numerusform>{what}; un altro voxel ne dipende</numerusform>
+            <numerusform>{what}; altri {more} voxel ne dipendono</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>turn the part or add supports</source>
+        <translation>gira il pezzo o aggiungi i supporti</translation>
     </message>
     <message>
         <source>another column</source>
@@ -3814,24 +3808,10 @@ mm³</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{voxels} voxels are shadowed: inside the front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm; {more} more depend on them</source>
-        <translation>
-            <numerusform>{voxels} voxel è in ombra: dal passo {step} in poi sta dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm; altri {more} dipendono da esso</numerusform>
-            <numerusform>{voxels} voxel sono in ombra: dal passo {step} in poi stanno dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm; altri {more} dipendono da essi</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>{voxels} voxels are shadowed: inside the front before they were reached</source>
         <translation>
             <numerusform>{voxels} voxel è in ombra: dentro il fronte prima di essere raggiunto</numerusform>
             <numerusform>{voxels} voxel sono in ombra: dentro il fronte prima di essere raggiunti</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>{voxels} voxels are shadowed: inside the front before they were reached; {more} more depend on them</source>
-        <translation>
-            <numerusform>{voxels} voxel è in ombra: dentro il fronte prima di essere raggiunto; altri {more} dipendono da esso</numerusform>
-            <numerusform>{voxels} voxel sono in ombra: dentro il fronte prima di essere raggiunti; altri {more} dipendono da essi</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4067,10 +4047,6 @@ mm³</translation>
     <message>
         <source>Plate of the cell</source>
         <translation>Piastra della cella</translation>
-    </message>
-    <message>
-        <source>and more places, the first at {place}: a collision on the way to them; they are left out</source>
-        <translation>e altri punti, il primo a {place}: una collisione lungo la via verso di essi; vengono tralasciati</translation>
     </message>
     <message>
         <source>cell {cell} has no plates</source>
@@ -7032,6 +7008,86 @@ previsto</translation>
         <source>{way}, {height} each</source>
         <translation>{way}, alti {height}</translation>
     </message>
+    <message>
+        <source>a cut of the tape</source>
+        <translation>un taglio del nastro</translation>
+    </message>
+    <message>
+        <source>a job without a tool</source>
+        <translation>un lavoro senza utensile</translation>
+    </message>
+    <message>
+        <source>a pause for the operator</source>
+        <translation>una pausa per l&apos;operatore</translation>
+    </message>
+    <message>
+        <source>a tool change</source>
+        <translation>un cambio utensile</translation>
+    </message>
+    <message>
+        <source>choose a way of building for each part</source>
+        <translation>scegli un modo di costruzione per ogni parte</translation>
+    </message>
+    <message>
+        <source>choose {formats}</source>
+        <translation>scegli {formats}</translation>
+    </message>
+    <message>
+        <source>feeding in place</source>
+        <translation>avanzamento da fermo</translation>
+    </message>
+    <message>
+        <source>format {format} has no word for {event}</source>
+        <translation>il formato {format} non ha parole per {event}</translation>
+    </message>
+    <message>
+        <source>is above 1</source>
+        <translation>è maggiore di 1</translation>
+    </message>
+    <message>
+        <source>mode auto plans one part at a time</source>
+        <translation>la modalità auto pianifica una parte alla volta</translation>
+    </message>
+    <message>
+        <source>mode {mode} needs a rod, but cell {cell} has none</source>
+        <translation>la modalità {mode} ha bisogno di un&apos;asta, ma la cella {cell} non ne ha</translation>
+    </message>
+    <message>
+        <source>must be #RRGGBB</source>
+        <translation>deve essere #RRGGBB</translation>
+    </message>
+    <message>
+        <source>not planned here</source>
+        <translation>non prevista qui</translation>
+    </message>
+    <message>
+        <source>nothing in this file is executed</source>
+        <translation>nulla di questo file viene eseguito</translation>
+    </message>
+    <message>
+        <source>stated here</source>
+        <translation>scritta qui</translation>
+    </message>
+    <message>
+        <source>the change to another tool</source>
+        <translation>il cambio a un altro utensile</translation>
+    </message>
+    <message>
+        <source>the cut of the tape</source>
+        <translation>il taglio del nastro</translation>
+    </message>
+    <message>
+        <source>the plan names tool {tool}, the job has {tools}</source>
+        <translation>il piano nomina l&apos;utensile {tool}, il lavoro ne ha {tools}</translation>
+    </message>
+    <message>
+        <source>the report has no item</source>
+        <translation>il rapporto non contiene parti</translation>
+    </message>
+    <message>
+        <source>unknown material &apos;{id}&apos;</source>
+        <translation>materiale &apos;{id}&apos; sconosciuto</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -8589,6 +8645,10 @@ circa %6, stimato da volume e altezza senza supporti</translation>
     <message>
         <source>Shows the solids used for collision checks over the arm</source>
         <translation>Mostra sopra il braccio i solidi controllati per le collisioni</translation>
+    </message>
+    <message>
+        <source>searching…</source>
+        <translation>ricerca in corso…</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,7 @@
 #include "base/run_context.h"
 #include "pipeline/plan_result.h"
 #include "pipeline/stage_cache.h"
-#include "pipeline/stage_runner.h"
+#include "pipeline/trial.h"
 #include "project/stage.h"
 
 #include <memory>

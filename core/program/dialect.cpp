@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
-#include "geometry/directions.h"
 #include "program/common/language_words.h"
 #include "program/common/motion_targets.h"
 #include "program/common/text.h"
@@ -410,99 +409,6 @@ bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
          std::all_of(formats.begin(), formats.end(), [&](const std::string& format) {
            return isForeign(findDialect(format), cell);
          });
-}
-
-void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
-  if (dialect.supportsExternalAxes || cell.externalAxes().empty())
-    return;
-  std::string others;
-  for (const Dialect& other : dialects())
-    if (other.supportsExternalAxes)
-      others += joined({others.empty() ? "" : ", ", other.id});
-  throw base::Error(
-      base::ErrorCode::Usage,
-      base::message("format {format} does not support external axes: it cannot move the {axis} of "
-                    "cell {cell}"_text,
-                    dialect.id, cell.externalAxes().front().name, cell.id()),
-      {}, others.empty() ? base::Message() : base::message("use {formats}"_text, others));
-}
-
-void requireOwnRobot(const Dialect& dialect, const robot::Cell& cell) {
-  if (!dialect.needsJoints || !isForeign(dialect, cell))
-    return;
-  throw base::Error(base::ErrorCode::Usage,
-                    base::message("format {format} states joint values for another "
-                                  "maker's arm, not for the {robot} of cell {cell}"_text,
-                                  dialect.id, cell.robot().id, cell.id()),
-                    {}, base::message("use {formats}"_text, cell.robot().controller));
-}
-
-void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions) {
-  if (dialect.tiltsNozzle)
-    return;
-  double most = 0.0;
-  for (const Eigen::Vector3d& n : directions)
-    most = std::max(most, geometry::angleBetween(n, Eigen::Vector3d::UnitZ()));
-  if (most <= kUprightRad)
-    return;
-  std::string others;
-  for (const Dialect& other : dialects())
-    if (other.tiltsNozzle)
-      others += joined({others.empty() ? "" : ", ", other.id});
-  throw base::Error(
-      base::ErrorCode::Usage,
-      base::message("format {format} cannot tilt the nozzle, but this job tilts it by "
-                    "{angle}"_text,
-                    dialect.id, base::degrees(base::radiansToDegrees(most))),
-      {}, base::message("use {formats}, or a mode with flat layers"_text, others));
-}
-
-namespace {
-base::Text nameOf(plan::EventKind kind) {
-  switch (kind) {
-  case plan::EventKind::ToolChange:
-    return "a tool change"_text;
-  case plan::EventKind::Cut:
-    return "a cut of the tape"_text;
-  case plan::EventKind::Pause:
-    return "a pause for the operator"_text;
-  case plan::EventKind::Feed:
-    break;
-  }
-  return "feeding in place"_text;
-}
-} // namespace
-
-void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory) {
-  const auto unsaid = std::ranges::find_if(trajectory.events, [&](const plan::TrajectoryEvent& e) {
-    return std::ranges::find(dialect.events, e.kind) == dialect.events.end();
-  });
-  if (unsaid == trajectory.events.end())
-    return;
-  std::string others;
-  for (const Dialect& other : dialects())
-    if (std::ranges::find(other.events, unsaid->kind) != other.events.end())
-      others += joined({others.empty() ? "" : ", ", other.id});
-  throw base::Error(
-      base::ErrorCode::Usage,
-      base::message("format {format} has no word for {event}"_text, dialect.id,
-                    nameOf(unsaid->kind)),
-      {}, others.empty() ? base::Message() : base::message("choose {formats}"_text, others));
-}
-
-std::optional<base::Error> refusal(const Dialect& dialect, const robot::Cell& cell,
-                                   std::span<const Eigen::Vector3d> directions,
-                                   const plan::Trajectory* trajectory) {
-  try {
-    requireOwnRobot(dialect, cell);
-    requireRodTurns(dialect, cell);
-    requireUpright(dialect, directions);
-    if (trajectory)
-      requireEvents(dialect, *trajectory);
-  } catch (const base::Error& error) {
-    return error;
-  }
-  return std::nullopt;
 }
 
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,

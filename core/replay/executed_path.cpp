@@ -271,8 +271,7 @@ private:
     }
   }
 
-  // Returns the usable half of the blend at the end of motion m: at most half of either adjacent
-  // motion.
+  // Returns the usable half of the blend at the end of motion m: at most half of a motion.
   double blendAt(std::size_t m) const {
     if (m + 1 >= motions_.size() || m == 0 || !isStraight(m) || !isStraight(m + 1))
       return 0.0;
@@ -296,8 +295,7 @@ private:
                    at - static_cast<double>(piece));
   }
 
-  // Returns the target at s in [0,1] of the length of straight motion m, m >= 1, with rounded
-  // corners.
+  // Returns the target at s in [0,1] of straight motion m >= 1, with rounded corners.
   Target along(std::size_t m, double s) const {
     if (!motions_[m].way.empty())
       return onWay(m, s);

@@ -19,7 +19,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"page", {}},
     {"geometry", {}},
     {"platform", {"geometry"}},
-    {"process", {"geometry"}},
+    {"process", {"geometry", "plan"}},
     {"voxel", {"geometry"}},
     {"plan", {}},
     {"build3mf", {"geometry", "process", "voxel", "plan"}},

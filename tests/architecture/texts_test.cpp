@@ -93,7 +93,8 @@ bool isForUsers(std::string_view source, const Literal& literal) {
 // program that collects texts writes.
 bool isEnglishOnly(const fs::path& file) {
   const std::string name = file.filename().string();
-  return file.parent_path().filename() == "program" || name == "compare_figures.cpp" ||
+  const bool isOfProgram = file.string().find("core/program/") != std::string::npos;
+  return isOfProgram || name == "compare_figures.cpp" ||
          name == "urdf_reader.cpp" || name == "urdf_shapes.cpp" ||
          name == "robot_file_writer.cpp" || name == "cell_layout.cpp" || name == "arm_import.cpp" ||
          name == "extract.cpp";

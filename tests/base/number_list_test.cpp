@@ -32,6 +32,6 @@ TEST(NumberList, RowsOfATableWhateverStandsBetween) {
     readRows("1,2\n\n3,z", "points.csv");
     FAIL();
   } catch (const voluta::base::Error& e) {
-    EXPECT_EQ(std::string(e.what()), "points.csv, line 3: 'z' is no number");
+    EXPECT_EQ(std::string(e.what()), "points.csv, line 3: 'z' is not a number");
   }
 }

@@ -458,7 +458,7 @@ TEST_F(Dialects, whatIsNoTextIsToldInOneLine) {
                  {"\xff\xfe" + text, "byte-order mark"},
                  {half + std::string(1, '\0') + rest, "binary"},
                  {std::string("\x89PNG\r\n\x1a\n\0\0", 10), "binary"},
-                 {half + other, d.id == std::string_view("rapid") ? "CR LF" : "two ways"}};
+                 {half + other, d.id == std::string_view("rapid") ? "CR LF" : "mixed line ends"}};
     for (const auto& c : cases) {
       const plan::ReadProgram read = with(c.text);
       ASSERT_EQ(read.defects.size(), 1u) << d.id << " " << c.part;

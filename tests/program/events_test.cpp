@@ -95,7 +95,8 @@ TEST_F(Events, aJoinedTrajectoryKeepsThem) {
         << "the point before stays";
   }
   EXPECT_EQ(t.eventsBefore(t.events[0].point).size(), 2u);
-  EXPECT_TRUE(t.eventsBefore(t.events[0].point + 1).empty());
+  EXPECT_EQ(t.eventsBefore(t.events[2].point).size(), 1u);
+  EXPECT_TRUE(t.eventsBefore(t.events[2].point + 1).empty());
 }
 
 } // namespace

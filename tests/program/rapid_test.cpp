@@ -5,7 +5,6 @@
 #include "base/units.h"
 #include "program/dialect.h"
 #include "program/rapid/rapid.h"
-
 #include <sstream>
 
 namespace voluta::program {

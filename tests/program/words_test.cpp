@@ -115,8 +115,15 @@ std::string spelplus(const std::string& head, const std::string& amid, const std
          end + "Fend\n";
 }
 
+// Stops are compared with the planned ones by the replay (replay/planned_events.h).
+std::size_t stopsOf(const plan::ReadProgram& program) {
+  return static_cast<std::size_t>(
+      std::ranges::count(program.facts, plan::FactKind::OperatorStop, &plan::StatedFact::kind));
+}
+
 bool tells(const plan::ReadProgram& with, const plan::ReadProgram& without) {
-  return !with.defects.empty() || with.pauses.size() != without.pauses.size() ||
+  return !with.defects.empty() || stopsOf(with) != stopsOf(without) ||
+         with.pauses.size() != without.pauses.size() ||
          with.motions.size() != without.motions.size();
 }
 

@@ -76,7 +76,7 @@ TEST_F(Files, robotMistakesNameFileAndKey) {
                         }),
               HasSubstr("'links[1].shapes[0].capsule.p0Mm'"));
   EXPECT_THAT(complaint(ur5, [](json& j) { j["neverMeet"][0]["pair"][0] = "upper leg"; }),
-              HasSubstr("the nearest is 'upper arm'"));
+              HasSubstr("did you mean 'upper arm'"));
   EXPECT_THAT(complaint(ur5, [](json& j) { j["lable"] = "x"; }), HasSubstr("'lable'"));
   const std::string t3 = "robots/t3-401s.json";
   EXPECT_EQ(complaint(t3, [](json&) {}), "");
@@ -121,7 +121,7 @@ TEST_F(Files, cellMistakesNameFileAndKey) {
     return complaint(cell, [&](json& j) { j["travelAccelerationDegPerS2"] = value; });
   };
   EXPECT_EQ(travels(800.0), "");
-  EXPECT_THAT(travels(801.0), HasSubstr("'travelAccelerationDegPerS2' is more than"));
+  EXPECT_THAT(travels(801.0), HasSubstr("'travelAccelerationDegPerS2' exceeds"));
   EXPECT_THAT(travels(0.0), HasSubstr("'travelAccelerationDegPerS2'"));
   const json axis = json::parse(R"({"name": "rail", "kind": "turning", "axis": [1, 0, 0],
       "pose": {"xyzMm": [0, 0, 0]}, "minDeg": -9, "maxDeg": 9, "stepDeg": 0,
@@ -141,7 +141,7 @@ TEST_F(Files, mistakesAboutAxesNameFileAndKey) {
   EXPECT_THAT(axis(0, "carries", "floor"),
               HasSubstr("'externalAxes[0].carries' must be platform or robot, is 'floor'"));
   EXPECT_THAT(axis(1, "carries", "robot"),
-              HasSubstr("'externalAxes[1].carries' must be platform behind an axis"));
+              HasSubstr("'externalAxes[1].carries' must be platform after an axis"));
   EXPECT_EQ(axis(0, "carries", "robot"), "");
   EXPECT_EQ(axis(0, "carries", "platform"), "");
   EXPECT_THAT(axis(0, "kind", "rolling"), HasSubstr("'externalAxes[0].kind' must be turning or"));
@@ -166,7 +166,7 @@ TEST_F(Files, mistakesAboutTheRodNameFileAndKey) {
   EXPECT_THAT(axis("end", "spins"), HasSubstr("'externalAxes[0].end' must be unwinds or runsOn"));
   EXPECT_THAT(axis("stepDeg", -1), HasSubstr("'externalAxes[0].stepDeg'"));
   EXPECT_THAT(axis("velocityDegPerS", 0), HasSubstr("'externalAxes[0].velocityDegPerS'"));
-  EXPECT_THAT(axis("minDeg", 10), HasSubstr("'externalAxes[0]' must have 0"));
+  EXPECT_THAT(axis("minDeg", 10), HasSubstr("'externalAxes[0]' must include the home position 0"));
   EXPECT_THAT(axis("minDeg", "low"), HasSubstr("'externalAxes[0].minDeg' must be a number"));
   EXPECT_THAT(axis("speed", 1), HasSubstr("'externalAxes[0].speed'"));
   EXPECT_THAT(axis("axis", {0, 1, 0}), HasSubstr("must turn the rod about its own axis"));

@@ -25,8 +25,7 @@ Stage stageAt(std::size_t index) {
 }
 } // namespace
 
-// Shared by all edits that refer to the same part, so that its repaired version applies to all of
-// them.
+// Shared by all edits of one part, so that its repaired version applies to all.
 struct Document::Source {
   std::shared_ptr<const project::LoadedPart> part;
   QString path;
@@ -339,7 +338,6 @@ void Document::refreshKeys() {
   try {
     keys_ = pipeline::stageKeys(request(Stage::Replay));
   } catch (const base::Error& error) {
-    // Choices that cannot be planned have no keys, so no shown result belongs to them.
     unusable_ = error;
   }
 }
