@@ -2,6 +2,7 @@
 
 #include "base/stopwatch.h"
 #include "motion/resume.h"
+#include "pipeline/replayed/shared_runs.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 
@@ -70,8 +71,7 @@ program::JobHead headOf(const ProgramStageInput& said) {
 }
 
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
-                    const ProgramStageInput& in, const base::RunContext& ctx,
-                    replay::JudgedRuns* judged) {
+                    const ProgramStageInput& in, const base::RunContext& ctx, SharedRuns* shared) {
   ctx.report(0.0, base::message("replaying {format}"_text, format));
   plan::ReadProgram read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
   if (in.firstPoint > 0) {
@@ -87,10 +87,11 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
     read.motions = std::move(motions);
   }
   ReadBack back{read.firstMotion, read.defects, {}};
-  back.verdict =
-      replay::replayProgram({std::move(read), in.toolPlan, in.trajectory, in.cell, in.process,
-                             in.part, in.platform, in.firstPoint, in.commonPoint},
-                            {}, ctx.sub(0.1, 1.0), judged);
+  replay::ReplayInput input{std::move(read), in.toolPlan, in.trajectory, in.cell,       in.process,
+                            in.part,         in.platform, in.firstPoint, in.commonPoint};
+  const base::RunContext rest = ctx.sub(0.1, 1.0);
+  back.verdict = shared ? replayShared(std::move(input), *shared, rest)
+                        : replay::replayProgram(std::move(input), {}, rest);
   // Exclude the time of the motions printed before this program.
   const auto& seconds = back.verdict.motionS;
   back.verdict.durationS -= std::accumulate(
@@ -141,7 +142,7 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
                                                    const ProgramStageInput& in,
                                                    const base::RunContext& ctx,
-                                                   replay::JudgedRuns* judged) {
+                                                   SharedRuns* shared) {
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
   ctx.report(0.0, base::message("writing {format}"_text, format));
@@ -153,7 +154,7 @@ std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
   });
   checked->timings.write = writing.seconds();
   base::Stopwatch replaying;
-  ReadBack back = replayText(format, checked->program.files, said, ctx.sub(0.1, 1.0), judged);
+  ReadBack back = replayText(format, checked->program.files, said, ctx.sub(0.1, 1.0), shared);
   checked->timings.replay = replaying.seconds();
   replay::Verification& verdict = back.verdict;
   checked->pointLines.resize(in.trajectory.pointCount());

@@ -35,11 +35,11 @@ std::string programsName(const project::Job& job);
 // Returns the head of the program that is written from `said` (see saying()).
 program::JobHead headOf(const ProgramStageInput& said);
 
-// Reads `files` as `format` and replays them against the planned motion. `judged`: as for
-// replay::replayProgram.
+// Reads `files` as `format` and replays them against the planned motion. `shared`: as for
+// programStage().
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
                     const ProgramStageInput& planned, const base::RunContext& ctx,
-                    replay::JudgedRuns* judged = nullptr);
+                    SharedRuns* shared = nullptr);
 
 project::ReplayReport replayReport(const replay::Verification& verdict);
 

@@ -12,6 +12,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/program_files.h"
 #include "pipeline/replay_stage.h"
+#include "pipeline/replayed/shared_runs.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "program/dialect.h"
@@ -142,13 +143,13 @@ void writePrograms(PlanResult& result, const base::RunContext& ctx) {
       *result.cell,      *result.process,
       programsName(job), program::programOptions(parameterValues(job.choices)),
       job.resumedAt};
-  replay::JudgedRuns judged;
+  SharedRuns shared;
   plan::Findings findings;
   project::Timings timings;
   for (std::size_t i = 0; i < formats.size(); ++i) {
     const double count = static_cast<double>(formats.size()), at = static_cast<double>(i);
     result.checked.push_back(
-        programStage(formats[i], in, ctx.sub(at / count, (at + 1.0) / count), &judged));
+        programStage(formats[i], in, ctx.sub(at / count, (at + 1.0) / count), &shared));
     timings += result.checked.back()->timings;
     tellProgram(*result.checked.back(), i == 0, true, job.report, findings);
   }

@@ -13,6 +13,7 @@
 #include "pipeline/part_size.h"
 #include "pipeline/pedestal.h"
 #include "pipeline/replay_stage.h"
+#include "pipeline/replayed/shared_runs.h"
 #include "pipeline/stage_keys.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
@@ -278,7 +279,7 @@ private:
                                std::filesystem::path(first().loaded().name).stem().string(),
                                program::programOptions(values_)};
     result_.checked.clear();
-    replay::JudgedRuns judged;
+    SharedRuns shared;
     for (std::size_t i = 0; i < formats.size(); ++i) {
       if (i > 0 && ((untilMet && !metIn(*result_.checked.back()).empty()) || isHopeless()))
         return;
@@ -286,7 +287,7 @@ private:
       const auto make = [&] {
         return programStage(formats[i], in,
                             span(project::Stage::Replay).sub(at / count, (at + 1.0) / count),
-                            &judged);
+                            &shared);
       };
       // Cached programs were written for the previous motion.
       result_.checked.push_back(

@@ -22,7 +22,6 @@
 #include "project/job.h"
 #include "project/report.h"
 #include "project/stage.h"
-#include "replay/judged_runs.h"
 #include "replay/worst_places.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
@@ -33,6 +32,8 @@
 #include <vector>
 
 namespace voluta::pipeline {
+
+class SharedRuns;
 
 struct ToolpathStage {
   static constexpr project::Stage kStage = project::Stage::Toolpath;
@@ -145,11 +146,11 @@ struct ProgramStageInput {
   std::string job = {};       // as program::ProgramInput::job
   std::vector<std::size_t> commonPoint = {}; // as replay::ReplayInput::commonPoint
 };
-// Writes the program, reads it back and replays it. `judged`: results shared by the programs of one
-// motion (replay/verification.h).
+// Writes the program, reads it back and replays it. `shared`: results shared by the programs of one
+// motion; null: none.
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
                                                    const ProgramStageInput& in,
                                                    const base::RunContext& ctx,
-                                                   replay::JudgedRuns* judged = nullptr);
+                                                   SharedRuns* shared = nullptr);
 
 } // namespace voluta::pipeline

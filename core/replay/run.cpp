@@ -23,9 +23,6 @@ using enum plan::FindingKind;
 constexpr std::size_t kMaxCells = 48'000'000;
 // Material further than this from part and plan is not tracked; it counts as excess.
 constexpr double kStrayMm = 12.0;
-constexpr double kSameOfCell = 0.5, kSameInTheMean = 0.1; // in cells of the bead grid
-// share of a motion's volume; below kLeastMm3 there is no material
-constexpr double kSameVolume = 1e-3, kLeastMm3 = 1e-6;
 
 class RunJudge {
 public:
@@ -35,22 +32,14 @@ public:
     out_.run = std::move(run);
   }
 
-  JudgedRun judge(const JudgedRuns& judged) {
-    const JudgedRun* known = nullptr;
-    for (const auto& other : judged)
-      if (!known && laysTheSame(*other))
-        known = other.get();
-    if (known) {
-      numberMine(known->run.path.motionCount());
-      out_.laid = known->laid;
-      out_.figures = known->figures;
-      out_.beads = known->beads;
-      for (BeadFinding& f : out_.beads)
-        if (f.motion)
-          f.motion = mineOf_[*f.motion];
+  JudgedRun judge(KnownResults known) {
+    if (known.laid) {
+      out_.laid = std::move(known.laid);
+      out_.figures = std::move(known.figures);
+      out_.beads = std::move(known.beads);
     } else {
-      same_.assign(out_.run.path.motionCount(), 0);
       out_.laid = layBeads();
+      known.firstPiece = firstPieceOfMotions(out_.laid->pieces, path().motionCount());
     }
     findClashes(known);
     gatherMet();
@@ -60,34 +49,6 @@ public:
 
 private:
   const ExecutedPath& path() const { return out_.run.path; }
-
-  // Returns whether both runs print the same beads; fills in same_ and otherOf_.
-  bool laysTheSame(const JudgedRun& other) {
-    const Ball head = HeadSolid(in_.process.head).ball();
-    const std::vector<Apart> off =
-        apart(other.run, out_.run, head.centre.norm() + head.radius, ctx_);
-    const double cell = other.figures.pitchMm;
-    same_.assign(off.size(), 0);
-    otherOf_.assign(off.size(), kUnmatched);
-    double moved = 0.0, volume = 0.0;
-    std::size_t beads = 0; // motions of the other run that deposit material and exist here too
-    for (std::size_t m = 0; m < off.size(); ++m) {
-      const std::size_t o = otherOf_[m] = off[m].motion;
-      const double mine = out_.run.volumeMm3[m];
-      const double its = o == kUnmatched ? 0.0 : other.run.volumeMm3[o];
-      same_[m] = o != kUnmatched && std::max(off[m].tipMm, off[m].headMm) <= kSameOfCell * cell;
-      beads += its > 0.0;
-      if (mine <= 0.0 && its <= 0.0)
-        continue;
-      if (off[m].tipMm > kSameOfCell * cell ||
-          std::abs(mine - its) > kLeastMm3 + kSameVolume * std::min(mine, its))
-        return false;
-      moved += mine * off[m].tipMm;
-      volume += mine;
-    }
-    const auto laid = std::ranges::count_if(other.run.volumeMm3, [](double v) { return v > 0.0; });
-    return beads == static_cast<std::size_t>(laid) && moved <= kSameInTheMean * cell * volume;
-  }
 
   std::shared_ptr<const LaidBeads> layBeads() {
     std::vector<BeadPiece> pieces = beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge);
@@ -224,84 +185,16 @@ private:
     }
   }
 
-  void findClashes(const JudgedRun* known) {
+  void findClashes(const KnownResults& known) {
     ctx_.report(0.72, "checking for collisions"_text);
     const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
-    const bool armToo = known && known->run.path.arm && path().arm;
-    if (known)
-      for (const auto* clashes : {&known->head, &known->arm})
-        for (const Clash& c : *clashes)
-          lend(c);
-    std::vector<char> armSame = armToo ? same_ : std::vector<char>(same_.size(), 0);
-    if (armToo)
-      for (std::size_t m = 0; m < armSame.size(); ++m)
-        armSame[m] = armSame[m] && sameJoints(known->run.path, m);
-    const std::vector<std::uint32_t> firstPiece = firstPieces(known);
-    out_.head = headClashes(path(), out_.laid->pieces, firstPiece, *out_.laid->printed,
-                            *out_.laid->underside, in_.process, ground, same_, ctx_);
+    out_.head = headClashes(path(), out_.laid->pieces, known.firstPiece, *out_.laid->printed,
+                            *out_.laid->underside, in_.process, ground, known.headKnown, ctx_);
     ctx_.report(0.97, "checking for collisions"_text);
-    out_.arm = armClashes(path(), firstPiece, *out_.laid->printed, ground, in_.cell, armSame, ctx_);
-    if (known) {
-      takeOver(known->head, same_, known->run.path, out_.head);
-      takeOver(known->arm, armSame, known->run.path, out_.arm);
-    }
-  }
-
-  // Returns the first piece of each motion. The pieces may be shared by a known run and then be
-  // numbered by its motions.
-  std::vector<std::uint32_t> firstPieces(const JudgedRun* known) const {
-    const std::size_t motions = path().motionCount();
-    if (!known)
-      return firstPieceOfMotions(out_.laid->pieces, motions);
-    const std::vector<std::uint32_t> its =
-        firstPieceOfMotions(out_.laid->pieces, known->run.path.motionCount());
-    std::vector<std::uint32_t> mine(motions + 1, its.back());
-    for (std::size_t m = motions; m-- > 0;)
-      mine[m] = otherOf_[m] != kUnmatched ? its[otherOf_[m]] : mine[m + 1];
-    return mine;
-  }
-
-  void numberMine(std::size_t count) {
-    mineOf_.assign(count, kUnmatched);
-    for (std::size_t m = 0; m < otherOf_.size(); ++m)
-      if (otherOf_[m] != kUnmatched)
-        mineOf_[otherOf_[m]] = m;
-  }
-
-  // A contact that continues into a motion that differs is checked again as a whole.
-  void lend(const Clash& c) {
-    bool whole = true;
-    for (std::size_t o = c.motion; o <= c.lastMotion; ++o)
-      whole = whole && mineOf_[o] != kUnmatched && same_[mineOf_[o]];
-    if (whole)
-      return;
-    for (std::size_t o = c.motion; o <= c.lastMotion; ++o)
-      if (mineOf_[o] != kUnmatched)
-        same_[mineOf_[o]] = 0;
-  }
-
-  bool sameJoints(const ExecutedPath& other, std::size_t motion) const {
-    constexpr double kSameRad = 2e-4; // a tenth of a millimetre at half a metre
-    if (other.dof != path().dof || otherOf_[motion] == kUnmatched)
-      return false;
-    for (int k = 0; k < path().dof; ++k)
-      if (std::abs(path().turnOf(k, other.jointsAt(otherOf_[motion])[k] -
-                                        path().jointsAt(motion)[k])) > kSameRad)
-        return false;
-    return true;
-  }
-
-  void takeOver(const std::vector<Clash>& clashes, const std::vector<char>& same,
-                const ExecutedPath& other, std::vector<Clash>& out) const {
-    for (Clash c : clashes) {
-      const std::size_t first = mineOf_[c.motion], last = mineOf_[c.lastMotion];
-      if (first == kUnmatched || last == kUnmatched || !same[first])
-        continue;
-      c.whenS = path().startS[first] + (c.whenS - other.startS[c.motion]);
-      c.motion = first;
-      c.lastMotion = last;
-      out.push_back(std::move(c));
-    }
+    out_.arm = armClashes(path(), known.firstPiece, *out_.laid->printed, ground, in_.cell,
+                          known.armKnown, ctx_);
+    out_.head.insert(out_.head.end(), known.head.begin(), known.head.end());
+    out_.arm.insert(out_.arm.end(), known.arm.begin(), known.arm.end());
   }
 
   void gatherMet() {
@@ -321,24 +214,13 @@ private:
   const ReplayThresholds& limits_;
   const base::RunContext& ctx_;
   JudgedRun out_;
-  std::vector<char> same_; // per motion: as in the known run
-  // Motions to the same point of the plan: the known run's per motion of this run, and the inverse.
-  std::vector<std::size_t> otherOf_, mineOf_;
 };
 
 } // namespace
 
 JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& thresholds,
-                   const JudgedRuns& judged, const base::RunContext& ctx) {
-  return RunJudge(std::move(run), input, thresholds, ctx).judge(judged);
-}
-
-JudgedRun strippedForReuse(JudgedRun run) {
-  ExecutedPath& path = run.run.path;
-  base::freeStorage(path.targetTip, path.targetDirection, path.commandedMm, path.turnRad,
-                    path.cornerRad, path.durationS, path.violations, run.run.pointOf,
-                    run.run.knowledge);
-  return run;
+                   KnownResults known, const base::RunContext& ctx) {
+  return RunJudge(std::move(run), input, thresholds, ctx).judge(std::move(known));
 }
 
 } // namespace voluta::replay

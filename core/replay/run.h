@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -49,38 +50,29 @@ struct LaidBeads {
   std::optional<Underside> underside; // of the head, against the pieces
 };
 
-// A run and its results. A run kept for reuse lacks the data that no other run needs: its targets,
-// lengths and durations, the arm's configurations between them, its points and their knowledge.
+// A run and its results.
 struct JudgedRun {
-  Run run;
+  Run run; // without the arm's configurations between targets
   std::shared_ptr<const LaidBeads> laid;
   RunFigures figures; // collisions and collidingWaypoints are those of the clashes below
   std::vector<BeadFinding> beads; // for the thresholds it was judged with
   std::vector<Clash> head, arm;   // unordered
 };
 
-// Deposits the run's beads and checks them for support and collisions. Does not use the input's
-// program.
-//
-// Reuses the beads of the first run of `judged` that deposits the same ones, and its clashes for
-// unchanged motions. Motions are unchanged if tip and head stay within half a cell of the bead grid
-// (contacts are not resolved more finely) and the material is the same. Beads are the same if all
-// extruding motions have a counterpart and are, weighted by volume, at most a tenth of a cell apart
-// in the mean. Throws Cancelled.
-JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& thresholds,
-                   const JudgedRuns& judged, const base::RunContext& ctx);
-
-// Returns a judged run without the data that reuse does not need.
-JudgedRun strippedForReuse(JudgedRun run);
-
-// The distance of a motion in one run from the motion to the same point of the plan in another.
-struct Apart {
-  std::size_t motion = kUnmatched; // of the other run; kUnmatched: none
-  double tipMm = 0.0;  // maximum distance of the tip from the other's path, in both directions
-  double headMm = 0.0; // same for the far end of the head
+// Results of a run that are known before it is judged, say from another program with the same
+// motions. They are taken as they are. Motions are numbered as in the run that is judged.
+struct KnownResults {
+  std::shared_ptr<const LaidBeads> laid; // null: nothing is known; all else is then empty
+  RunFigures figures;                    // of the beads
+  std::vector<BeadFinding> beads;        // for the same thresholds
+  std::vector<std::uint32_t> firstPiece; // of each motion among laid->pieces (clashes.h)
+  std::vector<char> headKnown, armKnown; // per motion: its clashes of head, arm are known
+  std::vector<Clash> head, arm;          // all clashes that begin in known motions
 };
-// Returns an entry per motion of b, compared with the motions of a by their common points.
-// `reachMm`: of the head along its axis. Throws Cancelled.
-std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base::RunContext& ctx);
+
+// Deposits the run's beads and checks them for support and collisions, except for what is known.
+// Does not use the input's program. Throws Cancelled.
+JudgedRun judgeRun(Run run, const ReplayInput& input, const ReplayThresholds& thresholds,
+                   KnownResults known, const base::RunContext& ctx);
 
 } // namespace voluta::replay

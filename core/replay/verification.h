@@ -8,7 +8,6 @@
 #include "plan/trajectory.h"
 #include "platform/platform_solid.h"
 #include "process/process.h"
-#include "replay/judged_runs.h"
 #include "replay/worst_places.h"
 #include "robot/cell.h"
 
@@ -119,14 +118,10 @@ struct Verification : RunFigures {
 //
 // Programs with ToolPoint targets contain no arm: the limits and clearances of the arm are then not
 // checked (armChecked == false); the nozzle's path, the head and the beads are. The result does not
-// depend on the number of threads.
-//
-// `judged`, if given, holds the runs of programs written from the same plan and receives this
-// one's. A run that differs from one of them by less than the bead grid resolves (run.h) is not
-// judged a second time; its text and its limits are still checked. Example:
+// depend on the number of threads. Example:
 //   const replay::Verification verdict =
 //       replay::replayProgram({read, toolPlan, trajectory, cell, process, part, plate}, {}, ctx);
 Verification replayProgram(ReplayInput input, const ReplayThresholds& thresholds,
-                           const base::RunContext& ctx, JudgedRuns* judged = nullptr);
+                           const base::RunContext& ctx);
 
 } // namespace voluta::replay

@@ -1,7 +1,7 @@
 // Programs of one plan that say its joint motions in different pieces are replayed once.
 #include "box_request.h"
+#include "pipeline/replayed/shared_runs.h"
 #include "pipeline/stages.h"
-#include "replay/run.h"
 
 #include <gtest/gtest.h>
 
@@ -44,13 +44,13 @@ TEST(SharedRuns, BeadsAreLaidOnceThoughTransfersAreSaidInOtherPieces) {
   const auto part = plan.job.item().printed();
   const ProgramStageInput in{
       part, plan.job.item().platform, *plan.job.toolPlan, pieces, *plan.cell, *plan.process, "box"};
-  replay::JudgedRuns judged;
-  const auto native = programStage("urscript", in, kCtx, &judged);
-  const auto foreign = programStage("gcode-extended", in, kCtx, &judged);
-  ASSERT_EQ(judged.size(), 2u);
-  EXPECT_NE(judged[0]->run.path.motionCount(), judged[1]->run.path.motionCount())
+  SharedRuns shared;
+  const auto native = programStage("urscript", in, kCtx, &shared);
+  const auto foreign = programStage("gcode-extended", in, kCtx, &shared);
+  ASSERT_EQ(shared.runs().size(), 2u);
+  EXPECT_NE(shared.runs()[0].run.path.motionCount(), shared.runs()[1].run.path.motionCount())
       << "urscript says a transfer's pieces as one";
-  EXPECT_EQ(judged[0]->laid, judged[1]->laid);
+  EXPECT_EQ(shared.runs()[0].laid, shared.runs()[1].laid);
   EXPECT_EQ(native->verdict.collisions, foreign->verdict.collisions);
   EXPECT_DOUBLE_EQ(native->verdict.coveredFraction, foreign->verdict.coveredFraction);
 }

@@ -35,15 +35,11 @@ protected:
   }
   test::Subject subject() const { return {whole_, read_, scene().process}; }
 
-  Verification verify(const test::ProgramText& text) {
+  Verification verify(const test::ProgramText& text) const {
     const test::Scene& s = scene();
-    JudgedRuns judged = judged_;
-    Verification v = replayProgram(
+    return replayProgram(
         {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-        ReplayThresholds{}, {}, &judged);
-    if (judged_.empty())
-      judged_ = judged;
-    return v;
+        ReplayThresholds{}, {});
   }
 
   // Amid a bead of the middle of the print: motions from 2 before to 12 behind extrude.
@@ -80,7 +76,6 @@ protected:
 
   test::ProgramText whole_;
   plan::ReadProgram read_;
-  JudgedRuns judged_;
 };
 
 TEST_P(Mutants, HarmIsFoundAtItsLine) {

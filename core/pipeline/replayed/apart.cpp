@@ -1,10 +1,11 @@
+#include "pipeline/replayed/apart.h"
+
 #include "base/parallel.h"
-#include "replay/run.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace voluta::replay {
+namespace voluta::pipeline {
 
 namespace {
 
@@ -12,8 +13,8 @@ using Eigen::Vector3d;
 
 // Enlarges `most` to the largest distance of a motion's samples from the path of the same motion in
 // another run.
-void stretch(Apart& most, const ExecutedPath& path, std::size_t motion, const ExecutedPath& way,
-             std::size_t same, double reachMm) {
+void stretch(Apart& most, const replay::ExecutedPath& path, std::size_t motion,
+             const replay::ExecutedPath& way, std::size_t same, double reachMm) {
   const std::size_t begin = way.firstSample[same], end = way.firstSample[same + 1];
   for (std::size_t s = path.firstSample[motion]; s < path.firstSample[motion + 1]; ++s) {
     double nearest = INFINITY;
@@ -40,20 +41,22 @@ void stretch(Apart& most, const ExecutedPath& path, std::size_t motion, const Ex
 
 } // namespace
 
-std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base::RunContext& ctx) {
+std::vector<Apart> apart(const replay::Run& a, const replay::Run& b, double reachMm,
+                         const base::RunContext& ctx) {
   std::size_t points = 0;
   for (const std::size_t point : a.commonPoint)
-    if (point != kUnmatched)
+    if (point != replay::kUnmatched)
       points = std::max(points, point + 1);
-  std::vector<std::size_t> motionTo(points, kUnmatched);
+  std::vector<std::size_t> motionTo(points, replay::kUnmatched);
   for (std::size_t m = 0; m < a.commonPoint.size(); ++m)
-    if (a.commonPoint[m] != kUnmatched)
+    if (a.commonPoint[m] != replay::kUnmatched)
       motionTo[a.commonPoint[m]] = m;
   std::vector<Apart> result(b.path.motionCount());
   base::parallelChunks(ctx, result.size(), 2048, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end && !ctx.cancelled(); ++m) {
-      const std::size_t same = b.commonPoint[m] < points ? motionTo[b.commonPoint[m]] : kUnmatched;
-      if (same == kUnmatched)
+      const std::size_t same =
+          b.commonPoint[m] < points ? motionTo[b.commonPoint[m]] : replay::kUnmatched;
+      if (same == replay::kUnmatched)
         continue;
       result[m].motion = same;
       stretch(result[m], a.path, same, b.path, m, reachMm);
@@ -64,4 +67,4 @@ std::vector<Apart> apart(const Run& a, const Run& b, double reachMm, const base:
   return result;
 }
 
-} // namespace voluta::replay
+} // namespace voluta::pipeline
