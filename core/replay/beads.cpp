@@ -78,73 +78,97 @@ std::size_t straightFrom(const std::vector<Eigen::Vector3d>& tip, std::size_t st
   }
   return last;
 }
+// Cuts motions into pieces, in the order of the program.
+class PieceCutter {
+public:
+  explicit PieceCutter(const ExecutedPath& path) : path_(path) {}
+
+  void stop() { laying_ = false; }
+
+  void cut(std::size_t m, double volumeMm3, const BeadKnowledge& known) {
+    if (!laying_) {
+      ++run_;
+      runMm_ = 0.0;
+      laying_ = true;
+    }
+    const std::size_t first = path_.firstSample[m], end = path_.firstSample[m + 1];
+    double length = 0.0;
+    for (std::size_t s = std::max<std::size_t>(first, 1); s < end; ++s)
+      length += (path_.tip[s] - path_.tip[s - 1]).norm();
+    BeadPiece piece;
+    piece.run = run_;
+    piece.motion = static_cast<std::uint32_t>(m);
+    piece.ofPart = known.ofPart;
+    piece.waste = known.waste;
+    if (length < 1e-6)
+      addOnTheSpot(piece, end - 1, volumeMm3, known);
+    else
+      addAlong(piece, std::max<std::size_t>(first, 1), end, length, volumeMm3, known);
+  }
+
+  std::vector<BeadPiece> take() { return std::move(pieces_); }
+
+private:
+  void addOnTheSpot(BeadPiece piece, std::size_t sample, double volumeMm3,
+                    const BeadKnowledge& known) {
+    piece.from = piece.to = path_.tip[sample];
+    piece.fromDirection = piece.toDirection = path_.direction[sample];
+    piece.fromHeightMm = piece.toHeightMm = known.toHeightMm;
+    piece.volumeMm3 = static_cast<float>(volumeMm3);
+    piece.runMm = static_cast<float>(runMm_);
+    pieces_.push_back(piece);
+  }
+
+  // Of the samples [first, end), `length` long.
+  void addAlong(BeadPiece piece, std::size_t first, std::size_t end, double length,
+                double volumeMm3, const BeadKnowledge& known) {
+    const auto heightAt = [&](double at) {
+      return static_cast<float>(known.fromHeightMm +
+                                at / length * (known.toHeightMm - known.fromHeightMm));
+    };
+    double done = 0.0;
+    for (std::size_t s = first; s < end;) {
+      const std::size_t last = straightFrom(path_.tip, s - 1, end);
+      double step = 0.0;
+      for (std::size_t k = s; k <= last; ++k)
+        step += (path_.tip[k] - path_.tip[k - 1]).norm();
+      piece.from = path_.tip[s - 1];
+      piece.to = path_.tip[last];
+      piece.fromDirection = path_.direction[s - 1];
+      piece.toDirection = path_.direction[last];
+      s = last + 1;
+      if (step <= 0.0)
+        continue;
+      piece.fromHeightMm = heightAt(done);
+      done += step;
+      runMm_ += step;
+      piece.toHeightMm = heightAt(done);
+      piece.volumeMm3 = static_cast<float>(volumeMm3 * step / length);
+      piece.runMm = static_cast<float>(runMm_);
+      pieces_.push_back(piece);
+    }
+  }
+
+  const ExecutedPath& path_;
+  std::vector<BeadPiece> pieces_;
+  std::uint32_t run_ = 0; // beads without a stop
+  double runMm_ = 0.0;
+  bool laying_ = false;
+};
+
 } // namespace
 
 std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const ExecutedPath& path,
                                   const std::vector<BeadKnowledge>& knowledge) {
   base::require(knowledge.size() == path.motionCount() && volumeMm3.size() == path.motionCount(),
                 "beadPieces: volume and knowledge per motion");
-  std::vector<BeadPiece> pieces;
-  std::uint32_t run = 0;
-  double runMm = 0.0;
-  bool laying = false;
-  for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    const double volume = volumeMm3[m];
-    if (volume <= 0.0) {
-      laying = false;
-      continue;
-    }
-    if (!laying) {
-      ++run;
-      runMm = 0.0;
-      laying = true;
-    }
-    const std::size_t first = path.firstSample[m], end = path.firstSample[m + 1];
-    double length = 0.0;
-    for (std::size_t s = std::max<std::size_t>(first, 1); s < end; ++s)
-      length += (path.tip[s] - path.tip[s - 1]).norm();
-    const BeadKnowledge& known = knowledge[m];
-    BeadPiece piece;
-    piece.run = run;
-    piece.motion = static_cast<std::uint32_t>(m);
-    piece.ofPart = known.ofPart;
-    piece.waste = known.waste;
-    if (length < 1e-6) {
-      piece.from = piece.to = path.tip[end - 1];
-      piece.fromDirection = piece.toDirection = path.direction[end - 1];
-      piece.fromHeightMm = piece.toHeightMm = known.toHeightMm;
-      piece.volumeMm3 = static_cast<float>(volume);
-      piece.runMm = static_cast<float>(runMm);
-      pieces.push_back(piece);
-      continue;
-    }
-    double done = 0.0;
-    for (std::size_t s = std::max<std::size_t>(first, 1); s < end;) {
-      const std::size_t last = straightFrom(path.tip, s - 1, end);
-      double step = 0.0;
-      for (std::size_t k = s; k <= last; ++k)
-        step += (path.tip[k] - path.tip[k - 1]).norm();
-      const auto heightAt = [&](double at) {
-        return static_cast<float>(known.fromHeightMm +
-                                  at / length * (known.toHeightMm - known.fromHeightMm));
-      };
-      piece.from = path.tip[s - 1];
-      piece.to = path.tip[last];
-      piece.fromDirection = path.direction[s - 1];
-      piece.toDirection = path.direction[last];
-      s = last + 1;
-      if (step <= 0.0)
-        continue;
-      piece.fromHeightMm = heightAt(done);
-      done += step;
-      runMm += step;
-      piece.toHeightMm = heightAt(done);
-      piece.volumeMm3 = static_cast<float>(volume * step / length);
-      piece.runMm = static_cast<float>(runMm);
-      pieces.push_back(piece);
-    }
-  }
-  return pieces;
+  PieceCutter cutter(path);
+  for (std::size_t m = 0; m < path.motionCount(); ++m)
+    if (volumeMm3[m] <= 0.0)
+      cutter.stop();
+    else
+      cutter.cut(m, volumeMm3[m], knowledge[m]);
+  return cutter.take();
 }
 
 void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground) {

@@ -68,6 +68,107 @@ std::vector<Clash> gather(const std::vector<std::vector<Touch>>& chunks, const M
   return clashes;
 }
 
+enum HeadPair { kPart, kPlatform };
+
+// The head, eroded by the contact tolerance; against cells by another half of a cell.
+struct ErodedHead {
+  ErodedHead(const process::Process& process, const PrintedPart& printed,
+             const GroundSolids& ground)
+      : againstPlatform(process::erodedHead(process.head, process.contactToleranceMm)),
+        againstPart(process::erodedHead(process.head,
+                                        process.contactToleranceMm + 0.5 * printed.grid().pitch)) {
+    if (ground.cells())
+      againstBody.emplace(process::erodedHead(
+          process.head, process.contactToleranceMm + 0.5 * ground.cells()->part().grid().pitch));
+  }
+
+  HeadSolid againstPlatform, againstPart;
+  std::optional<HeadSolid> againstBody; // a body that is the ground
+};
+
+std::vector<Ball> ballsRound(const GroundSolids& ground) {
+  std::vector<Ball> balls;
+  for (const PlacedShape& solid : ground.solids()) {
+    balls.push_back(ballRound(solid.shape));
+    balls.back().centre = solid.work_T_shape * balls.back().centre;
+  }
+  return balls;
+}
+
+// Follows the head from sample to sample.
+class HeadWalk {
+public:
+  HeadWalk(const ErodedHead& head, const PrintedPart& printed, const Underside& underside,
+           const GroundSolids& ground, const std::vector<Ball>& groundBalls)
+      : againstPlatform_(head.againstPlatform), underside_(underside), ground_(ground),
+        groundBalls_(groundBalls), overPart_(head.againstPart, printed) {
+    if (head.againstBody)
+      overBody_.emplace(*head.againstBody, ground.cells()->part());
+  }
+
+  void step(std::size_t sample, const Vector3d& tip, const Vector3d& direction,
+            const PrintState& moment, std::vector<Touch>& touches) {
+    if (moment.before > 0) {
+      auto where = overPart_.touched(tip, direction, moment);
+      if (!where)
+        where = underside_.touched(tip, direction, moment);
+      if (where)
+        touches.push_back({sample, kPart, *where});
+    }
+    if (overBody_) {
+      if (const auto where = overBody_->touched(tip, direction, GroundCells::always())) {
+        touches.push_back({sample, kPlatform, *where});
+        return;
+      }
+    }
+    if (touchesSolids(tip, direction))
+      touches.push_back({sample, kPlatform, tip});
+  }
+
+private:
+  bool touchesSolids(const Vector3d& tip, const Vector3d& direction) const {
+    const Vector3d outward = ground_.outward(direction);
+    if (againstPlatform_.lowest(tip.dot(outward), direction.dot(outward)) > ground_.reachMm())
+      return false;
+    const Isometry3d work_T_head = headFrame(tip, direction);
+    const Ball headBall = againstPlatform_.ball();
+    for (std::size_t b = 0; b < groundBalls_.size(); ++b) {
+      if ((work_T_head * headBall.centre - groundBalls_[b].centre).norm() >
+          headBall.radius + groundBalls_[b].radius)
+        continue;
+      const PlacedShape& solid = ground_.solids()[b];
+      if (std::any_of(againstPlatform_.frusta().begin(), againstPlatform_.frusta().end(),
+                      [&](const robot::Shape& f) {
+                        return distanceBetween(f, work_T_head, solid.shape, solid.work_T_shape) <=
+                               0.0;
+                      }))
+        return true;
+    }
+    return false;
+  }
+
+  const HeadSolid& againstPlatform_;
+  const Underside& underside_;
+  const GroundSolids& ground_;
+  const std::vector<Ball>& groundBalls_;
+  HeadFollower overPart_;
+  std::optional<HeadFollower> overBody_;
+};
+
+std::size_t motionOfSample(const ExecutedPath& path, std::size_t s) {
+  return static_cast<std::size_t>(
+             std::upper_bound(path.firstSample.begin(), path.firstSample.end(), s) -
+             path.firstSample.begin()) -
+         1;
+}
+
+double timeOfSample(const ExecutedPath& path, std::size_t s) {
+  const std::size_t m = motionOfSample(path, s);
+  const double share = static_cast<double>(s - path.firstSample[m] + 1) /
+                       static_cast<double>(path.firstSample[m + 1] - path.firstSample[m]);
+  return path.startS[m] + share * path.durationS[m];
+}
+
 } // namespace
 
 std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidPiece>& pieces,
@@ -75,91 +176,31 @@ std::vector<Clash> headClashes(const ExecutedPath& path, const std::vector<LaidP
                                const PrintedPart& printed, const Underside& underside,
                                const process::Process& process, const GroundSolids& ground,
                                const std::vector<char>& known, const base::RunContext& ctx) {
-  const double tolerance = process.contactToleranceMm;
-  const HeadSolid againstPlatform(process::erodedHead(process.head, tolerance));
-  const HeadSolid againstPart(
-      process::erodedHead(process.head, tolerance + 0.5 * printed.grid().pitch));
-  std::vector<Ball> groundBalls;
-  for (const PlacedShape& solid : ground.solids()) {
-    groundBalls.push_back(ballRound(solid.shape));
-    groundBalls.back().centre = solid.work_T_shape * groundBalls.back().centre;
-  }
-  std::optional<HeadSolid> againstBody;
-  if (ground.cells())
-    againstBody.emplace(
-        process::erodedHead(process.head, tolerance + 0.5 * ground.cells()->part().grid().pitch));
-  enum Pair { kPart, kPlatform };
-
+  const ErodedHead head(process, printed, ground);
+  const std::vector<Ball> groundBalls = ballsRound(ground);
   std::vector<std::vector<Touch>> chunks((path.motionCount() + kGrain - 1) / kGrain);
-  const auto motionOf = [&](std::size_t s) {
-    return static_cast<std::size_t>(
-               std::upper_bound(path.firstSample.begin(), path.firstSample.end(), s) -
-               path.firstSample.begin()) -
-           1;
-  };
   base::parallelChunks(ctx, path.motionCount(), kGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Touch>& touches = chunks[begin / kGrain];
-    HeadFollower overPart(againstPart, printed);
-    std::optional<HeadFollower> overBody;
-    if (againstBody)
-      overBody.emplace(*againstBody, ground.cells()->part());
+    HeadWalk walk(head, printed, underside, ground, groundBalls);
     for (std::size_t m = begin; m < end && !ctx.cancelled(); ++m) {
       if (!known.empty() && known[m])
         continue;
-      std::size_t p = firstPiece[m];
       for (std::size_t s = path.firstSample[m]; s < path.firstSample[m + 1]; ++s) {
         // The pieces of a motion are its samples' intervals.
-        p = std::min<std::size_t>(firstPiece[m] + (s - path.firstSample[m]) + 1, firstPiece[m + 1]);
+        const std::size_t p =
+            std::min<std::size_t>(firstPiece[m] + (s - path.firstSample[m]) + 1, firstPiece[m + 1]);
         PrintState moment;
         if (p > 0) {
           const LaidPiece& last = pieces[p - 1];
           moment = {static_cast<std::uint32_t>(p), last.run, last.runMm, last.recentMm};
-          auto where = overPart.touched(path.tip[s], path.direction[s], moment);
-          if (!where)
-            where = underside.touched(path.tip[s], path.direction[s], moment);
-          if (where)
-            touches.push_back({s, kPart, *where});
         }
-        if (overBody) {
-          if (const auto where =
-                  overBody->touched(path.tip[s], path.direction[s], GroundCells::always())) {
-            touches.push_back({s, kPlatform, *where});
-            continue;
-          }
-        }
-        const Vector3d outward = ground.outward(path.direction[s]);
-        if (againstPlatform.lowest(path.tip[s].dot(outward), path.direction[s].dot(outward)) >
-            ground.reachMm())
-          continue;
-        const Isometry3d work_T_head = headFrame(path.tip[s], path.direction[s]);
-        const Ball headBall = againstPlatform.ball();
-        for (std::size_t b = 0; b < groundBalls.size(); ++b) {
-          if ((work_T_head * headBall.centre - groundBalls[b].centre).norm() >
-              headBall.radius + groundBalls[b].radius)
-            continue;
-          const PlacedShape& solid = ground.solids()[b];
-          const bool touching = std::any_of(
-              againstPlatform.frusta().begin(), againstPlatform.frusta().end(),
-              [&](const robot::Shape& f) {
-                return distanceBetween(f, work_T_head, solid.shape, solid.work_T_shape) <= 0.0;
-              });
-          if (touching) {
-            touches.push_back({s, kPlatform, path.tip[s]});
-            break;
-          }
-        }
+        walk.step(s, path.tip[s], path.direction[s], moment, chunks[begin / kGrain]);
       }
     }
   });
   ctx.checkpoint();
   return gather(
-      chunks, motionOf,
-      [&](std::size_t s) {
-        const std::size_t m = motionOf(s);
-        const double share = static_cast<double>(s - path.firstSample[m] + 1) /
-                             static_cast<double>(path.firstSample[m + 1] - path.firstSample[m]);
-        return path.startS[m] + share * path.durationS[m];
-      },
+      chunks, [&](std::size_t s) { return motionOfSample(path, s); },
+      [&](std::size_t s) { return timeOfSample(path, s); },
       [](int pair, base::Value& first, base::Value& second) {
         first = "head"_text;
         second = pair == kPart ? "printed part"_text : "platform"_text;

@@ -252,6 +252,131 @@ TextFinding textFinding(const plan::ReadProgram& program, plan::FindingKind kind
   return f;
 }
 
+namespace {
+
+// Compares the motions that are where their points are planned.
+class MotionComparison {
+public:
+  MotionComparison(const plan::ReadProgram& program, const ExecutedPath& path,
+                   const PlannedNozzle& planned, const plan::Trajectory& trajectory,
+                   const Alignment& alignment, const ComparisonOptions& options, Report& report)
+      : program_(program), path_(path), planned_(planned), trajectory_(trajectory),
+        alignment_(alignment), options_(options), report_(report) {}
+
+  void compare() {
+    for (std::size_t m = 0; m < path_.motionCount(); ++m)
+      if (inPlace(m))
+        compareMotion(m);
+  }
+
+private:
+  // A motion and what is planned for it.
+  struct Pair {
+    std::size_t motion, point;
+    bool print;         // by the plan
+    double expectedMm3; // by the plan
+    WholeMotion whole;
+    bool extruding;
+  };
+
+  bool inPlace(std::size_t m) const {
+    const std::size_t j = alignment_.pointOf[m];
+    return j != kUnmatched && (path_.targetTip[m] - planned_.tip[j]).norm() <= options_.sameMm;
+  }
+
+  void compareMotion(std::size_t m) {
+    const std::size_t j = alignment_.pointOf[m];
+    const bool print = trajectory_.move[j] == plan::MoveKind::Print;
+    const double expected =
+        print && j > 0 ? trajectory_.extrudedMm3[j] - trajectory_.extrudedMm3[j - 1] : 0.0;
+    const WholeMotion whole = wholeMotion(program_, path_, alignment_, m);
+    const bool extruding =
+        program_.motions[m].extruding || (whole.first < m && whole.volumeMm3 > 0.0);
+    const Pair pair{m, j, print, expected, whole, extruding};
+    if (path_.arm)
+      compareJoints(pair);
+    if (!compareExtruder(pair))
+      return;
+    if (m > 0 && print && path_.arm && program_.motions[m].jointInterpolated &&
+        !program_.beadsByJoints)
+      report_.atMotion(plan::FindingKind::BeadByJoints, m);
+    if (followsItsPoint(pair))
+      compareRates(pair);
+  }
+
+  void compareJoints(const Pair& pair) {
+    const auto off = [&](int first, int last) {
+      double most = 0.0;
+      for (int k = first; k < last; ++k)
+        most = std::max(most, std::abs(path_.turnOf(k, path_.jointsAt(pair.motion)[k] -
+                                                           trajectory_.at(pair.point)[k])));
+      return most;
+    };
+    if (const double rad = off(0, path_.armDof); rad > options_.jointRad)
+      report_.atMotion(plan::FindingKind::OtherConfiguration, pair.motion,
+                       {{"angle", degreesOf(rad)}});
+    if (const double rad = off(path_.armDof, path_.dof); rad > options_.externalRad)
+      report_.atMotion(plan::FindingKind::ExternalAxisMoved, pair.motion,
+                       {{"angle", degreesOf(rad)}});
+  }
+
+  // Returns whether the extruder is on or off as planned.
+  bool compareExtruder(const Pair& pair) {
+    if (!pair.print && pair.extruding &&
+        (pair.motion > 0 || pair.whole.volumeMm3 > options_.leastMm3)) {
+      report_.atMotion(plan::FindingKind::ExtruderOnTravel, pair.motion);
+      return false;
+    }
+    if (pair.print && !pair.extruding && pair.expectedMm3 > options_.leastMm3) {
+      report_.atMotion(plan::FindingKind::ExtruderOffPrint, pair.motion);
+      return false;
+    }
+    return true;
+  }
+
+  // Returns whether the motion starts at the point before its own.
+  bool followsItsPoint(const Pair& pair) const {
+    const std::size_t first = pair.whole.first;
+    if (first == 0 || pair.point == 0)
+      return false;
+    std::size_t before = first - 1; // the motion to the start of this one
+    while (before > 0 && program_.motions[before].aside)
+      --before;
+    return inPlace(before) && alignment_.pointOf[before] + 1 == pair.point;
+  }
+
+  // A motion's duration is length divided by speed; a bead may be slower where the extruder reaches
+  // its limit.
+  void compareRates(const Pair& pair) {
+    const plan::ProgramMotion& motion = program_.motions[pair.motion];
+    const double planned = trajectory_.timeS[pair.point] - trajectory_.timeS[pair.point - 1];
+    const double time = pair.whole.durationS;
+    const bool known = !(program_.time.jointsInPercent && motion.jointInterpolated);
+    const bool slow =
+        known && planned > 0.0 && time > 0.0 &&
+        std::abs(time - planned) > std::max(options_.leastS, options_.rateTolerance * planned);
+    if (slow)
+      report_.atMotion(plan::FindingKind::SpeedChanged, pair.motion,
+                       {{"time", base::seconds(time)}, {"planned", base::seconds(planned)}});
+    const double volume = pair.whole.volumeMm3, expected = pair.expectedMm3;
+    if (pair.print && pair.extruding && !(slow && motion.volumeMm3 < 0.0) &&
+        std::abs(volume - expected) >
+            std::max(options_.leastMm3, options_.rateTolerance * expected))
+      report_.atMotion(plan::FindingKind::FlowChanged, pair.motion,
+                       {{"volume", base::mm3(volume)}, {"planned", base::mm3(expected)}});
+  }
+
+  const plan::ReadProgram& program_;
+  const ExecutedPath& path_;
+  const PlannedNozzle& planned_;
+  const plan::Trajectory& trajectory_;
+  const Alignment& alignment_;
+  const ComparisonOptions& options_;
+  Report& report_;
+};
+
+} // namespace
+
 std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const ExecutedPath& path,
                                          const PlannedNozzle& planned,
                                          const plan::Trajectory& trajectory,
@@ -273,68 +398,7 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
                                  ? TextPlace{}
                                  : placeOf(program, program.motions.size() - 1));
   }
-
-  const auto& pointOf = alignment.pointOf;
-  const auto inPlace = [&](std::size_t m) {
-    return pointOf[m] != kUnmatched &&
-           (path.targetTip[m] - planned.tip[pointOf[m]]).norm() <= options.sameMm;
-  };
-  for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    if (!inPlace(m))
-      continue;
-    const std::size_t j = pointOf[m];
-    const bool print = trajectory.move[j] == plan::MoveKind::Print;
-    const double expected =
-        print && j > 0 ? trajectory.extrudedMm3[j] - trajectory.extrudedMm3[j - 1] : 0.0;
-    const WholeMotion whole = wholeMotion(program, path, alignment, m);
-    const double volume = whole.volumeMm3;
-    const bool extruding = program.motions[m].extruding || (whole.first < m && volume > 0.0);
-    if (path.arm) {
-      const auto off = [&](int first, int last) {
-        double most = 0.0;
-        for (int k = first; k < last; ++k)
-          most =
-              std::max(most, std::abs(path.turnOf(k, path.jointsAt(m)[k] - trajectory.at(j)[k])));
-        return most;
-      };
-      if (const double rad = off(0, path.armDof); rad > options.jointRad)
-        report.atMotion(OtherConfiguration, m, {{"angle", degreesOf(rad)}});
-      if (const double rad = off(path.armDof, path.dof); rad > options.externalRad)
-        report.atMotion(ExternalAxisMoved, m, {{"angle", degreesOf(rad)}});
-    }
-    if (!print && extruding && (m > 0 || volume > options.leastMm3)) {
-      report.atMotion(ExtruderOnTravel, m);
-      continue;
-    }
-    if (print && !extruding && expected > options.leastMm3) {
-      report.atMotion(ExtruderOffPrint, m);
-      continue;
-    }
-    if (m > 0 && print && path.arm && program.motions[m].jointInterpolated &&
-        !program.beadsByJoints)
-      report.atMotion(BeadByJoints, m);
-    std::size_t before = whole.first - 1; // the motion to the start of this one
-    while (whole.first > 0 && before > 0 && program.motions[before].aside)
-      --before;
-    if (whole.first == 0 || j == 0 || !inPlace(before) || pointOf[before] + 1 != j)
-      continue;
-    // A motion's duration is length divided by speed; a bead may be slower where the extruder
-    // reaches its limit.
-    const double dt = trajectory.timeS[j] - trajectory.timeS[j - 1];
-    const double time = whole.durationS;
-    const bool known = !(program.time.jointsInPercent && program.motions[m].jointInterpolated);
-    bool slow = false;
-    if (known && dt > 0.0 && time > 0.0 &&
-        std::abs(time - dt) > std::max(options.leastS, options.rateTolerance * dt)) {
-      slow = true;
-      report.atMotion(SpeedChanged, m,
-                      {{"time", base::seconds(time)}, {"planned", base::seconds(dt)}});
-    }
-    if (print && extruding && !(slow && program.motions[m].volumeMm3 < 0.0) &&
-        std::abs(volume - expected) > std::max(options.leastMm3, options.rateTolerance * expected))
-      report.atMotion(FlowChanged, m,
-                      {{"volume", base::mm3(volume)}, {"planned", base::mm3(expected)}});
-  }
+  MotionComparison(program, path, planned, trajectory, alignment, options, report).compare();
   return report.take();
 }
 

@@ -24,6 +24,79 @@ void addSpan(double low, double high, std::vector<float>& column) {
         static_cast<float>(std::min(high, k + 1.0) - std::max(low, static_cast<double>(k)));
 }
 
+// Measures how much of each cell of a column the part occupies, by vertical lines.
+class ColumnSampler {
+public:
+  // Precondition: the part has triangles.
+  ColumnSampler(const geometry::TriangleMesh& part, const geometry::MeshQuery& query,
+                const voxel::VoxelGrid& grid)
+      : query_(query), grid_(grid), low_(part.vertices.front()), high_(low_),
+        up_(part.triangles.size()) {
+    for (const Eigen::Vector3d& v : part.vertices) {
+      low_ = low_.cwiseMin(v);
+      high_ = high_.cwiseMax(v);
+    }
+    below_ = std::min(low_.z(), grid.origin.z()) - 1.0;
+    above_ = std::max(high_.z(), grid.origin.z() + grid.pitch * grid.size.z()) + 1.0;
+    for (std::size_t t = 0; t < up_.size(); ++t) {
+      const Eigen::Vector3d a = part.corner(t, 0);
+      up_[t] = (part.corner(t, 1) - a).cross(part.corner(t, 2) - a).z() > 0.0;
+    }
+  }
+
+  // Memory of one thread.
+  struct Scratch {
+    std::vector<geometry::MeshQuery::Hit> hits;
+    std::vector<float> fill; // per cell of the column, summed over the lines
+  };
+
+  // Sums lines^2 lines of a column of cells; returns whether all cross the part equally often.
+  bool sum(int i, std::size_t j, int lines, Scratch& scratch) const {
+    std::fill(scratch.fill.begin(), scratch.fill.end(), 0.0f);
+    std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
+    for (int u = 0; u < lines; ++u)
+      for (int v = 0; v < lines; ++v) {
+        const std::size_t crossings = addLine(
+            grid_.origin.x() + grid_.pitch * (i + (u + 0.5) / lines),
+            grid_.origin.y() + grid_.pitch * (static_cast<double>(j) + (v + 0.5) / lines), scratch);
+        least = std::min(least, crossings);
+        most = std::max(most, crossings);
+      }
+    return least == most;
+  }
+
+private:
+  // Returns how often the line crosses the part.
+  std::size_t addLine(double x, double y, Scratch& scratch) const {
+    if (x < low_.x() || x > high_.x() || y < low_.y() || y > high_.y())
+      return 0;
+    std::vector<geometry::MeshQuery::Hit>& hits = scratch.hits;
+    query_.hits({x, y, below_}, {x, y, above_}, hits);
+    const auto cellsAt = [&](double t) {
+      return (below_ + t * (above_ - below_) - grid_.origin.z()) / grid_.pitch;
+    };
+    int total = 0;
+    for (const auto& hit : hits)
+      total += up_[static_cast<std::size_t>(hit.triangle)] ? -1 : 1;
+    int winding = 0;
+    for (std::size_t h = 0; h + 1 < hits.size(); ++h) {
+      winding += up_[static_cast<std::size_t>(hits[h].triangle)] ? -1 : 1;
+      const double middle = 0.5 * (hits[h].t + hits[h + 1].t);
+      const bool inside =
+          total == 0 ? winding > 0 : query_.inside({x, y, below_ + middle * (above_ - below_)});
+      if (inside)
+        addSpan(cellsAt(hits[h].t), cellsAt(hits[h + 1].t), scratch.fill);
+    }
+    return hits.size();
+  }
+
+  const geometry::MeshQuery& query_;
+  const voxel::VoxelGrid& grid_;
+  Eigen::Vector3d low_, high_; // of the part
+  double below_ = 0.0, above_ = 0.0;
+  std::vector<char> up_; // per triangle: its normal points up
+};
+
 } // namespace
 
 PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuery& query,
@@ -32,71 +105,19 @@ PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuer
   result.share.assign(grid.cellCount(), 0);
   if (part.empty())
     return result;
-  Eigen::Vector3d low = part.vertices.front(), high = low;
-  for (const Eigen::Vector3d& v : part.vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  const double below = std::min(low.z(), grid.origin.z()) - 1.0;
-  const double above = std::max(high.z(), grid.origin.z() + grid.pitch * grid.size.z()) + 1.0;
-  std::vector<char> up(part.triangles.size());
-  for (std::size_t t = 0; t < up.size(); ++t) {
-    const Eigen::Vector3d a = part.corner(t, 0);
-    up[t] = (part.corner(t, 1) - a).cross(part.corner(t, 2) - a).z() > 0.0;
-  }
-
-  // Returns how often the line crosses the part.
-  const auto column = [&](double x, double y, std::vector<geometry::MeshQuery::Hit>& hits,
-                          std::vector<float>& fill) -> std::size_t {
-    if (x < low.x() || x > high.x() || y < low.y() || y > high.y())
-      return 0;
-    query.hits({x, y, below}, {x, y, above}, hits);
-    const auto cellsAt = [&](double t) {
-      return (below + t * (above - below) - grid.origin.z()) / grid.pitch;
-    };
-    int total = 0;
-    for (const auto& hit : hits)
-      total += up[static_cast<std::size_t>(hit.triangle)] ? -1 : 1;
-    int winding = 0;
-    for (std::size_t h = 0; h + 1 < hits.size(); ++h) {
-      winding += up[static_cast<std::size_t>(hits[h].triangle)] ? -1 : 1;
-      const double middle = 0.5 * (hits[h].t + hits[h + 1].t);
-      const bool inside =
-          total == 0 ? winding > 0 : query.inside({x, y, below + middle * (above - below)});
-      if (inside)
-        addSpan(cellsAt(hits[h].t), cellsAt(hits[h + 1].t), fill);
-    }
-    return hits.size();
-  };
-  // Sums lines^2 lines of a column of cells; returns whether all cross the part equally often.
-  const auto columnOfCells = [&](int i, std::size_t j, int lines,
-                                 std::vector<geometry::MeshQuery::Hit>& hits,
-                                 std::vector<float>& fill) {
-    std::fill(fill.begin(), fill.end(), 0.0f);
-    std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
-    for (int u = 0; u < lines; ++u)
-      for (int v = 0; v < lines; ++v) {
-        const std::size_t crossings =
-            column(grid.origin.x() + grid.pitch * (i + (u + 0.5) / lines),
-                   grid.origin.y() + grid.pitch * (static_cast<double>(j) + (v + 0.5) / lines),
-                   hits, fill);
-        least = std::min(least, crossings);
-        most = std::max(most, crossings);
-      }
-    return least == most;
-  };
-
+  const ColumnSampler sampler(part, query, grid);
   base::parallelChunks(
       ctx, static_cast<std::size_t>(grid.size.y()), 4, [&](std::size_t begin, std::size_t end) {
-        std::vector<float> fill(static_cast<std::size_t>(grid.size.z()));
-        std::vector<geometry::MeshQuery::Hit> hits;
+        ColumnSampler::Scratch scratch;
+        scratch.fill.resize(static_cast<std::size_t>(grid.size.z()));
         for (std::size_t j = begin; j < end && !ctx.cancelled(); ++j)
           for (int i = 0; i < grid.size.x(); ++i) {
             int lines = kFewLines;
-            if (!columnOfCells(i, j, lines, hits, fill))
-              columnOfCells(i, j, lines = kManyLines, hits, fill);
+            if (!sampler.sum(i, j, lines, scratch))
+              sampler.sum(i, j, lines = kManyLines, scratch);
             for (int k = 0; k < grid.size.z(); ++k) {
-              const float f = fill[static_cast<std::size_t>(k)] / static_cast<float>(lines * lines);
+              const float f =
+                  scratch.fill[static_cast<std::size_t>(k)] / static_cast<float>(lines * lines);
               if (f > 0.0f)
                 result.share[grid.index(i, static_cast<int>(j), k)] =
                     static_cast<std::uint8_t>(std::lround(255.0f * std::min(1.0f, f)));
@@ -114,67 +135,106 @@ PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuer
   return result;
 }
 
-Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
-                         const geometry::MeshQuery& query, double toleranceMm,
-                         const base::RunContext& ctx) {
-  base::require(cells.share.size() == beads.fill.size(), "measureCoverage: one grid");
-  const voxel::VoxelGrid& grid = beads.grid;
-  const auto fillOf = [&](std::size_t c) {
-    const double other = beads.otherFill.empty() ? 0.0 : static_cast<double>(beads.otherFill[c]);
-    return std::max(0.0, static_cast<double>(beads.fill[c]) - other);
-  };
-  const double cellVolume = std::pow(grid.pitch, 3);
-  // Gaps are accumulated over blocks to find the position where most material is missing.
-  const int block = std::max(1, static_cast<int>(std::lround(3.0 / grid.pitch)));
-  struct Sum {
-    double covered = 0.0, part = 0.0, outside = 0.0, gap = 0.0;
-    Eigen::Vector3d gapAt = Eigen::Vector3d::Zero();
-  };
-  const auto slabs = static_cast<std::size_t>((grid.size.z() + block - 1) / block);
-  std::vector<Sum> sums(slabs);
-  const int blocksX = (grid.size.x() + block - 1) / block;
-  const int blocksY = (grid.size.y() + block - 1) / block;
-  base::parallelChunks(ctx, slabs, 1, [&](std::size_t begin, std::size_t) {
-    Sum& sum = sums[begin];
-    std::vector<double> gap(static_cast<std::size_t>(blocksX) * static_cast<std::size_t>(blocksY));
-    const int first = static_cast<int>(begin) * block;
-    for (int k = first; k < std::min(first + block, grid.size.z()); ++k)
-      for (int j = 0; j < grid.size.y(); ++j) {
+namespace {
+
+// Sums of a slab of cells. Gaps are accumulated over blocks to find the position where most
+// material is missing.
+struct SlabSum {
+  double covered = 0.0, part = 0.0, outside = 0.0, gap = 0.0;
+  Eigen::Vector3d gapAt = Eigen::Vector3d::Zero();
+};
+
+class SlabMeasure {
+public:
+  SlabMeasure(const BeadGrid& beads, const PartCells& cells, const geometry::MeshQuery& query,
+              double toleranceMm)
+      : beads_(beads), grid_(beads.grid), cells_(cells), query_(query), toleranceMm_(toleranceMm),
+        block_(std::max(1, static_cast<int>(std::lround(3.0 / grid_.pitch)))),
+        blocksX_((grid_.size.x() + block_ - 1) / block_),
+        blocksY_((grid_.size.y() + block_ - 1) / block_) {}
+
+  std::size_t slabs() const {
+    return static_cast<std::size_t>((grid_.size.z() + block_ - 1) / block_);
+  }
+
+  // Stops early if the run is cancelled.
+  SlabSum measure(std::size_t slab, const base::RunContext& ctx) const {
+    SlabSum sum;
+    std::vector<double> gap(static_cast<std::size_t>(blocksX_) *
+                            static_cast<std::size_t>(blocksY_));
+    const int first = static_cast<int>(slab) * block_;
+    for (int k = first; k < std::min(first + block_, grid_.size.z()); ++k)
+      for (int j = 0; j < grid_.size.y(); ++j) {
         if (ctx.cancelled())
-          return;
-        for (int i = 0; i < grid.size.x(); ++i) {
-          const std::size_t c = grid.index(i, j, k);
-          const double share = cells.share[c] / 255.0, fill = fillOf(c);
+          return sum;
+        for (int i = 0; i < grid_.size.x(); ++i) {
+          const std::size_t c = grid_.index(i, j, k);
+          const double share = cells_.share[c] / 255.0, fill = fillOf(c);
           sum.part += share;
           sum.covered += std::min(share, fill);
-          gap[static_cast<std::size_t>(j / block * blocksX + i / block)] +=
+          gap[static_cast<std::size_t>(j / block_ * blocksX_ + i / block_)] +=
               std::max(0.0, share - fill);
-          if (fill > 0.0 && cells.share[c] == 0 &&
-              query.closest(grid.centre(i, j, k), toleranceMm).triangle < 0)
+          if (fill > 0.0 && cells_.share[c] == 0 &&
+              query_.closest(grid_.centre(i, j, k), toleranceMm_).triangle < 0)
             sum.outside += fill;
         }
       }
     const auto worst = std::max_element(gap.begin(), gap.end());
     sum.gap = *worst;
     const auto b = static_cast<int>(worst - gap.begin());
-    const Eigen::Vector3i low(b % blocksX * block, b / blocksX * block, first);
-    const Eigen::Vector3i end = (low.array() + block).min(grid.size.array());
+    sum.gapAt = middleOfGap({b % blocksX_ * block_, b / blocksX_ * block_, first});
+    return sum;
+  }
+
+private:
+  double fillOf(std::size_t c) const {
+    const double other = beads_.otherFill.empty() ? 0.0 : static_cast<double>(beads_.otherFill[c]);
+    return std::max(0.0, static_cast<double>(beads_.fill[c]) - other);
+  }
+
+  // Returns the mean position of the material that is missing in the block from `low` on; zero if
+  // none is.
+  Eigen::Vector3d middleOfGap(const Eigen::Vector3i& low) const {
+    const Eigen::Vector3i end = (low.array() + block_).min(grid_.size.array());
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     double missing = 0.0;
     for (int k = low.z(); k < end.z(); ++k)
       for (int j = low.y(); j < end.y(); ++j)
         for (int i = low.x(); i < end.x(); ++i) {
-          const std::size_t c = grid.index(i, j, k);
-          const double less = std::max(0.0, cells.share[c] / 255.0 - fillOf(c));
+          const std::size_t c = grid_.index(i, j, k);
+          const double less = std::max(0.0, cells_.share[c] / 255.0 - fillOf(c));
           missing += less;
-          sum.gapAt += less * grid.centre(i, j, k);
+          middle += less * grid_.centre(i, j, k);
         }
     if (missing > 0.0)
-      sum.gapAt /= missing;
+      middle /= missing;
+    return middle;
+  }
+
+  const BeadGrid& beads_;
+  const voxel::VoxelGrid& grid_;
+  const PartCells& cells_;
+  const geometry::MeshQuery& query_;
+  const double toleranceMm_;
+  const int block_, blocksX_, blocksY_; // cells; blocks
+};
+
+} // namespace
+
+Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
+                         const geometry::MeshQuery& query, double toleranceMm,
+                         const base::RunContext& ctx) {
+  base::require(cells.share.size() == beads.fill.size(), "measureCoverage: one grid");
+  const SlabMeasure slabs(beads, cells, query, toleranceMm);
+  std::vector<SlabSum> sums(slabs.slabs());
+  base::parallelChunks(ctx, sums.size(), 1, [&](std::size_t begin, std::size_t) {
+    sums[begin] = slabs.measure(begin, ctx);
   });
   ctx.checkpoint();
+  const double cellVolume = std::pow(beads.grid.pitch, 3);
   Coverage result;
   double part = 0.0, covered = 0.0;
-  for (const Sum& s : sums) {
+  for (const SlabSum& s : sums) {
     part += s.part;
     covered += s.covered;
     result.outsideMm3 += s.outside * cellVolume;

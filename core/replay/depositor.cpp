@@ -274,6 +274,47 @@ private:
   std::vector<double> room_;
 };
 
+// Footprints of consecutive pieces.
+struct Chunk {
+  std::vector<Share> shares;
+  std::vector<std::size_t> end; // of each piece's shares
+  std::vector<double> outside;  // per piece, in cell volumes
+};
+using Batch = std::array<Chunk, kBatch / kGrain>;
+
+// Computes the footprints of kGrain pieces from `begin` on.
+void makeFootprints(Chunk& chunk, const std::vector<BeadPiece>& pieces, std::size_t begin,
+                    const voxel::VoxelGrid& grid, const DepositOptions& options) {
+  chunk.shares.clear();
+  chunk.end.clear();
+  chunk.outside.clear();
+  FootprintMaker maker(grid, options);
+  for (std::size_t i = begin; i < std::min(pieces.size(), begin + kGrain); ++i) {
+    const BeadPiece* before = i > 0 && goesOn(pieces[i - 1], pieces[i]) ? &pieces[i - 1] : nullptr;
+    const BeadPiece* after =
+        i + 1 < pieces.size() && goesOn(pieces[i], pieces[i + 1]) ? &pieces[i + 1] : nullptr;
+    chunk.outside.push_back(maker.make(pieces[i], before, after, chunk.shares));
+    chunk.end.push_back(chunk.shares.size());
+  }
+}
+
+// Deposits kBatch pieces from `first` on.
+void layBatch(const Batch& batch, const std::vector<BeadPiece>& pieces, std::size_t first,
+              Layer& layer, BeadGrid& result) {
+  const double cellVolume = std::pow(result.grid.pitch, 3);
+  for (std::size_t p = 0; first + p < std::min(pieces.size(), first + kBatch); ++p) {
+    const Chunk& chunk = batch[p / kGrain];
+    const std::size_t in = p % kGrain, begin = in == 0 ? 0 : chunk.end[in - 1];
+    const BeadPiece& piece = pieces[first + p];
+    const double left =
+        chunk.outside[in] + layer.lay(chunk.shares.data() + begin, chunk.end[in] - begin,
+                                      static_cast<std::uint32_t>(first + p), piece.ofPart);
+    result.pieceExcessMm3[first + p] = static_cast<float>(left * cellVolume);
+    result.excessMm3 += left * cellVolume;
+    result.laidMm3 += piece.volumeMm3;
+  }
+}
+
 } // namespace
 
 BeadSection sectionOf(const BeadPiece& piece, double widthMaxMm) {
@@ -300,44 +341,9 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
   result.pieceExcessMm3.assign(pieces.size(), 0.0f);
   if (std::any_of(pieces.begin(), pieces.end(), [](const BeadPiece& p) { return !p.ofPart; }))
     result.otherFill = base::ZeroedArray<float>(grid.cellCount());
-  const double cellVolume = std::pow(grid.pitch, 3);
-
   // Footprints do not depend on earlier material: the footprints of a batch are computed in
   // parallel while the preceding batch is deposited piece by piece.
-  struct Chunk {
-    std::vector<Share> shares;
-    std::vector<std::size_t> end;
-    std::vector<double> outside;
-  };
-  using Batch = std::array<Chunk, kBatch / kGrain>;
-  const auto make = [&](Chunk& chunk, std::size_t begin) {
-    chunk.shares.clear();
-    chunk.end.clear();
-    chunk.outside.clear();
-    FootprintMaker maker(grid, options);
-    for (std::size_t i = begin; i < std::min(pieces.size(), begin + kGrain); ++i) {
-      const BeadPiece* before =
-          i > 0 && goesOn(pieces[i - 1], pieces[i]) ? &pieces[i - 1] : nullptr;
-      const BeadPiece* after =
-          i + 1 < pieces.size() && goesOn(pieces[i], pieces[i + 1]) ? &pieces[i + 1] : nullptr;
-      chunk.outside.push_back(maker.make(pieces[i], before, after, chunk.shares));
-      chunk.end.push_back(chunk.shares.size());
-    }
-  };
   Layer layer(result);
-  const auto lay = [&](const Batch& batch, std::size_t first) {
-    for (std::size_t p = 0; first + p < std::min(pieces.size(), first + kBatch); ++p) {
-      const Chunk& chunk = batch[p / kGrain];
-      const std::size_t in = p % kGrain, begin = in == 0 ? 0 : chunk.end[in - 1];
-      const BeadPiece& piece = pieces[first + p];
-      const double left =
-          chunk.outside[in] + layer.lay(chunk.shares.data() + begin, chunk.end[in] - begin,
-                                        static_cast<std::uint32_t>(first + p), piece.ofPart);
-      result.pieceExcessMm3[first + p] = static_cast<float>(left * cellVolume);
-      result.excessMm3 += left * cellVolume;
-      result.laidMm3 += piece.volumeMm3;
-    }
-  };
   Batch making, laying;
   for (std::size_t first = 0; first < pieces.size() + kBatch; first += kBatch) {
     ctx.report(std::min(1.0, static_cast<double>(first) / static_cast<double>(pieces.size())),
@@ -347,9 +353,9 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
     base::parallelChunks(ctx, chunks + 1, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
         if (c > 0)
-          make(making[c - 1], first + (c - 1) * kGrain);
+          makeFootprints(making[c - 1], pieces, first + (c - 1) * kGrain, grid, options);
         else if (first > 0)
-          lay(laying, first - kBatch);
+          layBatch(laying, pieces, first - kBatch, layer, result);
     });
     std::swap(making, laying);
   }

@@ -120,46 +120,59 @@ private:
   }
 
   void judgeBeads(const LaidBeads& laid, const std::vector<BeadPiece>& pieces) {
+    judgeVolume(laid.beads, pieces);
+    judgeSupport(*laid.printed, pieces);
+  }
+
+  void judgeVolume(const BeadGrid& beads, const std::vector<BeadPiece>& pieces) {
     ctx_.report(0.65, "measuring the beads"_text);
-    const BeadGrid& beads = laid.beads;
     RunFigures& figures = out_.figures;
     const geometry::MeshQuery query(in_.part);
     const PartCells cells = partCells(in_.part, query, beads.grid, ctx_);
     const Coverage coverage =
         measureCoverage(beads, cells, query, 0.25 * in_.process.beadWidthMm, ctx_);
     figures.partVolumeMm3 = partVolume(cells.volumeMm3);
-    const double volume = std::max(figures.partVolumeMm3, 1e-9);
     figures.coveredFraction = coverage.coveredFraction;
     if (coverage.worstGapMm3 > 0.0)
       figures.worst.gap = coverage.worstGap;
+    if (figures.coveredFraction < limits_.coveredMin)
+      add(Uncovered, {{"share", base::percent(100.0 * (1.0 - figures.coveredFraction))}},
+          coverage.worstGap);
+    judgeExcess(coverage.outsideMm3, beads.pieceExcessMm3, pieces);
+  }
+
+  void judgeExcess(double outsideMm3, const std::vector<float>& excessMm3,
+                   const std::vector<BeadPiece>& pieces) {
+    RunFigures& figures = out_.figures;
+    const double volume = std::max(figures.partVolumeMm3, 1e-9);
     double excess = 0.0;
     std::size_t worst = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
       if (pieces[p].ofPart) {
-        excess += static_cast<double>(beads.pieceExcessMm3[p]);
-        if (beads.pieceExcessMm3[p] > beads.pieceExcessMm3[worst])
+        excess += static_cast<double>(excessMm3[p]);
+        if (excessMm3[p] > excessMm3[worst])
           worst = p;
       }
     figures.excessFraction = std::max(0.0, excess / volume);
     if (excess > 0.0)
       figures.worst.overfill = pieces[worst].to;
-    figures.overfillFraction = std::max(0.0, (coverage.outsideMm3 + excess) / volume);
-    if (figures.coveredFraction < limits_.coveredMin)
-      add(Uncovered, {{"share", base::percent(100.0 * (1.0 - figures.coveredFraction))}},
-          coverage.worstGap);
+    figures.overfillFraction = std::max(0.0, (outsideMm3 + excess) / volume);
     if (figures.overfillFraction > limits_.overfillMax) {
       std::optional<Vector3d> where;
       std::optional<std::size_t> motion;
       if (!pieces.empty())
         where = pieces[worst].to, motion = pieces[worst].motion;
       add(Overfill,
-          {{"outside", base::percent(100.0 * coverage.outsideMm3 / volume)},
+          {{"outside", base::percent(100.0 * outsideMm3 / volume)},
            {"noRoom", base::percent(100.0 * figures.excessFraction)}},
           where, motion);
     }
+  }
+
+  void judgeSupport(const PrintedPart& printed, const std::vector<BeadPiece>& pieces) {
+    RunFigures& figures = out_.figures;
     ctx_.report(0.7, "checking support below the beads"_text);
-    const SupportedBeads support =
-        findSupport(pieces, *laid.printed, GroundProbe(in_.platform), ctx_);
+    const SupportedBeads support = findSupport(pieces, printed, GroundProbe(in_.platform), ctx_);
     figures.beadLengthMm = support.lengthMm;
     const double length = std::max(support.lengthMm, 1e-9);
     figures.unsupportedFraction = support.unsupportedMm / length;

@@ -49,6 +49,36 @@ Eigen::Isometry3d step(double x, double y, double z, int quarterTurnsX, double q
   return t;
 }
 
+// Joints of a branch that the elbow does not change; theta234 is the sum of joints 2 to 4.
+struct OuterJoints {
+  double theta1, theta234, theta5, theta6;
+};
+
+// Appends the branches of the elbow: joints 2 and 3 are two bars in the arm's plane that reach (x,
+// y) from the shoulder.
+void appendElbows(const UrGeometry& g, double x, double y, const OuterJoints& outer,
+                  std::vector<JointVector>& solutions) {
+  const double c3 = (x * x + y * y - g.a2 * g.a2 - g.a3 * g.a3) / (2.0 * g.a2 * g.a3);
+  if (std::abs(c3) > 1.0 + kElbowSlack)
+    return;
+  const double cosine = std::clamp(c3, -1.0, 1.0);
+  const double bend = std::sqrt((1.0 - cosine) * (1.0 + cosine)), bend3 = std::atan2(bend, cosine);
+  for (int elbow = 0; elbow < (bend > 0.0 ? 2 : 1); ++elbow) {
+    const double s3 = elbow == 0 ? bend : -bend;
+    const double theta3 = elbow == 0 ? bend3 : -bend3;
+    const double k = g.a2 + g.a3 * cosine, m = g.a3 * s3;
+    // (x, y) = (k, m) rotated by theta2; k = m = 0 leaves joint 2 free.
+    const double theta2 = std::atan2(y * k - x * m, x * k + y * m);
+    JointVector q(6);
+    q << outer.theta1, theta2, theta3, wrapped(outer.theta234 - theta2 - theta3), outer.theta5,
+        outer.theta6;
+    for (int i : {0, 1, 2, 4, 5}) // atan2 may return -pi
+      if (q[i] <= -kPi)
+        q[i] = kPi;
+    solutions.push_back(q);
+  }
+}
+
 } // namespace
 
 UrKinematics::UrKinematics(const UrGeometry& geometry) : g_(geometry) {
@@ -136,27 +166,9 @@ void UrKinematics::inverse(const Eigen::Isometry3d& base_T_flange,
       s234 /= size234;
       const double theta234 = std::atan2(s234, c234);
 
-      // Joints 2 and 3: two bars in the plane.
-      const double x = a - g_.d5 * s234, y = p5.z() - g_.d1 + g_.d5 * c234;
-      const double c3 = (x * x + y * y - g_.a2 * g_.a2 - g_.a3 * g_.a3) / (2.0 * g_.a2 * g_.a3);
-      if (std::abs(c3) > 1.0 + kElbowSlack)
-        continue;
-      const double cosine = std::clamp(c3, -1.0, 1.0);
-      const double bend = std::sqrt((1.0 - cosine) * (1.0 + cosine)),
-                   bend3 = std::atan2(bend, cosine);
-      for (int elbow = 0; elbow < (bend > 0.0 ? 2 : 1); ++elbow) {
-        const double s3 = elbow == 0 ? bend : -bend;
-        const double theta3 = elbow == 0 ? bend3 : -bend3;
-        const double k = g_.a2 + g_.a3 * cosine, m = g_.a3 * s3;
-        // (x, y) = (k, m) rotated by theta2; k = m = 0 leaves joint 2 free.
-        const double theta2 = std::atan2(y * k - x * m, x * k + y * m);
-        JointVector q(6);
-        q << theta1, theta2, theta3, wrapped(theta234 - theta2 - theta3), theta5, theta6;
-        for (int i : {0, 1, 2, 4, 5}) // atan2 may return -pi
-          if (q[i] <= -kPi)
-            q[i] = kPi;
-        solutions.push_back(q);
-      }
+      // Joints 2 and 3 bring the end of the forearm to (along, up) in the plane.
+      appendElbows(g_, a - g_.d5 * s234, p5.z() - g_.d1 + g_.d5 * c234,
+                   {theta1, theta234, theta5, theta6}, solutions);
     }
   }
 }
