@@ -59,7 +59,8 @@ struct LayersResult {
 // patches begin in the field. A patch's group is the component of printed voxels that contains it.
 // The sum of area x thickness is the part's volume except for the losses in the findings; thickness
 // beyond the limits is not changed. `part` faces outward and stands on the plate [mm].
-// Preconditions: positive heights, heightMin <= heightMax. Throws Cancelled. Example:
+// Preconditions: positive heights, heightMin <= heightMax. Throws Cancelled.
+// Example:
 //   const curved::LayersResult layers = curved::curvedLayers(order, part, {}, ctx);
 LayersResult curvedLayers(const Decomposition& decomposition, const geometry::TriangleMesh& part,
                           const LayerOptions& options, const base::RunContext& ctx,

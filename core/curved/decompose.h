@@ -55,7 +55,8 @@ using DecompositionFilter = std::function<bool(const plan::Findings&)>;
 //
 // `platform`: convex polygon on z = 0 [mm], counter-clockwise, at least 3 corners. `known`: the
 // result of grow() for these voxels and this platform with headForLosses(options); nullptr: grow()
-// runs here. Throws Error{UnusableInput} if no voxel is on the platform, and Cancelled. Example:
+// runs here. Throws Error{UnusableInput} if no voxel is on the platform, and Cancelled.
+// Example:
 //   const std::vector<Eigen::Vector2d> plate = curved::platformFit(voxels, 0.0);
 //   const curved::Decomposition order = curved::decompose(voxels, plate, {}, ctx);
 Decomposition decompose(const voxel::SolidVoxels& voxels,

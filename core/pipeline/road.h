@@ -18,7 +18,8 @@ namespace voluta::pipeline {
 // auto searches again, unless the plan ends with Load or Decompose and the choices name the way
 // that an earlier search chose. Throws Error{Usage} for unknown names and values out of range,
 // Error{UnreadableFile, UnusableInput} for the part. Anything that cannot be printed, reached or
-// verified is in job.report.findings. Example:
+// verified is in job.report.findings.
+// Example:
 //   pipeline::PlanRequest request;
 //   request.part = "sample:vase";
 //   request.choices.mode = "flat";

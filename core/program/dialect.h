@@ -145,7 +145,8 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
 
 // Calls findDialect(id).write / .read; the read program's `format` is the dialect's id. Writing
 // also throws as requireOwnRobot, requireRodTurns and requireEvents, and as requireUpright for
-// motions that are not joint moves; it uses the dialect's own options only. Example:
+// motions that are not joint moves; it uses the dialect's own options only.
+// Example:
 //   const program::ProgramInput input{toolPlan, trajectory, cell, tooling, "part"};
 //   const plan::Program program = program::writeProgram("urscript", input, ctx);
 //   const plan::ReadProgram read = program::readProgram("urscript", program.files, tooling, ctx);

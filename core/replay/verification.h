@@ -118,7 +118,8 @@ struct Verification : RunFigures {
 //
 // Programs with ToolPoint targets contain no arm: the limits and clearances of the arm are then not
 // checked (armChecked == false); the nozzle's path, the head and the beads are. The result does not
-// depend on the number of threads. Example:
+// depend on the number of threads.
+// Example:
 //   const replay::Verification verdict =
 //       replay::replayProgram({read, toolPlan, trajectory, cell, process, part, plate}, {}, ctx);
 Verification replayProgram(ReplayInput input, const ReplayThresholds& thresholds,

@@ -35,7 +35,8 @@ std::vector<double> latheBounds(const geometry::TriangleMesh& part, const RodSur
 
 // Returns the stacked levels (stackLevels) between latheBounds. `part`: see partAroundRod. Throws
 // Error{UnusableInput} as latheBounds, and if no layer of the part rests on the rod; throws
-// Cancelled. The result is independent of the number of threads. Example:
+// Cancelled. The result is independent of the number of threads.
+// Example:
 //   const substrate::RodSurface rod(platform::straightRod(5.0, 200.0));
 //   const geometry::TriangleMesh around = substrate::partAroundRod(tube, rod);
 //   const substrate::LatheLayers wound = substrate::latheLayers(around, rod, {}, ctx);

@@ -31,7 +31,8 @@ inline constexpr double kGrazeShare = 1e-3;
 // others. Closed meshes are filled by the winding of exact column crossings, others by generalised
 // winding numbers (Barill et al. 2018). `mesh` is on the plate [mm]; pitch > 0 [mm]. Throws
 // Error{UnusableInput} for an empty mesh and Error{Usage}, naming the smallest possible pitch, if
-// the grid would have more cells than maxCells; Cancelled. Example:
+// the grid would have more cells than maxCells; Cancelled.
+// Example:
 //   const voxel::SolidVoxels voxels = voxel::solidVoxels(part, 0.8, ctx);
 SolidVoxels solidVoxels(const geometry::TriangleMesh& mesh, double pitch,
                         const base::RunContext& ctx, std::size_t maxCells = 400'000'000);

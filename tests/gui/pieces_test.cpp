@@ -195,7 +195,7 @@ TEST_F(PiecesTest, WhatCanBeDoneWithThePieceIsSaid) {
   clickRow(row(0));
   EXPECT_TRUE(hint->text().contains("Drag the arrow")) << hint->text().toStdString();
   clickRow(tree().topLevelItem(0));
-  EXPECT_TRUE(hint->text().contains("stands on the plate")) << hint->text().toStdString();
+  EXPECT_TRUE(hint->text().contains("is on the plate")) << hint->text().toStdString();
 }
 
 TEST_F(PiecesTest, AFindingIsLookedAtFromWhereItsFaceIsSeen) {

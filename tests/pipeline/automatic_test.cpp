@@ -248,7 +248,7 @@ TEST(Automatic, WaysAreNamedByWhatTheyDo) {
     names.push_back(base::english(pipeline::nameOfWay(way)));
   EXPECT_EQ(names, (std::vector<std::string>{
                        "curved layers", "pieces", "curved layers with supports",
-                       "flat layers with supports", "flat layers with supports, 0.5 mm high",
+                       "flat layers with supports", "flat layers with supports, 0.5 mm each",
                        "curved layers on a pedestal"}));
   project::Choices none = automatic();
   none.item().parameters["supports"] = "none";

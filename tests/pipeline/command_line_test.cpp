@@ -388,14 +388,14 @@ TEST_F(CommandLine, CellsAreMeasuredMappedAndChecked) {
   // Four times the same pose.
   const std::string still = table("still.csv", "0,-90,90,-90,-90,0\n0,-90,90,-90,-90,0\n"
                                                "0,-90,90,-90,-90,0\n0,-90,90,-90,-90,0\n");
-  expectOneLine(run({"cell", "tool-tip", still, "--robot", "ur5"}), 3, {"the same"});
+  expectOneLine(run({"cell", "tool-tip", still, "--robot", "ur5"}), 3, {"identical"});
   expectOneLine(run({"cell", "tool-tip", still}), 3, {"7"});
 
   const Ended reach = run({"cell", "reach", "--cell", "t3", "--json"});
   EXPECT_EQ(reach.code, 0);
   EXPECT_EQ(nlohmann::json::parse(reach.out)["tilts"].size(), 1u);
   expectOneLine(run({"cell", "reach", "--cell", "lathe"}), 2, {"no plate"});
-  expectOneLine(run({"cell", "nozzle", "--cell", "ur5-moving"}), 2, {"stands still"});
+  expectOneLine(run({"cell", "nozzle", "--cell", "ur5-moving"}), 2, {"stationary"});
 
   EXPECT_EQ(run({"cell", "check", "ur5-fixed"}).code, 0);
   const Ended heavy = run({"cell", "check", "ur5-fixed", "--part-kg", "9"});

@@ -28,9 +28,8 @@ using plan::RemedyId;
 plan::Finding findingOf(FindingKind kind) {
   plan::Finding finding;
   finding.kind = kind;
-  for (const base::Text text : {plan::rowOf(kind).reason, plan::rowOf(kind).remedy})
-    for (const std::string_view name : base::placeNames(text.english()))
-      finding.values.push_back({name, base::mm(0.5)});
+  for (const std::string_view name : plan::valueNames(plan::rowOf(kind), false))
+    finding.values.push_back({name, base::mm(0.5)});
   return finding;
 }
 
@@ -177,7 +176,7 @@ std::vector<Choices> everyMode() {
 bool arises(const plan::FindingRow& row, const Choices& choices) {
   using enum FindingKind;
   const Mode& mode = findMode(choices.item().mode);
-  const std::set<FindingKind> rod{BeyondCell, BeyondRod, MoreBeyondRod, BeginsInAirOverRod};
+  const std::set<FindingKind> rod{BeyondCell, BeyondRod, BeginsInAirOverRod};
   const std::set<FindingKind> surface{BeginsInAirOverSurface, NotLaid};
   const std::set<FindingKind> plate{PlatformAdrift,  NoSupport,        BelowPlate,  BeginsInAir,
                                     CellCannotPrint, LargerThanPlates, StaysUpright};

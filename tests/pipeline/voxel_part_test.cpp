@@ -298,7 +298,7 @@ TEST(BadVoxels, ThinWallsAreToldWithTheWidthThatWouldDo) {
   ASSERT_TRUE(found[0].where);
   EXPECT_NEAR(found[0].where->x(), 2.2, 0.21);
   EXPECT_THAT(voluta::plan::englishReason(found[0]), HasSubstr("0.37 mm thick"));
-  EXPECT_EQ(voluta::plan::englishRemedy(found[0]), "a voxel width of at most 0.37 mm");
+  EXPECT_EQ(voluta::plan::englishRemedy(found[0]), "use a voxel width of at most 0.37 mm");
   EXPECT_TRUE(thinWallFindings(mesh, 0.37, {}).empty()) << "the remedy cures it";
 
   PlanRequest request =

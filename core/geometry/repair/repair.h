@@ -38,7 +38,8 @@ struct RepairResult {
 // With OpenSurfaces::Keep, rims at which the surface ends and sheets are not changed if they make
 // up more than one percent of the surface. Can be cancelled between steps and within the long ones.
 // Precondition (Error{Internal}): indices in range, coordinates finite. Throws Error{UnusableInput}
-// if nothing with area is left. Example:
+// if nothing with area is left.
+// Example:
 //   const geometry::MeshFile file = geometry::readMesh(stl);
 //   const geometry::RepairResult mended = geometry::repair(file.mesh);
 //   const geometry::TriangleMesh part = geometry::placeOnPlate(mended.mesh, 1.0);

@@ -19,7 +19,8 @@ namespace voluta::planar {
 // that base planes face up (constraint II) is replaced by the actual condition: the head reaches
 // all of a piece past the pieces printed before it. Precondition: `part` is closed, faces outward
 // and has its base on z = 0. Same result for any number of threads. Throws Error{UnusableInput} if
-// the part is not closed; Cancelled. Example:
+// the part is not closed; Cancelled.
+// Example:
 //   const planar::PlanarDecomposition pieces = planar::beamDecompose(part, {}, ctx);
 PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const PlanarOptions& options,
                                   const base::RunContext& ctx);

@@ -54,7 +54,8 @@ layers::LevelSurface sectionSurface(const Section& section, double edgeMm,
 // Sections that cross or touch themselves are taken up to 1e-4 mm higher or lower, else filled by
 // their winding, as slicers do with self-intersecting meshes. Findings report areas too small for a
 // bead, which are omitted, and unsupported patches. Throws Cancelled. Same result for any number of
-// threads. Example:
+// threads.
+// Example:
 //   const planar::PlanarDecomposition pieces = planar::beamDecompose(part, {}, ctx);
 //   const planar::SliceResult sliced = planar::slicePieces(pieces.pieces, {}, ctx);
 SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& options,
