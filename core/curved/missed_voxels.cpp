@@ -168,18 +168,17 @@ plan::Finding findingOf(const Group& group) {
   std::vector<plan::NamedValue> values{{"voxels", own}};
   FindingKind kind = FindingKind::Unreached;
   if (group.loss == Loss::Shadowed) {
-    const bool covered = group.coveredAt > 0, more = group.cascade > 0;
-    kind = covered
-               ? (more ? FindingKind::ShadowedUnderFacetAndMore : FindingKind::ShadowedUnderFacet)
-               : (more ? FindingKind::ShadowedUnreachedAndMore : FindingKind::ShadowedUnreached);
-    if (covered) {
+    kind = group.coveredAt > 0 ? FindingKind::ShadowedUnderFacet : FindingKind::ShadowedUnreached;
+    if (group.coveredAt > 0) {
       values.push_back({"step", group.coveredAt});
       values.push_back({"a", plan::pointOf(group.cover[0])});
       values.push_back({"b", plan::pointOf(group.cover[1])});
       values.push_back({"c", plan::pointOf(group.cover[2])});
     }
-    if (more)
+    if (group.cascade > 0) {
       values.push_back({"more", group.cascade});
+      return plan::makeMoreFinding(kind, std::move(values), group.centre, group.voxels.size());
+    }
   }
   return plan::makeFinding(kind, std::move(values), group.centre, group.voxels.size());
 }
@@ -212,8 +211,7 @@ void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decompositi
     for (std::size_t g = kMostListed; g < groups.size(); ++g)
       missed += groups[g].voxels.size();
     decomposition.findings.push_back(plan::makeFinding(
-        largest.loss == Loss::Shadowed ? plan::FindingKind::MoreShadowed
-                                       : plan::FindingKind::MoreUnreached,
+        plan::FindingKind::MissedGroups,
         {{"voxels", missed}, {"groups", groups.size() - kMostListed}}, largest.centre, missed));
   }
   if (belowPlate > 0) {

@@ -10,30 +10,25 @@ namespace {
 
 constexpr std::size_t kMostFindings = 100;
 
-// Kind for a single place, and kind for the first of several further ones.
-struct Kinds {
-  plan::FindingKind one, more;
-};
-
-Kinds kindsOf(Refusal why) {
+plan::FindingKind kindOf(Refusal why) {
   using enum plan::FindingKind;
   switch (why) {
   case Refusal::Unreachable:
-    return {Unreachable, MoreUnreachable};
+    return Unreachable;
   case Refusal::NoConnection:
-    return {Unconnected, MoreUnconnected};
+    return Unconnected;
   case Refusal::CloserLook:
-    return {MeetsOnCloserLook, MoreMeetOnCloserLook};
+    return MeetsOnCloserLook;
   case Refusal::Leans:
-    return {StaysUpright, StaysUpright};
+    return StaysUpright;
   case Refusal::BeyondRod:
-    return {BeyondRod, MoreBeyondRod};
+    return BeyondRod;
   case Refusal::HeadPart:
-    return {HeadInPart, MoreHeadInPart};
+    return HeadInPart;
   case Refusal::HeadPlatform:
-    return {HeadInPlatform, MoreHeadInPlatform};
+    return HeadInPlatform;
   default:
-    return {Collision, MoreCollisions};
+    return Collision;
   }
 }
 
@@ -42,7 +37,7 @@ std::vector<plan::NamedValue> valuesOf(const Refused& r, const MotionScene& scen
   if (r.why == Refusal::BeyondRod) {
     values.push_back({"radius", base::mm(scene.cell.rod()->printableRadiusMm)});
     values.push_back({"along", base::mm(0.5 * scene.cell.rod()->lengthMm)});
-  } else if (kindsOf(r.why).one == plan::FindingKind::Collision) {
+  } else if (kindOf(r.why) == plan::FindingKind::Collision) {
     values.push_back({"first", scene.collision.nameOf(r.contact.first)});
     values.push_back({"second", scene.collision.nameOf(r.contact.second)});
   }
@@ -70,9 +65,9 @@ plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene
                     refused[e].contact.second == r.contact.second;)
       ++e;
     const bool own = r.why != Refusal::Leans && findings.size() < kMostFindings;
+    const auto make = own || r.why == Refusal::Leans ? plan::makeFinding : plan::makeMoreFinding;
     plan::Finding finding =
-        plan::makeFinding(own ? kindsOf(r.why).one : kindsOf(r.why).more, valuesOf(r, scene),
-                          scene.plan.position[r.waypoint], e - b);
+        make(kindOf(r.why), valuesOf(r, scene), scene.plan.position[r.waypoint], e - b);
     finding.whenS = whenS(r.waypoint);
     if (own) {
       findings.push_back(std::move(finding));

@@ -9,24 +9,15 @@
 namespace voluta::plan {
 
 namespace {
-bool hasPlace(const FindingRow& row, std::string_view name) {
-  for (const base::Text text : {row.reason, row.remedy}) {
-    const std::vector<std::string_view> names = base::placeNames(text.english());
-    if (std::find(names.begin(), names.end(), name) != names.end())
-      return true;
-  }
-  return false;
-}
-
 void checkValues(const FindingRow& row, const Finding& finding) {
   const std::string id(row.id);
+  const std::vector<std::string_view> names = valueNames(row, finding.more);
   for (const NamedValue& given : finding.values)
-    base::require(hasPlace(row, given.name),
+    base::require(std::ranges::find(names, given.name) != names.end(),
                   "finding " + id + " does not tell '" + std::string(given.name) + "'");
-  for (const base::Text text : {row.reason, row.remedy})
-    for (const std::string_view name : base::placeNames(text.english()))
-      base::require(finding.value(name) != nullptr,
-                    "finding " + id + " needs '" + std::string(name) + "'");
+  for (const std::string_view name : names)
+    base::require(finding.value(name) != nullptr,
+                  "finding " + id + " needs '" + std::string(name) + "'");
 }
 
 base::Message filled(base::Text text, const Finding& finding) {
@@ -36,6 +27,32 @@ base::Message filled(base::Text text, const Finding& finding) {
     message.values.push_back(value ? *value : base::Value());
   }
   return message;
+}
+
+// As filled(), of FindingRow::more.
+base::Message filledMore(const FindingRow& row, const Finding& finding) {
+  base::Message message = filled(row.more, finding);
+  const std::vector<std::string_view> names = base::placeNames(row.more.english());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == kCount)
+      message.values[i] = finding.count;
+    else if (names[i] == kReason)
+      message.values[i] = filled(row.reason, finding);
+  return message;
+}
+
+Finding finding(FindingKind kind, std::vector<NamedValue> values,
+                const std::optional<Eigen::Vector3d>& where, std::size_t count, bool more) {
+  const FindingRow& row = rowOf(kind);
+  Finding finding;
+  finding.kind = kind;
+  finding.values = std::move(values);
+  finding.where = where;
+  finding.count = count;
+  finding.more = more;
+  finding.blocking = row.severity != Severity::Info;
+  checkValues(row, finding);
+  return finding;
 }
 } // namespace
 
@@ -47,19 +64,18 @@ const base::Value* Finding::value(std::string_view name) const {
 
 Finding makeFinding(FindingKind kind, std::vector<NamedValue> values,
                     const std::optional<Eigen::Vector3d>& where, std::size_t count) {
-  const FindingRow& row = rowOf(kind);
-  Finding finding;
-  finding.kind = kind;
-  finding.values = std::move(values);
-  finding.where = where;
-  finding.count = count;
-  finding.blocking = row.severity != Severity::Info;
-  checkValues(row, finding);
-  return finding;
+  return finding(kind, std::move(values), where, count, false);
+}
+
+Finding makeMoreFinding(FindingKind kind, std::vector<NamedValue> values,
+                        const std::optional<Eigen::Vector3d>& where, std::size_t count) {
+  base::require(!rowOf(kind).more.empty(), "a kind of finding that stands for more");
+  return finding(kind, std::move(values), where, count, true);
 }
 
 base::Message factOf(const Finding& finding) {
-  return filled(rowOf(finding.kind).reason, finding);
+  const FindingRow& row = rowOf(finding.kind);
+  return finding.more ? filledMore(row, finding) : filled(row.reason, finding);
 }
 
 base::Message reasonOf(const Finding& finding) {
@@ -91,7 +107,8 @@ std::string englishRemedy(const Finding& finding) {
 
 bool sameFact(const Finding& a, const Finding& b) {
   constexpr double kSameMm = 0.1;
-  return a.kind == b.kind && a.values == b.values && a.where.has_value() == b.where.has_value() &&
+  return a.kind == b.kind && a.more == b.more && a.values == b.values &&
+         a.where.has_value() == b.where.has_value() &&
          (!a.where || (*a.where - *b.where).norm() <= kSameMm);
 }
 

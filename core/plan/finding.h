@@ -37,6 +37,7 @@ struct Finding {
   std::optional<Eigen::Vector3d> where; // Work frame [mm]
   std::optional<double> whenS;          // Time from program start [s]
   std::size_t count = 1;
+  bool more = false;    // Also stands for further ones, which are not listed (FindingRow::more)
   bool blocking = true; // False: informational, exit code stays 0
   ProgramLine program;  // Set by stage replay
 
@@ -51,6 +52,11 @@ using Findings = std::vector<Finding>;
 Finding makeFinding(FindingKind kind, std::vector<NamedValue> values = {},
                     const std::optional<Eigen::Vector3d>& where = std::nullopt,
                     std::size_t count = 1);
+
+// Returns a finding that also stands for further ones of this kind, which are not listed. Throws
+// Error{Internal} as makeFinding, and for kinds without FindingRow::more.
+Finding makeMoreFinding(FindingKind kind, std::vector<NamedValue> values,
+                        const std::optional<Eigen::Vector3d>& where, std::size_t count);
 
 // Returns the reason in one sentence, without its position in a program: the same fact in two
 // program formats gives the same text.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace voluta::plan {
@@ -99,31 +100,19 @@ constexpr auto kRows =
              "centre the part, or use a platform that reaches its support"_text, kForAdrift},
             {ShadowedUnderFacet, "shadowedUnderFacet", "shadowedVoxels", Decompose, Error,
              "{voxels} voxel is shadowed: inside the front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm|{voxels} voxels are shadowed: inside the front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm"_plural,
-             kTurnOrShrink, kForShadowed},
-            {ShadowedUnderFacetAndMore, "shadowedUnderFacetAndMore", "shadowedVoxels", Decompose,
-             Error,
-             "{voxels} voxel is shadowed: inside the front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm; {more} more depend on it|{voxels} voxels are shadowed: inside the front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm; {more} more depend on them"_plural,
-             kTurnOrShrink, kForShadowed},
+             kTurnOrShrink, kForShadowed, kHasRemedies, kMoreVoxels},
             {ShadowedUnreached, "shadowedUnreached", "shadowedVoxels", Decompose, Error,
              "{voxels} voxel is shadowed: inside the front before it was reached|"
              "{voxels} voxels are shadowed: inside the front before they were reached"_plural,
-             kTurnOrShrink, kForShadowed},
-            {ShadowedUnreachedAndMore, "shadowedUnreachedAndMore", "shadowedVoxels", Decompose,
-             Error,
-             "{voxels} voxel is shadowed: inside the front before it was reached; {more} more depend on it|{voxels} voxels are shadowed: inside the front before they were reached; {more} more depend on them"_plural,
-             kTurnOrShrink, kForShadowed},
+             kTurnOrShrink, kForShadowed, kHasRemedies, kMoreVoxels},
             {Unreached, "unreached", "unreachedVoxels", Decompose, Error,
              "{voxels} voxel is unreached: no path through the part from the platform|"
              "{voxels} voxels are unreached: no path through the part from the platform"_plural,
              kJoin, kForUnreached},
-            {MoreShadowed, "moreShadowed", "missedVoxels", Decompose, Error,
+            {MissedGroups, "missedGroups", "missedVoxels", Decompose, Error,
              "{voxels} more voxel is missed; this is it|"
              "{voxels} more voxels are missed in smaller groups ({groups}); this is the largest"_plural,
-             kTurnOrShrink, kForShadowed},
-            {MoreUnreached, "moreUnreached", "missedVoxels", Decompose, Error,
-             "{voxels} more voxel is missed; this is it|"
-             "{voxels} more voxels are missed in smaller groups ({groups}); this is the largest"_plural,
-             kJoin, kForShadowed},
+             "turn the part or add supports"_text, kForShadowed},
             {BelowPlate, "belowPlate", "unreachedVoxels", Decompose, Error,
              "{voxels} voxel is below the plate|{voxels} voxels are below the plate"_plural,
              "move the part down to the plate"_text, kForUnreached},
@@ -202,7 +191,8 @@ constexpr auto kRows =
             {UnsupportedPatches, "unsupportedPatches", "unsupportedPatches", Layers, Info,
              "{patches} patch ({area:.1f}) begins in the air: neither the plate nor an earlier layer is below it|{patches} patches ({area:.1f}) begin in the air: neither the plate nor an earlier layer is below them"_plural,
              "turn the part, enlarge the platform or add supports"_text},
-            {Slivers, "slivers", "slivers", Layers, ByAmount, "{pieces} piece of a layer is left out, {volume:.3g} of {whole:.3g#}: too small for a bead, or it would begin in the air|{pieces} pieces of layers are left out, {volume:.3g} of {whole:.3g#}: too small for a bead, or they would begin in the air"_plural,
+            {Slivers, "slivers", "slivers", Layers, ByAmount,
+             "{pieces} piece of a layer is left out, {volume:.3g} of {whole:.3g#}: too small for a bead, or it would begin in the air|{pieces} pieces of layers are left out, {volume:.3g} of {whole:.3g#}: too small for a bead, or they would begin in the air"_plural,
              kFiner, kForSlivers},
             {BeginsInAir, "beginsInAir", "beginsInAir", Layers, Error,
              "{pieces} piece of a layer begins in the air|{pieces} pieces of layers begin in the air"_plural,
@@ -228,8 +218,8 @@ constexpr auto kRows =
              "{share:.0f} of the layers' area is thinner than {least} or thicker than {most}"_text,
              "move the planes, or add planes between them"_text},
 
-            {GivenWithoutSection, "givenWithoutSection", "givenWithoutSection", Toolpath, Info,
-             "the file gives no width, height or speed for {points} point of its tool-paths: taken from process {process}|the file gives no width, height or speed for {points} points of its tool-paths: taken from process {process}"_plural,
+            {GivenWithoutSection,
+             "givenWithoutSection", "givenWithoutSection", Toolpath, Info, "the file gives no width, height or speed for {points} point of its tool-paths: taken from process {process}|the file gives no width, height or speed for {points} points of its tool-paths: taken from process {process}"_plural,
              "give the process that the tool-paths were made for"_text},
             {GivenTooFast, "givenTooFast", "givenTooFast", Toolpath, Info,
              "{points} point of the file's tool-paths needs more flow than the extruder's {limit}: printed slower|{points} points of the file's tool-paths need more flow than the extruder's {limit}: printed slower"_plural,
@@ -261,49 +251,28 @@ constexpr auto kRows =
              kForOutOfReach},
             {Unreachable, "unreachable", "unreachable", Motion, Error,
              "{place}: unreachable for the nozzle: out of reach or beyond a joint limit at every rotation of the part about the nozzle"_text,
-             kScaleOrTurn, kForOutOfReach},
-            {MoreUnreachable, "moreUnreachable", "unreachable", Motion, Error,
-             "and more places, the first at {place}: unreachable for the nozzle: out of reach or beyond a joint limit at every rotation of the part about the nozzle"_text,
-             kScaleOrTurn, kForOutOfReach},
+             kScaleOrTurn, kForOutOfReach, kHasRemedies, kMoreWaypoints},
             {Unconnected, "unconnected", "unconnected", Motion, Error,
              "{place}: reachable, but the robot cannot move from or to a neighbouring point without lifting"_text,
-             kMoreTurns, kForUnconnected},
-            {MoreUnconnected, "moreUnconnected", "unconnected", Motion, Error,
-             "and more places, the first at {place}: reachable, but the robot cannot move from or to a neighbouring point without lifting"_text,
-             kMoreTurns, kForUnconnected},
+             kMoreTurns, kForUnconnected, kHasRemedies, kMoreWaypoints},
             {StaysUpright, "staysUpright", "staysUpright", Motion, Error,
              "this arm keeps the nozzle upright, but the layers need it tilted, first at {place}"_text,
              "use mode flat, or planar with upright layers"_text, kForUpright},
             {BeyondRod, "beyondRod", "beyondRod", Motion, Error,
              "{place}: the cell prints up to {radius} from the rod's axis and {along} from its middle"_text,
-             kAlongRod, kForRod},
-            {MoreBeyondRod, "moreBeyondRod", "beyondRod", Motion, Error,
-             "and more places, the first at {place}: the cell prints up to {radius} from the rod's axis and {along} from its middle"_text,
-             kAlongRod, kForRod},
+             kAlongRod, kForRod, kHasRemedies, kMoreWaypoints},
             {HeadInPart, "headInPart", "collision", Motion, Error,
              "{place}: the print head would cut into printed material"_text, kSlimmer,
-             kForHeadInPart},
-            {MoreHeadInPart, "moreHeadInPart", "collision", Motion, Error,
-             "and more places, the first at {place}: the print head would cut into printed material"_text,
-             kSlimmer, kForHeadInPart},
+             kForHeadInPart, kHasRemedies, kMoreWaypoints},
             {HeadInPlatform, "headInPlatform", "collision", Motion, Error,
              "{place}: the print head would cut into the platform"_text, kHigher,
-             kForHeadInPlatform},
-            {MoreHeadInPlatform, "moreHeadInPlatform", "collision", Motion, Error,
-             "and more places, the first at {place}: the print head would cut into the platform"_text,
-             kHigher, kForHeadInPlatform},
+             kForHeadInPlatform, kHasRemedies, kMoreWaypoints},
             {Collision, "collision", "collision", Motion, Error,
              "{place}: {first} would collide with {second} at every rotation of the part about the nozzle"_text,
-             kLessClearance, kForCollision},
-            {MoreCollisions, "moreCollisions", "collision", Motion, Error,
-             "and more places, the first at {place}: {first} would collide with {second} at every rotation of the part about the nozzle"_text,
-             kLessClearance, kForCollision},
+             kLessClearance, kForCollision, kHasRemedies, kMoreWaypoints},
             {MeetsOnCloserLook, "meetsOnCloserLook", "collision", Motion, Error,
              "{place}: a collision on the way to this place; it is left out"_text, kTurnOrClearance,
-             kForCollision},
-            {MoreMeetOnCloserLook, "moreMeetOnCloserLook", "collision", Motion, Error,
-             "and more places, the first at {place}: a collision on the way to them; they are left out"_text,
-             kTurnOrClearance, kForCollision},
+             kForCollision, kHasRemedies, kMoreWaypoints},
             {CollisionInMotion, "collisionInMotion", "collision", Motion, Error,
              "{first} collides with {second} in the finished motion"_text, kTurnOrClearance,
              kForCollision},
@@ -435,30 +404,29 @@ constexpr auto kRows =
              "turn the part, or let Voluta choose the way of building"_text, kForHanging},
             {ReplayedCollision, "replayedCollision", "collision", Replay, Error,
              "{first} and {second} collide"_text,
-             "plan again with more clearance, or place the part elsewhere"_text, kForReplayed},
-            {MoreReplayedCollisions, "moreReplayedCollisions", "collision", Replay, Error,
-             "and {collisions} more collision|and {collisions} more collisions"_plural,
-             "plan again with more clearance"_text, kForReplayed},
+             "plan again with more clearance, or place the part elsewhere"_text, kForReplayed,
+             kHasRemedies, kMoreCollisions},
             {OutOfReach, "outOfReach", "limit", Replay, Error,
-             "the arm cannot reach this target"_text, kSlower, kForLimits},
+             "the arm cannot reach this target"_text, kSlower, kForLimits, kHasRemedies,
+             kMoreViolations},
             {JointRange, "jointRange", "limit", Replay, Error,
-             "{joint} at {angle:.1f}, beyond its limit of {limit:.1f#}"_text, kSlower, kForLimits},
+             "{joint} at {angle:.1f}, beyond its limit of {limit:.1f#}"_text, kSlower, kForLimits,
+             kHasRemedies, kMoreViolations},
             {JointSpeed, "jointSpeed", "limit", Replay, Error,
-             "{joint} at {speed:.1f}, above its limit of {limit:.1f#}"_text, kSlower, kForLimits},
+             "{joint} at {speed:.1f}, above its limit of {limit:.1f#}"_text, kSlower, kForLimits,
+             kHasRemedies, kMoreViolations},
             {SlideSpeed, "slideSpeed", "limit", Replay, Error,
-             "{joint} at {speed:.1f}/s, above its limit of {limit:.1f#}"_text, kSlower, kForLimits},
+             "{joint} at {speed:.1f}/s, above its limit of {limit:.1f#}"_text, kSlower, kForLimits,
+             kHasRemedies, kMoreViolations},
             {BranchJump, "branchJump", "limit", Replay, Error,
              "the arm would have to change its configuration: {joint} by {angle:.1f} at once"_text,
-             kSlower, kForLimits},
+             kSlower, kForLimits, kHasRemedies, kMoreViolations},
             {BlendOverlap, "blendOverlap", "limit", Replay, Error,
              "blend overlaps the previous one ({blend:.3f} on {way:.3f}): the controller skips the waypoint"_text,
-             kSlower, kForBlends},
+             kSlower, kForBlends, kHasRemedies, kMoreViolations},
             {Flow, "flow", "limit", Replay, Error,
              "flow of {flow:.1f}, above the extruder's limit of {limit:.1f#}"_text, kSlower,
-             kForFlow},
-            {MoreLimits, "moreLimits", "limit", Replay, Error,
-             "and {violations} more violation|and {violations} more violations"_plural, kSlower,
-             kForLimits},
+             kForFlow, kHasRemedies, kMoreViolations},
             {PathDeviation, "pathDeviation", "deviation", Replay, Error,
              "nozzle {distance:.3f} off the planned path"_text,
              "use shorter motions or smaller blends"_text, kForDeviation},
@@ -469,6 +437,37 @@ constexpr auto kRows =
              "the {format} program, for another controller, is not released: {failed}"_text,
              "use the program for the cell's own controller"_text},
         });
+
+// Kinds of older versions, as their ids in project files.
+struct OldKind {
+  std::string_view id;
+  FindingKind kind;
+  bool more = true; // Finding::more
+};
+constexpr OldKind kOldKinds[] = {
+    {"shadowedUnderFacetAndMore", ShadowedUnderFacet},
+    {"shadowedUnreachedAndMore", ShadowedUnreached},
+    {"moreShadowed", MissedGroups, false},
+    {"moreUnreached", MissedGroups, false},
+    {"moreUnreachable", Unreachable},
+    {"moreUnconnected", Unconnected},
+    {"moreBeyondRod", BeyondRod},
+    {"moreHeadInPart", HeadInPart},
+    {"moreHeadInPlatform", HeadInPlatform},
+    {"moreCollisions", Collision},
+    {"moreMeetOnCloserLook", MeetsOnCloserLook},
+    {"moreReplayedCollisions", ReplayedCollision},
+    {"moreLimits", JointRange},
+};
+
+bool hasPlace(base::Text text, std::string_view name) {
+  return std::ranges::count(base::placeNames(text.english()), name) > 0;
+}
+
+const OldKind* oldKind(std::string_view id) {
+  const auto* found = std::ranges::find(kOldKinds, id, &OldKind::id);
+  return found == std::end(kOldKinds) ? nullptr : found;
+}
 
 constexpr bool inOrder() {
   for (std::size_t i = 0; i < kRows.size(); ++i)
@@ -489,10 +488,33 @@ const FindingRow& rowOf(FindingKind kind) {
   return kRows[i];
 }
 
+std::vector<std::string_view> valueNames(const FindingRow& row, bool more) {
+  std::vector<std::string_view> names;
+  const auto add = [&](std::string_view name) {
+    if (std::ranges::find(names, name) == names.end())
+      names.push_back(name);
+  };
+  if (!more || hasPlace(row.more, kReason))
+    std::ranges::for_each(base::placeNames(row.reason.english()), add);
+  if (more)
+    for (const std::string_view name : base::placeNames(row.more.english()))
+      if (name != kCount && name != kReason)
+        add(name);
+  std::ranges::for_each(base::placeNames(row.remedy.english()), add);
+  return names;
+}
+
 const FindingRow* rowWithId(std::string_view id) {
+  if (const OldKind* old = oldKind(id))
+    return &rowOf(old->kind);
   const auto* found =
       std::find_if(kRows.begin(), kRows.end(), [&](const FindingRow& row) { return row.id == id; });
   return found == kRows.end() ? nullptr : found;
+}
+
+bool isIdOfMore(std::string_view id) {
+  const OldKind* old = oldKind(id);
+  return old && old->more;
 }
 
 plan::Stage stageOf(const Finding& finding) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace voluta::plan {
 
@@ -39,12 +40,9 @@ enum class FindingKind : std::uint8_t {
   // decompose
   PlatformAdrift,
   ShadowedUnderFacet,
-  ShadowedUnderFacetAndMore,
   ShadowedUnreached,
-  ShadowedUnreachedAndMore,
   Unreached,
-  MoreShadowed,
-  MoreUnreached,
+  MissedGroups,
   BelowPlate,
   SupportColumn,
   SupportColumnTouching,
@@ -89,20 +87,13 @@ enum class FindingKind : std::uint8_t {
   TooLarge,
   MuchOutOfReach,
   Unreachable,
-  MoreUnreachable,
   Unconnected,
-  MoreUnconnected,
   StaysUpright,
   BeyondRod,
-  MoreBeyondRod,
   HeadInPart,
-  MoreHeadInPart,
   HeadInPlatform,
-  MoreHeadInPlatform,
   Collision,
-  MoreCollisions,
   MeetsOnCloserLook,
-  MoreMeetOnCloserLook,
   CollisionInMotion,
   HomeMeets,
   NoWayTo,
@@ -148,7 +139,6 @@ enum class FindingKind : std::uint8_t {
   Unsupported,
   LongBridge,
   ReplayedCollision,
-  MoreReplayedCollisions,
   OutOfReach,
   JointRange,
   JointSpeed,
@@ -156,7 +146,6 @@ enum class FindingKind : std::uint8_t {
   BranchJump,
   BlendOverlap,
   Flow,
-  MoreLimits,
   PathDeviation,
   ProgramRefused,
   ForeignRefused,
@@ -180,12 +169,23 @@ struct FindingRow {
   // block has this text or remedies that are offered in every mode
   // (tests/pipeline/remedies_test.cpp).
   base::Text whyNoRemedy = {};
+  // Reason of a finding that also stands for further ones (Finding::more); empty: none does.
+  // {count} is Finding::count, {what} the reason above.
+  base::Text more = {};
 };
 
 std::span<const FindingRow> findingRows();
 const FindingRow& rowOf(FindingKind kind);
-// Returns nullptr if no kind has this id.
+// Returns the names of the values that a finding of this kind has.
+std::vector<std::string_view> valueNames(const FindingRow& row, bool more);
+// Also accepts the ids of older versions. Returns nullptr if no kind has this id.
 const FindingRow* rowWithId(std::string_view id);
+// Returns whether the id is of a kind of older versions that is now its row's kind with
+// Finding::more.
+bool isIdOfMore(std::string_view id);
+
+// Placeholders of FindingRow::more that are no values.
+inline constexpr std::string_view kCount = "count", kReason = "what";
 
 // Return the stage and the kind as written to report.json. Findings of kind Verbatim and Stopped
 // carry their own.

@@ -1,5 +1,6 @@
 // Constants shared by the rows of finding_kinds.cpp: the remedies that each kind of finding offers,
-// why some kinds have none, and help texts.
+// why some kinds have none, help texts, and the reasons of findings that also stand for further
+// ones.
 #pragma once
 
 #include "base/text.h"
@@ -59,6 +60,7 @@ inline constexpr std::array kForCell{UsualProcess, UsualCell};
 inline constexpr std::array kForPlates{ScaleToPlate, LargerCell, MakePlatform};
 
 inline constexpr std::span<const RemedyId> kNoRemedies{};
+inline constexpr base::Text kHasRemedies; // instead of a text why there is none
 inline constexpr base::Text kOnlyWriteAgain =
     "the program does not match this plan: changing the plan does not help"_text;
 inline constexpr base::Text kSaysItself = "the message says how to fix it"_text;
@@ -100,5 +102,14 @@ inline constexpr base::Text kWriteAgain =
     "write the program again, or plan again with this change"_text;
 inline constexpr base::Text kSlower =
     "print slower there, or place the part elsewhere in the cell"_text;
+
+inline constexpr base::Text kMoreVoxels =
+    "{what}; another voxel depends on this|{what}; {more} more voxels depend on this"_plural;
+inline constexpr base::Text kMoreWaypoints =
+    "{count} more waypoint: {what}|{count} more waypoints, the first: {what}"_plural;
+inline constexpr base::Text kMoreCollisions =
+    "{count} more collision|{count} more collisions"_plural;
+inline constexpr base::Text kMoreViolations =
+    "{count} more violation|{count} more violations"_plural;
 
 } // namespace voluta::plan::finding_remedies

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace voluta::project {
 
@@ -114,26 +115,25 @@ base::Value readExact(const Json& j) {
   return readMessages(j.at("sentences"));
 }
 
-bool fits(const plan::FindingRow& row, const std::vector<plan::NamedValue>& values) {
-  std::size_t known = 0;
-  for (const base::Text text : {row.reason, row.remedy})
-    for (const std::string_view name : base::placeNames(text.english())) {
-      const bool given = std::any_of(values.begin(), values.end(),
-                                     [&](const plan::NamedValue& v) { return v.name == name; });
-      if (!given)
-        return false;
-      ++known;
-    }
-  return known >= values.size();
-}
-
-// Returns the row's own copy of the placeholder name, which has static storage.
-std::string_view placeNamed(const plan::FindingRow& row, const std::string& wanted) {
-  for (const base::Text text : {row.reason, row.remedy})
-    for (const std::string_view name : base::placeNames(text.english()))
-      if (name == wanted)
-        return name;
-  return {};
+// Returns the stored values of a finding of this kind; none if one is missing or not of this kind.
+// Values of the kinds of older versions that have become Finding::count are left out.
+std::optional<std::vector<plan::NamedValue>>
+readValues(const Json& stored, const plan::FindingRow& row, bool more, bool old) {
+  const std::vector<std::string_view> names = plan::valueNames(row, more);
+  std::vector<plan::NamedValue> values;
+  for (const Json& value : stored) {
+    const auto name = std::ranges::find(names, value.at("name").get<std::string>());
+    if (name != names.end())
+      values.push_back({*name, readExact(value.at("value"))});
+    else if (!old)
+      return std::nullopt;
+  }
+  const auto isGiven = [&](std::string_view name) {
+    return std::ranges::count(values, name, &plan::NamedValue::name) > 0;
+  };
+  if (!std::ranges::all_of(names, isGiven))
+    return std::nullopt;
+  return values;
 }
 } // namespace
 
@@ -173,25 +173,29 @@ Json factJson(const plan::Finding& f) {
   Json values = Json::array();
   for (const plan::NamedValue& value : f.values)
     values.push_back(Json{{"name", value.name}, {"value", exactJson(value.value)}});
-  return Json{
+  Json fact{
       {"fact", plan::rowOf(f.kind).id},
       {"values", std::move(values)},
       {"program",
        Json{{"format", f.program.format}, {"file", f.program.file}, {"line", f.program.line}}}};
+  if (f.more)
+    fact["more"] = true;
+  return fact;
 }
 
 void readFact(const Json& j, plan::Finding& finding) {
-  const plan::FindingRow* row = plan::rowWithId(j.at("fact").get<std::string>());
+  const auto id = j.at("fact").get<std::string>();
+  const plan::FindingRow* row = plan::rowWithId(id);
   if (!row || row->kind == plan::FindingKind::Verbatim)
     return;
-  std::vector<plan::NamedValue> values;
-  for (const Json& value : j.at("values"))
-    values.push_back(
-        {placeNamed(*row, value.at("name").get<std::string>()), readExact(value.at("value"))});
-  if (!fits(*row, values))
+  const bool old = row->id != id;
+  const bool more = (plan::isIdOfMore(id) || j.value("more", false)) && !row->more.empty();
+  auto values = readValues(j.at("values"), *row, more, old);
+  if (!values)
     return;
   finding.kind = row->kind;
-  finding.values = std::move(values);
+  finding.more = more;
+  finding.values = std::move(*values);
   const Json& program = j.at("program");
   program.at("format").get_to(finding.program.format);
   program.at("file").get_to(finding.program.file);

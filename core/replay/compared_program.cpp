@@ -189,6 +189,7 @@ private:
   void addLimits() {
     const std::vector<LimitViolation> all = violations();
     std::size_t listed = 0;
+    plan::FindingKind further{};
     for (std::size_t k = 0; k < all.size(); ++k) {
       const LimitViolation& v = all[k];
       // A violation that continues over the following motions counts once.
@@ -197,15 +198,15 @@ private:
       if (goesOn)
         continue;
       ++out_.verdict.limitViolations;
-      if (++listed > kMaxListed)
-        continue;
       const plan::Finding f = limitFinding(v, in_.cell);
-      out_.limits.push_back(atMotion(f.kind, v.motion, f.values));
+      if (++listed <= kMaxListed)
+        out_.limits.push_back(atMotion(f.kind, v.motion, f.values));
+      else if (listed == kMaxListed + 1)
+        further = f.kind;
     }
     if (listed > kMaxListed)
-      out_.limits.push_back({plan::makeFinding(MoreLimits, {{"violations", listed - kMaxListed}},
-                                               std::nullopt, listed - kMaxListed),
-                             {}});
+      out_.limits.push_back(
+          {plan::makeMoreFinding(further, {}, std::nullopt, listed - kMaxListed), {}});
   }
 
   const ReplayInput& in_;

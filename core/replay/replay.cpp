@@ -77,8 +77,9 @@ private:
                c.whenS, c.samples);
     }
     if (clashes.size() > kMaxListed)
-      add(MoreReplayedCollisions, {{"collisions", clashes.size() - kMaxListed}}, std::nullopt,
-          clashes.size() - kMaxListed);
+      addFinding(out_, {plan::makeMoreFinding(ReplayedCollision, {}, std::nullopt,
+                                              clashes.size() - kMaxListed),
+                        {}});
   }
 
   void addDeviation() {

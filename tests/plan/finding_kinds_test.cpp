@@ -18,13 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<NamedValue> sampleValues(const FindingRow& row) {
+std::vector<NamedValue> sampleValues(const FindingRow& row, bool more = false) {
+  const bool whole = row.reason.plural() || row.remedy.plural() || (more && row.more.plural());
   std::vector<NamedValue> values;
-  std::set<std::string_view> known;
-  for (const base::Text text : {row.reason, row.remedy})
-    for (const std::string_view name : base::placeNames(text.english()))
-      if (known.insert(name).second)
-        values.push_back({name, text.plural() ? base::Value(2) : base::Value(base::mm(1.5))});
+  for (const std::string_view name : valueNames(row, more))
+    values.push_back({name, whole ? base::Value(2) : base::Value(base::mm(1.5))});
   return values;
 }
 
@@ -98,11 +96,59 @@ TEST(FindingKinds, ValuesAreThoseOfTheSentences) {
   }
 }
 
+TEST(FindingKinds, FindingsThatStandForMoreHaveTheirOwnSentence) {
+  for (const FindingRow& row : findingRows()) {
+    if (row.more.empty()) {
+      EXPECT_THROW(makeMoreFinding(row.kind, sampleValues(row), std::nullopt, 3), base::Error);
+      continue;
+    }
+    const Finding one = makeFinding(row.kind, sampleValues(row));
+    Finding more;
+    ASSERT_NO_THROW(more = makeMoreFinding(row.kind, sampleValues(row, true), std::nullopt, 3))
+        << row.id;
+    EXPECT_EQ(more.count, 3u);
+    EXPECT_EQ(englishReason(more).find('{'), std::string::npos) << englishReason(more);
+    EXPECT_NE(englishReason(more).find("more"), std::string::npos) << englishReason(more);
+    EXPECT_EQ(reportId(more), reportId(one));
+    EXPECT_FALSE(sameFact(one, more));
+  }
+  const std::vector<NamedValue> bodies{{"first", "arm"_name}, {"second", "part"_name}};
+  EXPECT_EQ(englishReason(makeFinding(FindingKind::ReplayedCollision, bodies)),
+            "arm and part collide");
+  EXPECT_EQ(englishReason(makeMoreFinding(FindingKind::ReplayedCollision, {}, std::nullopt, 12)),
+            "12 more collisions");
+  EXPECT_EQ(
+      englishReason(
+          makeMoreFinding(FindingKind::HeadInPart, {{"place", "layer 3"_name}}, std::nullopt, 40)),
+      "40 more waypoints, the first: layer 3: the print head would cut into printed material");
+  EXPECT_EQ(englishReason(makeMoreFinding(FindingKind::ShadowedUnreached,
+                                          {{"voxels", 4}, {"more", 1}}, std::nullopt, 5)),
+            "4 voxels are shadowed: inside the front before they were reached; another voxel "
+            "depends on this");
+}
+
+TEST(FindingKinds, IdsOfOlderVersionsLeadToTheirKinds) {
+  const std::pair<const char*, FindingKind> old[] = {
+      {"shadowedUnderFacetAndMore", FindingKind::ShadowedUnderFacet},
+      {"moreUnreachable", FindingKind::Unreachable},
+      {"moreCollisions", FindingKind::Collision},
+      {"moreReplayedCollisions", FindingKind::ReplayedCollision}};
+  for (const auto& [id, kind] : old) {
+    ASSERT_NE(rowWithId(id), nullptr) << id;
+    EXPECT_EQ(rowWithId(id)->kind, kind) << id;
+    EXPECT_TRUE(isIdOfMore(id)) << id;
+    EXPECT_FALSE(isIdOfMore(rowWithId(id)->id)) << id;
+  }
+  EXPECT_EQ(rowWithId("moreLimits")->reportId, "limit");
+  EXPECT_EQ(rowWithId("moreUnreached")->kind, FindingKind::MissedGroups);
+  EXPECT_FALSE(isIdOfMore("moreUnreached"));
+}
+
 // Only what is decided case by case, and what a sentence of one number says: the number is a whole
 // one, so that its form is known.
 TEST(FindingKinds, PluralFormsHaveANumberToGoBy) {
   for (const FindingRow& row : findingRows())
-    for (const base::Text text : {row.reason, row.remedy}) {
+    for (const base::Text text : {row.reason, row.remedy, row.more}) {
       const std::size_t least = text.plural() ? 1 : 0;
       EXPECT_GE(base::countPlaces(text.english()), least) << row.id;
     }
