@@ -6,7 +6,6 @@
 #include "collision/bead_solid.h"
 #include "collision/same_segments.h"
 #include "geometry/measures.h"
-#include "process/process.h"
 #include "voxel/column_parity.h"
 
 #include <algorithm>
@@ -163,15 +162,23 @@ std::uint32_t momentOf(std::size_t before) {
 
 } // namespace
 
-double growingPitch(const plan::ToolPlan& plan, const process::Process& process) {
+double growingPitch(const plan::ToolPlan& plan, const process::Tooling& tooling) {
   constexpr double kCells = 1 << 27;
-  const double finest = std::min(0.25 * process.beadWidthMm, 0.5 * process.layerHeightMm);
+  double finest = std::numeric_limits<double>::infinity(), widest = 0.0;
+  const auto include = [&](const process::Process& process) {
+    finest = std::min({finest, 0.25 * process.beadWidthMm, 0.5 * process.layerHeightMm});
+    widest = std::max(widest, process.beadWidthMaxMm);
+  };
+  for (const plan::ToolPath& path : plan.paths)
+    include(tooling.of(path).process);
+  if (plan.paths.empty())
+    include(tooling.first().process); // No path that names a tool
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : plan.position)
     box.extend(p);
   if (box.isEmpty())
     return finest;
-  const Vector3d sides = box.sizes().array() + 2.0 * process.beadWidthMaxMm;
+  const Vector3d sides = box.sizes().array() + 2.0 * widest;
   return std::max(finest, std::cbrt(sides.prod() / kCells));
 }
 
@@ -279,9 +286,9 @@ GrowingPart::GrowingPart(const plan::ToolPlan& plan, const GrowingPart& other,
 
 std::shared_ptr<const GrowingPart> regrown(const plan::ToolPlan& plan, const GrowingPart& other,
                                            const plan::ToolPlan& itsPlan,
-                                           const process::Process& process,
+                                           const process::Tooling& tooling,
                                            const base::RunContext& ctx) {
-  const double pitch = growingPitch(plan, process);
+  const double pitch = growingPitch(plan, tooling);
   return pitch == other.grid().pitch
              ? std::make_shared<const GrowingPart>(plan, other, itsPlan, ctx)
              : std::make_shared<const GrowingPart>(plan, pitch, ctx, other.ground_);

@@ -6,6 +6,7 @@
 #include "collision/fill_times.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
+#include "process/tooling.h"
 #include "robot/body.h"
 #include "voxel/voxel_grid.h"
 
@@ -19,16 +20,13 @@ namespace voluta::base {
 class RunContext;
 }
 
-namespace voluta::process {
-struct Process;
-}
-
 namespace voluta::collision {
 
-// Returns the pitch of a grid for the growing part [mm]: a quarter of the process's bead width or
-// half its layer height, whichever is smaller, the resolution of the replay; coarser if the plan's
-// box would contain more than 2^27 such cells.
-double growingPitch(const plan::ToolPlan& plan, const process::Process& process);
+// Returns the pitch of a grid for the growing part [mm]: a quarter of a process's bead width or
+// half its layer height, the resolution of the replay, whichever is smallest among the tools that
+// print the plan's paths (the first tool if it has none); coarser if the plan's box would contain
+// more than 2^27 such cells.
+double growingPitch(const plan::ToolPlan& plan, const process::Tooling& tooling);
 
 // Returns bodies and rods of a platform (all but the plate) as cells that are filled from the
 // start, pitchMm wide, or wider if there would be more than 2^24. Null if there are none. Throws
@@ -87,7 +85,7 @@ public:
 
 private:
   friend std::shared_ptr<const GrowingPart> regrown(const plan::ToolPlan&, const GrowingPart&,
-                                                    const plan::ToolPlan&, const process::Process&,
+                                                    const plan::ToolPlan&, const process::Tooling&,
                                                     const base::RunContext&);
   std::shared_ptr<const FillTimes> ground_, beads_; // never null
   std::shared_ptr<const BeadSections> sections_;    // of the beads; never null
@@ -97,7 +95,7 @@ private:
 // has the same pitch. Throws Cancelled.
 std::shared_ptr<const GrowingPart> regrown(const plan::ToolPlan& plan, const GrowingPart& other,
                                            const plan::ToolPlan& itsPlan,
-                                           const process::Process& process,
+                                           const process::Tooling& tooling,
                                            const base::RunContext& ctx);
 
 } // namespace voluta::collision

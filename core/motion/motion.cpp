@@ -86,12 +86,13 @@ bool isFinal(Refusal why) {
 
 class MotionPlanner::Work {
 public:
-  Work(const plan::ToolPlan& plan, const robot::Cell& cell, const process::Process& process,
+  Work(const plan::ToolPlan& plan, const robot::Cell& cell, const process::Tooling& tooling,
        const collision::GrowingPart& part, const MotionOptions& options)
-      : plan_(plan), cell_(cell), process_(process), options_(options),
-        collision_(cell, process), scene_{plan, cell,     collision_,
-                                          part, options_, leversOf(plan, cell)},
-        planner_(scene_, timingLimits(cell, process)), home_(stateAt(cell, cell.home())) {}
+      : plan_(plan), cell_(cell), tooling_(tooling), options_(options),
+        // The cell has the head of the first tool.
+        collision_(cell, tooling.first().process), scene_{plan, cell,     collision_,
+                                                          part, options_, leversOf(plan, cell)},
+        planner_(scene_, tooling), home_(stateAt(cell, cell.home())) {}
 
   MotionResult plan(const base::RunContext& ctx, double mostLeftOut) {
     base::Stopwatch watch;
@@ -263,12 +264,21 @@ private:
     result_.times.collision += watch.seconds();
   }
 
+  // Returns the process that limits a transfer: that of its tool.
+  const process::Process& processOfWay(const Sequence& sequence, std::size_t way) const {
+    const auto toolOf = [&](const Run& run) { return plan_.paths[run.path].tool; };
+    const bool begins = way > 0, ends = way < sequence.runs.size();
+    if (begins && ends && toolOf(sequence.runs[way - 1]) == toolOf(sequence.runs[way]))
+      return tooling_.at(toolOf(sequence.runs[way])).process;
+    // From home, to home and between two tools no single tool is in use: as the first one.
+    return tooling_.first().process;
+  }
+
   void assemble(const Sequence& sequence, const base::RunContext& ctx) {
     result_.trajectory = {};
     result_.trajectory.dof = cell_.dof();
     result_.statistics = {};
     result_.statistics.maxJerk.assign(static_cast<std::size_t>(cell_.dof()), 0.0);
-    const TimingLimits limits = timingLimits(cell_, process_);
     const std::size_t runs = sequence.runs.size(), ways = sequence.ways.size();
     std::vector<std::vector<double>> runTimes(runs), wayTimes(ways);
     std::vector<JerkMeasure> jerks(runs), jerksBefore(runs);
@@ -276,14 +286,17 @@ private:
       for (std::size_t i = b; i < e; ++i) {
         if (i < runs) {
           const Run& run = sequence.runs[i];
+          const TimingLimits limits =
+              timingLimits(cell_, tooling_.of(plan_.paths[run.path]).process);
           runTimes[i] = timesOf(timedPoints(cell_, run.points), limits);
           jerks[i] = jerkOf(jointsOf(run.points), runTimes[i], limits.joints);
           jerksBefore[i] = jerkOf(run.ladder, runTimes[i], limits.joints);
         }
         if (i < ways) {
           const RobotState& from = i == 0 ? home_ : sequence.runs[i - 1].points.back().at;
-          wayTimes[i] =
-              timesOf(timedPoints(from, sequence.ways[i], process_.travelSpeedMmPerS), limits);
+          const process::Process& process = processOfWay(sequence, i);
+          wayTimes[i] = timesOf(timedPoints(from, sequence.ways[i], process.travelSpeedMmPerS),
+                                timingLimits(cell_, process));
         }
       }
     });
@@ -434,7 +447,7 @@ private:
 
   const plan::ToolPlan& plan_;
   const robot::Cell& cell_;
-  const process::Process& process_;
+  const process::Tooling tooling_;
   const MotionOptions options_;
   collision::CellCollision collision_;
   MotionScene scene_;
@@ -452,7 +465,7 @@ private:
 };
 
 MotionPlanner::MotionPlanner(const plan::ToolPlan& plan, const robot::Cell& cell,
-                             const process::Process& process, const collision::GrowingPart& part,
+                             const process::Tooling& tooling, const collision::GrowingPart& part,
                              const MotionOptions& options) {
   base::require(plan.direction.size() == plan.waypointCount() &&
                     plan.speedMmPerS.size() == plan.waypointCount(),
@@ -461,7 +474,7 @@ MotionPlanner::MotionPlanner(const plan::ToolPlan& plan, const robot::Cell& cell
   for (const plan::ToolPath& path : plan.paths)
     base::require(path.count >= 1 && path.first + path.count <= plan.waypointCount(),
                   "paths inside the plan");
-  work_ = std::make_unique<Work>(plan, cell, process, part, options);
+  work_ = std::make_unique<Work>(plan, cell, tooling, part, options);
 }
 
 MotionPlanner::~MotionPlanner() = default;

@@ -133,7 +133,7 @@ plan::Trajectory partOf(const plan::Trajectory& t, std::size_t first, std::size_
 
 std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
                                 const plan::ToolPlan& plan, const robot::Cell& cell,
-                                const process::Process& process, const collision::GrowingPart& part,
+                                const process::Tooling& tooling, const collision::GrowingPart& part,
                                 const MotionOptions& options, const base::RunContext& ctx) {
   base::require(point + 1 < t.pointCount() && t.move[point + 1] == MoveKind::Print &&
                     t.waypoint[point] < plan.waypointCount(),
@@ -143,7 +143,9 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   const auto path = static_cast<std::size_t>(plan::pathOf(plan, waypoint) - plan.paths.data());
   // Includes the whole path, so also the beads already printed by the interrupted run.
   const PrintedBounds surround = printedBoundsOf(plan)[path + 1];
-  const collision::CellCollision collision(cell, process);
+  // The cell has the head of the first tool, and travels from and to home are as with that tool.
+  const process::Process& first = tooling.first().process;
+  const collision::CellCollision collision(cell, first);
   const MotionScene scene{plan, cell, collision, part, options, leversOf(plan, cell)};
   const RobotState start = stateAt(cell, jointsAt(t, point));
   const RobotState home = stateAt(cell, homeAfter(cell, start.q));
@@ -156,14 +158,14 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   if (!way)
     return std::nullopt;
 
-  const TimingLimits limits = timingLimits(cell, process);
+  const TimingLimits limits = timingLimits(cell, first);
   Resumed resumed;
   plan::Trajectory& all = resumed.trajectory;
   all = partOf(t, 0, point + 1);
-  appendWay(all, start, reversed(*way, home), plan::kNoWaypoint, process.travelSpeedMmPerS, limits);
+  appendWay(all, start, reversed(*way, home), plan::kNoWaypoint, first.travelSpeedMmPerS, limits);
   resumed.firstPoint = all.pointCount();
   append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
-  appendWay(all, home, *way, waypoint, process.travelSpeedMmPerS, limits);
+  appendWay(all, home, *way, waypoint, first.travelSpeedMmPerS, limits);
 
   std::size_t end = point + 1; // End of the run
   while (end < t.pointCount() && t.move[end] == MoveKind::Print)
@@ -174,7 +176,9 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
                                  [](const robot::ExternalAxis& axis) { return axis.step > 0.0; });
   const bool cut = t.move[point] == MoveKind::Print && !steps;
   const std::vector<double> fromRest =
-      cut ? timesFromRest(t, point, end, plan, cell, limits) : std::vector<double>();
+      cut ? timesFromRest(t, point, end, plan, cell,
+                          timingLimits(cell, tooling.of(plan.paths[path]).process))
+          : std::vector<double>();
   double shift = all.timeS.back() - t.timeS[point];
   const double begun = all.timeS.back();
   for (std::size_t i = point + 1; i < t.pointCount(); ++i) {

@@ -5,7 +5,7 @@
 #include "motion/motion_options.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "robot/cell.h"
 
 #include <cstddef>
@@ -47,7 +47,7 @@ struct Resumed {
 // grown from `plan`, the trajectory moves along it, and is the cell's. Throws Cancelled.
 std::optional<Resumed> resumeAt(const plan::Trajectory& trajectory, std::size_t point,
                                 const plan::ToolPlan& plan, const robot::Cell& cell,
-                                const process::Process& process, const collision::GrowingPart& part,
+                                const process::Tooling& tooling, const collision::GrowingPart& part,
                                 const MotionOptions& options, const base::RunContext& ctx);
 
 } // namespace voluta::motion

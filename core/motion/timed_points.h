@@ -14,6 +14,7 @@ struct Process;
 
 namespace voluta::motion {
 
+// Returns the limits of motions with that process.
 TimingLimits timingLimits(const robot::Cell& cell, const process::Process& process);
 
 // Returns the joints of a run's points, with external axes as if they had no steps.

@@ -50,9 +50,9 @@ Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
 class Orienter {
 public:
   Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear, const HeadClearance& head,
-           const process::Process& process, const ToolpathOptions& o, const MayMiss& mayMiss,
+           const process::Tooling& tooling, const ToolpathOptions& o, const MayMiss& mayMiss,
            const base::RunContext& ctx)
-      : plan_(plan), clear_(clear), process_(process), o_(o), mayMiss_(mayMiss), ctx_(ctx),
+      : plan_(plan), clear_(clear), tooling_(tooling), o_(o), mayMiss_(mayMiss), ctx_(ctx),
         head_(head) {
     middle_.resize(plan.waypointCount());
     for (std::size_t i = 0; i < middle_.size(); ++i)
@@ -63,7 +63,7 @@ public:
   // nullptr: they are deposited here.
   OrientResult run(bool drawsIn, std::shared_ptr<const collision::GrowingPart> part) {
     if (!part) {
-      const double pitch = collision::growingPitch(plan_, process_);
+      const double pitch = collision::growingPitch(plan_, tooling_);
       part = std::make_shared<const collision::GrowingPart>(
           plan_, pitch, ctx_, collision::groundCells(o_.platform, pitch, ctx_));
     }
@@ -79,7 +79,7 @@ public:
     OrientResult r;
     r.plan = subdivided();
     if (r.plan.position != plan_.position || r.plan.direction != plan_.direction)
-      part = collision::regrown(r.plan, *part, plan_, process_, ctx_);
+      part = collision::regrown(r.plan, *part, plan_, tooling_, ctx_);
     judge(r, *part);
     r.grown = std::move(part);
     return r;
@@ -127,24 +127,24 @@ private:
     std::vector<char> hanging =
         unsupportedWaypoints(plan_, part, o_.platform, ctx_, kMinSupportedSamples);
     const std::vector<Vector3d> moves =
-        insetUnsupportedWalls(plan_, hanging, part, o_.platform, process_, ctx_);
+        insetUnsupportedWalls(plan_, hanging, part, o_.platform, tooling_, ctx_);
     for (std::size_t i = 0; i < moves.size(); ++i) {
       middle_[i] += moves[i];
       moved_[i] = !moves[i].isZero();
       hanging[i] = hanging[i] && !moved_[i];
     }
-    if (!canBrace(plan_, hanging, process_))
+    if (!canBrace(plan_, hanging, tooling_))
       return;
     if (std::ranges::find(moved_, 1) == moved_.end()) {
-      leant_ = tiltUnsupportedBeads(plan_, hanging, part, o_.platform, process_, ctx_);
+      leant_ = tiltUnsupportedBeads(plan_, hanging, part, o_.platform, tooling_, ctx_);
       return;
     }
     ToolPlan drawn = plan_;
     for (std::size_t i = 0; i < moves.size(); ++i)
       drawn.position[i] += moves[i];
     leant_ = tiltUnsupportedBeads(drawn, hanging,
-                                  *collision::regrown(drawn, part, plan_, process_, ctx_),
-                                  o_.platform, process_, ctx_);
+                                  *collision::regrown(drawn, part, plan_, tooling_, ctx_),
+                                  o_.platform, tooling_, ctx_);
   }
 
   std::optional<Vector3d> firstClear(const collision::GrowingPart& part, std::size_t i,
@@ -347,7 +347,7 @@ private:
 
   const ToolPlan& plan_;
   const std::vector<Vector3d>& clear_;
-  const process::Process& process_;
+  const process::Tooling tooling_;
   const ToolpathOptions& o_;
   const MayMiss& mayMiss_;
   const base::RunContext ctx_;
@@ -359,7 +359,7 @@ private:
 } // namespace
 
 OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>& clearDirection,
-                              const robot::Cell& cell, const process::Process& process,
+                              const robot::Cell& cell, const process::Tooling& tooling,
                               const ToolpathOptions& options, const base::RunContext& ctx,
                               const MayMiss& mayMiss,
                               std::shared_ptr<const collision::GrowingPart> grown) {
@@ -369,13 +369,14 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   // Tilting moves tips and beads a little, and subdividing adds waypoints. Repeat for the waypoints
   // that are not clear afterwards, as long as their number decreases.
   constexpr int kRounds = 4;
-  const HeadClearance head(cell, process);
+  // The cell has the head of the first tool.
+  const HeadClearance head(cell, tooling.first().process);
   ToolPlan current = plan;
   std::vector<Vector3d> clear = clearDirection;
   OrientResult best;
   std::optional<plan::Finding> braces;
   for (int round = 0; round < kRounds; ++round) {
-    Orienter orienter(current, clear, head, process, options, mayMiss,
+    Orienter orienter(current, clear, head, tooling, options, mayMiss,
                       round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
     OrientResult result = orienter.run(round == 0, std::exchange(grown, {}));
     if (round == 0)
@@ -395,7 +396,7 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
     plan::RestOfPlan rest = plan::without(best.plan, missed);
     grown = best.grown;
     if (rest.waypoint.size() < best.plan.waypointCount())
-      grown = collision::regrown(rest.plan, *grown, best.plan, process, ctx);
+      grown = collision::regrown(rest.plan, *grown, best.plan, tooling, ctx);
     clear.clear();
     for (const std::size_t i : rest.waypoint)
       clear.push_back(ways[i]);

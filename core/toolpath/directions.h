@@ -4,7 +4,7 @@
 #include "collision/growing_part.h"
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
@@ -49,7 +49,7 @@ struct OrientResult {
 // deposited here. Precondition: sizes match. Throws Cancelled.
 OrientResult orientDirections(const plan::ToolPlan& plan,
                               const std::vector<Eigen::Vector3d>& clearDirection,
-                              const robot::Cell& cell, const process::Process& process,
+                              const robot::Cell& cell, const process::Tooling& tooling,
                               const ToolpathOptions& options, const base::RunContext& ctx,
                               const MayMiss& mayMiss = {},
                               std::shared_ptr<const collision::GrowingPart> grown = {});

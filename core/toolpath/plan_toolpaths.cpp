@@ -70,12 +70,13 @@ double distanceTo(const Bead& b, const Vector3d& from) {
 } // namespace
 
 Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
-                   const process::Process& process) {
+                   const process::Tooling& tooling) {
   base::require(covers.size() == stack.patches.size(), "one cover a patch");
   Assembled out;
   Vector3d here = Vector3d::Zero();
   for (std::size_t i = 0; i < covers.size(); ++i) {
     const auto& beads = covers[i].beads;
+    const process::Process& process = tooling.at(stack.patches[i].tool).process;
     std::vector<char> laid(beads.size(), 0);
     for (std::size_t done = 0; done < beads.size(); ++done) {
       int turn = std::numeric_limits<int>::max();
@@ -126,20 +127,21 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
 }
 
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
-                             const process::Process& process, const ToolpathOptions& options,
+                             const process::Tooling& tooling, const ToolpathOptions& options,
                              const base::RunContext& ctx) {
   ToolpathResult r;
   base::Stopwatch watch;
   const std::vector<std::vector<double>> wallWidths =
-      carriedWallWidths(stack, process, ctx.quiet());
+      carriedWallWidths(stack, tooling, ctx.quiet());
   std::vector<PatchCover> covers(stack.patches.size());
   const base::RunContext silent = ctx.quiet();
   base::parallelWithProgress(ctx, covers.size(), 0.6, "tool-paths"_text, [&](std::size_t i) {
-    covers[i] = coverPatch(stack.patches[i], process, options, silent, wallWidths[i]);
+    const layers::Patch& patch = stack.patches[i];
+    covers[i] = coverPatch(patch, tooling.at(patch.tool).process, options, silent, wallWidths[i]);
   });
-  Assembled assembled = assemble(stack, covers, process);
+  Assembled assembled = assemble(stack, covers, tooling);
   // Added here, so that the travel moves of the head account for the prime as for every bead.
-  if (auto falls = addPrimePath(assembled.plan, cell, process, options))
+  if (auto falls = addPrimePath(assembled.plan, cell, tooling, options))
     r.findings.push_back(std::move(*falls));
   if (assembled.plan.primes())
     assembled.clearDirection.insert(assembled.clearDirection.begin(),
@@ -149,7 +151,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   if (options.rimSupports) {
     RimSupportedPlan under =
         addRimSupports(std::move(assembled.plan), std::move(assembled.clearDirection),
-                       options.platform, cell, process, silent);
+                       options.platform, cell, tooling, silent);
     assembled.plan = std::move(under.plan);
     assembled.clearDirection = std::move(under.clearDirection);
     grown = std::move(under.grown);
@@ -168,12 +170,12 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
            stack.patches[static_cast<std::size_t>(path.patch)].group != layers::kSupportGroup;
   };
   OrientResult oriented =
-      orientDirections(assembled.plan, assembled.clearDirection, cell, process, options,
+      orientDirections(assembled.plan, assembled.clearDirection, cell, tooling, options,
                        ctx.sub(0.6, 1.0), liesUnderRim, std::move(grown));
   r.seconds.orient = watch.seconds();
   r.plan = std::move(oriented.plan);
   r.grown = std::move(oriented.grown);
-  slowBridges(r.plan, oriented.hanging, process);
+  slowBridges(r.plan, oriented.hanging, tooling);
   std::ranges::move(oriented.findings, std::back_inserter(r.findings));
   if (told)
     r.findings.push_back(std::move(*told));

@@ -6,7 +6,7 @@
 #include "plan/finding.h"
 #include "plan/statistics.h"
 #include "plan/tool_plan.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "robot/cell.h"
 #include "toolpath/coverage/cover_patch.h"
 #include "toolpath/options.h"
@@ -34,23 +34,24 @@ struct ToolpathResult {
 
 // The beads of all patches in one plan, in the stack's order of patches. Within a patch: walls from
 // outside inwards, infill, gap fill, in nearest-neighbour order; closed beads start at their point
-// nearest to the end of the last bead. Directions are those of the patches.
+// nearest to the end of the last bead. Directions are those of the patches, speeds those of the
+// patches' tools.
 struct Assembled {
   plan::ToolPlan plan;
   std::vector<Eigen::Vector3d> clearDirection; // per waypoint
   double travelMm = 0.0;
 };
 Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
-                   const process::Process& process);
+                   const process::Tooling& tooling);
 
-// Runs coverPatch for every patch, assemble and orientDirections. Precondition: process is the
-// cell's. Throws Cancelled, Error{Usage}. Example:
+// Runs coverPatch for every patch, assemble and orientDirections. Precondition: the process of the
+// first tool is the cell's. Throws Cancelled, Error{Usage}. Example:
 //   toolpath::ToolpathOptions options;
 //   options.platform = plate;
 //   const toolpath::ToolpathResult made =
 //       toolpath::planToolpaths(stack, cell, process, options, ctx);
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
-                             const process::Process& process, const ToolpathOptions& options,
+                             const process::Tooling& tooling, const ToolpathOptions& options,
                              const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

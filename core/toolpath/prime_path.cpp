@@ -115,7 +115,7 @@ bool hasRoomForPrime(const std::vector<Vector2d>& plate, const std::vector<Vecto
 }
 
 std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell,
-                                          const process::Process& process,
+                                          const process::Tooling& tooling,
                                           const ToolpathOptions& options) {
   const robot::Prism* plate = robot::plateOf(cell);
   if (options.prime == "none" || plan.paths.empty() || !plate || options.platform.mesh ||
@@ -124,6 +124,8 @@ std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cel
   const PrimePlace place = primePlace(plate->polygon, plan.position,
                                       cell.work_T_tool(cell.home()).translation().head<2>(),
                                       options.prime == "skirt", options.primeLengthMm);
+  // It fills the nozzle of the tool that the job begins with.
+  const process::Process& process = tooling.first().process;
   const double height = process.layerHeightMm, width = process.beadWidthMm;
   const double z = place.onPlate ? height : kPrimeAboveMm;
   std::vector<Vector3d> points;
@@ -153,6 +155,7 @@ std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cel
   path.layer = plan.paths.front().layer;
   path.patch = plan.paths.front().patch;
   path.group = plan.paths.front().group;
+  path.item = plan.paths.front().item;
   path.closed = place.corners.size() > 2;
   path.kind = path.closed ? plan::PathKind::Skirt : plan::PathKind::Prime;
   plan.paths.insert(plan.paths.begin(), path);

@@ -4,7 +4,7 @@
 
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "robot/cell.h"
 #include "toolpath/options.h"
 
@@ -36,11 +36,12 @@ PrimePlace primePlace(const std::vector<Eigen::Vector2d>& plate,
 bool hasRoomForPrime(const std::vector<Eigen::Vector2d>& plate,
                      const std::vector<Eigen::Vector3d>& positions, bool skirt, double lengthMm);
 
-// Puts the bead before all other paths: a ring as PathKind::Skirt, a line as PathKind::Prime. Does
-// nothing if options.prime is "none", the plan has no path, or the platform is no plate. Returns a
-// finding with the place if the bead falls because the plate has no room for it.
+// Puts the bead before all other paths, printed with the first tool: a ring as PathKind::Skirt, a
+// line as PathKind::Prime. Does nothing if options.prime is "none", the plan has no path, or the
+// platform is no plate. Returns a finding with the place if the bead falls because the plate has no
+// room for it.
 std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell,
-                                          const process::Process& process,
+                                          const process::Tooling& tooling,
                                           const ToolpathOptions& options);
 
 } // namespace voluta::toolpath

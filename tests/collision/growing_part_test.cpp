@@ -267,6 +267,23 @@ TEST(GrowingPart, ThinLayersGetFinerCells) {
   EXPECT_GT(collision::growingPitch(plan, p), 0.7);
 }
 
+TEST(GrowingPart, TheFinestToolOfThePathsDecidesTheCells) {
+  process::Tool coarse, fine;
+  fine.process.layerHeightMm = 0.2;
+  const process::Tooling tooling({coarse, fine});
+  plan::ToolPlan plan;
+  addPath(plan, {{0, 0, 0.8}, {10, 0, 0.8}}, Vector3d::UnitZ());
+  addPath(plan, {{0, 5, 0.8}, {10, 5, 0.8}}, Vector3d::UnitZ());
+  const double usual = collision::growingPitch(plan, coarse.process);
+  EXPECT_EQ(collision::growingPitch(plan, tooling), usual); // no path uses the other one
+  plan.paths.back().tool = 1;
+  EXPECT_EQ(collision::growingPitch(plan, tooling), 0.1);
+  plan.paths.back().tool = 2;
+  EXPECT_THROW(collision::growingPitch(plan, tooling), base::Error);
+  plan.paths.clear();
+  EXPECT_EQ(collision::growingPitch(plan, tooling), usual);
+}
+
 TEST(GrowingPart, Cancel) {
   const base::CancelToken cancel;
   cancel.cancel();

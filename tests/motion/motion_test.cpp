@@ -241,6 +241,57 @@ TEST(Motion, SameForAnyNumberOfThreads) {
   EXPECT_EQ(one.result.statistics.minClearanceMm, two.result.statistics.minClearanceMm);
 }
 
+// Two rings each with one of two tools: a tool that may do less needs longer for its own rings.
+TEST(Motion, EachToolMovesByItsProcess) {
+  auto plan = test::cylinder(15, 4);
+  process::Tool first, second;
+  first.process = process::loadProcess("fdm-1.0");
+  second.process = first.process;
+  second.process.accelerationMmPerS2 = 0.2 * first.process.accelerationMmPerS2;
+  second.process.travelSpeedMmPerS = 0.1 * first.process.travelSpeedMmPerS;
+  const process::Tooling two({first, second});
+  const robot::Cell cell = robot::loadCell("ur5-fixed", first.process, test::disc(20));
+  const collision::GrowingPart part(plan, 0.45, {});
+  const auto planned = [&](const process::Tooling& tooling) {
+    return motion::MotionPlanner(plan, cell, tooling, part, {}).plan({}).trajectory;
+  };
+  const plan::Trajectory usual = planned(first.process), same = planned(two);
+  EXPECT_EQ(same.timeS, usual.timeS); // no path uses the second one
+  EXPECT_EQ(same.joints, usual.joints);
+
+  plan.paths[2].tool = plan.paths[3].tool = 1;
+  const plan::Trajectory slower = planned(two);
+  // Seconds from the first to the last waypoint of a path, and from there to the next path.
+  const auto timesOf = [&](const plan::Trajectory& t, std::size_t path) {
+    double begin = -1.0, end = 0.0, next = -1.0;
+    for (std::size_t i = 0; i < t.pointCount(); ++i) {
+      if (t.waypoint[i] == plan::kNoWaypoint)
+        continue;
+      const std::size_t w = t.waypoint[i], from = plan.paths[path].first;
+      if (w == from)
+        begin = t.timeS[i];
+      if (w == from + plan.paths[path].count - 1)
+        end = t.timeS[i];
+      if (w == from + plan.paths[path].count && next < 0.0)
+        next = t.timeS[i];
+    }
+    return std::pair(end - begin, next - end);
+  };
+  for (const std::size_t path : {0, 1, 2, 3}) {
+    const auto [printUsual, travelUsual] = timesOf(usual, path);
+    const auto [print, travel] = timesOf(slower, path);
+    if (path < 2) { // the transfer after the second path leads from tool to tool
+      EXPECT_NEAR(print, printUsual, 1e-9) << path;
+      EXPECT_NEAR(travel, travelUsual, 1e-9) << path;
+    } else {
+      EXPECT_GT(print, printUsual + 0.05) << path;
+    }
+    if (path == 2) {
+      EXPECT_GT(travel, 1.5 * travelUsual);
+    }
+  }
+}
+
 // Far out of reach: nothing is printed, and it is said where and why.
 TEST(Motion, OutOfReachIsNamed) {
   auto plan = test::cylinder(15, 2);

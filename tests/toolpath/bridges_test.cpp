@@ -83,3 +83,19 @@ TEST(Bridges, AreLaidSlowly) {
   const std::vector<float> expected{20, 20, 20, 20, slow, slow, 3, slow, 20, 20, 20};
   EXPECT_EQ(plan.speedMmPerS, expected);
 }
+
+TEST(Bridges, AreAsSlowAsTheirToolNeeds) {
+  process::Tool first, second;
+  first.process = second.process = kProcess;
+  second.process.bridgeSpeedMmPerS = 2.0;
+  plan::ToolPlan plan;
+  addPath(plan, 0, 5, 0, 0.8, 0);
+  addPath(plan, 0, 5, 5, 0.8, 0);
+  plan.paths.back().tool = 1;
+  toolpath::slowBridges(plan, std::vector<char>(plan.waypointCount(), 1),
+                        process::Tooling({first, second}));
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      EXPECT_EQ(plan.speedMmPerS[i],
+                path.tool == 1 ? 2.0f : static_cast<float>(kProcess.bridgeSpeedMmPerS));
+}

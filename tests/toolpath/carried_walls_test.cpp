@@ -144,6 +144,29 @@ TEST(CarriedWallWidths, LeaveSupportsAndSeams) {
   }
 }
 
+TEST(CarriedWallWidths, AndBeadsAreThoseOfThePatchsTool) {
+  process::Tool first, second;
+  second.process.beadWidthMm = 1.6;
+  second.process.speedMmPerS = 3.0;
+  const process::Tooling tooling({first, second});
+  layers::LayerStack stack = stackOf({{test::circle(12.0)}, {test::circle(12.0)}});
+  stack.patches[1].tool = 1;
+  const auto widths = toolpath::carriedWallWidths(stack, tooling, {});
+  for (std::size_t p = 0; p < 2; ++p)
+    for (const double w : widths[p])
+      EXPECT_DOUBLE_EQ(w, tooling.at(static_cast<int>(p)).process.beadWidthMm);
+  std::vector<toolpath::PatchCover> covers;
+  for (std::size_t p = 0; p < 2; ++p)
+    covers.push_back(toolpath::coverPatch(
+        stack.patches[p], tooling.at(stack.patches[p].tool).process, {}, {}, widths[p]));
+  const plan::ToolPlan plan = toolpath::assemble(stack, covers, tooling).plan;
+  for (const plan::ToolPath& path : plan.paths) {
+    EXPECT_EQ(path.tool, path.patch);
+    for (std::size_t i = path.first; i < path.first + path.count; ++i)
+      EXPECT_EQ(plan.speedMmPerS[i] <= 3.0f, path.tool == 1);
+  }
+}
+
 // A wall that is wider than the others keeps its width and its place, and the beads still tile.
 TEST(CarriedWalls, WideWallsTile) {
   const process::Process process;

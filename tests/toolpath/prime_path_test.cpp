@@ -108,6 +108,23 @@ TEST(PrimePath, isTheFirstOfThePlanAndWaste) {
   EXPECT_EQ(plan.position[31], corners(40)[0]);
 }
 
+TEST(PrimePath, isPrintedWithTheFirstTool) {
+  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+  process::Tool first, second;
+  first.process = process::loadProcess("fdm-1.0");
+  second.process = first.process;
+  second.process.layerHeightMm = 0.5;
+  plan::ToolPlan plan = onePath();
+  plan.paths.front().tool = plan.paths.front().item = 1;
+  ToolpathOptions options;
+  options.prime = "line";
+  addPrimePath(plan, robot::loadCell("ur5-moving", first.process, square(200)),
+               process::Tooling({first, second}), options);
+  EXPECT_EQ(plan.paths[0].tool, 0);
+  EXPECT_EQ(plan.paths[0].item, 1);
+  EXPECT_EQ(plan.heightMm[0], static_cast<float>(first.process.layerHeightMm));
+}
+
 // What falls is told, where it falls; what lies on the plate is no news.
 TEST(PrimePath, tellsWhereItFalls) {
   setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);

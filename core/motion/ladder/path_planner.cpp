@@ -355,7 +355,9 @@ void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
                        const RobotState& from, const base::RunContext& ctx, std::vector<Run>& runs,
                        std::vector<Refused>& refused) {
   RobotState last = from;
-  const RunSmoothing smoothing{scene_, scene_.twists, limits_};
+  const TimingLimits limits =
+      timingLimits(scene_.cell, tooling_.of(scene_.plan.paths[path]).process);
+  const RunSmoothing smoothing{scene_, scene_.twists, limits};
   std::size_t done = 0;
   while (done < count) {
     ctx.checkpoint();

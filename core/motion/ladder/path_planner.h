@@ -6,7 +6,7 @@
 #include "motion/motion_scene.h"
 #include "motion/refusal.h"
 #include "motion/run.h"
-#include "motion/timing.h"
+#include "process/tooling.h"
 
 #include <cstddef>
 #include <utility>
@@ -20,8 +20,9 @@ namespace voluta::motion {
 
 class PathPlanner {
 public:
-  PathPlanner(const MotionScene& scene, TimingLimits limits)
-      : scene_(scene), limits_(std::move(limits)) {}
+  // `scene` must outlive the planner.
+  PathPlanner(const MotionScene& scene, process::Tooling tooling)
+      : scene_(scene), tooling_(std::move(tooling)) {}
 
   // Plans waypoints [first, first + count) of path `path`, none of which the head refuses,
   // continuing from `from`. Appends the printed runs (usually one) and the refused waypoints. A run
@@ -35,7 +36,7 @@ public:
 
 private:
   const MotionScene& scene_;
-  TimingLimits limits_;
+  process::Tooling tooling_;
   PathTimes times_;
 };
 

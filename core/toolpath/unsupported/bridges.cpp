@@ -136,13 +136,14 @@ std::vector<UnsupportedStretch> hangingStretches(const plan::ToolPlan& plan,
 }
 
 void slowBridges(plan::ToolPlan& plan, const std::vector<char>& hanging,
-                 const process::Process& process) {
+                 const process::Tooling& tooling) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
-  const auto most = static_cast<float>(process.bridgeSpeedMmPerS);
-  for (const plan::ToolPath& path : plan.paths)
+  for (const plan::ToolPath& path : plan.paths) {
+    const auto most = static_cast<float>(tooling.of(path).process.bridgeSpeedMmPerS);
     for (std::size_t i = path.first; i < path.first + path.count; ++i)
       if (hanging[i] || (i > path.first && hanging[i - 1]))
         plan.speedMmPerS[i] = std::min(plan.speedMmPerS[i], most);
+  }
 }
 
 } // namespace voluta::toolpath

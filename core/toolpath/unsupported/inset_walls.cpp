@@ -20,14 +20,14 @@ constexpr double kSlope = 0.25;  // mm per mm along the path
 class Drawer {
 public:
   Drawer(const plan::ToolPlan& plan, const collision::GrowingPart& part,
-         const platform::PlatformSolid& platform, const process::Process& process)
-      : plan_(plan), part_(part), platform_(platform), process_(process) {}
+         const platform::PlatformSolid& platform, const process::Tooling& tooling)
+      : plan_(plan), part_(part), platform_(platform), tooling_(tooling) {}
 
   // Sets the moves of a path's waypoints.
   void draw(const plan::ToolPath& path, const std::vector<char>& hanging,
             std::vector<Vector3d>& moves) const {
     for (const UnsupportedStretch& stretch :
-         hangingStretches(plan_, path, hanging, 0.5 * process_.bridgeMm))
+         hangingStretches(plan_, path, hanging, 0.5 * tooling_.of(path).process.bridgeMm))
       draw(path, stretch, moves);
   }
 
@@ -37,7 +37,7 @@ private:
   double least(const plan::ToolPath& path, std::size_t i, int side) const {
     const int steps = static_cast<int>(kMost / kStep);
     for (int k = 1; k <= steps; ++k) {
-      const double aside = k * kStep * process_.beadWidthMm;
+      const double aside = k * kStep * tooling_.of(path).process.beadWidthMm;
       const Vector3d tip = plan_.position[i] + side * aside * sideOf(plan_, path, i);
       if (supportedSamples(plan_, path, i, tip, plan_.direction[i], part_, platform_,
                            kMinSupportedSamples) >= kMinSupportedSamples)
@@ -66,7 +66,7 @@ private:
   const plan::ToolPlan& plan_;
   const collision::GrowingPart& part_;
   const platform::PlatformSolid& platform_;
-  const process::Process& process_;
+  const process::Tooling tooling_;
 };
 
 } // namespace
@@ -74,10 +74,10 @@ private:
 std::vector<Vector3d>
 insetUnsupportedWalls(const plan::ToolPlan& plan, const std::vector<char>& hanging,
                       const collision::GrowingPart& part, const platform::PlatformSolid& platform,
-                      const process::Process& process, const base::RunContext& ctx) {
+                      const process::Tooling& tooling, const base::RunContext& ctx) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
   std::vector<Vector3d> moves(plan.waypointCount(), Vector3d::Zero());
-  const Drawer drawer(plan, part, platform, process);
+  const Drawer drawer(plan, part, platform, tooling);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p)
       if (plan.paths[p].kind == plan::PathKind::Wall)

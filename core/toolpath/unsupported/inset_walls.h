@@ -4,7 +4,7 @@
 #include "collision/growing_part.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "toolpath/unsupported/bridges.h"
 
 #include <Eigen/Core>
@@ -27,6 +27,6 @@ namespace voluta::toolpath {
 std::vector<Eigen::Vector3d>
 insetUnsupportedWalls(const plan::ToolPlan& plan, const std::vector<char>& hanging,
                       const collision::GrowingPart& part, const platform::PlatformSolid& platform,
-                      const process::Process& process, const base::RunContext& ctx);
+                      const process::Tooling& tooling, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

@@ -68,33 +68,24 @@ struct Room {
   Vector3d foot = Vector3d::Zero(), nozzle = Vector3d::UnitZ();
 };
 
+// Finds room for support beads below one path.
 class Underlayer {
 public:
-  // `hanging`: unsupportedWaypoints() of the plan and its beads.
+  // `process`: of the path's tool; `before`: the first waypoint of its patch.
   Underlayer(const plan::ToolPlan& plan, const collision::GrowingPart& part,
-             const std::vector<char>& hanging, const platform::PlatformSolid& platform,
-             const robot::Cell& cell, const process::Process& process, const base::RunContext& ctx)
-      : plan_(plan), part_(part), hanging_(hanging), platform_(platform), process_(process),
-        head_(cell, process), ctx_(ctx) {}
+             const platform::PlatformSolid& platform, const HeadClearance& head,
+             const process::Process& process, const plan::ToolPath& path, std::size_t before)
+      : plan_(plan), part_(part), platform_(platform), head_(head), process_(process), path_(path),
+        before_(before) {}
 
-  // Returns the courses per path, from the lowest upwards.
-  std::map<std::size_t, std::vector<Course>> courses() const {
-    std::vector<std::vector<Course>> of(plan_.paths.size());
-    std::vector<std::size_t> patchFirst(plan_.paths.size()); // its first waypoint
-    for (std::size_t p = 0; p < plan_.paths.size(); ++p)
-      patchFirst[p] = beginsPatch(plan_, p) ? plan_.paths[p].first : patchFirst[p - 1];
-    base::parallelChunks(ctx_, of.size(), 1, [&](std::size_t b, std::size_t e) {
-      for (std::size_t p = b; p < e && !ctx_.cancelled(); ++p)
-        for (const UnsupportedStretch& s :
-             hangingStretches(plan_, plan_.paths[p], hanging_, 0.5 * process_.bridgeMm))
-          addCourses(p, s.begin, s.end, patchFirst[p], of[p]);
-    });
-    ctx_.checkpoint();
-    std::map<std::size_t, std::vector<Course>> result;
-    for (std::size_t p = 0; p < of.size(); ++p)
-      if (!of[p].empty())
-        result.emplace(p, std::move(of[p]));
-    return result;
+  // Returns the courses, from the lowest upwards. `hanging`: unsupportedWaypoints() of the plan and
+  // its beads.
+  std::vector<Course> courses(const std::vector<char>& hanging) const {
+    std::vector<Course> found;
+    for (const UnsupportedStretch& s :
+         hangingStretches(plan_, path_, hanging, 0.5 * process_.bridgeMm))
+      addCourses(s.begin, s.end, found);
+    return found;
   }
 
 private:
@@ -108,10 +99,9 @@ private:
     return plan_.position[i] - static_cast<double>(plan_.heightMm[i]) * plan_.direction[i];
   }
 
-  // Returns the distance from the bottom of a bead to the material printed before waypoint
-  // `before`, or the plate. 0 if there is none, or if later material, printed before waypoint i, is
-  // in between.
-  double gapBeneath(std::size_t i, std::size_t before) const {
+  // Returns the distance from the bottom of a bead to the material printed before the patch, or the
+  // plate. 0 if there is none, or if later material, printed before waypoint i, is in between.
+  double gapBeneath(std::size_t i) const {
     const Vector3d& d = plan_.direction[i];
     const Vector3d bottom = bottomOf(i);
     const double most = kSlender * process_.beadWidthMaxMm;
@@ -119,7 +109,7 @@ private:
     const double pitch = part_.grid().pitch, step = 0.25 * pitch;
     for (double depth = 0.5 * step; depth <= std::min(most, plate); depth += step) {
       const Vector3d at = bottom - depth * d;
-      if (part_.holds(at, before))
+      if (part_.holds(at, before_))
         return depth > pitch ? depth - 0.5 * step : 0.0;
       if (part_.holds(at, i))
         return 0.0;
@@ -130,9 +120,9 @@ private:
                : 0.0;
   }
 
-  Room roomBeneath(std::size_t i, std::size_t before) const {
+  Room roomBeneath(std::size_t i) const {
     const Vector3d& d = plan_.direction[i];
-    const double gap = gapBeneath(i, before);
+    const double gap = gapBeneath(i);
     const double least = kLeastShare * process_.layerHeightMinMm;
     const double apart = gap - kBreakShare * static_cast<double>(plan_.heightMm[i]);
     Room room{apart >= least ? apart : gap, bottomOf(i) - gap * d};
@@ -142,26 +132,26 @@ private:
   }
 
   // Returns whether the head is clear for the lowest and for the highest support bead in the space.
-  bool clears(const Room& room, std::size_t i, std::size_t before) const {
+  bool clears(const Room& room, std::size_t i) const {
     const Vector3d& d = plan_.direction[i];
     const double lowest = std::min(room.mm, process_.layerHeightMaxMm);
     const auto at = [&](double from, double to) {
       return head_.clears(part_,
                           room.foot + 0.5 * (from + to) * d +
                               0.5 * (to - from) * d.dot(room.nozzle) * room.nozzle,
-                          room.nozzle, before);
+                          room.nozzle, before_);
     };
     return room.nozzle.dot(d) >= kUpright && at(0.0, lowest) && at(room.mm - lowest, room.mm);
   }
 
   // Returns candidate nozzle directions over a stretch, best first: upright, as for the supported
   // bead, tilted to either side of the path.
-  std::vector<std::vector<Vector3d>> nozzles(std::size_t path, std::size_t b, std::size_t e) const {
+  std::vector<std::vector<Vector3d>> nozzles(std::size_t b, std::size_t e) const {
     std::vector<std::vector<Vector3d>> ways(2 + kLeansDeg.size());
     for (std::size_t i = b; i < e; ++i) {
       ways[0].push_back(Vector3d::UnitZ());
       ways[1].push_back(plan_.direction[i]);
-      const Vector3d side = sideOf(plan_, plan_.paths[path], i);
+      const Vector3d side = sideOf(plan_, path_, i);
       const Vector3d level = Vector3d(side.x(), side.y(), 0.0);
       for (std::size_t k = 0; k < kLeansDeg.size(); ++k) {
         const double lean = base::degreesToRadians(kLeansDeg[k]);
@@ -179,21 +169,20 @@ private:
   }
 
   // Returns the spaces below a stretch, with the nozzle direction for which most of them are clear.
-  std::vector<Room> roomsBeneath(std::size_t path, std::size_t b, std::size_t e,
-                                 std::size_t before) const {
+  std::vector<Room> roomsBeneath(std::size_t b, std::size_t e) const {
     std::vector<Room> rooms(e - b), best(e - b);
     std::size_t any = 0, most = 0;
     for (std::size_t i = b; i < e; ++i)
-      any += (rooms[i - b] = roomBeneath(i, before)).mm > 0.0 ? 1 : 0;
+      any += (rooms[i - b] = roomBeneath(i)).mm > 0.0 ? 1 : 0;
     if (any == 0)
       return best;
-    for (const std::vector<Vector3d>& way : nozzles(path, b, e)) {
+    for (const std::vector<Vector3d>& way : nozzles(b, e)) {
       std::vector<Room> clear(e - b);
       std::size_t count = 0;
       for (std::size_t i = b; i < e; ++i) {
         Room room = rooms[i - b];
         room.nozzle = way[i - b];
-        if (room.mm > 0.0 && clears(room, i, before)) {
+        if (room.mm > 0.0 && clears(room, i)) {
           clear[i - b] = room;
           ++count;
         }
@@ -208,9 +197,8 @@ private:
     return best;
   }
 
-  void addCourses(std::size_t path, std::size_t b, std::size_t e, std::size_t before,
-                  std::vector<Course>& to) const {
-    const std::vector<Room> room = roomsBeneath(path, b, e, before);
+  void addCourses(std::size_t b, std::size_t e, std::vector<Course>& to) const {
+    const std::vector<Room> room = roomsBeneath(b, e);
     const double thinnest = kLeastShare * process_.layerHeightMinMm;
     for (std::size_t s = b; s < e;) {
       double most = room[s - b].mm, least = most;
@@ -251,39 +239,66 @@ private:
 
   const plan::ToolPlan& plan_;
   const collision::GrowingPart& part_;
-  const std::vector<char>& hanging_;
   const platform::PlatformSolid& platform_;
+  const HeadClearance& head_;
   const process::Process& process_;
-  HeadClearance head_;
-  const base::RunContext& ctx_;
+  const plan::ToolPath& path_;
+  std::size_t before_;
 };
+
+// Returns the courses per path that has some. `hanging`: unsupportedWaypoints() of the plan and its
+// beads.
+std::map<std::size_t, std::vector<Course>>
+coursesOf(const plan::ToolPlan& plan, const collision::GrowingPart& part,
+          const std::vector<char>& hanging, const platform::PlatformSolid& platform,
+          const robot::Cell& cell, const process::Tooling& tooling, const base::RunContext& ctx) {
+  // The cell has the head of the first tool.
+  const HeadClearance head(cell, tooling.first().process);
+  std::vector<std::vector<Course>> of(plan.paths.size());
+  std::vector<std::size_t> patchFirst(plan.paths.size()); // its first waypoint
+  for (std::size_t p = 0; p < plan.paths.size(); ++p)
+    patchFirst[p] = beginsPatch(plan, p) ? plan.paths[p].first : patchFirst[p - 1];
+  base::parallelChunks(ctx, of.size(), 1, [&](std::size_t b, std::size_t e) {
+    for (std::size_t p = b; p < e && !ctx.cancelled(); ++p) {
+      const plan::ToolPath& path = plan.paths[p];
+      of[p] = Underlayer(plan, part, platform, head, tooling.of(path).process, path, patchFirst[p])
+                  .courses(hanging);
+    }
+  });
+  ctx.checkpoint();
+  std::map<std::size_t, std::vector<Course>> result;
+  for (std::size_t p = 0; p < of.size(); ++p)
+    if (!of[p].empty())
+      result.emplace(p, std::move(of[p]));
+  return result;
+}
 
 } // namespace
 
 RimSupportedPlan addRimSupports(plan::ToolPlan plan, std::vector<Vector3d> clearDirection,
                                 const platform::PlatformSolid& platform, const robot::Cell& cell,
-                                const process::Process& process, const base::RunContext& ctx) {
+                                const process::Tooling& tooling, const base::RunContext& ctx) {
   base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
   RimSupportedPlan out{std::move(plan), std::move(clearDirection)};
   if (platform.polygon.size() < 3 || platform.mesh || platform.rod || out.plan.paths.empty())
     return out;
   auto part = std::make_shared<const collision::GrowingPart>(
-      out.plan, collision::growingPitch(out.plan, process), ctx);
+      out.plan, collision::growingPitch(out.plan, tooling), ctx);
   const plan::ToolPlan laid = out.plan;
   std::vector<char> hanging = unsupportedWaypoints(out.plan, *part, platform, ctx);
-  const bool thickened = thickenUnsupported(out.plan, hanging, *part, process);
-  const auto courses = Underlayer(out.plan, *part, hanging, platform, cell, process, ctx).courses();
+  const bool thickened = thickenUnsupported(out.plan, hanging, *part, tooling);
+  const auto courses = coursesOf(out.plan, *part, hanging, platform, cell, tooling, ctx);
   for (const auto& [path, of] : courses)
     for (const Course& course : of)
       for (const std::size_t above : course.above)
         hanging[above] = 0;
-  const std::vector<OrderedPath> order = orderInsideOut(out.plan, hanging, process);
+  const std::vector<OrderedPath> order = orderInsideOut(out.plan, hanging, tooling);
   std::size_t inPlace = 0;
   while (inPlace < order.size() && order[inPlace] == OrderedPath{inPlace})
     ++inPlace;
   if (courses.empty() && inPlace == order.size()) {
     out.grown =
-        thickened ? collision::regrown(out.plan, *part, laid, process, ctx) : std::move(part);
+        thickened ? collision::regrown(out.plan, *part, laid, tooling, ctx) : std::move(part);
     return out;
   }
 
@@ -292,6 +307,7 @@ RimSupportedPlan addRimSupports(plan::ToolPlan plan, std::vector<Vector3d> clear
     const auto sectionOf = [&](float height) {
       return process::beadArea(course.widthMm, static_cast<double>(height));
     };
+    const process::Process& process = tooling.of(under).process;
     under.first = out.plan.waypointCount();
     under.count = course.tip.size();
     under.kind = plan::PathKind::Support;
@@ -347,7 +363,7 @@ RimSupportedPlan addRimSupports(plan::ToolPlan plan, std::vector<Vector3d> clear
     }
     out.plan.paths.push_back(same);
   }
-  out.grown = collision::regrown(out.plan, *part, laid, process, ctx);
+  out.grown = collision::regrown(out.plan, *part, laid, tooling, ctx);
   return out;
 }
 

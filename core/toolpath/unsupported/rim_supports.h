@@ -4,7 +4,7 @@
 #include "collision/growing_part.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "robot/cell.h"
 
 #include <Eigen/Core>
@@ -44,6 +44,6 @@ struct RimSupportedPlan {
 // direction per waypoint. On bodies and rods the plan is returned unchanged. Throws Cancelled.
 RimSupportedPlan addRimSupports(plan::ToolPlan plan, std::vector<Eigen::Vector3d> clearDirection,
                                 const platform::PlatformSolid& platform, const robot::Cell& cell,
-                                const process::Process& process, const base::RunContext& ctx);
+                                const process::Tooling& tooling, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

@@ -136,7 +136,7 @@ double carriedWidth(const std::vector<char>& isCarried, double sampleMm,
 }
 
 std::vector<std::vector<double>> carriedWallWidths(const layers::LayerStack& stack,
-                                                   const process::Process& process,
+                                                   const process::Tooling& tooling,
                                                    const base::RunContext& ctx) {
   std::vector<Eigen::AlignedBox3d> around;
   for (const layers::Patch& patch : stack.patches)
@@ -145,7 +145,7 @@ std::vector<std::vector<double>> carriedWallWidths(const layers::LayerStack& sta
   std::vector<std::vector<double>> widths(stack.patches.size());
   base::parallelChunks(ctx, widths.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
-      widths[p] = Rim(stack, p, query, process).widths();
+      widths[p] = Rim(stack, p, query, tooling.at(stack.patches[p].tool).process).widths();
   });
   return widths;
 }

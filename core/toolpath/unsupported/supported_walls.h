@@ -2,7 +2,7 @@
 #pragma once
 
 #include "layers/layer_stack.h"
-#include "process/process.h"
+#include "process/tooling.h"
 
 #include <vector>
 
@@ -21,10 +21,10 @@ double carriedWidth(const std::vector<char>& isCarried, double sampleMm,
 
 // Returns per patch and vertex the width of the outermost wall [mm] at which half of it rests on
 // patches of earlier layers. The usual width at inner vertices, on seams, on supports and where no
-// earlier patch is near: on the first layer, and where a patch begins in the air. Precondition:
-// print order. Throws Cancelled.
+// earlier patch is near: on the first layer, and where a patch begins in the air. Widths are those
+// of the patch's tool. Precondition: print order. Throws Cancelled.
 std::vector<std::vector<double>> carriedWallWidths(const layers::LayerStack& stack,
-                                                   const process::Process& process,
+                                                   const process::Tooling& tooling,
                                                    const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

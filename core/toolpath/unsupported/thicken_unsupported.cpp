@@ -44,10 +44,11 @@ std::vector<double> steadied(const std::vector<double>& by) {
 } // namespace
 
 bool thickenUnsupported(plan::ToolPlan& plan, std::vector<char>& hanging,
-                        const collision::GrowingPart& part, const process::Process& process) {
+                        const collision::GrowingPart& part, const process::Tooling& tooling) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
   bool any = false;
-  for (const plan::ToolPath& path : plan.paths)
+  for (const plan::ToolPath& path : plan.paths) {
+    const process::Process& process = tooling.of(path).process;
     for (const UnsupportedStretch& s :
          hangingStretches(plan, path, hanging, 0.5 * process.bridgeMm)) {
       const std::vector<double> by = steadied(reachDown(plan, s, part, process.layerHeightMaxMm));
@@ -64,6 +65,7 @@ bool thickenUnsupported(plan::ToolPlan& plan, std::vector<char>& hanging,
         any = true;
       }
     }
+  }
   return any;
 }
 

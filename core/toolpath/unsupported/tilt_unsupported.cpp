@@ -35,10 +35,10 @@ bool isUpright(const plan::ToolPlan& plan) {
 // Returns the stretches of a path that have to be printed last and tilted.
 std::vector<UnsupportedStretch> stretchesOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
                                             const std::vector<char>& hanging,
-                                            const process::Process& process) {
+                                            const process::Tooling& tooling) {
   if (path.kind == plan::PathKind::Support)
     return {};
-  return hangingStretches(plan, path, hanging, 0.5 * process.bridgeMm);
+  return hangingStretches(plan, path, hanging, 0.5 * tooling.of(path).process.bridgeMm);
 }
 
 // Returns the direction tilted sideways to the path by an angle.
@@ -147,7 +147,7 @@ private:
 
 std::vector<OrderedPath> orderInsideOut(const plan::ToolPlan& plan,
                                         const std::vector<char>& hanging,
-                                        const process::Process& process) {
+                                        const process::Tooling& tooling) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
   std::vector<OrderedPath> order(plan.paths.size());
   for (std::size_t p = 0; p < order.size(); ++p)
@@ -163,7 +163,7 @@ std::vector<OrderedPath> orderInsideOut(const plan::ToolPlan& plan,
     std::vector<std::pair<std::size_t, std::vector<UnsupportedStretch>>> outer;
     for (std::size_t p = b; p < e; ++p) {
       std::vector<UnsupportedStretch> stretches =
-          stretchesOf(plan, plan.paths[p], hanging, process);
+          stretchesOf(plan, plan.paths[p], hanging, tooling);
       if (stretches.empty())
         first.push_back(p);
       else
@@ -197,17 +197,17 @@ std::vector<OrderedPath> orderInsideOut(const plan::ToolPlan& plan,
 }
 
 bool canBrace(const plan::ToolPlan& plan, const std::vector<char>& hanging,
-              const process::Process& process) {
+              const process::Tooling& tooling) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
   return !isUpright(plan) && std::ranges::any_of(plan.paths, [&](const plan::ToolPath& path) {
-    return !stretchesOf(plan, path, hanging, process).empty();
+    return !stretchesOf(plan, path, hanging, tooling).empty();
   });
 }
 
 std::vector<Vector3d>
 tiltUnsupportedBeads(const plan::ToolPlan& plan, const std::vector<char>& hanging,
                      const collision::GrowingPart& part, const platform::PlatformSolid& platform,
-                     const process::Process& process, const base::RunContext& ctx) {
+                     const process::Tooling& tooling, const base::RunContext& ctx) {
   base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
   std::vector<Vector3d> directions = plan.direction;
   if (isUpright(plan))
@@ -215,7 +215,7 @@ tiltUnsupportedBeads(const plan::ToolPlan& plan, const std::vector<char>& hangin
   const Bracer bracer(plan, part, platform);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p)
-      for (const UnsupportedStretch& s : stretchesOf(plan, plan.paths[p], hanging, process))
+      for (const UnsupportedStretch& s : stretchesOf(plan, plan.paths[p], hanging, tooling))
         bracer.brace(plan.paths[p], s, directions);
   });
   ctx.checkpoint();

@@ -4,7 +4,7 @@
 #include "collision/growing_part.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "toolpath/unsupported/bridges.h"
 
 #include <Eigen/Core>
@@ -35,11 +35,11 @@ struct OrderedPath {
 // supports, the order is unchanged. `hanging`: unsupportedWaypoints().
 std::vector<OrderedPath> orderInsideOut(const plan::ToolPlan& plan,
                                         const std::vector<char>& hanging,
-                                        const process::Process& process);
+                                        const process::Tooling& tooling);
 
 // Returns whether there is any stretch that tiltUnsupportedBeads() would tilt.
 bool canBrace(const plan::ToolPlan& plan, const std::vector<char>& hanging,
-              const process::Process& process);
+              const process::Tooling& tooling);
 
 // Returns the direction per waypoint: its own, except in unsupported stretches longer than half of
 // the process's bridge length. There it is tilted sideways by the minimum angle that supports a
@@ -49,6 +49,6 @@ bool canBrace(const plan::ToolPlan& plan, const std::vector<char>& hanging,
 std::vector<Eigen::Vector3d>
 tiltUnsupportedBeads(const plan::ToolPlan& plan, const std::vector<char>& hanging,
                      const collision::GrowingPart& part, const platform::PlatformSolid& platform,
-                     const process::Process& process, const base::RunContext& ctx);
+                     const process::Tooling& tooling, const base::RunContext& ctx);
 
 } // namespace voluta::toolpath
