@@ -196,7 +196,7 @@ TEST_F(FirstHourTest, ANumberThatTheProcessDoesNotTakeIsToldBeneathItsField) {
   EXPECT_TRUE(height->hasProblem());
   EXPECT_FALSE(find<QAction>("plan")->isEnabled());
   auto* status = find<QLabel>("statusStage");
-  EXPECT_TRUE(status->text().contains("see the mark")) << status->text().toStdString();
+  EXPECT_TRUE(status->text().contains("marked setting")) << status->text().toStdString();
   EXPECT_FALSE(find<QLabel>("notice")->isVisible()) << "told once";
   EXPECT_EQ(document().failure(), nullptr);
   int told = 0;
