@@ -129,7 +129,7 @@ TEST(WindingUnion, AThreadThatSweepsThroughItself) {
   EXPECT_GT(diagnose(m).selfIntersections.count, 0u);
   const RepairResult united = repair(m);
   EXPECT_THAT(base::english(united.repairs),
-              ::testing::Contains(::testing::HasSubstr("component that cuts itself")));
+              ::testing::Contains(::testing::HasSubstr("self-intersections of 1 component")));
   expectUnited(m, "thread");
 }
 
