@@ -21,8 +21,8 @@ namespace voluta::pipeline {
 // verified is in job.report.findings.
 // Example:
 //   pipeline::PlanRequest request;
-//   request.part = "sample:vase";
-//   request.choices.mode = "flat";
+//   request.item().part = "sample:vase";
+//   request.choices.item().mode = "flat";
 //   request.until = project::Stage::Layers;
 //   pipeline::PlanResult result = pipeline::planPart(request, ctx);
 //   pipeline::writeOutputs(result, save, ctx);

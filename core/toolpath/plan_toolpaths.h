@@ -45,7 +45,8 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
                    const process::Tooling& tooling);
 
 // Runs coverPatch for every patch, assemble and orientDirections. Precondition: the process of the
-// first tool is the cell's. Throws Cancelled, Error{Usage}. Example:
+// first tool is the cell's. Throws Cancelled, Error{Usage}.
+// Example:
 //   toolpath::ToolpathOptions options;
 //   options.platform = plate;
 //   const toolpath::ToolpathResult made =

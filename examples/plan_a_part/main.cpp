@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   try {
     const base::RunContext run(base::CancelToken(), 2); // two threads
     pipeline::PlanRequest request;
-    request.part = argv[1];
+    request.item().part = argv[1];
     project::ItemChoices& choices = request.choices.item();
     choices.mode = "flat";
     choices.scale = "0.3";

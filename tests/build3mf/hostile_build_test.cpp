@@ -51,7 +51,7 @@ TEST(HostileBuild, ASoundOneIsTaken) {
 
 TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
   const std::vector<Case> cases{
-      {"unit", [](auto& f) { f.unit = "furlong"; }, "the unit 'furlong' is not known"},
+      {"unit", [](auto& f) { f.unit = "furlong"; }, "unknown unit 'furlong'"},
       {"no factor", [](auto& f) { f.unitFactor = "0"; }, "'unitfactor' is not above 0"},
       {"factor nan", [](auto& f) { f.unitFactor = "nan"; }, "'unitfactor' is not a number"},
       {"of another type", [](auto& f) { f.type = "7axis"; }, "tool-paths of type '7axis'"},
@@ -91,7 +91,7 @@ TEST(HostileBuild, EachIsRefusedWithWhatIsWrong) {
          f.modifiers = "<tp:modifier attribute=\"laserpower\" type=\"linear\" minvalue=\"0\" "
                        "maxvalue=\"2\" factor=\"f\"/>";
        },
-       "a modifier of 'laserpower'"},
+       "an unsupported modifier of 'laserpower'"},
       {"empty range",
        [](auto& f) {
          f.modifiers = "<tp:modifier attribute=\"beadwidth\" type=\"linear\" minvalue=\"2\" "

@@ -153,7 +153,7 @@ TEST(Readers, BadCoordinatesAreLeftOutOrRefused) {
   const auto file = readMesh(bytes, "s.stl");
   EXPECT_EQ(file.mesh.triangles.size(), m.triangles.size() - 1);
   ASSERT_EQ(file.repairs.size(), 1u);
-  EXPECT_THAT(voluta::base::english(file.repairs[0]), HasSubstr("the first is facet 8"));
+  EXPECT_THAT(voluta::base::english(file.repairs[0]), HasSubstr("first at facet 8"));
   for (std::size_t f = 0; f < 1000; ++f)
     std::memcpy(bytes.data() + 84 + 50 * f + 16, &bad, sizeof bad);
   EXPECT_THAT(messageOf(bytes, "s.stl"), HasSubstr("1000 of"));

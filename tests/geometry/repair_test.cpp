@@ -95,7 +95,7 @@ TEST(Repair, ClosesAHoleAndTurnsTriangles) {
   EXPECT_TRUE(r.diagnosis.clean());
   EXPECT_NEAR(r.diagnosis.volumeMm3, 1000, 1e-9);
   EXPECT_THAT(voluta::base::english(r.repairs),
-              ElementsAre(HasSubstr("1 duplicate triangle"), HasSubstr("turned 1"),
+              ElementsAre(HasSubstr("1 duplicate triangle"), HasSubstr("flipped 1"),
                           HasSubstr("closed 1 hole")));
 }
 

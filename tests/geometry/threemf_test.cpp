@@ -57,7 +57,7 @@ TEST(ThreeMf, IsReadPackedOrNot) {
 TEST(ThreeMf, LengthsBecomeMillimetres) {
   const MeshFile inches = readMesh(package3mf(plainModel("inch")), "part.3mf");
   EXPECT_NEAR(volume(inches.mesh), 25.4 * 25.4 * 25.4 / 6.0, 1e-9);
-  EXPECT_THAT(voluta::base::english(inches.repairs.at(0)), HasSubstr("from inch into mm"));
+  EXPECT_THAT(voluta::base::english(inches.repairs.at(0)), HasSubstr("from inch to mm"));
   const MeshFile ells = readMesh(package3mf(plainModel("ell")), "part.3mf");
   EXPECT_NEAR(volume(ells.mesh), 1.0 / 6.0, 1e-12);
   EXPECT_THAT(voluta::base::english(ells.repairs.at(0)), HasSubstr("unknown unit 'ell'"));
@@ -219,7 +219,7 @@ TEST(ThreeMf, SlicesAreRefusedUnlessTheMeshIsTheShape) {
                                    resolution + "\">" + kMesh + "</object>",
                                "s"));
   };
-  EXPECT_THAT(messageOf(sliced("lowres")), HasSubstr("object '1' is given in slices (slicestack), "
+  EXPECT_THAT(messageOf(sliced("lowres")), HasSubstr("object '1' is stored as slices (slicestack), "
                                                      "which cannot be read"));
   EXPECT_EQ(readMesh(sliced("fullres"), "part.3mf").mesh.triangles.size(), 4u);
 }
@@ -265,7 +265,7 @@ TEST(ThreeMf, ALatticeBecomesOneSolid) {
 TEST(ThreeMf, BeamsThatCannotBeReadAreNamed) {
   EXPECT_THAT(messageOf(package3mf(extended(latticeOf("clippingmode=\"inside\" clippingmesh=\"9\"",
                                                       "<b:beam v1=\"0\" v2=\"1\"/>")))),
-              HasSubstr("object '1' has a beam lattice that a mesh clips"));
+              HasSubstr("object '1' has a beam lattice clipped by a mesh"));
   EXPECT_THAT(messageOf(package3mf(extended(latticeOf("", "<b:beam v1=\"0\" v2=\"8\"/>")))),
               HasSubstr("a beam refers to the missing vertex 8"));
   EXPECT_THAT(

@@ -139,13 +139,13 @@ TEST(WindingUnion, ALobeThatFacesInsideOutIsToldAndNotDropped) {
   EXPECT_EQ(result.mesh.triangles, m.triangles);
   EXPECT_TRUE(result.repairs.empty());
   EXPECT_THAT(base::english(result.remains),
-              ::testing::Contains(::testing::HasSubstr("30.8 % of what it encloses")));
+              ::testing::Contains(::testing::HasSubstr("30.8 % of the enclosed volume")));
   // Two bodies that overlap do not hide it.
   TriangleMesh more = test::box({0, 20, 0}, {20, 40, 20});
   test::append(more, test::box({10, 30, 10}, {30, 50, 30}));
   test::append(more, m);
   EXPECT_THAT(base::english(repair(more).remains),
-              ::testing::Contains(::testing::HasSubstr("of what it encloses")));
+              ::testing::Contains(::testing::HasSubstr("of the enclosed volume")));
 }
 
 TEST(WindingUnion, ASmallLoopGoes) {
