@@ -653,8 +653,8 @@ sioni</translation>
         <translation>Rotazione delle linee rette da uno strato all’altro; 0: sempre la stessa direzione.</translation>
     </message>
     <message>
-        <source>Maximum rounds of fitting growth and smooth field to each other. 0: layers from the ranks.</source>
-        <translation>Numero massimo di cicli di adattamento fra crescita e campo liscio. 0: strati dai ranghi.</translation>
+        <source>Maximum number of rounds that fit the growth order and the smooth field to each other. 0: layers follow the growth order.</source>
+        <translation>Numero massimo di passate che adattano l&apos;uno all&apos;altro l&apos;ordine di crescita e il campo liscio. 0: gli strati seguono l&apos;ordine di crescita.</translation>
     </message>
     <message>
         <source>Pattern that fills the interior of each layer.</source>
@@ -759,8 +759,8 @@ persi</translation>
         <translation>Centro di sfere e cilindri: x,y,z in mm. Vuoto: quello della sfera o del cilindro su cui sta il pezzo, o un punto sotto il pezzo.</translation>
     </message>
     <message>
-        <source>Order of tries</source>
-        <translation>ordine dei tentativi</translation>
+        <source>Order of candidates</source>
+        <translation>Ordine dei candidati</translation>
     </message>
     <message>
         <source>Output</source>
@@ -823,8 +823,8 @@ mm²</translation>
         <translation>isolati per strato</translation>
     </message>
     <message>
-        <source>Head shape that must clear the part printed so far: a flat head of unlimited width, or the real head where voxels would be lost otherwise (nozzle) and under wide roofs (nozzle and auto).</source>
-        <translation>Forma della testa che non deve toccare il pezzo già stampato: una testa piatta di larghezza illimitata, o la testa reale dove altrimenti si perderebbero dei voxel (ugello) e sotto tetti ampi (ugello e automatico).</translation>
+        <source>Head shape that must clear the part printed so far. flat: a plate of unlimited width. nozzle: the real head where voxels would be lost otherwise, and under wide roofs. auto: the real head only under wide roofs.</source>
+        <translation>Forma della testa che non deve urtare il pezzo già stampato. flat: una piastra di larghezza illimitata. nozzle: la testa vera dove altrimenti si perderebbero voxel, e sotto tetti larghi. auto: la testa vera solo sotto tetti larghi.</translation>
     </message>
     <message>
         <source>Share of the interior that is filled; 1 is solid.</source>
@@ -861,7 +861,7 @@ mm³</translation>
         <translation>Superficie</translation>
     </message>
     <message>
-        <source>The sources&apos; schemes: whether a voxel exactly on the convex front can still be printed (outside) or is shadowed by it (inside).</source>
+        <source>Published schemes: whether a voxel exactly on the convex front can still be printed (outside) or is shadowed by it (inside).</source>
         <translation>Schemi delle fonti: se un voxel esattamente sul fronte convesso si può ancora stampare (fuori) o ne resta isolato (dentro).</translation>
     </message>
     <message>
@@ -1680,7 +1680,7 @@ mm³</translation>
         <translation>usa orient=none</translation>
     </message>
     <message>
-        <source>give other cuts (cutPlanes), turn the part, or use curved mode</source>
+        <source>use other cutting planes (cutPlanes), turn the part, or use curved mode</source>
         <translation>indica altri tagli (cutPlanes), gira il pezzo, o usa strati curvi</translation>
     </message>
     <message>
@@ -1692,8 +1692,8 @@ mm³</translation>
         <translation>dai piani: {&quot;point&quot;: [x, y, z], &quot;normal&quot;: [x, y, z]}</translation>
     </message>
     <message>
-        <source>give the job that the program was written from</source>
-        <translation>dai il progetto da cui il programma è stato scritto</translation>
+        <source>verify it against the job it was written from</source>
+        <translation>verificalo con il lavoro da cui è stato scritto</translation>
     </message>
     <message>
         <source>give true or false</source>
@@ -1840,15 +1840,15 @@ mm³</translation>
         <translation>è un file, non una cartella</translation>
     </message>
     <message>
-        <source>blend overlaps the previous one ({blend:.3f} on {way:.3f}): the controller skips the waypoint</source>
-        <translation>il raccordo si sovrappone al precedente ({blend:.3f} su {way:.3f}): il controllore salta il punto</translation>
+        <source>two blends overlap, {blend:.3f} in all on a motion of {way:.3f}: the controller skips the waypoint</source>
+        <translation>due raccordi si sovrappongono, {blend:.3f} in tutto su un movimento di {way:.3f}: il controllore salta il punto</translation>
     </message>
     <message>
         <source>joint {number}</source>
         <translation>giunto {number}</translation>
     </message>
     <message>
-        <source>place the part on a larger face, or give other cuts (cutPlanes)</source>
+        <source>place the part on a larger face, or use other cutting planes (cutPlanes)</source>
         <translation>appoggia il pezzo su una faccia più grande, o indica altri tagli (cutPlanes)</translation>
     </message>
     <message>
@@ -2211,10 +2211,10 @@ mm³</translation>
         <translation>né un piano né un quadrilatero</translation>
     </message>
     <message numerus="yes">
-        <source>no column from inside the platform reaches {voxels} voxels that would be missed</source>
+        <source>no support column from the platform reaches {voxels} voxels that would be missed</source>
         <translation>
-            <numerusform>nessuna colonna dall&apos;interno della piattaforma raggiunge {voxels} voxel che mancherebbe</numerusform>
-            <numerusform>nessuna colonna dall&apos;interno della piattaforma raggiunge {voxels} voxel che mancherebbero</numerusform>
+            <numerusform>nessuna colonna di supporto dalla piattaforma raggiunge {voxels} voxel che mancherebbe</numerusform>
+            <numerusform>nessuna colonna di supporto dalla piattaforma raggiunge {voxels} voxel che mancherebbero</numerusform>
         </translation>
     </message>
     <message>
@@ -2732,8 +2732,8 @@ mm³</translation>
         <translation>la configurazione del braccio non è quella pianificata: un giunto differisce di {angle:.1f}</translation>
     </message>
     <message>
-        <source>the arm would have to change its configuration: {joint} by {angle:.1f} at once</source>
-        <translation>il braccio dovrebbe cambiare configurazione, {joint} di {angle:.1f} in una volta</translation>
+        <source>the arm would have to change its configuration: {joint} would jump by {angle:.1f}</source>
+        <translation>il braccio dovrebbe cambiare configurazione: {joint} salterebbe di {angle:.1f}</translation>
     </message>
     <message>
         <source>configuration supervision is on: ConfL\Off, ConfJ\Off</source>
@@ -2760,8 +2760,8 @@ mm³</translation>
         <translation>l&apos;estrusore non viene spento dopo l&apos;ultimo movimento</translation>
     </message>
     <message>
-        <source>the extruder is off where a bead is to be printed</source>
-        <translation>l&apos;estrusore è spento dove va stampato un cordone</translation>
+        <source>the extruder is off during a bead</source>
+        <translation>l&apos;estrusore è spento durante un cordone</translation>
     </message>
     <message>
         <source>the extruder is on during a travel</source>
@@ -2968,10 +2968,10 @@ mm³</translation>
         <translation>il pezzo è troppo grande per una griglia di collisioni di questa risoluzione</translation>
     </message>
     <message numerus="yes">
-        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): one pass of growth misses {missed} voxels of {voxel:.2f} instead of {missedBefore}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): {missed} missed voxels ({voxel:.2f} wide) instead of {missedBefore}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
         <translation>
-            <numerusform>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): una passata di crescita manca {missed} voxel di {voxel:.2f} invece di {missedBefore}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</numerusform>
-            <numerusform>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): una passata di crescita manca {missed} voxel di {voxel:.2f} invece di {missedBefore}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</numerusform>
+            <numerusform>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): {missed} voxel mancato (largo {voxel:.2f}) invece di {missedBefore}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</numerusform>
+            <numerusform>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): {missed} voxel mancati (larghi {voxel:.2f}) invece di {missedBefore}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</numerusform>
         </translation>
     </message>
     <message>
@@ -3125,12 +3125,12 @@ mm³</translation>
         <translation>il corpo della superficie contiene tutto il pezzo</translation>
     </message>
     <message>
-        <source>the voxel object is not lifted by whole cells: its surface is cut into new cells</source>
-        <translation>l&apos;oggetto di voxel è sollevato di celle non intere: la sua superficie viene divisa in celle nuove</translation>
+        <source>the voxel object is lifted by a fraction of a voxel: it is cut into new voxels</source>
+        <translation>l&apos;oggetto di voxel è sollevato di una frazione di voxel: viene diviso in voxel nuovi</translation>
     </message>
     <message>
-        <source>the voxel object is not turned by quarter turns: its surface is cut into new cells</source>
-        <translation>l&apos;oggetto di voxel è girato di quarti non interi: la sua superficie viene divisa in celle nuove</translation>
+        <source>the voxel object is not rotated by a multiple of 90°: it is cut into new voxels</source>
+        <translation>l&apos;oggetto di voxel non è ruotato di un multiplo di 90°: viene diviso in voxel nuovi</translation>
     </message>
     <message>
         <source>the voxels are too small for a part of this size</source>
@@ -3213,8 +3213,8 @@ mm³</translation>
         <translation>prova un voxelMm più grande o un pezzo più piccolo</translation>
     </message>
     <message>
-        <source>turn it by quarter turns and lift it by whole cells to keep its cells</source>
-        <translation>giralo di quarti di giro e sollevalo di celle intere per conservare le sue celle</translation>
+        <source>to keep its voxels, rotate it by multiples of 90° and lift it by whole voxels</source>
+        <translation>per conservare i suoi voxel, ruotalo di multipli di 90° e sollevalo di voxel interi</translation>
     </message>
     <message>
         <source>infill rotation per layer</source>
@@ -3454,8 +3454,8 @@ mm³</translation>
         <translation>scrivi righe di 0 e 1, e - per la piattaforma</translation>
     </message>
     <message>
-        <source>write the program again, or plan again with this change</source>
-        <translation>scrivi di nuovo il programma, o pianifica di nuovo con questa modifica</translation>
+        <source>write the program again; to keep this change, make it in the plan</source>
+        <translation>riscrivi il programma; per conservare questa modifica, falla nel piano</translation>
     </message>
     <message>
         <source>write intermediate results</source>
@@ -3742,8 +3742,8 @@ mm³</translation>
         </translation>
     </message>
     <message>
-        <source>{place}: the cell prints up to {radius} from the rod&apos;s axis and {along} from its middle</source>
-        <translation>{place}: la cella stampa fino a {radius} dall&apos;asse della barra e {along} dal suo centro</translation>
+        <source>{place}: too far from the rod: the cell prints up to {radius} from its axis and {along} from its middle</source>
+        <translation>{place}: troppo lontano dalla barra: la cella stampa fino a {radius} dal suo asse e {along} dalla sua metà</translation>
     </message>
     <message>
         <source>{place}: the print head would cut into the platform</source>
@@ -3758,12 +3758,12 @@ mm³</translation>
         <translation>{place}: raggiungibile, ma il robot non può muoversi da o verso un punto vicino senza sollevarsi</translation>
     </message>
     <message>
-        <source>{place}: unreachable for the nozzle: out of reach or beyond a joint limit at every rotation of the part about the nozzle</source>
-        <translation>{place}: non raggiungibile con l&apos;ugello: fuori portata o oltre un limite di giunto a ogni rotazione del pezzo attorno all&apos;ugello</translation>
+        <source>{place}: out of the robot&apos;s reach, or beyond a joint limit, at every rotation tried about the nozzle</source>
+        <translation>{place}: fuori dalla portata del robot, o oltre un limite di un giunto, a ogni rotazione provata attorno all&apos;ugello</translation>
     </message>
     <message>
-        <source>{place}: {first} would collide with {second} at every rotation of the part about the nozzle</source>
-        <translation>{place}: {first} urterebbe {second} a ogni rotazione del pezzo attorno all&apos;ugello</translation>
+        <source>{place}: {first} would collide with {second} at every rotation tried about the nozzle</source>
+        <translation>{place}: {first} urterebbe {second} a ogni rotazione provata attorno all&apos;ugello</translation>
     </message>
     <message>
         <source>{points} points do not define a circle: at least three are needed</source>
@@ -3801,17 +3801,17 @@ mm³</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{voxels} voxels are shadowed: inside the front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm</source>
+        <source>{voxels} voxels are shadowed: covered by the convex front from step {step} on, under its facet between {a:.0f}, {b:.0f} and {c:.0f} mm</source>
         <translation>
-            <numerusform>{voxels} voxel è in ombra: dal passo {step} in poi sta dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm</numerusform>
-            <numerusform>{voxels} voxel sono in ombra: dal passo {step} in poi stanno dentro il fronte, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm</numerusform>
+            <numerusform>{voxels} voxel è in ombra: dal passo {step} in poi è coperto dal fronte convesso, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm</numerusform>
+            <numerusform>{voxels} voxel sono in ombra: dal passo {step} in poi sono coperti dal fronte convesso, sotto la sua faccetta tra {a:.0f}, {b:.0f} e {c:.0f} mm</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>{voxels} voxels are shadowed: inside the front before they were reached</source>
+        <source>{voxels} voxels are shadowed: covered by the convex front before growth reached them</source>
         <translation>
-            <numerusform>{voxels} voxel è in ombra: dentro il fronte prima di essere raggiunto</numerusform>
-            <numerusform>{voxels} voxel sono in ombra: dentro il fronte prima di essere raggiunti</numerusform>
+            <numerusform>{voxels} voxel è in ombra: coperto dal fronte convesso prima che la crescita lo raggiungesse</numerusform>
+            <numerusform>{voxels} voxel sono in ombra: coperti dal fronte convesso prima che la crescita li raggiungesse</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4085,8 +4085,8 @@ mm³</translation>
         <translation>spostamenti</translation>
     </message>
     <message>
-        <source>{place}: a collision on the way to this place; it is left out</source>
-        <translation>{place}: una collisione lungo la via verso questo punto; viene tralasciato</translation>
+        <source>{place}: skipped, because of a collision on the way to it</source>
+        <translation>{place}: saltato, per una collisione durante il percorso fin lì</translation>
     </message>
     <message numerus="yes">
         <source>{place}: no collision-free transfer away from the ends of {pieces} pieces of paths</source>
@@ -4180,12 +4180,12 @@ mm³</translation>
         <translation>stamparlo più piccolo (--scale fit), o indicare le unità in cui è stato disegnato (--units)</translation>
     </message>
     <message>
-        <source>the part is {size:.3g} long if its file is in millimetres</source>
-        <translation>il pezzo è lungo {size:.3g}, se il suo file è in millimetri</translation>
+        <source>the part is very small: {size:.3g} long if its file is in millimetres</source>
+        <translation>il pezzo è molto piccolo: è lungo {size:.3g} se il suo file è in millimetri</translation>
     </message>
     <message>
-        <source>the part is {size:.4g} long if its file is in millimetres</source>
-        <translation>il pezzo è lungo {size:.4g}, se il suo file è in millimetri</translation>
+        <source>the part is very large: {size:.4g} long if its file is in millimetres</source>
+        <translation>il pezzo è molto grande: è lungo {size:.4g} se il suo file è in millimetri</translation>
     </message>
     <message>
         <source>platform {distance:.0f} beside its support: it would float</source>
@@ -4216,8 +4216,8 @@ mm³</translation>
         <translation>usa quell&apos;orientamento, girando di {x:.3g} attorno a x, {y:.3g} attorno a y e {z:.3g} attorno a z, oppure scegline un altro</translation>
     </message>
     <message>
-        <source>poor orientation: contact {contact:.0f}, overhang {overhang:.0f}, {missed:.2g} missed by one pass of growth; another orientation has contact {bestContact:.0f}, overhang {bestOverhang:.0f}, {bestMissed:.2g} missed</source>
-        <translation>orientamento sfavorevole: appoggio {contact:.0f}, sbalzo {overhang:.0f}, {missed:.2g} mancato da una passata di crescita; un altro orientamento ha appoggio {bestContact:.0f}, sbalzo {bestOverhang:.0f}, {bestMissed:.2g} mancato</translation>
+        <source>poor orientation: contact {contact:.0f}, overhang {overhang:.0f}, {missed:.2g} of the voxels missed; another orientation has contact {bestContact:.0f}, overhang {bestOverhang:.0f}, {bestMissed:.2g} missed</source>
+        <translation>orientamento sfavorevole: appoggio {contact:.0f}, sbalzo {overhang:.0f}, {missed:.2g} dei voxel mancati; un altro orientamento ha appoggio {bestContact:.0f}, sbalzo {bestOverhang:.0f}, {bestMissed:.2g} mancati</translation>
     </message>
     <message>
         <source>turn &apos;{turn}&apos; is not three angles</source>
@@ -4283,8 +4283,8 @@ mm³</translation>
         <translation>«{word}» imposta un carico diverso</translation>
     </message>
     <message>
-        <source>Prints a 3MF with tool-paths (.build.3mf) along these. Off: plans its object again.</source>
-        <translation>Stampa un 3MF con percorsi (.build.3mf) lungo questi. Disattivato: pianifica di nuovo il suo oggetto.</translation>
+        <source>Prints a 3MF along the tool-paths in it (.build.3mf). Off: plans new ones for its object.</source>
+        <translation>Stampa un 3MF lungo i percorsi che contiene (.build.3mf). Spento: ne pianifica di nuovi per il suo oggetto.</translation>
     </message>
     <message>
         <source>Adds NAME.build.3mf: the plan&apos;s 6-axis tool-paths for other programs (3MF Toolpath Extension).</source>
@@ -4431,8 +4431,8 @@ mm³</translation>
         <translation>indicare --program, un file da {first} a {last}</translation>
     </message>
     <message>
-        <source>give the process that the tool-paths were made for</source>
-        <translation>indicare il processo per cui i percorsi sono stati fatti</translation>
+        <source>choose the process that the tool-paths were made for</source>
+        <translation>scegli il processo per cui i percorsi sono stati fatti</translation>
     </message>
     <message>
         <source>gravity of an arm that is not upright</source>
@@ -4554,8 +4554,8 @@ mm³</translation>
         </translation>
     </message>
     <message>
-        <source>the first motion, from an unknown pose of the arm, is a fast one</source>
-        <translation>il primo moto, da una posa ignota del braccio, è veloce</translation>
+        <source>the first motion is too fast: it begins at an unknown pose of the arm</source>
+        <translation>il primo movimento è troppo veloce: comincia da una posa ignota del braccio</translation>
     </message>
     <message>
         <source>the frames of tool-paths point into the part; they were reversed</source>
@@ -4686,7 +4686,7 @@ mm³</translation>
         <translation>{place}: nessuno spostamento senza collisioni dalla posizione di riposo al punto in cui la stampa riprende</translation>
     </message>
     <message numerus="yes">
-        <source>{points} points of the file&apos;s tool-paths need more flow than the extruder&apos;s {limit}: printed slower</source>
+        <source>{points} points of the file&apos;s tool-paths need more flow than the extruder&apos;s limit of {limit}: printed slower</source>
         <translation>
             <numerusform>{points} punto dei percorsi del file richiede più flusso dei {limit} dell&apos;estrusore: stampato più lentamente</numerusform>
             <numerusform>{points} punti dei percorsi del file richiedono più flusso dei {limit} dell&apos;estrusore: stampati più lentamente</numerusform>
@@ -5205,7 +5205,7 @@ mm³</translation>
         <translation>il programma è per un&apos;altra cella: {program}; questo lavoro è {job}</translation>
     </message>
     <message>
-        <source>the program is of another job: {program}; this job is {job}</source>
+        <source>the program is from another job: {program}; this job is {job}</source>
         <translation>il programma è di un altro lavoro: {program}; questo lavoro è {job}</translation>
     </message>
     <message>
@@ -6089,7 +6089,7 @@ mm³</translation>
         <translation>manca un asse che porta il robot</translation>
     </message>
     <message numerus="yes">
-        <source>support beads ({volume:.3g}) under {paths} beads that would overhang closely above the plate or the printed part</source>
+        <source>support beads ({volume:.3g}) under {paths} beads that would overhang just above the plate or the printed part</source>
         <translation>
             <numerusform>cordoni di supporto ({volume:.3g}) sotto {paths} cordone che sporgerebbe appena sopra il piatto o il pezzo stampato</numerusform>
             <numerusform>cordoni di supporto ({volume:.3g}) sotto {paths} cordoni che sporgerebbero appena sopra il piatto o il pezzo stampato</numerusform>
@@ -6330,8 +6330,8 @@ mm³</translation>
         <translation>Materiale</translation>
     </message>
     <message>
-        <source>No option passes; best one shown: {way} ({values})</source>
-        <translation>Nessun modo è accettato; si mostra il migliore: {way} ({values})</translation>
+        <source>No way of building passes; the best one is shown: {way} ({values})</source>
+        <translation>Nessun modo di costruzione passa; si mostra il migliore: {way} ({values})</translation>
     </message>
     <message>
         <source>The default nozzle, head and material of this way of building</source>
@@ -6566,8 +6566,8 @@ previsto</translation>
         <translation>un oggetto del tipo sconosciuto &apos;{type}&apos;</translation>
     </message>
     <message>
-        <source>an extruder output is set while the arm does not stop: it takes effect elsewhere, or stops the arm on the bead</source>
-        <translation>un&apos;uscita dell&apos;estrusore è impostata mentre il braccio non si ferma: ha effetto altrove, o ferma il braccio sul cordone</translation>
+        <source>an extruder output is set while the arm is moving: it switches at the wrong place, or stops the arm on the bead</source>
+        <translation>un&apos;uscita dell&apos;estrusore viene impostata mentre il braccio si muove: commuta nel punto sbagliato, o ferma il braccio sul cordone</translation>
     </message>
     <message>
         <source>according to the robot&apos;s controller</source>
@@ -7562,8 +7562,8 @@ Fai clic per sceglierne un altro</translation>
         <translation>Segnalazioni (%1)</translation>
     </message>
     <message>
-        <source>%1 blocked, %2 worth knowing</source>
-        <translation>Bloccanti: %1, avvisi: %2</translation>
+        <source>%1 blocking, %2 for information</source>
+        <translation>%1 bloccanti, %2 informativi</translation>
     </message>
     <message>
         <source>Blocked (%1)</source>
@@ -7836,16 +7836,16 @@ Fai clic per sceglierne un altro</translation>
         <translation>Scarta i tuoi tagli e ne cerca altri</translation>
     </message>
     <message>
-        <source>Makes the cuts found your own, so that they are kept</source>
-        <translation>Fa tuoi i tagli trovati, così che restino</translation>
+        <source>Keeps these cuts: they become your own and are not searched again</source>
+        <translation>Conserva questi tagli: diventano tuoi e non vengono più cercati</translation>
     </message>
     <message>
         <source>Pick root</source>
         <translation>Scegli la radice</translation>
     </message>
     <message>
-        <source>Then click the part where the first piece has to be</source>
-        <translation>Poi fai clic sul pezzo dove dev&apos;essere la prima parte</translation>
+        <source>Then click a point on the piece to print first</source>
+        <translation>Poi fare clic su un punto del pezzo da stampare per primo</translation>
     </message>
     <message>
         <source>Click a piece to see its base plane and to move that cut.</source>
@@ -7955,7 +7955,7 @@ Fai clic per sceglierne un altro</translation>
         <translation>Appoggia su faccia</translation>
     </message>
     <message>
-        <source>Then click the face that has to be on the plate</source>
+        <source>Then click the face to place on the plate</source>
         <translation>Poi fai clic sulla faccia da appoggiare sul piatto</translation>
     </message>
     <message>
@@ -9660,8 +9660,8 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Fronte convesso</translation>
     </message>
     <message>
-        <source>During growth replay: the hull in which the next voxels must not be</source>
-        <translation>Mentre si rivede la crescita: l&apos;involucro in cui i prossimi voxel non devono trovarsi</translation>
+        <source>During growth replay: the convex front; the next voxels must be outside it</source>
+        <translation>Nella crescita riprodotta: il fronte convesso; i prossimi voxel devono esserne fuori</translation>
     </message>
     <message>
         <source>Later voxels faint</source>

@@ -171,12 +171,12 @@ base::ParameterTable curvedParameters() {
           "frontShape", "auto",
           {{"auto", "auto"_text}, {"flat", "flat"_text}, {"nozzle", "nozzle"_text}}, "Layers"_text,
           "Front"_text,
-          "Head shape that must clear the part printed so far: a flat head of "
-          "unlimited width, or the real head where voxels would be lost "
-          "otherwise (nozzle) and under wide roofs (nozzle and auto)."_text),
+          "Head shape that must clear the part printed so far. flat: a plate of unlimited width. "
+          "nozzle: the real head where voxels would be lost otherwise, and under wide roofs. "
+          "auto: the real head only under wide roofs."_text),
       base::integerParameter("fieldRounds", 8, 0, 30, "Layers"_text, "Field rounds"_text,
-                             "Maximum rounds of fitting growth and smooth field to each other. 0: "
-                             "layers from the ranks."_text),
+                             "Maximum number of rounds that fit the growth order and the smooth "
+                             "field to each other. 0: layers follow the growth order."_text),
   });
 }
 

@@ -259,12 +259,12 @@ base::ParameterTable forwardParameters() {
       base::choiceParameter(
           "growthQueue", "flooding",
           {{"flooding", "flooding"_text}, {"insertion", "insertion"_text}}, "Layers"_text,
-          "Order of tries"_text,
+          "Order of candidates"_text,
           "Growth incremental: order in which a layer's voxels are tried: outwards from the first one (flooding) or as they were found (insertion)."_text),
       base::choiceParameter(
           "growthBoundary", "outside", {{"outside", "outside"_text}, {"inside", "inside"_text}},
           "Layers"_text, "Voxels on the front"_text,
-          "The sources' schemes: whether a voxel exactly on the convex front can still be printed (outside) or is shadowed by it (inside)."_text),
+          "Published schemes: whether a voxel exactly on the convex front can still be printed (outside) or is shadowed by it (inside)."_text),
       base::choiceParameter(
           "growthSacrifice", "layer", {{"layer", "layer"_text}, {"least", "least"_text}},
           "Layers"_text, "If no voxel is safe"_text,

@@ -81,8 +81,8 @@ base::ParameterTable allParameters() {
           "retractMm", "mm", 0.0, 0.0, 8.0, "Beads"_text, "retraction"_text,
           "Filament retracted for each travel, if the extruder can; 0: none."_text),
       base::booleanParameter("givenToolPaths", true, "Beads"_text, "tool-paths of the file"_text,
-                             "Prints a 3MF with tool-paths (.build.3mf) along these. Off: plans "
-                             "its object again."_text),
+                             "Prints a 3MF along the tool-paths in it (.build.3mf). Off: plans "
+                             "new ones for its object."_text),
       base::booleanParameter("output.build3mf", false, "Output"_text, "write a build file"_text,
                              "Adds NAME.build.3mf: the plan's 6-axis tool-paths for other programs"
                              " (3MF Toolpath Extension)."_text),

@@ -30,8 +30,9 @@ base::Message chosenText(const project::Report& report) {
   const base::Message values = valuesText(report.item().chosen);
   return std::ranges::any_of(report.item().tried, &project::TriedReport::passed)
              ? base::message("Chosen: {way} ({values})"_text, report.item().chosen.name, values)
-             : base::message("No option passes; best one shown: {way} ({values})"_text,
-                             report.item().chosen.name, values);
+             : base::message(
+                   "No way of building passes; the best one is shown: {way} ({values})"_text,
+                   report.item().chosen.name, values);
 }
 
 std::vector<base::Message> rejectedTexts(const project::Report& report) {

@@ -99,7 +99,7 @@ inline constexpr base::Text kLessClearance =
     "turn the part, use a smaller platform, or allow less clearance"_text;
 inline constexpr base::Text kTurnOrClearance = "turn the part, or allow less clearance"_text;
 inline constexpr base::Text kWriteAgain =
-    "write the program again, or plan again with this change"_text;
+    "write the program again; to keep this change, make it in the plan"_text;
 inline constexpr base::Text kSlower =
     "print slower there, or place the part elsewhere in the cell"_text;
 

@@ -323,7 +323,7 @@ TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   EXPECT_FALSE(pipeline::nothingBlocks(result.job.report));
   expectConsistent(result);
   const std::string said = base::english(pipeline::chosenText(result.job.report));
-  EXPECT_TRUE(said.starts_with("No option passes; best one shown: ")) << said;
+  EXPECT_TRUE(said.starts_with("No way of building passes; the best one is shown: ")) << said;
   EXPECT_EQ(result.job.reached, project::Stage::Replay);
   EXPECT_FALSE(result.checked.empty());
   EXPECT_EQ(result.job.report.item().tried.size(), pipeline::automaticWays().size() - 1);

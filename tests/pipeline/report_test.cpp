@@ -133,7 +133,7 @@ TEST(Report, FindingsHaveTheirValues) {
             nlohmann::json::parse(R"({"areaMm2": 12.345678, "angleDeg": 45.0})"));
   EXPECT_EQ(j.at("findings").at(1).at("values").at("voxels"), 12000);
   EXPECT_EQ(j.at("findings").at(1).at("reason"),
-            "no column from inside the platform reaches 12000 voxels that would be missed");
+            "no support column from the platform reaches 12000 voxels that would be missed");
 }
 
 TEST(Report, ACountWithItsWordIsANumberToo) {

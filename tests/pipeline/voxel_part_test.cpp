@@ -182,7 +182,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   const auto turned = placedEll(choices);
   ASSERT_EQ(turned->findings.size(), 1u);
   EXPECT_EQ(voluta::plan::reportId(turned->findings[0]), "newCells");
-  EXPECT_THAT(voluta::plan::englishReason(turned->findings[0]), HasSubstr("quarter turns"));
+  EXPECT_THAT(voluta::plan::englishReason(turned->findings[0]), HasSubstr("multiple of 90"));
   EXPECT_FALSE(turned->findings[0].blocking);
   EXPECT_GT(turned->voxels->count, 4u);
   EXPECT_DOUBLE_EQ(turned->voxels->grid.pitch, 0.8);
@@ -192,7 +192,7 @@ TEST(VoxelPart, OtherTurnsAndLiftsMakeNewCellsAndSaySo) {
   choices.item().placement.liftMm = 0.3;
   const auto lifted = placedEll(choices);
   ASSERT_EQ(lifted->findings.size(), 1u);
-  EXPECT_THAT(voluta::plan::englishReason(lifted->findings[0]), HasSubstr("whole cells"));
+  EXPECT_THAT(voluta::plan::englishReason(lifted->findings[0]), HasSubstr("fraction of a voxel"));
 
   choices.item().placement.liftMm = 0.0;
   choices.item().placement.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ());

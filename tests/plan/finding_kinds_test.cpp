@@ -121,10 +121,11 @@ TEST(FindingKinds, FindingsThatStandForMoreHaveTheirOwnSentence) {
       englishReason(
           makeMoreFinding(FindingKind::HeadInPart, {{"place", "layer 3"_name}}, std::nullopt, 40)),
       "40 more waypoints, the first: layer 3: the print head would cut into printed material");
-  EXPECT_EQ(englishReason(makeMoreFinding(FindingKind::ShadowedUnreached,
-                                          {{"voxels", 4}, {"more", 1}}, std::nullopt, 5)),
-            "4 voxels are shadowed: inside the front before they were reached; another voxel "
-            "depends on this");
+  EXPECT_EQ(
+      englishReason(makeMoreFinding(FindingKind::ShadowedUnreached, {{"voxels", 4}, {"more", 1}},
+                                    std::nullopt, 5)),
+      "4 voxels are shadowed: covered by the convex front before growth reached them; another "
+      "voxel depends on this");
 }
 
 TEST(FindingKinds, IdsOfOlderVersionsLeadToTheirKinds) {

@@ -423,7 +423,7 @@ void FindingsPanel::showState() {
   title_->setText(model_->total() == 0 ? tr("Findings")
                                        : tr("Findings (%1)").arg(count(model_->total())));
   title_->setToolTip(
-      tr("%1 blocked, %2 worth knowing")
+      tr("%1 blocking, %2 for information")
           .arg(count(model_->blocking()), count(model_->total() - model_->blocking())));
   blockedOnly_->setEnabled(model_->total() > 0);
   blockedOnly_->setCount(tr("Blocked (%1)").arg(count(model_->blocking())),

@@ -263,9 +263,9 @@ void PiecesPanel::retranslate() {
   showHint();
   cuts_->setText(own_ ? tr("Search again") : tr("Keep these cuts"));
   cuts_->setToolTip(own_ ? tr("Discards your cuts and searches for others")
-                         : tr("Makes the cuts found your own, so that they are kept"));
+                         : tr("Keeps these cuts: they become your own and are not searched again"));
   root_->setText(tr("Pick root"));
-  root_->setToolTip(tr("Then click the part where the first piece has to be"));
+  root_->setToolTip(tr("Then click a point on the piece to print first"));
   showTotal();
 }
 

@@ -281,7 +281,7 @@ void PlacementPanel::retranslate() {
   sizeLabel_->setText(tr("Size"));
   drop_->setText(tr("Drop to plate"));
   layOnFace_->setText(tr("Lay on face"));
-  layOnFace_->setToolTip(tr("Then click the face that has to be on the plate"));
+  layOnFace_->setToolTip(tr("Then click the face to place on the plate"));
   centre_->setText(tr("Centre"));
   centre_->setToolTip(tr("Put the centre of the part over the centre of the plate"));
   reset_->setText(tr("Reset"));

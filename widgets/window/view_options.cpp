@@ -160,7 +160,8 @@ void ViewOptions::retranslate() {
   travels_->setText(tr("Travel moves"));
   beads_->setText(tr("True bead width"));
   front_->setText(tr("Convex front"));
-  front_->setToolTip(tr("During growth replay: the hull in which the next voxels must not be"));
+  front_->setToolTip(
+      tr("During growth replay: the convex front; the next voxels must be outside it"));
   ghosts_->setText(tr("Later voxels faint"));
   ghosts_->setToolTip(tr("During growth replay: voxels not yet printed"));
   section_->setText(tr("Section plane"));
