@@ -27,7 +27,7 @@ void addThreads(CLI::App& command, int& threads) {
 
 void addRunOptions(CLI::App& command, int& threads, std::string& progress) {
   addThreads(command, threads);
-  command.add_option("--progress", progress, "bar, json or none")
+  command.add_option("--progress", progress, "how progress is shown")
       ->check(CLI::IsMember({"bar", "json", "none"}));
 }
 
@@ -171,10 +171,10 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
       ->delimiter(',')
       ->allow_extra_args(false);
   addChoices(*compare, "--growths", compared.growths,
-             "G,...: growth schemes of curved mode, of " + growthIds() + "; " +
+             "G,...: growth schemes of curved mode, from " + growthIds() + "; " +
                  curved::GrowthScheme().id() + " by default");
   addChoices(*compare, "--platforms", compared.platforms,
-             "P,...: platforms, of " + platformForms() + "; " +
+             "P,...: platforms, from " + platformForms() + "; " +
                  "default the cell's plate (planar: fit)");
   compare
       ->add_option("--weight", values->weights,
@@ -233,7 +233,7 @@ void addResume(CLI::App& app, Parsed& parsed, int threads) {
   CLI::Option* bead =
       where->add_option("--bead", values->bead, "start with this bead, numbered from 1");
   CLI::Option* line =
-      where->add_option("--at", values->line, "start where the motion of this program line starts");
+      where->add_option("--at", values->line, "start with the motion on this program line");
   where->require_option(1);
   resume->add_option("--program", request.program,
                      "file to which --at refers (default: the job's first program, if it "
@@ -267,7 +267,7 @@ void addInspect(CLI::App& app, Parsed& parsed) {
 void addOrient(CLI::App& app, Parsed& parsed, int threads) {
   auto options = std::make_shared<OrientOptions>();
   options->threads = threads;
-  CLI::App* orient = app.add_subcommand("orient", "list the poses in which a part can stand");
+  CLI::App* orient = app.add_subcommand("orient", "list suggested orientations of a part");
   addPartOptions(*orient, options->request);
   orient->add_flag("--json", options->json, "as JSON");
   addThreads(*orient, options->threads);

@@ -26,7 +26,9 @@ void sayFindings(const plan::Findings& findings) {
                                 : "";
   fmt::print(stderr, "{}: {}{} ({}){}\n", plan::stageName(plan::stageOf(*first)),
              plan::englishReason(*first), where, plan::englishRemedy(*first),
-             blocking > 1 ? fmt::format("; {} more findings in report.json", blocking - 1) : "");
+             blocking > 1 ? fmt::format("; {} more finding{} in report.json", blocking - 1,
+                                        blocking == 2 ? "" : "s")
+                          : "");
 }
 
 void sayResult(const project::Report& r) {
