@@ -2406,10 +2406,6 @@ mm³</translation>
         <translation>pezzo posizionato</translation>
     </message>
     <message>
-        <source>plan again with more clearance</source>
-        <translation>pianifica di nuovo con più distanza</translation>
-    </message>
-    <message>
         <source>plan again with more clearance, or place the part elsewhere</source>
         <translation>pianifica di nuovo con più distanza, o metti il pezzo altrove</translation>
     </message>
