@@ -9,15 +9,14 @@
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
-#include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/head_clearance.h"
-#include "toolpath/unsupported/inset_walls.h"
-#include "toolpath/unsupported/tilt_unsupported.h"
+#include "toolpath/unsupported/passes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -50,27 +49,27 @@ Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
 class Orienter {
 public:
   Orienter(const ToolPlan& plan, const std::vector<Vector3d>& clear, const HeadClearance& head,
-           const process::Tooling& tooling, const ToolpathOptions& o, const MayMiss& mayMiss,
+           const PassScene& scene, const ToolpathOptions& o, const MayMiss& mayMiss,
            const base::RunContext& ctx)
-      : plan_(plan), clear_(clear), tooling_(tooling), o_(o), mayMiss_(mayMiss), ctx_(ctx),
+      : plan_(plan), clear_(clear), scene_(scene), o_(o), mayMiss_(mayMiss), ctx_(ctx),
         head_(head) {
     middle_.resize(plan.waypointCount());
     for (std::size_t i = 0; i < middle_.size(); ++i)
       middle_[i] = plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i];
   }
 
-  // `drawsIn`: first move unsupported walls inwards (inset_walls.h). `part`: the plan's beads;
-  // nullptr: they are deposited here.
-  OrientResult run(bool drawsIn, std::shared_ptr<const collision::GrowingPart> part) {
+  // `holds`: first run the passes over unsupported beads. `part`: the plan's beads; nullptr: they
+  // are deposited here.
+  OrientResult run(bool holds, std::shared_ptr<const collision::GrowingPart> part) {
     if (!part) {
-      const double pitch = collision::growingPitch(plan_, tooling_);
+      const double pitch = collision::growingPitch(plan_, scene_.tooling);
       part = std::make_shared<const collision::GrowingPart>(
           plan_, pitch, ctx_, collision::groundCells(o_.platform, pitch, ctx_));
     }
     moved_.assign(middle_.size(), 0);
     leant_ = plan_.direction;
-    if (drawsIn)
-      hold(*part);
+    if (holds)
+      hold(part);
     ctx_.report(0.2, "directions"_text);
     choose(*part);
     ctx_.report(0.5, "directions"_text);
@@ -79,35 +78,18 @@ public:
     OrientResult r;
     r.plan = subdivided();
     if (r.plan.position != plan_.position || r.plan.direction != plan_.direction)
-      part = collision::regrown(r.plan, *part, plan_, tooling_, ctx_);
+      part = collision::regrown(r.plan, *part, plan_, scene_.tooling, ctx_);
     judge(r, *part);
     r.grown = std::move(part);
     return r;
   }
-  // Returns the finding about braced beads, after run(); nullopt if none is braced.
-  std::optional<plan::Finding> braces() const {
-    std::size_t paths = 0;
-    double most = 1.0; // Cosine
-    Vector3d where = Vector3d::Zero();
-    for (const plan::ToolPath& path : plan_.paths) {
-      bool any = false;
-      for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-        const Vector3d& own = plan_.direction[i];
-        if (leant_[i] == own || direction_[i] == own)
-          continue;
-        if (paths == 0 && !any)
-          where = plan_.position[i];
-        any = true;
-        most = std::min(most, own.dot(direction_[i]));
-      }
-      paths += any ? 1 : 0;
-    }
-    if (paths == 0)
-      return std::nullopt;
-    return plan::makeFinding(
-        plan::FindingKind::Braced,
-        {{"paths", paths}, {"lean", base::degrees(base::radiansToDegrees(std::acos(most)))}}, where,
-        paths);
+  // Returns the findings of the passes, after run().
+  plan::Findings passFindings() const {
+    plan::Findings findings = passFindings_;
+    for (const FindingOfDirections& findingOf : findingsOfDirections_)
+      if (auto finding = findingOf(plan_, direction_))
+        findings.push_back(std::move(*finding));
+    return findings;
   }
   // Returns the clear directions, per waypoint of the result of run().
   const std::vector<Vector3d>& subdividedClear() const { return subdividedClear_; }
@@ -121,30 +103,18 @@ private:
     return head_.clears(part, tipAt(i, d), d, i, marginMm);
   }
 
-  // Moves unsupported walls inwards, and tilts the remaining unsupported beads against their new
-  // neighbours.
-  void hold(const collision::GrowingPart& part) {
-    std::vector<char> hanging =
-        unsupportedWaypoints(plan_, part, o_.platform, ctx_, kMinSupportedSamples);
-    const std::vector<Vector3d> moves =
-        insetUnsupportedWalls(plan_, hanging, part, o_.platform, tooling_, ctx_);
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      middle_[i] += moves[i];
-      moved_[i] = !moves[i].isZero();
-      hanging[i] = hanging[i] && !moved_[i];
-    }
-    if (!canBrace(plan_, hanging, tooling_))
+  // Takes middles and tilts of unsupported beads from their passes.
+  void hold(std::shared_ptr<const collision::GrowingPart> part) {
+    PassedPlan passed =
+        runUnsupportedPasses(PassPhase::WithDirections, plan_, {}, std::move(part), scene_, ctx_);
+    passFindings_ = std::move(passed.findings);
+    findingsOfDirections_ = std::move(passed.findingsOfDirections);
+    if (!passed.isChanged)
       return;
-    if (std::ranges::find(moved_, 1) == moved_.end()) {
-      leant_ = tiltUnsupportedBeads(plan_, hanging, part, o_.platform, tooling_, ctx_);
-      return;
-    }
-    ToolPlan drawn = plan_;
-    for (std::size_t i = 0; i < moves.size(); ++i)
-      drawn.position[i] += moves[i];
-    leant_ = tiltUnsupportedBeads(drawn, hanging,
-                                  *collision::regrown(drawn, part, plan_, tooling_, ctx_),
-                                  o_.platform, tooling_, ctx_);
+    for (std::size_t i = 0; i < middle_.size(); ++i)
+      moved_[i] = !(passed.beads.middle[i] - middle_[i]).isZero();
+    middle_ = std::move(passed.beads.middle);
+    leant_ = std::move(passed.beads.plan.direction);
   }
 
   std::optional<Vector3d> firstClear(const collision::GrowingPart& part, std::size_t i,
@@ -311,7 +281,6 @@ private:
         r.maxTurnDeg = std::max(
             r.maxTurnDeg, base::radiansToDegrees(angleBetween(p.direction[i - 1], p.direction[i])));
     ctx_.report(0.8, "directions"_text);
-    r.hanging = unsupportedWaypoints(p, part, o_.platform, ctx_);
     std::vector<double> marginMm(p.waypointCount(), 0.0);
     for (const plan::ToolPath& path : p.paths)
       if (mayMiss_ && mayMiss_(path))
@@ -347,14 +316,16 @@ private:
 
   const ToolPlan& plan_;
   const std::vector<Vector3d>& clear_;
-  const process::Tooling tooling_;
+  const PassScene& scene_;
   const ToolpathOptions& o_;
   const MayMiss& mayMiss_;
   const base::RunContext ctx_;
   const HeadClearance& head_;
   std::vector<Vector3d> middle_, direction_, subdividedClear_;
-  std::vector<Vector3d> leant_; // The plan's own directions, or braced ones
-  std::vector<char> moved_;     // Whether the waypoint was moved inwards
+  std::vector<Vector3d> leant_; // The plan's own directions, or tilted ones
+  std::vector<char> moved_;     // Whether the middle was moved
+  plan::Findings passFindings_;
+  std::vector<FindingOfDirections> findingsOfDirections_;
 };
 } // namespace
 
@@ -371,16 +342,17 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
   constexpr int kRounds = 4;
   // The cell has the head of the first tool.
   const HeadClearance head(cell, tooling.first().process);
+  const PassScene scene{cell, tooling, options.platform};
   ToolPlan current = plan;
   std::vector<Vector3d> clear = clearDirection;
   OrientResult best;
-  std::optional<plan::Finding> braces;
+  plan::Findings passFindings;
   for (int round = 0; round < kRounds; ++round) {
-    Orienter orienter(current, clear, head, tooling, options, mayMiss,
+    Orienter orienter(current, clear, head, scene, options, mayMiss,
                       round == 0 ? ctx.sub(0.0, 0.7) : ctx.sub(0.7, 1.0));
     OrientResult result = orienter.run(round == 0, std::exchange(grown, {}));
     if (round == 0)
-      braces = orienter.braces();
+      passFindings = orienter.passFindings();
     if (round > 0 && result.gouges >= best.gouges)
       break;
     best = std::move(result);
@@ -402,8 +374,7 @@ OrientResult orientDirections(const ToolPlan& plan, const std::vector<Vector3d>&
       clear.push_back(ways[i]);
     current = std::move(rest.plan);
   }
-  if (braces)
-    best.findings.push_back(std::move(*braces));
+  std::ranges::move(passFindings, std::back_inserter(best.findings));
   return best;
 }
 

@@ -27,8 +27,7 @@ struct OrientResult {
   std::size_t gouges = 0;    // Number of waypoints of the result at which the head is not clear
   double maxTurnDeg = 0.0;   // Between neighbouring waypoints of a path
   std::vector<char> gouging; // Per waypoint: the head is not clear
-  std::vector<char> hanging; // Per waypoint: its bead is unsupported (bridges.h)
-  plan::Findings findings;   // Stage "toolpath", kinds "gouge" and "braced"
+  plan::Findings findings;   // Stage "toolpath", kind "gouge" and those of the passes
   // The beads of the plan at collision::growingPitch(), with the platform as the ground.
   std::shared_ptr<const collision::GrowingPart> grown = {};
 };
@@ -39,12 +38,11 @@ struct OrientResult {
 // tilts it towards its clear direction as little as possible, else towards any clear direction up
 // to 75 degrees away. Low-passes along the path where neighbours differ by more than
 // smoothBeyondDeg (Dai 3.5.2), unless that gouges. Subdivides steps that turn by more than
-// turnLimitDeg. Unsupported walls are moved inwards a little (inset_walls.h); otherwise the centre
-// of each bead stays in place: tip = centre + 1/2 height x direction. Beads that are still
-// unsupported are tilted so that their neighbour holds them (tilt_unsupported.h), unless the whole
-// plan is upright: then it stays upright. Repeats up to four times as long as the number of gouging
-// waypoints decreases. Before each repetition, paths that satisfy mayMiss lose their gouging
-// waypoints. clearDirection: per waypoint, unit vector. `grown`: the plan's beads at
+// turnLimitDeg. The passes over unsupported beads (passes.h, WithDirections) move the middles of
+// beads, and tilt directions, which are then tried first; otherwise the middle of each bead stays
+// in place: tip = middle + 1/2 height x direction. Repeats up to four times as long as the number
+// of gouging waypoints decreases. Before each repetition, paths that satisfy mayMiss lose their
+// gouging waypoints. clearDirection: per waypoint, unit vector. `grown`: the plan's beads at
 // collision::growingPitch() if the platform is neither a body nor a rod; nullptr: they are
 // deposited here. Precondition: sizes match. Throws Cancelled.
 OrientResult orientDirections(const plan::ToolPlan& plan,

@@ -11,8 +11,7 @@
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
 #include "toolpath/unsupported/bead_tip.h"
-#include "toolpath/unsupported/bridges.h"
-#include "toolpath/unsupported/rim_supports.h"
+#include "toolpath/unsupported/passes.h"
 #include "toolpath/unsupported/supported_walls.h"
 
 #include <algorithm>
@@ -146,20 +145,18 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   if (assembled.plan.primes())
     assembled.clearDirection.insert(assembled.clearDirection.begin(),
                                     assembled.plan.paths.front().count, Vector3d::UnitZ());
-  std::optional<plan::Finding> told;
+  const PassScene scene{cell, tooling, options.platform};
+  plan::Findings told;
   std::shared_ptr<const collision::GrowingPart> grown;
   if (options.rimSupports) {
-    RimSupportedPlan under =
-        addRimSupports(std::move(assembled.plan), std::move(assembled.clearDirection),
-                       options.platform, cell, tooling, silent);
-    assembled.plan = std::move(under.plan);
-    assembled.clearDirection = std::move(under.clearDirection);
-    grown = std::move(under.grown);
-    r.statistics.rimSupportMm3 = under.volumeMm3;
-    if (under.underlaid > 0)
-      told = plan::makeFinding(plan::FindingKind::RimSupports,
-                               {{"volume", base::mm3(under.volumeMm3)}, {"paths", under.underlaid}},
-                               under.where, under.underlaid);
+    PassedPlan passed =
+        runUnsupportedPasses(PassPhase::BeforeDirections, assembled.plan,
+                             std::move(assembled.clearDirection), nullptr, scene, silent);
+    assembled.plan = std::move(passed.beads.plan);
+    assembled.clearDirection = std::move(passed.beads.clearDirection);
+    grown = std::move(passed.grown);
+    r.statistics.rimSupportMm3 = passed.addedMm3;
+    told = std::move(passed.findings);
   }
   r.seconds.toolpath = watch.seconds();
 
@@ -172,13 +169,13 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   OrientResult oriented =
       orientDirections(assembled.plan, assembled.clearDirection, cell, tooling, options,
                        ctx.sub(0.6, 1.0), liesUnderRim, std::move(grown));
+  PassedPlan passed = runUnsupportedPasses(PassPhase::AfterDirections, oriented.plan, {},
+                                           std::move(oriented.grown), scene, silent);
   r.seconds.orient = watch.seconds();
-  r.plan = std::move(oriented.plan);
-  r.grown = std::move(oriented.grown);
-  slowBridges(r.plan, oriented.hanging, tooling);
-  std::ranges::move(oriented.findings, std::back_inserter(r.findings));
-  if (told)
-    r.findings.push_back(std::move(*told));
+  r.plan = std::move(passed.beads.plan);
+  r.grown = std::move(passed.grown);
+  for (plan::Findings* findings : {&oriented.findings, &passed.findings, &told})
+    std::ranges::move(*findings, std::back_inserter(r.findings));
 
   plan::ToolpathStatistics& s = r.statistics;
   s.paths = s.starts = r.plan.paths.size();

@@ -1,8 +1,8 @@
 // Beads that hang, and how fast they are laid.
 #include "toolpath/unsupported/bridges.h"
 
-#include "base/run_context.h"
-#include "straight_beads.h"
+#include "one_pass.h"
+#include "toolpath/unsupported/slow_bridges.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,13 @@ std::vector<char> hangingOf(const plan::ToolPlan& plan, const platform::Platform
   const base::RunContext ctx;
   const collision::GrowingPart part(plan, pitch, ctx, collision::groundCells(platform, pitch, ctx));
   return toolpath::unsupportedWaypoints(plan, part, platform, ctx);
+}
+
+plan::ToolPlan slowed(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+                      const process::Tooling& tooling) {
+  return toolpath::slowBridges({plan, hanging, {}, {}}, {}, sceneOn(kPlate, tooling), {})
+      .value()
+      .beads.plan;
 }
 
 } // namespace
@@ -77,7 +84,7 @@ TEST(Bridges, AreLaidSlowly) {
   plan.speedMmPerS[6] = 3.0f; // for its own reason
   std::vector<char> hanging(plan.waypointCount(), 0);
   hanging[4] = hanging[5] = hanging[6] = 1;
-  toolpath::slowBridges(plan, hanging, kProcess);
+  plan = slowed(plan, hanging, kProcess);
   const auto slow = static_cast<float>(kProcess.bridgeSpeedMmPerS);
   EXPECT_LT(slow, 20.0f);
   const std::vector<float> expected{20, 20, 20, 20, slow, slow, 3, slow, 20, 20, 20};
@@ -92,8 +99,8 @@ TEST(Bridges, AreAsSlowAsTheirToolNeeds) {
   addPath(plan, 0, 5, 0, 0.8, 0);
   addPath(plan, 0, 5, 5, 0.8, 0);
   plan.paths.back().tool = 1;
-  toolpath::slowBridges(plan, std::vector<char>(plan.waypointCount(), 1),
-                        process::Tooling({first, second}));
+  plan =
+      slowed(plan, std::vector<char>(plan.waypointCount(), 1), process::Tooling({first, second}));
   for (const plan::ToolPath& path : plan.paths)
     for (std::size_t i = path.first; i < path.first + path.count; ++i)
       EXPECT_EQ(plan.speedMmPerS[i],

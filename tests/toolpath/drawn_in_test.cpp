@@ -1,8 +1,7 @@
 // Walls that would hang and are laid a little aside.
 #include "toolpath/unsupported/inset_walls.h"
 
-#include "base/run_context.h"
-#include "straight_beads.h"
+#include "one_pass.h"
 #include "toolpath/unsupported/bridges.h"
 
 #include <gtest/gtest.h>
@@ -30,11 +29,10 @@ Drawn drawn(plan::ToolPlan plan) {
   Drawn result;
   const collision::GrowingPart part(plan, pitch, ctx, ground);
   result.before = hanging(part);
-  result.moves = toolpath::insetUnsupportedWalls(
-      plan, toolpath::unsupportedWaypoints(plan, part, kPlate, ctx, toolpath::kMinSupportedSamples),
-      part, kPlate, kProcess, ctx);
-  for (std::size_t i = 0; i < result.moves.size(); ++i)
-    plan.position[i] += result.moves[i];
+  plan::ToolPlan after = afterPass("insetWalls", plan).plan;
+  for (std::size_t i = 0; i < plan.waypointCount(); ++i)
+    result.moves.emplace_back(after.position[i] - plan.position[i]);
+  plan = std::move(after);
   result.after = hanging(collision::GrowingPart(plan, pitch, ctx, ground));
   return result;
 }

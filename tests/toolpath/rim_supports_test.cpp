@@ -1,11 +1,10 @@
 // Beads of support under rims that would hang just over the plate.
 #include "toolpath/unsupported/rim_supports.h"
 
-#include "base/run_context.h"
 #include "collision/growing_part.h"
 #include "layers/layer_stack.h"
+#include "one_pass.h"
 #include "process/bead_model.h"
-#include "straight_beads.h"
 #include "toolpath/unsupported/bridges.h"
 
 #include <algorithm>
@@ -19,11 +18,22 @@ using Eigen::Vector3d;
 
 namespace {
 
-toolpath::RimSupportedPlan underlaid(const plan::ToolPlan& plan,
-                                     const platform::PlatformSolid& platform = kPlate) {
-  std::vector<Vector3d> clear(plan.waypointCount(), Vector3d::UnitZ());
-  const robot::Cell cell = robot::loadCell("ur5-fixed", kProcess, kPlate.polygon);
-  return toolpath::addRimSupports(plan, clear, platform, cell, kProcess, {});
+struct Underlaid {
+  plan::ToolPlan plan;
+  std::vector<Vector3d> clearDirection;
+  std::size_t underlaid = 0; // paths, as reported
+  double volumeMm3 = 0.0;
+  std::shared_ptr<const collision::GrowingPart> grown;
+};
+
+// What passes before directions make of it.
+Underlaid underlaid(const plan::ToolPlan& plan, const platform::PlatformSolid& platform = kPlate) {
+  toolpath::PassedPlan passed = afterPhase(toolpath::PassPhase::BeforeDirections, plan, platform);
+  std::size_t paths = 0;
+  for (const plan::Finding& finding : passed.findings)
+    paths += finding.count;
+  return {std::move(passed.beads.plan), std::move(passed.beads.clearDirection), paths,
+          passed.addedMm3, std::move(passed.grown)};
 }
 
 std::vector<char> hangingOf(const plan::ToolPlan& plan) {
@@ -44,7 +54,7 @@ plan::ToolPlan roundFoot() {
 
 TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
   const plan::ToolPlan plan = roundFoot();
-  const toolpath::RimSupportedPlan out = underlaid(plan);
+  const Underlaid out = underlaid(plan);
   ASSERT_EQ(out.plan.paths.size(), 4u);
   EXPECT_EQ(out.underlaid, 1u);
   const plan::ToolPath& under = out.plan.paths[1];
@@ -82,16 +92,16 @@ TEST(Underlay, LiesBehindThePrimeAndWhatIsGrownIsThePlan) {
   addPath(plan, -15, 15, 2.4, 1.6, 0);
   for (plan::ToolPath& path : plan.paths)
     path.patch = 0;
-  const toolpath::RimSupportedPlan out = underlaid(plan);
+  const Underlaid out = underlaid(plan);
   ASSERT_EQ(out.plan.paths.size(), 3u);
   EXPECT_EQ(out.plan.paths[0].kind, plan::PathKind::Skirt);
   EXPECT_EQ(out.plan.paths[1].kind, plan::PathKind::Support);
 
   plan::ToolPlan flat;
   addPath(flat, -15, 15, 0, 0.8, 0);
-  const toolpath::RimSupportedPlan same = underlaid(flat);
+  const Underlaid same = underlaid(flat);
   EXPECT_EQ(same.underlaid, 0u);
-  for (const toolpath::RimSupportedPlan* of : {&out, &same}) {
+  for (const Underlaid* of : {&out, &same}) {
     ASSERT_NE(of->grown, nullptr);
     const collision::GrowingPart fresh(of->plan, collision::growingPitch(of->plan, kProcess), {});
     ASSERT_EQ(of->grown->grid().size, fresh.grid().size);
@@ -126,7 +136,7 @@ TEST(Underlay, NothingWhereTheHeadDoesNotGetIn) {
     for (const double y : {1.5, 3.5})
       addPath(plan, -5, 15, y, 0.8 * (layer + 1), layer);
   addPath(plan, -15, 15, 2.5, 1.6, 3);
-  const toolpath::RimSupportedPlan out = underlaid(plan);
+  const Underlaid out = underlaid(plan);
   ASSERT_EQ(out.underlaid, 1u);
   for (const plan::ToolPath& path : out.plan.paths) {
     if (path.kind != plan::PathKind::Support)
@@ -139,7 +149,7 @@ TEST(Underlay, NothingWhereTheHeadDoesNotGetIn) {
 TEST(Underlay, SeveralCoursesWhereOneWouldBeThickerThanALayer) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 2.8, 0);
-  const toolpath::RimSupportedPlan out = underlaid(plan);
+  const Underlaid out = underlaid(plan);
   ASSERT_EQ(out.plan.paths.size(), 3u);
   double top = 0.0;
   for (int c = 0; c < 2; ++c) {
@@ -158,7 +168,7 @@ TEST(Underlay, StandsOnWhatIsPrinted) {
   for (int layer = 0; layer < 8; ++layer)
     addPath(plan, -15, 15, 0, 0.8 * (layer + 1), layer);
   addPath(plan, -15, 15, 0, 6.4 + 3.0, 8);
-  const toolpath::RimSupportedPlan out = underlaid(plan);
+  const Underlaid out = underlaid(plan);
   EXPECT_EQ(out.underlaid, 1u);
   ASSERT_EQ(out.plan.paths.size(), 12u);
   double top = 6.4;
@@ -178,7 +188,7 @@ TEST(Underlay, StandsOnWhatIsPrinted) {
 TEST(Underlay, HighOnesAreWider) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8 + 9.0, 0);
-  const toolpath::RimSupportedPlan out = underlaid(plan);
+  const Underlaid out = underlaid(plan);
   ASSERT_EQ(out.plan.paths.size(), 10u);
   for (std::size_t p = 0; p < 9; ++p)
     EXPECT_NEAR(out.plan.widthMm[out.plan.paths[p].first], (9.0 - 0.8 / 14.0) / 6.0, 1e-6);
@@ -195,7 +205,7 @@ TEST(Underlay, LeansWhereOnlySoTheHeadGetsIn) {
   const plan::ToolPath& roof = plan.paths.back();
   for (std::size_t i = roof.first; i < roof.first + roof.count; ++i)
     plan.direction[i] = aslant;
-  const toolpath::RimSupportedPlan out = underlaid(plan);
+  const Underlaid out = underlaid(plan);
   std::size_t laid = 0;
   for (const plan::ToolPath& path : out.plan.paths) {
     if (path.kind != plan::PathKind::Support)
@@ -214,7 +224,7 @@ TEST(Underlay, LeansAwayFromAWall) {
   for (int layer = 1; layer <= 5; ++layer) // leans over towards the roof
     addPath(plan, -15, 15, 0.6 * layer, 0.8 * (layer + 1), layer);
   addPath(plan, -15, 15, 4.6, 0.8 * 6, 6);
-  const toolpath::RimSupportedPlan out = underlaid(plan);
+  const Underlaid out = underlaid(plan);
   ASSERT_EQ(out.underlaid, 1u);
   for (const plan::ToolPath& path : out.plan.paths) {
     if (path.kind != plan::PathKind::Support)
@@ -241,7 +251,7 @@ TEST(Underlay, RandomFeet) {
       const double from = number(-18, -2), y = -12.0 + 5.0 * row + number(-0.3, 0.3);
       addPath(plan, from, from + number(4, 18), y, number(1.2, 2.8), 1 + row);
     }
-    const toolpath::RimSupportedPlan out = underlaid(plan);
+    const Underlaid out = underlaid(plan);
     const double pitch = collision::growingPitch(out.plan, kProcess);
     const collision::GrowingPart part(out.plan, pitch, {});
     plan::ToolPlan deeper = out.plan; // cells are told by their centres

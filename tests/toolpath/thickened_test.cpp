@@ -1,10 +1,8 @@
 // Beads that would hang a little over what is printed, laid thicker.
 #include "toolpath/unsupported/thicken_unsupported.h"
 
-#include "base/run_context.h"
+#include "one_pass.h"
 #include "process/bead_model.h"
-#include "straight_beads.h"
-#include "toolpath/unsupported/bridges.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -15,16 +13,8 @@ using namespace voluta::test;
 
 namespace {
 
-struct Laid {
-  plan::ToolPlan plan;
-  std::vector<char> hanging;
-};
-
-Laid thickened(plan::ToolPlan plan) {
-  const collision::GrowingPart part(plan, collision::growingPitch(plan, kProcess), {});
-  std::vector<char> hanging = toolpath::unsupportedWaypoints(plan, part, kPlate, {});
-  toolpath::thickenUnsupported(plan, hanging, part, kProcess);
-  return {std::move(plan), std::move(hanging)};
+toolpath::UnsupportedBeads thickened(const plan::ToolPlan& plan) {
+  return afterPass("thicken", plan);
 }
 
 } // namespace
@@ -33,12 +23,12 @@ TEST(Thickened, ReachesDownToWhatIsPrinted) {
   plan::ToolPlan plan;
   addPath(plan, -15, 15, 0, 0.8, 0);
   addPath(plan, -15, 15, 0, 0.8 + 0.5 + 0.4, 1, 0.4f);
-  const Laid laid = thickened(plan);
+  const toolpath::UnsupportedBeads laid = thickened(plan);
   const plan::ToolPath& above = laid.plan.paths.back();
   for (std::size_t i = above.first; i < above.first + above.count; ++i) {
     EXPECT_NEAR(laid.plan.heightMm[i], 0.9, 0.15 + 0.04); // half a cell, half a step
     EXPECT_EQ(laid.plan.position[i], plan.position[i]);
-    EXPECT_EQ(laid.hanging[i], 0);
+    EXPECT_EQ(laid.unsupported[i], 0);
   }
   EXPECT_EQ(laid.plan.heightMm.front(), plan.heightMm.front());
 }
@@ -47,9 +37,9 @@ TEST(Thickened, NotWhereItIsFarOrShortAndNeverThickerThanLayersMayBe) {
   plan::ToolPlan far;
   addPath(far, -15, 15, 0, 0.8, 0);
   addPath(far, -15, 15, 0, 0.8 + 0.9 + 0.4, 1, 0.4f);
-  const Laid high = thickened(far);
+  const toolpath::UnsupportedBeads high = thickened(far);
   EXPECT_EQ(high.plan.heightMm, far.heightMm);
-  EXPECT_GT(std::ranges::count(high.hanging, 1), 20);
+  EXPECT_GT(std::ranges::count(high.unsupported, 1), 20);
 
   plan::ToolPlan shortGap; // a bridge of two millimetres
   addPath(shortGap, -15, 15, 0, 0.8, 0);
@@ -72,7 +62,7 @@ TEST(Thickened, RandomHeights) {
     addPath(plan, -15, 15, 0, 0.8, 0);
     addPath(plan, number(-15, -8), number(8, 15), y, 0.8 + height + number(0.0, 0.8), 1,
             static_cast<float>(height));
-    const Laid laid = thickened(plan);
+    const toolpath::UnsupportedBeads laid = thickened(plan);
     const double pitch = collision::growingPitch(plan, kProcess);
     for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
       const auto now = static_cast<double>(laid.plan.heightMm[i]);

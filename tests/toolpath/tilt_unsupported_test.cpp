@@ -1,14 +1,12 @@
 // Beads that hang, pressed against those beside them.
 #include "toolpath/unsupported/tilt_unsupported.h"
 
-#include "base/run_context.h"
 #include "base/units.h"
+#include "one_pass.h"
 #include "plan/finding_kinds.h"
-#include "robot/cell.h"
-#include "straight_beads.h"
 #include "toolpath/directions.h"
 #include "toolpath/unsupported/bridges.h"
-#include "toolpath/unsupported/rim_supports.h"
+#include "toolpath/unsupported/order_inside_out.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -36,7 +34,7 @@ std::vector<char> hangingOf(const plan::ToolPlan& plan, int leastPlaces = 1) {
 }
 std::vector<std::size_t> orderOf(const plan::ToolPlan& plan) {
   std::vector<std::size_t> order;
-  for (const toolpath::OrderedPath& o : toolpath::orderInsideOut(plan, hangingOf(plan), kProcess))
+  for (const toolpath::OrderedPath& o : toolpath::insideOutOrder(plan, hangingOf(plan), kProcess))
     order.push_back(o.path);
   return order;
 }
@@ -56,17 +54,8 @@ plan::ToolPlan ledge(const std::vector<double>& asides, float height = 0.8f) {
   return leaning(std::move(plan));
 }
 
-// The plan with its directions as braced() has them, the middles of beads where they were.
-plan::ToolPlan bracedPlan(plan::ToolPlan plan) {
-  const std::vector<Vector3d> directions =
-      toolpath::tiltUnsupportedBeads(plan, hangingOf(plan, toolpath::kMinSupportedSamples),
-                                     grown(plan), kNarrowPlate, kProcess, {});
-  for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
-    const double half = 0.5 * static_cast<double>(plan.heightMm[i]);
-    plan.position[i] += half * (directions[i] - plan.direction[i]);
-    plan.direction[i] = directions[i];
-  }
-  return plan;
+plan::ToolPlan bracedPlan(const plan::ToolPlan& plan) {
+  return afterPass("tilt", plan, kNarrowPlate).plan;
 }
 
 double leanDeg(const plan::ToolPlan& before, const plan::ToolPlan& after, std::size_t i) {
@@ -110,7 +99,7 @@ TEST(InwardsFirst, APathIsTurnedThatBeginsWithWhatHangs) {
     return plan;
   };
   const auto turned = [](const plan::ToolPlan& plan) {
-    return toolpath::orderInsideOut(plan, hangingOf(plan), kProcess).at(1).turned;
+    return toolpath::insideOutOrder(plan, hangingOf(plan), kProcess).at(1).turned;
   };
   EXPECT_TRUE(turned(thereAndBack(1.15, 0.0)));
   EXPECT_FALSE(turned(thereAndBack(0.0, 1.15)));
@@ -119,17 +108,15 @@ TEST(InwardsFirst, APathIsTurnedThatBeginsWithWhatHangs) {
   plan::ToolPlan plan = thereAndBack(1.15, 0.0);
   for (std::size_t i = 0; i < plan.waypointCount(); ++i)
     plan.speedMmPerS[i] = 5.0F + 0.01F * static_cast<float>(i);
-  const std::vector<Vector3d> clear(plan.waypointCount(), Vector3d::UnitZ());
-  const toolpath::RimSupportedPlan after = toolpath::addRimSupports(
-      plan, clear, kNarrowPlate, robot::loadCell("ur5-fixed", kProcess, kNarrowPlate.polygon),
-      kProcess, {});
-  ASSERT_EQ(after.plan.waypointCount(), plan.waypointCount());
+  const plan::ToolPlan after =
+      afterPhase(toolpath::PassPhase::BeforeDirections, plan, kNarrowPlate).beads.plan;
+  ASSERT_EQ(after.waypointCount(), plan.waypointCount());
   const plan::ToolPath& path = plan.paths[1];
   for (std::size_t k = 0; k < path.count; ++k) {
     const std::size_t was = path.first + path.count - 1 - k;
-    EXPECT_EQ(after.plan.position[path.first + k], plan.position[was]);
+    EXPECT_EQ(after.position[path.first + k], plan.position[was]);
     if (k > 0) {
-      EXPECT_EQ(after.plan.speedMmPerS[path.first + k], plan.speedMmPerS[was + 1]);
+      EXPECT_EQ(after.speedMmPerS[path.first + k], plan.speedMmPerS[was + 1]);
     }
   }
 }
@@ -206,7 +193,6 @@ TEST(Braced, UprightBeadsStayUpright) {
   EXPECT_NE(bracedPlan(plan).direction, plan.direction);
   plan.paths.front().kind = plan::PathKind::Support; // the one that leans
   EXPECT_EQ(bracedPlan(plan).direction, plan.direction);
-  EXPECT_FALSE(toolpath::canBrace(plan, hangingOf(plan), kProcess));
 }
 
 TEST(Braced, WhatHasNothingBesideItStays) {
@@ -229,22 +215,24 @@ TEST(Braced, ALedgeOnItsWayToDirections) {
       plan.direction.front() = Vector3d::UnitZ();
     else
       plan = leaning(std::move(plan));
-    const std::vector<Vector3d> clear(plan.waypointCount(), Vector3d::UnitZ());
-    const toolpath::RimSupportedPlan under =
-        toolpath::addRimSupports(plan, clear, kNarrowPlate, cell, kProcess, {});
-    EXPECT_EQ(under.underlaid, 0u);
-    ASSERT_EQ(under.plan.paths.size(), 5u);
+    const toolpath::PassedPlan under = toolpath::runUnsupportedPasses(
+        toolpath::PassPhase::BeforeDirections, plan,
+        std::vector<Vector3d>(plan.waypointCount(), Vector3d::UnitZ()), nullptr,
+        {cell, kProcess, kNarrowPlate}, {});
+    EXPECT_TRUE(under.findings.empty());
+    const plan::ToolPlan& ordered = under.beads.plan;
+    ASSERT_EQ(ordered.paths.size(), 5u);
     std::vector<double> asides;
     for (std::size_t p = 1; p < 5; ++p)
-      asides.push_back(under.plan.position[under.plan.paths[p].first].y());
+      asides.push_back(ordered.position[ordered.paths[p].first].y());
     EXPECT_EQ(asides,
               upright ? (std::vector{3.5, 2.35, 1.2, 0.0}) : (std::vector{0.0, 1.2, 2.35, 3.5}));
     const toolpath::OrientResult oriented = toolpath::orientDirections(
-        under.plan, under.clearDirection, cell, kProcess, options, {}, {}, under.grown);
+        ordered, under.beads.clearDirection, cell, kProcess, options, {}, {}, under.grown);
     EXPECT_EQ(oriented.gouges, 0u);
-    const auto hanging = std::ranges::count(oriented.hanging, 1);
+    const auto hanging = std::ranges::count(hangingOf(oriented.plan), 1);
     if (upright) {
-      EXPECT_EQ(oriented.plan.direction, under.plan.direction); // nothing else may be possible
+      EXPECT_EQ(oriented.plan.direction, ordered.direction); // nothing else may be possible
       EXPECT_GT(hanging, 20);
       EXPECT_TRUE(oriented.findings.empty());
     } else {

@@ -1,6 +1,5 @@
 #include "toolpath/unsupported/bridges.h"
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "geometry/convex_polygon.h"
@@ -133,17 +132,6 @@ std::vector<UnsupportedStretch> hangingStretches(const plan::ToolPlan& plan,
     b = std::max(e, b + 1);
   }
   return stretches;
-}
-
-void slowBridges(plan::ToolPlan& plan, const std::vector<char>& hanging,
-                 const process::Tooling& tooling) {
-  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
-  for (const plan::ToolPath& path : plan.paths) {
-    const auto most = static_cast<float>(tooling.of(path).process.bridgeSpeedMmPerS);
-    for (std::size_t i = path.first; i < path.first + path.count; ++i)
-      if (hanging[i] || (i > path.first && hanging[i - 1]))
-        plan.speedMmPerS[i] = std::min(plan.speedMmPerS[i], most);
-  }
 }
 
 } // namespace voluta::toolpath

@@ -5,7 +5,6 @@
 #include "collision/growing_part.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
-#include "process/tooling.h"
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -48,11 +47,5 @@ int supportedSamples(const plan::ToolPlan& plan, const plan::ToolPath& path, std
 // Returns the unit vector sideways to the path at a waypoint: direction x path tangent.
 Eigen::Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
                        std::size_t waypoint);
-
-// Limits the speed of unsupported beads, and of the approach to and exit from them, to the bridging
-// speed of their tool's process. The flow is scaled with the speed, as given by planned speeds and
-// sections.
-void slowBridges(plan::ToolPlan& plan, const std::vector<char>& hanging,
-                 const process::Tooling& tooling);
 
 } // namespace voluta::toolpath

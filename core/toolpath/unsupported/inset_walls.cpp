@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/lateral_taper.h"
 
 #include <algorithm>
@@ -71,20 +72,30 @@ private:
 
 } // namespace
 
-std::vector<Vector3d>
-insetUnsupportedWalls(const plan::ToolPlan& plan, const std::vector<char>& hanging,
-                      const collision::GrowingPart& part, const platform::PlatformSolid& platform,
-                      const process::Tooling& tooling, const base::RunContext& ctx) {
-  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
+std::optional<PassResult> insetUnsupportedWalls(const UnsupportedBeads& beads, const SeenPart& part,
+                                                const PassScene& scene,
+                                                const base::RunContext& ctx) {
+  const plan::ToolPlan& plan = beads.plan;
+  base::require(beads.unsupported.size() == plan.waypointCount() &&
+                    beads.middle.size() == plan.waypointCount(),
+                "a mark and a middle for each waypoint");
   std::vector<Vector3d> moves(plan.waypointCount(), Vector3d::Zero());
-  const Drawer drawer(plan, part, platform, tooling);
+  const Drawer drawer(plan, part(), scene.platform, scene.tooling);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p)
       if (plan.paths[p].kind == plan::PathKind::Wall)
-        drawer.draw(plan.paths[p], hanging, moves);
+        drawer.draw(plan.paths[p], beads.unsupported, moves);
   });
   ctx.checkpoint();
-  return moves;
+  if (std::ranges::all_of(moves, [](const Vector3d& move) { return move.isZero(); }))
+    return std::nullopt;
+  PassResult out{beads};
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    out.beads.plan.position[i] += moves[i];
+    out.beads.middle[i] += moves[i];
+    out.beads.unsupported[i] = beads.unsupported[i] && moves[i].isZero();
+  }
+  return out;
 }
 
 } // namespace voluta::toolpath

@@ -1,18 +1,7 @@
 // Insets unsupported walls to where the layer below supports them.
 #pragma once
 
-#include "collision/growing_part.h"
-#include "plan/tool_plan.h"
-#include "platform/platform_solid.h"
-#include "process/tooling.h"
-#include "toolpath/unsupported/bridges.h"
-
-#include <Eigen/Core>
-#include <vector>
-
-namespace voluta::base {
-class RunContext;
-}
+#include "toolpath/unsupported/passes.h"
 
 namespace voluta::toolpath {
 
@@ -21,12 +10,10 @@ namespace voluta::toolpath {
 // less than a quarter of their width (kMinSupportedSamples) and are longer than half of the
 // process's bridge length are therefore offset sideways: by the minimum that supports a quarter of
 // the width, at most half a bead, tapered along the path. Where that is not enough they are not
-// moved. An offset bead overlaps its neighbour, and the part is short, by the same amount. Returns
-// the offset per waypoint [mm]; walls only. `hanging`: unsupportedWaypoints() with
-// kMinSupportedSamples. Throws Cancelled.
-std::vector<Eigen::Vector3d>
-insetUnsupportedWalls(const plan::ToolPlan& plan, const std::vector<char>& hanging,
-                      const collision::GrowingPart& part, const platform::PlatformSolid& platform,
-                      const process::Tooling& tooling, const base::RunContext& ctx);
+// moved. An offset bead overlaps its neighbour, and the part is short, by the same amount. Walls
+// only. Clears the marks of moved waypoints.
+std::optional<PassResult> insetUnsupportedWalls(const UnsupportedBeads& beads, const SeenPart& part,
+                                                const PassScene& scene,
+                                                const base::RunContext& ctx);
 
 } // namespace voluta::toolpath

@@ -4,15 +4,13 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/units.h"
-#include "collision/growing_part.h"
 #include "geometry/convex_polygon.h"
 #include "layers/layer_stack.h"
+#include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "process/bead_model.h"
 #include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/head_clearance.h"
-#include "toolpath/unsupported/thicken_unsupported.h"
-#include "toolpath/unsupported/tilt_unsupported.h"
 
 #include <algorithm>
 #include <array>
@@ -246,14 +244,14 @@ private:
   std::size_t before_;
 };
 
-// Returns the courses per path that has some. `hanging`: unsupportedWaypoints() of the plan and its
-// beads.
-std::map<std::size_t, std::vector<Course>>
-coursesOf(const plan::ToolPlan& plan, const collision::GrowingPart& part,
-          const std::vector<char>& hanging, const platform::PlatformSolid& platform,
-          const robot::Cell& cell, const process::Tooling& tooling, const base::RunContext& ctx) {
+// Returns the courses per path that has some.
+std::map<std::size_t, std::vector<Course>> coursesOf(const UnsupportedBeads& beads,
+                                                     const collision::GrowingPart& part,
+                                                     const PassScene& scene,
+                                                     const base::RunContext& ctx) {
+  const plan::ToolPlan& plan = beads.plan;
   // The cell has the head of the first tool.
-  const HeadClearance head(cell, tooling.first().process);
+  const HeadClearance head(scene.cell, scene.tooling.first().process);
   std::vector<std::vector<Course>> of(plan.paths.size());
   std::vector<std::size_t> patchFirst(plan.paths.size()); // its first waypoint
   for (std::size_t p = 0; p < plan.paths.size(); ++p)
@@ -261,8 +259,9 @@ coursesOf(const plan::ToolPlan& plan, const collision::GrowingPart& part,
   base::parallelChunks(ctx, of.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p) {
       const plan::ToolPath& path = plan.paths[p];
-      of[p] = Underlayer(plan, part, platform, head, tooling.of(path).process, path, patchFirst[p])
-                  .courses(hanging);
+      of[p] = Underlayer(plan, part, scene.platform, head, scene.tooling.of(path).process, path,
+                         patchFirst[p])
+                  .courses(beads.unsupported);
     }
   });
   ctx.checkpoint();
@@ -273,98 +272,107 @@ coursesOf(const plan::ToolPlan& plan, const collision::GrowingPart& part,
   return result;
 }
 
-} // namespace
-
-RimSupportedPlan addRimSupports(plan::ToolPlan plan, std::vector<Vector3d> clearDirection,
-                                const platform::PlatformSolid& platform, const robot::Cell& cell,
-                                const process::Tooling& tooling, const base::RunContext& ctx) {
-  base::require(clearDirection.size() == plan.waypointCount(), "one clear direction per waypoint");
-  RimSupportedPlan out{std::move(plan), std::move(clearDirection)};
-  if (platform.polygon.size() < 3 || platform.mesh || platform.rod || out.plan.paths.empty())
-    return out;
-  auto part = std::make_shared<const collision::GrowingPart>(
-      out.plan, collision::growingPitch(out.plan, tooling), ctx);
-  const plan::ToolPlan laid = out.plan;
-  std::vector<char> hanging = unsupportedWaypoints(out.plan, *part, platform, ctx);
-  const bool thickened = thickenUnsupported(out.plan, hanging, *part, tooling);
-  const auto courses = coursesOf(out.plan, *part, hanging, platform, cell, tooling, ctx);
-  for (const auto& [path, of] : courses)
-    for (const Course& course : of)
-      for (const std::size_t above : course.above)
-        hanging[above] = 0;
-  const std::vector<OrderedPath> order = orderInsideOut(out.plan, hanging, tooling);
-  std::size_t inPlace = 0;
-  while (inPlace < order.size() && order[inPlace] == OrderedPath{inPlace})
-    ++inPlace;
-  if (courses.empty() && inPlace == order.size()) {
-    out.grown =
-        thickened ? collision::regrown(out.plan, *part, laid, tooling, ctx) : std::move(part);
-    return out;
+// Puts the support beads into the plan.
+class Inserter {
+public:
+  Inserter(const UnsupportedBeads& was, const std::map<std::size_t, std::vector<Course>>& courses,
+           const process::Tooling& tooling)
+      : was_(was), courses_(courses), tooling_(tooling), isHeld_(was.unsupported.size(), 0) {
+    for (const auto& [path, of] : courses)
+      for (const Course& course : of)
+        for (const std::size_t above : course.above)
+          isHeld_[above] = 1;
   }
 
-  const RimSupportedPlan was = std::exchange(out, {});
-  const auto addCourse = [&](const Course& course, plan::ToolPath under) {
+  PassResult run() {
+    const std::vector<plan::ToolPath>& paths = was_.plan.paths;
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      if (beginsPatch(was_.plan, p) && !plan::isWaste(paths[p].kind))
+        addSupports(p);
+      addPath(paths[p]);
+    }
+    out_.finding =
+        plan::makeFinding(plan::FindingKind::RimSupports,
+                          {{"volume", base::mm3(out_.addedMm3)}, {"paths", courses_.size()}},
+                          courses_.begin()->second.front().tip.front(), courses_.size());
+    return std::move(out_);
+  }
+
+private:
+  // Adds the support beads of all paths of a patch, low ones first, so that the head does not
+  // collide with higher ones.
+  void addSupports(std::size_t firstPath) {
+    const std::vector<plan::ToolPath>& paths = was_.plan.paths;
+    std::vector<std::pair<const Course*, const plan::ToolPath*>> beneath;
+    Vector3d up = Vector3d::Zero();
+    for (std::size_t q = firstPath; q < paths.size() && paths[q].patch == paths[firstPath].patch;
+         ++q)
+      if (const auto found = courses_.find(q); found != courses_.end())
+        for (const Course& course : found->second)
+          beneath.emplace_back(&course, &paths[q]);
+    for (const auto& [course, under] : beneath)
+      for (const Vector3d& d : course->direction)
+        up += d;
+    std::ranges::stable_sort(beneath, {}, [&](const auto& b) { return b.first->meanAlong(up); });
+    for (const auto& [course, under] : beneath)
+      addCourse(*course, *under);
+  }
+
+  void addCourse(const Course& course, plan::ToolPath under) {
+    UnsupportedBeads& to = out_.beads;
     const auto sectionOf = [&](float height) {
       return process::beadArea(course.widthMm, static_cast<double>(height));
     };
-    const process::Process& process = tooling.of(under).process;
-    under.first = out.plan.waypointCount();
+    const process::Process& process = tooling_.of(under).process;
+    under.first = to.plan.waypointCount();
     under.count = course.tip.size();
     under.kind = plan::PathKind::Support;
     under.group = layers::kSupportGroup;
     under.closed = false;
     for (std::size_t i = 0; i < course.tip.size(); ++i) {
-      const std::size_t above = course.above[i];
       const double section = sectionOf(course.heightMm[i]);
-      append(out.plan, course.tip[i], course.direction[i], static_cast<float>(course.widthMm),
+      append(to.plan, course.tip[i], course.direction[i], static_cast<float>(course.widthMm),
              course.heightMm[i],
              static_cast<float>(std::min(process.speedMmPerS, process.maxFlowMm3PerS / section)));
-      out.clearDirection.push_back(was.clearDirection[above]);
+      to.unsupported.push_back(0);
+      to.clearDirection.push_back(was_.clearDirection[course.above[i]]);
       if (i > 0)
-        out.volumeMm3 += process::beadVolume(sectionOf(course.heightMm[i - 1]), section,
+        out_.addedMm3 += process::beadVolume(sectionOf(course.heightMm[i - 1]), section,
                                              (course.tip[i] - course.tip[i - 1]).norm());
     }
-    out.plan.paths.push_back(under);
-  };
-  for (std::size_t p = 0; p < was.plan.paths.size(); ++p) {
-    // The order of paths changes only within a patch, so patches begin at the same indices.
-    const plan::ToolPath& path = was.plan.paths[order[p].path];
-    // The support beads of all paths of the patch come before its first path, low ones first, so
-    // that the head does not collide with higher ones.
-    if (beginsPatch(was.plan, p) && !plan::isWaste(path.kind)) {
-      std::vector<std::pair<const Course*, const plan::ToolPath*>> beneath;
-      for (std::size_t q = p; q < was.plan.paths.size() && was.plan.paths[q].patch == path.patch;
-           ++q) {
-        const auto found = courses.find(q);
-        if (found == courses.end())
-          continue;
-        if (out.underlaid++ == 0)
-          out.where = found->second.front().tip.front();
-        for (const Course& course : found->second)
-          beneath.emplace_back(&course, &was.plan.paths[q]);
-      }
-      Vector3d up = Vector3d::Zero();
-      for (const auto& [course, under] : beneath)
-        for (const Vector3d& d : course->direction)
-          up += d;
-      std::ranges::stable_sort(beneath, {}, [&](const auto& b) { return b.first->meanAlong(up); });
-      for (const auto& [course, under] : beneath)
-        addCourse(*course, *under);
-    }
-    plan::ToolPath same = path;
-    same.first = out.plan.waypointCount();
-    for (std::size_t k = 0; k < path.count; ++k) {
-      const std::size_t i = path.first + (order[p].turned ? path.count - 1 - k : k);
-      plan::appendWaypoint(out.plan, was.plan, i);
-      // A waypoint's speed is that of the segment leading to it.
-      if (order[p].turned && k > 0)
-        out.plan.speedMmPerS.back() = was.plan.speedMmPerS[i + 1];
-      out.clearDirection.push_back(was.clearDirection[i]);
-    }
-    out.plan.paths.push_back(same);
+    to.plan.paths.push_back(under);
   }
-  out.grown = collision::regrown(out.plan, *part, laid, tooling, ctx);
-  return out;
+
+  void addPath(plan::ToolPath path) {
+    UnsupportedBeads& to = out_.beads;
+    const std::size_t first = std::exchange(path.first, to.plan.waypointCount());
+    for (std::size_t i = first; i < first + path.count; ++i) {
+      plan::appendWaypoint(to.plan, was_.plan, i);
+      to.unsupported.push_back(was_.unsupported[i] && !isHeld_[i]);
+      to.clearDirection.push_back(was_.clearDirection[i]);
+    }
+    to.plan.paths.push_back(path);
+  }
+
+  const UnsupportedBeads& was_;
+  const std::map<std::size_t, std::vector<Course>>& courses_;
+  const process::Tooling tooling_;
+  std::vector<char> isHeld_; // per waypoint: a support bead is below it
+  PassResult out_;
+};
+
+} // namespace
+
+std::optional<PassResult> addRimSupports(const UnsupportedBeads& beads, const SeenPart& part,
+                                         const PassScene& scene, const base::RunContext& ctx) {
+  base::require(beads.unsupported.size() == beads.plan.waypointCount() &&
+                    beads.clearDirection.size() == beads.plan.waypointCount(),
+                "a mark and a clear direction for each waypoint");
+  ctx.checkpoint();
+  const auto courses = coursesOf(beads, part(), scene, ctx);
+  if (courses.empty())
+    return std::nullopt;
+  return Inserter(beads, courses, scene.tooling).run();
 }
 
 } // namespace voluta::toolpath

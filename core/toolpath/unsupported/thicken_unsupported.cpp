@@ -1,11 +1,13 @@
 #include "toolpath/unsupported/thicken_unsupported.h"
 
 #include "base/error.h"
+#include "base/run_context.h"
 #include "process/bead_model.h"
 #include "toolpath/unsupported/bridges.h"
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace voluta::toolpath {
 
@@ -43,30 +45,34 @@ std::vector<double> steadied(const std::vector<double>& by) {
 
 } // namespace
 
-bool thickenUnsupported(plan::ToolPlan& plan, std::vector<char>& hanging,
-                        const collision::GrowingPart& part, const process::Tooling& tooling) {
-  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
-  bool any = false;
-  for (const plan::ToolPath& path : plan.paths) {
-    const process::Process& process = tooling.of(path).process;
+std::optional<PassResult> thickenUnsupported(const UnsupportedBeads& beads, const SeenPart& part,
+                                             const PassScene& scene, const base::RunContext& ctx) {
+  const plan::ToolPlan& was = beads.plan;
+  base::require(beads.unsupported.size() == was.waypointCount(), "a mark for each waypoint");
+  std::optional<PassResult> out;
+  for (const plan::ToolPath& path : was.paths) {
+    ctx.checkpoint();
+    const process::Process& process = scene.tooling.of(path).process;
     for (const UnsupportedStretch& s :
-         hangingStretches(plan, path, hanging, 0.5 * process.bridgeMm)) {
-      const std::vector<double> by = steadied(reachDown(plan, s, part, process.layerHeightMaxMm));
+         hangingStretches(was, path, beads.unsupported, 0.5 * process.bridgeMm)) {
+      const std::vector<double> by = steadied(reachDown(was, s, part(), process.layerHeightMaxMm));
       for (std::size_t i = s.begin; i < s.end; ++i) {
         if (by[i - s.begin] <= 0.0)
           continue;
+        if (!out)
+          out.emplace(PassResult{beads});
+        plan::ToolPlan& plan = out->beads.plan;
         const double thicker = std::min(process.layerHeightMaxMm,
-                                        static_cast<double>(plan.heightMm[i]) + by[i - s.begin]);
+                                        static_cast<double>(was.heightMm[i]) + by[i - s.begin]);
         plan.heightMm[i] = static_cast<float>(thicker);
-        const double section = process::beadArea(static_cast<double>(plan.widthMm[i]), thicker);
+        const double section = process::beadArea(static_cast<double>(was.widthMm[i]), thicker);
         plan.speedMmPerS[i] =
-            std::min(plan.speedMmPerS[i], static_cast<float>(process.maxFlowMm3PerS / section));
-        hanging[i] = 0;
-        any = true;
+            std::min(was.speedMmPerS[i], static_cast<float>(process.maxFlowMm3PerS / section));
+        out->beads.unsupported[i] = 0;
       }
     }
   }
-  return any;
+  return out;
 }
 
 } // namespace voluta::toolpath

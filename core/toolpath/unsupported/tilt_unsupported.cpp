@@ -4,11 +4,12 @@
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "plan/finding_kinds.h"
 #include "toolpath/unsupported/lateral_taper.h"
+#include "toolpath/unsupported/tiltable_stretches.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -18,79 +19,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStepDeg = 10.0, kMostDeg = 50.0;
-// in bead widths: maximum distance between the centrelines of neighbours
-constexpr double kBesideWidths = 1.5;
 constexpr double kFadeDegPerMm = 5.0; // smooths noise between waypoints caused by the cells
-
-// Ignores supports, which tilt where the head would collide and can be left out.
-bool isUpright(const plan::ToolPlan& plan) {
-  return std::ranges::all_of(plan.paths, [&](const plan::ToolPath& path) {
-    const auto first = plan.direction.begin() + static_cast<std::ptrdiff_t>(path.first);
-    return path.kind == plan::PathKind::Support ||
-           std::all_of(first, first + static_cast<std::ptrdiff_t>(path.count),
-                       [](const Vector3d& d) { return d == Vector3d::UnitZ(); });
-  });
-}
-
-// Returns the stretches of a path that have to be printed last and tilted.
-std::vector<UnsupportedStretch> stretchesOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
-                                            const std::vector<char>& hanging,
-                                            const process::Tooling& tooling) {
-  if (path.kind == plan::PathKind::Support)
-    return {};
-  return hangingStretches(plan, path, hanging, 0.5 * tooling.of(path).process.bridgeMm);
-}
 
 // Returns the direction tilted sideways to the path by an angle.
 Vector3d leaning(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t i,
                  double deg) {
   const double rad = base::degreesToRadians(deg);
   return std::cos(rad) * plan.direction[i] + std::sin(rad) * sideOf(plan, path, i);
-}
-
-// Squared distance of the unsupported waypoint furthest from all supported ones to the nearest of
-// them.
-double outwardsMm2(const plan::ToolPlan& plan, const std::vector<UnsupportedStretch>& stretches,
-                   const std::vector<Vector3d>& carried) {
-  double furthest = 0.0;
-  for (const UnsupportedStretch& s : stretches)
-    for (std::size_t i = s.begin; i < s.end; ++i) {
-      double nearest = std::numeric_limits<double>::max();
-      for (const Vector3d& at : carried)
-        nearest = std::min(nearest, (plan.position[i] - at).squaredNorm());
-      furthest = std::max(furthest, nearest);
-    }
-  return furthest;
-}
-
-// For an open path, returns whether more of its unsupported waypoints are beside lines that it
-// prints later than beside lines already printed.
-bool leansOnLater(const plan::ToolPlan& plan, const plan::ToolPath& path,
-                  const std::vector<UnsupportedStretch>& stretches,
-                  const std::vector<char>& hanging) {
-  std::vector<double> along(path.count, 0.0); // mm from its start
-  for (std::size_t k = 1; k < path.count; ++k)
-    along[k] =
-        along[k - 1] + (plan.position[path.first + k] - plan.position[path.first + k - 1]).norm();
-  int later = 0;
-  for (const UnsupportedStretch& s : stretches)
-    for (std::size_t i = s.begin; i < s.end; ++i) {
-      const double reach = kBesideWidths * static_cast<double>(plan.widthMm[i]);
-      double nearest = reach * reach;
-      int side = 0;
-      for (std::size_t k = 0; k < path.count; ++k) {
-        const std::size_t j = path.first + k;
-        // Neighbouring waypoints along the path are not beside it.
-        if (hanging[j] || std::abs(along[k] - along[i - path.first]) < 2.0 * reach)
-          continue;
-        if (const double d = (plan.position[j] - plan.position[i]).squaredNorm(); d < nearest) {
-          nearest = d;
-          side = j > i ? 1 : -1;
-        }
-      }
-      later += side;
-    }
-  return later > 0;
 }
 
 class Bracer {
@@ -143,83 +78,83 @@ private:
   const platform::PlatformSolid& platform_;
 };
 
+// Returns whether there is any stretch to be tilted.
+bool canTilt(const UnsupportedBeads& beads, const process::Tooling& tooling) {
+  return !isUpright(beads.plan) &&
+         std::ranges::any_of(beads.plan.paths, [&](const plan::ToolPath& path) {
+           return !tiltableStretches(beads.plan, path, beads.unsupported, tooling).empty();
+         });
+}
+
+// Returns the finding about those of the tilted waypoints (ascending) whose chosen direction is
+// not that of their layer; nullopt if there are none.
+std::optional<plan::Finding> braced(const std::vector<std::size_t>& tilted,
+                                    const plan::ToolPlan& begun,
+                                    const std::vector<Vector3d>& direction) {
+  std::size_t paths = 0;
+  double most = 1.0; // Cosine
+  Vector3d where = Vector3d::Zero();
+  auto next = tilted.begin();
+  for (const plan::ToolPath& path : begun.paths) {
+    bool any = false;
+    for (; next != tilted.end() && *next < path.first + path.count; ++next) {
+      const Vector3d& own = begun.direction[*next];
+      if (direction[*next] == own)
+        continue;
+      if (paths == 0 && !any)
+        where = begun.position[*next];
+      any = true;
+      most = std::min(most, own.dot(direction[*next]));
+    }
+    paths += any ? 1 : 0;
+  }
+  if (paths == 0)
+    return std::nullopt;
+  return plan::makeFinding(
+      plan::FindingKind::Braced,
+      {{"paths", paths}, {"lean", base::degrees(base::radiansToDegrees(std::acos(most)))}}, where,
+      paths);
+}
+
 } // namespace
 
-std::vector<OrderedPath> orderInsideOut(const plan::ToolPlan& plan,
-                                        const std::vector<char>& hanging,
-                                        const process::Tooling& tooling) {
-  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
-  std::vector<OrderedPath> order(plan.paths.size());
-  for (std::size_t p = 0; p < order.size(); ++p)
-    order[p].path = p;
-  if (isUpright(plan))
-    return order;
-  for (std::size_t b = 0; b < order.size();) {
-    std::size_t e = b + 1;
-    while (e < order.size() && plan.paths[e].patch == plan.paths[b].patch &&
-           !plan::isWaste(plan.paths[e - 1].kind))
-      ++e;
-    std::vector<std::size_t> first;
-    std::vector<std::pair<std::size_t, std::vector<UnsupportedStretch>>> outer;
-    for (std::size_t p = b; p < e; ++p) {
-      std::vector<UnsupportedStretch> stretches =
-          stretchesOf(plan, plan.paths[p], hanging, tooling);
-      if (stretches.empty())
-        first.push_back(p);
-      else
-        outer.emplace_back(p, std::move(stretches));
-    }
-    std::vector<Vector3d> carried;
-    if (!outer.empty())
-      for (std::size_t p = b; p < e; ++p)
-        for (std::size_t i = plan.paths[p].first; i < plan.paths[p].first + plan.paths[p].count;
-             ++i)
-          if (!hanging[i])
-            carried.push_back(plan.position[i]);
-    if (!carried.empty()) {
-      std::vector<std::pair<double, OrderedPath>> outwards;
-      for (const auto& [p, stretches] : outer) {
-        const plan::ToolPath& path = plan.paths[p];
-        outwards.emplace_back(
-            outwardsMm2(plan, stretches, carried),
-            OrderedPath{p, !path.closed && leansOnLater(plan, path, stretches, hanging)});
-      }
-      std::ranges::stable_sort(outwards, {}, &std::pair<double, OrderedPath>::first);
-      std::size_t at = b;
-      for (const std::size_t p : first)
-        order[at++] = {p};
-      for (const auto& [distance, path] : outwards)
-        order[at++] = path;
-    }
-    b = e;
-  }
-  return order;
-}
-
-bool canBrace(const plan::ToolPlan& plan, const std::vector<char>& hanging,
-              const process::Tooling& tooling) {
-  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
-  return !isUpright(plan) && std::ranges::any_of(plan.paths, [&](const plan::ToolPath& path) {
-    return !stretchesOf(plan, path, hanging, tooling).empty();
-  });
-}
-
-std::vector<Vector3d>
-tiltUnsupportedBeads(const plan::ToolPlan& plan, const std::vector<char>& hanging,
-                     const collision::GrowingPart& part, const platform::PlatformSolid& platform,
-                     const process::Tooling& tooling, const base::RunContext& ctx) {
-  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
+std::optional<PassResult> tiltUnsupportedBeads(const UnsupportedBeads& beads, const SeenPart& part,
+                                               const PassScene& scene,
+                                               const base::RunContext& ctx) {
+  const plan::ToolPlan& plan = beads.plan;
+  base::require(beads.unsupported.size() == plan.waypointCount() &&
+                    beads.middle.size() == plan.waypointCount(),
+                "a mark and a middle for each waypoint");
+  ctx.checkpoint();
+  if (!canTilt(beads, scene.tooling))
+    return std::nullopt;
   std::vector<Vector3d> directions = plan.direction;
-  if (isUpright(plan))
-    return directions;
-  const Bracer bracer(plan, part, platform);
+  const Bracer bracer(plan, part(), scene.platform);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p)
-      for (const UnsupportedStretch& s : stretchesOf(plan, plan.paths[p], hanging, tooling))
+      for (const UnsupportedStretch& s :
+           tiltableStretches(plan, plan.paths[p], beads.unsupported, scene.tooling))
         bracer.brace(plan.paths[p], s, directions);
   });
   ctx.checkpoint();
-  return directions;
+  PassResult out{beads};
+  std::vector<std::size_t> tilted;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (directions[i] == plan.direction[i])
+      continue;
+    out.beads.plan.direction[i] = directions[i];
+    out.beads.plan.position[i] =
+        beads.middle[i] + 0.5 * static_cast<double>(plan.heightMm[i]) * directions[i];
+    out.beads.unsupported[i] = 0;
+    tilted.push_back(i);
+  }
+  if (tilted.empty())
+    return std::nullopt;
+  out.findingOfDirections = [tilted = std::move(tilted)](const plan::ToolPlan& begun,
+                                                         const std::vector<Vector3d>& direction) {
+    return braced(tilted, begun, direction);
+  };
+  return out;
 }
 
 } // namespace voluta::toolpath

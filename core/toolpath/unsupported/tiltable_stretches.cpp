@@ -1,0 +1,28 @@
+#include "toolpath/unsupported/tiltable_stretches.h"
+
+#include <algorithm>
+
+namespace voluta::toolpath {
+
+using Eigen::Vector3d;
+
+bool isUpright(const plan::ToolPlan& plan) {
+  // Supports tilt where the head would collide, and can be left out.
+  return std::ranges::all_of(plan.paths, [&](const plan::ToolPath& path) {
+    const auto first = plan.direction.begin() + static_cast<std::ptrdiff_t>(path.first);
+    return path.kind == plan::PathKind::Support ||
+           std::all_of(first, first + static_cast<std::ptrdiff_t>(path.count),
+                       [](const Vector3d& d) { return d == Vector3d::UnitZ(); });
+  });
+}
+
+std::vector<UnsupportedStretch> tiltableStretches(const plan::ToolPlan& plan,
+                                                  const plan::ToolPath& path,
+                                                  const std::vector<char>& hanging,
+                                                  const process::Tooling& tooling) {
+  if (path.kind == plan::PathKind::Support)
+    return {};
+  return hangingStretches(plan, path, hanging, 0.5 * tooling.of(path).process.bridgeMm);
+}
+
+} // namespace voluta::toolpath
