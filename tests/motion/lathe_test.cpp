@@ -391,9 +391,9 @@ TEST(Lathe, BeyondWhatTheCellPrintsIsNamed) {
   ASSERT_EQ(w.result.findings.size(), 1u);
   const plan::Finding& finding = w.result.findings.front();
   EXPECT_EQ(voluta::plan::reportId(finding), "beyondRod");
-  EXPECT_NE(voluta::plan::englishReason(finding).find(
-                "50 mm from the rod's axis and 100 mm from its middle"),
-            std::string::npos);
+  EXPECT_NE(
+      voluta::plan::englishReason(finding).find("50 mm from its axis and 100 mm from its middle"),
+      std::string::npos);
   EXPECT_TRUE(finding.where);
   EXPECT_EQ(finding.count, plan.waypointCount() - first);
   EXPECT_EQ(w.result.statistics.unreachable, plan.waypointCount() - first);

@@ -1,7 +1,7 @@
 // Insets unsupported walls to where the layer below supports them.
 #pragma once
 
-#include "toolpath/unsupported/passes.h"
+#include "toolpath/unsupported/unsupported_pass.h"
 
 namespace voluta::toolpath {
 

@@ -1,7 +1,7 @@
 // Prints patches with unsupported beads from the supported beads outwards.
 #pragma once
 
-#include "toolpath/unsupported/passes.h"
+#include "toolpath/unsupported/unsupported_pass.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 // Support beads under beads that would overhang just above the plate or printed material.
 #pragma once
 
-#include "toolpath/unsupported/passes.h"
+#include "toolpath/unsupported/unsupported_pass.h"
 
 namespace voluta::toolpath {
 

@@ -1,7 +1,7 @@
 // Slows beads down that bridge gaps.
 #pragma once
 
-#include "toolpath/unsupported/passes.h"
+#include "toolpath/unsupported/unsupported_pass.h"
 
 namespace voluta::toolpath {
 

@@ -1,7 +1,7 @@
 // Thickens beads that would be unsupported a little above printed material.
 #pragma once
 
-#include "toolpath/unsupported/passes.h"
+#include "toolpath/unsupported/unsupported_pass.h"
 
 namespace voluta::toolpath {
 

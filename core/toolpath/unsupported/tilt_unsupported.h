@@ -1,7 +1,7 @@
 // Tilts unsupported beads so that they are pressed against their neighbours.
 #pragma once
 
-#include "toolpath/unsupported/passes.h"
+#include "toolpath/unsupported/unsupported_pass.h"
 
 namespace voluta::toolpath {
 
