@@ -10,9 +10,7 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
