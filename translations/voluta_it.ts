@@ -8587,10 +8587,6 @@ circa %6, stimato da volume e altezza senza supporti</translation>
         <translation>togli %1</translation>
     </message>
     <message>
-        <source>Calculating…</source>
-        <translation>Calcolo in corso…</translation>
-    </message>
-    <message>
         <source>home pose</source>
         <translation>posizione di riposo</translation>
     </message>
