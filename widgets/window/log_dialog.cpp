@@ -38,7 +38,7 @@ LogDialog::LogDialog(const QString& file, QWidget* parent) : QDialog(parent) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   auto* folder = buttons->addButton(tr("Open the folder"), QDialogButtonBox::ActionRole);
   folder->setObjectName("logFolder");
-  connect(folder, &QPushButton::clicked, this, [this, file, place] {
+  connect(folder, &QPushButton::clicked, this, [file, place] {
     const QString in = QFileInfo(file).absolutePath();
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(in)))
       place->setText(
