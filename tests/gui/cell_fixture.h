@@ -26,7 +26,7 @@ protected:
   }
   // Works the editor once it is up, then goes on.
   void inEditor(const std::function<void(window::CellEditor&)>& work) {
-    QTimer::singleShot(0, &window(), [this, work] {
+    QTimer::singleShot(0, &window(), [work] {
       window::CellEditor* editor = nullptr;
       ASSERT_TRUE(waitFor([&] {
         editor = qobject_cast<window::CellEditor*>(QApplication::activeModalWidget());
