@@ -76,8 +76,8 @@ struct Job {
   StageKeys keys() const;
 };
 
-// Returns the meshes to be printed of all items as one mesh; that of a single item is not copied and
-// lives as long as the job. Precondition: every item is placed.
+// Returns the meshes to be printed of all items as one mesh; that of a single item is not copied
+// and lives as long as the job. Precondition: every item is placed.
 std::shared_ptr<const geometry::TriangleMesh> printedOf(const Job& job);
 
 // Returns the job without the results after `last`; none: without any results.

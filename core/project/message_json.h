@@ -14,8 +14,8 @@ nlohmann::ordered_json findingJson(const plan::Finding& finding);
 // Reads such a row; the texts stay as written.
 plan::Finding readFinding(const nlohmann::ordered_json& j);
 
-// Returns {fact, values[], program} and {more} if it stands for further ones: the finding with exact
-// values. Place, time, count and blocking are in the report's row.
+// Returns {fact, values[], program} and {more} if it stands for further ones: the finding with
+// exact values. Place, time, count and blocking are in the report's row.
 nlohmann::ordered_json factJson(const plan::Finding& finding);
 // Restores the original of a finding that readFinding() returned. Leaves it unchanged if this
 // version does not know its kind or has other values for it.

@@ -91,7 +91,8 @@ TEST_F(JobFile, ThePartComesBackAsItWasRead) {
   EXPECT_EQ(back.item().loaded->found.boundaryEdges.at, job.item().loaded->found.boundaryEdges.at);
   EXPECT_FALSE(back.item().loaded->found.watertight);
   EXPECT_EQ(back.item().loaded->found.boundsMm.max(), job.item().loaded->found.boundsMm.max());
-  EXPECT_EQ(back.choices.item().placement.rotation.coeffs(), job.choices.item().placement.rotation.coeffs());
+  EXPECT_EQ(back.choices.item().placement.rotation.coeffs(),
+            job.choices.item().placement.rotation.coeffs());
   EXPECT_EQ(back.choices.item().placement.centreMm, job.choices.item().placement.centreMm);
   EXPECT_EQ(back.choices.item().placement.liftMm, 0.5);
   EXPECT_TRUE(back.choices.item().repair);

@@ -43,8 +43,10 @@ TEST_F(RapidHeld, aFixedNozzleIsAStationaryTool) {
               1e-9);
   using test::expectDefect;
   const std::size_t first = back.motions.front().line;
-  expectDefect(with("tNozzle:=[FALSE", "tNozzle:=[TRUE"), first, "either the tool or the work object");
-  expectDefect(with("wPlate:=[TRUE", "wPlate:=[FALSE"), first, "either the tool or the work object");
+  expectDefect(with("tNozzle:=[FALSE", "tNozzle:=[TRUE"), first,
+               "either the tool or the work object");
+  expectDefect(with("wPlate:=[TRUE", "wPlate:=[FALSE"), first,
+               "either the tool or the work object");
 }
 
 } // namespace

@@ -73,8 +73,8 @@ TEST(Proof, ClaimsNothingOfAnArmThatWasNotChecked) {
     return base::readFile(folder / (proofName(**checked) + ".html"));
   };
   const std::string robot = pageOf("urscript"), gcode = pageOf("gcode-extended");
-  for (const char* claim : {"on a model of the robot", "Minimum clearance between arm", "Joint range",
-                            "Joint speed", "Singularities", "Limits of joints"}) {
+  for (const char* claim : {"on a model of the robot", "Minimum clearance between arm",
+                            "Joint range", "Joint speed", "Singularities", "Limits of joints"}) {
     EXPECT_NE(robot.find(claim), std::string::npos) << claim;
     EXPECT_EQ(gcode.find(claim), std::string::npos) << claim;
   }

@@ -139,9 +139,9 @@ void PartHandles::layOnTouchedPoints() {
   if (const auto shape = choices.item().parameters.find("layerShape");
       shape != choices.item().parameters.end() && shape->second == "cylinder")
     choices.item().parameters["layerCentre"] = QStringLiteral("0,%1,%2")
-                                            .arg(dialog.circle()->centre.x(), 0, 'g', 8)
-                                            .arg(dialog.circle()->centre.y(), 0, 'g', 8)
-                                            .toStdString();
+                                                   .arg(dialog.circle()->centre.x(), 0, 'g', 8)
+                                                   .arg(dialog.circle()->centre.y(), 0, 'g', 8)
+                                                   .toStdString();
   document.setChoices(choices, tr("place on touched points"));
 }
 

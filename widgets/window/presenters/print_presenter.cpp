@@ -160,7 +160,8 @@ void PrintPresenter::gatherFacts() {
   const auto plan = paths ? paths->job.toolPlan : nullptr;
   const auto clock = clock_ && clock_->toolPlan() == plan ? clock_ : nullptr;
   // The layers of pieces with different directions do not add up to a height.
-  const bool stacked = !result->job.item().pieces() || result->job.item().pieces()->pieces.size() < 2;
+  const bool stacked =
+      !result->job.item().pieces() || result->job.item().pieces()->pieces.size() < 2;
   inBackground(
       *gathering_,
       [stack, plan, clock, stacked, heights = heightLimits(*result->process)] {
