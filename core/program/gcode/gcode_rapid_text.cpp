@@ -86,7 +86,7 @@ constexpr std::string_view kSame = R"(  ! from here on the same for every job
       sPiece:=ReadStr(dFile\RemoveCR);
     ENDWHILE
     doBlock;
-    solveNear FALSE;
+    goOn FALSE;
     outputsOff;
     Close dFile;
   ENDPROC
@@ -164,7 +164,7 @@ constexpr std::string_view kSame = R"(  ! from here on the same for every job
     ELSEIF sCode="G92" THEN
       nLastE:=nE;
     ELSEIF sCode="G4" THEN
-      solveNear FALSE;
+      goOn FALSE;
       WaitTime\InPos,nSeconds;
     ELSEIF sCode<>"" AND sCode<>"G21" AND sCode<>"G28" AND sCode<>"G90" AND sCode<>"M0"
       AND sCode<>"M82" AND sCode<>"M84" AND sCode<>"M104" AND sCode<>"M109" THEN
@@ -182,7 +182,7 @@ constexpr std::string_view kSame = R"(  ! from here on the same for every job
     nLastE:=nE;
     bBead:=sCode="G1" AND nOut>0;
     nWay:=Distance(pLast,[nX,nY,nZ]);
-    solveNear bWaits AND bBead=bPrints;
+    goOn bWaits AND bBead=bPrints;
     pLast:=[nX,nY,nZ];
     pWaits:=[pLast,turned(),[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
     bPrints:=bBead;
@@ -207,7 +207,7 @@ constexpr std::string_view kSame = R"(  ! from here on the same for every job
     VAR num nBack;
     nOut:=nE-nLastE;
     nLastE:=nE;
-    solveNear FALSE;
+    goOn FALSE;
     IF nOut<0 THEN
       nDrawn:=nDrawn-nOut;
     ELSEIF nOut>0 THEN
@@ -232,7 +232,7 @@ constexpr std::string_view kSame = R"(  ! from here on the same for every job
     ENDIF
   ENDPROC
 
-  PROC solveNear(bool bThrough)
+  PROC goOn(bool bThrough)
     VAR zonedata zUse;
     VAR speeddata vUse;
     IF NOT bWaits THEN
