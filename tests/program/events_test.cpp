@@ -75,6 +75,32 @@ TEST_F(Events, aPauseIsReadBackBeforeItsMotion) {
   }
 }
 
+// At a bead's first print motion and amid the bead: the extruder has to be off meanwhile.
+TEST_F(Events, aPauseBesideABeadStopsTheExtruder) {
+  std::size_t first = 1;
+  while (trajectory_.move[first] != plan::MoveKind::Print)
+    ++first;
+  for (const Dialect& dialect : dialects()) {
+    if (!says(dialect, plan::EventKind::Pause) || !dialect.tiltsNozzle)
+      continue;
+    useArmFor(dialect);
+    for (const std::size_t point : {first, first + 5}) {
+      SCOPED_TRACE(std::string(dialect.id) + " point " + std::to_string(point));
+      trajectory_.events = {{.point = point, .kind = plan::EventKind::Pause}};
+      const plan::ReadProgram read =
+          readProgram(dialect.id, writeProgram(dialect.id, input()).files, process_);
+      EXPECT_TRUE(read.defects.empty())
+          << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
+      EXPECT_EQ(std::ranges::count_if(read.facts,
+                                      [&](const plan::StatedFact& fact) {
+                                        return fact.kind == plan::FactKind::OperatorStop &&
+                                               fact.before > 0;
+                                      }),
+                1);
+    }
+  }
+}
+
 TEST_F(Events, aJoinedTrajectoryKeepsThem) {
   trajectory_.events = {{.point = 20, .kind = plan::EventKind::Pause},
                         {.point = 20, .kind = plan::EventKind::Cut},

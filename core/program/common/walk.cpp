@@ -50,6 +50,12 @@ private:
     const plan::Trajectory& t = in_.trajectory;
     if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
       emitter_.remark(path);
+    // Amid a bead too, the extruder is off while the arm waits.
+    const bool amidBead = isPrint(t, i) && !t.eventsBefore(i).empty();
+    if (amidBead) {
+      extruder(false);
+      events(i);
+    }
     if (isPrint(t, i) && drawn_)
       draw(false);
     if (walk_.outputs != nullptr && isPrint(t, i))
@@ -60,7 +66,8 @@ private:
       draw(true);
     if (i == 0)
       emitter_.prompt();
-    events(i);
+    if (!amidBead)
+      events(i);
     if (zeroesAt(i))
       emitter_.zeroAxis();
     if (i == 0 || t.move[i] == plan::MoveKind::Joint)
