@@ -7009,10 +7009,6 @@ previsto</translation>
         <translation>un taglio del nastro</translation>
     </message>
     <message>
-        <source>a job without a tool</source>
-        <translation>un lavoro senza utensile</translation>
-    </message>
-    <message>
         <source>a pause for the operator</source>
         <translation>una pausa per l&apos;operatore</translation>
     </message>
@@ -7023,10 +7019,6 @@ previsto</translation>
     <message>
         <source>choose a way of building for each part</source>
         <translation>scegli un modo di costruzione per ogni parte</translation>
-    </message>
-    <message>
-        <source>choose {formats}</source>
-        <translation>scegli {formats}</translation>
     </message>
     <message>
         <source>feeding in place</source>
@@ -7065,24 +7057,24 @@ previsto</translation>
         <translation>scritta qui</translation>
     </message>
     <message>
-        <source>the change to another tool</source>
-        <translation>il cambio a un altro utensile</translation>
-    </message>
-    <message>
-        <source>the cut of the tape</source>
-        <translation>il taglio del nastro</translation>
-    </message>
-    <message>
-        <source>the plan names tool {tool}, the job has {tools}</source>
-        <translation>il piano nomina l&apos;utensile {tool}, il lavoro ne ha {tools}</translation>
-    </message>
-    <message>
         <source>the report has no item</source>
         <translation>il rapporto non contiene parti</translation>
     </message>
     <message>
         <source>unknown material &apos;{id}&apos;</source>
         <translation>materiale &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>jobs with several tools cannot be planned yet</source>
+        <translation>i lavori con più utensili non si possono ancora pianificare</translation>
+    </message>
+    <message>
+        <source>choose one process</source>
+        <translation>scegli un solo processo</translation>
+    </message>
+    <message>
+        <source>events of unequal number</source>
+        <translation>eventi in numero diverso</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,9 @@
 
 namespace voluta::cli {
 
+// Returns "; 1 more finding", "; 3 more findings" or, for 0, nothing.
+std::string moreFindings(std::size_t more);
+
 struct PlanOptions {
   pipeline::PlanRequest request;
   std::filesystem::path folder;

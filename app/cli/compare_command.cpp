@@ -158,9 +158,7 @@ void sayVerdict(const pipeline::Comparison& comparison, const pipeline::Ranking&
   for (std::size_t i = 0; i < comparison.rows.size(); ++i)
     if (const std::string reason = base::english(comparison.rows[i].reason()); !reason.empty())
       fmt::print("{}: {}{}\n", i + 1, reason,
-                 comparison.rows[i].blocking() > 1
-                     ? fmt::format("; {} more findings", comparison.rows[i].blocking() - 1)
-                     : "");
+                 moreFindings(std::max<std::size_t>(comparison.rows[i].blocking(), 1) - 1));
   fmt::print("rule: {}\n", pipeline::ruleText(weights));
   if (!ranking.best) {
     fmt::print("best: none, as every row has blocking findings; ranked first is row {}\n",

@@ -10,6 +10,10 @@
 
 namespace voluta::cli {
 
+std::string moreFindings(std::size_t more) {
+  return more == 0 ? std::string() : fmt::format("; {} more finding{}", more, more == 1 ? "" : "s");
+}
+
 namespace {
 // Prints the most severe finding as the one-line reason why the plan is not complete.
 void sayFindings(const plan::Findings& findings) {
@@ -26,9 +30,7 @@ void sayFindings(const plan::Findings& findings) {
                                 : "";
   fmt::print(stderr, "{}: {}{} ({}){}\n", plan::stageName(plan::stageOf(*first)),
              plan::englishReason(*first), where, plan::englishRemedy(*first),
-             blocking > 1 ? fmt::format("; {} more finding{} in report.json", blocking - 1,
-                                        blocking == 2 ? "" : "s")
-                          : "");
+             blocking > 1 ? moreFindings(blocking - 1) + " in report.json" : "");
 }
 
 void sayResult(const project::Report& r) {

@@ -1,6 +1,7 @@
 #include "build3mf/build_layer_reader.h"
 
 #include "base/error.h"
+#include "base/lower_case.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -208,7 +209,7 @@ public:
     } else if (name.word == "part") {
       parts_.insert(attributes.integer("id"));
     } else if (name.word == "profile") {
-      const std::string uuid = smallLetters(attributes.text("uuid"));
+      const std::string uuid = base::lowerCase(attributes.text("uuid"));
       const auto known = frame_.profiles.find(uuid);
       if (known == frame_.profiles.end())
         throw wrong(base::message("the profile '{uuid}' is not in the model"_text, uuid));

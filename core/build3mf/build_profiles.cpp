@@ -1,6 +1,7 @@
 #include "build3mf/build_profiles.h"
 
 #include "base/error.h"
+#include "base/lower_case.h"
 
 #include <algorithm>
 #include <cctype>
@@ -26,7 +27,7 @@ plan::PathKind kindOf(const XmlAttributes& attributes, const std::string& name) 
   for (std::size_t k = 0; k < kKindNames.size(); ++k)
     if (own == kKindNames[k])
       return static_cast<plan::PathKind>(k);
-  const std::string word = smallLetters(name);
+  const std::string word = base::lowerCase(name);
   if (holds(word, "support"))
     return Support;
   if (holds(word, "skirt") || holds(word, "brim"))
@@ -50,13 +51,6 @@ ModifierType typeOf(std::string_view word) {
 }
 
 } // namespace
-
-std::string smallLetters(std::string_view text) {
-  std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
-}
 
 Profile profileOf(const XmlAttributes& attributes) {
   Profile profile;

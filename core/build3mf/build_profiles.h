@@ -35,8 +35,6 @@ struct Profile {
 // Profiles by their UUID in lower case.
 using Profiles = std::map<std::string, Profile>;
 
-std::string smallLetters(std::string_view text);
-
 // Returns a profile without its modifiers. Throws Error{UnreadableFile}.
 Profile profileOf(const geometry::XmlAttributes& attributes);
 // Adds a modifier to the profile. Throws Error{UnreadableFile} for an attribute that cannot be

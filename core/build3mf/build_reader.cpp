@@ -1,6 +1,7 @@
 #include "build3mf/build_reader.h"
 
 #include "base/error.h"
+#include "base/lower_case.h"
 #include "base/run_context.h"
 #include "build3mf/build_layer_reader.h"
 #include "build3mf/build_names.h"
@@ -105,7 +106,7 @@ private:
       throw Error(ErrorCode::UnreadableFile,
                   base::message("'{element}' outside tool-paths"_text, word));
     if (word == "toolpathprofile") {
-      const std::string uuid = smallLetters(attributes.text("uuid"));
+      const std::string uuid = base::lowerCase(attributes.text("uuid"));
       const auto [at, isNew] = resource().profiles.emplace(uuid, profileOf(attributes));
       if (!isNew)
         throw Error(ErrorCode::UnreadableFile,

@@ -1,14 +1,11 @@
 #include "pipeline/item_stages.h"
 
-#include "base/error.h"
 #include "base/key_text.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
-#include "pipeline/part_size.h"
 #include "pipeline/part_ways.h"
-#include "pipeline/pedestal.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/start_check.h"
 #include "plan/finding_kinds.h"
@@ -78,7 +75,7 @@ std::vector<base::Message> ItemStages::allRepairs() const {
 ItemOutcome ItemStages::load() {
   const base::RunContext span = context_.span(Stage::Load);
   placed_ = context_.cachedOrMade<modes::LoadStage>(
-      keyOf(Stage::Load), {}, [&] { return loadStage(*loaded_, choices_, process_, span); });
+      keyOf(Stage::Load), slot({}), [&] { return loadStage(*loaded_, choices_, process_, span); });
   result_.item(index_).placed = placed_;
   item().scale = placed_->scale;
   item().placement = placed_->placement;
@@ -98,9 +95,10 @@ ItemOutcome ItemStages::load() {
   }
   const auto size = context_.cachedOrMade<SizeStage>(
       keyOf(Stage::Load) + base::keyText(choices_.cell, process_.id, process_.beadWidthMinMm),
-      "size", [&] { return sizeStage(*loaded_, *placed_, choices_, process_, span.quiet()); });
+      slot("size"),
+      [&] { return sizeStage(*loaded_, *placed_, choices_, process_, span.quiet()); });
   const auto stand = context_.cachedOrMade<StandStage>(
-      standKey(*loaded_, *placed_, choices_, process_), "stand",
+      standKey(*loaded_, *placed_, choices_, process_), slot("stand"),
       [&] { return standStage(*placed_, choices_, process_, span.quiet()); });
   // A part that was drawn in other units is not planned.
   const bool isOdd = isOfOtherUnits(*size);
@@ -116,7 +114,7 @@ ItemOutcome ItemStages::load() {
 // By the choices as they were given: in mode auto the platform may be the user's or not.
 plan::Findings ItemStages::startFindings() {
   return context_
-      .cachedOrMade<StartStage>(startKey(*placed_, given_, process_), "start",
+      .cachedOrMade<StartStage>(startKey(*placed_, given_, process_), slot("start"),
                                 [&] {
                                   return startStage(*placed_, given_, process_,
                                                     context_.span(Stage::Load).quiet());
@@ -128,26 +126,27 @@ plan::Findings ItemStages::startFindings() {
 std::shared_ptr<const modes::PartVoxels> ItemStages::voxels(double voxelMm,
                                                             const base::RunContext& ctx) {
   return context_.cachedOrMade<modes::PartVoxels>(
-      placedPartKey(*loaded_, *placed_, modeChoices()) + base::keyText(voxelMm), "voxels",
+      placedPartKey(*loaded_, *placed_, modeChoices()) + base::keyText(voxelMm), slot("voxels"),
       [&] { return modes::partVoxels(*placed_, voxelMm, ctx); });
 }
 
 ItemOutcome ItemStages::decompose() {
-  decomposed_ = context_.cachedOrMade<modes::DecomposeStage>(keyOf(Stage::Decompose), {}, [&] {
-    modes::DecomposeInput in{*placed_, [&](double voxelMm, const base::RunContext& ctx) {
-                               return voxels(voxelMm, ctx);
-                             }};
-    if (context_.observers().onPreview)
-      in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
-        context_.observers().onPreview(std::move(soFar), result_);
-      };
-    if (context_.isTrial())
-      in.isRejected = [&](const plan::Findings& soFar) {
-        return context_.reject(Stage::Decompose, soFar);
-      };
-    auto made = mode_.decompose(modeChoices(), in, context_.span(Stage::Decompose));
-    return hasGivenPaths_ ? onlyGround(*made) : made;
-  });
+  decomposed_ =
+      context_.cachedOrMade<modes::DecomposeStage>(keyOf(Stage::Decompose), slot({}), [&] {
+        modes::DecomposeInput in{*placed_, [&](double voxelMm, const base::RunContext& ctx) {
+                                   return voxels(voxelMm, ctx);
+                                 }};
+        if (context_.observers().onPreview)
+          in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {
+            context_.observers().onPreview(std::move(soFar), result_);
+          };
+        if (context_.isTrial())
+          in.isRejected = [&](const plan::Findings& soFar) {
+            return context_.reject(Stage::Decompose, soFar);
+          };
+        auto made = mode_.decompose(modeChoices(), in, context_.span(Stage::Decompose));
+        return hasGivenPaths_ ? onlyGround(*made) : made;
+      });
   item().platform = decomposed_->platform;
   item().result = decomposed_->result;
   report().decomposition = decomposed_->report;
@@ -156,7 +155,7 @@ ItemOutcome ItemStages::decompose() {
 }
 
 ItemOutcome ItemStages::layers() {
-  const auto stage = context_.cachedOrMade<modes::LayersStage>(keyOf(Stage::Layers), {}, [&] {
+  const auto stage = context_.cachedOrMade<modes::LayersStage>(keyOf(Stage::Layers), slot({}), [&] {
     if (hasGivenPaths_)
       return layersOfGiven(*loaded_->toolPaths);
     return mode_.layers(modeChoices(), *decomposed_, item().printed(),

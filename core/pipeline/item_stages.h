@@ -41,6 +41,10 @@ private:
   project::JobItem& item() { return result_.job.item(index_); }
   project::ItemReport& report() { return result_.job.report.item(index_); }
   modes::ModeChoices modeChoices() const { return {choices_, values_, process_}; }
+  // The cache keeps a few results per slot, so each item has slots of its own.
+  std::string slot(const std::string& what) const {
+    return index_ == 0 ? what : what + "#" + std::to_string(index_);
+  }
   const std::string& keyOf(project::Stage stage) const { return keys_[project::indexOf(stage)]; }
 
   project::ChosenReport chosenReport() const;

@@ -153,7 +153,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.cell = result.cell->label();
   proof.mode = modes::findMode(result.job.choices.item().mode).label;
   proof.process = *result.process;
-  proof.sizeMm = geometry::bounds(result.job.item().printed()).sizes();
+  proof.sizeMm = geometry::bounds(*project::printedOf(result.job)).sizes();
   proof.layers = result.job.report.item().layers.count;
   proof.verdict = checked.verdict;
   proof.deviations = checked.deviations;
@@ -328,9 +328,10 @@ void writeProofs(const PlanResult& result, const Programs& programs,
   Measured measured;
   measured.trajectory = motion::partOf(whole, result.job.resumedAt, whole.pointCount());
   measured.printed = printedName(result);
+  const auto printed = project::printedOf(result.job);
   sideBySide(ctx,
              {[&] { measured.margins = motion::marginsOf(measured.trajectory, *result.cell, ctx); },
-              [&] { measured.fill = fillMap(result.job.item().printed(), growing, ctx); },
+              [&] { measured.fill = fillMap(*printed, growing, ctx); },
               [&] { measured.pictures = picturesOf(result.job, style); },
               [&] {
                 base::writeFile(folder / measured.printed,

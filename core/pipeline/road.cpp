@@ -27,9 +27,12 @@ bool takesGivenPathsOf(PlanRequest& request, const base::RunContext& ctx) {
   return true;
 }
 
-// Throws Error{Usage} if the choices of an item are invalid, or if several items leave their way of
-// building to a search, which plans a part alone.
+// Throws Error{Usage} if the job has several tools, the choices of an item are invalid, or several
+// items leave their way of building to a search, which plans a part alone.
 void checkItems(const project::Choices& choices) {
+  if (choices.tools.size() > 1)
+    throw base::Error(base::ErrorCode::Usage, "jobs with several tools cannot be planned yet"_text,
+                      {}, "choose one process"_text);
   for (std::size_t i = 0; i < choices.items.size(); ++i) {
     checkChoices(project::onlyItem(choices, i));
     if (choices.items.size() > 1 && choices.item(i).automatic)
@@ -72,6 +75,7 @@ project::StageKeys stageKeys(const PlanRequest& request) {
 PlanResult resultOf(project::Job job) {
   checkItems(job.choices);
   PlanResult result;
+  result.items.resize(job.items.size());
   const base::ParameterValues values = parameterValues(job.choices);
   result.process = std::make_shared<process::Process>(chosenProcess(job.choices, values));
   if (job.item().platform.known())

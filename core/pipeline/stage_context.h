@@ -20,7 +20,6 @@ public:
       : until_(until), ctx_(ctx), cache_(cache), observers_(observers), trial_(trial) {}
 
   project::Stage until() const { return until_; }
-  const base::RunContext& ctx() const { return ctx_; }
   StageCache* cache() const { return cache_; }
   const PlanObservers& observers() const { return observers_; }
   bool isTrial() const { return trial_ != nullptr; }

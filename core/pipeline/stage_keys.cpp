@@ -34,8 +34,7 @@ struct ProcessKeys {
 // Empty for a material that comes with the program: its label and density identify it.
 std::string ownMaterialKey(const process::Material& m) {
   return m.comesWithProgram ? std::string()
-                            : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC,
-                                            m.bedC.value_or(0), m.fan, m.pricePerKg);
+                            : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC);
 }
 
 ProcessKeys keysOf(const process::Process& process) {

@@ -19,7 +19,6 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
-#include "replay/verification.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -136,10 +135,6 @@ private:
 
   bool layers() {
     const ItemOutcome all = ofEachItem([](ItemStages& item) { return item.layers(); });
-    std::vector<std::shared_ptr<const layers::LayerStack>> stacks;
-    for (const project::JobItem& item : job().items)
-      stacks.push_back(item.layers);
-    layers_ = layers::joinStacks(stacks, choices_.printOrder);
     return done(project::Stage::Layers, all.findings, all.timings);
   }
 
@@ -149,8 +144,12 @@ private:
       if (given)
         return givenToolpathStage(first().loaded(), first().placed(), *process_,
                                   span(project::Stage::Toolpath));
+      std::vector<std::shared_ptr<const layers::LayerStack>> stacks;
+      for (const project::JobItem& item : job().items)
+        stacks.push_back(item.layers);
+      const auto joined = layers::joinStacks(stacks, choices_.printOrder);
       MadeToolpaths made =
-          toolpathStage(*layers_, *result_.cell, job().item().platform, *process_,
+          toolpathStage(*joined, *result_.cell, job().item().platform, *process_,
                         toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
       grown_ = std::move(made.grown);
       return made.stage;
@@ -320,7 +319,6 @@ private:
   base::ParameterValues values_;
   std::shared_ptr<const process::Process> process_;
   std::vector<std::unique_ptr<ItemStages>> items_;
-  std::shared_ptr<const layers::LayerStack> layers_; // of all items, in print order
   std::shared_ptr<const MotionStage> motion_;
   // Volume filled by the tool-paths made here, handed to motion planning
   std::shared_ptr<const collision::GrowingPart> grown_;

@@ -26,7 +26,6 @@ enum class EventKind : std::uint8_t {
   Pause,      // until the operator continues
   Feed        // `feedMm` of filament or tape is fed in place
 };
-inline constexpr std::size_t kEventKinds = 4;
 
 // Happens in place, after the arm has arrived at the point before and before it moves to `point`.
 struct TrajectoryEvent {

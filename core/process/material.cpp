@@ -3,22 +3,20 @@
 #include "base/data_files.h"
 #include "base/files.h"
 #include "base/json_node.h"
+#include "base/lower_case.h"
+#include "process/chosen_range.h"
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 namespace voluta::process {
 
 namespace {
 using base::JsonNode;
 
+constexpr const char* kFolder = "materials";                // of base::dataFile()
 constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450; // that print heads withstand
-
-std::string lowerCase(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 bool isColour(const std::string& text) {
   return text.size() == 7 && text[0] == '#' &&
@@ -27,14 +25,16 @@ bool isColour(const std::string& text) {
 }
 
 void readNozzle(const JsonNode& node, Material& m) {
-  node.allowOnly({"default", "min", "max"});
-  m.nozzleMinC = static_cast<int>(node.at("min").positive());
-  m.nozzleC = static_cast<int>(node.at("default").positive());
-  m.nozzleMaxC = static_cast<int>(node.at("max").positive());
-  if (*m.nozzleC < m.nozzleMinC)
-    node.at("default").fail("is below 'min'"_text);
-  if (*m.nozzleC > m.nozzleMaxC)
-    node.at("default").fail("is above 'max'"_text);
+  const ChosenRange range = readRange(node);
+  m.nozzleC = static_cast<int>(range.usual);
+  m.nozzleMinC = static_cast<int>(range.least);
+  m.nozzleMaxC = static_cast<int>(range.most);
+}
+
+Material loadFile(const std::filesystem::path& file) {
+  Material m = readMaterialText(base::readFile(file), file.string());
+  m.comesWithProgram = file.parent_path() == base::resourceFolder() / kFolder;
+  return m;
 }
 } // namespace
 
@@ -65,21 +65,17 @@ Material readMaterialText(const std::string& text, const std::string& name) {
 }
 
 std::vector<std::string> materialIds() {
-  return base::dataFileIds("materials");
+  return base::dataFileIds(kFolder);
 }
 
 Material loadMaterial(const std::string& id) {
-  const std::filesystem::path file =
-      base::dataFile("materials", id, "unknown material '{id}'"_text);
-  Material m = readMaterialText(base::readFile(file), file.string());
-  m.comesWithProgram = file.parent_path() == base::resourceFolder() / "materials";
-  return m;
+  return loadFile(base::dataFile(kFolder, id, "unknown material '{id}'"_text));
 }
 
 Material materialNamed(const std::string& name) {
-  const std::string wanted = lowerCase(name);
+  const std::string wanted = base::lowerCase(name);
   for (const std::string& id : materialIds())
-    if (lowerCase(id) == wanted)
+    if (base::lowerCase(id) == wanted)
       return loadMaterial(id);
   Material unknown;
   unknown.id = unknown.label = name;

@@ -18,8 +18,8 @@ struct Material {
   double bridgeWidths = 5.0; // length that a bead bridges, in bead widths, unless the process says
   double pricePerKg = 20.0;  // in the user's currency; 0: unknown
   std::string colour = "#D8CFC0"; // #RRGGBB
-  // The id alone identifies a material that comes with the program; a cache key of any other needs
-  // all its values.
+  // Label and density identify a material that comes with the program in cache keys; the key of any
+  // other contains the values that results depend on.
   bool comesWithProgram = true;
 
   bool operator==(const Material&) const = default;

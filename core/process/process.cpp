@@ -3,6 +3,7 @@
 #include "base/data_files.h"
 #include "base/files.h"
 #include "base/json_node.h"
+#include "process/chosen_range.h"
 
 #include <algorithm>
 #include <vector>
@@ -15,16 +16,11 @@ using base::JsonNode;
 // Default for processes without a bridge speed, as a share of the usual speed
 constexpr double kBridgeSpeed = 0.5;
 
-// Reads a size that can be chosen within limits: 0 < min <= default <= max.
-void readRange(const JsonNode& node, double& usual, double& least, double& most) {
-  node.allowOnly({"default", "min", "max"});
-  least = node.at("min").positive();
-  usual = node.at("default").positive();
-  most = node.at("max").positive();
-  if (usual < least)
-    node.at("default").fail("is below 'min'"_text);
-  if (usual > most)
-    node.at("default").fail("is above 'max'"_text);
+void readSize(const JsonNode& node, double& usual, double& least, double& most) {
+  const ChosenRange range = readRange(node);
+  usual = range.usual;
+  least = range.least;
+  most = range.most;
 }
 
 HeadShape readHead(const JsonNode& list) {
@@ -76,8 +72,8 @@ Process readProcessText(const std::string& text, const std::string& name) {
   p.id = top.at("id").text();
   p.label = top.at("label").text();
   p.nozzleDiameterMm = top.at("nozzleDiameterMm").positive();
-  readRange(top.at("layerHeightMm"), p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
-  readRange(top.at("beadWidthMm"), p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
+  readSize(top.at("layerHeightMm"), p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
+  readSize(top.at("beadWidthMm"), p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
   p.stepMm = top.at("stepMm").positive();
   p.speedMmPerS = top.at("speedMmPerS").positive();
   p.travelSpeedMmPerS = top.at("travelSpeedMmPerS").positive();

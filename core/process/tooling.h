@@ -5,27 +5,14 @@
 #include "plan/tool_plan.h"
 #include "process/process.h"
 
-#include <Eigen/Geometry>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace voluta::process {
 
-// How a tool deposits material.
-enum class FeedLaw {
-  Bead, // flow follows the bead's section; ends freely
-  Tape  // feed follows the path's length; has to be cut at its end
-};
-
 struct Tool {
-  Process process;      // with material and head body
-  std::string extruder; // id in program::extruders()
-  // The nozzle's tip on what carries it, z in the direction of extrusion: on the flange, or in the
-  // base of a nozzle that does not move.
-  Eigen::Isometry3d carrier_T_tip = Eigen::Isometry3d::Identity();
-  FeedLaw feed = FeedLaw::Bead;
+  Process process; // with material and head body
 };
 
 // One or more tools; a copy shares them.

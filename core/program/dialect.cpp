@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "base/units.h"
 #include "program/common/language_words.h"
 #include "program/common/motion_targets.h"
 #include "program/common/text.h"

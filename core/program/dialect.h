@@ -128,6 +128,8 @@ inline constexpr double kUprightRad = 1e-3;
 // cannot express it.
 void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> directions);
 
+// Returns the name of an event within a sentence, e.g. "a tool change".
+base::Text nameOf(plan::EventKind kind);
 // Throws Error{Usage} if the trajectory has an event that the dialect has no word for.
 void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory);
 

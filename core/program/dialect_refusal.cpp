@@ -7,19 +7,48 @@
 
 namespace voluta::program {
 
+namespace {
+// The ids of the formats that can say it, separated by commas.
+template <typename CanSay> std::string formatsThat(const CanSay& canSay) {
+  std::string ids;
+  for (const Dialect& dialect : dialects())
+    if (canSay(dialect))
+      ids += joined({ids.empty() ? "" : ", ", dialect.id});
+  return ids;
+}
+
+bool hasWordFor(const Dialect& dialect, plan::EventKind kind) {
+  return std::ranges::find(dialect.events, kind) != dialect.events.end();
+}
+
+base::Message useFormats(const std::string& ids) {
+  return ids.empty() ? base::Message() : base::message("use {formats}"_text, ids);
+}
+} // namespace
+
+base::Text nameOf(plan::EventKind kind) {
+  switch (kind) {
+  case plan::EventKind::ToolChange:
+    return "a tool change"_text;
+  case plan::EventKind::Cut:
+    return "a cut of the tape"_text;
+  case plan::EventKind::Pause:
+    return "a pause for the operator"_text;
+  case plan::EventKind::Feed:
+    break;
+  }
+  return "feeding in place"_text;
+}
+
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
   if (dialect.supportsExternalAxes || cell.externalAxes().empty())
     return;
-  std::string others;
-  for (const Dialect& other : dialects())
-    if (other.supportsExternalAxes)
-      others += joined({others.empty() ? "" : ", ", other.id});
   throw base::Error(
       base::ErrorCode::Usage,
       base::message("format {format} does not support external axes: it cannot move the {axis} of "
                     "cell {cell}"_text,
                     dialect.id, cell.externalAxes().front().name, cell.id()),
-      {}, others.empty() ? base::Message() : base::message("use {formats}"_text, others));
+      {}, useFormats(formatsThat([](const Dialect& d) { return d.supportsExternalAxes; })));
 }
 
 void requireOwnRobot(const Dialect& dialect, const robot::Cell& cell) {
@@ -40,49 +69,27 @@ void requireUpright(const Dialect& dialect, std::span<const Eigen::Vector3d> dir
     most = std::max(most, geometry::angleBetween(n, Eigen::Vector3d::UnitZ()));
   if (most <= kUprightRad)
     return;
-  std::string others;
-  for (const Dialect& other : dialects())
-    if (other.tiltsNozzle)
-      others += joined({others.empty() ? "" : ", ", other.id});
   throw base::Error(
       base::ErrorCode::Usage,
       base::message("format {format} cannot tilt the nozzle, but this job tilts it by "
                     "{angle}"_text,
                     dialect.id, base::degrees(base::radiansToDegrees(most))),
-      {}, base::message("use {formats}, or a mode with flat layers"_text, others));
+      {},
+      base::message("use {formats}, or a mode with flat layers"_text,
+                    formatsThat([](const Dialect& d) { return d.tiltsNozzle; })));
 }
-
-namespace {
-base::Text nameOf(plan::EventKind kind) {
-  switch (kind) {
-  case plan::EventKind::ToolChange:
-    return "a tool change"_text;
-  case plan::EventKind::Cut:
-    return "a cut of the tape"_text;
-  case plan::EventKind::Pause:
-    return "a pause for the operator"_text;
-  case plan::EventKind::Feed:
-    break;
-  }
-  return "feeding in place"_text;
-}
-} // namespace
 
 void requireEvents(const Dialect& dialect, const plan::Trajectory& trajectory) {
   const auto unsaid = std::ranges::find_if(trajectory.events, [&](const plan::TrajectoryEvent& e) {
-    return std::ranges::find(dialect.events, e.kind) == dialect.events.end();
+    return !hasWordFor(dialect, e.kind);
   });
   if (unsaid == trajectory.events.end())
     return;
-  std::string others;
-  for (const Dialect& other : dialects())
-    if (std::ranges::find(other.events, unsaid->kind) != other.events.end())
-      others += joined({others.empty() ? "" : ", ", other.id});
   throw base::Error(
       base::ErrorCode::Usage,
       base::message("format {format} has no word for {event}"_text, dialect.id,
                     nameOf(unsaid->kind)),
-      {}, others.empty() ? base::Message() : base::message("choose {formats}"_text, others));
+      {}, useFormats(formatsThat([&](const Dialect& d) { return hasWordFor(d, unsaid->kind); })));
 }
 
 std::optional<base::Error> refusal(const Dialect& dialect, const robot::Cell& cell,

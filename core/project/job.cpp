@@ -1,5 +1,7 @@
 #include "project/job.h"
 
+#include "geometry/append_mesh.h"
+
 namespace voluta::project {
 
 const geometry::TriangleMesh& JobItem::printed() const {
@@ -11,16 +13,8 @@ std::shared_ptr<const geometry::TriangleMesh> printedOf(const Job& job) {
   if (job.items.size() == 1)
     return {std::shared_ptr<void>(), &job.item().printed()};
   auto all = std::make_shared<geometry::TriangleMesh>();
-  for (const JobItem& item : job.items) {
-    const geometry::TriangleMesh& mesh = item.printed();
-    const int first = static_cast<int>(all->vertices.size());
-    all->vertices.insert(all->vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (std::array<int, 3> triangle : mesh.triangles) {
-      for (int& corner : triangle)
-        corner += first;
-      all->triangles.push_back(triangle);
-    }
-  }
+  for (const JobItem& item : job.items)
+    geometry::appendMesh(*all, item.printed());
   return all;
 }
 

@@ -410,11 +410,20 @@ void addTrajectory(BlockWriter& out, const plan::Trajectory& t) {
   out.add("trajectory.extruded", t.extrudedMm3);
   if (t.events.empty())
     return;
-  std::vector<double> events;
-  for (const plan::TrajectoryEvent& e : t.events)
-    events.insert(events.end(), {static_cast<double>(e.point), static_cast<double>(e.kind),
-                                 static_cast<double>(e.tool), e.feedMm});
-  out.addOwned("trajectory.events", events);
+  std::vector<std::uint64_t> points;
+  std::vector<std::uint8_t> kinds;
+  std::vector<std::int32_t> tools;
+  std::vector<double> feeds;
+  for (const plan::TrajectoryEvent& e : t.events) {
+    points.push_back(e.point);
+    kinds.push_back(static_cast<std::uint8_t>(e.kind));
+    tools.push_back(e.tool);
+    feeds.push_back(e.feedMm);
+  }
+  out.addOwned("trajectory.events.point", points);
+  out.addOwned("trajectory.events.kind", kinds);
+  out.addOwned("trajectory.events.tool", tools);
+  out.addOwned("trajectory.events.feed", feeds);
 }
 
 plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
@@ -427,14 +436,20 @@ plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
   for (const std::uint64_t w : in.get<std::uint64_t>("trajectory.waypoint"))
     t.waypoint.push_back(static_cast<std::size_t>(w));
   t.extrudedMm3 = in.get<double>("trajectory.extruded");
-  if (!in.has("trajectory.events"))
+  if (!in.has("trajectory.events.point"))
     return t;
-  const std::vector<double> events = in.get<double>("trajectory.events");
-  for (std::size_t i = 0; i + 3 < events.size(); i += 4)
-    t.events.push_back({.point = static_cast<std::size_t>(events[i]),
-                        .kind = static_cast<plan::EventKind>(events[i + 1]),
-                        .tool = static_cast<int>(events[i + 2]),
-                        .feedMm = events[i + 3]});
+  const auto points = in.get<std::uint64_t>("trajectory.events.point");
+  const auto kinds = in.get<std::uint8_t>("trajectory.events.kind");
+  const auto tools = in.get<std::int32_t>("trajectory.events.tool");
+  const auto feeds = in.get<double>("trajectory.events.feed");
+  if (kinds.size() != points.size() || tools.size() != points.size() ||
+      feeds.size() != points.size())
+    contradiction("events of unequal number"_text);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    t.events.push_back({.point = static_cast<std::size_t>(points[i]),
+                        .kind = static_cast<plan::EventKind>(kinds[i]),
+                        .tool = tools[i],
+                        .feedMm = feeds[i]});
   return t;
 }
 

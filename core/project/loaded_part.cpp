@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/lower_case.h"
 #include "base/nearest_name.h"
 #include "base/stopwatch.h"
 #include "build3mf/bead_cells.h"
@@ -95,9 +96,7 @@ std::string hashOf(const LoadedPart& part) {
 }
 
 bool isVoxelText(const std::string& name, std::string_view bytes) {
-  std::string ending = std::filesystem::path(name).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = base::lowerCase(std::filesystem::path(name).extension().string());
   return ending == ".txt" || ending == ".voxels" || voxel::looksLikeVoxelText(bytes);
 }
 

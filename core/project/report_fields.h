@@ -174,11 +174,11 @@ constexpr auto fieldsOf(std::type_identity<ItemReport>) {
 // report.json has the fields of the first item beside these.
 constexpr auto fieldsOf(std::type_identity<Report>) {
   using R = Report;
-  return std::tuple{Field{"items", &R::items, "", true}, Field{"toolpath", &R::toolpath},
-                    Field{"motion", &R::motion},         Field{"programs", &R::programs},
-                    Field{"replay", &R::replay},         Field{"findings", &R::findings},
-                    Field{"timingS", &R::timings},       Field{"peakRssMb", &R::peakRssMb, "MB"},
-                    Field{"threads", &R::threads}};
+  return std::tuple{Field{"toolpath", &R::toolpath},         Field{"motion", &R::motion},
+                    Field{"programs", &R::programs},         Field{"replay", &R::replay},
+                    Field{"findings", &R::findings},         Field{"timingS", &R::timings},
+                    Field{"peakRssMb", &R::peakRssMb, "MB"}, Field{"threads", &R::threads},
+                    Field{"items", &R::items, "", true}};
 }
 
 template <typename R>

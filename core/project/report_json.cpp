@@ -54,12 +54,8 @@ Timings& Timings::operator+=(const Timings& more) {
 
 std::string reportJson(const Report& report) {
   // The first item's figures are at the top too: reports had one item only.
-  const Json first = json(report.item()), whole = json(report);
-  Json all = Json::object();
-  for (const char* key :
-       {"model", "decomposition", "layers", "toolpath", "motion", "programs", "replay", "chosen",
-        "tried", "findings", "timingS", "peakRssMb", "threads", "items"})
-    all[key] = first.contains(key) ? first[key] : whole[key];
+  Json all = json(report.item());
+  all.update(json(report));
   all["version"] = kVersion;
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -46,7 +46,12 @@ struct Alignment {
   std::vector<std::size_t> pointOf;  // per motion: its point, or kUnmatched
   std::vector<std::size_t> leadsTo;  // per motion without a point: the point it leads to
   std::vector<Deviation> deviations; // in the order of the text
-  bool gaveUp = false;               // the text is a different program
+  // Returns the point of a motion, or the one that it is on the way to; kUnmatched if there is
+  // none.
+  std::size_t pointAhead(std::size_t motion) const {
+    return pointOf[motion] != kUnmatched ? pointOf[motion] : leadsTo[motion];
+  }
+  bool gaveUp = false; // the text is a different program
 };
 
 // Walks both sequences in step. After a difference, the comparison resumes at the nearest position

@@ -198,10 +198,12 @@ private:
       if (goesOn)
         continue;
       ++out_.verdict.limitViolations;
+      if (++listed > kMaxListed + 1)
+        continue;
       const plan::Finding f = limitFinding(v, in_.cell);
-      if (++listed <= kMaxListed)
+      if (listed <= kMaxListed)
         out_.limits.push_back(atMotion(f.kind, v.motion, f.values));
-      else if (listed == kMaxListed + 1)
+      else
         further = f.kind;
     }
     if (listed > kMaxListed)

@@ -410,8 +410,7 @@ PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& plann
   base::parallelChunks(ctx, path.motionCount(), kGrain, [&](std::size_t begin, std::size_t end) {
     PathDeviation& w = worst[begin / kGrain];
     for (std::size_t m = begin; m < end; ++m) {
-      const std::size_t j =
-          alignment.pointOf[m] != kUnmatched ? alignment.pointOf[m] : alignment.leadsTo[m];
+      const std::size_t j = alignment.pointAhead(m);
       if (j == kUnmatched)
         continue;
       const bool piece = alignment.pointOf[m] == kUnmatched;

@@ -47,10 +47,8 @@ base::Message nameOf(FactKind kind) {
     return "the mechanical unit"_text;
   case FactKind::OpenRounding:
     return "the rounding distances of corners"_text;
-  case FactKind::ToolSelected:
-    return "the change to another tool"_text;
+  case FactKind::ToolSelected: // events: planned_events.h
   case FactKind::TapeCut:
-    return "the cut of the tape"_text;
   case FactKind::PassingOutput:
     break;
   }

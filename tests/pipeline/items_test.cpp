@@ -1,4 +1,5 @@
 // A job of two items: each is planned by itself up to its layers, which are then printed in order.
+#include "base/error.h"
 #include "pipeline/box_request.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_cache.h"
@@ -77,6 +78,28 @@ TEST(Items, AreCachedEachByItself) {
   EXPECT_EQ(moved.job.item(0).layers, first.job.item(0).layers) << "the first item was not moved";
   EXPECT_NE(moved.job.item(1).layers, first.job.item(1).layers);
   EXPECT_NE(moved.job.keys(), first.job.keys());
+}
+
+// A cache keeps three results of a stage unless told otherwise; each item has its own.
+TEST(Items, AreAllFoundAgainHoweverMany) {
+  pipeline::StageCache cache;
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  for (const double y : {-30.0, 30.0, 50.0}) {
+    request.items.push_back(request.item());
+    request.choices.items.push_back(request.choices.item());
+    request.choices.items.back().placement.centreMm.y() = y;
+  }
+  request.until = Stage::Layers;
+  const pipeline::PlanResult first = pipeline::planPart(request, {}, &cache);
+  const pipeline::PlanResult again = pipeline::planPart(request, {}, &cache);
+  for (std::size_t i = 0; i < request.items.size(); ++i)
+    EXPECT_EQ(again.job.item(i).layers, first.job.item(i).layers) << i;
+}
+
+TEST(Items, SeveralToolsAreRefused) {
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  request.choices.tools.resize(2);
+  EXPECT_THROW(pipeline::planPart(request, {}), base::Error);
 }
 
 TEST(Items, ComeBackFromAProject) {

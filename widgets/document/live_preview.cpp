@@ -28,13 +28,13 @@ LivePreview::LivePreview(Document& document, Planning& planning, QObject* parent
       stop();
   });
   // The first stage was still being planned at the end of the pause.
-  const auto solveNear = [this] {
+  const auto startIfDue = [this] {
     if (due_)
       start();
   };
-  connect(&planning_, &Planning::finished, this, solveNear);
-  connect(&planning_, &Planning::cancelled, this, solveNear);
-  connect(&planning_, &Planning::failed, this, solveNear);
+  connect(&planning_, &Planning::finished, this, startIfDue);
+  connect(&planning_, &Planning::cancelled, this, startIfDue);
+  connect(&planning_, &Planning::failed, this, startIfDue);
 }
 
 LivePreview::~LivePreview() = default;

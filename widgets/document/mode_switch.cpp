@@ -46,8 +46,8 @@ Choices ModeSwitch::switched(const Choices& now, const std::string& mode) {
   if (from.aroundRod != to.aroundRod) {
     companions_[from.aroundRod] = {now.cell, now.tool().process, now.item().placement};
     const auto kept = companions_.find(to.aroundRod);
-    const Defaults with =
-        kept == companions_.end() ? Defaults{to.usual.cell, to.usual.process, {}} : kept->second;
+    const Companions with =
+        kept == companions_.end() ? Companions{to.usual.cell, to.usual.process, {}} : kept->second;
     next.cell = with.cell;
     next.tool().process = with.process;
     next.item().placement = with.placement;

@@ -23,11 +23,11 @@ public:
   project::Choices automatic(const project::Choices& now);
 
 private:
-  struct Defaults {
+  struct Companions {
     std::string cell, process;
     geometry::Placement placement;
   };
-  std::map<bool, Defaults> companions_;                // by Mode::aroundRod
+  std::map<bool, Companions> companions_;              // by Mode::aroundRod
   std::map<std::string, project::Platform> platforms_; // by mode
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/child_process.h"
 #include "base/error.h"
+#include "base/lower_case.h"
 #include "geometry/formats/facet_soup.h"
 
 #include <algorithm>
@@ -17,10 +18,7 @@ using base::ErrorCode;
 using End = base::ChildResult::End;
 
 std::string extensionOf(const std::filesystem::path& file) {
-  std::string e = file.extension().string();
-  std::transform(e.begin(), e.end(), e.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return e;
+  return base::lowerCase(file.extension().string());
 }
 
 struct Format {

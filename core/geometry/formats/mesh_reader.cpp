@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/lower_case.h"
 #include "geometry/formats/facet_soup.h"
 #include "geometry/formats/plain_text.h"
 
@@ -37,9 +38,7 @@ struct PointHash {
 };
 
 std::string extensionOf(const std::string& name) {
-  std::string e = std::filesystem::path(name).extension().string();
-  std::transform(e.begin(), e.end(), e.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string e = base::lowerCase(std::filesystem::path(name).extension().string());
   return e.empty() ? e : e.substr(1);
 }
 

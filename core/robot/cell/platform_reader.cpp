@@ -5,7 +5,6 @@
 #include "robot/plate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <variant>
 
