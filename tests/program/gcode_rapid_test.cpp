@@ -3,8 +3,10 @@
 #include "program_fixture.h"
 
 #include "base/error.h"
+#include "base/sha256.h"
 #include "program/dialect.h"
 #include "program/gcode/gcode_rapid.h"
+#include "program/gcode/gcode_rapid_text.h"
 #include "program/makers_grammars.h"
 #include "program/rapid_interpreter.h"
 
@@ -52,6 +54,12 @@ TEST_F(GcodeRapid, StandsBesideWhereItIsAskedFor) {
   for (const auto& d : back.defects)
     ADD_FAILURE() << d.file << ":" << d.line << ": " << base::english(d.reason);
   EXPECT_TRUE(back.complete);
+}
+
+// The reader compares the common part line by line: a change makes every written module foreign.
+TEST_F(GcodeRapid, TheCommonPartStaysAsItIs) {
+  EXPECT_EQ(base::sha256(rapidGcodeSame()),
+            "d55189cd43ad1765e8401777f6284666ecae15c44ae86459a904475941dcb97c");
 }
 
 TEST_F(GcodeRapid, IsRapid) {
