@@ -14,12 +14,6 @@ namespace voluta::toolpath {
 
 namespace {
 
-struct OrderedPath {
-  std::size_t path = 0;
-  bool turned = false; // printed from its end to its beginning
-  bool operator==(const OrderedPath&) const = default;
-};
-
 using Eigen::Vector3d;
 
 // in bead widths: maximum distance between the centrelines of neighbours
@@ -87,6 +81,8 @@ void appendPath(UnsupportedBeads& to, const UnsupportedBeads& from, const Ordere
   to.plan.paths.push_back(same);
 }
 
+} // namespace
+
 std::vector<OrderedPath> insideOutOrder(const plan::ToolPlan& plan,
                                         const std::vector<char>& hanging,
                                         const process::Tooling& tooling) {
@@ -140,8 +136,6 @@ std::vector<OrderedPath> insideOutOrder(const plan::ToolPlan& plan,
   }
   return order;
 }
-
-} // namespace
 
 std::optional<PassResult> orderInsideOut(const UnsupportedBeads& beads, const SeenPart& /*part*/,
                                          const PassScene& scene, const base::RunContext& ctx) {
