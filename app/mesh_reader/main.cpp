@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr rlim_t kMostMemory = rlim_t(4) << 30, kMostSeconds = 120;
+constexpr rlim_t kMaxMemory = rlim_t(4) << 30, kMaxSeconds = 120;
 
 bool endsWith(std::string text, const char* end) {
   for (char& c : text)
@@ -52,8 +52,8 @@ void append(const aiNode& node, const aiMatrix4x4& above, const aiScene& scene,
 int main(int argc, char** argv) {
   if (argc != 3)
     return 2;
-  limit(RLIMIT_AS, kMostMemory);
-  limit(RLIMIT_CPU, kMostSeconds);
+  limit(RLIMIT_AS, kMaxMemory);
+  limit(RLIMIT_CPU, kMaxSeconds);
   limit(RLIMIT_CORE, 0);
   const bool upright = std::strcmp(argv[1], "upright") == 0;
   const std::string file = argv[2];

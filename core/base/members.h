@@ -20,9 +20,9 @@ template <typename T, std::size_t... I> constexpr bool takes(std::index_sequence
   };
 }
 
-inline constexpr std::size_t kMostMembers = 20;
+inline constexpr std::size_t kMaxMembers = 20;
 
-template <typename T, std::size_t N = kMostMembers> constexpr std::size_t countMembers() {
+template <typename T, std::size_t N = kMaxMembers> constexpr std::size_t countMembers() {
   if constexpr (takes<T>(std::make_index_sequence<N>()))
     return N;
   else if constexpr (N > 0)

@@ -9,11 +9,11 @@
 namespace voluta::base {
 
 ShownNumber shownNumber(double value, int digits) {
-  constexpr double kLeast = 1e-9;
+  constexpr double kMin = 1e-9;
   digits = std::max(digits, 1);
   if (!std::isfinite(value))
     return {value, 0};
-  if (std::abs(value) < kLeast)
+  if (std::abs(value) < kMin)
     return {};
   // Formatted as "3.48e+03", because the library rounds and gives the exponent after rounding.
   const std::string text = fmt::format("{:.{}e}", value, digits - 1);

@@ -16,7 +16,7 @@ using Eigen::Vector3i;
 
 namespace {
 
-constexpr double kMostCells = 1 << 27;
+constexpr double kMaxCells = 1 << 27;
 
 bool isOfPart(const plan::ToolPath& path) {
   return path.kind != plan::PathKind::Support && !plan::isWaste(path.kind);
@@ -84,10 +84,10 @@ geometry::TriangleMesh solidOfBeads(const plan::ToolPlan& plan, double pitchMm,
     throw base::Error(base::ErrorCode::UnusableInput,
                       "contains neither an object nor beads with width and height"_text);
   voxel::VoxelGrid grid;
-  grid.pitch = std::max(pitchMm, std::cbrt(box.volume() / kMostCells));
+  grid.pitch = std::max(pitchMm, std::cbrt(box.volume() / kMaxCells));
   grid.origin = (box.min() / grid.pitch).array().floor().matrix() * grid.pitch;
   const Vector3d cells = ((box.max() - grid.origin) / grid.pitch).array().ceil();
-  if (!(cells.prod() <= 2.0 * kMostCells))
+  if (!(cells.prod() <= 2.0 * kMaxCells))
     throw base::Error(base::ErrorCode::UnusableInput,
                       "the beads extend too far to be filled with cells"_text);
   grid.size = cells.cast<int>().cwiseMax(1);

@@ -24,11 +24,11 @@ using geometry::XmlName;
 
 namespace {
 
-constexpr std::size_t kMostWaypoints = 20'000'000;
+constexpr std::size_t kMaxWaypoints = 20'000'000;
 constexpr double kFarthestMm = 1e6;
-constexpr double kStepMm = 0.1;      // Length over which a stepwise change of section is spread
-constexpr double kSameShare = 1e-4;  // Tolerance within which sections are the same
-constexpr double kLeastWayMm = 1e-6; // Shorter lines deposit nothing
+constexpr double kStepMm = 0.1;     // Length over which a stepwise change of section is spread
+constexpr double kSameShare = 1e-4; // Tolerance within which sections are the same
+constexpr double kMinWayMm = 1e-6;  // Shorter lines deposit nothing
 
 // A point's values by factor, at the line's begin and end; NaN: not given.
 struct Factors {
@@ -142,7 +142,7 @@ public:
         last = &point;
         continue;
       }
-      if ((point.position - last->position).norm() < kLeastWayMm)
+      if ((point.position - last->position).norm() < kMinWayMm)
         continue;
       for (const Piece& piece : piecesOf(profile_, point))
         addPiece(*last, point, piece);
@@ -169,7 +169,7 @@ private:
   }
 
   void add(const Point& a, const Point& b, double t, double width, double height, double speed) {
-    if (into_.waypointCount() >= kMostWaypoints)
+    if (into_.waypointCount() >= kMaxWaypoints)
       throw Error(ErrorCode::UnusableInput, "more tool-path points than can be planned"_text);
     // Interpolated the shorter way round and normalised (Part II, 1.4.2).
     Quaterniond end = b.frame;
@@ -313,7 +313,7 @@ private:
       point.frame.coeffs() /= norm;
     }
     point.factors = factorsOf(attributes);
-    if (points_.size() >= kMostWaypoints)
+    if (points_.size() >= kMaxWaypoints)
       throw Error(ErrorCode::UnusableInput, "more tool-path points than can be planned"_text);
     points_.push_back(std::move(point));
   }

@@ -14,7 +14,7 @@ using geometry::XmlAttributes;
 
 namespace {
 
-constexpr double kMostValue = 1e5; // [mm] or [mm/s]
+constexpr double kMaxValue = 1e5; // [mm] or [mm/s]
 
 bool holds(const std::string& text, std::string_view word) {
   return text.find(word) != std::string::npos;
@@ -58,7 +58,7 @@ Profile profileOf(const XmlAttributes& attributes) {
   for (std::size_t m = 0; m < kModulatedNames.size(); ++m)
     if (attributes.has(kModulatedNames[m])) {
       profile.nominal[m] = attributes.number(kModulatedNames[m]);
-      if (!(profile.nominal[m] > 0.0) || profile.nominal[m] > kMostValue)
+      if (!(profile.nominal[m] > 0.0) || profile.nominal[m] > kMaxValue)
         throw Error(
             ErrorCode::UnreadableFile,
             base::message("'{attribute}' is not above 0, or too large"_text, kModulatedNames[m]));
@@ -86,7 +86,7 @@ void addModifier(Profile& profile, const XmlAttributes& attributes) {
                           attributes.number("maxvalue"),
                           static_cast<std::size_t>(letter - kFactors.begin())};
   if (letter == kFactors.end() || !(modifier.least > 0.0) || !(modifier.least < modifier.most) ||
-      modifier.most > kMostValue)
+      modifier.most > kMaxValue)
     throw Error(ErrorCode::UnreadableFile,
                 base::message("a modifier of '{attribute}' without a range above 0 or without a "
                               "factor of e, f, g and h"_text,

@@ -122,11 +122,11 @@ struct LayerPart {
 std::vector<LayerPart> layerPartsOf(const plan::ToolPlan& plan) {
   // Maximum number of members in a zip without the 64-bit extension, minus the parts that are not
   // layers. If there are more layers, consecutive ones share a part.
-  constexpr std::size_t kMost = 60000;
+  constexpr std::size_t kMax = 60000;
   std::size_t stretches = 0;
   for (std::size_t p = 0; p < plan.paths.size(); ++p)
     stretches += p == 0 || plan.paths[p].layer != plan.paths[p - 1].layer;
-  const std::size_t together = stretches / kMost + 1;
+  const std::size_t together = stretches / kMax + 1;
   std::vector<LayerPart> parts;
   std::size_t inPart = together;
   for (std::size_t p = 0; p < plan.paths.size(); ++p) {

@@ -9,7 +9,7 @@ namespace voluta::cells {
 
 ObstacleSolids obstacleOfFile(const std::filesystem::path& file, double mmPerUnit,
                               const base::RunContext& ctx) {
-  constexpr int kMostPieces = 16;
+  constexpr int kMaxPieces = 16;
   base::require(mmPerUnit > 0.0, "a unit has a length");
   geometry::TriangleMesh mesh;
   if (geometry::isForeign(file)) {
@@ -23,7 +23,7 @@ ObstacleSolids obstacleOfFile(const std::filesystem::path& file, double mmPerUni
   if (!(longest > 0.0))
     throw base::Error(base::ErrorCode::UnusableInput, "the whole mesh is a single point"_text,
                       file.string());
-  return {robot::solidPieces(mesh, kMostPieces, ctx), longest};
+  return {robot::solidPieces(mesh, kMaxPieces, ctx), longest};
 }
 
 } // namespace voluta::cells

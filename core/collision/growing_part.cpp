@@ -20,11 +20,11 @@ using Eigen::Vector3i;
 
 namespace {
 
-constexpr std::size_t kMostCells = std::size_t{1} << 29;
+constexpr std::size_t kMaxCells = std::size_t{1} << 29;
 constexpr std::size_t kSegmentsAChunk = 1024;
 // Time of the ground, which exists before waypoint 0; beads fill cells from 1 on.
 constexpr std::uint32_t kFromTheStart = 0;
-constexpr double kMostGroundCells = 1 << 24;
+constexpr double kMaxGroundCells = 1 << 24;
 constexpr double kRodChordMm = 0.01;
 
 // First waypoint of every segment that stays where it is printed (excluding gaps between paths).
@@ -69,7 +69,7 @@ voxel::VoxelGrid gridAround(const plan::ToolPlan& plan, const std::vector<std::u
   // An integer multiple of the pitch, so that a part that grows elsewhere has the same cells.
   grid.origin = (low / pitch).array().floor().matrix() * pitch;
   const Vector3d cells = ((high - grid.origin) / pitch).array().ceil();
-  if (cells.x() * cells.y() * cells.z() > static_cast<double>(kMostCells))
+  if (cells.x() * cells.y() * cells.z() > static_cast<double>(kMaxCells))
     throw base::Error(base::ErrorCode::UnusableInput,
                       "the part is too large for a collision grid of this resolution"_text, {},
                       "scale the part down"_text);
@@ -195,7 +195,7 @@ std::shared_ptr<const FillTimes> groundCells(const platform::PlatformSolid& plat
   if (box.isEmpty())
     return nullptr;
   voxel::VoxelGrid grid;
-  grid.pitch = std::max(pitch, std::cbrt(box.volume() / kMostGroundCells));
+  grid.pitch = std::max(pitch, std::cbrt(box.volume() / kMaxGroundCells));
   grid.origin = (box.min() / grid.pitch).array().floor().matrix() * grid.pitch;
   grid.size = ((box.max() - grid.origin) / grid.pitch).array().ceil().cast<int>().max(1);
   std::vector<std::uint8_t> inside(grid.cellCount(), 0);

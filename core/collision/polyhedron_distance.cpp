@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int kSides = 48;
-constexpr double kLeastRadius = 1e-3; // FCL requires a polygon, not a point, at the tip of a cone
+constexpr double kMinRadius = 1e-3; // FCL requires a polygon, not a point, at the tip of a cone
 
 // Two rings of n vertices each, bottom counter-clockwise seen from above, and their faces.
 std::shared_ptr<fcl::Convexd> drum(std::vector<Vector3d> vertices, int n) {
@@ -43,7 +43,7 @@ std::shared_ptr<fcl::Convexd> around(const robot::Frustum& f) {
   for (const auto& [centre, radius] : {std::pair(f.p0, f.r0), std::pair(f.p1, f.r1)})
     for (int i = 0; i < kSides; ++i) {
       const double a = 2.0 * base::kPi * i / kSides;
-      vertices.push_back(centre + outward * std::max(radius, kLeastRadius) *
+      vertices.push_back(centre + outward * std::max(radius, kMinRadius) *
                                       (std::cos(a) * x + std::sin(a) * y));
     }
   return drum(std::move(vertices), kSides);

@@ -11,7 +11,7 @@ using robot::JointVector;
 
 namespace {
 // of all joints together, for which speeds are considered constant
-constexpr double kMostTurnRad = 0.25;
+constexpr double kMaxTurnRad = 0.25;
 constexpr double kStep = 1e-4;       // rad or mm, of the finite differences
 constexpr double kInexact = 1.001;   // error bound of the speeds by finite differences
 constexpr double kSameSpeed = 1e-4;  // mm and rad per unit of the joint
@@ -70,7 +70,7 @@ double WayClearance::along(const JointVector& from, const JointVector& to, std::
   for (Eigen::Index j = 0; j < from.size(); ++j)
     if (cell.limits()[static_cast<std::size_t>(j)].kind == robot::JointKind::Turning)
       turn += std::abs(to[j] - from[j]);
-  const int pieces = std::max(1, static_cast<int>(std::ceil(turn / kMostTurnRad)));
+  const int pieces = std::max(1, static_cast<int>(std::ceil(turn / kMaxTurnRad)));
   JointVector last = from;
   for (int k = 1; k <= pieces; ++k) {
     const JointVector next = from + static_cast<double>(k) / pieces * (to - from);

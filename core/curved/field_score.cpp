@@ -38,8 +38,7 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
   // Candidate scales range from the nominal height at the median slope to the minimum height there.
   const double nominal = 1.0 / median;
   constexpr int kSteps = 60;
-  constexpr double kLeastGain =
-      1e-3; // Share of voxels that a height further from nominal must gain
+  constexpr double kMinGain = 1e-3; // Share of voxels that a height further from nominal must gain
   const auto scaleAt = [&](int i) {
     return nominal * std::pow(limits.heightMm / limits.minMm, i / double{kSteps});
   };
@@ -68,7 +67,7 @@ double bestScale(const std::vector<float>& slope, const LayerLimits& limits, dou
   for (int i = 0; i <= kSteps; ++i)
     most = std::max(most, share(i));
   int chosen = 0;
-  while (share(chosen) < most - kLeastGain)
+  while (share(chosen) < most - kMinGain)
     ++chosen;
   if (within)
     *within = share(chosen);

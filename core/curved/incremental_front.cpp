@@ -97,10 +97,10 @@ void IncrementalFront::build(const std::vector<std::int32_t>& corners) {
 // outside if it is in front of that facet. The walk from facet to facet, always over a side that
 // has p beyond it, takes a few steps from the facet of the previous point.
 std::int32_t IncrementalFront::facetBefore(std::int32_t p, double above) const {
-  constexpr int kMostSteps = 300;
+  constexpr int kMaxSteps = 300;
   const LatticePoint& at = point(p);
   std::int32_t f = hint_, from = -1;
-  for (int step = 0; hasHeart_ && step < kMostSteps; ++step) {
+  for (int step = 0; hasHeart_ && step < kMaxSteps; ++step) {
     if (distance(f, at) > above) {
       hint_ = f;
       return f;

@@ -115,8 +115,8 @@ private:
 
   // Repeats the growth and checks after each rank which roots the front now covers.
   void findCovers() {
-    constexpr std::size_t kMost = 20;
-    const std::size_t examined = std::min(kMost, groups_.size());
+    constexpr std::size_t kMax = 20;
+    const std::size_t examined = std::min(kMax, groups_.size());
     if (std::none_of(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(examined),
                      [](const Group& g) { return g.root >= 0; }))
       return;
@@ -202,17 +202,17 @@ void describeMissed(const voxel::SolidVoxels& voxels, Decomposition& decompositi
   decomposition.unreachedVoxels += belowPlate;
   decomposition.missedVoxels = decomposition.shadowedVoxels + decomposition.unreachedVoxels;
 
-  constexpr std::size_t kMostListed = 20;
-  for (std::size_t g = 0; g < std::min(kMostListed, groups.size()); ++g)
+  constexpr std::size_t kMaxListed = 20;
+  for (std::size_t g = 0; g < std::min(kMaxListed, groups.size()); ++g)
     decomposition.findings.push_back(findingOf(groups[g]));
-  if (groups.size() > kMostListed) {
-    const Group& largest = groups[kMostListed];
+  if (groups.size() > kMaxListed) {
+    const Group& largest = groups[kMaxListed];
     std::size_t missed = 0;
-    for (std::size_t g = kMostListed; g < groups.size(); ++g)
+    for (std::size_t g = kMaxListed; g < groups.size(); ++g)
       missed += groups[g].voxels.size();
     decomposition.findings.push_back(plan::makeFinding(
         plan::FindingKind::MissedGroups,
-        {{"voxels", missed}, {"groups", groups.size() - kMostListed}}, largest.centre, missed));
+        {{"voxels", missed}, {"groups", groups.size() - kMaxListed}}, largest.centre, missed));
   }
   if (belowPlate > 0) {
     for (std::size_t c = 0; c < decomposition.rank.size(); ++c)

@@ -380,8 +380,8 @@ private:
   // Peels the voxels that rest on one voxel although they are inside the front, those nearest to it
   // last. Returns false and changes nothing if some of them are too deep.
   bool relaxLoss() {
-    constexpr std::size_t kMost = 64;
-    if (options_.stuckTolerance <= options_.tolerance || loss_.size() > kMost)
+    constexpr std::size_t kMax = 64;
+    if (options_.stuckTolerance <= options_.tolerance || loss_.size() > kMax)
       return false;
     for (const std::int32_t v : loss_)
       front_.remove(static_cast<std::size_t>(v));

@@ -5,7 +5,7 @@
 namespace voluta::geometry {
 
 namespace {
-constexpr double kMostCells = 1 << 22;
+constexpr double kMaxCells = 1 << 22;
 }
 
 template <typename Visit>
@@ -23,7 +23,7 @@ BoxGrid::BoxGrid(std::span<const Eigen::AlignedBox3d> boxes, double cellMm) {
   if (boxes.empty())
     return;
   const Eigen::Array3d sides = around_.sizes().array().max(cellMm);
-  cellMm_ = std::max(cellMm, std::cbrt(sides.prod() / kMostCells));
+  cellMm_ = std::max(cellMm, std::cbrt(sides.prod() / kMaxCells));
   size_ = (sides / cellMm_).floor().cast<int>() + 1;
   first_.assign(static_cast<std::size_t>(size_.cast<std::int64_t>().prod()) + 1, 0);
   for (const Eigen::AlignedBox3d& box : boxes)

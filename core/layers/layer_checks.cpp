@@ -16,8 +16,8 @@ namespace {
 
 using base::at;
 
-constexpr std::size_t kMostSamples = 400; // per patch
-constexpr double kRounding = 1e-9;        // mm
+constexpr std::size_t kMaxSamples = 400; // per patch
+constexpr double kRounding = 1e-9;       // mm
 constexpr double kDownwards = 0.5;
 
 double halfThickness(const Patch& patch, std::size_t triangle) {
@@ -44,7 +44,7 @@ SupportCheck supportOf(const LayerStack& stack, std::size_t p, const StackQuery&
                        double mostThicknessMm, double reachShare, const Ground& ground) {
   const Patch& patch = stack.patches[p];
   const std::size_t n = patch.surface.triangles.size();
-  const std::size_t step = std::max<std::size_t>(1, n / kMostSamples);
+  const std::size_t step = std::max<std::size_t>(1, n / kMaxSamples);
   double whole = 0.0, supported = 0.0;
   std::map<int, int> met;
   std::vector<StackQuery::Place> hits;

@@ -11,7 +11,7 @@ namespace voluta::layers {
 
 namespace {
 
-constexpr double kMostCellsAlong = 400.0;
+constexpr double kMaxCellsAlong = 400.0;
 
 } // namespace
 
@@ -28,7 +28,7 @@ PartBoundary::PartBoundary(const geometry::TriangleMesh& part, double cellMm,
   const Eigen::AlignedBox3d box = geometry::bounds(part);
   if (box.isEmpty())
     return;
-  cell_ = std::max(cellMm, box.sizes().maxCoeff() / kMostCellsAlong);
+  cell_ = std::max(cellMm, box.sizes().maxCoeff() / kMaxCellsAlong);
   low_ = box.min().array() - cell_;
   size_ = ((box.sizes() / cell_).array().ceil().cast<int>() + 3).matrix();
   near_.assign(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *

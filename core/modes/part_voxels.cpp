@@ -13,8 +13,8 @@
 namespace voluta::modes {
 
 namespace {
-constexpr std::size_t kMostListed = 5;
-constexpr double kLeastVoxelMm = 0.1; // minimum of the parameter voxelMm
+constexpr std::size_t kMaxListed = 5;
+constexpr double kMinVoxelMm = 0.1; // minimum of the parameter voxelMm
 
 // Chooses between the two kinds: `fits`, with the voxel width that resolves the wall, or `tooThin`,
 // with the minimum voxel width, if no allowed width does.
@@ -22,8 +22,8 @@ plan::Finding thinFinding(plan::FindingKind fits, plan::FindingKind tooThin, dou
                           std::vector<plan::NamedValue> values, const voxel::ThinPlace& place,
                           std::size_t facets) {
   const double width = std::floor(100.0 * thicknessMm + 1e-6) / 100.0;
-  const bool none = width < kLeastVoxelMm;
-  values.push_back(none ? plan::NamedValue{"least", base::mm(kLeastVoxelMm)}
+  const bool none = width < kMinVoxelMm;
+  values.push_back(none ? plan::NamedValue{"least", base::mm(kMinVoxelMm)}
                         : plan::NamedValue{"fits", base::mm(width)});
   return plan::makeFinding(none ? tooThin : fits, std::move(values), place.at, facets);
 }
@@ -50,27 +50,27 @@ plan::Findings thinWallFindings(const geometry::TriangleMesh& part, double voxel
                                 const base::RunContext& ctx) {
   const std::vector<voxel::ThinPlace> places = voxel::thinPlaces(part, voxelMm, ctx);
   plan::Findings findings;
-  for (std::size_t p = 0; p < std::min(kMostListed, places.size()); ++p)
+  for (std::size_t p = 0; p < std::min(kMaxListed, places.size()); ++p)
     findings.push_back(thinFinding(plan::FindingKind::ThinWall, plan::FindingKind::WallTooThin,
                                    places[p].usualMm,
                                    {{"usual", base::mm(places[p].usualMm)},
                                     {"thinnest", base::mm(places[p].leastMm)},
                                     {"voxel", base::mm(voxelMm)}},
                                    places[p], places[p].facets));
-  if (places.size() <= kMostListed)
+  if (places.size() <= kMaxListed)
     return findings;
-  double thinnest = places[kMostListed].usualMm;
+  double thinnest = places[kMaxListed].usualMm;
   std::size_t facets = 0;
-  for (std::size_t p = kMostListed; p < places.size(); ++p) {
+  for (std::size_t p = kMaxListed; p < places.size(); ++p) {
     facets += places[p].facets;
     thinnest = std::min(thinnest, places[p].usualMm);
   }
   findings.push_back(thinFinding(plan::FindingKind::ThinWalls, plan::FindingKind::WallsTooThin,
                                  thinnest,
-                                 {{"places", places.size() - kMostListed},
+                                 {{"places", places.size() - kMaxListed},
                                   {"voxel", base::mm(voxelMm)},
                                   {"thinnest", base::mm(thinnest)}},
-                                 places[kMostListed], facets));
+                                 places[kMaxListed], facets));
   return findings;
 }
 

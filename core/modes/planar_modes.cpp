@@ -128,7 +128,7 @@ plan::Finding blockedPieces(const planar::PlanarDecomposition& d) {
 std::optional<plan::Finding> smallFoot(const geometry::TriangleMesh& part,
                                        const std::vector<planar::Piece>& pieces,
                                        const planar::RiskRule& rule) {
-  constexpr double kLeastShare = 0.5;
+  constexpr double kMinShare = 0.5;
   const double whole = planar::baseArea(planar::wholePart(part, rule), rule);
   double left = 0.0;
   std::optional<Eigen::Vector3d> foot;
@@ -138,7 +138,7 @@ std::optional<plan::Finding> smallFoot(const geometry::TriangleMesh& part,
         foot = geometry::bounds(piece.solid.mesh).center();
       left += planar::baseArea(piece, rule);
     }
-  if (!foot || left >= kLeastShare * whole)
+  if (!foot || left >= kMinShare * whole)
     return std::nullopt;
   return plan::makeFinding(plan::FindingKind::SmallFoot,
                            {{"foot", base::mm2(left)}, {"whole", base::mm2(whole)}}, foot);

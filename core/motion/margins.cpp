@@ -22,11 +22,11 @@ JointVector jointsAt(const plan::Trajectory& t, std::size_t point) {
 }
 
 std::vector<SpeedUse> speedsOf(const plan::Trajectory& t, const robot::Cell& cell) {
-  constexpr double kLeastS = 1e-6; // Shorter steps give no meaningful speed
+  constexpr double kMinS = 1e-6; // Shorter steps give no meaningful speed
   std::vector<SpeedUse> speeds(static_cast<std::size_t>(t.dof));
   for (std::size_t i = 1; i < t.pointCount(); ++i) {
     const double step = t.timeS[i] - t.timeS[i - 1];
-    if (step < kLeastS)
+    if (step < kMinS)
       continue;
     for (int j = 0; j < t.dof; ++j) {
       const double limit = cell.limits()[static_cast<std::size_t>(j)].velocity;

@@ -8,7 +8,7 @@ namespace voluta::motion {
 
 namespace {
 
-constexpr std::size_t kMostFindings = 100;
+constexpr std::size_t kMaxFindings = 100;
 
 plan::FindingKind kindOf(Refusal why) {
   using enum plan::FindingKind;
@@ -64,7 +64,7 @@ plan::Findings findingsOf(const std::vector<Refused>& refused, const MotionScene
                     refused[e].why == r.why && refused[e].contact.first == r.contact.first &&
                     refused[e].contact.second == r.contact.second;)
       ++e;
-    const bool own = r.why != Refusal::Leans && findings.size() < kMostFindings;
+    const bool own = r.why != Refusal::Leans && findings.size() < kMaxFindings;
     const auto make = own || r.why == Refusal::Leans ? plan::makeFinding : plan::makeMoreFinding;
     plan::Finding finding =
         make(kindOf(r.why), valuesOf(r, scene), scene.plan.position[r.waypoint], e - b);

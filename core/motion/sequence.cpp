@@ -144,8 +144,8 @@ private:
   // If there is no way home: shortens the last kept run, or drops it and some before it. Returns
   // false if this does not help; nothing is changed then.
   bool retreat(std::size_t before, const PrintedBounds& surround) {
-    constexpr std::size_t kMostRuns = 3;
-    for (std::size_t runs = 0; runs < std::min(kMostRuns, kept().size()); ++runs) {
+    constexpr std::size_t kMaxRuns = 3;
+    for (std::size_t runs = 0; runs < std::min(kMaxRuns, kept().size()); ++runs) {
       const Run& run = kept()[kept().size() - 1 - runs];
       const std::size_t n = run.points.size();
       for (std::size_t back = runs == 0 ? 1 : 0; back + 1 < n;

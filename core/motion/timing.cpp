@@ -12,7 +12,7 @@ namespace {
 // Converts motion of the arm to path length, so that rotations on the spot take time as well.
 // Rotation of a rod is excluded: it carries the surface that the nozzle moves over.
 constexpr double kMmPerRad = 50.0;
-constexpr double kLeastSeconds = 1e-4;
+constexpr double kMinSeconds = 1e-4;
 constexpr double kTravelJointSpeed = 0.5; // relative to the limit, for joint moves
 // Tolerances for collinear joint moves: as small as that for joining joint motions in programs
 // (program/dialect.cpp); and a little more than a step of a rod's motor.
@@ -63,7 +63,7 @@ Segments segmentsOf(const std::vector<TimedPoint>& points, const TimingLimits& l
     s.length[i] = std::max(1e-6, to.jointMove && arm == dof ? arms : std::hypot(way, arms));
     if (to.most.size() > 0)
       dq = dq.cwiseMax(to.most);
-    double least = kLeastSeconds; // seconds
+    double least = kMinSeconds; // seconds
     for (Eigen::Index j = 0; j < dof; ++j) {
       const double fraction = limits.jointFraction * (to.jointMove ? kTravelJointSpeed : 1.0);
       least =

@@ -67,9 +67,9 @@ cells::Standing standingOf(const geometry::TriangleMesh& part) {
     standing.radiusMm = std::max(standing.radiusMm, (v.head<2>() - middle).norm());
     standing.heightMm = std::max(standing.heightMm, v.z());
   }
-  constexpr double kLeastMm = 1e-3; // A point needs a size too
-  standing.radiusMm = std::max(standing.radiusMm, kLeastMm);
-  standing.heightMm = std::max(standing.heightMm, kLeastMm);
+  constexpr double kMinMm = 1e-3; // A point needs a size too
+  standing.radiusMm = std::max(standing.radiusMm, kMinMm);
+  standing.heightMm = std::max(standing.heightMm, kMinMm);
   standing.tiltRad = kMappedTiltRad;
   return standing;
 }

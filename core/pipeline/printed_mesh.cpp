@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 namespace {
 
 // Soft limit for the faces of the mesh file.
-constexpr double kMostFaces = 4e5;
+constexpr double kMaxFaces = 4e5;
 
 double pitchFor(const plan::ToolPlan& plan, const process::Process& process) {
   Eigen::AlignedBox3d box;
@@ -27,7 +27,7 @@ double pitchFor(const plan::ToolPlan& plan, const process::Process& process) {
   const double area =
       // surface of its bounding box
       2.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
-  return std::max(0.5 * process.layerHeightMm, std::sqrt(area / kMostFaces));
+  return std::max(0.5 * process.layerHeightMm, std::sqrt(area / kMaxFaces));
 }
 
 // Fills voids between beads, i.e. shells that face inwards with a volume up to `mostMm3`. Larger

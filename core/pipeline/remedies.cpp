@@ -82,11 +82,11 @@ Edited withMultiple(const project::Choices& choices, const std::string& key, dou
 }
 
 Edited moreTurns(const plan::Finding&, const project::Choices& choices) {
-  constexpr double kMost = 72.0;
-  return withMultiple(choices, "redundancySamples", 2.0, kMost);
+  constexpr double kMax = 72.0;
+  return withMultiple(choices, "redundancySamples", 2.0, kMax);
 }
 
-constexpr double kLeastClearanceMm = 0.5, kMostClearanceMm = 20.0;
+constexpr double kMinClearanceMm = 0.5, kMaxClearanceMm = 20.0;
 
 // Changes the clearances of arm and part. Returns nullopt if neither changes.
 Edited withClearances(const project::Choices& choices, double factor, double limit) {
@@ -96,11 +96,11 @@ Edited withClearances(const project::Choices& choices, double factor, double lim
 }
 
 Edited lessClearance(const plan::Finding&, const project::Choices& choices) {
-  return withClearances(choices, 0.5, kLeastClearanceMm);
+  return withClearances(choices, 0.5, kMinClearanceMm);
 }
 
 Edited moreClearance(const plan::Finding&, const project::Choices& choices) {
-  return withClearances(choices, 2.0, kMostClearanceMm);
+  return withClearances(choices, 2.0, kMaxClearanceMm);
 }
 
 // Halves the layer height, down to the process's minimum.

@@ -23,7 +23,7 @@ namespace {
 using Eigen::Vector2d;
 using Polygon = std::vector<Vector2d>;
 
-constexpr double kLeastMm = 3.0; // margin around a footprint that is a point or a line
+constexpr double kMinMm = 3.0; // margin around a footprint that is a point or a line
 
 Eigen::AlignedBox2d boxOf(const Polygon& polygon) {
   Eigen::AlignedBox2d box;
@@ -71,7 +71,7 @@ Polygon plateUnder(const modes::LoadStage& placed, const project::Choices& choic
   if (platform.isOfCell())
     return placed.platform;
   if (const std::optional<double> margin = platform.marginMm())
-    return geometry::convexPolygon(foot, std::max(*margin, kLeastMm));
+    return geometry::convexPolygon(foot, std::max(*margin, kMinMm));
   return platform.plateAround({});
 }
 

@@ -16,7 +16,7 @@ namespace voluta::placement {
 OrientationMeasure::OrientationMeasure(const geometry::TriangleMesh& mesh, double contactDepthMm,
                                        double overhangRad)
     : mesh_(mesh), depth_(contactDepthMm), sine_(std::sin(overhangRad)),
-      leastContact_(kLeastContact * std::pow(std::abs(geometry::volume(mesh)), 2.0 / 3.0)) {
+      leastContact_(kMinContact * std::pow(std::abs(geometry::volume(mesh)), 2.0 / 3.0)) {
   base::require(!mesh.empty() && contactDepthMm > 0.0, "OrientationMeasure: facets, a depth > 0");
   normal_.reserve(mesh.triangles.size());
   const Eigen::Vector3d middle = geometry::bounds(mesh).center();

@@ -13,12 +13,12 @@ struct OrientationScore {
   double riskyMm2 = 0.0;   // of facets that overhang by more than the angle, without the contact
   double heightMm = 0.0;
   double middleMm = 0.0; // height of the volume's centroid
-  bool stands = false;   // the contact is at least kLeastContact of volume^(2/3)
+  bool stands = false;   // the contact is at least kMinContact of volume^(2/3)
 };
 
 // For comparison: a ball of 100,000 voxels has 0.08 at a depth of one voxel, the tip of an ear
 // 0.01.
-inline constexpr double kLeastContact = 0.02;
+inline constexpr double kMinContact = 0.02;
 
 class OrientationMeasure {
 public:

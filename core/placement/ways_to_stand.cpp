@@ -24,9 +24,9 @@ using geometry::angleBetween;
 
 // Minimum cell width as a share of the bounding box's diagonal: a sheet has little volume for its
 // size.
-constexpr double kLeastCell = 0.005;
+constexpr double kMinCell = 0.005;
 constexpr std::size_t kPlaces = 48, kGrown = 10;
-constexpr double kLeastShare = 0.125; // of the largest contact; less is an edge or a few corners
+constexpr double kMinShare = 0.125; // of the largest contact; less is an edge or a few corners
 constexpr double kBroader = 4.0; // ratio of the better orientation's contact to that of a poor one
 
 // An orientation before it is grown.
@@ -95,7 +95,7 @@ public:
     for (Candidate& c : scored())
       add(std::move(c));
     const double least = std::max(options.process.layerHeightMm,
-                                  kLeastCell * geometry::bounds(mesh).diagonal().norm());
+                                  kMinCell * geometry::bounds(mesh).diagonal().norm());
     widthMm_ = coarseWidth(mesh, upright(places_.empty() ? now_ : places_.front()).first, least,
                            options.voxels, ctx.sub(0.0, 0.1));
   }
@@ -155,7 +155,7 @@ private:
     });
     const auto contact = [](const Candidate& c) { return c.score.contactMm2; };
     std::ranges::stable_sort(all, std::ranges::greater{}, contact);
-    const double least = all.empty() ? 0.0 : kLeastShare * contact(all.front());
+    const double least = all.empty() ? 0.0 : kMinShare * contact(all.front());
     std::erase_if(all, [&](const Candidate& c) {
       return !c.score.stands || contact(c) < least ||
              !measure_.balances(c.turn().toRotationMatrix());

@@ -46,7 +46,7 @@ double estimatedSeconds(double volumeMm3, double heightMm, double acrossMm,
 // voxels (in steps of plan::kBlockingShare), then minimum risky area per contact, then minimum
 // height. Considers the present one and the resting places of its hull on which it balances with at
 // least an eighth of the largest contact. Only orientations in which the part stands count
-// (kLeastContact): if it stands at present, that orientation is always included, else never.
+// (kMinContact): if it stands at present, that orientation is always included, else never.
 // Orientations are distinct: they differ by more than a rotation about the vertical, by more than
 // 15 degrees (except from the present one), and in contact, height, overhang or centroid height,
 // unlike those of a symmetric part; of equal ones the nearest to the present one is taken. The

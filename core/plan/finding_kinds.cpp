@@ -399,7 +399,7 @@ constexpr auto kRows =
              "turn the part, or let Voluta choose the way of building"_text, kForUnsupported},
             {LongBridge, "longBridge", "longBridge", Replay, Info,
              "{length:.1f} of a bead is unsupported; this material bridges {bridge:.1f}"_text,
-             "turn the part, or let Voluta choose the way of building"_text, kForHanging},
+             "turn the part, or let Voluta choose the way of building"_text, kForLongBridge},
             {ReplayedCollision, "replayedCollision", "collision", Replay, Error,
              "{first} and {second} collide"_text,
              "plan again with more clearance, or place the part elsewhere"_text, kForReplayed,

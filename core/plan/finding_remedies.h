@@ -28,7 +28,7 @@ inline constexpr std::array kForUncovered{AdaptLayers, LowerLayers, FinerProcess
 inline constexpr std::array kForFill{LowerLayers, FinerProcess, ChooseWay};
 inline constexpr std::array kForUnsupported{AddSupports, TurnLeastRisky, PrintFlat, ChooseWay,
                                             PrintOnPlate};
-inline constexpr std::array kForHanging{ChooseWay};
+inline constexpr std::array kForLongBridge{ChooseWay};
 inline constexpr std::array kForThin{ScaleUp, FinerProcess};
 inline constexpr std::array kForThinInReach{FinerProcess};
 inline constexpr std::array kForSlivers{FinerProcess, Enlarge};

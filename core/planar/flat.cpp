@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kMostListed = 5;
-constexpr double kLeastMm2 = 1.0; // smaller places are no larger than a bead
+constexpr std::size_t kMaxListed = 5;
+constexpr double kMinMm2 = 1.0; // smaller places are no larger than a bead
 
 struct Place {
   double areaMm2 = 0.0;
@@ -64,27 +64,27 @@ plan::Findings overhangFindings(const std::vector<Piece>& pieces, const RiskRule
   for (const Piece& piece : pieces) {
     const std::vector<Place> more = riskyPlaces(piece, rule);
     std::copy_if(more.begin(), more.end(), std::back_inserter(places),
-                 [](const Place& place) { return place.areaMm2 >= kLeastMm2; });
+                 [](const Place& place) { return place.areaMm2 >= kMinMm2; });
   }
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.areaMm2 > b.areaMm2; });
   using plan::FindingKind;
   const bool flat = of == Overhangs::Flat;
   plan::Findings findings;
-  for (std::size_t i = 0; i < std::min(kMostListed, places.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kMaxListed, places.size()); ++i)
     findings.push_back(
         plan::makeFinding(flat ? FindingKind::OverhangOfFlat : FindingKind::OverhangOfPieces,
                           {{"area", base::mm2(places[i].areaMm2)},
                            {"angle", base::degrees(base::radiansToDegrees(rule.overhangRad))}},
                           places[i].at));
-  if (places.size() > kMostListed) {
+  if (places.size() > kMaxListed) {
     double rest = 0.0;
-    for (std::size_t i = kMostListed; i < places.size(); ++i)
+    for (std::size_t i = kMaxListed; i < places.size(); ++i)
       rest += places[i].areaMm2;
     findings.push_back(
         plan::makeFinding(flat ? FindingKind::OverhangsOfFlat : FindingKind::OverhangsOfPieces,
-                          {{"places", places.size() - kMostListed}, {"area", base::mm2(rest)}},
-                          places[kMostListed].at, places.size() - kMostListed));
+                          {{"places", places.size() - kMaxListed}, {"area", base::mm2(rest)}},
+                          places[kMaxListed].at, places.size() - kMaxListed));
   }
   return findings;
 }

@@ -13,7 +13,7 @@ namespace voluta::platform {
 
 namespace {
 
-constexpr int kLeastSides = 180;
+constexpr int kMinSides = 180;
 
 [[noreturn]] void refuse(const base::Message& what) {
   throw base::Error(base::ErrorCode::UnusableInput, what, "rod profile"_text,
@@ -93,7 +93,7 @@ geometry::TriangleMesh meshOf(const RodShape& rod, double chordMm) {
     for (const Eigen::Vector2d& p : rod.profile)
       most = std::max(most, p.y());
     const double step = 2.0 * std::acos(std::max(0.0, 1.0 - chordMm / most));
-    n = std::max(kLeastSides, static_cast<int>(std::ceil(2.0 * base::kPi / step)));
+    n = std::max(kMinSides, static_cast<int>(std::ceil(2.0 * base::kPi / step)));
   }
   geometry::TriangleMesh mesh;
   for (const Eigen::Vector2d& p : rod.profile)

@@ -17,11 +17,11 @@ ProgramBuilder::ProgramBuilder(std::string_view format, const process::Process& 
 
 void ProgramBuilder::expectMotionsOf(const std::vector<plan::ProgramFile>& files) {
   // minimum length of a line with a motion; shorter ones have none
-  constexpr std::size_t kLeastBytes = 16;
+  constexpr std::size_t kMinBytes = 16;
   std::size_t most = 0;
   for (const plan::ProgramFile& one : files)
     most += std::min(static_cast<std::size_t>(std::ranges::count(one.text, '\n')) + 1,
-                     one.text.size() / kLeastBytes + 1);
+                     one.text.size() / kMinBytes + 1);
   program_.motions.reserve(most);
 }
 
@@ -115,7 +115,7 @@ void ProgramBuilder::pauseByOutputs(double seconds) {
 }
 
 void ProgramBuilder::tellDrawn(double mm) {
-  if (mm > kMostDrawnBackMm)
+  if (mm > kMaxDrawnBackMm)
     defect(
         base::message("{length:.0f} of filament retracted: out of the hot end"_text, base::mm(mm)));
 }

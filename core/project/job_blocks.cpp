@@ -61,8 +61,8 @@ bool soundMesh(const geometry::TriangleMesh& mesh) {
 
 bool soundDecomposition(const curved::Decomposition& d) {
   const Eigen::Vector3i n = d.grid.size;
-  constexpr int kMostCells = 1 << 20; // per side
-  if (n.minCoeff() < 0 || n.maxCoeff() > kMostCells || !d.grid.origin.allFinite() ||
+  constexpr int kMaxCells = 1 << 20; // per side
+  if (n.minCoeff() < 0 || n.maxCoeff() > kMaxCells || !d.grid.origin.allFinite() ||
       !std::isfinite(d.grid.pitch) || d.grid.pitch <= 0.0 || !allFinite(d.platform))
     return false;
   const std::size_t cells = d.grid.cellCount();

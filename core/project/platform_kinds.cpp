@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using Sizes = std::vector<double>;
 using enum PlatformUse;
 
-constexpr double kLeastMm = 0.1, kMostMm = 5000.0;
+constexpr double kMinMm = 0.1, kMaxMm = 5000.0;
 
 std::vector<Vector2d> aroundStanding(const Sizes& sizes, std::vector<Vector2d> standing) {
   return geometry::convexPolygon(std::move(standing), sizes[0]);
@@ -40,7 +40,7 @@ platform::RodShape rod(const Sizes& sizes, int sides) {
 }
 
 PlatformField length(std::string_view name, base::Text label, double usualMm) {
-  return {name, label, kLeastMm, kMostMm, usualMm};
+  return {name, label, kMinMm, kMaxMm, usualMm};
 }
 
 } // namespace
@@ -51,7 +51,7 @@ const std::vector<PlatformKind>& platformKinds() {
        .uses = {{Plate, "Contact area, margin"_text}, {Rod, "Rod of the cell"_text, false}},
        .shown = "contact area + {sizes} mm"_text,
        .plain = "contact area"_text,
-       .fields = {{"MARGIN", "Margin around the contact area"_text, 0.0, kMostMm, 0.0}},
+       .fields = {{"MARGIN", "Margin around the contact area"_text, 0.0, kMaxMm, 0.0}},
        .bare = true,
        .madeForPart = true,
        .plate = aroundStanding},

@@ -24,10 +24,10 @@ namespace {
 
 using enum plan::FindingKind;
 
-constexpr double kLeastMm3 = 0.005, kPrimeTolerance = 0.1;
+constexpr double kMinMm3 = 0.005, kPrimeTolerance = 0.1;
 // Tolerated sum of unplanned pauses [s]; and per pause the relative and absolute rounding error.
-constexpr double kMostPausesS = 0.1, kPauseShare = 0.05, kPauseS = 1e-3;
-constexpr std::size_t kMostPauses = 100; // maximum number of findings
+constexpr double kMaxPausesS = 0.1, kPauseShare = 0.05, kPauseS = 1e-3;
+constexpr std::size_t kMaxPauses = 100; // maximum number of findings
 constexpr double kPlateKg = 0.5, kHeadKg = 1.0, kLoadFactor = 3.0, kLoadSlackKg = 1.0;
 constexpr double kFirstRadPerS = 1.0471975511965976, kFirstRadPerS2 = 2.0, kFirstMmPerS = 250.0;
 constexpr double kNozzleMm = 0.05, kNozzleRad = 0.01;
@@ -65,7 +65,7 @@ private:
     for (const plan::ProgramPause& p : program_.pauses) {
       if (p.before <= firstBead_ || p.before > program_.motions.size())
         continue;
-      if (p.volumeMm3 > kLeastMm3)
+      if (p.volumeMm3 > kMinMm3)
         add(FlowsWhileStanding, placeOfPause(p),
             {{"volume", base::mm3(p.volumeMm3)}, {"time", base::seconds(p.durationS)}});
     }
@@ -78,14 +78,14 @@ private:
     for (const plan::ProgramPause& p : program_.pauses) {
       const bool amid = p.before > program_.firstMotion && p.before < program_.motions.size();
       const double over = p.durationS - (1.0 + kPauseShare) * plannedPauseS(p);
-      if (!amid || p.volumeMm3 > kLeastMm3 || over <= kPauseS)
+      if (!amid || p.volumeMm3 > kMinMm3 || over <= kPauseS)
         continue;
       unplanned.push_back(&p);
       seconds += over;
     }
-    if (seconds <= kMostPausesS)
+    if (seconds <= kMaxPausesS)
       return;
-    unplanned.resize(std::min(unplanned.size(), kMostPauses));
+    unplanned.resize(std::min(unplanned.size(), kMaxPauses));
     for (const plan::ProgramPause* p : unplanned)
       add(StandsAmidPrint, placeOfPause(*p), {{"time", base::seconds(p->durationS)}});
   }
@@ -107,7 +107,7 @@ private:
       if (!most || p.volumeMm3 > most->volumeMm3)
         most = &p;
     }
-    if (std::abs(volume - planned) <= std::max(kLeastMm3, kPrimeTolerance * planned))
+    if (std::abs(volume - planned) <= std::max(kMinMm3, kPrimeTolerance * planned))
       return;
     // Programs prime where the arm is at the program's start.
     const std::size_t motion =

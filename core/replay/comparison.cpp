@@ -405,7 +405,7 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
 PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& planned,
                             const plan::Trajectory& trajectory, const plan::ReadProgram& program,
                             const Alignment& alignment, const base::RunContext& ctx) {
-  constexpr std::size_t kGrain = 4096, kMostSegments = 64;
+  constexpr std::size_t kGrain = 4096, kMaxSegments = 64;
   std::vector<PathDeviation> worst((path.motionCount() + kGrain - 1) / kGrain);
   base::parallelChunks(ctx, path.motionCount(), kGrain, [&](std::size_t begin, std::size_t end) {
     PathDeviation& w = worst[begin / kGrain];
@@ -425,7 +425,7 @@ PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& plann
       const std::size_t before =
           m > 0 && alignment.pointOf[m - 1] != kUnmatched ? alignment.pointOf[m - 1] : kUnmatched;
       const std::size_t first = before < j
-                                    ? std::max(before, j > kMostSegments ? j - kMostSegments : 0)
+                                    ? std::max(before, j > kMaxSegments ? j - kMaxSegments : 0)
                                     : (j > 0 ? j - 1 : 0);
       const std::size_t last = std::min(j + 1, planned.tip.size() - 1);
       const bool blended = program.motions[m].blendMm > 0.0;

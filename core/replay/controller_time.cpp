@@ -7,7 +7,7 @@ namespace voluta::replay {
 
 namespace {
 
-constexpr double kLeastMm = 1e-9;
+constexpr double kMinMm = 1e-9;
 
 // Returns the time of a trapezoidal speed profile over `way` from speed v0 to v1, with at most v
 // and acceleration a. Precondition: v1 is reachable from v0 and vice versa.
@@ -44,7 +44,7 @@ private:
 
   bool ramps(const Leg& leg) const {
     return leg.straight && !leg.timed && leg.acceleration > 0.0 && leg.speed > 0.0 &&
-           leg.way > kLeastMm;
+           leg.way > kMinMm;
   }
 
   void plan() {
@@ -73,7 +73,7 @@ private:
   // Returns the TCP's speed through the corner at the end of motion m.
   double cornerSpeed(std::size_t m) const {
     const Leg &in = legs_[m], &out = legs_[m + 1];
-    if (!in.straight || !out.straight || in.way < kLeastMm || out.way < kLeastMm)
+    if (!in.straight || !out.straight || in.way < kMinMm || out.way < kMinMm)
       return 0.0;
     const double speed = std::min(in.speed, out.speed);
     const bool stands = motions_[m].blendMm <= 0.0 && model_.junctionMm <= 0.0;
@@ -157,7 +157,7 @@ double jointMotionS(const ExecutedPath& path, std::size_t m, double radPerS2) {
   for (int k = 0; k < path.dof; ++k)
     turn = std::max(turn, std::abs(path.turnOf(k, path.jointsAt(m)[k] - path.jointsAt(m - 1)[k])));
   const double seconds = path.durationS[m];
-  if (radPerS2 <= 0.0 || seconds <= 0.0 || turn < kLeastMm)
+  if (radPerS2 <= 0.0 || seconds <= 0.0 || turn < kMinMm)
     return seconds;
   return trapezoidS(turn, 0.0, turn / seconds, 0.0, radPerS2);
 }

@@ -21,9 +21,9 @@ using robot::JointVector;
 constexpr double kPrintSampleMm = 0.5, kTravelSampleMm = 1.0;
 constexpr double kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0);
 constexpr double kArmStepJointRad = 0.03, kArmStepExternalRad = 0.1;
-constexpr double kNextRad = 0.2;          // a larger step between samples is a change of branch
-constexpr double kMostArmSteps = 20000.0; // bounds the run time for absurd numbers in a program
-constexpr double kRangeSlackRad = 1e-4;   // rounding of joints in a program's text
+constexpr double kNextRad = 0.2;         // a larger step between samples is a change of branch
+constexpr double kMaxArmSteps = 20000.0; // bounds the run time for absurd numbers in a program
+constexpr double kRangeSlackRad = 1e-4;  // rounding of joints in a program's text
 constexpr std::size_t kGrain = 1024;
 
 // A TCP pose in Base, a pose of the nozzle in the work frame, or the nozzle's tip and direction
@@ -337,10 +337,10 @@ private:
   // A walk may begin after any motion with a joint target, because its joints do not depend on the
   // motions before.
   std::vector<ArmWalk> walks() const {
-    constexpr std::size_t kLeast = 500; // motions
+    constexpr std::size_t kMin = 500; // motions
     std::vector<ArmWalk> walks(1);
     for (std::size_t m = 1; m < motions_.size(); ++m)
-      if (motions_[m - 1].target == plan::TargetKind::Joints && m - walks.back().begin >= kLeast) {
+      if (motions_[m - 1].target == plan::TargetKind::Joints && m - walks.back().begin >= kMin) {
         walks.back().end = m;
         walks.emplace_back().begin = m;
       }
@@ -418,7 +418,7 @@ private:
   }
 
   static int stepsOf(double count) {
-    return static_cast<int>(std::clamp(std::ceil(count), 1.0, kMostArmSteps));
+    return static_cast<int>(std::clamp(std::ceil(count), 1.0, kMaxArmSteps));
   }
   int armSteps(std::size_t m) const {
     const Target &a = targets_[m - 1], &b = targets_[m];

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kOnMm = 1e-6; // a point this far above a surface is on it
-constexpr std::size_t kMostCells = 8'000'000;
+constexpr std::size_t kMaxCells = 8'000'000;
 
 struct Bounds {
   Vector3d low, high;
@@ -31,7 +31,7 @@ Bounds boundsOf(const geometry::TriangleMesh& mesh) {
 }
 voxel::VoxelGrid gridRound(const geometry::TriangleMesh& mesh, double pitchMm) {
   const Bounds b = boundsOf(mesh);
-  return gridOver(b.low, b.high, pitchMm, kMostCells);
+  return gridOver(b.low, b.high, pitchMm, kMaxCells);
 }
 
 // Returns the vertices of a prism's cross-section, in the plane perpendicular to x.

@@ -17,9 +17,9 @@ namespace {
 using enum plan::FindingKind;
 using plan::FactKind, plan::StatedFact;
 
-constexpr double kSameFlow = 1e-3;      // relative
-constexpr double kRoundedFlow = 5e-4;   // mm³/s: extruder heads write three decimals
-constexpr std::size_t kMostFlags = 100; // findings
+constexpr double kSameFlow = 1e-3;     // relative
+constexpr double kRoundedFlow = 5e-4;  // mm³/s: extruder heads write three decimals
+constexpr std::size_t kMaxFlags = 100; // findings
 
 base::Message nameOf(FactKind kind) {
   switch (kind) {
@@ -215,7 +215,7 @@ private:
     };
     for (const plan::StatedPosture& stated : program_.postures) {
       const std::size_t point = alignment_.pointOf[stated.motion];
-      if (point == kUnmatched || told == kMostFlags)
+      if (point == kUnmatched || told == kMaxFlags)
         continue;
       const plan::ArmPosture planned = dialect.posture(cell_, foreign, trajectory_.at(point));
       if (planned == stated.posture)

@@ -18,12 +18,12 @@ using Eigen::Vector3d;
 using layers::LevelSurface;
 
 constexpr double kChordMm = 0.002;
-constexpr double kMostStep = base::degreesToRadians(4.0);
+constexpr double kMaxStep = base::degreesToRadians(4.0);
 
 // Returns the angle between vertices on a circle.
 double angularStep(double radiusMm, double edgeMm) {
   const double chord = 2.0 * std::acos(std::max(0.0, 1.0 - kChordMm / radiusMm));
-  return std::min({kMostStep, chord, edgeMm / radiusMm});
+  return std::min({kMaxStep, chord, edgeMm / radiusMm});
 }
 
 int steps(double length, double step) {

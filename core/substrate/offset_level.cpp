@@ -25,7 +25,7 @@ using Eigen::Vector3i;
 
 // Cells per side of a block, which is tested as a whole first.
 constexpr int kBlock = 8;
-constexpr int kMostRounds = 60;
+constexpr int kMaxRounds = 60;
 constexpr double kOnLevelMm = 1e-11;
 constexpr double kCrease = 0.94; // Cosine of 20 degrees
 
@@ -139,7 +139,7 @@ private:
     const Vector3d a = point(crossing.from.at), way = point(crossing.to.at) - a;
     double low = 0.0, high = 1.0;
     double t = crossing.from.value / (crossing.from.value - crossing.to.value);
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
       p = a + t * way;
       const Vector3d out = p - grid_.ground().nearest(p);
       const double far = out.norm();

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& ground,
                       const std::function<Vector3d(const Vector3d&)>& outward,
                       const OverhangRule& rule) {
-  constexpr int kMostSteps = 16;
+  constexpr int kMaxSteps = 16;
   base::require(rule.sampleMm > 0.0, "samples of some size");
   Overhang found;
   const double least = -std::sin(rule.overhangRad);
@@ -24,7 +24,7 @@ Overhang findOverhang(const geometry::TriangleMesh& part, const layers::Ground& 
     const Vector3d &a = part.corner(t, 0), &b = part.corner(t, 1), &c = part.corner(t, 2);
     const Vector3d n = geometry::triangleNormal(part, t);
     const double widest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const int m = std::clamp(static_cast<int>(std::ceil(widest / rule.sampleMm)), 1, kMostSteps);
+    const int m = std::clamp(static_cast<int>(std::ceil(widest / rule.sampleMm)), 1, kMaxSteps);
     const double area = geometry::triangleArea(part, t) / (m * m);
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < 2 * (m - i) - 1; ++j) {

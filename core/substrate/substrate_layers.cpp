@@ -183,7 +183,7 @@ double topOf(const geometry::TriangleMesh& part, const EndSurface& end) {
 // to the layer height within the limits.
 std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth, double top,
                                         const SubstrateOptions& o) {
-  constexpr int kMostLayers = 2000, kAngles = 64;
+  constexpr int kMaxLayers = 2000, kAngles = 64;
   const FlatteningCircle first{start.centre.y() + start.radiusMm, start.radiusMm};
   const double rise = top - first.topMm;
   if (!(rise > 0.0))
@@ -200,7 +200,7 @@ std::vector<FlatteningCircle> circlesOf(const CircleFit& start, double halfWidth
   double bestOff = std::numeric_limits<double>::infinity();
   double least = 0.0, most = 0.0; // Thickness range of the best number of layers
   double bestBeyond = std::numeric_limits<double>::infinity();
-  for (int n = 1; n <= kMostLayers && rise / n >= 0.1 * o.heightMinMm; ++n) {
+  for (int n = 1; n <= kMaxLayers && rise / n >= 0.1 * o.heightMinMm; ++n) {
     std::vector<FlatteningCircle> circles =
         flatteningToPlane(first, halfWidth, rise / n, n, o.end.radiusMm);
     double low = std::numeric_limits<double>::infinity(), high = 0.0, sum = 0.0;

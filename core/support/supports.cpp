@@ -15,7 +15,7 @@ namespace voluta::support {
 
 namespace {
 
-constexpr std::size_t kMostListed = 20;
+constexpr std::size_t kMaxListed = 20;
 constexpr int kSlowRounds = 4; // for schemes that do not peel
 constexpr std::int32_t kUnreached = std::numeric_limits<std::int32_t>::max();
 
@@ -267,7 +267,7 @@ private:
   }
 
   void report() {
-    for (std::size_t n = 0; n < std::min(kMostListed, out_.columns.size()); ++n) {
+    for (std::size_t n = 0; n < std::min(kMaxListed, out_.columns.size()); ++n) {
       const Column& column = out_.columns[n];
       const base::Text foot = column.standsOn == Column::Foot::Platform ? "the platform"_text
                               : column.standsOn == Column::Foot::Part   ? "the part below"_text
@@ -283,14 +283,14 @@ private:
           std::move(values), part_.grid.centre(column.top.x(), column.top.y(), column.top.z()),
           column.cells.size()));
     }
-    if (out_.columns.size() > kMostListed) {
-      const std::size_t rest = out_.columns.size() - kMostListed;
+    if (out_.columns.size() > kMaxListed) {
+      const std::size_t rest = out_.columns.size() - kMaxListed;
       out_.findings.push_back(plan::makeFinding(plan::FindingKind::SupportColumns,
                                                 {{"columns", rest}}, std::nullopt, rest));
     }
     if (out_.missedAfter == 0)
       return;
-    for (std::size_t n = 0; n < std::min(kMostListed, stranded_.size()); ++n) {
+    for (std::size_t n = 0; n < std::min(kMaxListed, stranded_.size()); ++n) {
       const Eigen::Vector3i c = part_.grid.cell(stranded_[n].cells.front());
       const std::size_t count = stranded_[n].cells.size();
       out_.findings.push_back(plan::makeFinding(plan::FindingKind::NoSupport, {{"voxels", count}},

@@ -303,8 +303,8 @@ int PatchSurface::crossedTowards(const Vector3d& point, int triangle) const {
 }
 
 SurfacePoint PatchSurface::project(const Vector3d& point, int start) const {
-  constexpr int kMostCrossed = 100;
-  for (int step = 0; planeNormal && step < kMostCrossed; ++step) {
+  constexpr int kMaxCrossed = 100;
+  for (int step = 0; planeNormal && step < kMaxCrossed; ++step) {
     const int next = crossedTowards(point, start);
     if (next == start)
       return {point -

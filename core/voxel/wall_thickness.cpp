@@ -15,7 +15,7 @@ namespace voluta::voxel {
 
 namespace {
 constexpr double kFacing = -0.906; // Cosine between two normals 155 degrees apart
-constexpr double kMostPoints = 60'000.0;
+constexpr double kMaxPoints = 60'000.0;
 constexpr double kPlaceCells = 3.0; // In widths: thin points closer than this belong to one place
 
 struct ThinPoint {
@@ -29,7 +29,7 @@ std::vector<int> divisions(const geometry::TriangleMesh& mesh, double width) {
   double area = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     area += geometry::triangleArea(mesh, t);
-  const double budget = std::max(1.0, kMostPoints - static_cast<double>(mesh.triangles.size()));
+  const double budget = std::max(1.0, kMaxPoints - static_cast<double>(mesh.triangles.size()));
   const double square = std::max(width * width, area / budget);
   std::vector<int> out(mesh.triangles.size());
   for (std::size_t t = 0; t < out.size(); ++t)

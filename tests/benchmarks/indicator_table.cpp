@@ -40,7 +40,7 @@ using robot::JointVector;
 
 constexpr double kBesideRad = 0.1;
 constexpr double kFclPitchMm = 1.0;
-constexpr double kMostMissed = 0.01;
+constexpr double kMaxMissed = 0.01;
 
 struct Settings {
   indicator::ContactSampling sampling;
@@ -191,7 +191,7 @@ void measure(const Layer& layer, const robot::Cell& cell, const collision::CellC
   start = processorSeconds();
   const std::vector<JudgedJoints> heldOut =
       judged(beside(space.random(2 * settings.sampling.samples, 31), 32), collides, ctx);
-  const double extra = carefulBias(learned, heldOut, kMostMissed);
+  const double extra = carefulBias(learned, heldOut, kMaxMissed);
   const double calibrating = processorSeconds() - start;
   row("bias found", samples.size(), learned.withBias(extra), near, contact, ctx);
   std::printf("    bias %.2f, found in %.2f s\n", settings.learning.bias + extra, calibrating);
@@ -206,14 +206,14 @@ void measure(const Layer& layer, const robot::Cell& cell, const collision::CellC
         std::printf("    gamma %g, penalty %g, %.2f s\n", gamma, penalty,
                     processorSeconds() - begin);
         row("as asked for", samples.size(), other, near, contact, ctx);
-        row("bias found", samples.size(), other.withBias(carefulBias(other, heldOut, kMostMissed)),
+        row("bias found", samples.size(), other.withBias(carefulBias(other, heldOut, kMaxMissed)),
             near, contact, ctx);
       }
   for (const std::size_t count : {samples.size(), 2 * samples.size()}) {
     const std::vector<JudgedJoints> many = judged(random(space, count, 11), collides, ctx);
     const LearnedIndicator other(many, cell.limits(), settings.learning);
     row("random samples", many.size(), other, near, contact, ctx);
-    row("bias found", many.size(), other.withBias(carefulBias(other, heldOut, kMostMissed)), near,
+    row("bias found", many.size(), other.withBias(carefulBias(other, heldOut, kMaxMissed)), near,
         contact, ctx);
   }
 

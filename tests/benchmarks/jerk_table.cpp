@@ -178,7 +178,7 @@ std::vector<motion::RunPoint> runOf(const robot::Cell& cell, const Joints& q) {
 // with all other points held, in place of quadratic programmes.
 Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, const Joints& q,
                    const std::vector<double>& times, const base::RunContext& ctx) {
-  constexpr std::size_t kFirst = 5, kMost = 20;
+  constexpr std::size_t kFirst = 5, kMax = 20;
   constexpr int kRounds = 100;
   constexpr double kAllowed = 1.0; // rad/s3
   const std::vector<motion::RunPoint> points = runOf(cell, q);
@@ -201,7 +201,7 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
     if (centre == q.size())
       break;
     bool success = false;
-    for (std::size_t d = kFirst; d <= kMost && !success; d += 5) {
+    for (std::size_t d = kFirst; d <= kMax && !success; d += 5) {
       const std::size_t b = centre < d ? 0 : centre - d, e = std::min(q.size(), centre + d + 1);
       std::vector<motion::TurnHold> held(q.size(), {motion::kHeld, 0.0});
       std::fill(held.begin() + static_cast<std::ptrdiff_t>(b),
@@ -210,7 +210,7 @@ Joints localFilter(const robot::Cell& cell, const robot::ArmTwists& twists, cons
       smoother.smooth(at, held, {}, ctx);
       success = smoother.cost(at, held) < before * (1.0 - 1e-6);
       for (std::size_t i = b; i < e; ++i)
-        locked[i] = !success && d + 5 > kMost;
+        locked[i] = !success && d + 5 > kMax;
     }
   }
   Joints filtered;

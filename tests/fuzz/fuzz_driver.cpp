@@ -24,7 +24,7 @@ namespace {
 using namespace voluta;
 
 constexpr std::uint64_t kBatch = 500;
-constexpr int kMostFailures = 10;
+constexpr int kMaxFailures = 10;
 constexpr unsigned kPatienceS = 60; // for one input
 
 std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise) {
@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
   const base::Stopwatch watch;
   int failures = 0;
   std::uint64_t next = begin;
-  while (next < end && failures < kMostFailures && !(seconds > 0.0 && watch.seconds() > seconds)) {
+  while (next < end && failures < kMaxFailures && !(seconds > 0.0 && watch.seconds() > seconds)) {
     const std::uint64_t last = end - next < kBatch ? end : next + kBatch;
     if (runBatch(seeds, next, last, current.value())) {
       next = last;

@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector3d;
 using test::flatSquare;
 
-constexpr double kLeast = 0.4, kMost = 1.0;
+constexpr double kMin = 0.4, kMax = 1.0;
 
 geometry::TriangleMesh block() {
   return test::box({-15, -10, 0}, {15, 10, 20});
@@ -30,11 +30,11 @@ geometry::TriangleMesh block() {
 curved::LayersResult layersOf(const geometry::TriangleMesh& part,
                               const test::FieldFunction& field) {
   const auto d = test::decompositionOf(part, 0.8, field);
-  return curved::curvedLayers(d, part, {0.8, kLeast, kMost, 1.2, false}, base::RunContext({}, 2));
+  return curved::curvedLayers(d, part, {0.8, kMin, kMax, 1.2, false}, base::RunContext({}, 2));
 }
 
 test::StackVerdict check(const layers::LayerStack& stack) {
-  return test::checkStack(stack, block(), kLeast, kMost);
+  return test::checkStack(stack, block(), kMin, kMax);
 }
 
 TEST(StackChecker, HasNothingToSayOfFlatLayers) {

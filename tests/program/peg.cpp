@@ -7,7 +7,7 @@
 namespace voluta::test {
 
 namespace {
-constexpr std::size_t kMost = static_cast<std::size_t>(-1);
+constexpr std::size_t kMax = static_cast<std::size_t>(-1);
 bool isNameChar(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
@@ -100,7 +100,7 @@ struct Peg::Source {
     Node node = primary();
     if (rest.starts_with("*") || rest.starts_with("+") || rest.starts_with("?")) {
       const char sign = character();
-      return repeat(std::move(node), sign == '+' ? 1 : 0, sign == '?' ? 1 : kMost);
+      return repeat(std::move(node), sign == '+' ? 1 : 0, sign == '?' ? 1 : kMax);
     }
     if (!rest.starts_with("{"))
       return node;

@@ -64,9 +64,9 @@ TEST(Windings, StayWithinAndAreFewest) {
     const int least = leastTurns(stretches);
     const double limit = std::max(most, least * kTurn);
     const std::vector<int> turns = windings(stretches, limit);
-    constexpr int kMost = 12;
-    // fewest[k]: windings up to here with k - kMost turns added.
-    std::vector<int> fewest(2 * kMost + 1, 0);
+    constexpr int kMax = 12;
+    // fewest[k]: windings up to here with k - kMax turns added.
+    std::vector<int> fewest(2 * kMax + 1, 0);
     int mine = 0;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const auto fits = [&](int k) {
@@ -76,8 +76,8 @@ TEST(Windings, StayWithinAndAreFewest) {
       EXPECT_TRUE(fits(turns[i]));
       mine += i > 0 && turns[i] != turns[i - 1];
       const int best = *std::ranges::min_element(fewest) + (i > 0 ? 1 : 0);
-      for (int k = -kMost; k <= kMost; ++k) {
-        int& now = fewest[static_cast<std::size_t>(k + kMost)];
+      for (int k = -kMax; k <= kMax; ++k) {
+        int& now = fewest[static_cast<std::size_t>(k + kMax)];
         now = fits(k) ? std::min(now, best) : 1000;
       }
     }

@@ -16,8 +16,8 @@ namespace {
 
 using plan::ProgramMotion, plan::ReadProgram;
 
-constexpr double kLeastMm = 1.0, kMostMm = 4.0;     // a target beside the one it was
-constexpr double kLeastRad = 2e-3, kMostRad = 1e-2; // the same of one joint, at a lever of 0.5 m
+constexpr double kMinMm = 1.0, kMaxMm = 4.0;     // a target beside the one it was
+constexpr double kMinRad = 2e-3, kMaxRad = 1e-2; // the same of one joint, at a lever of 0.5 m
 
 double durationOf(const ProgramMotion& m) {
   return m.durationS > 0.0 ? m.durationS : m.speedMmPerS > 0.0 ? 1.0 / m.speedMmPerS : 0.0;
@@ -31,11 +31,11 @@ bool isBeside(const ProgramMotion& a, const ProgramMotion& b) {
     double turned = 0.0;
     for (std::size_t k = 0; k < a.joints.size(); ++k)
       turned += std::abs(a.joints[k] - b.joints[k]);
-    return turned > kLeastRad && turned < kMostRad;
+    return turned > kMinRad && turned < kMaxRad;
   }
   const double moved = (a.frame_T_tcp.translation() - b.frame_T_tcp.translation()).norm() +
                        (a.position - b.position).norm();
-  return moved > kLeastMm && moved < kMostMm;
+  return moved > kMinMm && moved < kMaxMm;
 }
 
 bool isSound(const ReadProgram& program) {
@@ -75,7 +75,7 @@ bool isStatement(std::string_view line) {
   return !line.empty() && !line.starts_with("//") && !line.starts_with('$');
 }
 
-constexpr std::size_t kMostLinesAbove = 20;
+constexpr std::size_t kMaxLinesAbove = 20;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 } // namespace
@@ -167,7 +167,7 @@ std::optional<std::size_t> tenfoldSpeed(ProgramText& text, std::size_t motion,
       first = m.line == l ? l : first;
     if (changeNumber(text.lines.at(l - 1), others, isTenfold))
       return first;
-    if (l + kMostLinesAbove < line)
+    if (l + kMaxLinesAbove < line)
       break;
   }
   // Or a speed that stands further up is said again, without that line's number.

@@ -15,7 +15,7 @@ namespace voluta::replay {
 namespace {
 
 constexpr int kSeeds = 3, kHarmless = 300;
-constexpr std::size_t kLeastKinds = 40;
+constexpr std::size_t kMinKinds = 40;
 
 const test::Scene& sceneFor(const std::string& format) {
   static const test::Scene usual = test::boxScene(1), other = test::boxScene(1, "rv2f-moving");
@@ -108,7 +108,7 @@ TEST_P(Mutants, HarmIsFoundAtItsLine) {
   std::printf("%-16s %3zu kinds, %3zu edits: %3zu refused, %3zu at the line (%.1f %%)\n",
               GetParam().c_str(), kinds, tried, refused, found,
               100.0 * static_cast<double>(found) / static_cast<double>(tried));
-  EXPECT_GE(kinds, kLeastKinds);
+  EXPECT_GE(kinds, kMinKinds);
   EXPECT_EQ(refused, tried) << missed;
   EXPECT_GE(static_cast<double>(found), 0.99 * static_cast<double>(tried)) << missed;
 }

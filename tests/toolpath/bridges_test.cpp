@@ -12,16 +12,17 @@ using Eigen::Vector3d;
 
 namespace {
 
-std::vector<char> hangingOf(const plan::ToolPlan& plan, const platform::PlatformSolid& platform) {
+std::vector<char> unsupportedOf(const plan::ToolPlan& plan,
+                                const platform::PlatformSolid& platform) {
   const double pitch = collision::growingPitch(plan, kProcess);
   const base::RunContext ctx;
   const collision::GrowingPart part(plan, pitch, ctx, collision::groundCells(platform, pitch, ctx));
   return toolpath::unsupportedWaypoints(plan, part, platform, ctx);
 }
 
-plan::ToolPlan slowed(const plan::ToolPlan& plan, const std::vector<char>& hanging,
+plan::ToolPlan slowed(const plan::ToolPlan& plan, const std::vector<char>& unsupported,
                       const process::Tooling& tooling) {
-  return toolpath::slowBridges({plan, hanging, {}, {}}, {}, sceneOn(kPlate, tooling), {})
+  return toolpath::slowBridges({plan, unsupported, {}, {}}, {}, sceneOn(kPlate, tooling), {})
       .value()
       .beads.plan;
 }
@@ -33,12 +34,12 @@ TEST(Bridges, SpanWhatLiesBetweenTwoWalls) {
   addPath(plan, -15, -5, 0, 0.8, 0);
   addPath(plan, 5, 15, 0, 0.8, 0);
   addPath(plan, -15, 15, 0, 1.6, 1); // over the gap from x = -5 to 5, whose ends are round
-  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  const std::vector<char> unsupported = unsupportedOf(plan, kPlate);
   for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
     const Vector3d& p = plan.position[i];
     if (p.z() > 1.0 && std::abs(p.x()) > 4.1 && std::abs(p.x()) < 5.9)
       continue; // above a round end
-    EXPECT_EQ(hanging[i] != 0, p.z() > 1.0 && std::abs(p.x()) <= 4.1) << p.transpose();
+    EXPECT_EQ(unsupported[i] != 0, p.z() > 1.0 && std::abs(p.x()) <= 4.1) << p.transpose();
   }
 }
 
@@ -47,26 +48,26 @@ TEST(Bridges, ABeadHalfBesideTheOneBelowIsCarried) {
   addPath(plan, -15, 15, 0, 0.8, 0);
   addPath(plan, -15, 15, 0.6, 1.6, 1);
   addPath(plan, 15, -15, 3.0, 1.6, 1); // nothing beneath
-  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  const std::vector<char> unsupported = unsupportedOf(plan, kPlate);
   for (std::size_t i = 0; i < plan.waypointCount(); ++i)
-    EXPECT_EQ(hanging[i] != 0, plan.position[i].y() > 2.0) << plan.position[i].transpose();
+    EXPECT_EQ(unsupported[i] != 0, plan.position[i].y() > 2.0) << plan.position[i].transpose();
 }
 
 TEST(Bridges, WhatIsLaidLaterCarriesNothing) {
   plan::ToolPlan plan;
   addPath(plan, -10, 10, 0, 1.6, 1);
   addPath(plan, -10, 10, 0, 0.8, 0);
-  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  const std::vector<char> unsupported = unsupportedOf(plan, kPlate);
   for (std::size_t i = 0; i < plan.waypointCount(); ++i)
-    EXPECT_EQ(hanging[i] != 0, i < plan.paths[1].first);
+    EXPECT_EQ(unsupported[i] != 0, i < plan.paths[1].first);
 }
 
 TEST(Bridges, BeyondThePlateNothingCarries) {
   plan::ToolPlan plan;
   addPath(plan, 0, 40, 0, 0.8, 0);
-  const std::vector<char> hanging = hangingOf(plan, kPlate);
+  const std::vector<char> unsupported = unsupportedOf(plan, kPlate);
   for (std::size_t i = 0; i < plan.waypointCount(); ++i)
-    EXPECT_EQ(hanging[i] != 0, plan.position[i].x() > 20.0) << plan.position[i].transpose();
+    EXPECT_EQ(unsupported[i] != 0, plan.position[i].x() > 20.0) << plan.position[i].transpose();
 }
 
 TEST(Bridges, HolesOfLessThanAWidthAreNone) {
@@ -74,17 +75,17 @@ TEST(Bridges, HolesOfLessThanAWidthAreNone) {
   addPath(plan, -15, -1, 0, 0.8, 0);
   addPath(plan, 1, 15, 0, 0.8, 0); // round ends: less than a millimetre is left between them
   addPath(plan, -15, 15, 0, 1.6, 1);
-  const std::vector<char> hanging = hangingOf(plan, kPlate);
-  EXPECT_EQ(std::count(hanging.begin(), hanging.end(), 1), 0);
+  const std::vector<char> unsupported = unsupportedOf(plan, kPlate);
+  EXPECT_EQ(std::count(unsupported.begin(), unsupported.end(), 1), 0);
 }
 
 TEST(Bridges, AreLaidSlowly) {
   plan::ToolPlan plan;
   addPath(plan, 0, 10, 0, 0.8, 0);
   plan.speedMmPerS[6] = 3.0f; // for its own reason
-  std::vector<char> hanging(plan.waypointCount(), 0);
-  hanging[4] = hanging[5] = hanging[6] = 1;
-  plan = slowed(plan, hanging, kProcess);
+  std::vector<char> unsupported(plan.waypointCount(), 0);
+  unsupported[4] = unsupported[5] = unsupported[6] = 1;
+  plan = slowed(plan, unsupported, kProcess);
   const auto slow = static_cast<float>(kProcess.bridgeSpeedMmPerS);
   EXPECT_LT(slow, 20.0f);
   const std::vector<float> expected{20, 20, 20, 20, slow, slow, 3, slow, 20, 20, 20};

@@ -22,18 +22,18 @@ Drawn drawn(plan::ToolPlan plan) {
   const base::RunContext ctx;
   const double pitch = collision::growingPitch(plan, kProcess);
   const auto ground = collision::groundCells(kPlate, pitch, ctx);
-  const auto hanging = [&](const collision::GrowingPart& part) {
+  const auto unsupported = [&](const collision::GrowingPart& part) {
     const auto marks = toolpath::unsupportedWaypoints(plan, part, kPlate, ctx);
     return static_cast<std::size_t>(std::ranges::count(marks, 1));
   };
   Drawn result;
   const collision::GrowingPart part(plan, pitch, ctx, ground);
-  result.before = hanging(part);
+  result.before = unsupported(part);
   plan::ToolPlan after = afterPass("insetWalls", plan).plan;
   for (std::size_t i = 0; i < plan.waypointCount(); ++i)
     result.moves.emplace_back(after.position[i] - plan.position[i]);
   plan = std::move(after);
-  result.after = hanging(collision::GrowingPart(plan, pitch, ctx, ground));
+  result.after = unsupported(collision::GrowingPart(plan, pitch, ctx, ground));
   return result;
 }
 

@@ -36,7 +36,7 @@ Underlaid underlaid(const plan::ToolPlan& plan, const platform::PlatformSolid& p
           passed.addedMm3, std::move(passed.grown)};
 }
 
-std::vector<char> hangingOf(const plan::ToolPlan& plan) {
+std::vector<char> unsupportedOf(const plan::ToolPlan& plan) {
   const collision::GrowingPart part(plan, collision::growingPitch(plan, kProcess), {});
   return toolpath::unsupportedWaypoints(plan, part, kPlate, {});
 }
@@ -80,8 +80,8 @@ TEST(Underlay, LiesOnThePlateUnderALowRimAndBeforeItsPatch) {
       part.insert(part.end(), out.plan.position.begin() + static_cast<std::ptrdiff_t>(path.first),
                   out.plan.position.begin() + static_cast<std::ptrdiff_t>(path.first + path.count));
   EXPECT_EQ(part, plan.position);
-  EXPECT_TRUE(std::ranges::count(hangingOf(plan), 1) > 20);
-  EXPECT_EQ(std::ranges::count(hangingOf(out.plan), 1), 0);
+  EXPECT_TRUE(std::ranges::count(unsupportedOf(plan), 1) > 20);
+  EXPECT_EQ(std::ranges::count(unsupportedOf(out.plan), 1), 0);
 }
 
 // The prime begins everything, though it is told to be of the first patch.
@@ -181,7 +181,7 @@ TEST(Underlay, StandsOnWhatIsPrinted) {
     top = out.plan.position[under.first].z();
   }
   EXPECT_NEAR(top, 6.4 + 2.2 - 0.8 / 14.0, 1e-6);
-  EXPECT_EQ(std::ranges::count(hangingOf(out.plan), 1), 0);
+  EXPECT_EQ(std::ranges::count(unsupportedOf(out.plan), 1), 0);
 }
 
 // A wall of support is a sixth of its height wide at least.
@@ -257,12 +257,13 @@ TEST(Underlay, RandomFeet) {
     plan::ToolPlan deeper = out.plan; // cells are told by their centres
     for (float& height : deeper.heightMm)
       height += static_cast<float>(0.5 * pitch);
-    const std::vector<char> hanging = hangingOf(deeper);
+    const std::vector<char> unsupported = unsupportedOf(deeper);
     for (const plan::ToolPath& path : out.plan.paths) {
       if (path.kind != plan::PathKind::Support)
         continue;
       ++laid;
-      EXPECT_TRUE(toolpath::hangingStretches(out.plan, path, hanging, kProcess.beadWidthMm).empty())
+      EXPECT_TRUE(
+          toolpath::unsupportedStretches(out.plan, path, unsupported, kProcess.beadWidthMm).empty())
           << seed << ": " << out.plan.position[path.first].transpose();
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
         EXPECT_GE(out.plan.position[i].z() - static_cast<double>(out.plan.heightMm[i]), -1e-5);

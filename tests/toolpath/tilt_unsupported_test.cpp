@@ -29,12 +29,13 @@ const platform::PlatformSolid kNarrowPlate{
 collision::GrowingPart grown(const plan::ToolPlan& plan) {
   return {plan, collision::growingPitch(plan, kProcess), {}};
 }
-std::vector<char> hangingOf(const plan::ToolPlan& plan, int leastPlaces = 1) {
+std::vector<char> unsupportedOf(const plan::ToolPlan& plan, int leastPlaces = 1) {
   return toolpath::unsupportedWaypoints(plan, grown(plan), kNarrowPlate, {}, leastPlaces);
 }
 std::vector<std::size_t> orderOf(const plan::ToolPlan& plan) {
   std::vector<std::size_t> order;
-  for (const toolpath::OrderedPath& o : toolpath::insideOutOrder(plan, hangingOf(plan), kProcess))
+  for (const toolpath::OrderedPath& o :
+       toolpath::insideOutOrder(plan, unsupportedOf(plan), kProcess))
     order.push_back(o.path);
   return order;
 }
@@ -99,7 +100,7 @@ TEST(InwardsFirst, APathIsTurnedThatBeginsWithWhatHangs) {
     return plan;
   };
   const auto turned = [](const plan::ToolPlan& plan) {
-    return toolpath::insideOutOrder(plan, hangingOf(plan), kProcess).at(1).turned;
+    return toolpath::insideOutOrder(plan, unsupportedOf(plan), kProcess).at(1).turned;
   };
   EXPECT_TRUE(turned(thereAndBack(1.15, 0.0)));
   EXPECT_FALSE(turned(thereAndBack(0.0, 1.15)));
@@ -143,11 +144,12 @@ TEST(Braced, RandomLedgesHangNoLonger) {
       plan.position[i] = Vector3d(0, 0, 12) + tilt * plan.position[i];
       plan.direction[i] = tilt * plan.direction[i];
     }
-    ASSERT_GT(std::ranges::count(hangingOf(plan), 1), 20) << seed;
+    ASSERT_GT(std::ranges::count(unsupportedOf(plan), 1), 20) << seed;
     const plan::ToolPlan after = bracedPlan(plan);
     for (const plan::ToolPath& path : plan.paths) {
       const auto hangs = [&](const plan::ToolPlan& of) {
-        return !toolpath::hangingStretches(of, path, hangingOf(of), kProcess.bridgeMm).empty();
+        return !toolpath::unsupportedStretches(of, path, unsupportedOf(of), kProcess.bridgeMm)
+                    .empty();
       };
       if (path.layer == 0 || !hangs(plan))
         continue;
@@ -230,13 +232,13 @@ TEST(Braced, ALedgeOnItsWayToDirections) {
     const toolpath::OrientResult oriented = toolpath::orientDirections(
         ordered, under.beads.clearDirection, cell, kProcess, options, {}, {}, under.grown);
     EXPECT_EQ(oriented.gouges, 0u);
-    const auto hanging = std::ranges::count(hangingOf(oriented.plan), 1);
+    const auto unsupported = std::ranges::count(unsupportedOf(oriented.plan), 1);
     if (upright) {
       EXPECT_EQ(oriented.plan.direction, ordered.direction); // nothing else may be possible
-      EXPECT_GT(hanging, 20);
+      EXPECT_GT(unsupported, 20);
       EXPECT_TRUE(oriented.findings.empty());
     } else {
-      EXPECT_EQ(hanging, 0);
+      EXPECT_EQ(unsupported, 0);
       ASSERT_EQ(oriented.findings.size(), 1u); // the three that reach out
       EXPECT_EQ(plan::reportId(oriented.findings.front()), "braced");
       EXPECT_EQ(oriented.findings.front().count, 3u);

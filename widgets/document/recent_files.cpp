@@ -9,7 +9,7 @@
 namespace voluta::document {
 
 namespace {
-constexpr int kMost = 10;
+constexpr int kMax = 10;
 const QString kKey = QStringLiteral("recentFiles");
 } // namespace
 
@@ -30,7 +30,7 @@ void RecentFiles::add(const QString& file) {
   QStringList list = files();
   list.removeAll(absolute);
   list.prepend(absolute);
-  QSettings().setValue(kKey, QVariant(list.mid(0, kMost)));
+  QSettings().setValue(kKey, QVariant(list.mid(0, kMax)));
   emit changed();
 }
 

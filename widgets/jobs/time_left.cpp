@@ -7,7 +7,7 @@ namespace voluta::jobs {
 
 namespace {
 constexpr double kHiddenS = 2.0;
-constexpr double kLeastFraction = 0.01;
+constexpr double kMinFraction = 0.01;
 // Increasing estimates are adopted faster than decreasing ones.
 constexpr double kSmoothingS = 5.0, kSmoothingLongerS = 1.0;
 // A jump: more progress than kStroke between two updates, at a pace that would end any run in
@@ -15,7 +15,7 @@ constexpr double kSmoothingS = 5.0, kSmoothingLongerS = 1.0;
 constexpr double kStroke = 0.02, kStrokePerS = 0.2;
 constexpr double kHalf = 0.5, kLastQuarter = 0.75; // Share of the run at which they begin
 constexpr double kWithin = 2.0;                    // Factor
-constexpr double kLeastLeftS = 1.0;
+constexpr double kMinLeftS = 1.0;
 constexpr double kApart = 0.005; // Share of the run between stored estimates
 } // namespace
 
@@ -24,9 +24,9 @@ std::optional<double> TimeLeft::agreed(double elapsedS, double worked, double le
     estimates_.push_back({elapsedS, worked, elapsedS + leftS});
   while (estimates_.front().atS < kHalf * elapsedS)
     estimates_.pop_front();
-  double least = std::max(leftS, kLeastLeftS), most = least;
+  double least = std::max(leftS, kMinLeftS), most = least;
   const auto take = [&](double seconds) {
-    least = std::min(least, std::max(seconds, kLeastLeftS));
+    least = std::min(least, std::max(seconds, kMinLeftS));
     most = std::max(most, seconds);
   };
   double recentS = leftS;
@@ -52,7 +52,7 @@ std::optional<double> TimeLeft::update(double elapsedS, double fraction) {
   if (gained > kStroke && gained > kStrokePerS * passed)
     atOneStroke_ += gained;
   const double worked = fraction - atOneStroke_;
-  if (worked < kLeastFraction)
+  if (worked < kMinFraction)
     return std::nullopt;
   const double left = 1.0 - std::min(fraction, 1.0);
   const std::optional<double> now = agreed(elapsedS, worked, elapsedS * left / worked, left);
@@ -67,7 +67,7 @@ std::optional<double> TimeLeft::update(double elapsedS, double fraction) {
   } else {
     estimateS_ = now;
   }
-  if (elapsedS < kHiddenS || elapsedS - movedS_ > std::max(*estimateS_, kLeastLeftS))
+  if (elapsedS < kHiddenS || elapsedS - movedS_ > std::max(*estimateS_, kMinLeftS))
     return std::nullopt;
   return estimateS_;
 }

@@ -19,9 +19,9 @@ namespace {
 enum Column { Place, Way, FirstFigure };
 enum Role { EntryRole = Qt::UserRole };
 constexpr int kPictureWidth = 88, kPictureHeight = 66, kMargin = 6, kGap = 8, kLineGap = 3;
-constexpr int kLeastText = 92;  // of the column that names the way
+constexpr int kMinText = 92;    // of the column that names the way
 constexpr int kAmpleText = 120; // wider than this: the rest goes to the figures
-constexpr int kMostSpare = 28;
+constexpr int kMaxSpare = 28;
 
 forms::Icon iconOf(CompareState state) {
   switch (state) {
@@ -295,9 +295,9 @@ void CompareTable::layColumns() {
       wide = std::max(wide, fontMetrics().horizontalAdvance(tr("In use")) + 2 * kMargin);
     left -= wide;
   }
-  const int least = kPictureWidth + kGap + 2 * kMargin + kLeastText;
+  const int least = kPictureWidth + kGap + 2 * kMargin + kMinText;
   const int spare =
-      figures > 0 ? std::clamp((left - least - kAmpleText) / figures, 0, kMostSpare) : 0;
+      figures > 0 ? std::clamp((left - least - kAmpleText) / figures, 0, kMaxSpare) : 0;
   for (int column = 0; column < columns; ++column)
     if (column != Way)
       head->resizeSection(column, widths[static_cast<std::size_t>(column)] +

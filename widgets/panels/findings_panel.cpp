@@ -30,9 +30,9 @@
 namespace voluta::panels {
 
 namespace {
-constexpr int kLeastRows = 1, kAmpleRows = 4; // of the list, on a small screen and elsewhere
-constexpr int kLeastWords = 2;                // lines for the text of the selected finding
-constexpr std::size_t kBeyondLoad = 5; // stages after Load, which check for printing problems
+constexpr int kMinRows = 1, kAmpleRows = 4; // of the list, on a small screen and elsewhere
+constexpr int kMinWords = 2;                // lines for the text of the selected finding
+constexpr std::size_t kBeyondLoad = 5;      // stages after Load, which check for printing problems
 
 // Returns where the text after the tags begins.
 int paintTags(QPainter& painter, const QRect& line, const QStringList& tags) {
@@ -123,7 +123,7 @@ public:
   }
   QSize minimumSizeHint() const override {
     return {QScrollArea::minimumSizeHint().width(),
-            std::min(sizeHint().height(), kLeastWords * fontMetrics().height() + 8)};
+            std::min(sizeHint().height(), kMinWords * fontMetrics().height() + 8)};
   }
 
 protected:
@@ -340,7 +340,7 @@ int FindingsPanel::heightOfRows(int rows) const {
 }
 
 QSize FindingsPanel::minimumSizeHint() const {
-  return {QWidget::minimumSizeHint().width(), heightBesideList() + heightOfRows(kLeastRows)};
+  return {QWidget::minimumSizeHint().width(), heightBesideList() + heightOfRows(kMinRows)};
 }
 
 // Computed here because the layout's size hint is outdated while widgets are added and removed.
@@ -381,7 +381,7 @@ void FindingsPanel::arrange() {
   }
   const int row = heightOfRows(1) - heightOfRows(0);
   const int room = height() - heightBesideList() - heightOfRows(0);
-  const int rows = std::clamp(room / row, kLeastRows, kAmpleRows);
+  const int rows = std::clamp(room / row, kMinRows, kAmpleRows);
   list_->setMinimumHeight(heightOfRows(rows));
 }
 

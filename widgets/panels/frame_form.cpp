@@ -12,7 +12,7 @@
 namespace voluta::panels {
 
 namespace {
-constexpr double kFarthestMm = 20000.0, kLeastEdgeMm = 0.1;
+constexpr double kFarthestMm = 20000.0, kMinEdgeMm = 0.1;
 constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
 
 void showQuietly(const std::array<forms::NumberBox*, 3>& boxes, const Eigen::Vector3d& values) {
@@ -42,7 +42,7 @@ FrameForm::FrameForm(QWidget* parent) : QWidget(parent) {
   grid->addWidget(sizeLabel_, 0, 3);
   place_ = addColumn(1, QStringLiteral("place"), QStringLiteral("mm"), -kFarthestMm, kFarthestMm);
   turn_ = addColumn(2, QStringLiteral("frameTurn"), QStringLiteral("°"), -360.0, 360.0);
-  size_ = addColumn(3, QStringLiteral("edge"), QStringLiteral("mm"), kLeastEdgeMm, kFarthestMm);
+  size_ = addColumn(3, QStringLiteral("edge"), QStringLiteral("mm"), kMinEdgeMm, kFarthestMm);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     connect(place_[axis], &QDoubleSpinBox::valueChanged, this, &FrameForm::changed);
     connect(turn_[axis], &QDoubleSpinBox::valueChanged, this, [this] {

@@ -24,7 +24,7 @@ namespace voluta::panels {
 namespace {
 constexpr int kPiece = 0, kVolume = 1, kRisky = 2, kMaterial = 3;
 constexpr int kExplodeSteps = 100, kSwatch = 12;
-constexpr int kLeastRows = 4, kMostRows = 9;
+constexpr int kMinRows = 4, kMaxRows = 9;
 
 QIcon swatch(const QColor& colour) {
   QPixmap picture(kSwatch, kSwatch);
@@ -160,7 +160,7 @@ void PiecesPanel::fill() {
                                                      : forms::mutedColour(palette()));
   }
   tree_->expandAll();
-  const int shown = std::clamp(static_cast<int>(rows_.size()), kLeastRows, kMostRows);
+  const int shown = std::clamp(static_cast<int>(rows_.size()), kMinRows, kMaxRows);
   const int row = std::max(tree_->sizeHintForRow(0), fontMetrics().height() + 4);
   tree_->setFixedHeight(tree_->header()->sizeHint().height() + shown * row +
                         2 * tree_->frameWidth());

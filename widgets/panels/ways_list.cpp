@@ -29,7 +29,7 @@ WaysList::WaysList(QWidget* parent) : QWidget(parent) {
   grid_->setSpacing(4);
   for (int column = 0; column < kColumns; ++column)
     grid_->setColumnStretch(column, 1);
-  for (std::size_t n = 0; n < kMost; ++n)
+  for (std::size_t n = 0; n < kMax; ++n)
     addCard(static_cast<int>(n));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 6, 6, 6);
@@ -56,9 +56,9 @@ QSize WaysList::pictureSize() {
 }
 
 void WaysList::setWays(const std::vector<ShownWay>& ways) {
-  base::require(ways.size() <= kMost, "WaysList: at most kMost ways");
+  base::require(ways.size() <= kMax, "WaysList: at most kMax ways");
   count_ = ways.size();
-  for (std::size_t n = 0; n < kMost; ++n)
+  for (std::size_t n = 0; n < kMax; ++n)
     cards_[n]->setVisible(n < count_);
   for (std::size_t n = 0; n < ways.size(); ++n)
     cards_[n]->setWay(ways[n]);

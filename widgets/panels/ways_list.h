@@ -23,9 +23,9 @@ public:
   // Size of a picture that is sufficient for any screen.
   static QSize pictureSize();
 
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
 
-  // The best first. Precondition (Error{Internal}): at most kMost. None of these emits.
+  // The best first. Precondition (Error{Internal}): at most kMax. None of these emits.
   void setWays(const std::vector<ShownWay>& ways);
   // The present orientation; nullopt: none of the list.
   void setNow(std::optional<std::size_t> way);
@@ -45,8 +45,8 @@ private:
   void retranslate();
   void showState();
 
-  std::array<WayCard*, kMost> cards_{}; // created at once, for the tab order
-  std::size_t count_ = 0;               // number of cards shown
+  std::array<WayCard*, kMax> cards_{}; // created at once, for the tab order
+  std::size_t count_ = 0;              // number of cards shown
   std::optional<std::size_t> now_;
   bool looking_ = false;
   QLabel* title_ = nullptr;

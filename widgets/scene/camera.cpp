@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kMargin = 1.06;
-constexpr double kMostAway = 1.5, kAwayStep = 1.04; // to clear widgets over the view
+constexpr double kMaxAway = 1.5, kAwayStep = 1.04; // to clear widgets over the view
 // Visible surroundings of a machine on each side of a print: shares of the largest edge of the
 // print's and the machine's box.
 constexpr double kRoomOfPrint = 3.0, kRoomOfMachine = 0.3;
@@ -158,7 +158,7 @@ void frameBox(vtkRenderer* renderer, const Eigen::AlignedBox3d& box,
   renderer->ResetCamera(bounds);
   // VTK frames the box's bounding sphere, which leaves a wide margin.
   const std::vector<Vector3d> corners = cornersOf(inside);
-  for (double away = 1.0; away < kMostAway; away *= kAwayStep) {
+  for (double away = 1.0; away < kMaxAway; away *= kAwayStep) {
     closeIn(renderer, box, away);
     const Lens lens(renderer);
     std::vector<Eigen::Vector2d> seen;

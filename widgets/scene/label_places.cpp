@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kPixelsACell = 4.0;
-constexpr int kMostCells = 320; // per side
+constexpr int kMaxCells = 320; // per side
 constexpr std::int32_t kNobody = -1;
 
 // The nearest body of each cell, and its depth.
@@ -26,7 +26,7 @@ struct Cells {
   std::vector<bool> through; // the body is visible through the others
 
   explicit Cells(const LabelView& view) {
-    pixels = std::max(kPixelsACell, std::max(view.width, view.height) / double(kMostCells));
+    pixels = std::max(kPixelsACell, std::max(view.width, view.height) / double(kMaxCells));
     columns = std::max(1, static_cast<int>(view.width / pixels));
     rows = std::max(1, static_cast<int>(view.height / pixels));
     body.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), kNobody);

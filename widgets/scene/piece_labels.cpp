@@ -23,7 +23,7 @@ namespace voluta::scene {
 namespace {
 
 constexpr double kRadius = 9.5, kRim = 1.2, kSoft = 1.0; // logical pixels
-constexpr double kLeastRadius = 5.0;
+constexpr double kMinRadius = 5.0;
 constexpr int kFontPoints = 11, kCorners = 32;
 constexpr double kFaded = 0.45; // opacity of the numbers of pieces that are not chosen
 
@@ -177,7 +177,7 @@ void PieceLabels::find(const ViewState& view, const std::vector<Eigen::Isometry3
   picture.clip_T_world = wanted.clip_T_world;
   picture.width = size[0];
   picture.height = size[1];
-  picture.leastRadius = kLeastRadius * ratio_;
+  picture.leastRadius = kMinRadius * ratio_;
   picture.apart = 2.0 * kRadius * ratio_;
   if (view.sectionOn)
     picture.shown = [origin = (world_T_work * view.sectionOrigin).eval(),

@@ -15,7 +15,7 @@ namespace voluta::scene {
 namespace {
 
 constexpr double kBeyondSection = 0.08; // relative to the section's size, but
-constexpr double kLeastBeyondMm = 1.5, kMostBeyondMm = 5.0;
+constexpr double kMinBeyondMm = 1.5, kMaxBeyondMm = 5.0;
 constexpr double kOverSectionMm = 0.15; // avoids z-fighting with the plane
 
 // Returns the `wanted` triangles of a surface, with the same points.
@@ -52,7 +52,7 @@ void drawBase(const planar::Piece& piece, PieceShape& shape) {
   if (!(low.x() <= high.x()))
     return;
   const double beyond =
-      std::clamp(kBeyondSection * (high - low).maxCoeff(), kLeastBeyondMm, kMostBeyondMm);
+      std::clamp(kBeyondSection * (high - low).maxCoeff(), kMinBeyondMm, kMaxBeyondMm);
   low.array() -= beyond;
   high.array() += beyond;
   const auto at = [&](double u, double v) -> Eigen::Vector3d {

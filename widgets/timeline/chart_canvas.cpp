@@ -12,7 +12,7 @@ namespace voluta::timeline {
 namespace {
 constexpr double kClickPx = 3.0; // a press that moves less is a click
 constexpr double kZoomPerNotch = 1.25;
-constexpr double kLeastSpanS = 0.01;
+constexpr double kMinSpanS = 0.01;
 constexpr double kSmoothedSwings = 8.0; // total up-and-down length, in chart widths
 
 // Returns a step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` parts.
@@ -65,7 +65,7 @@ void ChartCanvas::setContent(std::vector<ChartCurve> curves, double fromS, doubl
                              double high) {
   curves_ = std::move(curves);
   fromS_ = fromS;
-  toS_ = std::max(toS, fromS + kLeastSpanS);
+  toS_ = std::max(toS, fromS + kMinSpanS);
   low_ = low;
   high_ = high;
   stale_ = true;

@@ -18,8 +18,8 @@
 namespace voluta::timeline {
 
 namespace {
-constexpr int kLeastButton = 30;
-constexpr double kLeastSpanS = 0.5;
+constexpr int kMinButton = 30;
+constexpr double kMinSpanS = 0.5;
 constexpr double kMargin = 0.05; // of the visible values, above and below
 
 // Distinguishable by colour-blind users; none is red, because red means blocked. One row for light
@@ -171,7 +171,7 @@ void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajector
           return;
         curves_ = std::move(*curves);
         fromS_ = 0.0;
-        toS_ = std::max(curves_->durationS(), kLeastSpanS);
+        toS_ = std::max(curves_->durationS(), kMinSpanS);
         makeJointButtons();
         refresh();
         emit ready();
@@ -198,7 +198,7 @@ void JointPlots::makeJointButtons() {
       button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
       // Seven of them still fit into a panel.
       button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-      button->setMinimumWidth(kLeastButton);
+      button->setMinimumWidth(kMinButton);
       button->setCheckable(true);
       const robot::ExternalAxis* axis = externalAxis(i);
       shown_[i] = !axis || !axis->runsOn;
@@ -253,8 +253,8 @@ bool JointPlots::jointShown(int joint) const {
 }
 
 void JointPlots::setSpan(double fromS, double toS) {
-  const double end = curves_ ? std::max(curves_->durationS(), kLeastSpanS) : 0.0;
-  const double span = std::clamp(toS - fromS, std::min(kLeastSpanS, end), end);
+  const double end = curves_ ? std::max(curves_->durationS(), kMinSpanS) : 0.0;
+  const double span = std::clamp(toS - fromS, std::min(kMinSpanS, end), end);
   fromS_ = std::clamp(fromS, 0.0, end - span);
   toS_ = fromS_ + span;
   refresh();

@@ -49,7 +49,7 @@ constexpr int kTreeHeight = 200, kFindingsHeight = 400;
 // Shares of the column's height; kUnrolledShare includes the unrolled layer.
 constexpr int kTreeShare = 150, kFindingsShare = 130, kUnrolledShare = 460;
 constexpr int kLayoutVersion = 1;
-constexpr int kMostPanelShare = 3; // Fraction of the window's width: a third
+constexpr int kMaxPanelShare = 3; // Fraction of the window's width: a third
 
 // Returns the width that the pages need without being cut off, including the scroll bar.
 int neededWidth(const QStackedWidget& pages) {
@@ -254,9 +254,9 @@ void MainWindow::listen() {
   connect(&runs_, &Runs::planAsked, this, &MainWindow::plan);
   connect(&runs_, &Runs::progressed, status_, &StatusLine::showProgress);
   connect(&runs_, &Runs::said, status_, &StatusLine::showIdle);
-  connect(&runs_, &Runs::told, this, &MainWindow::tell);
+  connect(&runs_, &Runs::messageRaised, this, &MainWindow::tell);
   connect(&files_, &ProjectFiles::said, status_, &StatusLine::showIdle);
-  connect(&files_, &ProjectFiles::told, this, &MainWindow::tell);
+  connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::tell);
   connect(&files_, &ProjectFiles::opened, this, [this](bool project) {
     picture_.setMarker(std::nullopt);
     if (document_.isRest())
@@ -270,7 +270,7 @@ void MainWindow::listen() {
   connect(pages_.get(), &PageStack::statesShown, this, &MainWindow::showStates);
   connect(pages_.get(), &PageStack::resumeAsked, &files_, &ProjectFiles::resume);
   connect(pages_.get(), &PageStack::said, status_, &StatusLine::showIdle);
-  connect(pages_.get(), &PageStack::told, this, &MainWindow::tell);
+  connect(pages_.get(), &PageStack::messageRaised, this, &MainWindow::tell);
   connect(findings_, &panels::FindingsPanel::activated, pages_.get(), &PageStack::goTo);
   connect(&area_->welcome(), &Welcome::openRequested, &files_, &ProjectFiles::choose);
   connect(&area_->welcome(), &Welcome::sampleRequested, this, [this] { open("sample:vase"); });
@@ -359,7 +359,7 @@ void MainWindow::retranslate() {
 // Makes room for longer labels and for panels that a small window has squeezed, if possible; until
 // another page is shown, the width chosen by the user is kept.
 void MainWindow::fitPageDock() {
-  if (const int wide = std::min(neededWidth(*pages_->sides()), width() / kMostPanelShare);
+  if (const int wide = std::min(neededWidth(*pages_->sides()), width() / kMaxPanelShare);
       wide > pageDock_->width())
     resizeDocks({pageDock_}, {wide}, Qt::Horizontal);
 }

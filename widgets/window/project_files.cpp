@@ -49,7 +49,7 @@ void ProjectFiles::listen() {
   connect(&opening_, &Opening::cancelled, this, [this] { emit said(tr("Cancelled.")); });
   connect(&opening_, &Opening::failed, this, [this](const QString& path, const QString& message) {
     emit said(message);
-    emit told(tr("%1 cannot be opened").arg(nameOf(path)), message);
+    emit messageRaised(tr("%1 cannot be opened").arg(nameOf(path)), message);
   });
   connect(&saving_, &document::Saving::saved, this, [this](const QString& file) {
     recent_.add(file);
@@ -60,13 +60,14 @@ void ProjectFiles::listen() {
   connect(&saving_, &document::Saving::failed, this,
           [this](const QString& file, const QString& message) {
             afterSave_ = nullptr;
-            emit told(tr("%1 is not saved").arg(nameOf(file)), message);
+            emit messageRaised(tr("%1 is not saved").arg(nameOf(file)), message);
           });
   connect(autosave_.get(), &document::Autosave::failed, this, &ProjectFiles::said);
   connect(&recent_, &document::RecentFiles::changed, this, &ProjectFiles::showRecent);
-  connect(
-      &recent_, &document::RecentFiles::dead, this,
-      [this](const QString&, const QString& message) { emit told(tr("Open recent"), message); });
+  connect(&recent_, &document::RecentFiles::dead, this,
+          [this](const QString&, const QString& message) {
+            emit messageRaised(tr("Open recent"), message);
+          });
 }
 
 std::vector<Command> ProjectFiles::commands() {
@@ -185,7 +186,7 @@ void ProjectFiles::chooseArm() {
 void ProjectFiles::importArm(const QString& urdf) {
   const std::filesystem::path folder = base::userDataFolder();
   if (folder.empty()) {
-    emit told(tr("Import a robot arm"), tr("No folder for your own robots: set HOME."));
+    emit messageRaised(tr("Import a robot arm"), tr("No folder for your own robots: set HOME."));
     return;
   }
   ArmImportDialog dialog(urdf, QString::fromStdString(folder.string()), &window_);

@@ -51,8 +51,8 @@ public:
   void end();
 
 signals:
-  void said(const QString& text);                          // For the status line
-  void told(const QString& title, const QString& message); // For a message box
+  void said(const QString& text);                                   // For the status line
+  void messageRaised(const QString& title, const QString& message); // For a message box
   void opened(bool project);
   void cleared();
 

@@ -34,7 +34,7 @@ signals:
   void changed();                               // A run has started or ended
   void progressed(const voluta::jobs::Progress& progress);
   void said(const QString& text);
-  void told(const QString& title, const QString& message);
+  void messageRaised(const QString& title, const QString& message);
 
 private:
   void listenToPlanning();

@@ -19,7 +19,7 @@ using base::ErrorCode;
 namespace {
 
 // Limits of the unfolded size, as components may be used repeatedly.
-constexpr std::size_t kMostFacets = 30'000'000, kMostUses = 1'000'000;
+constexpr std::size_t kMaxFacets = 30'000'000, kMaxUses = 1'000'000;
 constexpr int kDeepest = 100;
 
 // Places everything that is built, each object at every use.
@@ -80,7 +80,7 @@ private:
       throw Error(ErrorCode::UnreadableFile, base::message("object '{id}' is missing"_text, use.id),
                   name_ + ", " + where);
     const ThreemfObject& object = found->second;
-    if (depth > kDeepest || ++uses_ > kMostUses)
+    if (depth > kDeepest || ++uses_ > kMaxUses)
       throw endless();
     const Eigen::Affine3d build_T_object = build_T_parent * use.parent_T_object;
     // The type of an object with components is that of its components.
@@ -115,7 +115,7 @@ private:
       facets.insert(facets.end(), solids.begin(), solids.end());
       beams_ += object.beams.size();
     }
-    if (facets.size() > kMostFacets - facets_.size())
+    if (facets.size() > kMaxFacets - facets_.size())
       throw endless();
     // A mirrored object would be inside out.
     const bool mirrored = build_T_object.linear().determinant() < 0.0;

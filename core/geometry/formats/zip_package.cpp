@@ -12,11 +12,11 @@ namespace {
 constexpr std::uint32_t kEnd = 0x06054b50, kEntry = 0x02014b50, kLocal = 0x04034b50;
 constexpr std::size_t kEndSize = 22, kEntrySize = 46, kLocalSize = 30;
 constexpr std::size_t kLongestComment = 0xffff;
-constexpr std::uint32_t kMost = 1u << 30; // bytes of a member
+constexpr std::uint32_t kMax = 1u << 30; // bytes of a member
 constexpr std::uint32_t kStored = 0, kDeflated = 8;
 constexpr std::uint32_t kEncrypted = 1;
 constexpr std::size_t kStep = 1 << 20;
-constexpr std::uint32_t kLarge = 1u << 24, kMostTimes = 300; // bytes, and maximum expansion factor
+constexpr std::uint32_t kLarge = 1u << 24, kMaxTimes = 300; // bytes, and maximum expansion factor
 
 // Little-endian. Precondition: within the bytes.
 std::uint32_t numberAt(std::string_view bytes, std::size_t at, int count) {
@@ -112,7 +112,7 @@ std::string ZipPackage::member(const std::string& member) const {
   const Member& m = found->second;
   if (m.flags & kEncrypted)
     throw unreadable("is encrypted"_text);
-  if (m.size > kMost)
+  if (m.size > kMax)
     throw unreadable("is larger than 1 GB"_text);
   const std::size_t local = m.offset;
   if (local > bytes_.size() || bytes_.size() - local < kLocalSize ||
@@ -124,7 +124,7 @@ std::string ZipPackage::member(const std::string& member) const {
     throw unreadable("is truncated"_text);
   const std::string_view packed = bytes_.substr(begin, m.packed);
   // Protects against zip bombs: real data do not compress this well.
-  if (m.size > kLarge && m.size / kMostTimes > m.packed)
+  if (m.size > kLarge && m.size / kMaxTimes > m.packed)
     throw unreadable("unpacks to an implausible size"_text);
   std::string text;
   if (m.method == kStored)

@@ -9,8 +9,8 @@ namespace voluta::geometry {
 
 namespace {
 
-constexpr std::uint64_t kMost = 0xffffffffu; // limit of a zip without its 64-bit extension
-constexpr std::uint32_t kMostMembers = 0xffff;
+constexpr std::uint64_t kMax = 0xffffffffu; // limit of a zip without its 64-bit extension
+constexpr std::uint32_t kMaxMembers = 0xffff;
 
 // Little-endian.
 void put(std::string& to, std::uint64_t value, int bytes) {
@@ -39,10 +39,10 @@ void ZipWriter::add(std::string_view name, std::string_view bytes) {
   const auto tooLarge = [] {
     return base::Error(base::ErrorCode::CannotWrite, "too much for a zip file"_text);
   };
-  if (bytes.size() > kMost || count_ == kMostMembers)
+  if (bytes.size() > kMax || count_ == kMaxMembers)
     throw tooLarge();
   const std::string packed = deflated(bytes);
-  if (members_.size() + directory_.size() + packed.size() + 1024 + 4 * name.size() > kMost)
+  if (members_.size() + directory_.size() + packed.size() + 1024 + 4 * name.size() > kMax)
     throw tooLarge();
   const auto* data = reinterpret_cast<const Bytef*>(bytes.data());
   std::string common; // to both of a member's headers: version needed to length of extra field

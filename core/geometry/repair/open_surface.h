@@ -20,14 +20,14 @@ struct OpenSurface {
   double sheetShare = 0.0; // share of the surface area
 
   // Returns whether more than one percent of the surface would have to be invented.
-  bool hasOpenRims() const { return capShare > kMostUnasked; }
-  bool isSheetModel() const { return sheetShare > kMostUnasked; }
+  bool hasOpenRims() const { return capShare > kMaxUnasked; }
+  bool isSheetModel() const { return sheetShare > kMaxUnasked; }
 
   // Returns one sentence; empty if neither holds.
   base::Message sentence() const;
 
 private:
-  static constexpr double kMostUnasked = 0.01;
+  static constexpr double kMaxUnasked = 0.01;
 };
 
 // Returns the solid within half of `wallMm` of every open surface and every sheet, united with the

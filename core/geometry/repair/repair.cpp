@@ -16,7 +16,7 @@ namespace voluta::geometry {
 namespace {
 
 // With more intersecting pairs the union would take minutes.
-constexpr std::size_t kMostPairs = 2'000'000;
+constexpr std::size_t kMaxPairs = 2'000'000;
 // Rounding after a union can create new crossings, fewer in each round.
 constexpr int kRounds = 5;
 
@@ -173,7 +173,7 @@ private:
   void mendIntersections() {
     auto [united, rest] = closedAndOpen();
     auto pairs = selfIntersections(united, ctx_);
-    if (pairs.empty() || pairs.size() > kMostPairs)
+    if (pairs.empty() || pairs.size() > kMaxPairs)
       return;
     const std::size_t before = pairs.size();
     const auto [overlapping, cutThemselves] = involved(united, pairs);

@@ -21,14 +21,14 @@ namespace voluta::geometry {
 namespace {
 
 // Maximum number of facets of a wrap.
-constexpr double kMostFacets = 2e6;
+constexpr double kMaxFacets = 2e6;
 
 TriangleMesh wrapped(const TriangleMesh& sheets, double wallMm) {
   // Resolution of half the wall, so that rims are round; the estimate covers both sides of the
   // sheets in triangles of that size.
   const double alpha = 0.5 * wallMm;
   const double facets = 2.0 * area(sheets) / (0.43 * alpha * alpha);
-  if (facets > kMostFacets)
+  if (facets > kMaxFacets)
     throw base::Error(
         base::ErrorCode::UnusableInput,
         base::message("a wall of {wall:.2f} is too thin for a surface of this size: it would need "

@@ -16,12 +16,12 @@ struct WindingUnion {
 
   // As a share of the enclosed volume.
   double lostShare() const;
-  bool losesTooMuch() const { return lostShare() > kMostLost; }
+  bool losesTooMuch() const { return lostShare() > kMaxLost; }
 
 private:
   // Loops of offset surfaces are below this, lobes of a part are not. Equal to the share of a
   // surface that a repair may change without being asked (open_surface.h).
-  static constexpr double kMostLost = 0.01;
+  static constexpr double kMaxLost = 0.01;
 };
 
 // Returns the boundary of the points with a winding number of at least 1: overlapping shells are

@@ -33,7 +33,7 @@ constexpr double kSameDirection = 1e-6; // [rad]
 // allow a little more.
 constexpr double kBendSlack = 1.05, kLastBendSlack = 1.2;
 constexpr int kStrictPulls = 3;
-constexpr std::size_t kMostFreeAxes = 2;
+constexpr std::size_t kMaxFreeAxes = 2;
 constexpr TurnSmoothing kAfterPull{3, 1e-2, 0.3};
 // For the final smoothing, when no more steps are divided
 constexpr TurnSmoothing kAtLast{12, 1e-3, 0.3};
@@ -140,7 +140,7 @@ bool directionsChange(const std::vector<RunPoint>& points) {
 // would not follow a smooth path.
 bool axesMove(const robot::Cell& cell, const std::vector<RunPoint>& points) {
   const auto& axes = cell.externalAxes();
-  if (axes.empty() || axes.size() > kMostFreeAxes || cell.rod() ||
+  if (axes.empty() || axes.size() > kMaxFreeAxes || cell.rod() ||
       std::any_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.step > 0.0; }))
     return false;
   return std::any_of(points.begin(), points.end(),

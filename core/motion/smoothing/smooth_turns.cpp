@@ -27,11 +27,11 @@ constexpr double kLongestStep = 0.5; // [rad] largest change of a joint between 
 constexpr double kLongestFree = 1.0; // largest change of the unknowns of a lean in one step
 constexpr double kSlack = 1e-9;      // margin for rounding errors of a joint at its limit
 constexpr double kNearLimit = 0.9;   // relative to a joint's range
-constexpr double kLeastRoom = 1e-6;  // [rad or mm] minimum room of an external axis that may move
-constexpr Eigen::Index kMostAxes = 2;
+constexpr double kMinRoom = 1e-6;    // [rad or mm] minimum room of an external axis that may move
+constexpr Eigen::Index kMaxAxes = 2;
 // Damping relative to the diagonal. The minimum matches the rounding errors of waves over a
 // thousand points.
-constexpr double kLeastDamping = 1e-13, kMostDamping = 1e3, kFirstDamping = 1e-9;
+constexpr double kMinDamping = 1e-13, kMaxDamping = 1e3, kFirstDamping = 1e-9;
 
 // Returns how far a joint is inside the part of its range next to a limit, as a share of that part;
 // `slope`: the derivative of this share with respect to the joint.
@@ -62,7 +62,7 @@ TurnSmoother::TurnSmoother(const robot::Cell& cell, const robot::ArmTwists& twis
   base::require(points.size() == times.size(), "TurnSmoother: a time for each point");
   leans_ = coneRad > 0.0 ? 2 : 0;
   axes_ = axesRad > 0.0 ? static_cast<Eigen::Index>(cell.externalAxes().size()) : 0;
-  base::require(axes_ <= kMostAxes && (axes_ == 0 || !cell.rod()),
+  base::require(axes_ <= kMaxAxes && (axes_ == 0 || !cell.rod()),
                 "TurnSmoother: one or two external axes that carry the platform");
   stencils_ = jerkStencils(times);
   for (Eigen::Index j = 0; j < cell.armDof() + axes_; ++j)
@@ -333,7 +333,7 @@ PlaceSlope TurnSmoother::slopeOf(std::size_t i, const TurnedPoint& at, const Tur
     const double room = room_[i][k];
     double& own = slope(1 + leans_ + k, 1 + leans_ + k);
     own = 0.0;
-    if (room > kLeastRoom) {
+    if (room > kMinRoom) {
       const double share = at.aside[k] / room; // sine of the angle whose tangent is the unknown
       own = room * std::pow(1.0 - share * share, 1.5);
     }
@@ -382,9 +382,9 @@ void TurnSmoother::smooth(std::vector<TurnedPoint>& at, const std::vector<TurnHo
                             s.tail(axes_).norm() / kLongestFree});
       return longest <= 1.0;
     };
-    while (!solved() && damping < kMostDamping)
+    while (!solved() && damping < kMaxDamping)
       damping *= 10.0;
-    if (damping >= kMostDamping)
+    if (damping >= kMaxDamping)
       return;
     base::parallelChunks(ctx, n, kChunk, [&](std::size_t b, std::size_t e) {
       std::vector<Isometry3d> links;
@@ -412,7 +412,7 @@ void TurnSmoother::smooth(std::vector<TurnedPoint>& at, const std::vector<TurnHo
       const double gain = 1.0 - then / now;
       std::swap(at, next);
       now = then;
-      damping = std::max(kLeastDamping, 0.1 * damping);
+      damping = std::max(kMinDamping, 0.1 * damping);
       if (gain < options.enough)
         return;
     } else {

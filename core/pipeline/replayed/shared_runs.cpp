@@ -20,8 +20,8 @@ namespace {
 using replay::kUnmatched;
 
 constexpr double kSameOfCell = 0.5, kSameInTheMean = 0.1; // in cells of the bead grid
-// share of a motion's volume; below kLeastMm3 there is no material
-constexpr double kSameVolume = 1e-3, kLeastMm3 = 1e-6;
+// share of a motion's volume; below kMinMm3 there is no material
+constexpr double kSameVolume = 1e-3, kMinMm3 = 1e-6;
 
 // A run and a judged one of the same plan, motion by motion.
 class RunPair {
@@ -45,7 +45,7 @@ public:
       if (mine <= 0.0 && its <= 0.0)
         continue;
       if (off[m].tipMm > kSameOfCell * cell ||
-          std::abs(mine - its) > kLeastMm3 + kSameVolume * std::min(mine, its))
+          std::abs(mine - its) > kMinMm3 + kSameVolume * std::min(mine, its))
         return false;
       moved += mine * off[m].tipMm;
       volume += mine;

@@ -11,7 +11,7 @@ namespace voluta::planar {
 
 namespace {
 
-constexpr double kLeastDeviation = 0.01; // relative to the deviation of all values
+constexpr double kMinDeviation = 0.01; // relative to the deviation of all values
 
 double logDensity(const Gaussian& g, double x) {
   const double z = (x - g.mean) / g.deviation;
@@ -71,7 +71,7 @@ GaussianMixture fitMixture(const std::vector<double>& values, const std::vector<
                            std::size_t count) {
   base::require(!values.empty() && values.size() == weights.size() && count >= 1,
                 "fitMixture: a weight a value, a part at least");
-  constexpr int kMostSteps = 300;
+  constexpr int kMaxSteps = 300;
   constexpr double kConverged = 1e-7;
   const Gaussian all = overAll(values, weights);
   std::vector<std::size_t> order(values.size());
@@ -92,7 +92,7 @@ GaussianMixture fitMixture(const std::vector<double>& values, const std::vector<
     out.parts.push_back(out.parts.back());
   std::vector<double> logs;
   double last = -1e300;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     std::vector<double> weight(count, 0.0), sum(count, 0.0), square(count, 0.0);
     out.logLikelihood = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -115,7 +115,7 @@ GaussianMixture fitMixture(const std::vector<double>& values, const std::vector<
         continue;
       const double mean = sum[k] / weight[k];
       g.mean = all.mean + mean;
-      g.deviation = std::max(kLeastDeviation * all.deviation,
+      g.deviation = std::max(kMinDeviation * all.deviation,
                              std::sqrt(std::max(0.0, square[k] / weight[k] - mean * mean)));
     }
   }

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kOrderSpacingMm = 2.0;
-constexpr double kLeastGain = 0.0005; // minimum gain of a cut, relative to the initial risky area
+constexpr double kMinGain = 0.0005; // minimum gain of a cut, relative to the initial risky area
 
 // Moves each vertex half-way to the mean of its neighbours: RoboFDM smooths once before computing
 // the skeleton.
@@ -72,7 +72,7 @@ PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part,
     FineCutOptions fine;
     fine.footing = footingOf(whole, options.rule);
     pieces = coarsePieces(std::move(whole), planes, options, tag, ctx.sub(0.4, 0.6));
-    fine.leastMm2 = kLeastGain * out.riskyBeforeMm2;
+    fine.leastMm2 = kMinGain * out.riskyBeforeMm2;
     fine.targetMm2 = options.target * out.riskyBeforeMm2;
     pieces = fineCuts(std::move(pieces), options, fine, tag, ctx.sub(0.6, 1.0));
   } else {

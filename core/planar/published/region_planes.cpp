@@ -18,7 +18,7 @@ namespace {
 constexpr double kOffShare = 0.01;
 // relative to the diagonal: `behind` and `beyond` are this close
 constexpr double kNearShare = 0.05;
-constexpr std::size_t kLeastEdges = 3;
+constexpr std::size_t kMinEdges = 3;
 
 struct RimEdge {
   int low = 0, high = 0;
@@ -72,7 +72,7 @@ std::vector<std::vector<RimEdge>> stretches(const std::vector<RimEdge>& edges,
     bySet[sets.find(e.low)].push_back(e);
   std::vector<std::vector<RimEdge>> out;
   for (auto& [root, stretch] : bySet)
-    if (stretch.size() >= kLeastEdges)
+    if (stretch.size() >= kMinEdges)
       out.push_back(std::move(stretch));
   return out;
 }

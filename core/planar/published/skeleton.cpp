@@ -49,14 +49,14 @@ void number(const Meso& mesh) {
 
 void addSkeleton(const geometry::TriangleMesh& solid, const base::RunContext& ctx,
                  CurveSkeleton& out) {
-  constexpr int kMostSteps = 200;
+  constexpr int kMaxSteps = 200;
   const std::optional<geometry::CgalMesh> mesh = geometry::toCgal(solid);
   if (!mesh)
     return;
   Skeletonization flow(*mesh);
   const double whole = geometry::area(solid);
   double last = 0.0;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     ctx.checkpoint();
     number(flow.meso_skeleton());
     flow.contract();

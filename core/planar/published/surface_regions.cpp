@@ -17,11 +17,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kMostClusters = 8;
-constexpr double kLeastShare = 0.01;  // of the surface, for a region
+constexpr std::size_t kMaxClusters = 8;
+constexpr double kMinShare = 0.01;    // of the surface, for a region
 constexpr double kSmoothness = 0.3;   // weight of agreeing neighbours against that of the diameters
 constexpr double kConvexShare = 0.08; // share of a convex edge's angle that counts
-constexpr double kLeastAngle = 1e-3, kLeastLikely = 1e-4;
+constexpr double kMinAngle = 1e-3, kMinLikely = 1e-4;
 
 struct Border {
   std::size_t a = 0, b = 0; // triangles
@@ -87,7 +87,7 @@ void absorbSmall(const std::vector<Border>& borders, const std::vector<double>& 
   while (true) {
     std::size_t least = count;
     for (std::size_t r = 0; r < count; ++r)
-      if (!merged[r] && !common[r].empty() && size[r] < kLeastShare * all &&
+      if (!merged[r] && !common[r].empty() && size[r] < kMinShare * all &&
           (least == count || size[r] < size[least]))
         least = r;
     if (least == count)
@@ -132,14 +132,14 @@ SurfaceRegions surfaceRegions(const geometry::TriangleMesh& mesh,
     all += area[t] = geometry::triangleArea(mesh, t);
   for (std::size_t t = 0; t < n; ++t)
     weights[t] = area[t] * static_cast<double>(n) / std::max(1e-30, all);
-  const GaussianMixture mixture = clusters == 0 ? bestMixture(diameters, weights, kMostClusters)
+  const GaussianMixture mixture = clusters == 0 ? bestMixture(diameters, weights, kMaxClusters)
                                                 : fitMixture(diameters, weights, clusters);
   out.clusters = mixture.parts.size();
   std::vector<std::vector<double>> costs(out.clusters, std::vector<double>(n));
   for (std::size_t t = 0; t < n; ++t) {
     const std::vector<double> shares = mixture.sharesOf(diameters[t]);
     for (std::size_t k = 0; k < out.clusters; ++k)
-      costs[k][t] = -weights[t] * std::log(std::max(kLeastLikely, shares[k]));
+      costs[k][t] = -weights[t] * std::log(std::max(kMinLikely, shares[k]));
   }
   const std::vector<Border> borders = bordersOf(mesh);
   double length = 0.0;
@@ -149,7 +149,7 @@ SurfaceRegions surfaceRegions(const geometry::TriangleMesh& mesh,
   std::vector<LabelEdge> edges;
   for (const Border& b : borders)
     edges.push_back(
-        {{b.a, b.b}, -kSmoothness * std::log(std::max(kLeastAngle, b.angle)) * b.lengthMm / mean});
+        {{b.a, b.b}, -kSmoothness * std::log(std::max(kMinAngle, b.angle)) * b.lengthMm / mean});
   hangTogether(borders, graphCut(costs, edges), out);
   absorbSmall(borders, area, all, out);
   return out;

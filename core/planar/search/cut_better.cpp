@@ -8,7 +8,7 @@ namespace voluta::planar {
 
 namespace {
 
-constexpr double kLeast = 1e-4; // of the initial risky area: minimum gain of a move
+constexpr double kMin = 1e-4; // of the initial risky area: minimum gain of a move
 
 // Returns the face that reaches highest along a direction.
 int highestFace(const geometry::TriangleMesh& mesh, const Eigen::Vector3d& direction) {
@@ -51,7 +51,7 @@ CutSearch::pairsOf(const State& state) {
 }
 
 bool CutSearch::movePlanes(State& state) {
-  const double least = kLeast * before_;
+  const double least = kMin * before_;
   for (const auto& [lower, upper] : pairsOf(state)) {
     ctx_.checkpoint();
     if (lower->risky + upper->risky < least || !moved_.insert({lower->id, upper->id}).second)
@@ -128,7 +128,7 @@ bool CutSearch::gains(const State& a, const State& b) const {
     return a.blocked < b.blocked;
   const double goal = options_.target * before_;
   const auto cost = [&](const State& s) { return s.cost + kShort * std::max(0.0, s.risky - goal); };
-  return cost(a) < cost(b) - kLeast * before_;
+  return cost(a) < cost(b) - kMin * before_;
 }
 
 SearchResult CutSearch::bettered() {

@@ -23,8 +23,8 @@ namespace {
 constexpr std::size_t kPiecesTried = 6, kCutsTried = 24; // per partial result, per piece
 // Similar cuts: cosine of normals, distance of offsets
 constexpr double kAlike = 0.95, kAlikeMm = 5.0;
-constexpr double kPieceCost = 0.002;  // of the initial risky area, per additional piece
-constexpr double kLeastGain = 0.0005; // of the initial risky area, per cut
+constexpr double kPieceCost = 0.002; // of the initial risky area, per additional piece
+constexpr double kMinGain = 0.0005;  // of the initial risky area, per cut
 // Of a piece's base: share that may be lost, price
 constexpr double kBaseLoss = 0.4, kBaseWeight = 0.02;
 constexpr double kBlockedCost =
@@ -44,7 +44,7 @@ CutSearch::CutSearch(std::vector<Piece> pieces, const PlanarOptions& options, do
     : options_(options), ctx_(ctx), head_(options.head, headMarginMm),
       normals_(evenDirections(options.normals, options.lowestZ)),
       carrier_(carrierSamples(options.platform, kReachSpacingMm)), before_(riskyBeforeMm2),
-      least_(kLeastGain * riskyBeforeMm2), footing_(footing) {
+      least_(kMinGain * riskyBeforeMm2), footing_(footing) {
   constexpr double kFlatShare = 0.004;
   geometry::TriangleMesh all;
   for (const Piece& piece : pieces) {

@@ -200,19 +200,21 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
   out.sections.resize(n);
   const double half = 0.5 * options.beadWidthMm;
   // From the top: overhangs, and the columns that carry them one level lower.
-  std::vector<Paths> hanging(n), columns(n),
+  std::vector<Paths> unsupported(n), columns(n),
       standing(n); // standing: printed before, including this piece
   bool any = false;
   for (std::size_t k = n; k-- > 1;) {
     ctx.checkpoint();
     const double reach = (levels.middle(k) - levels.middle(k - 1)) * std::tan(options.overhangRad);
-    hanging[k] = opened(without(levels.own(k), grown(levels.own(k - 1), reach)), kNarrowest * half);
-    if (hanging[k].empty() && columns[k].empty())
+    unsupported[k] =
+        opened(without(levels.own(k), grown(levels.own(k - 1), reach)), kNarrowest * half);
+    if (unsupported[k].empty() && columns[k].empty())
       continue;
     standing[k - 1] = united(levels.own(k - 1), levels.earlier(levels.middle(k - 1)));
-    hanging[k] = opened(without(hanging[k], grown(standing[k - 1], reach)), kNarrowest * half);
+    unsupported[k] =
+        opened(without(unsupported[k], grown(standing[k - 1], reach)), kNarrowest * half);
     // Widen the heads, because an overhanging tip may be narrower than the column that carries it.
-    const Paths heads = widened(shared(grown(hanging[k], half), levels.own(k)), half);
+    const Paths heads = widened(shared(grown(unsupported[k], half), levels.own(k)), half);
     const Paths carried = united(heads, tapered(columns[k], kTaper * reach, options.beadWidthMm));
     const Paths occupied =
         grown(united(standing[k - 1], levels.later(levels.middle(k - 1))), options.gapMm);
@@ -236,8 +238,8 @@ SupportColumns supportColumns(const std::vector<Piece>& pieces, std::size_t piec
     below = levels.earlier(pieces[piece].base.offsetMm - kUnderBase * levels.heightMm(0));
   }
   for (std::size_t k = 0; k < n; ++k) {
-    if (k > 0 && !hanging[k].empty()) {
-      const Paths loose = without(hanging[k], grown(columns[k - 1], half + options.gapMm));
+    if (k > 0 && !unsupported[k].empty()) {
+      const Paths loose = without(unsupported[k], grown(columns[k - 1], half + options.gapMm));
       const Paths unheld = opened(loose, kNarrowest * half);
       if (const double area = areaMm2(unheld); area > 0.0) {
         if (out.unheldMm2 == 0.0)

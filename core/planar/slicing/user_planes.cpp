@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kFlatMm = 0.01; // maximum distance of corners from their plane
 // Minimum cosine between the normals of layers on top of each other
-constexpr double kLeastFacing = 0.1;
+constexpr double kMinFacing = 0.1;
 constexpr double kThinnestMm = 0.01;  // closer layers are side by side, or cross
 constexpr double kBeyondShare = 0.01; // share of the area with thickness outside the limits
 
@@ -91,11 +91,11 @@ std::optional<double> thicknessAt(const Vector3d& p, const std::vector<UserPlane
     if (distance > kThinnestMm && (!least || distance < *least))
       least = distance;
   };
-  if (n.z() > kLeastFacing)
+  if (n.z() > kMinFacing)
     take(2.0 * p.z() / n.z());
   for (std::size_t j = 0; j < layer; ++j) {
     const double facing = n.dot(planes[j].plane.normal);
-    if (facing <= kLeastFacing)
+    if (facing <= kMinFacing)
       continue;
     const double distance = planes[j].plane.heightOf(p) / facing;
     if (holds(planes[j], p - distance * n))

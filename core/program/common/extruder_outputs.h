@@ -12,7 +12,7 @@ namespace voluta::program {
 
 // Filament retracted further than this is out of the hot end [mm]; tolerance on the retracted
 // volume that has to be returned before a bead [mm3].
-inline constexpr double kMostDrawnBackMm = 20.0, kDrawnBackLeftMm3 = 0.02;
+inline constexpr double kMaxDrawnBackMm = 20.0, kDrawnBackLeftMm3 = 0.02;
 // For a volume that is pushed (negative: retracted) while drawnMm3 is retracted: returns the volume
 // that comes out and the volume retracted afterwards [mm3].
 std::pair<double, double> pushedOut(double mm3, double drawnMm3);

@@ -9,7 +9,7 @@ namespace voluta::program {
 
 namespace {
 
-constexpr int kMostDepth = 16;
+constexpr int kMaxDepth = 16;
 
 bool isDigit(char c) {
   return c >= '0' && c <= '9';
@@ -18,7 +18,7 @@ bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-// Terms of a sum, each within brackets no deeper than kMostDepth.
+// Terms of a sum, each within brackets no deeper than kMaxDepth.
 struct Sum {
   LineCursor& line;
   const NumberOfName& numberOf;
@@ -61,7 +61,7 @@ struct Sum {
     }
   }
   bool factor(double& value) {
-    if (depth > kMostDepth)
+    if (depth > kMaxDepth)
       return false;
     ++depth;
     const bool taken = part(value);

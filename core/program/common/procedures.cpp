@@ -91,12 +91,12 @@ bool Procedures::run(const Statement& statement) {
 }
 
 bool Procedures::call(const std::string& name) {
-  constexpr std::size_t kMostDepth = 16, kMostCalls = 100000;
+  constexpr std::size_t kMaxDepth = 16, kMaxCalls = 100000;
   const auto found = procedures_.find(name);
   if (found == procedures_.end())
     return false;
   if (std::find(running_.begin(), running_.end(), name) != running_.end() ||
-      running_.size() == kMostDepth || ++calls_ > kMostCalls) {
+      running_.size() == kMaxDepth || ++calls_ > kMaxCalls) {
     out_.defect(base::message("'{name}' calls itself"_text, name));
     return true;
   }

@@ -9,8 +9,8 @@
 namespace voluta::program {
 
 namespace {
-constexpr int kMostDepth = 20;
-constexpr std::size_t kMostValues = 64;
+constexpr int kMaxDepth = 20;
+constexpr std::size_t kMaxValues = 64;
 
 bool isNumber(const ScriptValue& v) {
   return v.kind == ScriptKind::Number;
@@ -18,7 +18,7 @@ bool isNumber(const ScriptValue& v) {
 } // namespace
 
 bool ScriptScanner::value(ScriptValue& value) {
-  if (++depth_ > kMostDepth || !chain(value, "+-"))
+  if (++depth_ > kMaxDepth || !chain(value, "+-"))
     return false;
   --depth_;
   return !isNumber(value) || std::isfinite(value.number);
@@ -80,7 +80,7 @@ bool ScriptScanner::operate(char, const ScriptValue&, const ScriptValue&, Script
 bool ScriptScanner::list(ScriptValue& value, char close) {
   while (take(',')) {
     double next = 0.0;
-    if (value.list.size() >= kMostValues || !number(next))
+    if (value.list.size() >= kMaxValues || !number(next))
       return false;
     value.list.push_back(next);
   }
@@ -93,7 +93,7 @@ bool ScriptScanner::arguments(std::vector<ScriptValue>& values) {
     return true;
   do {
     ScriptValue next;
-    if (values.size() >= kMostValues || !value(next))
+    if (values.size() >= kMaxValues || !value(next))
       return false;
     values.push_back(std::move(next));
   } while (take(','));
@@ -135,7 +135,7 @@ bool ScriptScanner::factor(ScriptValue& value) {
     return true;
   // Unary sign before a name or bracket; the sign of a number is part of the number.
   const bool minus = take('-');
-  if ((!minus && !take('+')) || ++depth_ > kMostDepth || !factor(value) || !isNumber(value))
+  if ((!minus && !take('+')) || ++depth_ > kMaxDepth || !factor(value) || !isNumber(value))
     return false;
   --depth_;
   value.number = minus ? -value.number : value.number;

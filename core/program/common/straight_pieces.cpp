@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Quaterniond, Eigen::Vector3d;
 
-constexpr int kMostPieces = 256;
+constexpr int kMaxPieces = 256;
 constexpr double kNextRad = 0.2; // a larger distance between pieces means another IK branch
 
 class Way {
@@ -19,7 +19,7 @@ public:
       : cell_(cell), a_(a), b_(b), from_(cell.work_T_tool(a)), to_(cell.work_T_tool(b)) {}
 
   std::vector<robot::JointVector> inPieces(double mostMm) {
-    for (int pieces = 1; pieces <= kMostPieces; pieces *= 2) {
+    for (int pieces = 1; pieces <= kMaxPieces; pieces *= 2) {
       std::vector<robot::JointVector> way;
       // With few pieces a long way is as far from one to the next as another IK branch would be.
       bool leads = true;

@@ -11,8 +11,8 @@ namespace voluta::program {
 
 namespace {
 // Below these the TCP's path is too short to define the motion's time.
-constexpr double kLeastTcpMm = 0.05, kLeastTcpShare = 0.1;
-constexpr double kLeastSpeedMmPerS = 0.2;
+constexpr double kMinTcpMm = 0.05, kMinTcpShare = 0.1;
+constexpr double kMinSpeedMmPerS = 0.2;
 // blendRadiusMm assumes that the nozzle's path on the part is straight near the corner. A plate
 // that turns while it moves bends that path, in extreme random motions by up to 5 % of the
 // tolerance.
@@ -74,8 +74,8 @@ double TcpMotions::speedMmPerS(std::size_t i) const {
 
 bool TcpMotions::needsTime(std::size_t i) const {
   const double tcp = tcpMm(i);
-  return seconds(i) > 0.0 && (tcp < kLeastTcpMm || tcp < kLeastTcpShare * tipMm(i) ||
-                              speedMmPerS(i) < kLeastSpeedMmPerS);
+  return seconds(i) > 0.0 &&
+         (tcp < kMinTcpMm || tcp < kMinTcpShare * tipMm(i) || speedMmPerS(i) < kMinSpeedMmPerS);
 }
 
 double TcpMotions::blendMm(std::size_t i) const {

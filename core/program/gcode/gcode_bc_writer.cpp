@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kAngleDecimals = 5; // 1e-7 rad
 constexpr double kAboveMm = 10.0; // above everything that the table can lift when it turns
-constexpr double kStartDegPerS = 10.0, kWindDegPerS = 180.0, kLeastS = 1e-3;
+constexpr double kStartDegPerS = 10.0, kWindDegPerS = 180.0, kMinS = 1e-3;
 constexpr double kTurn = 2.0 * base::kPi;
 constexpr std::string_view kCounts = "count", kWinds = "wind";
 
@@ -281,7 +281,7 @@ private:
     if (filamentMm)
       text_.amount(*filamentMm);
     if (!(s > 0.0))
-      s = std::max(kLeastS, (pose.axesMm - last_.axesMm).norm() / in_.process().travelSpeedMmPerS);
+      s = std::max(kMinS, (pose.axesMm - last_.axesMm).norm() / in_.process().travelSpeedMmPerS);
     const double perMinute = 60.0 / s;
     text_.word(" F", perMinute, std::min(6, decimalsFor(perMinute, 8)), true);
     text_.out += '\n';

@@ -201,7 +201,7 @@ void GcodeReader::motion(double g, GcodeWords& w) {
     const double before = e_.mm();
     pushedMm = e_.to(relativeE_ ? before + *w['E'] : *w['E']);
     filamentMm = std::abs(e_.mm() - before);
-    if (e_.drawnBackMm() > kMostDrawnBackMm && e_.mm() < before)
+    if (e_.drawnBackMm() > kMaxDrawnBackMm && e_.mm() < before)
       defect(base::message("{length:.0f} of filament retracted: out of the hot end"_text,
                            base::mm(e_.drawnBackMm())));
   }

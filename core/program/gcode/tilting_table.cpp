@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr double kTurn = 2.0 * base::kPi;
 // Turning the table while printing makes a bead less accurate than turning it in a travel.
 constexpr double kPrintWeight = 10.0;
-constexpr int kMostPieces = 1024;
+constexpr int kMaxPieces = 1024;
 constexpr double kWayMm = 0.005, kWayRad = 0.002;
 
 Vector3d aboutZ(double angle, const Vector3d& p) {
@@ -209,7 +209,7 @@ int tablePieces(const TableFrame& frame, const TablePose& from, const TablePose&
     return true;
   };
   int pieces = 1;
-  while (pieces < kMostPieces && !fits(pieces))
+  while (pieces < kMaxPieces && !fits(pieces))
     pieces *= 2;
   return pieces;
 }
@@ -232,7 +232,7 @@ std::vector<plan::NozzlePoint> wayOnPart(const TableFrame& frame, const TablePos
     return true;
   };
   int pieces = 2;
-  while (pieces < kMostPieces && !fits(pieces))
+  while (pieces < kMaxPieces && !fits(pieces))
     pieces *= 2;
   std::vector<plan::NozzlePoint> way;
   way.reserve(static_cast<std::size_t>(pieces - 1));

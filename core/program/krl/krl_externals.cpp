@@ -10,7 +10,7 @@
 namespace voluta::program {
 
 namespace {
-constexpr double kMost = 1e7; // degrees, mm
+constexpr double kMax = 1e7; // degrees, mm
 } // namespace
 
 std::optional<base::Message> KrlExternals::take(const KrlValue& target, bool turnBase,
@@ -23,7 +23,7 @@ std::optional<base::Message> KrlExternals::take(const KrlValue& target, bool tur
       return "the extruder's axis is missing"_text;
     if (!value)
       continue;
-    if (!(std::abs(*value) <= kMost))
+    if (!(std::abs(*value) <= kMax))
       return "an external axis far outside any limit"_text;
     if (!turnBase && k >= carrying && k != own && at_[k] && *at_[k] != *value)
       return "an external axis that moves no work object is not supported"_text;
@@ -75,7 +75,7 @@ std::optional<double> KrlExternals::extruderAlone(const KrlValue& target) const 
 
 std::optional<double> KrlExternals::feed(double mm) {
   const double percent = extruderPercent(), way = std::abs(mm - extruderMm());
-  if (!(std::abs(mm) <= kMost) || !(percent > 0.0 && percent <= 100.0))
+  if (!(std::abs(mm) <= kMax) || !(percent > 0.0 && percent <= 100.0))
     return std::nullopt;
   at_[*extruder()] = mm;
   return way / (kKrlExtruderMmPerS * percent / 100.0);

@@ -12,10 +12,10 @@ namespace voluta::program {
 
 namespace {
 constexpr double kTurnDegPerS = 200.0; // minimum
-constexpr double kLeastTurnDegPerS = 0.5;
+constexpr double kMinTurnDegPerS = 0.5;
 constexpr double kStartPercent = 10.0;
-constexpr double kLeastMmPerS = 1.0; // of $VEL.CP
-constexpr double kLeastBlendMm = 1e-4;
+constexpr double kMinMmPerS = 1.0; // of $VEL.CP
+constexpr double kMinBlendMm = 1e-4;
 } // namespace
 
 KrlMotions::KrlMotions(const ProgramInput& input, const base::RunContext& ctx)
@@ -39,14 +39,14 @@ double KrlMotions::turnDegPerS(std::size_t i) const {
 
 // Returns whether the TCP hardly moves, so that its rotation speed determines the motion's time.
 bool KrlMotions::goesByTurn(std::size_t i) const {
-  return motions_.needsTime(i) && turnDegPerS(i) > kLeastTurnDegPerS;
+  return motions_.needsTime(i) && turnDegPerS(i) > kMinTurnDegPerS;
 }
 
 void KrlMotions::findTurnLimit() {
   for (std::size_t i = 1; i < targets_.size(); ++i)
     if (in_.trajectory.move[i] != plan::MoveKind::Joint && !goesByTurn(i)) {
       turnLimit_ = std::max(turnLimit_, std::ceil(1.05 * turnDegPerS(i)));
-      slow_ += motions_.seconds(i) > 0.0 && motions_.speedMmPerS(i) < kLeastMmPerS ? 1 : 0;
+      slow_ += motions_.seconds(i) > 0.0 && motions_.speedMmPerS(i) < kMinMmPerS ? 1 : 0;
     }
 }
 
@@ -62,7 +62,7 @@ double KrlMotions::degPerS(std::size_t i) const {
 
 double KrlMotions::blendMm(std::size_t i) const {
   const double blend = motions_.blendMm(i);
-  return blend < kLeastBlendMm ? 0.0 : blend;
+  return blend < kMinBlendMm ? 0.0 : blend;
 }
 
 double KrlMotions::jointPercent(std::size_t i) const {

@@ -22,7 +22,7 @@ namespace voluta::program {
 namespace {
 
 constexpr std::string_view kExtruder = "$out[1]", kFlow = "$anout[1]";
-constexpr double kMostDegrees = 6000.0, kMostSeconds = 1e5;
+constexpr double kMaxDegrees = 6000.0, kMaxSeconds = 1e5;
 
 std::string rootOf(std::string_view path) {
   return std::string(path.substr(0, path.find_first_of(".[")));
@@ -329,7 +329,7 @@ private:
       return out_.wordAt("wait for", kAside), takeRest(line);
     if (!line.takeWord("sec") || !variables_.takeNumber(line, seconds) || !line.ended())
       return false;
-    if (!(seconds >= 0.0 && seconds <= kMostSeconds))
+    if (!(seconds >= 0.0 && seconds <= kMaxSeconds))
       return fail("WAIT SEC needs a number of seconds"_text);
     out_.pauseByOutputs(seconds);
     return true;
@@ -463,7 +463,7 @@ private:
       const auto degrees = krlNumber(target, name);
       if (!degrees)
         return fail("not all axes are given"_text);
-      if (!(std::abs(*degrees) <= kMostDegrees))
+      if (!(std::abs(*degrees) <= kMaxDegrees))
         return fail("a joint value far outside any limit"_text);
       m.joints.push_back(base::degreesToRadians(*degrees));
     }

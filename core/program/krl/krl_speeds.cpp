@@ -10,7 +10,7 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kMost = 1e5;
+constexpr double kMax = 1e5;
 constexpr double kTurnDegPerS = 400.0; // for programs that set no limit: usual machine data
 
 std::optional<base::Message> jointSpeed(const KrlVariables& variables, plan::ProgramMotion& m) {
@@ -40,9 +40,9 @@ std::optional<base::Message> krlSpeed(const KrlVariables& variables,
                                   variables.number("$vel.ori2").value_or(kTurnDegPerS));
   const double acceleration = variables.number("$acc.cp").value_or(0.0);
   for (const double v : {*speed, turning})
-    if (!(v > 0.0 && v <= kMost))
+    if (!(v > 0.0 && v <= kMax))
       return "an invalid speed"_text;
-  if (!(acceleration >= 0.0 && acceleration <= kMost))
+  if (!(acceleration >= 0.0 && acceleration <= kMax))
     return "an acceleration is no sensible number"_text;
   m.speedMmPerS = *speed * 1000.0;
   m.accelerationMmPerS2 = acceleration * 1000.0 < kKrlMostMmPerS2 ? acceleration * 1000.0 : 0.0;
@@ -69,7 +69,7 @@ std::optional<base::Message> krlBlend(const KrlVariables& variables, plan::Progr
   const auto mm = variables.number("$apo.cdis");
   if (!mm)
     return "$APO.CDIS is not set before this motion"_text;
-  if (!(*mm >= 0.0 && *mm <= kMost))
+  if (!(*mm >= 0.0 && *mm <= kMax))
     return "a blend is no sensible number"_text;
   if (variables.number("$advance").value_or(3.0) >= 1.0)
     m.blendMm = *mm;

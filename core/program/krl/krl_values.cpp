@@ -9,9 +9,9 @@ namespace voluta::program {
 
 namespace {
 
-constexpr int kMostDepth = 4;
-constexpr std::size_t kMostParts = 40;
-constexpr double kMostMm = 1e5, kMostDegrees = 1e7;
+constexpr int kMaxDepth = 4;
+constexpr std::size_t kMaxParts = 40;
+constexpr double kMaxMm = 1e5, kMaxDegrees = 1e7;
 
 std::string pathOf(const std::string& within, const std::string& part) {
   return within.empty() ? part : part.empty() ? within : within + "." + part;
@@ -126,7 +126,7 @@ bool KrlVariables::takeValue(LineCursor& line, KrlValue& value) const {
 
 bool KrlVariables::takePart(LineCursor& line, const std::string& within, KrlValue& value,
                             int depth) const {
-  if (value.numbers.size() + value.words.size() > kMostParts)
+  if (value.numbers.size() + value.words.size() > kMaxParts)
     return false;
   if (line.isMark('{'))
     return takeAggregate(line, within, value, depth);
@@ -172,7 +172,7 @@ bool KrlVariables::takePart(LineCursor& line, const std::string& within, KrlValu
 // Parses { TYPE: NAME value, NAME value, ... }; the type is optional.
 bool KrlVariables::takeAggregate(LineCursor& line, const std::string& within, KrlValue& value,
                                  int depth) const {
-  if (depth == kMostDepth || !line.takeMark('{'))
+  if (depth == kMaxDepth || !line.takeMark('{'))
     return false;
   LineCursor ahead = line;
   if (std::string type; ahead.takeName(type) && ahead.takeMark(':'))
@@ -222,7 +222,7 @@ std::optional<Eigen::Isometry3d> krlPose(const Eigen::Vector3d& mm,
   const auto within = [](const Eigen::Vector3d& v, double most) {
     return (v.array().abs() <= most).all();
   };
-  if (!within(mm, kMostMm) || !within(degrees, kMostDegrees))
+  if (!within(mm, kMaxMm) || !within(degrees, kMaxDegrees))
     return std::nullopt;
   return poseOfZyx(mm, degrees);
 }

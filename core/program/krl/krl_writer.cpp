@@ -25,7 +25,7 @@ namespace voluta::program {
 namespace {
 
 constexpr int kSpeedDigits = 6, kBlendDecimals = 4;
-constexpr double kMostTurnDegPerS = 400.0; // usual machine data
+constexpr double kMaxTurnDegPerS = 400.0; // usual machine data
 
 class KrlWriter : private ProgramEmitter {
 public:
@@ -152,7 +152,7 @@ private:
     else
       line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], ", fullFlowText("1", in_.process()),
                    ", 0 to 10 V"}));
-    if (motions_.turnLimit() > kMostTurnDegPerS)
+    if (motions_.turnLimit() > kMaxTurnDegPerS)
       line(joined({"; the tool turns by up to ", fixedText(motions_.turnLimit(), 0),
                    " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));
     if (motions_.slow() > 0)

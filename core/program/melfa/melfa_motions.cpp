@@ -11,8 +11,8 @@
 namespace voluta::program {
 
 namespace {
-constexpr double kLeastPercent = 1.0, kLeastMmPerS = 0.01;
-constexpr double kLeastBlendMm = 0.0009; // 0.001 mm is written
+constexpr double kMinPercent = 1.0, kMinMmPerS = 0.01;
+constexpr double kMinBlendMm = 0.0009; // 0.001 mm is written
 
 double countedShare(double share) {
   return std::clamp(std::max(1.0, std::round(share * kMelfaFullFlow)) / kMelfaFullFlow, 0.0, 1.0);
@@ -65,20 +65,20 @@ void MelfaMotions::placeNozzle() {
 }
 
 double MelfaMotions::mmPerS(std::size_t i) const {
-  return motions_.seconds(i) > 0.0 ? std::max(motions_.speedMmPerS(i), kLeastMmPerS)
+  return motions_.seconds(i) > 0.0 ? std::max(motions_.speedMmPerS(i), kMinMmPerS)
                                    : in_.process().travelSpeedMmPerS;
 }
 
 double MelfaMotions::blendMm(std::size_t i) const {
   const double most = motions_.blendMm(i);
-  return most < kLeastBlendMm ? 0.0 : most;
+  return most < kMinBlendMm ? 0.0 : most;
 }
 
 double MelfaMotions::jointPercent(std::size_t i) const {
   const double s = motionSeconds(in_.trajectory, i);
   if (!(s > 0.0))
     return kMelfaStartPercent;
-  return std::clamp(100.0 * leadingJointRad(in_, i) / s / kMelfaJointRadPerS, kLeastPercent, 100.0);
+  return std::clamp(100.0 * leadingJointRad(in_, i) / s / kMelfaJointRadPerS, kMinPercent, 100.0);
 }
 
 } // namespace voluta::program

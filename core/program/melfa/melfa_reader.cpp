@@ -17,8 +17,8 @@ namespace voluta::program {
 
 namespace {
 
-constexpr std::size_t kMostDepth = 8;
-constexpr double kMostJointDeg = 5000.0, kMostMmPerS = 1e5, kMostSeconds = 1e6;
+constexpr std::size_t kMaxDepth = 8;
+constexpr double kMaxJointDeg = 5000.0, kMaxMmPerS = 1e5, kMaxSeconds = 1e6;
 constexpr int kWorkCoordinates = 8, kOutputsOfWord = 16;
 
 class MelfaReader {
@@ -244,7 +244,7 @@ private:
 
   void speed(std::string_view word, MelfaScanner& scanner) {
     const bool way = word == "spd";
-    const auto value = numberIn(scanner, way ? 1e-6 : 1.0, way ? kMostMmPerS : 100.0);
+    const auto value = numberIn(scanner, way ? 1e-6 : 1.0, way ? kMaxMmPerS : 100.0);
     if (!value || !scanner.ended()) {
       defect(base::message("'{name}' without a sensible value"_text, word));
       return;
@@ -271,9 +271,9 @@ private:
     const auto on = numberIn(scanner, 0.0, 1.0);
     std::optional<double> start, end;
     if (scanner.take(','))
-      start = numberIn(scanner, 0.0, kMostMmPerS);
+      start = numberIn(scanner, 0.0, kMaxMmPerS);
     if (scanner.take(','))
-      end = numberIn(scanner, 0.0, kMostMmPerS);
+      end = numberIn(scanner, 0.0, kMaxMmPerS);
     if (!on || *on != std::floor(*on) || !scanner.ended()) {
       defect("'Cnt' is 0, or 1 with two distances"_text);
       return;
@@ -314,7 +314,7 @@ private:
   }
 
   void delay(MelfaScanner& scanner) {
-    const auto seconds = numberIn(scanner, 0.0, kMostSeconds);
+    const auto seconds = numberIn(scanner, 0.0, kMaxSeconds);
     if (!seconds || !scanner.ended())
       defect("'Dly' without a time in seconds"_text);
     else
@@ -324,7 +324,7 @@ private:
   void subroutine(MelfaScanner& scanner, std::size_t depth) {
     const std::string label = scanner.take('*') ? inSmallLetters(scanner.name()) : "";
     const auto at = texts_[out_.file].labels.find(label);
-    if (at == texts_[out_.file].labels.end() || !scanner.ended() || depth >= kMostDepth) {
+    if (at == texts_[out_.file].labels.end() || !scanner.ended() || depth >= kMaxDepth) {
       defect(base::message("invalid call of '{name}'"_text, label));
       return;
     }
@@ -405,7 +405,7 @@ private:
     }
     m.target = plan::TargetKind::Joints;
     for (std::size_t k = 0; k < kAxes; ++k) {
-      if (!(std::abs(target.list[k]) <= kMostJointDeg)) {
+      if (!(std::abs(target.list[k]) <= kMaxJointDeg)) {
         defect("a joint value far outside any limit"_text);
         return false;
       }
@@ -416,7 +416,7 @@ private:
   bool poseTarget(const ScriptValue& target, MelfaScanner& scanner, plan::ProgramMotion& m) {
     const auto pose = melfaPose(target);
     double away = 0.0;
-    if (!pose || (scanner.take(',') && !scanner.number(away)) || !(std::abs(away) <= kMostMmPerS)) {
+    if (!pose || (scanner.take(',') && !scanner.number(away)) || !(std::abs(away) <= kMaxMmPerS)) {
       defect("the target is not a position within a robot's reach"_text);
       return false;
     }

@@ -30,8 +30,8 @@ constexpr std::string_view kId = "melfa-stream", kTitle = "joint stream, MELFA M
 constexpr MelfaTaking kTaking{"' Takes a stream by real-time control, MELFA-BASIC V", kOpen,
                               "192.168.0.2"};
 constexpr double kCr750S = 0.00711, kCr800S = 0.0035, kStartRadPerS2 = 0.5;
-constexpr std::size_t kMostPackets = 5'000'000; // 1 GB
-constexpr std::size_t kNameCharacters = 8;      // 12 with "_mxt"
+constexpr std::size_t kMaxPackets = 5'000'000; // 1 GB
+constexpr std::size_t kNameCharacters = 8;     // 12 with "_mxt"
 
 // The same for every job. Sends one packet per answer, which keeps pace with the controller.
 constexpr std::string_view kSender = R"(#!/usr/bin/env python3
@@ -160,7 +160,7 @@ plan::Program writeMelfaStream(const ProgramInput& input, const base::RunContext
   std::ranges::copy(headLines(input), std::back_inserter(head));
   head.push_back(outputsNote(input.process()));
   WrittenRows rows = writeRows(input, kId, head, mxtShare, ctx);
-  if (const std::size_t count = mxtPacketCount(rows.rows, cycleS); count > kMostPackets)
+  if (const std::size_t count = mxtPacketCount(rows.rows, cycleS); count > kMaxPackets)
     throw base::Error(
         base::ErrorCode::Usage,
         base::message("a stream of {count} packets is too large for a file"_text, count), {},
@@ -207,7 +207,7 @@ plan::ReadProgram readMelfaStream(const std::vector<plan::ProgramFile>& files,
       tellOtherText(text, kSender, 1, out);
     else if (!isMxtPackets(text))
       readTaking(text, start, out);
-    else if (mxtPacketCount(rows.rows, cycleS) <= kMostPackets)
+    else if (mxtPacketCount(rows.rows, cycleS) <= kMaxPackets)
       readPackets(text, mxtPackets(rows.rows, cycleS), out);
   }
   return out.take(rows.complete);

@@ -13,8 +13,8 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kMostMm = 1e5, kMostDeg = 1e4;
-constexpr std::size_t kPoseNumbers = 6, kMostNumbers = 8;
+constexpr double kMaxMm = 1e5, kMaxDeg = 1e4;
+constexpr std::size_t kPoseNumbers = 6, kMaxNumbers = 8;
 
 std::optional<std::size_t> partOf(std::string_view name) {
   constexpr std::string_view kParts = "xyzabc";
@@ -76,14 +76,14 @@ bool given(std::string_view function, const ScriptValue& of, ScriptValue& value)
 
 std::optional<Eigen::Isometry3d> melfaPose(const ScriptValue& value) {
   if (value.kind != ScriptKind::List || value.list.size() < kPoseNumbers ||
-      value.list.size() > kMostNumbers)
+      value.list.size() > kMaxNumbers)
     return std::nullopt;
   return melfaPose(Eigen::Vector3d(value.list.data()), Eigen::Vector3d(value.list.data() + 3));
 }
 
 std::optional<Eigen::Isometry3d> melfaPose(const Eigen::Vector3d& mm,
                                            const Eigen::Vector3d& degrees) {
-  if (!(mm.cwiseAbs().maxCoeff() <= kMostMm) || !(degrees.cwiseAbs().maxCoeff() <= kMostDeg))
+  if (!(mm.cwiseAbs().maxCoeff() <= kMaxMm) || !(degrees.cwiseAbs().maxCoeff() <= kMaxDeg))
     return std::nullopt;
   Eigen::Isometry3d pose(rotationOfXyz(degrees * base::degreesToRadians(1.0)));
   pose.pretranslate(mm);
@@ -147,11 +147,11 @@ bool MelfaScanner::part(ScriptValue& value) {
 
 bool MelfaScanner::behindList(ScriptValue& list) {
   if (rest.empty() || rest.front() != '(')
-    return list.list.size() <= kMostNumbers;
+    return list.list.size() <= kMaxNumbers;
   rest.remove_prefix(1);
   std::vector<ScriptValue> flags;
   const bool sound =
-      arguments(flags) && flags.size() <= 2 && list.list.size() <= kMostNumbers &&
+      arguments(flags) && flags.size() <= 2 && list.list.size() <= kMaxNumbers &&
       std::all_of(flags.begin(), flags.end(), [](const ScriptValue& flag) {
         return flag.kind == ScriptKind::Number && flag.number == std::floor(flag.number);
       });

@@ -67,7 +67,7 @@ bool rapidPose(const std::vector<double>& numbers, std::size_t at, Eigen::Isomet
   constexpr double kTurnTolerance = 1e-5; // Of a quaternion's length
   const Eigen::Vector3d mm(numbers[at], numbers[at + 1], numbers[at + 2]);
   const Eigen::Quaterniond turn(numbers[at + 3], numbers[at + 4], numbers[at + 5], numbers[at + 6]);
-  if (!(mm.cwiseAbs().maxCoeff() <= kMostRapidMm)) {
+  if (!(mm.cwiseAbs().maxCoeff() <= kMaxRapidMm)) {
     reason = "a position far outside any robot's reach"_text;
     return false;
   }

@@ -37,7 +37,7 @@ inline bool isMoved(const RapidData& object) {
 std::optional<RapidData> predeclaredRapid(std::string_view type, std::string_view name);
 
 // Maximum coordinate of a position, beyond every robot's reach
-inline constexpr double kMostRapidMm = 1e5;
+inline constexpr double kMaxRapidMm = 1e5;
 
 // Reads the position and quaternion of a literal from numbers[at] on. Returns false, with the
 // reason, if the position is out of every robot's reach or the quaternion's length is not 1.

@@ -11,8 +11,8 @@ namespace voluta::program {
 
 namespace {
 constexpr double kUnused = 9e9; // Marks an unused axis
-constexpr double kMostMm = kMostRapidMm, kMostDegrees = 6000.0, kMostSeconds = 1e5;
-constexpr double kMostExternalDegrees = 1e7;
+constexpr double kMaxMm = kMaxRapidMm, kMaxDegrees = 6000.0, kMaxSeconds = 1e5;
+constexpr double kMaxExternalDegrees = 1e7;
 constexpr std::size_t kExternals = 6;
 } // namespace
 
@@ -82,7 +82,7 @@ bool RapidMotions::externalOf(const RapidMotionData& data, plan::ProgramMotion& 
   if (std::any_of(unused, target.end(), [](double external) { return external != kUnused; }))
     return fail("an external axis after an unused one is not supported"_text);
   if (std::any_of(first, unused,
-                  [](double degrees) { return !(std::abs(degrees) <= kMostExternalDegrees); }))
+                  [](double degrees) { return !(std::abs(degrees) <= kMaxExternalDegrees); }))
     return fail("an external axis far outside any limit"_text);
   extruderMm_.reset();
   if (hasExtruder()) {
@@ -115,7 +115,7 @@ bool RapidMotions::targetOf(const RapidMotionData& data, plan::ProgramMotion& m)
   if (data.absolute) {
     m.target = plan::TargetKind::Joints;
     for (std::size_t k = 0; k < 6; ++k) {
-      if (!(std::abs(target[k]) <= kMostDegrees))
+      if (!(std::abs(target[k]) <= kMaxDegrees))
         return fail("a joint value far outside any limit"_text);
       m.joints.push_back(base::degreesToRadians(target[k]));
     }
@@ -152,7 +152,7 @@ bool RapidMotions::targetOf(const RapidMotionData& data, plan::ProgramMotion& m)
 
 bool RapidMotions::zoneOf(const std::vector<double>& zone, plan::ProgramMotion& m) {
   for (std::size_t k = 1; k < 7; ++k)
-    if (!(zone[k] >= 0.0 && zone[k] <= kMostMm))
+    if (!(zone[k] >= 0.0 && zone[k] <= kMaxMm))
       return fail("an invalid zone"_text);
   if (zone[0] == 1.0)
     return true;
@@ -164,10 +164,10 @@ bool RapidMotions::zoneOf(const std::vector<double>& zone, plan::ProgramMotion& 
 
 bool RapidMotions::speedOf(const std::vector<double>& speed, bool timed, plan::ProgramMotion& m) {
   for (const double v : speed)
-    if (!(v > 0.0 && v <= kMostMm))
+    if (!(v > 0.0 && v <= kMaxMm))
       return fail("an invalid speed"_text);
   if (timed)
-    return (m.durationS > 0.0 && m.durationS <= kMostSeconds) || fail("an invalid time"_text);
+    return (m.durationS > 0.0 && m.durationS <= kMaxSeconds) || fail("an invalid time"_text);
   m.speedMmPerS = speed[0];
   const std::optional<double> way = wayMm(m);
   if (!way)

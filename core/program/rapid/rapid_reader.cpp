@@ -18,11 +18,11 @@
 namespace voluta::program {
 
 namespace {
-constexpr double kMostSeconds = 1e5;
+constexpr double kMaxSeconds = 1e5;
 // The procedure that sets the extruder's axis to 0, as named by the writer.
 constexpr std::string_view kZero = "zeroextruder";
 // Maximum share per mm/s of a flow proportional to the speed; rounding allowance of the total.
-constexpr double kMostPerMm = 1e3, kShareSlack = 1e-3;
+constexpr double kMaxPerMm = 1e3, kShareSlack = 1e-3;
 
 class RapidReader : private RapidValues {
 public:
@@ -154,9 +154,9 @@ private:
   }
 
   void run(const std::string& name) {
-    constexpr std::size_t kMostCalls = 16;
+    constexpr std::size_t kMaxCalls = 16;
     if (std::find(running_.begin(), running_.end(), name) != running_.end() ||
-        running_.size() == kMostCalls) {
+        running_.size() == kMaxCalls) {
       defect(base::message("'{name}' calls itself"_text, name));
       return;
     }
@@ -356,7 +356,7 @@ private:
         !takeWord("start") || !takeMark(',') || !takeNumberToken(lag) || !takeMark(',') ||
         !takeName(signal) || !takeMark(',') || !takeNumberToken(scale) || !takeEnd())
       return false;
-    if (!(scale > 0.0 && scale <= kMostPerMm))
+    if (!(scale > 0.0 && scale <= kMaxPerMm))
       return fail("an invalid flow per speed"_text);
     return defineTrigg(name, at, mm == 0.0 && lag == 0.0 && signal == "aoflow", {0.0, scale});
   }
@@ -481,7 +481,7 @@ private:
     if (!mm || !timed)
       return fail(
           "external axes that move alone are only supported for the extruder, with a time"_text);
-    if (!(seconds > 0.0 && seconds <= kMostSeconds))
+    if (!(seconds > 0.0 && seconds <= kMaxSeconds))
       return fail("an invalid time"_text);
     out_.pauseByAxis(seconds, *mm);
     return true;

@@ -5,7 +5,7 @@
 namespace voluta::program {
 
 namespace {
-constexpr std::size_t kMostNumbers = 32, kMostDepth = 4;
+constexpr std::size_t kMaxNumbers = 32, kMaxDepth = 4;
 } // namespace
 
 bool RapidValues::fail(base::Message reason) {
@@ -19,7 +19,7 @@ bool RapidValues::takeEnd() {
 }
 
 bool RapidValues::literal(RapidData& data, std::size_t depth) {
-  if (data.numbers.size() >= kMostNumbers || depth > kMostDepth)
+  if (data.numbers.size() >= kMaxNumbers || depth > kMaxDepth)
     return false;
   if (takeMark('[')) {
     data.shape += '[';
@@ -45,7 +45,7 @@ bool RapidValues::literal(RapidData& data, std::size_t depth) {
   } else if (std::string name; takeName(name)) {
     const auto known = declared_.find(name);
     if (known == declared_.end() ||
-        data.numbers.size() + known->second.data.numbers.size() > kMostNumbers)
+        data.numbers.size() + known->second.data.numbers.size() > kMaxNumbers)
       return fail(base::message("'{name}' is not known to the reader"_text, name.substr(0, 40)));
     const RapidData& part = known->second.data;
     data.shape += rapidShape(known->second.type);

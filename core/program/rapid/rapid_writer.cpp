@@ -298,10 +298,10 @@ private:
   // Flow proportional to the TCP's actual speed, from the start of motion i. A motion with hardly
   // any path has no speed to scale with.
   void flowBySpeed(std::size_t i) {
-    constexpr double kLeastWayMm = 0.01;
+    constexpr double kMinWayMm = 0.01;
     const double full = in_.process().maxFlowMm3PerS;
     const double way = i > 0 ? motions_.tcpMm(i) : 0.0;
-    if (i == 0 || in_.trajectory.move[i - 1] == plan::MoveKind::Joint || way < kLeastWayMm) {
+    if (i == 0 || in_.trajectory.move[i - 1] == plan::MoveKind::Joint || way < kMinWayMm) {
       if (const std::string share = shareText(motions_.flowMm3PerS(i) / full);
           share != std::exchange(share_, share))
         sayFlow(share);

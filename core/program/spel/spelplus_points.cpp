@@ -8,8 +8,8 @@
 namespace voluta::program {
 
 namespace {
-constexpr double kMostMm = 1e5, kMostDegrees = 1e4;
-constexpr std::size_t kMostNumbers = 9;
+constexpr double kMaxMm = 1e5, kMaxDegrees = 1e4;
+constexpr std::size_t kMaxNumbers = 9;
 } // namespace
 
 LinePart spelplusPart(LineCursor line, std::string& name) {
@@ -47,7 +47,7 @@ bool SpelplusVariables::takeList(LineCursor& line, std::vector<double>& values) 
     return false;
   do {
     double value = 0.0;
-    if (values.size() == kMostNumbers || !takeNumber(line, value))
+    if (values.size() == kMaxNumbers || !takeNumber(line, value))
       return false;
     values.push_back(value);
   } while (line.takeMark(','));
@@ -76,10 +76,10 @@ bool SpelplusVariables::takePoint(LineCursor& line, SpelplusPoint& point) const 
   }
   line = ahead;
   for (std::size_t k = 0; k < point.parts.size(); ++k)
-    if (!(std::abs(point.parts[k]) <= (k < 3 ? kMostMm : kMostDegrees)))
+    if (!(std::abs(point.parts[k]) <= (k < 3 ? kMaxMm : kMaxDegrees)))
       return false;
   return std::all_of(point.joints.begin(), point.joints.end(),
-                     [](double degrees) { return std::abs(degrees) <= kMostDegrees; });
+                     [](double degrees) { return std::abs(degrees) <= kMaxDegrees; });
 }
 
 // +X(5), -X(5), :X(5), or after a slash: a local's number or a posture.

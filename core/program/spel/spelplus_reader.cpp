@@ -17,7 +17,7 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kVolts = 10.0, kMostSpeed = 1e5, kMostSeconds = 1e5, kMostNumber = 15.0;
+constexpr double kVolts = 10.0, kMaxSpeed = 1e5, kMaxSeconds = 1e5, kMaxNumber = 15.0;
 constexpr double kNoWayMm = 1e-4, kNoTurnDeg = 1e-3; // smaller motions are none for the controller
 constexpr Procedures::Words kStructure = {kSpelplusSyntax, spelplusPart};
 
@@ -199,7 +199,7 @@ private:
     LineCursor ahead = line;
     if (!variables_.takeNumber(ahead, seconds) || !ahead.ended())
       return out_.wordAt("Wait", kAside), takeRest(line);
-    if (!(seconds >= 0.0 && seconds <= kMostSeconds))
+    if (!(seconds >= 0.0 && seconds <= kMaxSeconds))
       return fail("Wait needs a number of seconds"_text);
     line = ahead;
     out_.pauseByOutputs(seconds);
@@ -229,7 +229,7 @@ private:
   bool number(std::size_t& number, LineCursor& line) {
     double value = 0.0;
     if (!variables_.takeNumber(line, value) ||
-        !(value >= 0.0 && value <= kMostNumber && value == std::floor(value)))
+        !(value >= 0.0 && value <= kMaxNumber && value == std::floor(value)))
       return false;
     number = static_cast<std::size_t>(value);
     return true;
@@ -259,7 +259,7 @@ private:
         return false;
       least = word == "accels" || word == "accelr" ? std::min(least, value) : least;
     }
-    if (!(least > 0.0 && least <= (word == "speed" ? 100.0 : kMostSpeed)))
+    if (!(least > 0.0 && least <= (word == "speed" ? 100.0 : kMaxSpeed)))
       return fail("an invalid speed"_text);
     settings_[word] = least;
     return true;

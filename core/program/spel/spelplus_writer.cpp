@@ -23,8 +23,8 @@ namespace {
 
 constexpr int kPositionDecimals = 5, kDegreeDecimals = 5, kFrameDecimals = 6;
 constexpr int kSpeedDigits = 6;
-constexpr double kMostDegPerS2 = 5000.0, kLeastDegPerS = 0.1; // AccelR, SpeedR
-constexpr double kLeastMmPerS = 0.1;                          // SpeedS
+constexpr double kMaxDegPerS2 = 5000.0, kMinDegPerS = 0.1; // AccelR, SpeedR
+constexpr double kMinMmPerS = 0.1;                         // SpeedS
 constexpr double kStartPercent = 10.0;
 constexpr double kVolts = 10.0;
 constexpr std::string_view kPort = "201"; // the first TCP/IP port
@@ -249,11 +249,11 @@ private:
     return base::radiansToDegrees(targets_[i].tcpTurn.angularDistance(targets_[i - 1].tcpTurn));
   }
   bool goesByTurn(std::size_t i) const {
-    return motions_.needsTime(i) && turnDeg(i) / motions_.seconds(i) > kLeastDegPerS;
+    return motions_.needsTime(i) && turnDeg(i) / motions_.seconds(i) > kMinDegPerS;
   }
   double speedMmPerS(std::size_t i) const {
     const double v = motions_.speedMmPerS(i);
-    return std::max(v > 0.0 ? v : in_.process().travelSpeedMmPerS, kLeastMmPerS);
+    return std::max(v > 0.0 ? v : in_.process().travelSpeedMmPerS, kMinMmPerS);
   }
   // Returns the acceleration that keeps the corner at the end of motion i within its blend, on both
   // sides. 0: no blend.
@@ -270,7 +270,7 @@ private:
   bool canRound(std::size_t i) const {
     if (goesByTurn(i)) {
       const double s = motions_.seconds(i);
-      return turnDeg(i) / (2.0 * kTurnShare * s * s) <= kMostDegPerS2;
+      return turnDeg(i) / (2.0 * kTurnShare * s * s) <= kMaxDegPerS2;
     }
     return accelerationOf(i) <= kSpelplusMostMmPerS2;
   }
@@ -281,7 +281,7 @@ private:
       const double s = motions_.seconds(i), degPerS = turnDeg(i) / s;
       set("SpeedR", figure(degPerS));
       set("AccelR",
-          fixedText(std::min(steppedUp(degPerS / (2.0 * kTurnShare * s)), kMostDegPerS2), 2));
+          fixedText(std::min(steppedUp(degPerS / (2.0 * kTurnShare * s)), kMaxDegPerS2), 2));
     } else {
       set("SpeedS", figure(speedMmPerS(i)));
       set("AccelS", fixedText(canRound(i) ? accelerationOf(i) : kSpelplusMmPerS2, 2));

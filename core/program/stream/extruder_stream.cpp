@@ -132,7 +132,7 @@ private:
         std::tie(pause.volumeMm3, drawnMm3_) =
             pushedOut(volume / seconds * pause.durationS, drawnMm3_);
         pause.drawnMm = std::abs(drawnMm3_ - before) / mm2_;
-        if (drawnMm3_ > kMostDrawnBackMm * mm2_)
+        if (drawnMm3_ > kMaxDrawnBackMm * mm2_)
           defect(base::message("{length:.0f} of filament retracted: out of the hot end"_text,
                                base::mm(drawnMm3_ / mm2_)));
         return;

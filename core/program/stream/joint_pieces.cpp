@@ -7,7 +7,7 @@ namespace voluta::program {
 
 namespace {
 
-constexpr int kMostPieces = 128;
+constexpr int kMaxPieces = 128;
 constexpr double kOffMm = 0.2, kOffDeg = 0.5;
 
 bool isStraight(const ProgramInput& input, std::size_t point, double from, double to) {
@@ -25,7 +25,7 @@ bool isStraight(const ProgramInput& input, std::size_t point, double from, doubl
 
 int jointPieces(const ProgramInput& input, std::size_t point) {
   int pieces = 1;
-  while (pieces < kMostPieces) {
+  while (pieces < kMaxPieces) {
     int straight = 0;
     while (straight < pieces && isStraight(input, point, static_cast<double>(straight) / pieces,
                                            static_cast<double>(straight + 1) / pieces))

@@ -12,7 +12,7 @@ namespace voluta::program {
 namespace {
 
 constexpr int kSecondDecimals = 6, kJointDecimals = 7, kFlowDigits = 4;
-constexpr double kMostSeconds = 1e6, kMostRad = 1e3;
+constexpr double kMaxSeconds = 1e6, kMaxRad = 1e3;
 constexpr double kSameRad = 1e-5; // tolerance on a dialect's targets
 
 class RowsReader {
@@ -133,8 +133,8 @@ bool parseRow(std::string_view line, JointRow& row) {
   row.on = on > 0.0;
   row.flow = numbers.back();
   const bool lasts = row.kind == RowKind::Move || row.kind == RowKind::Wait;
-  return (lasts ? row.seconds > 0.0 && row.seconds < kMostSeconds : row.seconds == 0.0) &&
-         std::ranges::all_of(row.joints, [](double q) { return std::abs(q) < kMostRad; }) &&
+  return (lasts ? row.seconds > 0.0 && row.seconds < kMaxSeconds : row.seconds == 0.0) &&
+         std::ranges::all_of(row.joints, [](double q) { return std::abs(q) < kMaxRad; }) &&
          row.flow >= 0.0 && row.flow <= 1.0;
 }
 

@@ -13,7 +13,7 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kLeastS = 1e-6; // resolution of the rows
+constexpr double kMinS = 1e-6; // resolution of the rows
 
 class RowsWriter : private ProgramEmitter {
 public:
@@ -68,7 +68,7 @@ private:
   }
   void move(const double* joints, double seconds) {
     std::copy_n(joints, kRowJoints, row_.joints.begin());
-    put(RowKind::Move, std::max(kLeastS, seconds));
+    put(RowKind::Move, std::max(kMinS, seconds));
   }
   void put(RowKind kind, double seconds) {
     row_.kind = kind;

@@ -15,8 +15,8 @@ namespace voluta::program {
 namespace {
 
 constexpr int kSpeedDigits = 7, kFlowDigits = 4;
-constexpr double kMostJointDeg = 5000.0, kMostMmPerS = 1e5, kMostDegPerS = 1e5, kMostSeconds = 1e6,
-                 kMostBlendMm = 1e4, kMostKg = 1e5;
+constexpr double kMaxJointDeg = 5000.0, kMaxMmPerS = 1e5, kMaxDegPerS = 1e5, kMaxSeconds = 1e6,
+                 kMaxBlendMm = 1e4, kMaxKg = 1e5;
 constexpr double kSame = 1e-4; // mm, degrees: resolution of the lines
 constexpr std::size_t kHeaderBegins = 15;
 
@@ -78,7 +78,7 @@ private:
     return true;
   }
   bool loads(const LinkFrame& numbers) {
-    if (!(numbers[0] >= 0.0 && numbers[0] < kMostKg))
+    if (!(numbers[0] >= 0.0 && numbers[0] < kMaxKg))
       return false;
     out_.load(kLinkLoad, numbers[0]);
     return true;
@@ -174,7 +174,7 @@ private:
   bool joints(const LinkRow& row, plan::ProgramMotion& m) {
     m.target = plan::TargetKind::Joints;
     for (const double degrees : row.target) {
-      if (!(std::abs(degrees) <= kMostJointDeg)) {
+      if (!(std::abs(degrees) <= kMaxJointDeg)) {
         defect("a joint value far outside any limit"_text);
         return false;
       }
@@ -237,14 +237,14 @@ bool parseLinkRow(std::string_view line, const LinkForm& form, LinkRow& row) {
   row.turn = form.turns ? given[7] : 0.0;
   row.flow = given[given.size() - 2];
   row.blend = given.back();
-  const double most = row.byJoints() ? 100.0 : kMostMmPerS;
+  const double most = row.byJoints() ? 100.0 : kMaxMmPerS;
   const bool straight = row.moves() && !row.byJoints();
-  return row.speed > -kMostSeconds && row.speed <= most && row.flow >= 0.0 &&
+  return row.speed > -kMaxSeconds && row.speed <= most && row.flow >= 0.0 &&
          row.flow <= form.fullFlow && (!form.wholeFlow || row.flow == std::floor(row.flow)) &&
          (!form.turns ||
-          (straight ? row.turn > 0.0 && row.turn <= kMostDegPerS : row.turn == 0.0)) &&
+          (straight ? row.turn > 0.0 && row.turn <= kMaxDegPerS : row.turn == 0.0)) &&
          (row.blend == kLinkByJoints || row.blend == kLinkByJointsToPose ||
-          (row.blend >= 0.0 && row.blend < kMostBlendMm));
+          (row.blend >= 0.0 && row.blend < kMaxBlendMm));
 }
 
 LinkFrame linkFrame(const Eigen::Vector3d& mm, const Eigen::Vector3d& degrees,

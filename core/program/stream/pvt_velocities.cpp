@@ -7,12 +7,12 @@ namespace voluta::program {
 
 namespace {
 
-constexpr double kMostOfOne = 4.0 / 27.0; // of u (1 - u)^2
-constexpr double kMostFaster = 1.5;
-constexpr double kLeastMm = 1e-9;
+constexpr double kMaxOfOne = 4.0 / 27.0; // of u (1 - u)^2
+constexpr double kMaxFaster = 1.5;
+constexpr double kMinMm = 1e-9;
 // Maximum deviation of an angle caused by the velocity at one end: share of its displacement, plus
 // a constant.
-constexpr double kTurnShare = 0.25, kLeastTurnDeg = 0.15;
+constexpr double kTurnShare = 0.25, kMinTurnDeg = 0.15;
 
 // Returns the lateral deviation of a motion from its line caused by the velocity at one end [mm].
 double acrossMm(const PvtMotion& motion, const PvtVector& velocity) {
@@ -20,8 +20,8 @@ double acrossMm(const PvtMotion& motion, const PvtVector& velocity) {
   const Eigen::Vector3d v = velocity.head<3>();
   const double length = way.norm();
   const Eigen::Vector3d across =
-      length > kLeastMm ? Eigen::Vector3d(v - way * (v.dot(way) / (length * length))) : v;
-  return kMostOfOne * motion.seconds * across.norm();
+      length > kMinMm ? Eigen::Vector3d(v - way * (v.dot(way) / (length * length))) : v;
+  return kMaxOfOne * motion.seconds * across.norm();
 }
 
 } // namespace
@@ -36,9 +36,9 @@ PvtDeviation pvtDeviation(const PvtMotion& motion, const PvtVector& from, const 
     const double in = u * (1.0 - u) * (1.0 - u), out = -u * u * (1.0 - u);
     const double rise = u * u * (3.0 - 2.0 * u);
     const Eigen::Vector3d at = rise * way + t * (in * from.head<3>() + out * to.head<3>());
-    const double along = length > kLeastMm ? at.dot(way) / (length * length) : 0.0;
+    const double along = length > kMinMm ? at.dot(way) / (length * length) : 0.0;
     worst.acrossMm = std::max(worst.acrossMm, (at - along * way).norm());
-    if (length > kLeastMm)
+    if (length > kMinMm)
       worst.alongShare = std::max(worst.alongShare, std::abs(along - u));
   }
   return worst;
@@ -46,9 +46,9 @@ PvtDeviation pvtDeviation(const PvtMotion& motion, const PvtVector& from, const 
 
 bool pvtTurnsEvenly(const PvtMotion& motion, int k, double from, double to) {
   const double even = motion.way[k] / motion.seconds;
-  const double off = kMostOfOne * motion.seconds * (std::abs(from - even) + std::abs(to - even));
+  const double off = kMaxOfOne * motion.seconds * (std::abs(from - even) + std::abs(to - even));
   // Twice the limit for one end, plus twice the deviation caused by a stop.
-  return off <= 2.0 * ((kTurnShare + kMostOfOne) * std::abs(motion.way[k]) + kLeastTurnDeg);
+  return off <= 2.0 * ((kTurnShare + kMaxOfOne) * std::abs(motion.way[k]) + kMinTurnDeg);
 }
 
 PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranceMm) {
@@ -62,11 +62,11 @@ PvtVector pvtVelocity(const PvtMotion& in, const PvtMotion& out, double toleranc
     if (velocity.head<3>().dot(motion->way.head<3>()) < 0.0)
       return PvtVector::Zero(); // it would reverse
     const double speed = motion->way.head<3>().norm() / motion->seconds;
-    if (const double own = velocity.head<3>().norm(); own > kMostFaster * speed)
-      share = std::min(share, kMostFaster * speed / own);
+    if (const double own = velocity.head<3>().norm(); own > kMaxFaster * speed)
+      share = std::min(share, kMaxFaster * speed / own);
     for (int k = 3; k < 6; ++k) {
       const double most =
-          (kTurnShare * std::abs(motion->way[k]) + kLeastTurnDeg) / (kMostOfOne * motion->seconds);
+          (kTurnShare * std::abs(motion->way[k]) + kMinTurnDeg) / (kMaxOfOne * motion->seconds);
       if (const double turn = std::abs(velocity[k]); turn > most)
         share = std::min(share, most / turn);
     }

@@ -22,10 +22,10 @@ namespace voluta::program {
 namespace {
 
 constexpr std::size_t kNumbers = 6;
-constexpr double kMostMm = 1e5, kMostDeg = 1e5, kMostMmPerS = 1e4, kMostSeconds = 1e6;
+constexpr double kMaxMm = 1e5, kMaxDeg = 1e5, kMaxMmPerS = 1e4, kMaxSeconds = 1e6;
 // Tolerated deviation of a cubic from its line, and from even motion along it, beyond that of
 // starting and stopping.
-constexpr double kMostAcrossMm = 0.05, kMostAlongShare = 0.25;
+constexpr double kMaxAcrossMm = 0.05, kMaxAlongShare = 0.25;
 // Within a bead: tolerated deviation of the speed at a point from the suitable one, as a share of
 // the speeds of the motions to and from it.
 constexpr double kSpeedShare = 0.2;
@@ -242,8 +242,8 @@ private:
   }
 
   static std::optional<Eigen::Isometry3d> poseOf(const PvtVector& numbers) {
-    if (!(numbers.head<3>().cwiseAbs().maxCoeff() <= kMostMm) ||
-        !(numbers.tail<3>().cwiseAbs().maxCoeff() <= kMostDeg))
+    if (!(numbers.head<3>().cwiseAbs().maxCoeff() <= kMaxMm) ||
+        !(numbers.tail<3>().cwiseAbs().maxCoeff() <= kMaxDeg))
       return std::nullopt;
     Eigen::Isometry3d pose(rotationOfXyz(numbers.tail<3>() * base::degreesToRadians(1.0)));
     pose.pretranslate(Eigen::Vector3d(numbers.head<3>()));
@@ -321,8 +321,7 @@ private:
     }
     const PvtVector numbers(a.numbers.data()), velocity(a.numbers.data() + kNumbers);
     const double seconds = a.numbers.back();
-    if (!(seconds > 0.0) || seconds > kMostSeconds ||
-        !(velocity.cwiseAbs().maxCoeff() < kMostDeg)) {
+    if (!(seconds > 0.0) || seconds > kMaxSeconds || !(velocity.cwiseAbs().maxCoeff() < kMaxDeg)) {
       defect("'PVTPoint' with an invalid time or velocity"_text);
       return;
     }
@@ -379,7 +378,7 @@ private:
     bool fits = true;
     if (block_ == Block::Poses) {
       const PvtDeviation off = pvtDeviation(motion, velocity_, to);
-      fits = off.acrossMm <= kMostAcrossMm && off.alongShare <= kMostAlongShare;
+      fits = off.acrossMm <= kMaxAcrossMm && off.alongShare <= kMaxAlongShare;
     }
     for (int k = joints() ? 0 : 3; k < 6; ++k)
       fits = fits && pvtTurnsEvenly(motion, k, velocity_[k], to[k]);
@@ -391,7 +390,7 @@ private:
 
   void moveTo(const PvtVector& numbers, bool joints, plan::ProgramMotion m) {
     if (joints) {
-      if (!(numbers.cwiseAbs().maxCoeff() <= kMostDeg)) {
+      if (!(numbers.cwiseAbs().maxCoeff() <= kMaxDeg)) {
         defect("a joint value far outside any limit"_text);
         return;
       }
@@ -446,8 +445,8 @@ private:
     const auto whole = [](double value, double most) {
       return value >= 0.0 && value <= most && value == std::floor(value);
     };
-    if (!whole(m.speed, m.speedInMm ? kMostMmPerS : 100.0) || !(m.speed > 0.0) ||
-        !whole(m.rampMs, kMostSeconds) || !whole(m.blend, m.blendInMm ? kMostMm : 100.0)) {
+    if (!whole(m.speed, m.speedInMm ? kMaxMmPerS : 100.0) || !(m.speed > 0.0) ||
+        !whole(m.rampMs, kMaxSeconds) || !whole(m.blend, m.blendInMm ? kMaxMm : 100.0)) {
       defect("speed, acceleration time and blend must be integers"_text);
       return std::nullopt;
     }

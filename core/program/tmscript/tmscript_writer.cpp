@@ -18,7 +18,7 @@ namespace voluta::program {
 namespace {
 constexpr int kMmDecimals = 4, kDegDecimals = 5, kVelocityDecimals = 3, kSecondDecimals = 6;
 constexpr int kJointDecimals = 6, kFrameDecimals = 6, kVoltDecimals = 8;
-constexpr double kLeastSeconds = 1e-3;
+constexpr double kMinSeconds = 1e-3;
 constexpr std::string_view kRampMs = "500";
 
 class TmscriptWriter : private ProgramEmitter {
@@ -177,7 +177,7 @@ private:
     double seconds = motions_.seconds(i);
     if (!(seconds > 0.0))
       seconds = motions_.tcpMm(i) / in_.process().travelSpeedMmPerS;
-    return {.way = numbers_[i] - numbers_[i - 1], .seconds = std::max(seconds, kLeastSeconds)};
+    return {.way = numbers_[i] - numbers_[i - 1], .seconds = std::max(seconds, kMinSeconds)};
   }
 
   const ProgramInput& in_;

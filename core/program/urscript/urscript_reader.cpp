@@ -209,10 +209,10 @@ private:
   }
 
   void run(const Call& call) {
-    constexpr std::size_t kMostDepth = 16;
+    constexpr std::size_t kMaxDepth = 16;
     const auto at = functions_.find(call.name);
     const bool again = std::find(running_.begin(), running_.end(), call.name) != running_.end();
-    if (again || running_.size() == kMostDepth || call.count > 0) {
+    if (again || running_.size() == kMaxDepth || call.count > 0) {
       if (again)
         defect(base::message("'{name}' calls itself"_text, call.name));
       else

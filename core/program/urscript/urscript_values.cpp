@@ -10,7 +10,7 @@
 namespace voluta::program {
 
 namespace {
-constexpr int kMostDepth = 20;
+constexpr int kMaxDepth = 20;
 
 bool isNameStart(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -83,7 +83,7 @@ bool UrscriptScanner::list(Value& value) {
 }
 
 bool UrscriptScanner::value(Value& value) {
-  if (++depth > kMostDepth || !product(value))
+  if (++depth > kMaxDepth || !product(value))
     return false;
   for (blanks(); !rest.empty() && (rest.front() == '+' || rest.front() == '-'); blanks()) {
     const double sign = rest.front() == '+' ? 1.0 : -1.0;
@@ -136,7 +136,7 @@ bool UrscriptScanner::factor(Value& value) {
     return true;
   // -name and the like; a sign before a number belongs to the number.
   const bool minus = take('-');
-  if ((!minus && !take('+')) || ++depth > kMostDepth || !factor(value) || !isNumber(value))
+  if ((!minus && !take('+')) || ++depth > kMaxDepth || !factor(value) || !isNumber(value))
     return false;
   --depth;
   value.number = minus ? -value.number : value.number;

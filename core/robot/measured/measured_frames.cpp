@@ -65,7 +65,7 @@ double flatness(const Eigen::Matrix3Xd& aboutMean) {
 
 Eigen::Isometry3d frameFromPoints(const Vector3d& origin, const Vector3d& onX,
                                   const Vector3d& inPlane) {
-  constexpr double kLeastAngle = base::degreesToRadians(0.1);
+  constexpr double kMinAngle = base::degreesToRadians(0.1);
   requireFinite(origin.allFinite() && onX.allFinite() && inPlane.allFinite());
   const Vector3d a = onX - origin, b = inPlane - origin, c = inPlane - onX;
   if (a.norm() == 0.0 || b.norm() == 0.0 || c.norm() == 0.0)
@@ -73,7 +73,7 @@ Eigen::Isometry3d frameFromPoints(const Vector3d& origin, const Vector3d& onX,
   const double least = std::min({geometry::angleBetween(a, b), geometry::angleBetween(-a, b),
                                  geometry::angleBetween(a, c), geometry::angleBetween(a, -c),
                                  geometry::angleBetween(b, c), geometry::angleBetween(b, -c)});
-  if (least < kLeastAngle)
+  if (least < kMinAngle)
     throw onALine();
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.translation() = origin;
@@ -84,7 +84,7 @@ Eigen::Isometry3d frameFromPoints(const Vector3d& origin, const Vector3d& onX,
 }
 
 MeasuredFrame frameFromPoints(const std::vector<TouchedPoint>& points) {
-  constexpr double kLeastFlatness = 1.0 / 500.0;
+  constexpr double kMinFlatness = 1.0 / 500.0;
   const auto n = static_cast<Eigen::Index>(points.size());
   if (n < 3)
     throw unusable("a frame needs at least three points"_text, "measure another point"_text);
@@ -96,7 +96,7 @@ MeasuredFrame frameFromPoints(const std::vector<TouchedPoint>& points) {
   requireFinite(inFrame.allFinite() && inBase.allFinite());
   const Vector3d middle = inFrame.rowwise().mean(), middleInBase = inBase.rowwise().mean();
   const Eigen::Matrix3Xd from = inFrame.colwise() - middle, to = inBase.colwise() - middleInBase;
-  if (flatness(from) < kLeastFlatness || flatness(to) < kLeastFlatness)
+  if (flatness(from) < kMinFlatness || flatness(to) < kMinFlatness)
     throw onALine();
   const Eigen::JacobiSVD<Matrix3d> svd(to * from.transpose(),
                                        Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -130,7 +130,7 @@ MeasuredFrame frameFromPoints(const std::vector<TouchedPoint>& points) {
 }
 
 MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
-  constexpr double kSame = 1e-6, kLeastTurn = 0.02;
+  constexpr double kSame = 1e-6, kMinTurn = 0.02;
   const std::size_t n = base_T_flange.size();
   if (n < 4)
     throw unusable("a tool tip needs at least four poses"_text, "measure another pose"_text);
@@ -155,7 +155,7 @@ MeasuredTip toolTip(const std::vector<Eigen::Isometry3d>& base_T_flange) {
     b.segment<3>(3 * static_cast<Eigen::Index>(i)) = meanPlace - base_T_flange[i].translation();
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  if (svd.singularValues()[2] / std::sqrt(static_cast<double>(n)) < kLeastTurn)
+  if (svd.singularValues()[2] / std::sqrt(static_cast<double>(n)) < kMinTurn)
     throw unusable("the poses rotate the flange about one axis only, or hardly at all"_text,
                    "tilt it by at least 30 degrees about two axes"_text);
   MeasuredTip measured;

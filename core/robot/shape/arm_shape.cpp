@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kUsualRoundMm = 2.0;
-constexpr int kMostCopies = 64;
+constexpr int kMaxCopies = 64;
 
 Rgb readColour(const base::JsonNode& node) {
   const std::string text = node.text();
@@ -98,8 +98,8 @@ Loft readLoft(const base::JsonNode& node) {
 void addCopies(const base::JsonNode& node, const ShapeSolid& solid,
                std::vector<ShapeSolid>& solids) {
   const int count = node.has("count") ? node.at("count").integer() : 1;
-  if (count < 1 || count > kMostCopies)
-    node.at("count").fail(base::message("must be in 1..{most}"_text, kMostCopies));
+  if (count < 1 || count > kMaxCopies)
+    node.at("count").fail(base::message("must be in 1..{most}"_text, kMaxCopies));
   const Vector3d about = count > 1 ? readDirection(node.at("about")) : Vector3d::UnitZ();
   for (int i = 0; i < count; ++i) {
     solids.push_back(solid);

@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kAround = 48;         // Points around a circle
-constexpr int kLeastOfDisc = 6;     // Minimum points around one of several discs
+constexpr int kMinOfDisc = 6;       // Minimum points around one of several discs
 constexpr int kEdgeSteps = 5;       // Steps along a rounded edge
 constexpr double kSharpMm = 0.2;    // Edges with less room are sharp
 constexpr double kEdgeShare = 0.45; // Maximum share of the adjacent faces that an edge may use
@@ -69,7 +69,7 @@ std::vector<RimPoint> rimOf(const std::vector<LoftDisc>& discs) {
       add(0, base::kTurn * i / kAround);
     return rim;
   }
-  const int steps = std::max(kLeastOfDisc, kAround / static_cast<int>(count));
+  const int steps = std::max(kMinOfDisc, kAround / static_cast<int>(count));
   for (std::size_t i = 0; i < count; ++i) {
     const double from = sideAngle(discs[(i + count - 1) % count], discs[i]);
     double turn = std::fmod(sideAngle(discs[i], discs[(i + 1) % count]) - from, base::kTurn);

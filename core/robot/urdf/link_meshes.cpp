@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kTriangles = 12000; // Per link: as many as a picture can show
-constexpr int kMostFrames = 16;
+constexpr int kMaxFrames = 16;
 
 fs::path folderOf(const fs::path& robotFile) {
   return fs::path(robotFile).replace_extension(".links");
@@ -85,7 +85,7 @@ void writeLinkMeshes(const fs::path& robotFile, const std::vector<LinkMesh>& mes
 std::vector<LinkMesh> readLinkMeshes(const fs::path& robotFile) {
   std::vector<LinkMesh> meshes;
   const fs::path folder = folderOf(robotFile);
-  for (int frame = 0; frame < kMostFrames; ++frame) {
+  for (int frame = 0; frame < kMaxFrames; ++frame) {
     const fs::path file = fileOf(folder, frame);
     std::error_code none;
     if (!fs::is_regular_file(file, none))

@@ -34,11 +34,11 @@ JointLimits limitsOf(const UrdfJoint& joint, const std::string& where,
   JointLimits limits{-radians(kTurnDeg), radians(kTurnDeg), radians(kVelocityDegPerS),
                      radians(kAccelerationDegPerS2)};
   // Values of many turns, or faster than any joint, are placeholders.
-  constexpr double kMostRad = 100.0, kMostRadPerS = 100.0;
+  constexpr double kMaxRad = 100.0, kMaxRadPerS = 100.0;
   UrdfLimit given = joint.limit.value_or(UrdfLimit{});
-  if (!(std::abs(given.lower) < kMostRad && std::abs(given.upper) < kMostRad))
+  if (!(std::abs(given.lower) < kMaxRad && std::abs(given.upper) < kMaxRad))
     given.lower = given.upper = 0.0;
-  if (!(given.velocity < kMostRadPerS))
+  if (!(given.velocity < kMaxRadPerS))
     given.velocity = 0.0;
   const bool none = given.lower == 0.0 && given.upper == 0.0;
   if (joint.type == "revolute" && !none) {

@@ -16,7 +16,7 @@ using base::at;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kMostCells = 1 << 24;
+constexpr double kMaxCells = 1 << 24;
 
 // Returns two pseudo-random numbers in [0, 1), determined by `number`.
 Eigen::Vector2f placeInCell(std::uint64_t number) {
@@ -86,7 +86,7 @@ std::optional<PlaneSamples> PlaneSamples::of(const PatchSurface& s, double sampl
     high = high.cwiseMax(q);
   }
   const Vector2d cells = ((high - p.low_) / p.pitch_).array().floor() + 1.0;
-  if (!(cells.prod() <= kMostCells))
+  if (!(cells.prod() <= kMaxCells))
     return std::nullopt;
   p.size_ = cells.cast<int>();
   p.paint(s, leftOut);

@@ -11,7 +11,7 @@ namespace {
 using base::at;
 
 constexpr double kBinMm = 0.7;
-constexpr double kMostBins = 1 << 22;
+constexpr double kMaxBins = 1 << 22;
 } // namespace
 
 SampleGrid::SampleGrid(const PatchSurface& surface, double mostMm2) : surface_(surface) {
@@ -36,7 +36,7 @@ SampleGrid::SampleGrid(const PatchSurface& surface, double mostMm2) : surface_(s
   const auto binsOf = [&](std::size_t k) {
     return std::floor((high - origin_)[axes_[k]] / bin_) + 1.0;
   };
-  for (bin_ = kBinMm; binsOf(0) * binsOf(1) > kMostBins;)
+  for (bin_ = kBinMm; binsOf(0) * binsOf(1) > kMaxBins;)
     bin_ *= 2.0;
   size_ = {static_cast<int>(binsOf(0)), static_cast<int>(binsOf(1))};
 

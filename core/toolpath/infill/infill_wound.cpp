@@ -22,9 +22,9 @@ constexpr double kAround = 1e-3; // [rad]: lines with a smaller inclination run 
 // [hatches] inside the region's edge: depth at which its ends are examined
 constexpr double kEndDepth = 0.02;
 constexpr double kStraight = 0.05;   // [hatches]: an end that deviates less is straight
-constexpr double kLeastWidth = 0.5;  // [pitches]: initial bead width of a narrowing turn
+constexpr double kMinWidth = 0.5;    // [pitches]: initial bead width of a narrowing turn
 constexpr double kTurnStep = 0.25;   // Point spacing of such a turn [mm]
-constexpr double kMostBend = 0.09;   // [rad]: maximum change of the angle to keep the spacing
+constexpr double kMaxBend = 0.09;    // [rad]: maximum change of the angle to keep the spacing
 constexpr double kOnChart = 1e-8;    // [mm]
 constexpr double kOffSurface = 0.02; // [mm]: tolerance for chart points that are off the surface
 
@@ -107,7 +107,7 @@ public:
       // Use the angle that gives the required spacing, unless it deviates too much; then change the
       // spacing.
       const double fitting = std::asin(std::min(1.0, winding.perU * spacing));
-      const bool fits = std::abs(fitting - std::abs(angle)) < kMostBend;
+      const bool fits = std::abs(fitting - std::abs(angle)) < kMaxBend;
       winding.perV = winding.perU / std::tan(fits ? fitting : std::abs(angle));
     }
     if (angle > 0)
@@ -225,9 +225,9 @@ private:
   void appendNarrowing(SurfaceCurve& c, double way, double pitch) const {
     const double period = s_.chart.periodMm;
     const Vector2d from = chartAt(s_, c.points.back());
-    const int steps = static_cast<int>(std::ceil((1.0 - kLeastWidth) * period / kTurnStep));
+    const int steps = static_cast<int>(std::ceil((1.0 - kMinWidth) * period / kTurnStep));
     for (int k = 1; k <= steps; ++k) {
-      const double turned = (1.0 - kLeastWidth) * k / steps;
+      const double turned = (1.0 - kMinWidth) * k / steps;
       const auto p = placeOf(s_, from + way * Vector2d(turned * period, 0.5 * turned * pitch),
                              c.points.back());
       if (!p)

@@ -42,11 +42,11 @@ std::vector<double> acrossLines(const PatchSurface& s, double directionRad) {
     u[v] = normal.dot(s.position[v]);
   // Where the surface is inclined to the cutting planes' normal, plane cuts are farther apart on
   // it. As long as that applies to little area, straight lines are better than geodesic ones.
-  constexpr double kLeastSine = 0.97;
+  constexpr double kMinSine = 0.97;
   double leaning = 0.0;
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const double c = normal.dot(s.triangleNormal[t]);
-    if (c * c > 1 - kLeastSine * kLeastSine)
+    if (c * c > 1 - kMinSine * kMinSine)
       leaning += s.triangleArea[t];
   }
   if (leaning < 0.02 * s.areaMm2)

@@ -11,7 +11,7 @@ namespace {
 constexpr double kInwards = 0.4; // hatches
 // Maximum closing, in hatches. With kInwards it has to be less than the distance from the wall to
 // the boundary.
-constexpr double kMostClosing = 1.0;
+constexpr double kMaxClosing = 1.0;
 // mm, for beads of the usual width; shorter rings are no more than a blob.
 constexpr double kFar = 2.0, kShortest = 3.0;
 
@@ -42,7 +42,7 @@ std::vector<SurfaceCurve> wallAt(const PatchSurface& s, const std::vector<double
                      [&](std::size_t v) { return depth[v] >= level + kInwards; });
   // Where the region is hardly deep enough, the inner region is fragmented: close the gaps before
   // offsetting back outwards.
-  const double closing = std::min(kMostClosing, std::max(0.1, level - 0.05)),
+  const double closing = std::min(kMaxClosing, std::max(0.1, level - 0.05)),
                out = -(kInwards + closing);
   const auto outer = isolines(s, fromInner, out);
   if (outer.empty())

@@ -96,7 +96,7 @@ std::vector<char> unsupportedWaypoints(const plan::ToolPlan& plan,
                                        const collision::GrowingPart& part,
                                        const platform::PlatformSolid& platform,
                                        const base::RunContext& ctx, int leastPlaces) {
-  std::vector<char> hanging(plan.waypointCount(), 0);
+  std::vector<char> unsupported(plan.waypointCount(), 0);
   base::parallelChunks(ctx, plan.paths.size(), 1, [&](std::size_t b, std::size_t e) {
     for (std::size_t p = b; p < e && !ctx.cancelled(); ++p) {
       const plan::ToolPath& path = plan.paths[p];
@@ -104,28 +104,28 @@ std::vector<char> unsupportedWaypoints(const plan::ToolPlan& plan,
         continue;
       double width = 0.0;
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-        hanging[i] = supportedSamples(plan, path, i, plan.position[i], plan.direction[i], part,
-                                      platform, leastPlaces) < leastPlaces;
+        unsupported[i] = supportedSamples(plan, path, i, plan.position[i], plan.direction[i], part,
+                                          platform, leastPlaces) < leastPlaces;
         width = std::max(width, static_cast<double>(plan.widthMm[i]));
       }
-      dropShort(plan, path, 0, width, hanging);
-      dropShort(plan, path, 1, width, hanging);
+      dropShort(plan, path, 0, width, unsupported);
+      dropShort(plan, path, 1, width, unsupported);
     }
   });
   ctx.checkpoint();
-  return hanging;
+  return unsupported;
 }
 
-std::vector<UnsupportedStretch> hangingStretches(const plan::ToolPlan& plan,
-                                                 const plan::ToolPath& path,
-                                                 const std::vector<char>& hanging,
-                                                 double longerThanMm) {
+std::vector<UnsupportedStretch> unsupportedStretches(const plan::ToolPlan& plan,
+                                                     const plan::ToolPath& path,
+                                                     const std::vector<char>& unsupported,
+                                                     double longerThanMm) {
   std::vector<UnsupportedStretch> stretches;
   const std::size_t end = path.first + path.count;
   for (std::size_t b = path.first; b < end;) {
     std::size_t e = b;
     double length = 0.0;
-    for (; e < end && hanging[e]; ++e)
+    for (; e < end && unsupported[e]; ++e)
       length += e > b ? (plan.position[e] - plan.position[e - 1]).norm() : 0.0;
     if (length > longerThanMm)
       stretches.push_back({b, e});

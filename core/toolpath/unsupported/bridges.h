@@ -31,10 +31,10 @@ struct UnsupportedStretch {
   std::size_t begin = 0, end = 0;
 };
 // Returns the stretches of a path that are longer than the given length, in order.
-std::vector<UnsupportedStretch> hangingStretches(const plan::ToolPlan& plan,
-                                                 const plan::ToolPath& path,
-                                                 const std::vector<char>& hanging,
-                                                 double longerThanMm);
+std::vector<UnsupportedStretch> unsupportedStretches(const plan::ToolPlan& plan,
+                                                     const plan::ToolPath& path,
+                                                     const std::vector<char>& unsupported,
+                                                     double longerThanMm);
 
 // Returns how many of kPlacesAcross samples across a bead are supported, as above, if it is printed
 // with the tip at `tip` along `direction`. Stops counting at `enough`.

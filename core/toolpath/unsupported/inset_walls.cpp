@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStep = 0.0625; // beads
-constexpr double kMost = 0.5;    // beads
+constexpr double kMax = 0.5;     // beads
 constexpr double kSlope = 0.25;  // mm per mm along the path
 
 class Drawer {
@@ -25,10 +25,10 @@ public:
       : plan_(plan), part_(part), platform_(platform), tooling_(tooling) {}
 
   // Sets the moves of a path's waypoints.
-  void draw(const plan::ToolPath& path, const std::vector<char>& hanging,
+  void draw(const plan::ToolPath& path, const std::vector<char>& unsupported,
             std::vector<Vector3d>& moves) const {
     for (const UnsupportedStretch& stretch :
-         hangingStretches(plan_, path, hanging, 0.5 * tooling_.of(path).process.bridgeMm))
+         unsupportedStretches(plan_, path, unsupported, 0.5 * tooling_.of(path).process.bridgeMm))
       draw(path, stretch, moves);
   }
 
@@ -36,7 +36,7 @@ private:
   // Returns the smallest offset to that side (-1, 1) at which enough of the bead is supported; 0 if
   // there is none.
   double least(const plan::ToolPath& path, std::size_t i, int side) const {
-    const int steps = static_cast<int>(kMost / kStep);
+    const int steps = static_cast<int>(kMax / kStep);
     for (int k = 1; k <= steps; ++k) {
       const double aside = k * kStep * tooling_.of(path).process.beadWidthMm;
       const Vector3d tip = plan_.position[i] + side * aside * sideOf(plan_, path, i);

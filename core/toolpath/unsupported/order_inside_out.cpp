@@ -38,7 +38,7 @@ double outwardsMm2(const plan::ToolPlan& plan, const std::vector<UnsupportedStre
 // prints later than beside lines already printed.
 bool leansOnLater(const plan::ToolPlan& plan, const plan::ToolPath& path,
                   const std::vector<UnsupportedStretch>& stretches,
-                  const std::vector<char>& hanging) {
+                  const std::vector<char>& unsupported) {
   std::vector<double> along(path.count, 0.0); // mm from its start
   for (std::size_t k = 1; k < path.count; ++k)
     along[k] =
@@ -52,7 +52,7 @@ bool leansOnLater(const plan::ToolPlan& plan, const plan::ToolPath& path,
       for (std::size_t k = 0; k < path.count; ++k) {
         const std::size_t j = path.first + k;
         // Neighbouring waypoints along the path are not beside it.
-        if (hanging[j] || std::abs(along[k] - along[i - path.first]) < 2.0 * reach)
+        if (unsupported[j] || std::abs(along[k] - along[i - path.first]) < 2.0 * reach)
           continue;
         if (const double d = (plan.position[j] - plan.position[i]).squaredNorm(); d < nearest) {
           nearest = d;
@@ -84,9 +84,9 @@ void appendPath(UnsupportedBeads& to, const UnsupportedBeads& from, const Ordere
 } // namespace
 
 std::vector<OrderedPath> insideOutOrder(const plan::ToolPlan& plan,
-                                        const std::vector<char>& hanging,
+                                        const std::vector<char>& unsupported,
                                         const process::Tooling& tooling) {
-  base::require(hanging.size() == plan.waypointCount(), "a mark for each waypoint");
+  base::require(unsupported.size() == plan.waypointCount(), "a mark for each waypoint");
   std::vector<OrderedPath> order(plan.paths.size());
   for (std::size_t p = 0; p < order.size(); ++p)
     order[p].path = p;
@@ -101,7 +101,7 @@ std::vector<OrderedPath> insideOutOrder(const plan::ToolPlan& plan,
     std::vector<std::pair<std::size_t, std::vector<UnsupportedStretch>>> outer;
     for (std::size_t p = b; p < e; ++p) {
       std::vector<UnsupportedStretch> stretches =
-          tiltableStretches(plan, plan.paths[p], hanging, tooling);
+          tiltableStretches(plan, plan.paths[p], unsupported, tooling);
       if (stretches.empty())
         first.push_back(p);
       else
@@ -114,7 +114,7 @@ std::vector<OrderedPath> insideOutOrder(const plan::ToolPlan& plan,
         if (path.kind == plan::PathKind::Support)
           continue; // No bead is pressed against it
         for (std::size_t i = path.first; i < path.first + path.count; ++i)
-          if (!hanging[i])
+          if (!unsupported[i])
             carried.push_back(plan.position[i]);
       }
     if (!carried.empty()) {
@@ -123,7 +123,7 @@ std::vector<OrderedPath> insideOutOrder(const plan::ToolPlan& plan,
         const plan::ToolPath& path = plan.paths[p];
         outwards.emplace_back(
             outwardsMm2(plan, stretches, carried),
-            OrderedPath{p, !path.closed && leansOnLater(plan, path, stretches, hanging)});
+            OrderedPath{p, !path.closed && leansOnLater(plan, path, stretches, unsupported)});
       }
       std::ranges::stable_sort(outwards, {}, &std::pair<double, OrderedPath>::first);
       std::size_t at = b;

@@ -18,9 +18,9 @@ struct OrderedPath {
 // process's bridge length come last, ordered by their distance from supported beads. Such a path is
 // reversed if that prints the lines beside its stretches before the stretches. Otherwise, in
 // patches that are entirely unsupported or supports, and in upright plans, the order is unchanged.
-// `hanging`: unsupportedWaypoints().
+// `unsupported`: unsupportedWaypoints().
 std::vector<OrderedPath> insideOutOrder(const plan::ToolPlan& plan,
-                                        const std::vector<char>& hanging,
+                                        const std::vector<char>& unsupported,
                                         const process::Tooling& tooling);
 
 // Puts the paths in that order. Supports keep their place at the beginning of their patch.

@@ -26,7 +26,7 @@ using Eigen::Vector3d;
 
 constexpr double kSlender = 6.0;           // widths: higher walls tip over
 constexpr double kBreakShare = 1.0 / 14.0; // of a bead's height, between it and its support
-constexpr double kLeastShare = 0.5; // of the minimum layer height: thinner beads do not stick
+constexpr double kMinShare = 0.5; // of the minimum layer height: thinner beads do not stick
 constexpr std::array kLeansDeg{20.0, -20.0, 40.0, -40.0};
 constexpr double kUpright = 0.5; // cosine of the maximum tilt of courses over or to the side
 
@@ -76,12 +76,12 @@ public:
       : plan_(plan), part_(part), platform_(platform), head_(head), process_(process), path_(path),
         before_(before) {}
 
-  // Returns the courses, from the lowest upwards. `hanging`: unsupportedWaypoints() of the plan and
-  // its beads.
-  std::vector<Course> courses(const std::vector<char>& hanging) const {
+  // Returns the courses, from the lowest upwards. `unsupported`: unsupportedWaypoints() of the plan
+  // and its beads.
+  std::vector<Course> courses(const std::vector<char>& unsupported) const {
     std::vector<Course> found;
     for (const UnsupportedStretch& s :
-         hangingStretches(plan_, path_, hanging, 0.5 * process_.bridgeMm))
+         unsupportedStretches(plan_, path_, unsupported, 0.5 * process_.bridgeMm))
       addCourses(s.begin, s.end, found);
     return found;
   }
@@ -121,7 +121,7 @@ private:
   Room roomBeneath(std::size_t i) const {
     const Vector3d& d = plan_.direction[i];
     const double gap = gapBeneath(i);
-    const double least = kLeastShare * process_.layerHeightMinMm;
+    const double least = kMinShare * process_.layerHeightMinMm;
     const double apart = gap - kBreakShare * static_cast<double>(plan_.heightMm[i]);
     Room room{apart >= least ? apart : gap, bottomOf(i) - gap * d};
     if (room.mm < least)
@@ -197,7 +197,7 @@ private:
 
   void addCourses(std::size_t b, std::size_t e, std::vector<Course>& to) const {
     const std::vector<Room> room = roomsBeneath(b, e);
-    const double thinnest = kLeastShare * process_.layerHeightMinMm;
+    const double thinnest = kMinShare * process_.layerHeightMinMm;
     for (std::size_t s = b; s < e;) {
       double most = room[s - b].mm, least = most;
       std::size_t t = s + 1;

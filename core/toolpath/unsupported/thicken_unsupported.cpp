@@ -54,7 +54,7 @@ std::optional<PassResult> thickenUnsupported(const UnsupportedBeads& beads, cons
     ctx.checkpoint();
     const process::Process& process = scene.tooling.of(path).process;
     for (const UnsupportedStretch& s :
-         hangingStretches(was, path, beads.unsupported, 0.5 * process.bridgeMm)) {
+         unsupportedStretches(was, path, beads.unsupported, 0.5 * process.bridgeMm)) {
       const std::vector<double> by = steadied(reachDown(was, s, part(), process.layerHeightMaxMm));
       for (std::size_t i = s.begin; i < s.end; ++i) {
         if (by[i - s.begin] <= 0.0)

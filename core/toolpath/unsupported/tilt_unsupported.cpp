@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kStepDeg = 10.0, kMostDeg = 50.0;
+constexpr double kStepDeg = 10.0, kMaxDeg = 50.0;
 constexpr double kFadeDegPerMm = 5.0; // smooths noise between waypoints caused by the cells
 
 // Returns the direction tilted sideways to the path by an angle.
@@ -61,7 +61,7 @@ private:
     const Vector3d middle = plan_.position[i] - half * plan_.direction[i];
     double best = 0.0;
     int most = 0;
-    for (double deg = kStepDeg; deg <= kMostDeg && most < kMinSupportedSamples; deg += kStepDeg) {
+    for (double deg = kStepDeg; deg <= kMaxDeg && most < kMinSupportedSamples; deg += kStepDeg) {
       const Vector3d d = leaning(plan_, path, i, side * deg);
       const int places = supportedSamples(plan_, path, i, middle + half * d, d, part_, platform_,
                                           kMinSupportedSamples);

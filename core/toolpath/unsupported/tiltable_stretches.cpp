@@ -18,11 +18,11 @@ bool isUpright(const plan::ToolPlan& plan) {
 
 std::vector<UnsupportedStretch> tiltableStretches(const plan::ToolPlan& plan,
                                                   const plan::ToolPath& path,
-                                                  const std::vector<char>& hanging,
+                                                  const std::vector<char>& unsupported,
                                                   const process::Tooling& tooling) {
   if (path.kind == plan::PathKind::Support)
     return {};
-  return hangingStretches(plan, path, hanging, 0.5 * tooling.of(path).process.bridgeMm);
+  return unsupportedStretches(plan, path, unsupported, 0.5 * tooling.of(path).process.bridgeMm);
 }
 
 } // namespace voluta::toolpath

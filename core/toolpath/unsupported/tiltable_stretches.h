@@ -21,7 +21,7 @@ bool isUpright(const plan::ToolPlan& plan);
 // of the bridge length of its tool's process. Supports have none.
 std::vector<UnsupportedStretch> tiltableStretches(const plan::ToolPlan& plan,
                                                   const plan::ToolPath& path,
-                                                  const std::vector<char>& hanging,
+                                                  const std::vector<char>& unsupported,
                                                   const process::Tooling& tooling);
 
 } // namespace voluta::toolpath

@@ -42,7 +42,7 @@ using robot::DraftBody;
 namespace {
 
 constexpr int kSideWidth = 380, kTreeHeight = 150, kFaultsHeight = 96;
-constexpr double kMostKg = 1000.0;
+constexpr double kMaxKg = 1000.0;
 constexpr double kNewBoxMm = 100.0;
 
 QString named(const std::string& text) {
@@ -126,7 +126,7 @@ QWidget* CellEditor::buildSide() {
   carried_ = new forms::NumberBox(side);
   carried_->setObjectName("cellCarried");
   carried_->setUnit(QStringLiteral("kg"));
-  carried_->setRange(0.0, kMostKg);
+  carried_->setRange(0.0, kMaxKg);
   carried_->setSingleStep(0.1);
   carried_->setToolTip(
       tr("Mass on the flange before printing: the plate and its stem, or head and extruder"));
@@ -142,8 +142,8 @@ QWidget* CellEditor::buildSide() {
   faults_->setWordWrap(true);
   faults_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   faults_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  auto* told = new QWidget;
-  auto* line = new QHBoxLayout(told);
+  auto* problems = new QWidget;
+  auto* line = new QHBoxLayout(problems);
   line->setContentsMargins(0, 0, 0, 0);
   line->addWidget(faultIcon_, 0, Qt::AlignTop);
   line->addWidget(faults_, 1);
@@ -151,7 +151,7 @@ QWidget* CellEditor::buildSide() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFixedHeight(kFaultsHeight);
-  scroll->setWidget(told);
+  scroll->setWidget(problems);
 
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);

@@ -22,7 +22,7 @@ namespace voluta::window {
 using project::Stage;
 
 namespace {
-constexpr double kLeastRadiusMm = 30.0; // shows enough of the surroundings to recognise the place
+constexpr double kMinRadiusMm = 30.0; // shows enough of the surroundings to recognise the place
 // View radius around a group of n voxels, in widths of a cube of n voxels.
 constexpr double kAroundGroup = 3.0;
 constexpr double kPartOpacity = 0.25; // over the planned results
@@ -290,7 +290,7 @@ bool LayersPage::lookAtMissed(const plan::Finding& finding) {
   work().shell.showView();
   const double group =
       std::cbrt(static_cast<double>(finding.count)) * presented.pitchMm() * kAroundGroup;
-  work().viewport.lookAt(*finding.where, std::max(kLeastRadiusMm, group));
+  work().viewport.lookAt(*finding.where, std::max(kMinRadiusMm, group));
   return true;
 }
 

@@ -43,14 +43,16 @@ public:
   void showStates() override;
   void resume(std::size_t point) override { emit resumeAsked(point); }
   void say(const QString& text) override { emit said(text); }
-  void tell(const QString& title, const QString& message) override { emit told(title, message); }
+  void tell(const QString& title, const QString& message) override {
+    emit messageRaised(title, message);
+  }
   void retranslate();
 
 signals:
   void statesShown(); // also: another page is shown
   void resumeAsked(std::size_t point);
   void said(const QString& text);
-  void told(const QString& title, const QString& message);
+  void messageRaised(const QString& title, const QString& message);
 
 private:
   void listenToViewport();

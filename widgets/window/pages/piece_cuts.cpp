@@ -26,7 +26,7 @@ constexpr const char* kRoot = "pieceRoot";
 constexpr const char* kScheme = "planarScheme";
 constexpr double kFaceRadiusMm = 20.0; // of the part around a face
 // Minimum cosine between a face's normal and the view direction for the face to be visible well
-constexpr double kLeastFacing = 0.3;
+constexpr double kMinFacing = 0.3;
 // At the slider's end, as shares of the part's diagonal: between two pieces, and from the first to
 // the last.
 constexpr double kExplodeShare = 0.4, kExplodeAllShare = 1.0;
@@ -267,7 +267,7 @@ void PieceCuts::lookAt(const plan::Finding& finding) {
   const auto pieces = work_.document.result(Stage::Decompose)->job.item().pieces();
   const Eigen::Vector3d normal = faceNormal(pieces->pieces, *finding.where);
   const Eigen::Vector3d eye = scene::towardsEye(viewport.scene().renderer()).normalized();
-  if (normal.dot(eye) < kLeastFacing) {
+  if (normal.dot(eye) < kMinFacing) {
     // Look from about the user's present direction, as far as the face is visible from there.
     Eigen::Vector3d level(eye.x(), eye.y(), 0.0);
     if (level.norm() < 1e-3 || level.normalized().dot(normal) < -0.5)

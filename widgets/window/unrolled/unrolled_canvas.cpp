@@ -16,7 +16,7 @@
 namespace voluta::window {
 
 namespace {
-constexpr double kLeastPixelsPerMm = 0.05, kMostPixelsPerMm = 2000.0;
+constexpr double kMinPixelsPerMm = 0.05, kMaxPixelsPerMm = 2000.0;
 constexpr double kBesideShare = 0.06; // Share of a turn shown beyond the seams
 constexpr double kReachPixels = 7.0;  // Around the pointer
 constexpr double kWheelZoom = 1.2, kKeyZoom = 1.3, kKeyMove = 0.15;
@@ -140,7 +140,7 @@ QPointF UnrolledCanvas::mmAt(const QPointF& pixel) const {
 
 void UnrolledCanvas::setFrame(const QPointF& centreMm, double pixelsPerMm) {
   frame_.centreMm = centreMm;
-  frame_.pixelsPerMm = std::clamp(pixelsPerMm, kLeastPixelsPerMm, kMostPixelsPerMm);
+  frame_.pixelsPerMm = std::clamp(pixelsPerMm, kMinPixelsPerMm, kMaxPixelsPerMm);
   redraw();
 }
 
@@ -160,7 +160,7 @@ void UnrolledCanvas::zoomAbout(const QPointF& pixel, double factor) {
   if (!content_.layer)
     return;
   const QPointF held = mmAt(pixel);
-  const double scale = std::clamp(frame_.pixelsPerMm * factor, kLeastPixelsPerMm, kMostPixelsPerMm);
+  const double scale = std::clamp(frame_.pixelsPerMm * factor, kMinPixelsPerMm, kMaxPixelsPerMm);
   const double keep = frame_.pixelsPerMm / scale;
   whole_ = false;
   setFrame(held + keep * (frame_.centreMm - held), scale);

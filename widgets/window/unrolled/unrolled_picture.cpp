@@ -8,10 +8,10 @@
 namespace voluta::window {
 
 namespace {
-constexpr double kLeastLine = 1.2, kShareOfBead = 0.82; // Leave a gap between neighbours
-constexpr double kLeastStep = 0.4;                      // Minimum distance [pixels] of drawn points
-constexpr int kFaint = 55;                              // Of 255
-constexpr int kMostRepeats = 64;
+constexpr double kMinLine = 1.2, kShareOfBead = 0.82; // Leave a gap between neighbours
+constexpr double kMinStep = 0.4;                      // Minimum distance [pixels] of drawn points
+constexpr int kFaint = 55;                            // Of 255
+constexpr int kMaxRepeats = 64;
 
 class Drawer {
 public:
@@ -28,7 +28,7 @@ public:
       const double right = frame_.mmAt({frame_.size.width(), 0.0}).x();
       first = static_cast<int>(std::floor((left + 0.5 * period) / period));
       last = static_cast<int>(std::floor((right + 0.5 * period) / period));
-      last = std::min(last, first + kMostRepeats);
+      last = std::min(last, first + kMaxRepeats);
     }
     if (first <= 0 && last >= 0)
       drawSheet(painter);
@@ -80,7 +80,7 @@ private:
         colour.setAlpha(kFaint);
       const double bead =
           kShareOfBead * double(layer_.widthMm[s.first + first]) * frame_.pixelsPerMm;
-      const double width = std::max(kLeastLine, bead);
+      const double width = std::max(kMinLine, bead);
       if (chosenOnly) {
         colour = look_.chosen;
         painter.setPen(
@@ -112,7 +112,7 @@ private:
         box = QRectF(p, QSizeF(1e-3, 1e-3));
       } else {
         const QPointF off = p - line.back();
-        if (i + 1 < first + count && std::abs(off.x()) + std::abs(off.y()) < kLeastStep)
+        if (i + 1 < first + count && std::abs(off.x()) + std::abs(off.y()) < kMinStep)
           continue;
         box = box.united(QRectF(p, QSizeF(1e-3, 1e-3)));
       }
