@@ -3,6 +3,7 @@
 #include "geometry/cgal_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <array>
 #include <boost/optional.hpp>
@@ -16,6 +17,9 @@ std::optional<TriangleMesh> meshBoolean(BooleanOperation operation, const Triang
   if (!a || !b || !CGAL::is_closed(*a) || !CGAL::is_closed(*b))
     return std::nullopt;
   namespace pmp = CGAL::Polygon_mesh_processing;
+  // Corefinement crashes on triangles without area, which its own results may contain.
+  if (!pmp::remove_degenerate_faces(*a) || !pmp::remove_degenerate_faces(*b))
+    return std::nullopt;
   const std::size_t slot = operation == BooleanOperation::Union ? pmp::Corefinement::UNION
                                                                 : pmp::Corefinement::TM1_MINUS_TM2;
   CgalMesh result;

@@ -10,9 +10,9 @@ namespace voluta::geometry {
 enum class BooleanOperation { Union, Difference };
 
 // Returns the result of the operation on two meshes (CGAL Polygon_mesh_processing, corefinement).
-// Returns nullopt if one of them or the result is not a closed, oriented manifold, and if CGAL
-// finds a broken precondition, including, with `refuseSelfIntersections`, self-intersections where
-// the two meshes intersect.
+// Triangles without area are removed first. Returns nullopt if one of the meshes or the result is
+// not a closed, oriented manifold, and if CGAL finds a broken precondition, including, with
+// `refuseSelfIntersections`, self-intersections where the two meshes intersect.
 std::optional<TriangleMesh> meshBoolean(BooleanOperation operation, const TriangleMesh& first,
                                         const TriangleMesh& second, bool refuseSelfIntersections);
 
