@@ -140,15 +140,15 @@ namespace {
 // Sums of a slab of cells. Gaps are accumulated over blocks to find the position where most
 // material is missing.
 struct SlabSum {
-  double covered = 0.0, part = 0.0, outside = 0.0, gap = 0.0;
+  double covered = 0.0, part = 0.0, outside = 0.0, notch = 0.0, bulge = 0.0, gap = 0.0;
   Eigen::Vector3d gapAt = Eigen::Vector3d::Zero();
 };
 
 class SlabMeasure {
 public:
   SlabMeasure(const BeadGrid& beads, const PartCells& cells, const geometry::MeshQuery& query,
-              double toleranceMm)
-      : beads_(beads), grid_(beads.grid), cells_(cells), query_(query), toleranceMm_(toleranceMm),
+              const SurfaceBands& bands)
+      : beads_(beads), grid_(beads.grid), cells_(cells), query_(query), bands_(bands),
         block_(std::max(1, static_cast<int>(std::lround(3.0 / grid_.pitch)))),
         blocksX_((grid_.size.x() + block_ - 1) / block_),
         blocksY_((grid_.size.y() + block_ - 1) / block_) {}
@@ -170,13 +170,16 @@ public:
         for (int i = 0; i < grid_.size.x(); ++i) {
           const std::size_t c = grid_.index(i, j, k);
           const double share = cells_.share[c] / 255.0, fill = fillOf(c);
+          const double notch = notchAt(i, j, k);
           sum.part += share;
           sum.covered += std::min(share, fill);
+          sum.notch += notch;
           gap[static_cast<std::size_t>(j / block_ * blocksX_ + i / block_)] +=
-              std::max(0.0, share - fill);
-          if (fill > 0.0 && cells_.share[c] == 0 &&
-              query_.closest(grid_.centre(i, j, k), toleranceMm_).triangle < 0)
-            sum.outside += fill;
+              std::max(0.0, share - fill - notch);
+          if (fill <= share)
+            continue;
+          const bool outside = cells_.share[c] == 0 && !isNear(i, j, k, bands_.outsideMm);
+          (outside ? sum.outside : sum.bulge) += fill - share;
         }
       }
     const auto worst = std::max_element(gap.begin(), gap.end());
@@ -192,6 +195,23 @@ private:
     return std::max(0.0, static_cast<double>(beads_.fill[c]) - other);
   }
 
+  bool isNear(int i, int j, int k, double distanceMm) const {
+    return query_.closest(grid_.centre(i, j, k), distanceMm).triangle >= 0;
+  }
+
+  // Returns the unfilled share of a cell that is a notch (see Coverage).
+  double notchAt(int i, int j, int k) const {
+    if (beads_.rectangle.empty())
+      return 0.0;
+    const std::size_t c = grid_.index(i, j, k);
+    const std::uint8_t within = std::min(cells_.share[c], beads_.rectangle[c]);
+    const double notch = within / 255.0 - fillOf(c);
+    // Rounding of both shares
+    if (notch <= 1.0 / 255.0 || (cells_.share[c] == 255 && !isNear(i, j, k, bands_.notchMm)))
+      return 0.0;
+    return notch;
+  }
+
   // Returns the mean position of the material that is missing in the block from `low` on; zero if
   // none is.
   Eigen::Vector3d middleOfGap(const Eigen::Vector3i& low) const {
@@ -202,7 +222,7 @@ private:
       for (int j = low.y(); j < end.y(); ++j)
         for (int i = low.x(); i < end.x(); ++i) {
           const std::size_t c = grid_.index(i, j, k);
-          const double less = std::max(0.0, cells_.share[c] / 255.0 - fillOf(c));
+          const double less = std::max(0.0, cells_.share[c] / 255.0 - fillOf(c) - notchAt(i, j, k));
           missing += less;
           middle += less * grid_.centre(i, j, k);
         }
@@ -215,17 +235,17 @@ private:
   const voxel::VoxelGrid& grid_;
   const PartCells& cells_;
   const geometry::MeshQuery& query_;
-  const double toleranceMm_;
+  const SurfaceBands bands_;
   const int block_, blocksX_, blocksY_; // cells; blocks
 };
 
 } // namespace
 
 Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
-                         const geometry::MeshQuery& query, double toleranceMm,
+                         const geometry::MeshQuery& query, const SurfaceBands& bands,
                          const base::RunContext& ctx) {
   base::require(cells.share.size() == beads.fill.size(), "measureCoverage: one grid");
-  const SlabMeasure slabs(beads, cells, query, toleranceMm);
+  const SlabMeasure slabs(beads, cells, query, bands);
   std::vector<SlabSum> sums(slabs.slabs());
   base::parallelChunks(ctx, sums.size(), 1, [&](std::size_t begin, std::size_t) {
     sums[begin] = slabs.measure(begin, ctx);
@@ -233,17 +253,19 @@ Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
   ctx.checkpoint();
   const double cellVolume = std::pow(beads.grid.pitch, 3);
   Coverage result;
-  double part = 0.0, covered = 0.0;
+  double part = 0.0, covered = 0.0, notch = 0.0, bulge = 0.0;
   for (const SlabSum& s : sums) {
     part += s.part;
     covered += s.covered;
+    notch += s.notch;
+    bulge += s.bulge;
     result.outsideMm3 += s.outside * cellVolume;
     if (s.gap * cellVolume > result.worstGapMm3) {
       result.worstGapMm3 = s.gap * cellVolume;
       result.worstGap = s.gapAt;
     }
   }
-  result.coveredFraction = part > 0.0 ? covered / part : 0.0;
+  result.coveredFraction = part > 0.0 ? (covered + std::min(notch, bulge)) / part : 0.0;
   return result;
 }
 

@@ -29,9 +29,21 @@ struct PartCells {
 PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuery& query,
                     const voxel::VoxelGrid& grid, const base::RunContext& ctx);
 
+// Distances from the part's surface [mm].
+struct SurfaceBands {
+  double outsideMm = 0.0; // Farther out, fill is outside the part
+  // No farther in, the notches beside the beads' round sides are part of the layered surface: half
+  // the height of a layer
+  double notchMm = 0.0;
+};
+
 struct Coverage {
-  double coveredFraction = 0.0; // sum of min(fill, share) / sum of share
-  double outsideMm3 = 0.0;      // fill of cells further than `toleranceMm` outside the part
+  // (sum of min(fill, share) + filled notches) / sum of share. The smooth surface of the part cuts
+  // through the round sides of the beads: they bulge out of it, and leave notches inside of it that
+  // are as large. Notches are cells near the surface inside the rectangle around a bead; the volume
+  // that bulges out counts as their fill, as far as it goes.
+  double coveredFraction = 0.0;
+  double outsideMm3 = 0.0; // fill of cells beyond SurfaceBands::outsideMm
   // centre of the missing material in the emptiest block of 3 mm
   Eigen::Vector3d worstGap = Eigen::Vector3d::Zero();
   double worstGapMm3 = 0.0; // missing volume there
@@ -39,7 +51,7 @@ struct Coverage {
 
 // Supports and skirts are excluded from the fill. Throws Cancelled.
 Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
-                         const geometry::MeshQuery& query, double toleranceMm,
+                         const geometry::MeshQuery& query, const SurfaceBands& bands,
                          const base::RunContext& ctx);
 
 } // namespace voluta::replay

@@ -227,9 +227,11 @@ public:
     left = displace(shares, count, left, &Share::rectangle);
     left = displace(shares, count, left, &Share::margin);
     for (std::size_t s = 0; s < count; ++s) {
+      const std::uint32_t cell = shares[s].cell;
+      if (ofPart)
+        widenRectangle(cell, shares[s].rectangle);
       if (placed_[s] <= 0.0f)
         continue;
-      const std::uint32_t cell = shares[s].cell;
       if (!ofPart)
         result_.otherFill[cell] += placed_[s];
       if (result_.fill[cell] > 0.5f && result_.filler[cell] == 0)
@@ -248,6 +250,12 @@ private:
     const double difference = static_cast<double>(fill) - static_cast<double>(before);
     placed += static_cast<float>(difference);
     return difference;
+  }
+
+  void widenRectangle(std::uint32_t cell, float by) {
+    std::uint8_t& share = result_.rectangle[cell];
+    share =
+        static_cast<std::uint8_t>(std::min(255.0f, static_cast<float>(share) + 255.0f * by + 0.5f));
   }
 
   double displace(const Share* shares, std::size_t count, double left, float Share::*within) {
@@ -338,6 +346,7 @@ BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>
   result.grid = grid;
   result.fill = base::ZeroedArray<float>(grid.cellCount());
   result.filler = base::ZeroedArray<std::uint32_t>(grid.cellCount());
+  result.rectangle = base::ZeroedArray<std::uint8_t>(grid.cellCount());
   result.pieceExcessMm3.assign(pieces.size(), 0.0f);
   if (std::any_of(pieces.begin(), pieces.end(), [](const BeadPiece& p) { return !p.ofPart; }))
     result.otherFill = base::ZeroedArray<float>(grid.cellCount());

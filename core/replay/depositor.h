@@ -54,6 +54,8 @@ struct BeadGrid {
   voxel::VoxelGrid grid;
   base::ZeroedArray<float> fill;      // 0..1, all material
   base::ZeroedArray<float> otherFill; // of that, supports and skirts; empty if there are none
+  // Share inside the w x h rectangles around the part's beads, in 255ths; empty: not known
+  base::ZeroedArray<std::uint8_t> rectangle;
   // 1 + the piece that filled more than half of the cell; 0: none did
   base::ZeroedArray<std::uint32_t> filler;
   // Returns that piece, or kNeverFilled.

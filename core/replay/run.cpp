@@ -89,6 +89,7 @@ private:
     // Collision checks need only the filling pieces.
     laid->beads.fill = {};
     laid->beads.otherFill = {};
+    laid->beads.rectangle = {};
     base::freeStorage(laid->beads.pieceExcessMm3);
     return laid;
   }
@@ -129,8 +130,10 @@ private:
     RunFigures& figures = out_.figures;
     const geometry::MeshQuery query(in_.part);
     const PartCells cells = partCells(in_.part, query, beads.grid, ctx_);
-    const Coverage coverage =
-        measureCoverage(beads, cells, query, 0.25 * in_.process.beadWidthMm, ctx_);
+    const Coverage coverage = measureCoverage(
+        beads, cells, query,
+        {.outsideMm = 0.25 * in_.process.beadWidthMm, .notchMm = 0.5 * in_.process.layerHeightMm},
+        ctx_);
     figures.partVolumeMm3 = partVolume(cells.volumeMm3);
     figures.coveredFraction = coverage.coveredFraction;
     if (coverage.worstGapMm3 > 0.0)

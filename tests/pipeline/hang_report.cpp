@@ -98,8 +98,9 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
   const replay::SupportedBeads support = replay::findSupport(pieces, printed, ground, ctx);
   const geometry::MeshQuery query(part);
   const replay::PartCells cells = replay::partCells(part, query, grid, ctx);
-  const replay::Coverage coverage =
-      replay::measureCoverage(beads, cells, query, 0.25 * process.beadWidthMm, ctx);
+  const replay::Coverage coverage = replay::measureCoverage(
+      beads, cells, query,
+      {.outsideMm = 0.25 * process.beadWidthMm, .notchMm = 0.5 * process.layerHeightMm}, ctx);
   double excess = 0.0;
   for (std::size_t p = 0; p < pieces.size(); ++p)
     excess += pieces[p].ofPart ? static_cast<double>(beads.pieceExcessMm3[p]) : 0.0;

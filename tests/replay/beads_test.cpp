@@ -133,6 +133,8 @@ std::vector<BeadPiece> solidBox(double side, int lines, int layers, double heigh
   return pieces;
 }
 
+constexpr SurfaceBands kBands{.outsideMm = 0.3, .notchMm = 0.4};
+
 struct Judged {
   double covered, mass, overfill, excess;
 };
@@ -141,7 +143,7 @@ Judged judge(const std::vector<BeadPiece>& pieces, const geometry::TriangleMesh&
   const BeadGrid beads = lay(pieces, low, high);
   const geometry::MeshQuery query(part);
   const PartCells cells = partCells(part, query, beads.grid, kOne);
-  const Coverage c = measureCoverage(beads, cells, query, 0.3, kOne);
+  const Coverage c = measureCoverage(beads, cells, query, kBands, kOne);
   return {c.coveredFraction, beads.laidMm3 / cells.volumeMm3, c.outsideMm3 / cells.volumeMm3,
           beads.excessMm3 / cells.volumeMm3};
 }
@@ -166,7 +168,7 @@ TEST(Coverage, WhatIsMissingAndWhatIsOutsideAreVolumes) {
       const bool outside = isIn(at, {10, 4, 4}, {11, 5, 5});
       beads.fill[c] = outside ? 0.5f : missing ? 0.0f : static_cast<float>(cells.share[c]) / 255.0f;
     }
-    const Coverage c = measureCoverage(beads, cells, query, 0.3, kOne);
+    const Coverage c = measureCoverage(beads, cells, query, kBands, kOne);
     EXPECT_NEAR(c.coveredFraction, 1.0 - 1.0 / 729.0, 1e-6) << pitch;
     EXPECT_NEAR(c.worstGapMm3, 1.0, 1e-6) << pitch;
     EXPECT_LT((c.worstGap - Vector3d(3.5, 4.5, 5.5)).cwiseAbs().maxCoeff(), 1e-6)
@@ -190,6 +192,43 @@ TEST(Coverage, AMissingStripIsMissed) {
   const Judged gap = judge(solidBox(20, 19, 10, 0.8, 1.0, 9), part, {-2, -2, -1}, {22, 22, 10});
   EXPECT_NEAR(whole.covered - gap.covered, 1.0 / 19, 0.01);
   EXPECT_NEAR(whole.mass - gap.mass, 1.0 / 19, 0.001);
+}
+
+// The round sides of the beads bulge out of a thin wall, and leave notches of the same volume.
+TEST(Coverage, AThinWallIsCoveredByTheShareOfItsMaterial) {
+  for (const double wall : {1.0, 1.2, 1.5, 1.8, 2.0, 2.4, 3.0, 3.6}) {
+    SCOPED_TRACE(wall);
+    const auto part = test::box({0, 0, 0}, {30, wall, 8});
+    const int lines = std::max(1, static_cast<int>(std::lround(wall / 1.2)));
+    const auto covered = [&](double flow, int missingLayer) {
+      std::vector<BeadPiece> pieces;
+      for (int k = 0; k < 10; ++k)
+        for (int l = 0; l < lines && k != missingLayer; ++l) {
+          const double y = (l + 0.5) * wall / lines, z = 0.8 * (k + 1);
+          addBead(pieces, {{0, y, z}, {30, y, z}}, process::widthOfHatch(wall / lines, 0.8), 0.8,
+                  flow);
+        }
+      return judge(pieces, part, {-2, -2, -1}, {32, wall + 2, 9}).covered;
+    };
+    // Where a second bead displaces material of the first, some of it moves outwards.
+    const double whole = covered(1.0, -1);
+    EXPECT_GT(whole, lines == 1 ? 0.985 : 0.975);
+    EXPECT_LT(whole, 1.0001);
+    EXPECT_NEAR(covered(0.9, -1), 0.9, 0.012);
+    EXPECT_NEAR(covered(0.8, -1), 0.8, 0.012);
+    EXPECT_NEAR(covered(1.0, 5), 0.9 * whole, 0.006);
+  }
+}
+
+// Material that bulges out does not fill a gap inside.
+TEST(Coverage, AGapBetweenWallsStaysAGap) {
+  const auto part = test::box({0, 0, 0}, {30, 4, 8});
+  std::vector<BeadPiece> pieces;
+  for (int k = 0; k < 10; ++k)
+    for (const double y : {0.3, 1.3, 2.7, 3.7}) // Instead of 0.5, 1.5, 2.5, 3.5
+      addBead(pieces, {{0, y, 0.8 * (k + 1)}, {30, y, 0.8 * (k + 1)}},
+              process::widthOfHatch(1.0, 0.8), 0.8);
+  EXPECT_NEAR(judge(pieces, part, {-2, -2, -1}, {32, 6, 9}).covered, 0.9, 0.015);
 }
 
 TEST(Coverage, TooMuchFlowIsExcessOrOutside) {
