@@ -106,6 +106,63 @@ TEST(CoverPatch, StripsOfEveryWidth) {
   }
 }
 
+TEST(CoverPatch, AThinWallIsOneBeadOfItsWidth) {
+  const test::Lift flat = [](const Vector2d& p) { return Vector3d(p.x(), p.y(), 0.4); };
+  for (const double w : {1.0, 1.2, 1.5, 1.8})
+    for (const double degrees : {0.0, 17.0, 45.0}) {
+      SCOPED_TRACE(testing::Message() << w << " mm at " << degrees);
+      test::Loop outline = test::rectangle(30, w);
+      for (Vector2d& p : outline)
+        p = Eigen::Rotation2Dd(base::degreesToRadians(degrees)) * p;
+      const layers::Patch wall = test::patchOver({outline}, 0.3 * w, flat);
+      const toolpath::PatchCover c = cover(wall);
+      ASSERT_EQ(c.beads.size(), 1u);
+      const test::Painted p = test::paint(wall, c.beads);
+      EXPECT_GE(p.coveredMm2 / p.areaMm2, 0.985);
+      EXPECT_NEAR(c.beadVolumeMm3 / c.volumeMm3, 1.0, 0.001);
+      for (const toolpath::BeadPoint& q : c.beads.front().points)
+        if (q.middle.norm() < 13.0) {
+          EXPECT_NEAR(process::hatchOf(q.widthMm, q.heightMm), w, 0.03 * w);
+        }
+    }
+}
+
+// Walls of less than the narrowest bead, but more than half of it, get the narrowest.
+TEST(CoverPatch, AWallOfLessThanABeadIsOneBead) {
+  for (const double w : {0.6, 0.8}) {
+    const toolpath::PatchCover c = cover(test::patchOver({test::rectangle(30, w)}, 0.3 * w));
+    ASSERT_EQ(c.beads.size(), 1u) << w;
+    for (const toolpath::BeadPoint& q : c.beads.front().points)
+      EXPECT_NEAR(q.widthMm, process::Process().beadWidthMinMm, 0.05) << w;
+    EXPECT_GE(c.coveredMm2 / c.areaMm2, 0.99) << w;
+  }
+}
+
+// Thin walls that meet in threes: beads pass through the junctions instead of ringing them.
+TEST(CoverPatch, AHoneycombIsCovered) {
+  constexpr double kCell = 9.0;
+  for (const double t : {1.1, 1.3, 1.5, 1.7, 1.9, 2.4}) {
+    SCOPED_TRACE(t);
+    const double dx = std::sqrt(3.0) * 0.5 * kCell, dy = 0.75 * kCell;
+    const double width = 3 * dx + t, depth = 3 * dy + 0.25 * kCell + t;
+    std::vector<test::Loop> loops{{{0, 0}, {width, 0}, {width, depth}, {0, depth}}};
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3 - j % 2; ++i) {
+        const Vector2d at(0.5 * t + (i + 0.5 + 0.5 * (j % 2)) * dx, 0.5 * t + 0.5 * kCell + j * dy);
+        const double r = 0.5 * (kCell - t / std::cos(kPi / 6));
+        test::Loop hexagon;
+        for (int k = 6; k-- > 0;)
+          hexagon.push_back(
+              at + r * Vector2d(std::cos(kPi * (k + 0.5) / 3), std::sin(kPi * (k + 0.5) / 3)));
+        loops.push_back(hexagon);
+      }
+    const toolpath::PatchCover c = cover(test::patchOver(loops, 0.6));
+    EXPECT_GE(c.coveredMm2 / c.areaMm2, 0.985);
+    EXPECT_NEAR(c.beadVolumeMm3 / c.volumeMm3, 1.0, 0.01);
+    EXPECT_LE(c.beads.size(), 40u);
+  }
+}
+
 TEST(CoverPatch, LaysNoWallsAlongSeams) {
   layers::Patch patch = test::patchOver({test::rectangle(30, 20)});
   const auto whole = cover(patch);

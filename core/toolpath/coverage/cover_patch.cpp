@@ -6,6 +6,7 @@
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_scale.h"
 #include "toolpath/coverage/coverage.h"
+#include "toolpath/coverage/refined_patch.h"
 #include "toolpath/coverage/uniform_interior.h"
 #include "toolpath/coverage/voronoi_shares.h"
 #include "toolpath/infill/curve_tools.h"
@@ -45,10 +46,6 @@ constexpr double kMoveMm2 = 0.12, kSectionMm2 = 0.03, kWoundMm2 = 0.012;
 // samples than kPlaneEnough.
 constexpr double kPlaneMoveMm2 = 0.05, kPlaneSectionMm2 = 0.016, kPlaneFinestMm2 = 0.008;
 constexpr double kPlaneEnough = 16000.0;
-// Depth [hatches] beyond which only straight lines are printed, which do not depend on the distance
-// to the boundary.
-constexpr double kFineDepth = 5.5;
-constexpr double kCoarser = 2.0; // Edge length factor there
 // Distance [hatches] beyond the depth where lines become even; deeper vertices are never nearest to
 // other curves.
 constexpr double kNearEven = 1.2;
@@ -178,11 +175,37 @@ void smoothValues(std::vector<double>& values, bool closed, int passes) {
   }
 }
 
+// Replaces the values up to `reachMm` from the ends of an open curve by the value there; 0 if the
+// curve is shorter than twice that. Beside its ends a bead's share is that of a junction, not that
+// of a wall, and its middle is off the wall's.
+void levelEnds(const SurfaceCurve& c, double reachMm, std::vector<double>& perSegment) {
+  const std::size_t n = perSegment.size();
+  const auto within = [&](bool fromBack) {
+    double length = 0.0;
+    std::size_t k = 0;
+    for (; k < n && length < reachMm; ++k) {
+      const std::size_t i = fromBack ? n - 1 - k : k;
+      length += (c.points[i + 1].position - c.points[i].position).norm();
+    }
+    return k;
+  };
+  const std::size_t front = within(false), back = within(true);
+  if (front + back >= n) {
+    std::ranges::fill(perSegment, 0.0);
+    return;
+  }
+  std::fill_n(perSegment.begin(), front, perSegment[front]);
+  std::fill_n(perSegment.rbegin(), back, perSegment[n - 1 - back]);
+}
+
 // Moves a centreline to the middle of its share, and extends its open ends into the area beyond
 // them.
-void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share, double hatch) {
+void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share, double hatch,
+                  bool isSpine) {
   const std::size_t n = c.points.size();
   std::vector<double> shift = share.lateralMm;
+  if (isSpine && !c.closed)
+    levelEnds(c, hatch, shift);
   smoothValues(shift, c.closed, 4);
   const std::size_t segments = shift.size();
   const SurfaceCurve old = c;
@@ -277,46 +300,6 @@ double volumeOf(const std::vector<Bead>& beads) {
   return v;
 }
 
-// Refines the surface where fronts from opposite sides of the boundary meet. There the distance has
-// a ridge that coarse triangles cut off, and its height decides whether one or two beads fit.
-PatchSurface refineAtRidges(const PatchSurface& s, const process::Process& process) {
-  constexpr double kFine = 0.2;    // mm
-  constexpr double kFlatter = 0.8; // Share of the true gradient length, 1
-  constexpr double kDeepest = 5.0; // [hatches]: deeper in, infill covers the ridge
-  const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
-  const std::vector<double> d =
-      distanceToSegments(s, boundarySegments(s), (kDeepest + 0.1) * hatch);
-  std::vector<char> marks(s.position.size(), 0);
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    const auto v = [&](std::size_t k) { return static_cast<std::size_t>(s.triangles[t][k]); };
-    const double deepest = std::max({d[v(0)], d[v(1)], d[v(2)]});
-    if (deepest < 0.35 * hatch || deepest > kDeepest * hatch || s.triangleArea[t] < 1e-9)
-      continue;
-    Vector3d gradient = Vector3d::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-      gradient += d[v(k)] * s.triangleNormal[t].cross(s.position[v((k + 2) % 3)] -
-                                                      s.position[v((k + 1) % 3)]);
-    if (gradient.norm() / (2 * s.triangleArea[t]) < kFlatter)
-      marks[v(0)] = marks[v(1)] = marks[v(2)] = 1;
-  }
-  return s.refinedAt(std::move(marks), kFine);
-}
-
-// Returns the refined surface, coarser where only straight lines are printed.
-PatchSurface refined(const layers::Patch& patch, const process::Process& process,
-                     const ToolpathOptions& o, const InfillKind& kind) {
-  if (!kind.isStraightInside)
-    return PatchSurface::refine(patch, o.edgeMm);
-  const PatchSurface coarse = PatchSurface::refine(patch, kCoarser * o.edgeMm);
-  const double fine = std::max(kFineDepth, o.walls + kFineDepth - 2.0) *
-                      process::hatchOf(process.beadWidthMm, process.layerHeightMm);
-  const std::vector<double> depthMm = distanceToSegments(coarse, boundarySegments(coarse), fine);
-  std::vector<char> marks(depthMm.size());
-  for (std::size_t v = 0; v < marks.size(); ++v)
-    marks[v] = depthMm[v] < fine;
-  return coarse.refinedAt(std::move(marks), o.edgeMm);
-}
-
 Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                         const ToolpathOptions& o, const InfillKind& kind, int layer,
                         const std::vector<double>& wallWidthMm, const base::RunContext& ctx) {
@@ -350,8 +333,14 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
     for (std::size_t v = 0; v < n; ++v)
       depth[v] = inHatches(boundaryMm[v], v);
   }
-  for (int i = 0; i < o.walls; ++i)
-    lines.add(wallAt(s, depth, i == 0 ? outerMm : hatchMm, beadScale, i + 0.5), PathKind::Wall, i);
+  for (int i = 0; i < o.walls; ++i) {
+    std::vector<SurfaceCurve> walls =
+        wallAt(s, depth, i == 0 ? outerMm : hatchMm, beadScale, i + 0.5);
+    if (i == 0)
+      dropJunctionRings(s, depth, process::hatchOf(process.beadWidthMm, process.layerHeightMm),
+                        walls);
+    lines.add(std::move(walls), PathKind::Wall, i);
+  }
   ctx.checkpoint();
   const InfillRegion region{
       s,
@@ -393,7 +382,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   PatchCover cover;
   if (patch.surface.empty())
     return cover;
-  const PatchSurface s = refineAtRidges(refined(patch, process, o, kind), process);
+  const PatchSurface s = refinedPatch(patch, process, o, kind.isStraightInside);
   cover.areaMm2 = s.areaMm2;
   cover.volumeMm3 = s.volumeMm3;
   cover.simple = oneLoop(s);
@@ -442,7 +431,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     const VoronoiShares cells = computeShares(coarse, even.of(lines.curves), lines.extras(s));
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.needsChart || lines.kind[k] != PathKind::Infill)
-        moveToMiddle(s, lines.curves[k], cells.share[k], hatch);
+        moveToMiddle(s, lines.curves[k], cells.share[k], hatch, lines.kind[k] == PathKind::GapFill);
   }
   // Round the corners: straight beads that meet at an angle leave a gap at the outside of the
   // corner.

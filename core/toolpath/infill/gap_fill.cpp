@@ -19,6 +19,8 @@ using base::at;
 constexpr double kEdge = 0.18;       // [hatches]: distance between the ends of spine and gap
 constexpr double kWorthwhile = 0.28; // [hatches]: half width of the narrowest gap that gets a bead
 constexpr int kRounds = 8;           // Branches of branches
+// Near its ends a spine keeps to vertices with this share of the room [hatches] nearby.
+constexpr double kMiddle = 0.85, kCornerReach = 1.2;
 // [mm], for beads of 1.2 mm (bead_scale.h): resampling step, and the minimum length of the spines
 // of wide and narrow gaps.
 constexpr double kStep = 0.4, kShortestWide = 0.5, kShortestNarrow = 1.2;
@@ -79,6 +81,86 @@ private:
   std::vector<double> length_;
   std::vector<int> parent_, touched_;
 };
+// Removes the ends of a way that leave the middle of the gap: the vertex that is farthest away is
+// in a corner of it.
+void dropCorners(const PatchSurface& s, const std::vector<double>& room, double reachMm,
+                 std::vector<int>& way) {
+  for (int end = 0; end < 2; ++end) {
+    double length = 0.0, widest = 0.0;
+    std::size_t reach = 0;
+    for (; reach < way.size() && length < reachMm; ++reach) {
+      widest = std::max(widest, room[at(way[reach])]);
+      if (reach > 0)
+        length += (s.position[at(way[reach])] - s.position[at(way[reach - 1])]).norm();
+    }
+    std::size_t first = 0;
+    while (first < reach && room[at(way[first])] < kMiddle * widest)
+      ++first;
+    if (way.size() - first >= 2)
+      way.erase(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(first));
+    std::ranges::reverse(way);
+  }
+}
+
+// Moves each point across the curve to where the gap is widest, up to `reachMm` away.
+void moveToRidge(const PatchSurface& s, const std::vector<double>& room, double reachMm,
+                 SurfaceCurve& c) {
+  constexpr int kSides = 6;
+  const SurfaceCurve old = c;
+  const std::size_t n = c.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector3d along =
+        old.points[std::min(i + 1, n - 1)].position - old.points[i == 0 ? 0 : i - 1].position;
+    const Eigen::Vector3d left = s.interpolate(s.normal, old.points[i]).cross(along).normalized();
+    double widest = s.interpolate(room, old.points[i]) + 1e-6;
+    for (int k = -kSides; k <= kSides; ++k) {
+      const SurfacePoint q =
+          s.project(old.points[i].position + reachMm * k / kSides * left, old.points[i].triangle);
+      if (const double r = s.interpolate(room, q); r > widest) {
+        widest = r;
+        c.points[i] = q;
+      }
+    }
+  }
+}
+
+// Continues a curve beyond both ends as far as the gap has room: along the middle between the
+// boundaries, and straight on where that middle ends.
+void extendEnds(const PatchSurface& s, const std::vector<double>& room,
+                const std::vector<double>& boundaryMm, double hatchMm, SurfaceCurve& c) {
+  constexpr double kStepShare = 0.25, kTurnShare = 0.3; // [hatches]; weight of the newest direction
+  constexpr int kSteps = 12, kSides = 3;
+  const double step = kStepShare * hatchMm;
+  for (int end = 0; end < 2; ++end) {
+    std::ranges::reverse(c.points);
+    std::size_t from = c.points.size() - 1;
+    while (from > 0 && (c.points[from].position - c.points.back().position).norm() < hatchMm)
+      --from;
+    Eigen::Vector3d along = (c.points.back().position - c.points[from].position).normalized();
+    const double wide = kMiddle * s.interpolate(boundaryMm, c.points.back());
+    for (int k = 0; k < kSteps; ++k) {
+      const SurfacePoint last = c.points.back();
+      const Eigen::Vector3d ahead = last.position + step * along;
+      SurfacePoint next = s.project(ahead, last.triangle);
+      if ((next.position - ahead).norm() > 0.5 * step)
+        break;
+      const Eigen::Vector3d left = s.interpolate(s.normal, next).cross(along).normalized();
+      double widest = std::max(wide, s.interpolate(boundaryMm, next) + 1e-6);
+      for (int side = -kSides; side <= kSides; ++side) {
+        const SurfacePoint q = s.project(ahead + step * side / kSides * left, next.triangle);
+        if (const double b = s.interpolate(boundaryMm, q); b > widest) {
+          widest = b;
+          next = q;
+        }
+      }
+      if (s.interpolate(room, next) < kEdge)
+        break;
+      along = (along + kTurnShare * ((next.position - last.position).normalized() - along))
+                  .normalized();
+      c.points.push_back(next);
+    }
+  }
+}
 } // namespace
 
 std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<double>& outsideMm,
@@ -114,11 +196,14 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
       const int a = ways.furthest(middle, false);
       const int b = ways.furthest(a, false);
       ways.furthest(a, true);
+      std::vector<int> way = ways.wayTo(b);
+      const double hatch = hatchMm[at(middle)];
+      dropCorners(s, room, kCornerReach * hatch, way);
       SurfaceCurve c;
-      for (const int v : ways.wayTo(b))
+      for (const int v : way)
         c.points.push_back({s.position[at(v)], *s.ringBegin(v)});
       const double shortest = beadScale * (half > 0.4 ? kShortestWide : kShortestNarrow);
-      if (c.points.size() < 2 || lengthOf(c) < shortest)
+      if (c.points.size() < 2)
         continue;
       ResampleOptions o;
       o.stepMm = kStep * beadScale;
@@ -126,6 +211,13 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
       o.cornerRad = 10.0; // A path along edges consists of corners
       Resampled even = resample(s, c, o);
       smoothCurve(s, even.curve, std::vector<char>(even.curve.points.size(), 0), 6);
+      for (int pass = 0; pass < 2; ++pass) {
+        moveToRidge(s, room, 0.4 * hatch, even.curve);
+        smoothCurve(s, even.curve, std::vector<char>(even.curve.points.size(), 0), 1);
+      }
+      extendEnds(s, room, boundaryMm, hatch, even.curve);
+      if (lengthOf(even.curve) < shortest)
+        continue;
       fresh.push_back(std::move(even.curve));
     }
     if (fresh.empty())

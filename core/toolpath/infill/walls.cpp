@@ -1,13 +1,18 @@
 #include "toolpath/infill/walls.h"
 
+#include "base/index.h"
 #include "toolpath/infill/curve_tools.h"
+#include "toolpath/infill/regions.h"
 #include "toolpath/surface_fields.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace voluta::toolpath {
 
 namespace {
+using base::at;
+
 constexpr double kInwards = 0.4; // hatches
 // Maximum closing, in hatches. With kInwards it has to be less than the distance from the wall to
 // the boundary.
@@ -52,6 +57,33 @@ std::vector<SurfaceCurve> wallAt(const PatchSurface& s, const std::vector<double
   std::vector<SurfaceCurve> curves = isolines(s, fromOuter, closing);
   std::erase_if(curves, [&](const SurfaceCurve& c) { return lengthOf(c) < kShortest * beadScale; });
   return curves;
+}
+
+void dropJunctionRings(const PatchSurface& s, const std::vector<double>& depth, double hatchMm,
+                       std::vector<SurfaceCurve>& walls) {
+  constexpr double kRing = 6.5, kArms = 2.5; // [hatches]
+  constexpr double kThin = 0.3;              // Depth of the thinnest joined wall [hatches]
+  const auto isRing = [&](const SurfaceCurve& c) { return lengthOf(c) < kRing * hatchMm; };
+  if (std::ranges::none_of(walls, isRing))
+    return;
+  const Regions regions = regionsAbove(s, depth, kThin);
+  std::vector<Eigen::AlignedBox3d> extent(at(regions.count));
+  for (std::size_t v = 0; v < depth.size(); ++v)
+    if (regions.ofVertex[v] >= 0)
+      extent[at(regions.ofVertex[v])].extend(s.position[v]);
+  std::erase_if(walls, [&](const SurfaceCurve& c) {
+    if (!isRing(c))
+      return false;
+    const auto& triangle = s.triangles[at(c.points.front().triangle)];
+    Eigen::AlignedBox3d ring;
+    for (const SurfacePoint& p : c.points)
+      ring.extend(p.position);
+    return std::ranges::any_of(triangle, [&](int v) {
+      const int region = regions.ofVertex[at(v)];
+      return region >= 0 &&
+             extent[at(region)].diagonal().norm() > ring.diagonal().norm() + kArms * hatchMm;
+    });
+  });
 }
 
 } // namespace voluta::toolpath

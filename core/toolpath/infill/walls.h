@@ -17,4 +17,10 @@ std::vector<SurfaceCurve> wallAt(const PatchSurface& surface, const std::vector<
                                  const std::vector<double>& hatchMm, double beadScale,
                                  double level);
 
+// Removes outermost walls that are mere rings in a junction of thin walls: a bead along one of the
+// thin walls passes through it. A pin, which no thin wall joins, keeps its ring. depth: per vertex,
+// distance from the boundary in hatches.
+void dropJunctionRings(const PatchSurface& surface, const std::vector<double>& depth,
+                       double hatchMm, std::vector<SurfaceCurve>& walls);
+
 } // namespace voluta::toolpath
