@@ -106,6 +106,20 @@ TEST(CoverPatch, StripsOfEveryWidth) {
   }
 }
 
+// Where lines meet the edge at a small angle, ends of neighbours are far apart along it.
+TEST(CoverPatch, ZigzagIsJoinedAroundHoles) {
+  const auto zigzags = [](const layers::Patch& patch) {
+    const toolpath::PatchCover c = cover(patch);
+    EXPECT_GE(c.coveredMm2 / c.areaMm2, 0.995);
+    return std::ranges::count_if(c.beads, [](const toolpath::Bead& b) {
+      return b.kind == plan::PathKind::Infill && b.points.size() > 10;
+    });
+  };
+  EXPECT_EQ(zigzags(test::patchOver({test::circle(20)})), 1);
+  EXPECT_LE(zigzags(test::patchOver({test::circle(25), test::circle(12, true)})), 2);
+  EXPECT_LE(zigzags(test::patchOver({test::rectangle(40, 40), test::circle(8, true)})), 2);
+}
+
 TEST(CoverPatch, AThinWallIsOneBeadOfItsWidth) {
   const test::Lift flat = [](const Vector2d& p) { return Vector3d(p.x(), p.y(), 0.4); };
   for (const double w : {1.0, 1.2, 1.5, 1.8})

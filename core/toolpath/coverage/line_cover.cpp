@@ -4,8 +4,11 @@
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/surface_fields.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace voluta::toolpath {
 
@@ -17,6 +20,9 @@ using base::at;
 constexpr double kOpenEnd = 0.08; // [hatches] from the region's edge to an unjoined end
 // [hatches] from the region's edge to the bead that joins two lines
 constexpr double kJoinedEnd = 0.5;
+// [spacings] between the ends of joined lines: where lines run at a small angle to the edge, ends
+// of neighbours are far apart along it
+constexpr double kFarthestJoin = 8.0;
 } // namespace
 
 void LineCover::add(const SurfaceCurve& c, int level) {
@@ -91,73 +97,125 @@ std::vector<SurfacePoint> LineCover::bridge(const SurfacePoint& from,
   return points;
 }
 
-std::vector<SurfaceCurve> LineCover::joined(double spacing, const base::RunContext& ctx) {
-  std::vector<SurfaceCurve> curves;
-  std::vector<Line>& lines = lines_;
-  std::vector<std::vector<std::size_t>> byLevel;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    byLevel.resize(std::max(byLevel.size(), at(lines[i].level) + 1));
-    byLevel[at(lines[i].level)].push_back(i);
+// Joins the front of `next` to the back of `line`, both shortened to where the joining bead begins.
+void LineCover::append(Line& line, Line next) const {
+  const std::size_t cut = deepFrom(line, true), skip = deepFrom(next, false);
+  line.points.resize(line.points.size() - cut);
+  line.depth.resize(line.points.size());
+  for (const SurfacePoint& p : bridge(line.points.back(), next.points[skip])) {
+    line.points.push_back(p);
+    line.depth.push_back(r_.from + kJoinedEnd);
   }
-  for (std::size_t first = 0; first < lines.size(); ++first) {
-    if (lines[first].used)
+  const auto from = static_cast<std::ptrdiff_t>(skip);
+  line.points.insert(line.points.end(), next.points.begin() + from, next.points.end());
+  line.depth.insert(line.depth.end(), next.depth.begin() + from, next.depth.end());
+}
+
+// Returns the place where a joining bead begins at an end of a line; nullopt if the line is too
+// short or too close to the edge for one.
+std::optional<SurfacePoint> LineCover::joint(const Line& line, bool back) const {
+  const std::size_t cut = deepFrom(line, back);
+  if (line.closed || cut + 1 >= line.points.size())
+    return std::nullopt;
+  return line.points[back ? line.points.size() - 1 - cut : cut];
+}
+
+void LineCover::reverse(Line& line) {
+  std::ranges::reverse(line.points);
+  std::ranges::reverse(line.depth);
+}
+
+// Joins lines of consecutive levels, from the first level on.
+std::vector<LineCover::Line> LineCover::chains(double farthestMm, const base::RunContext& ctx) {
+  std::vector<Line> chains;
+  std::vector<std::vector<std::size_t>> byLevel;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    byLevel.resize(std::max(byLevel.size(), at(lines_[i].level) + 1));
+    byLevel[at(lines_[i].level)].push_back(i);
+  }
+  for (Line& first : lines_) {
+    if (std::exchange(first.used, true))
       continue;
-    lines[first].used = true;
-    if (lines[first].closed) {
-      curves.push_back({lines[first].points, true});
-      continue;
-    }
-    std::vector<SurfacePoint> chain = lines[first].points;
-    std::vector<double> chainDepth = lines[first].depth;
-    for (int level = lines[first].level + 1; at(level) < byLevel.size(); ++level) {
+    Line chain = first;
+    for (int level = first.level + 1; at(level) < byLevel.size(); ++level) {
       ctx.checkpoint();
-      // The end of the chain, and the nearest end in the next level that can be joined to it.
-      Line end{chain, chainDepth, 0, false, false};
-      const std::size_t cut = deepFrom(end, true);
-      if (cut + 1 >= chain.size())
+      const std::optional<SurfacePoint> from = joint(chain, true);
+      if (!from)
         break;
-      const SurfacePoint from = chain[chain.size() - 1 - cut];
-      double nearest = 2.5 * spacing;
-      std::size_t best = lines.size(), bestCut = 0;
+      double nearest = farthestMm;
+      Line* best = nullptr;
       bool bestBack = false;
-      for (const std::size_t i : byLevel[at(level)]) {
-        const Line& l = lines[i];
-        if (l.used || l.closed)
-          continue;
+      for (const std::size_t i : byLevel[at(level)])
         for (const bool back : {false, true}) {
-          const std::size_t k = deepFrom(l, back);
-          if (k + 1 >= l.points.size())
-            continue;
-          const SurfacePoint& p = l.points[back ? l.points.size() - 1 - k : k];
-          const double d = (p.position - from.position).norm();
-          if (d < nearest && !bridge(from, p).empty()) {
+          const std::optional<SurfacePoint> to =
+              lines_[i].used ? std::nullopt : joint(lines_[i], back);
+          const double d = to ? (to->position - from->position).norm() : nearest;
+          if (d < nearest && !bridge(*from, *to).empty()) {
             nearest = d;
-            best = i;
-            bestCut = k;
+            best = &lines_[i];
             bestBack = back;
           }
         }
-      }
-      if (best == lines.size())
+      if (!best)
         break;
-      Line next = lines[best];
-      lines[best].used = true;
-      if (bestBack) {
-        std::ranges::reverse(next.points);
-        std::ranges::reverse(next.depth);
-      }
-      chain.resize(chain.size() - cut);
-      chainDepth.resize(chain.size());
-      for (const SurfacePoint& p : bridge(from, next.points[bestCut])) {
-        chain.push_back(p);
-        chainDepth.push_back(r_.from + kJoinedEnd);
-      }
-      const auto skip = static_cast<std::ptrdiff_t>(bestCut);
-      chain.insert(chain.end(), next.points.begin() + skip, next.points.end());
-      chainDepth.insert(chainDepth.end(), next.depth.begin() + skip, next.depth.end());
+      best->used = true;
+      Line next = *best;
+      if (bestBack)
+        reverse(next);
+      append(chain, std::move(next));
     }
-    curves.push_back({std::move(chain), false});
+    chains.push_back(std::move(chain));
   }
+  return chains;
+}
+
+// Joins the ends of different chains, the nearest first.
+void LineCover::joinChains(std::vector<Line>& chains, double farthestMm,
+                           const base::RunContext& ctx) const {
+  struct Pair {
+    double distanceMm;
+    std::size_t a, b;
+    bool backOfA, backOfB;
+  };
+  for (bool joined = true; joined;) {
+    joined = false;
+    ctx.checkpoint();
+    std::vector<Pair> pairs;
+    std::vector<std::array<std::optional<SurfacePoint>, 2>> ends;
+    for (const Line& chain : chains)
+      ends.push_back({joint(chain, false), joint(chain, true)});
+    for (std::size_t a = 0; a < chains.size(); ++a)
+      for (std::size_t b = a + 1; b < chains.size(); ++b)
+        for (const bool backOfA : {false, true})
+          for (const bool backOfB : {false, true})
+            if (const auto& p = ends[a][backOfA ? 1 : 0], &q = ends[b][backOfB ? 1 : 0]; p && q)
+              if (const double d = (p->position - q->position).norm(); d < farthestMm)
+                pairs.push_back({d, a, b, backOfA, backOfB});
+    std::ranges::stable_sort(pairs, {}, &Pair::distanceMm);
+    std::vector<char> taken(chains.size(), 0);
+    for (const Pair& pair : pairs) {
+      if (taken[pair.a] || taken[pair.b] ||
+          bridge(*ends[pair.a][pair.backOfA ? 1 : 0], *ends[pair.b][pair.backOfB ? 1 : 0]).empty())
+        continue;
+      if (!pair.backOfA)
+        reverse(chains[pair.a]);
+      if (pair.backOfB)
+        reverse(chains[pair.b]);
+      append(chains[pair.a], std::move(chains[pair.b]));
+      chains[pair.b].points.clear();
+      taken[pair.a] = taken[pair.b] = 1;
+      joined = true;
+    }
+    std::erase_if(chains, [](const Line& chain) { return chain.points.empty(); });
+  }
+}
+
+std::vector<SurfaceCurve> LineCover::joined(double spacing, const base::RunContext& ctx) {
+  std::vector<Line> all = chains(kFarthestJoin * spacing, ctx);
+  joinChains(all, kFarthestJoin * spacing, ctx);
+  std::vector<SurfaceCurve> curves;
+  for (Line& chain : all)
+    curves.push_back({std::move(chain.points), chain.closed});
   return curves;
 }
 

@@ -5,6 +5,7 @@
 #include "toolpath/infill/regions.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -47,8 +48,8 @@ public:
 
   // Keeps the sections of a line that are in the part. Lines of consecutive levels are neighbours.
   void add(const SurfaceCurve& line, int level);
-  // Returns the lines; those of neighbouring levels are joined by beads along the part's edge where
-  // there is room for them.
+  // Returns the lines, joined by beads along the part's edge where there is room for them: those of
+  // neighbouring levels first, then the ends of the resulting chains.
   std::vector<SurfaceCurve> joined(double spacingMm, const base::RunContext& ctx);
 
 private:
@@ -61,6 +62,11 @@ private:
 
   std::size_t deepFrom(const Line& line, bool fromBack) const;
   std::vector<SurfacePoint> bridge(const SurfacePoint& from, const SurfacePoint& to) const;
+  std::optional<SurfacePoint> joint(const Line& line, bool back) const;
+  void append(Line& line, Line next) const;
+  static void reverse(Line& line);
+  std::vector<Line> chains(double farthestMm, const base::RunContext& ctx);
+  void joinChains(std::vector<Line>& chains, double farthestMm, const base::RunContext& ctx) const;
 
   const InfillRegion& r_;
   const PatchSurface& s_;
