@@ -52,7 +52,9 @@ void append(const aiNode& node, const aiMatrix4x4& above, const aiScene& scene,
 int main(int argc, char** argv) {
   if (argc != 3)
     return 2;
-  limit(RLIMIT_AS, kMaxMemory);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  limit(RLIMIT_AS, kMaxMemory); // A sanitizer maps terabytes of addresses
+#endif
   limit(RLIMIT_CPU, kMaxSeconds);
   limit(RLIMIT_CORE, 0);
   const bool upright = std::strcmp(argv[1], "upright") == 0;
