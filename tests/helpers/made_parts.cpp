@@ -17,13 +17,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using geometry::TriangleMesh;
 
-TriangleMesh operator+(const TriangleMesh& a, const TriangleMesh& b) {
-  return unionOf(a, b);
-}
-TriangleMesh operator-(const TriangleMesh& a, const TriangleMesh& b) {
-  return differenceOf(a, b);
-}
-
 TriangleMesh bracket(Dice& d) {
   const double w = d.between(30, 60), depth = d.between(20, 40), t = d.between(5, 9),
                h = d.between(25, 55);

@@ -26,10 +26,10 @@ TriangleMesh combined(BooleanOperation operation, const TriangleMesh& a, const T
 }
 } // namespace
 
-TriangleMesh unionOf(const TriangleMesh& a, const TriangleMesh& b) {
+TriangleMesh operator+(const TriangleMesh& a, const TriangleMesh& b) {
   return combined(BooleanOperation::Union, a, b);
 }
-TriangleMesh differenceOf(const TriangleMesh& a, const TriangleMesh& b) {
+TriangleMesh operator-(const TriangleMesh& a, const TriangleMesh& b) {
   return combined(BooleanOperation::Difference, a, b);
 }
 

@@ -24,10 +24,9 @@ private:
   std::uint64_t state_;
 };
 
-// Precondition: the solids are closed.
-geometry::TriangleMesh unionOf(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b);
-geometry::TriangleMesh differenceOf(const geometry::TriangleMesh& a,
-                                    const geometry::TriangleMesh& b);
+// Union and difference. Precondition: the solids are closed.
+geometry::TriangleMesh operator+(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b);
+geometry::TriangleMesh operator-(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b);
 
 geometry::TriangleMesh moved(geometry::TriangleMesh mesh, const Eigen::Isometry3d& to);
 // A closed polygon of (radius, z), radius > 0, turned about z.

@@ -19,13 +19,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using geometry::TriangleMesh;
 
-TriangleMesh operator+(const TriangleMesh& a, const TriangleMesh& b) {
-  return unionOf(a, b);
-}
-TriangleMesh operator-(const TriangleMesh& a, const TriangleMesh& b) {
-  return differenceOf(a, b);
-}
-
 struct Made {
   TriangleMesh mesh;
   double thinnestMm;

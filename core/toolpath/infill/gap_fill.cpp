@@ -102,25 +102,33 @@ void dropCorners(const PatchSurface& s, const std::vector<double>& room, double 
   }
 }
 
+// Returns the place on a line across a curve, up to `reachMm` to either side of `middle`, where
+// `width` (per vertex) is largest; `otherwise` if it is nowhere larger than `atLeast`.
+SurfacePoint widestAcross(const PatchSurface& s, const std::vector<double>& width,
+                          const Eigen::Vector3d& middle, const Eigen::Vector3d& along,
+                          double reachMm, int sides, double atLeast, SurfacePoint otherwise) {
+  const Eigen::Vector3d left = s.interpolate(s.normal, otherwise).cross(along).normalized();
+  SurfacePoint widest = otherwise;
+  for (int k = -sides; k <= sides; ++k) {
+    const SurfacePoint q = s.project(middle + reachMm * k / sides * left, otherwise.triangle);
+    if (const double w = s.interpolate(width, q); w > atLeast) {
+      atLeast = w;
+      widest = q;
+    }
+  }
+  return widest;
+}
+
 // Moves each point across the curve to where the gap is widest, up to `reachMm` away.
 void moveToRidge(const PatchSurface& s, const std::vector<double>& room, double reachMm,
                  SurfaceCurve& c) {
   constexpr int kSides = 6;
-  const SurfaceCurve old = c;
-  const std::size_t n = c.points.size();
-  for (std::size_t i = 0; i < n; ++i) {
+  const std::vector<SurfacePoint> old = c.points;
+  for (std::size_t i = 0; i < old.size(); ++i) {
     const Eigen::Vector3d along =
-        old.points[std::min(i + 1, n - 1)].position - old.points[i == 0 ? 0 : i - 1].position;
-    const Eigen::Vector3d left = s.interpolate(s.normal, old.points[i]).cross(along).normalized();
-    double widest = s.interpolate(room, old.points[i]) + 1e-6;
-    for (int k = -kSides; k <= kSides; ++k) {
-      const SurfacePoint q =
-          s.project(old.points[i].position + reachMm * k / kSides * left, old.points[i].triangle);
-      if (const double r = s.interpolate(room, q); r > widest) {
-        widest = r;
-        c.points[i] = q;
-      }
-    }
+        old[std::min(i + 1, old.size() - 1)].position - old[i == 0 ? 0 : i - 1].position;
+    c.points[i] = widestAcross(s, room, old[i].position, along, reachMm, kSides,
+                               s.interpolate(room, old[i]) + 1e-6, old[i]);
   }
 }
 
@@ -144,15 +152,8 @@ void extendEnds(const PatchSurface& s, const std::vector<double>& room,
       SurfacePoint next = s.project(ahead, last.triangle);
       if ((next.position - ahead).norm() > 0.5 * step)
         break;
-      const Eigen::Vector3d left = s.interpolate(s.normal, next).cross(along).normalized();
-      double widest = std::max(wide, s.interpolate(boundaryMm, next) + 1e-6);
-      for (int side = -kSides; side <= kSides; ++side) {
-        const SurfacePoint q = s.project(ahead + step * side / kSides * left, next.triangle);
-        if (const double b = s.interpolate(boundaryMm, q); b > widest) {
-          widest = b;
-          next = q;
-        }
-      }
+      next = widestAcross(s, boundaryMm, ahead, along, step, kSides,
+                          std::max(wide, s.interpolate(boundaryMm, next) + 1e-6), next);
       if (s.interpolate(room, next) < kEdge)
         break;
       along = (along + kTurnShare * ((next.position - last.position).normalized() - along))
