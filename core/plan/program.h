@@ -58,6 +58,7 @@ struct ProgramMotion {
   // corresponds to no point of the plan.
   bool aside = false;
   bool extruding = false;     // The extruder is on during this motion
+  std::uint8_t tool = 0;      // That deposits
   std::vector<double> joints; // Joints
   // WorkPose, UnitPose, FlangePose [rad]; values of sliding axes [mm] are converted as if they were
   // degrees
@@ -91,6 +92,7 @@ struct ProgramPause {
   double durationS = 0.0;
   double volumeMm3 = 0.0; // Material extruded during the pause
   double drawnMm = 0.0;   // Filament retracted or returned during the pause
+  int tool = 0;           // Whose material it is
 };
 
 // The payload that the program states.

@@ -25,7 +25,7 @@ enum class FactKind : std::uint8_t {
   MechanicalUnit,  // Word: a unit that moves the part, the robot or the filament
   OpenRounding,    // Corners are blended as far as the controller chooses
   PassingOutput,   // An extruder output is set at a motion that does not stop
-  ToolSelected,    // Number: the tool that deposits from here on
+  ToolSelected,    // `tool` deposits from here on
   TapeCut          // Cuts the tape
 };
 
@@ -36,6 +36,7 @@ struct StatedFact {
   std::size_t beforePause = 0;      // Index of the next pause; pauses.size(): none
   double number = 0.0;
   std::string word;
+  int tool = 0; // That the statement concerns: the selected one, unless the statement names another
 };
 
 // The arm's posture at a target, as the flags of a language state it.

@@ -50,6 +50,12 @@ struct Trajectory {
     const auto range = std::ranges::equal_range(events, point, {}, &TrajectoryEvent::point);
     return {range.begin(), range.end()};
   }
+  // Returns whether another tool deposits from a later point than `after` on.
+  bool changesTool(std::size_t after = 0) const {
+    return std::ranges::any_of(events, [&](const TrajectoryEvent& event) {
+      return event.kind == EventKind::ToolChange && event.point > after;
+    });
+  }
   const double* at(std::size_t point) const {
     return joints.data() + point * static_cast<std::size_t>(dof);
   }

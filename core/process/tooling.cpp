@@ -18,4 +18,9 @@ const Tool& Tooling::at(int tool) const {
   return (*tools_)[static_cast<std::size_t>(tool)];
 }
 
+std::span<const Tool> Tooling::usedAfter(const plan::Trajectory& trajectory,
+                                         std::size_t point) const {
+  return tools().first(trajectory.changesTool(point) ? tools_->size() : 1);
+}
+
 } // namespace voluta::process

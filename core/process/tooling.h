@@ -3,8 +3,10 @@
 #pragma once
 
 #include "plan/tool_plan.h"
+#include "plan/trajectory.h"
 #include "process/process.h"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,6 +31,9 @@ public:
   const Tool& at(int tool) const;
   // The tool that the job begins with.
   const Tool& first() const { return tools_->front(); }
+  // The tools that print after a point of the trajectory: all of them if it changes the tool there,
+  // else the first.
+  std::span<const Tool> usedAfter(const plan::Trajectory& trajectory, std::size_t point) const;
 
 private:
   std::shared_ptr<const std::vector<Tool>> tools_;

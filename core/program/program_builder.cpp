@@ -10,8 +10,8 @@
 
 namespace voluta::program {
 
-ProgramBuilder::ProgramBuilder(std::string_view format, const process::Process& process)
-    : process_(process), defects_(program_.defects), places_(defects_) {
+ProgramBuilder::ProgramBuilder(std::string_view format, process::Tooling tooling)
+    : tooling_(std::move(tooling)), defects_(program_.defects), places_(defects_) {
   program_.format = format;
 }
 
@@ -68,13 +68,13 @@ void ProgramBuilder::send(std::string_view text) {
   switch (command->word) {
   case 'G':
     turn(command->value > 0);
-    flow(std::max(0.0, castelliFlowMm3PerS(command->value)) / process_.maxFlowMm3PerS);
+    flow(std::max(0.0, castelliFlowMm3PerS(command->value)) / fullFlowMm3PerS());
     drawsMm3PerS_ = std::max(0.0, -castelliFlowMm3PerS(command->value));
     return;
   case 'M':
-    if (value != 0.0 && !prints(process_.material, value))
+    if (value != 0.0 && !prints(material(), value))
       defect(base::message("{celsius} °C is outside the printing range of {material}"_text,
-                           base::number(value), process_.material.label));
+                           base::number(value), material().label));
     state(plan::FactKind::NozzleHeat, value);
     wordAt("M", kAside);
     return;
@@ -87,7 +87,7 @@ void ProgramBuilder::send(std::string_view text) {
 }
 
 void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
-  if (!outputs_.moveWith(m, process_.maxFlowMm3PerS))
+  if (!outputs_.moveWith(m, fullFlowMm3PerS()))
     defect("the extruder's outputs are not set before this motion"_text);
   if (drawsMm3PerS_ > 0.0)
     defect("the extruder reverses while the nozzle moves"_text);
@@ -99,6 +99,7 @@ void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
 void ProgramBuilder::motion(plan::ProgramMotion m) {
   m.file = static_cast<std::uint32_t>(file);
   m.line = static_cast<std::uint32_t>(line);
+  m.tool = static_cast<std::uint8_t>(selected_);
   places_.motion();
   if (m.extruding)
     places_.material();
@@ -106,7 +107,7 @@ void ProgramBuilder::motion(plan::ProgramMotion m) {
 }
 
 void ProgramBuilder::pauseByOutputs(double seconds) {
-  const double pushed = (outputs_.flowShare() * process_.maxFlowMm3PerS - drawsMm3PerS_) * seconds;
+  const double pushed = (outputs_.flowShare() * fullFlowMm3PerS() - drawsMm3PerS_) * seconds;
   const double before = drawnMm3_;
   double out = 0.0;
   std::tie(out, drawnMm3_) = pushedOut(pushed, drawnMm3_);
@@ -148,7 +149,8 @@ void ProgramBuilder::pauseByAxis(double seconds, double mm) {
 void ProgramBuilder::pause(double seconds, double volumeMm3, double drawnMm) {
   if (volumeMm3 > 0.0)
     places_.material();
-  program_.pauses.push_back({file, line, program_.motions.size(), seconds, volumeMm3, drawnMm});
+  program_.pauses.push_back(
+      {file, line, program_.motions.size(), seconds, volumeMm3, drawnMm, selected_});
 }
 
 void ProgramBuilder::need(plan::FactKind kind) {
@@ -160,7 +162,21 @@ void ProgramBuilder::need(plan::FactKind kind) {
 void ProgramBuilder::state(plan::FactKind kind, double number, std::string_view word) {
   program_.facts.push_back({kind, static_cast<std::uint32_t>(file),
                             static_cast<std::uint32_t>(line), program_.motions.size(),
-                            program_.pauses.size(), number, std::string(word)});
+                            program_.pauses.size(), number, std::string(word), selected_});
+}
+
+void ProgramBuilder::stateOf(int tool, plan::FactKind kind, double number) {
+  state(kind, number);
+  program_.facts.back().tool = tool;
+}
+
+void ProgramBuilder::selectTool(int tool) {
+  if (tool < 0 || static_cast<std::size_t>(tool) >= tooling_.tools().size()) {
+    defect("a tool other than the printing one"_text);
+    return;
+  }
+  selected_ = tool;
+  state(plan::FactKind::ToolSelected);
 }
 
 void ProgramBuilder::statePassingOutput() {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "plan/program.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/known_words.h"
 #include "program/common/text.h"
@@ -20,7 +20,7 @@ namespace voluta::program {
 
 class ProgramBuilder {
 public:
-  ProgramBuilder(std::string_view format, const process::Process& process);
+  ProgramBuilder(std::string_view format, process::Tooling tooling);
   ProgramBuilder(const ProgramBuilder&) = delete;
 
   // Reserves space for one motion per line: unused space takes no memory, whereas growing would
@@ -63,8 +63,15 @@ public:
   void need(plan::FactKind kind);
   // Adds a statement that the replay compares with the plan's requirements, with its position.
   void state(plan::FactKind kind, double number = 0.0, std::string_view word = {});
+  // As above, about a tool that may be another than the selected one.
+  void stateOf(int tool, plan::FactKind kind, double number = 0.0);
   // Sets an output of the extruder directly, not as a trigger of the next motion.
   void statePassingOutput();
+
+  // Selects the tool that deposits from here on, and states it. A program begins with tool 0. A
+  // defect, and no selection, if the job has no such tool.
+  void selectTool(int tool);
+  int selectedTool() const { return selected_; }
 
   // Sets the arm's payload. A different payload during the print is a defect.
   void load(std::string_view word, double kg);
@@ -82,7 +89,12 @@ private:
   // Adds a defect if too much filament is retracted.
   void tellDrawn(double mm);
 
-  const process::Process& process_;
+  // The full flow of outputs is that of the first tool.
+  double fullFlowMm3PerS() const { return tooling_.first().process.maxFlowMm3PerS; }
+  const process::Material& material() const { return tooling_.at(selected_).process.material; }
+
+  const process::Tooling tooling_;
+  int selected_ = 0;
   plan::ReadProgram program_;
   Defects defects_;
   WordPlaces places_;

@@ -2,6 +2,8 @@
 #include "base/error.h"
 #include "plan/stated_facts.h"
 #include "program/dialect.h"
+#include "program/gcode/gcode_text.h"
+#include "program/program_builder.h"
 #include "program_fixture.h"
 
 #include <algorithm>
@@ -58,7 +60,8 @@ TEST_F(Events, aPauseIsReadBackBeforeItsMotion) {
     trajectory_.events.clear();
     const auto stops = [&] {
       const plan::Program program = writeProgram(dialect.id, input());
-      const plan::ReadProgram read = readProgram(dialect.id, program.files, process_);
+      const plan::ReadProgram read =
+          readProgram(dialect.id, program.files, process::Tooling(process_));
       EXPECT_TRUE(read.defects.empty())
           << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
       std::vector<std::size_t> before;
@@ -87,8 +90,8 @@ TEST_F(Events, aPauseBesideABeadStopsTheExtruder) {
     for (const std::size_t point : {first, first + 5}) {
       SCOPED_TRACE(std::string(dialect.id) + " point " + std::to_string(point));
       trajectory_.events = {{.point = point, .kind = plan::EventKind::Pause}};
-      const plan::ReadProgram read =
-          readProgram(dialect.id, writeProgram(dialect.id, input()).files, process_);
+      const plan::ReadProgram read = readProgram(
+          dialect.id, writeProgram(dialect.id, input()).files, process::Tooling(process_));
       EXPECT_TRUE(read.defects.empty())
           << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
       EXPECT_EQ(std::ranges::count_if(read.facts,
@@ -123,6 +126,61 @@ TEST_F(Events, aJoinedTrajectoryKeepsThem) {
   EXPECT_EQ(t.eventsBefore(t.events[0].point).size(), 2u);
   EXPECT_EQ(t.eventsBefore(t.events[2].point).size(), 1u);
   EXPECT_TRUE(t.eventsBefore(t.events[2].point + 1).empty());
+}
+
+TEST_F(Events, FactsPausesAndMotionsBelongToTheSelectedTool) {
+  ProgramBuilder out("gcode", process::Tooling({{process_}, {process_}}));
+  out.state(plan::FactKind::NozzleHeat, 210.0);
+  out.selectTool(1);
+  out.state(plan::FactKind::NozzleHeat, 220.0);
+  out.stateOf(0, plan::FactKind::NozzleHeat, 180.0);
+  out.pause(1.0, 0.0);
+  out.motion({});
+  out.selectTool(2); // The job has none
+  EXPECT_EQ(out.selectedTool(), 1);
+  const plan::ReadProgram read = out.take(true);
+  ASSERT_EQ(read.facts.size(), 4u);
+  EXPECT_EQ(read.facts[0].tool, 0);
+  EXPECT_EQ(read.facts[1].kind, plan::FactKind::ToolSelected);
+  EXPECT_EQ(read.facts[1].tool, 1);
+  EXPECT_EQ(read.facts[2].tool, 1);
+  EXPECT_EQ(read.facts[3].tool, 0);
+  EXPECT_EQ(read.pauses[0].tool, 1);
+  EXPECT_EQ(read.motions[0].tool, 1);
+  EXPECT_EQ(read.defects.size(), 1u);
+}
+
+// The heads of G-code name the tools only if the motion changes them.
+TEST_F(Events, GcodeHeatsEachToolThatPrints) {
+  process::Tool hot{process_};
+  process_.material.nozzleC = 210;
+  hot.process.material.nozzleC = 220;
+  const process::Tooling two({{process_}, hot});
+  const auto textOf = [&] {
+    ProgramInput in = input();
+    in.tooling = two;
+    GcodeText text;
+    text.head(in, "title", "question");
+    text.end();
+    return text.out;
+  };
+  const std::string one = textOf();
+  EXPECT_NE(one.find("\nM104 S210 ;"), std::string::npos);
+  EXPECT_EQ(one.find("220"), std::string::npos);
+  trajectory_.events = {{.point = travel(), .kind = plan::EventKind::ToolChange, .tool = 1}};
+  const std::string both = textOf();
+  for (const char* line : {"\nM104 T0 S210 ;", "\nM104 T1 S220 ;", "\nM109 T0 S210\n",
+                           "\nM109 T1 S220\n", "\nM104 T0 S0\n", "\nM104 T1 S0\n"})
+    EXPECT_NE(both.find(line), std::string::npos) << line;
+
+  const plan::ReadProgram read = readProgram("gcode-extended", {{"head", both}}, two);
+  std::vector<std::pair<int, double>> heats;
+  for (const plan::StatedFact& fact : read.facts)
+    if (fact.kind == plan::FactKind::NozzleHeat)
+      heats.emplace_back(fact.tool, fact.number);
+  const std::vector<std::pair<int, double>> planned = {{0, 210}, {1, 220}, {0, 210},
+                                                       {1, 220}, {0, 0},   {1, 0}};
+  EXPECT_EQ(heats, planned);
 }
 
 } // namespace

@@ -169,7 +169,7 @@ private:
 
 plan::ReadProgram readTableGcode(const std::vector<plan::ProgramFile>& files,
                                  const process::Tooling& tooling, const base::RunContext& ctx) {
-  return TableReader("gcode-bc", tooling.first().process, ctx).read(files);
+  return TableReader("gcode-bc", tooling, ctx).read(files);
 }
 
 bool looksLikeTableGcode(std::string_view text) {

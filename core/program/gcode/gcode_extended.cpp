@@ -80,12 +80,11 @@ plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
       file.text.clear();
   while (own.size() > 1 && own.back().text.empty())
     own.pop_back();
-  plan::ReadProgram program =
-      ExtendedReader("gcode-extended", tooling.first().process, ctx).read(own);
-  ProgramBuilder beside("gcode-extended", tooling.first().process);
+  plan::ReadProgram program = ExtendedReader("gcode-extended", tooling, ctx).read(own);
+  ProgramBuilder beside("gcode-extended", tooling);
   for (beside.file = 0; beside.file < files.size(); ++beside.file)
     if (isRapidRunner(files[beside.file].text))
-      readRapidRunner(files[beside.file].text, tooling.first().process, beside, ctx);
+      readRapidRunner(files[beside.file].text, tooling, beside, ctx);
   for (plan::ProgramDefect& defect : beside.take(true).defects)
     program.defects.push_back(std::move(defect));
   return program;

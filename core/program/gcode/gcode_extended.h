@@ -28,10 +28,10 @@ std::vector<base::ParameterSpec> extendedGcodeOptions();
 // Throws as rapidRunner if that module is requested.
 plan::Program writeExtendedGcode(const ProgramInput& input, const base::RunContext& ctx);
 
-// Also accepts G4, G92 E, M82 M83 (E per motion), M104 M109, T0 and gcodeWords(); line numbers and
-// checksums, comments by ; and ( ), CR LF. Directions are normalised; a length off by more than
-// kDirectionTolerance is a defect. Material that is retracted and returned counts once. `complete`:
-// M104 S0, M84 and the line "; end" follow the last motion.
+// Also accepts G4, G92 E, M82 M83 (E per motion), M104 M109 (with T: of that tool), T0 and
+// gcodeWords(); line numbers and checksums, comments by ; and ( ), CR LF. Directions are
+// normalised; a length off by more than kDirectionTolerance is a defect. Material that is retracted
+// and returned counts once. `complete`: M104 S0, M84 and the line "; end" follow the last motion.
 plan::ReadProgram readExtendedGcode(const std::vector<plan::ProgramFile>& files,
                                     const process::Tooling& tooling, const base::RunContext& ctx);
 std::vector<std::string> filesOfExtendedGcode(std::string_view text); // Dialect

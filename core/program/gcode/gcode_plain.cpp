@@ -48,7 +48,7 @@ plan::Program writePlainGcode(const ProgramInput& input, const base::RunContext&
 
 plan::ReadProgram readPlainGcode(const std::vector<plan::ProgramFile>& files,
                                  const process::Tooling& tooling, const base::RunContext& ctx) {
-  return PlainReader("gcode", tooling.first().process, ctx).read(files);
+  return PlainReader("gcode", tooling, ctx).read(files);
 }
 
 bool looksLikePlainGcode(std::string_view text) {

@@ -102,7 +102,7 @@ bool isRapidRunner(std::string_view text) {
 }
 
 // Its data are read by the RAPID reader, followed by a motion to the start.
-void readRapidRunner(std::string_view text, const process::Process& process, ProgramBuilder& out,
+void readRapidRunner(std::string_view text, const process::Tooling& tooling, ProgramBuilder& out,
                      const base::RunContext& ctx) {
   const std::size_t body = text.find(rapidGcodeSameBegin());
   if (body == std::string_view::npos) {
@@ -113,6 +113,7 @@ void readRapidRunner(std::string_view text, const process::Process& process, Pro
   // Lines that the RAPID reader does not know.
   constexpr std::string_view kOwn[] = {kFull, kFile, kByJoints, kJoints};
   int found[std::size(kOwn)] = {};
+  const double fullFlow = tooling.first().process.maxFlowMm3PerS;
   std::string head;
   LineReader lines(text.substr(0, body));
   for (std::string_view line; lines.next(line);) {
@@ -121,8 +122,7 @@ void readRapidRunner(std::string_view text, const process::Process& process, Pro
     std::string_view rest = line;
     if (line.starts_with(kFull)) {
       rest.remove_prefix(kFull.size());
-      if (!takeNumber(rest, full) || rest != ";" ||
-          std::abs(full - process.maxFlowMm3PerS) > 1e-3 * process.maxFlowMm3PerS)
+      if (!takeNumber(rest, full) || rest != ";" || std::abs(full - fullFlow) > 1e-3 * fullFlow)
         out.defect("the full flow is not the process's"_text);
     }
     bool ours = false;
@@ -142,7 +142,7 @@ void readRapidRunner(std::string_view text, const process::Process& process, Pro
                   kRapidTool, "\\WObj:=", kObject,
                   ";\r\n    SetDO doExtruder,0;\r\n    SetAO aoFlow,0;\r\n  ENDPROC\r\n"
                   "ENDMODULE\r\n"});
-  for (const plan::ProgramDefect& defect : readRapid({{"head.mod", head}}, process, ctx).defects) {
+  for (const plan::ProgramDefect& defect : readRapid({{"head.mod", head}}, tooling, ctx).defects) {
     out.line = std::min(defect.line, first);
     out.defect(defect.reason);
   }

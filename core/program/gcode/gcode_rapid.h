@@ -37,7 +37,7 @@ plan::ProgramFile rapidRunner(const ProgramInput& input, std::string_view gcodeF
 // isRapidRunner: returns whether a text is such a module. readRapidRunner: reports its deviations
 // to `out`, whose file is set.
 bool isRapidRunner(std::string_view text);
-void readRapidRunner(std::string_view text, const process::Process& process, ProgramBuilder& out,
+void readRapidRunner(std::string_view text, const process::Tooling& tooling, ProgramBuilder& out,
                      const base::RunContext& ctx);
 
 } // namespace voluta::program

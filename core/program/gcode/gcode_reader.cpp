@@ -11,6 +11,10 @@ namespace voluta::program {
 using enum plan::FactKind;
 
 namespace {
+bool heats(double m) {
+  return m == 104.0 || m == 109.0;
+}
+
 // Returns whether the command names axes by a letter alone (G28 X): homing, the bed, motors.
 bool namesAxes(GcodeWords& w) {
   if (w['G'])
@@ -19,9 +23,10 @@ bool namesAxes(GcodeWords& w) {
 }
 } // namespace
 
-GcodeReader::GcodeReader(std::string_view format, const process::Process& process,
+GcodeReader::GcodeReader(std::string_view format, const process::Tooling& tooling,
                          const base::RunContext& ctx)
-    : out_(format, process), process_(process), ctx_(ctx) {
+    : out_(format, tooling), tooling_(tooling), ctx_(ctx), nozzles_(tooling.tools().size()) {
+  nozzles_.front().used = true;
   out_.program().tellsPauses = true;
 }
 
@@ -40,7 +45,7 @@ plan::ReadProgram GcodeReader::read(const std::vector<plan::ProgramFile>& files)
   finish();
   if (out_.file > 0)
     --out_.file; // missing items are reported at the end of the last file
-  const bool complete = cold_ && motorsOff_ && ended_;
+  const bool complete = isCold() && motorsOff_ && ended_;
   if (!complete)
     defect("the end sequence (M104 S0, M84, '; end') is missing: the file is truncated"_text);
   return out_.take(complete);
@@ -104,8 +109,9 @@ void GcodeReader::execute(GcodeWords& w) {
     executeM(*w['M'], w);
   else if (!w['T'])
     defect("a line without a command"_text);
-  const bool limit = w['M'] && *w['M'] > 200.0 && *w['M'] < 206.0; // with T: limits of travels
-  if (w['T'] && *w['T'] != 0.0 && !limit)
+  // With M201 to M205, T sets limits of travels; with M104 and M109, it is the heated tool.
+  const bool isOther = w['M'] && ((*w['M'] > 200.0 && *w['M'] < 206.0) || heats(*w['M']));
+  if (w['T'] && *w['T'] != 0.0 && !isOther)
     defect("a tool other than the printing one"_text);
 }
 
@@ -134,7 +140,7 @@ void GcodeReader::executeM(double m, GcodeWords& w) {
   if (m == 82.0 || m == 83.0) {
     relativeE_ = m == 83.0;
     out_.state(FilamentCount);
-  } else if (m == 104.0 || m == 109.0) {
+  } else if (heats(m)) {
     heat(m, w);
   } else if (!inTable('M', m)) {
     defect("unknown M command"_text);
@@ -152,21 +158,42 @@ bool GcodeReader::inTable(char letter, double number) {
   return out_.word(ownWords(), word) || out_.word(gcodeWords(), word);
 }
 
+std::optional<int> GcodeReader::heatedTool(GcodeWords& w) const {
+  if (!w['T'])
+    return out_.selectedTool();
+  for (int tool = 0; tool < static_cast<int>(nozzles_.size()); ++tool)
+    if (*w['T'] == static_cast<double>(tool))
+      return tool;
+  return std::nullopt;
+}
+
 void GcodeReader::heat(double m, GcodeWords& w) {
+  const std::optional<int> tool = heatedTool(w);
+  if (!tool) {
+    defect("a tool other than the printing one"_text);
+    return;
+  }
+  Nozzle& nozzle = nozzleOf(*tool);
+  const process::Material& material = tooling_.at(*tool).process.material;
   const double celsius = w['S'] ? *w['S'] : w['R'].value_or(0.0);
   const std::string_view word = m == 104.0 ? "M104" : "M109";
   if (celsius == 0.0)
     out_.wordAt(word, kBeforeMotion | kAtEnd);
-  else if (celsius != celsius_)
+  else if (celsius != nozzle.celsius)
     out_.wordAt(word, kAside);
-  if (celsius != 0.0 && !prints(process_.material, celsius))
+  if (celsius != 0.0 && !prints(material, celsius))
     defect(base::message("{celsius} °C is outside the printing range of {material}"_text,
-                         base::number(celsius), process_.material.label));
-  out_.state(NozzleHeat, celsius);
+                         base::number(celsius), material.label));
+  out_.stateOf(*tool, NozzleHeat, celsius);
   if (m == 109.0 && celsius > 0.0)
-    out_.state(NozzleHeatWait);
-  celsius_ = celsius;
-  cold_ = celsius == 0.0;
+    out_.stateOf(*tool, NozzleHeatWait);
+  nozzle.celsius = celsius;
+  nozzle.cold = celsius == 0.0;
+  nozzle.used = nozzle.used || celsius > 0.0;
+}
+
+bool GcodeReader::isCold() const {
+  return std::ranges::all_of(nozzles_, [](const Nozzle& n) { return n.cold || !n.used; });
 }
 
 void GcodeReader::setPosition(GcodeWords& w) {
@@ -220,7 +247,10 @@ void GcodeReader::motion(double g, GcodeWords& w) {
   if (perS_ == 0.0)
     defect("a motion before any speed (F)"_text);
   out_.motion(std::move(m));
-  cold_ = motorsOff_ = ended_ = false;
+  nozzleOf(out_.selectedTool()).used = true;
+  for (Nozzle& nozzle : nozzles_)
+    nozzle.cold = false;
+  motorsOff_ = ended_ = false;
 }
 
 bool GcodeReader::takePosition(GcodeWords& w) {

@@ -4,12 +4,13 @@
 
 #include "base/run_context.h"
 #include "plan/program.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "program/gcode/gcode_line.h"
 #include "program/gcode/gcode_text.h"
 #include "program/program_builder.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,7 @@ std::span<const KnownWord> slicerWords();
 
 class GcodeReader {
 public:
-  GcodeReader(std::string_view format, const process::Process& process,
+  GcodeReader(std::string_view format, const process::Tooling& tooling,
               const base::RunContext& ctx);
   virtual ~GcodeReader() = default;
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files);
@@ -74,13 +75,25 @@ private:
   void setPosition(GcodeWords& words);
   void motion(double g, GcodeWords& words);
 
-  const process::Process& process_;
+  // Returns the tool that the line heats: its T, else the selected one; nullopt if the job has no
+  // such tool.
+  std::optional<int> heatedTool(GcodeWords& words) const;
+  bool isCold() const;
+
+  // A tool that was heated or has moved must be cold at the end.
+  struct Nozzle {
+    double celsius = 0.0;
+    bool used = false, cold = false;
+  };
+  Nozzle& nozzleOf(int tool) { return nozzles_[static_cast<std::size_t>(tool)]; }
+
+  const process::Tooling tooling_;
   const base::RunContext& ctx_;
+  std::vector<Nozzle> nozzles_; // per tool
   std::array<bool, 3> known_{};
   double filamentMm2_ = filamentArea();
   FilamentCount e_;
-  double celsius_ = 0.0;
-  bool relativeE_ = false, cold_ = false, motorsOff_ = false, ended_ = false;
+  bool relativeE_ = false, motorsOff_ = false, ended_ = false;
 };
 
 } // namespace voluta::program

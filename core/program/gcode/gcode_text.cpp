@@ -8,6 +8,7 @@
 #include "program/stream/joint_pieces.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace voluta::program {
@@ -119,6 +120,11 @@ void GcodeText::remark(std::string_view text) {
   out += joined({"; ", text, "\n"});
 }
 
+std::string GcodeText::heating(std::string_view command, std::size_t tool) const {
+  const std::string named = tools_ > 1 ? " T" + std::to_string(tool) : std::string();
+  return joined({command, named, " S"});
+}
+
 void GcodeText::head(const ProgramInput& input, std::string_view title, std::string_view question,
                      const std::vector<std::string>& notes) {
   const process::Process& p = input.process();
@@ -134,13 +140,16 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   word("", kFilamentDiameterMm, 3, true);
   out += " mm\nG21\nG90\nM82\n";
   out += joined({"M117 ", question, "\nM0\n"});
-  const std::optional<int> celsius = p.material.nozzleC;
-  if (celsius)
-    out += joined(
-        {"M104 S", std::to_string(*celsius), " ; assumed for ", plainText(p.material.label), "\n"});
+  const std::span<const process::Tool> tools = input.tooling.usedAfter(input.trajectory, 0);
+  tools_ = tools.size();
+  for (std::size_t tool = 0; tool < tools_; ++tool)
+    if (const process::Material& material = tools[tool].process.material; material.nozzleC)
+      out += joined({heating("M104", tool), std::to_string(*material.nozzleC), " ; assumed for ",
+                     plainText(material.label), "\n"});
   out += "G28\n";
-  if (celsius)
-    out += joined({"M109 S", std::to_string(*celsius), "\n"});
+  for (std::size_t tool = 0; tool < tools_; ++tool)
+    if (const std::optional<int> celsius = tools[tool].process.material.nozzleC)
+      out += joined({heating("M109", tool), std::to_string(*celsius), "\n"});
   out += "G92 E0\n";
   if (primesStanding(input)) {
     const double mmPerS = primeFlowMm3PerS(p) / filamentArea();
@@ -151,7 +160,8 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
 }
 
 void GcodeText::end() {
-  line("M104 S0");
+  for (std::size_t tool = 0; tool < tools_; ++tool)
+    line(heating("M104", tool) + "0");
   line("M84");
   line(kGcodeEnd);
 }

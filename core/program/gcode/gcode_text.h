@@ -29,7 +29,8 @@ public:
   void line(std::string_view text);
   void remark(std::string_view text);
 
-  // Writes remarks, units, the question, home, heat and the prime; `notes`: remarks of the dialect.
+  // Writes remarks, units, the question, home, heat of each tool that prints, and the prime;
+  // `notes`: remarks of the dialect.
   void head(const ProgramInput& input, std::string_view title, std::string_view question,
             const std::vector<std::string>& notes = {});
   void end();
@@ -45,7 +46,11 @@ public:
   std::string out;
 
 private:
+  // Returns the command for a tool's heat; it names the tool if several print.
+  std::string heating(std::string_view command, std::size_t tool) const;
+
   double lastMm_ = 0.0;
+  std::size_t tools_ = 1; // that print
 };
 
 // Writes motions that are straight on the part, one per point, joint motions in pieces: extended

@@ -212,8 +212,7 @@ plan::Program writeKrlEki(const ProgramInput& input, const base::RunContext& ctx
 plan::ReadProgram readKrlEki(const std::vector<plan::ProgramFile>& files,
                              const process::Tooling& tooling, const base::RunContext& ctx) {
   return readLinkFiles(kId, files, kForm, krlEkiSender(),
-                       {{isTaking, readTaking}, {isChannel, readChannel}}, tooling.first().process,
-                       ctx);
+                       {{isTaking, readTaking}, {isChannel, readChannel}}, tooling, ctx);
 }
 
 bool looksLikeKrlEki(std::string_view text) {

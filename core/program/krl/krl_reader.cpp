@@ -41,8 +41,8 @@ bool isType(LineCursor line) {
 
 class KrlReader {
 public:
-  KrlReader(const process::Process& process, const base::RunContext& ctx)
-      : out_("krl", process), procedures_(kStructure, out_, ctx) {}
+  KrlReader(const process::Tooling& tooling, const base::RunContext& ctx)
+      : out_("krl", tooling), procedures_(kStructure, out_, ctx) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.expectMotionsOf(files);
@@ -538,7 +538,7 @@ private:
 
 plan::ReadProgram readKrl(const std::vector<plan::ProgramFile>& files,
                           const process::Tooling& tooling, const base::RunContext& ctx) {
-  return KrlReader(tooling.first().process, ctx).read(files);
+  return KrlReader(tooling, ctx).read(files);
 }
 
 } // namespace voluta::program

@@ -224,8 +224,7 @@ plan::Program writeMelfaDatalink(const ProgramInput& input, const base::RunConte
 
 plan::ReadProgram readMelfaDatalink(const std::vector<plan::ProgramFile>& files,
                                     const process::Tooling& tooling, const base::RunContext& ctx) {
-  return readLinkFiles(kId, files, kForm, kSender, {{isTaking, readTaking}},
-                       tooling.first().process, ctx);
+  return readLinkFiles(kId, files, kForm, kSender, {{isTaking, readTaking}}, tooling, ctx);
 }
 
 bool looksLikeMelfaDatalink(std::string_view text) {

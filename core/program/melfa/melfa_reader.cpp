@@ -23,9 +23,9 @@ constexpr int kWorkCoordinates = 8, kOutputsOfWord = 16;
 
 class MelfaReader {
 public:
-  MelfaReader(const std::vector<plan::ProgramFile>& files, const process::Process& process,
+  MelfaReader(const std::vector<plan::ProgramFile>& files, const process::Tooling& tooling,
               const base::RunContext& ctx)
-      : files_(files), ctx_(ctx), out_("melfa", process) {}
+      : files_(files), ctx_(ctx), out_("melfa", tooling) {}
 
   plan::ReadProgram read() {
     for (out_.file = 0; out_.file < files_.size(); ++out_.file)
@@ -517,7 +517,7 @@ private:
 
 plan::ReadProgram readMelfa(const std::vector<plan::ProgramFile>& files,
                             const process::Tooling& tooling, const base::RunContext& ctx) {
-  return MelfaReader(files, tooling.first().process, ctx).read();
+  return MelfaReader(files, tooling, ctx).read();
 }
 
 } // namespace voluta::program

@@ -176,7 +176,7 @@ plan::Program writeMelfaStream(const ProgramInput& input, const base::RunContext
 
 plan::ReadProgram readMelfaStream(const std::vector<plan::ProgramFile>& files,
                                   const process::Tooling& tooling, const base::RunContext& ctx) {
-  ProgramBuilder out(kId, tooling.first().process);
+  ProgramBuilder out(kId, tooling);
   const auto isBeside = [](std::string_view text) {
     return isMxtPackets(text) || text.starts_with("#!") ||
            text.substr(0, 16384).find(kTakes) != std::string_view::npos;

@@ -26,8 +26,9 @@ constexpr double kMaxPerMm = 1e3, kShareSlack = 1e-3;
 
 class RapidReader : private RapidValues {
 public:
-  RapidReader(const process::Process& process, const base::RunContext& ctx)
-      : ctx_(ctx), out_("rapid", process), fullFlowMm3PerS_(process.maxFlowMm3PerS) {}
+  RapidReader(const process::Tooling& tooling, const base::RunContext& ctx)
+      : ctx_(ctx), out_("rapid", tooling),
+        fullFlowMm3PerS_(tooling.first().process.maxFlowMm3PerS) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.expectMotionsOf(files);
@@ -508,7 +509,7 @@ private:
 
 plan::ReadProgram readRapid(const std::vector<plan::ProgramFile>& files,
                             const process::Tooling& tooling, const base::RunContext& ctx) {
-  return RapidReader(tooling.first().process, ctx).read(files);
+  return RapidReader(tooling, ctx).read(files);
 }
 
 } // namespace voluta::program

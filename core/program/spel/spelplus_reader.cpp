@@ -23,8 +23,8 @@ constexpr Procedures::Words kStructure = {kSpelplusSyntax, spelplusPart};
 
 class SpelplusReader {
 public:
-  SpelplusReader(const process::Process& process, const base::RunContext& ctx)
-      : out_("spel", process), procedures_(kStructure, out_, ctx) {}
+  SpelplusReader(const process::Tooling& tooling, const base::RunContext& ctx)
+      : out_("spel", tooling), procedures_(kStructure, out_, ctx) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.beginOutputs();
@@ -395,7 +395,7 @@ private:
 
 plan::ReadProgram readSpelplus(const std::vector<plan::ProgramFile>& files,
                                const process::Tooling& tooling, const base::RunContext& ctx) {
-  return SpelplusReader(tooling.first().process, ctx).read(files);
+  return SpelplusReader(tooling, ctx).read(files);
 }
 
 } // namespace voluta::program

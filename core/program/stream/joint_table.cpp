@@ -57,8 +57,8 @@ std::vector<robot::JointKind> jointsOfHeader(std::string_view line) {
 
 class JointTableReader {
 public:
-  JointTableReader(const process::Process& process, const base::RunContext& ctx)
-      : ctx_(ctx), out_("csv", process) {}
+  JointTableReader(const process::Tooling& tooling, const base::RunContext& ctx)
+      : ctx_(ctx), out_("csv", tooling) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.expectMotionsOf(files);
@@ -220,7 +220,7 @@ plan::Program writeJointTable(const ProgramInput& input, const base::RunContext&
 
 plan::ReadProgram readJointTable(const std::vector<plan::ProgramFile>& files,
                                  const process::Tooling& tooling, const base::RunContext& ctx) {
-  return JointTableReader(tooling.first().process, ctx).read(files);
+  return JointTableReader(tooling, ctx).read(files);
 }
 
 bool looksLikeJointTable(std::string_view text) {

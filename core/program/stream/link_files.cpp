@@ -8,8 +8,8 @@ namespace voluta::program {
 plan::ReadProgram readLinkFiles(std::string_view format,
                                 const std::vector<plan::ProgramFile>& files, const LinkForm& form,
                                 std::string_view sender, const std::vector<LinkTaking>& takings,
-                                const process::Process& process, const base::RunContext& ctx) {
-  ProgramBuilder out(format, process);
+                                const process::Tooling& tooling, const base::RunContext& ctx) {
+  ProgramBuilder out(format, tooling);
   const auto takingOf = [&](std::string_view text) {
     return std::ranges::find_if(takings, [&](const LinkTaking& t) { return t.isIt(text); });
   };

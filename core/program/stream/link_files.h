@@ -24,7 +24,7 @@ struct LinkTaking {
 plan::ReadProgram readLinkFiles(std::string_view format,
                                 const std::vector<plan::ProgramFile>& files, const LinkForm& form,
                                 std::string_view sender, const std::vector<LinkTaking>& takings,
-                                const process::Process& process, const base::RunContext& ctx);
+                                const process::Tooling& tooling, const base::RunContext& ctx);
 
 // Errors for a receiving program that differs from the expected one.
 inline constexpr OtherSteps kOtherTaking{

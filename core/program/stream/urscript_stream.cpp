@@ -92,7 +92,7 @@ plan::Program writeUrscriptStream(const ProgramInput& input, const base::RunCont
 
 plan::ReadProgram readUrscriptStream(const std::vector<plan::ProgramFile>& files,
                                      const process::Tooling& tooling, const base::RunContext& ctx) {
-  ProgramBuilder out(kId, tooling.first().process);
+  ProgramBuilder out(kId, tooling);
   bool complete = false, stream = false;
   for (out.file = 0; out.file < files.size(); ++out.file) {
     const std::string_view text = files[out.file].text;

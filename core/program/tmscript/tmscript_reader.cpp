@@ -38,8 +38,8 @@ std::string_view withoutRemark(std::string_view code) {
 
 class TmscriptReader {
 public:
-  TmscriptReader(const process::Process& process, const base::RunContext& ctx)
-      : ctx_(ctx), out_("tmscript", process) {}
+  TmscriptReader(const process::Tooling& tooling, const base::RunContext& ctx)
+      : ctx_(ctx), out_("tmscript", tooling) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.expectMotionsOf(files);
@@ -510,7 +510,7 @@ private:
 
 plan::ReadProgram readTmscript(const std::vector<plan::ProgramFile>& files,
                                const process::Tooling& tooling, const base::RunContext& ctx) {
-  return TmscriptReader(tooling.first().process, ctx).read(files);
+  return TmscriptReader(tooling, ctx).read(files);
 }
 
 bool looksLikeTmscript(std::string_view text) {

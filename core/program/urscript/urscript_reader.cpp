@@ -23,8 +23,8 @@ constexpr double kMaxJointRad = 100.0, kMaxMetres = 100.0, kMaxSpeed = 100.0;
 
 class UrscriptReader {
 public:
-  UrscriptReader(const process::Process& process, const base::RunContext& ctx)
-      : ctx_(ctx), out_("urscript", process) {}
+  UrscriptReader(const process::Tooling& tooling, const base::RunContext& ctx)
+      : ctx_(ctx), out_("urscript", tooling) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.expectMotionsOf(files);
@@ -501,7 +501,7 @@ private:
 
 plan::ReadProgram readUrscript(const std::vector<plan::ProgramFile>& files,
                                const process::Tooling& tooling, const base::RunContext& ctx) {
-  return UrscriptReader(tooling.first().process, ctx).read(files);
+  return UrscriptReader(tooling, ctx).read(files);
 }
 
 } // namespace voluta::program
