@@ -264,9 +264,10 @@ private:
     result_.times.collision += watch.seconds();
   }
 
+  int toolOf(const Run& run) const { return plan_.paths[run.path].tool; }
+
   // Returns the process that limits a transfer: that of its tool.
   const process::Process& processOfWay(const Sequence& sequence, std::size_t way) const {
-    const auto toolOf = [&](const Run& run) { return plan_.paths[run.path].tool; };
     const bool begins = way > 0, ends = way < sequence.runs.size();
     if (begins && ends && toolOf(sequence.runs[way - 1]) == toolOf(sequence.runs[way]))
       return tooling_.at(toolOf(sequence.runs[way])).process;
@@ -317,7 +318,12 @@ private:
       s.jointTransfers += way.kind == TransferKind::Joint;
       s.treeTransfers += way.kind == TransferKind::Tree;
     };
+    int selected = 0; // A job begins with its first tool
     for (std::size_t i = 0; i < runs; ++i) {
+      if (const int tool = toolOf(sequence.runs[i]); std::exchange(selected, tool) != tool)
+        result_.trajectory.events.push_back({.point = result_.trajectory.pointCount(),
+                                             .kind = plan::EventKind::ToolChange,
+                                             .tool = tool});
       appendWay(i);
       const auto& points = sequence.runs[i].points;
       for (std::size_t k = 1; k < points.size(); ++k) {

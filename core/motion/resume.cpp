@@ -165,6 +165,10 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
   appendWay(all, start, reversed(*way, home), plan::kNoWaypoint, first.travelSpeedMmPerS, limits);
   resumed.firstPoint = all.pointCount();
   append(all, home.q, all.timeS.back(), MoveKind::Joint, plan::kNoWaypoint, all.extrudedMm3.back());
+  // A program begins with the first tool.
+  if (const int tool = plan.paths[path].tool; tool != 0)
+    all.events.push_back(
+        {.point = all.pointCount(), .kind = plan::EventKind::ToolChange, .tool = tool});
   appendWay(all, home, *way, waypoint, first.travelSpeedMmPerS, limits);
 
   std::size_t end = point + 1; // End of the run

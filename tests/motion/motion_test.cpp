@@ -25,8 +25,9 @@ struct Planned {
 
   explicit Planned(plan::ToolPlan p, double plateRadius = 20.0, int threads = 2)
       : plan(std::move(p)), cell(robot::loadCell("ur5-fixed", process, test::disc(plateRadius))),
-        part(plan, 0.45, {}), result(motion::MotionPlanner(plan, cell, process, part, {})
-                                         .plan(base::RunContext(base::CancelToken(), threads))) {}
+        part(plan, 0.45, {}),
+        result(motion::MotionPlanner(plan, cell, process::Tooling(process), part, {})
+                   .plan(base::RunContext(base::CancelToken(), threads))) {}
 
   void print(const char* name) const {
     const auto& s = result.statistics;
@@ -152,7 +153,7 @@ TEST(Motion, WipesAlongItsBeadBeforeItLifts) {
     motion::MotionOptions options;
     options.wipeMm = 3.5;
     const motion::MotionResult moved =
-        motion::MotionPlanner(plan, cell, process, part, options).plan({});
+        motion::MotionPlanner(plan, cell, process::Tooling(process), part, options).plan({});
     const plan::Trajectory& t = moved.trajectory;
     EXPECT_TRUE(moved.skipped.empty());
     EXPECT_EQ(moved.statistics.collisions, 0u);
@@ -255,12 +256,21 @@ TEST(Motion, EachToolMovesByItsProcess) {
   const auto planned = [&](const process::Tooling& tooling) {
     return motion::MotionPlanner(plan, cell, tooling, part, {}).plan({}).trajectory;
   };
-  const plan::Trajectory usual = planned(first.process), same = planned(two);
+  const plan::Trajectory usual = planned(process::Tooling(first.process)), same = planned(two);
   EXPECT_EQ(same.timeS, usual.timeS); // no path uses the second one
   EXPECT_EQ(same.joints, usual.joints);
+  EXPECT_TRUE(same.events.empty());
 
   plan.paths[2].tool = plan.paths[3].tool = 1;
   const plan::Trajectory slower = planned(two);
+  ASSERT_EQ(slower.events.size(), 1u);
+  const plan::TrajectoryEvent& change = slower.events.front();
+  EXPECT_EQ(change.kind, plan::EventKind::ToolChange);
+  EXPECT_EQ(change.tool, 1);
+  EXPECT_TRUE(slower.changesTool());
+  EXPECT_FALSE(slower.changesTool(change.point));
+  // It happens where the second path has ended, before the transfer to the third.
+  EXPECT_EQ(slower.waypoint[change.point - 1], plan.paths[1].first + plan.paths[1].count - 1);
   // Seconds from the first to the last waypoint of a path, and from there to the next path.
   const auto timesOf = [&](const plan::Trajectory& t, std::size_t path) {
     double begin = -1.0, end = 0.0, next = -1.0;
@@ -305,7 +315,8 @@ TEST(Motion, OutOfReachIsNamed) {
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const collision::GrowingPart part(plan, 2.0, {});
-  const auto result = motion::MotionPlanner(plan, cell, process, part, {}).plan({});
+  const auto result =
+      motion::MotionPlanner(plan, cell, process::Tooling(process), part, {}).plan({});
   EXPECT_EQ(result.statistics.unreachable, 20u);
   ASSERT_EQ(result.skipped.size(), 20u);
   EXPECT_EQ(result.skipped.front(), first);
@@ -324,7 +335,8 @@ TEST(Motion, HeadInThePlateIsNamed) {
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const collision::GrowingPart part(plan, 0.5, {});
-  const auto result = motion::MotionPlanner(plan, cell, process, part, {}).plan({});
+  const auto result =
+      motion::MotionPlanner(plan, cell, process::Tooling(process), part, {}).plan({});
   ASSERT_FALSE(result.findings.empty());
   EXPECT_EQ(plan::reportId(result.findings.front()), "collision");
   EXPECT_GE(result.statistics.collisions, 5u);
@@ -340,7 +352,8 @@ TEST(Motion, FewPlacesAreLeftOutAndTold) {
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const collision::GrowingPart part(plan, 0.45, {});
-  const auto result = motion::MotionPlanner(plan, cell, process, part, {}).plan({});
+  const auto result =
+      motion::MotionPlanner(plan, cell, process::Tooling(process), part, {}).plan({});
   EXPECT_EQ(result.skipped, std::vector<std::size_t>{at});
   EXPECT_GT(result.statistics.leftOutFraction, 0.0);
   EXPECT_LT(result.statistics.leftOutFraction, 0.005);
@@ -356,7 +369,7 @@ TEST(Motion, WhatIsToBeAvoidedIsNotPrinted) {
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const collision::GrowingPart part(plan, 0.45, {});
   const std::vector<std::size_t> avoided{100, 101, 300};
-  motion::MotionPlanner planner(plan, cell, process, part, {});
+  motion::MotionPlanner planner(plan, cell, process::Tooling(process), part, {});
   EXPECT_TRUE(planner.plan({}).skipped.empty());
   const auto result = planner.planWithout(avoided, {});
   EXPECT_EQ(result.skipped, avoided);
@@ -373,15 +386,15 @@ TEST(Motion, EmptyPlanAndCancel) {
   process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, test::disc(20));
   const plan::ToolPlan none;
-  const auto result =
-      motion::MotionPlanner(none, cell, process, collision::GrowingPart(none, 0.5, {}), {})
-          .plan({});
+  const auto result = motion::MotionPlanner(none, cell, process::Tooling(process),
+                                            collision::GrowingPart(none, 0.5, {}), {})
+                          .plan({});
   EXPECT_EQ(result.trajectory.pointCount(), 1u);
   const base::CancelToken cancel;
   cancel.cancel();
   const auto plan = test::cylinder(15, 2);
   const collision::GrowingPart part(plan, 0.5, {});
-  EXPECT_THROW(
-      motion::MotionPlanner(plan, cell, process, part, {}).plan(base::RunContext(cancel, 2)),
-      base::Cancelled);
+  EXPECT_THROW(motion::MotionPlanner(plan, cell, process::Tooling(process), part, {})
+                   .plan(base::RunContext(cancel, 2)),
+               base::Cancelled);
 }

@@ -43,6 +43,8 @@ public:
   }
 
 private:
+  // Of the selected tool.
+  const process::Process& process() const { return in_.tooling.at(tool_).process; }
   bool byAxis() const { return walk_.outputs != nullptr && extruder_.byAxis; }
   bool zeroesAt(std::size_t i) const { return std::ranges::binary_search(zeros_, i); }
 
@@ -61,8 +63,7 @@ private:
     if (walk_.outputs != nullptr && isPrint(t, i))
       flow(walk_.outputs->flowMm3PerS(i));
     extruder(isPrint(t, i));
-    if (i > 0 && isPrint(t, i - 1) && !isPrint(t, i) && i < lastPrint_ &&
-        in_.process().retractMm > 0.0)
+    if (i > 0 && isPrint(t, i - 1) && !isPrint(t, i) && i < lastPrint_ && process().retractMm > 0.0)
       draw(true);
     if (i == 0)
       emitter_.prompt();
@@ -82,7 +83,10 @@ private:
     for (const plan::TrajectoryEvent& event : in_.trajectory.eventsBefore(i))
       switch (event.kind) {
       case plan::EventKind::ToolChange:
-        emitter_.selectTool(event.tool);
+        if (drawn_) // Each tool has its own filament
+          draw(false);
+        tool_ = event.tool;
+        emitter_.selectTool(tool_);
         break;
       case plan::EventKind::Cut:
         emitter_.cut();
@@ -122,7 +126,7 @@ private:
 
   void draw(bool back) {
     drawn_ = back;
-    const double mm = in_.process().retractMm, seconds = mm / kDrawBackMmPerS;
+    const double mm = process().retractMm, seconds = mm / kDrawBackMmPerS;
     if (walk_.outputs == nullptr) {
       emitter_.retract(back ? -mm : mm);
     } else if (extruder_.byAxis) {
@@ -164,6 +168,7 @@ private:
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;
+  int tool_ = 0;                   // selected
   std::size_t lastPrint_ = 0;      // point
   std::string said_;               // last text sent
   std::vector<std::size_t> zeros_; // points, of an extruder that is an axis

@@ -57,8 +57,8 @@ struct Walk {
 };
 
 // Emits per point its remark, the outputs and the motion; at the first point also the prime. With
-// process.retractMm filament is retracted after a bead that is followed by another, and returned
-// before that. Throws Cancelled.
+// retractMm of the selected tool's process, filament is retracted after a bead that is followed by
+// another, and returned before that or before the tool changes. Throws Cancelled.
 void walkTrajectory(const ProgramInput& input, const Walk& walk, ProgramEmitter& emitter,
                     const base::RunContext& ctx);
 
