@@ -39,9 +39,9 @@ class Judge {
 public:
   Judge(const plan::ReadProgram& program, const ExecutedPath& path, const plan::ToolPlan& plan,
         const plan::Trajectory& trajectory, const robot::Cell& cell,
-        const process::Process& process, std::size_t firstPoint)
+        const process::Tooling& tooling, std::size_t firstPoint)
       : program_(program), path_(path), plan_(plan), trajectory_(trajectory), cell_(cell),
-        process_(process), firstPoint_(firstPoint), firstBead_(firstBeadOf(program)) {}
+        tooling_(tooling), firstPoint_(firstPoint), firstBead_(firstBeadOf(program)) {}
 
   std::vector<TextFinding> judge() {
     pauses();
@@ -91,11 +91,12 @@ private:
   }
   // Planned duration of a pause without flow.
   double plannedPauseS(const plan::ProgramPause& p) const {
-    return std::min(p.drawnMm, process_.retractMm) / program::kDrawBackMmPerS;
+    return std::min(p.drawnMm, tooling_.at(p.tool).process.retractMm) / program::kDrawBackMmPerS;
   }
 
   void prime() {
-    const double planned = plannedPrimeMm3(plan_, trajectory_, process_, firstPoint_);
+    const double planned =
+        plannedPrimeMm3(plan_, trajectory_, tooling_.first().process, firstPoint_);
     if (!program_.tellsPauses || program_.motions.empty())
       return;
     double volume = 0.0;
@@ -120,9 +121,10 @@ private:
     if (!program_.load)
       return;
     const bool head = cell_.nozzleMount() != robot::Mount::World;
-    const double part = trajectory_.extrudedMm3.empty() ? 0.0
-                                                        : trajectory_.extrudedMm3.back() * 1e-6 *
-                                                              process_.material.densityGPerCm3;
+    const double part = trajectory_.extrudedMm3.empty()
+                            ? 0.0
+                            : trajectory_.extrudedMm3.back() * 1e-6 *
+                                  tooling_.first().process.material.densityGPerCm3;
     const double planned = head ? kHeadKg : kPlateKg + part, kg = program_.load->kg;
     if (std::abs(kg - planned) <= kLoadSlackKg ||
         (kg <= kLoadFactor * planned && planned <= kLoadFactor * kg))
@@ -168,7 +170,7 @@ private:
       const double speed = time > 0.0 ? path_.commandedMm[i] / time : 0.0;
       const bool straight = !program_.motions[i - 1].jointInterpolated;
       const double last = straight && before > 0.0 ? path_.commandedMm[i - 1] / before : 0.0;
-      allowed = process_.accelerationMmPerS2;
+      allowed = tooling_.at(m.tool).process.accelerationMmPerS2;
       if (time > 0.0)
         allowed = std::max(
             {allowed, kHalf * std::abs(speed - last) / time, kHalf * std::abs(speed) / time});
@@ -182,7 +184,7 @@ private:
   const plan::ToolPlan& plan_;
   const plan::Trajectory& trajectory_;
   const robot::Cell& cell_;
-  const process::Process& process_;
+  const process::Tooling& tooling_;
   std::size_t firstPoint_;
   std::size_t firstBead_;
   std::vector<TextFinding> found_;
@@ -212,9 +214,9 @@ double standingMm3(const plan::ReadProgram& program) {
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
-                                           const robot::Cell& cell, const process::Process& process,
+                                           const robot::Cell& cell, const process::Tooling& tooling,
                                            std::size_t firstPoint) {
-  return Judge(program, path, plan, trajectory, cell, process, firstPoint).judge();
+  return Judge(program, path, plan, trajectory, cell, tooling, firstPoint).judge();
 }
 
 } // namespace voluta::replay

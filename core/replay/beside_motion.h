@@ -4,7 +4,7 @@
 
 #include "plan/program.h"
 #include "plan/tool_plan.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "replay/comparison.h"
 #include "replay/executed_path.h"
 #include "robot/cell.h"
@@ -49,7 +49,7 @@ double standingMm3(const plan::ReadProgram& program);
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
-                                           const robot::Cell& cell, const process::Process& process,
+                                           const robot::Cell& cell, const process::Tooling& tooling,
                                            std::size_t firstPoint = 0);
 
 } // namespace voluta::replay

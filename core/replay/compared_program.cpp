@@ -67,8 +67,11 @@ private:
     for (const plan::ProgramPause& p : in_.program.pauses)
       verdict.durationS += p.durationS;
     out_.run.volumeMm3.reserve(path().motionCount());
-    for (std::size_t m = 0; m < path().motionCount(); ++m)
+    out_.run.tool.reserve(path().motionCount());
+    for (std::size_t m = 0; m < path().motionCount(); ++m) {
       out_.run.volumeMm3.push_back(motionVolume(in_.program, path(), m));
+      out_.run.tool.push_back(in_.program.motions[m].tool);
+    }
   }
 
   void addDeviations(std::vector<TextFinding> found) {
@@ -87,11 +90,11 @@ private:
         alignProgram(in_.program, path(), planned, in_.trajectory, in_.cell, ctx_);
     addDeviations(compareWithPlan(in_.program, path(), planned, in_.trajectory, alignment,
                                   ComparisonOptions{}));
-    addDeviations(
-        compareStatedFacts(in_.program, in_.trajectory, alignment, in_.cell, in_.process));
+    addDeviations(compareStatedFacts(in_.program, in_.trajectory, alignment, in_.cell, in_.tooling,
+                                     in_.firstPoint));
     addDeviations(compareEvents(in_.program, in_.trajectory, alignment));
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
-                                    in_.process, in_.firstPoint));
+                                    in_.tooling, in_.firstPoint));
     const struct PathDeviation deviation =
         pathDeviation(path(), planned, in_.trajectory, in_.program, alignment, ctx_);
     verdict.maxDeviationMm = deviation.mm;
@@ -104,7 +107,8 @@ private:
 
   void numberPoints(std::vector<std::size_t> pointOf) {
     Run& run = out_.run;
-    run.knowledge = beadKnowledge(pointOf, in_.trajectory, in_.plan, in_.process.layerHeightMm);
+    run.knowledge =
+        beadKnowledge(pointOf, in_.trajectory, in_.plan, in_.tooling.first().process.layerHeightMm);
     out_.verdict.pointOf = pointOf;
     run.pointOf = std::move(pointOf);
     run.commonPoint = run.pointOf;
@@ -177,8 +181,9 @@ private:
       const double flow = motion.volumeMm3 >= 0.0 && path().durationS[m] > 0.0
                               ? volume / path().durationS[m]
                               : (motion.extruding ? motion.flowMm3PerS : 0.0);
-      if (flow > 1.05 * in_.process.maxFlowMm3PerS)
-        all.push_back({LimitKind::Flow, m, -1, flow, in_.process.maxFlowMm3PerS});
+      const double most = in_.tooling.at(out_.run.tool[m]).process.maxFlowMm3PerS;
+      if (flow > 1.05 * most)
+        all.push_back({LimitKind::Flow, m, -1, flow, most});
     }
     std::stable_sort(all.begin(), all.end(), [](const LimitViolation& a, const LimitViolation& b) {
       return a.motion < b.motion;

@@ -35,9 +35,21 @@ public:
         found_(trajectory.events.size(), false) {}
 
   std::vector<TextFinding> compare() {
-    for (const StatedFact& fact : program_.facts)
-      if (const auto kind = eventOf(fact.kind); kind && isBetweenMotions(fact))
+    const StatedFact* begin = nullptr; // selects the tool of the first motion
+    int selected = 0;
+    for (const StatedFact& fact : program_.facts) {
+      const auto kind = eventOf(fact.kind);
+      const bool selects = kind == EventKind::ToolChange;
+      if (kind && isBetweenMotions(fact) && !(selects && fact.tool == selected))
         stated(fact, *kind);
+      if (!selects)
+        continue;
+      selected = fact.tool;
+      if (fact.before <= program_.firstMotion)
+        begin = &fact;
+    }
+    if (begin && begin->tool != 0)
+      unplanned(*begin, EventKind::ToolChange);
     for (std::size_t e = 0; e < found_.size(); ++e)
       if (!found_[e])
         missing(trajectory_.events[e]);
@@ -53,12 +65,15 @@ private:
          trajectory_.eventsBefore(alignment_.pointAhead(fact.before))) {
       const auto e = static_cast<std::size_t>(&event - trajectory_.events.data());
       const bool isSame =
-          event.kind == kind && (kind != EventKind::ToolChange || event.tool == fact.number);
+          event.kind == kind && (kind != EventKind::ToolChange || event.tool == fact.tool);
       if (isSame && !found_[e]) {
         found_[e] = true;
         return;
       }
     }
+    unplanned(fact, kind);
+  }
+  void unplanned(const StatedFact& fact, EventKind kind) {
     findings_.push_back(textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
                                     {{"statement", program::nameOf(kind)},
                                      {"found", base::Message("stated here"_text)},

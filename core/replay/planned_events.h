@@ -12,7 +12,8 @@ namespace voluta::replay {
 
 // Returns a finding, at its line, for each event that the program lacks, states at another motion
 // or states with another tool, and for each stop, tool change or cut between the first and the last
-// motion that is not planned.
+// motion that is not planned. Selecting a tool is no tool change if that tool is selected already.
+// Before the first motion only the last selection counts: a program begins with tool 0.
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
                                        const Alignment& alignment);

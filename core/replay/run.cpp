@@ -66,26 +66,27 @@ private:
       take(p);
     const Vector3d mostLow = low - Vector3d::Constant(kStrayMm);
     const Vector3d mostHigh = high + Vector3d::Constant(kStrayMm);
-    const double margin = in_.process.beadWidthMaxMm;
+    const double margin = mostOf(&process::Process::beadWidthMaxMm);
     for (const BeadPiece& piece : pieces)
       take(piece.to);
     low = (low - Vector3d::Constant(margin)).cwiseMax(mostLow);
     high = (high + Vector3d::Constant(margin)).cwiseMin(mostHigh);
     // Support below a bead is searched for within a quarter of its height, which cells of more than
     // half a height would not resolve.
-    const double ofWidth = 0.25 * in_.process.beadWidthMm;
+    const double ofWidth = 0.25 * leastOf(&process::Process::beadWidthMm);
     const double ofHeight = 0.5 * thinHeight();
     const voxel::VoxelGrid grid = gridOver(low, high, std::min(ofWidth, ofHeight), kMaxCells);
     out_.figures.pitchMm = grid.pitch;
     DepositOptions options;
-    options.widthMaxMm = 3.0 * in_.process.beadWidthMaxMm;
+    options.widthMaxMm = 3.0 * mostOf(&process::Process::beadWidthMaxMm);
     const auto laid = std::make_shared<LaidBeads>();
     laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
     laid->printed.emplace(laid->beads, pieces);
-    laid->underside.emplace(process::erodedHead(in_.process.head, in_.process.contactToleranceMm),
-                            pieces, options.widthMaxMm);
+    laid->underside.emplace(
+        process::erodedHead(firstProcess().head, firstProcess().contactToleranceMm), pieces,
+        options.widthMaxMm);
     judgeBeads(*laid, pieces);
-    laid->pieces = laidPieces(pieces, 2.0 * in_.process.beadWidthMaxMm);
+    laid->pieces = laidPieces(pieces, 2.0 * mostOf(&process::Process::beadWidthMaxMm));
     // Collision checks need only the filling pieces.
     laid->beads.fill = {};
     laid->beads.otherFill = {};
@@ -94,16 +95,33 @@ private:
     return laid;
   }
 
-  // Returns the thickness that nine tenths of the waypoints exceed, or the process's layer height
+  // The least and the greatest value among the tools' processes.
+  double leastOf(double process::Process::*value) const {
+    double least = in_.tooling.first().process.*value;
+    for (const process::Tool& tool : in_.tooling.tools())
+      least = std::min(least, tool.process.*value);
+    return least;
+  }
+  double mostOf(double process::Process::*value) const {
+    double most = in_.tooling.first().process.*value;
+    for (const process::Tool& tool : in_.tooling.tools())
+      most = std::max(most, tool.process.*value);
+    return most;
+  }
+  // Of the first tool. All heads have the shape of its head.
+  const process::Process& firstProcess() const { return in_.tooling.first().process; }
+
+  // Returns the thickness that nine tenths of the waypoints exceed, or the processes' layer height
   // if that is less.
   double thinHeight() const {
+    const double usual = leastOf(&process::Process::layerHeightMm);
     std::vector<float> heights = in_.plan.heightMm;
     if (heights.empty())
-      return in_.process.layerHeightMm;
+      return usual;
     const auto tenth = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
     std::nth_element(heights.begin(), tenth, heights.end());
-    return std::clamp(static_cast<double>(*tenth), in_.process.layerHeightMinMm,
-                      in_.process.layerHeightMm);
+    return std::clamp(static_cast<double>(*tenth), leastOf(&process::Process::layerHeightMinMm),
+                      usual);
   }
 
   // Returns the mesh's exact volume if the mesh is closed, else the volume on the grid.
@@ -130,10 +148,11 @@ private:
     RunFigures& figures = out_.figures;
     const geometry::MeshQuery query(in_.part);
     const PartCells cells = partCells(in_.part, query, beads.grid, ctx_);
-    const Coverage coverage = measureCoverage(
-        beads, cells, query,
-        {.outsideMm = 0.25 * in_.process.beadWidthMm, .notchMm = 0.5 * in_.process.layerHeightMm},
-        ctx_);
+    const Coverage coverage =
+        measureCoverage(beads, cells, query,
+                        {.outsideMm = 0.25 * leastOf(&process::Process::beadWidthMm),
+                         .notchMm = 0.5 * leastOf(&process::Process::layerHeightMm)},
+                        ctx_);
     figures.partVolumeMm3 = partVolume(cells.volumeMm3);
     figures.coveredFraction = coverage.coveredFraction;
     if (coverage.worstGapMm3 > 0.0)
@@ -192,20 +211,22 @@ private:
       add(Unsupported, {{"length", base::mm(support.unsupportedMm)}}, first.to, first.motion,
           support.unsupported.size());
     }
-    if (support.longestUnsupportedMm > in_.process.bridgeMm) {
-      const BeadPiece& first = pieces[support.longestFrom];
+    if (pieces.empty())
+      return;
+    const BeadPiece& first = pieces[support.longestFrom];
+    const double bridgeMm = in_.tooling.at(out_.run.tool[first.motion]).process.bridgeMm;
+    if (support.longestUnsupportedMm > bridgeMm)
       add(LongBridge,
-          {{"length", base::mm(support.longestUnsupportedMm)},
-           {"bridge", base::mm(in_.process.bridgeMm)}},
+          {{"length", base::mm(support.longestUnsupportedMm)}, {"bridge", base::mm(bridgeMm)}},
           first.to, first.motion);
-    }
   }
 
   void findClashes(const KnownResults& known) {
     ctx_.report(0.72, "checking for collisions"_text);
-    const GroundSolids ground(in_.platform, in_.cell, 0.25 * in_.process.beadWidthMm, ctx_);
+    const GroundSolids ground(in_.platform, in_.cell,
+                              0.25 * leastOf(&process::Process::beadWidthMm), ctx_);
     out_.head = headClashes(path(), out_.laid->pieces, known.firstPiece, *out_.laid->printed,
-                            *out_.laid->underside, in_.process, ground, known.headKnown, ctx_);
+                            *out_.laid->underside, firstProcess(), ground, known.headKnown, ctx_);
     ctx_.report(0.97, "checking for collisions"_text);
     out_.arm = armClashes(path(), known.firstPiece, *out_.laid->printed, ground, in_.cell,
                           known.armKnown, ctx_);

@@ -31,6 +31,7 @@ struct Run {
   // as pointOf, but with the numbering common to all programs of the plan
   std::vector<std::size_t> commonPoint;
   std::vector<BeadKnowledge> knowledge; // per motion
+  std::vector<std::uint8_t> tool;       // per motion: the one that deposits
 };
 
 // A finding about the beads, at one motion or at none in particular.

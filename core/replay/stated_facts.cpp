@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace voluta::replay {
 
@@ -58,9 +59,11 @@ base::Message nameOf(FactKind kind) {
 class Comparer {
 public:
   Comparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
-           const Alignment& alignment, const robot::Cell& cell, const process::Process& process)
+           const Alignment& alignment, const robot::Cell& cell, const process::Tooling& tooling,
+           std::size_t firstPoint)
       : program_(program), trajectory_(trajectory), alignment_(alignment), cell_(cell),
-        process_(process) {
+        fullFlowMm3PerS_(tooling.first().process.maxFlowMm3PerS),
+        tools_(tooling.usedAfter(trajectory, firstPoint)) {
     const auto flows = std::ranges::find_if(
         program.pauses, [](const plan::ProgramPause& p) { return p.volumeMm3 > 0.0; });
     firstFlow_ = static_cast<std::size_t>(flows - program.pauses.begin());
@@ -109,12 +112,14 @@ private:
       operatorStop(firstMotion);
       break;
     case FactKind::NozzleHeat:
-      heat(firstMotion);
+      for (std::size_t tool = 0; tool < tools_.size(); ++tool)
+        heat(tool, firstMotion);
       break;
     case FactKind::NozzleHeatWait:
-      if (process_.material.nozzleC &&
-          !first(kind, [&](const StatedFact& f) { return isBeforeFlow(f); }))
-        missing(kind, firstMotion);
+      for (std::size_t tool = 0; tool < tools_.size(); ++tool)
+        if (heatOf(tool) &&
+            !first(kind, [&](const StatedFact& f) { return isOf(tool, f) && isBeforeFlow(f); }))
+          missing(kind, firstMotion);
       break;
     default:
       if (!first(kind, [&](const StatedFact& f) { return isBeforeMotion(f) && isBeforeFlow(f); }))
@@ -140,17 +145,24 @@ private:
               home && isBeforeMotion(*home) ? placeOfFact(*home) : firstMotion);
   }
 
-  void heat(TextPlace firstMotion) {
-    const std::optional<int> planned = process_.material.nozzleC;
+  std::optional<int> heatOf(std::size_t tool) const {
+    return tools_[tool].process.material.nozzleC;
+  }
+  static bool isOf(std::size_t tool, const StatedFact& fact) {
+    return fact.tool == static_cast<int>(tool);
+  }
+
+  void heat(std::size_t tool, TextPlace firstMotion) {
+    const std::optional<int> planned = heatOf(tool);
     if (!planned)
       return;
     const auto isOn = [](const StatedFact& f) { return f.number > 0.0; };
     if (!first(FactKind::NozzleHeat,
-               [&](const StatedFact& f) { return isOn(f) && isBeforeFlow(f); }))
+               [&](const StatedFact& f) { return isOf(tool, f) && isOn(f) && isBeforeFlow(f); }))
       missing(FactKind::NozzleHeat, firstMotion);
     const StatedFact* last = nullptr;
     for (const StatedFact& fact : program_.facts)
-      if (fact.kind == FactKind::NozzleHeat && fact.before <= firstBead_)
+      if (fact.kind == FactKind::NozzleHeat && isOf(tool, fact) && fact.before <= firstBead_)
         last = &fact;
     if (last && !isOn(*last))
       changed(FactKind::NozzleHeat, placeOfFact(*last), base::number(last->number),
@@ -185,7 +197,7 @@ private:
     const std::string_view atFull = program::findDialect(program_.format).fullFlowAt;
     if (atFull.empty()) // no output carries the flow
       return;
-    const double planned = process_.maxFlowMm3PerS;
+    const double planned = fullFlowMm3PerS_;
     if (fact.word != atFull)
       changed(fact.kind, placeOfFact(fact), fact.word, atFull);
     else if (!(std::abs(fact.number - planned) <= kSameFlow * planned + kRoundedFlow))
@@ -230,7 +242,8 @@ private:
   const plan::Trajectory& trajectory_;
   const Alignment& alignment_;
   const robot::Cell& cell_;
-  const process::Process& process_;
+  const double fullFlowMm3PerS_;
+  const std::span<const process::Tool> tools_; // that print
   // pause in which material flows first; first extruding motion
   std::size_t firstFlow_ = 0, firstBead_ = 0;
   std::vector<TextFinding> found_;
@@ -241,8 +254,9 @@ private:
 std::vector<TextFinding> compareStatedFacts(const plan::ReadProgram& program,
                                             const plan::Trajectory& trajectory,
                                             const Alignment& alignment, const robot::Cell& cell,
-                                            const process::Process& process) {
-  return Comparer(program, trajectory, alignment, cell, process).compare();
+                                            const process::Tooling& tooling,
+                                            std::size_t firstPoint) {
+  return Comparer(program, trajectory, alignment, cell, tooling, firstPoint).compare();
 }
 
 } // namespace voluta::replay

@@ -7,7 +7,7 @@
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "platform/platform_solid.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "replay/worst_places.h"
 #include "robot/cell.h"
 
@@ -28,7 +28,7 @@ struct ReplayInput {
   const plan::ToolPlan& plan;
   const plan::Trajectory& trajectory;
   const robot::Cell& cell;
-  const process::Process& process;
+  process::Tooling tooling;
   // placed, without the volume inside the ground: work frame, mm
   const geometry::TriangleMesh& part;
   const platform::PlatformSolid& platform; // ground below the first beads

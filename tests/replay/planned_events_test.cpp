@@ -25,8 +25,9 @@ protected:
     while (scene_.trajectory.move[point] == plan::MoveKind::Print)
       ++point;
     scene_.trajectory.events = {{.point = point + 1, .kind = plan::EventKind::Pause}};
-    text_ = test::textOf(program::writeProgram(
-        "urscript", {scene_.plan, scene_.trajectory, scene_.cell, scene_.process, "box"}));
+    text_ =
+        test::textOf(program::writeProgram("urscript", {scene_.plan, scene_.trajectory, scene_.cell,
+                                                        process::Tooling(scene_.process), "box"}));
     const auto line = std::ranges::find_if(
         text_.lines, [](const std::string& l) { return l.starts_with(kPause); });
     ASSERT_NE(line, text_.lines.end());
@@ -34,7 +35,8 @@ protected:
   }
   Verification verify() const {
     return replayProgram({test::read(text_, scene_.process), scene_.plan, scene_.trajectory,
-                          scene_.cell, scene_.process, scene_.part, scene_.platform},
+                          scene_.cell, process::Tooling(scene_.process), scene_.part,
+                          scene_.platform},
                          ReplayThresholds{}, {});
   }
   // Line: 1-based.
@@ -78,6 +80,43 @@ TEST_F(PlannedEvents, ATrajectoryWithoutEventsTakesNoPause) {
   const Verification v = verify();
   EXPECT_FALSE(v.passed);
   EXPECT_TRUE(isFound(v, plan::FindingKind::StatementChanged, pause_ + 1)) << told(v);
+}
+
+// Before the first motion, only the last selection counts.
+TEST_F(PlannedEvents, AToolSelectedAtTheStartIsFound) {
+  const process::Tooling two({{scene_.process}, {scene_.process}});
+  const auto replayed = [&](const std::vector<int>& tools) {
+    plan::ReadProgram program = test::read(text_, scene_.process);
+    for (const int tool : tools)
+      program.facts.push_back(
+          {.kind = plan::FactKind::ToolSelected, .line = 7, .word = {}, .tool = tool});
+    return replayProgram({std::move(program), scene_.plan, scene_.trajectory, scene_.cell, two,
+                          scene_.part, scene_.platform},
+                         ReplayThresholds{}, {});
+  };
+  const Verification v = replayed({1});
+  EXPECT_FALSE(v.passed);
+  EXPECT_TRUE(isFound(v, plan::FindingKind::StatementChanged, 7)) << told(v);
+  EXPECT_TRUE(replayed({0}).passed);
+  EXPECT_TRUE(replayed({1, 0}).passed);
+}
+
+// The flow of a motion is checked against the limit of the tool that its text has selected.
+TEST_F(PlannedEvents, EachToolHasItsOwnFlow) {
+  process::Tool narrow{scene_.process};
+  narrow.process.maxFlowMm3PerS *= 0.01;
+  plan::ReadProgram program = test::read(text_, scene_.process);
+  const auto limited = [&](const process::Tooling& tooling) {
+    return replayProgram({program, scene_.plan, scene_.trajectory, scene_.cell, tooling,
+                          scene_.part, scene_.platform},
+                         ReplayThresholds{}, {})
+        .limitViolations;
+  };
+  const process::Tooling tools({{scene_.process}, narrow});
+  EXPECT_EQ(limited(tools), 0u);
+  for (plan::ProgramMotion& motion : program.motions)
+    motion.tool = 1;
+  EXPECT_GT(limited(tools), 0u);
 }
 
 } // namespace

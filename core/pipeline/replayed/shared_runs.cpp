@@ -45,6 +45,7 @@ public:
       if (mine <= 0.0 && its <= 0.0)
         continue;
       if (off[m].tipMm > kSameOfCell * cell ||
+          (o != kUnmatched && mine_.tool[m] != other_.run.tool[o]) ||
           std::abs(mine - its) > kMinMm3 + kSameVolume * std::min(mine, its))
         return false;
       moved += mine * off[m].tipMm;
@@ -170,7 +171,8 @@ replay::Verification replayShared(replay::ReplayInput input, SharedRuns& shared,
                                   const base::RunContext& ctx) {
   const replay::ReplayThresholds thresholds;
   replay::ComparedProgram compared = replay::compareProgram(input, thresholds, ctx);
-  replay::KnownResults known = shared.knownOf(compared.run, input.process, ctx.sub(0.1, 1.0));
+  replay::KnownResults known =
+      shared.knownOf(compared.run, input.tooling.first().process, ctx.sub(0.1, 1.0));
   replay::JudgedProgram judged =
       replay::judgeProgram(std::move(compared), input, thresholds, std::move(known), ctx);
   shared.add(std::move(judged.run));
