@@ -234,6 +234,14 @@ process::Process chosenProcess(const project::Choices& choices,
   return p;
 }
 
+process::Tooling chosenTooling(const project::Choices& choices,
+                               const base::ParameterValues& values) {
+  std::vector<process::Tool> tools = {{chosenProcess(choices, values)}};
+  for (std::size_t i = 1; i < choices.tools.size(); ++i)
+    tools.push_back({process::loadProcess(choices.tool(i).process)});
+  return process::Tooling(std::move(tools));
+}
+
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {
   constexpr const char* kWidth = "voxelMm";
   if (!loaded.cells)
@@ -307,7 +315,8 @@ void checkChoices(const project::Choices& given) {
     formatIds.emplace_back(dialect.id);
   checkName("unknown mode '{name}'"_text, choices.item().mode, modeIds);
   checkData("unknown cell '{name}'"_text, choices.cell, robot::cellIds());
-  checkData("unknown process '{name}'"_text, choices.tool().process, process::processIds());
+  for (const project::ToolChoice& tool : choices.tools)
+    checkData("unknown process '{name}'"_text, tool.process, process::processIds());
   for (const std::string& format : choices.formats)
     checkName("unknown format '{name}'"_text, format, formatIds);
   const std::vector<project::PlatformUse>& taken = modes::findMode(choices.item().mode).platforms;
@@ -336,11 +345,12 @@ void checkChoices(const project::Choices& given) {
 }
 
 void takeOwnFiles(project::Choices& choices) {
-  if (base::isDataFileName(choices.tool().process)) {
-    const std::string file = choices.tool().process;
-    choices.tool().process = base::readFile(file);
-    process::readProcessText(choices.tool().process, file);
-  }
+  for (project::ToolChoice& tool : choices.tools)
+    if (base::isDataFileName(tool.process)) {
+      const std::string file = tool.process;
+      tool.process = base::readFile(file);
+      process::readProcessText(tool.process, file);
+    }
   if (base::isDataFileName(choices.cell)) {
     constexpr double kAnyMm = 80.0;
     const std::filesystem::path file = choices.cell;

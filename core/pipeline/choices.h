@@ -4,7 +4,7 @@
 #include "base/parameters.h"
 #include "motion/motion_options.h"
 #include "planar/pieces.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "project/choices.h"
 #include "project/loaded_part.h"
 #include "robot/cell.h"
@@ -49,6 +49,11 @@ void requireOptionsApply(const project::Choices& choices,
 // applied. Throws Error{Usage} for an unknown process, and for a value outside the process's limits
 // (names the limits).
 process::Process chosenProcess(const project::Choices& choices,
+                               const base::ParameterValues& values);
+
+// Returns the tools of the choices: the first with chosenProcess(), the others with their processes
+// as they are. Throws as chosenProcess().
+process::Tooling chosenTooling(const project::Choices& choices,
                                const base::ParameterValues& values);
 
 // Returns the length [mm] of one unit of the loaded part's mesh at scale 1. For a voxel object this

@@ -37,10 +37,10 @@ void append(plan::Findings& to, const plan::Findings& more) {
 
 ItemStages::ItemStages(const StageContext& context, const project::Choices& given,
                        std::size_t index, const RequestedItem& part,
-                       const process::Process& process, PlanResult& result)
+                       const process::Tooling& tooling, PlanResult& result)
     : context_(context), given_(project::onlyItem(given, index)), choices_(resolved(given_)),
-      index_(index), process_(process), result_(result), values_(parameterValues(choices_)),
-      mode_(modes::findMode(choices_.item().mode)) {
+      index_(index), tooling_(tooling), process_(tooling_.first().process), result_(result),
+      values_(parameterValues(choices_)), mode_(modes::findMode(choices_.item().mode)) {
   report().decomposition.mode = choices_.item().mode;
   report().chosen = chosenReport();
   loaded_ = loadedOf(part, choices_.item().repair, context_.span(Stage::Load));
@@ -49,7 +49,7 @@ ItemStages::ItemStages(const StageContext& context, const project::Choices& give
   hasGivenPaths_ = takesGivenPaths(*loaded_, values_);
   if (hasGivenPaths_)
     requireOwnSize(choices_);
-  keys_ = keysOf(*loaded_, choices_, values_, process_);
+  keys_ = keysOf(*loaded_, choices_, values_, tooling_);
 }
 
 project::ChosenReport ItemStages::chosenReport() const {

@@ -24,7 +24,7 @@ public:
   // item and report of that index the stages fill in. All but `given` outlive it.
   // Throws as planPart.
   ItemStages(const StageContext& context, const project::Choices& given, std::size_t index,
-             const RequestedItem& part, const process::Process& process, PlanResult& result);
+             const RequestedItem& part, const process::Tooling& tooling, PlanResult& result);
 
   ItemOutcome load();
   ItemOutcome decompose();
@@ -56,7 +56,8 @@ private:
   const project::Choices given_; // of this item only, as the user made them
   const project::Choices choices_;
   std::size_t index_;
-  const process::Process& process_;
+  const process::Tooling tooling_;
+  const process::Process& process_; // of the first tool
   PlanResult& result_;
   base::ParameterValues values_;
   const modes::Mode& mode_;

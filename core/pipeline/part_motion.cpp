@@ -9,12 +9,12 @@
 namespace voluta::pipeline {
 
 PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
-                       const robot::Cell& cell, const process::Process& process,
+                       const robot::Cell& cell, const process::Tooling& tooling,
                        const motion::MotionOptions& options,
                        std::shared_ptr<const collision::GrowingPart> grown,
                        const base::RunContext& ctx)
     : toolPlan_(toolPlan), cell_(cell), ground_(platform),
-      pitchMm_(collision::growingPitch(toolPlan, process)) {
+      pitchMm_(collision::growingPitch(toolPlan, tooling)) {
   ground_.rod.reset(); // a rod is a body of the cell
   if (toolPlan.paths.empty())
     return;
@@ -23,7 +23,7 @@ PartMotion::PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformS
     growing_ = *grown;
   else
     layPart(ctx);
-  planner_ = std::make_unique<motion::MotionPlanner>(toolPlan, cell, process, *growing_, options);
+  planner_ = std::make_unique<motion::MotionPlanner>(toolPlan, cell, tooling, *growing_, options);
 }
 
 void PartMotion::layPart(const base::RunContext& ctx) {

@@ -8,7 +8,7 @@
 #include "pipeline/stages.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "robot/cell.h"
 
 #include <cstddef>
@@ -25,10 +25,10 @@ namespace voluta::pipeline {
 
 class PartMotion {
 public:
-  // Deposits the growing part, or uses `grown` from toolpathStage(), on the platform. toolPlan,
-  // cell and process must outlive the object. Throws Cancelled.
+  // Deposits the growing part, or uses `grown` from toolpathStage(), on the platform. toolPlan
+  // and cell must outlive the object. Throws Cancelled.
   PartMotion(const plan::ToolPlan& toolPlan, const platform::PlatformSolid& platform,
-             const robot::Cell& cell, const process::Process& process,
+             const robot::Cell& cell, const process::Tooling& tooling,
              const motion::MotionOptions& options,
              std::shared_ptr<const collision::GrowingPart> grown, const base::RunContext& ctx);
   ~PartMotion();

@@ -3,12 +3,14 @@
 
 #include "base/text.h"
 #include "pipeline/stages.h"
+#include "process/tooling.h"
 #include "project/job.h"
 #include "project/stage.h"
 
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +38,7 @@ struct PlannedItem {
 struct PlanResult {
   project::Job job;                                 // choices, results and report
   std::vector<PlannedItem> items = {PlannedItem{}}; // as the job's
-  std::shared_ptr<const process::Process> process;
+  std::optional<process::Tooling> tooling;          // empty before a plan
   std::shared_ptr<const robot::Cell> cell; // with the job's platform; null before Decompose is done
   // one per format, including refused ones
   std::vector<std::shared_ptr<const CheckedProgram>> checked;

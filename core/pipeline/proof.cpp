@@ -152,7 +152,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.robot = result.cell->robot().label;
   proof.cell = result.cell->label();
   proof.mode = modes::findMode(result.job.choices.item().mode).label;
-  proof.process = *result.process;
+  proof.process = result.tooling->first().process;
   proof.sizeMm = geometry::bounds(*project::printedOf(result.job)).sizes();
   proof.layers = result.job.report.item().layers.count;
   proof.verdict = checked.verdict;
@@ -324,7 +324,7 @@ void writeProofs(const PlanResult& result, const Programs& programs,
     return meanwhile();
   const plan::ToolPlan& plan = *result.job.toolPlan;
   const plan::Trajectory& whole = *result.job.trajectory;
-  const collision::GrowingPart growing(plan, collision::growingPitch(plan, *result.process), ctx);
+  const collision::GrowingPart growing(plan, collision::growingPitch(plan, *result.tooling), ctx);
   Measured measured;
   measured.trajectory = motion::partOf(whole, result.job.resumedAt, whole.pointCount());
   measured.printed = printedName(result);
@@ -334,8 +334,9 @@ void writeProofs(const PlanResult& result, const Programs& programs,
               [&] { measured.fill = fillMap(*printed, growing, ctx); },
               [&] { measured.pictures = picturesOf(result.job, style); },
               [&] {
-                base::writeFile(folder / measured.printed,
-                                geometry::writeStl(printedSolid(plan, *result.process, ctx)));
+                base::writeFile(
+                    folder / measured.printed,
+                    geometry::writeStl(printedSolid(plan, result.tooling->first().process, ctx)));
               },
               meanwhile});
   std::vector<std::function<void()>> proofs;

@@ -18,7 +18,7 @@ TextLine textLine(std::size_t file, std::size_t line) {
 
 program::ProgramInput programInput(const ProgramStageInput& in,
                                    const plan::Trajectory& trajectory) {
-  return {in.toolPlan, trajectory, in.cell, in.process, in.name, in.options, in.job};
+  return {in.toolPlan, trajectory, in.cell, in.tooling, in.name, in.options, in.job};
 }
 
 // Returns the motions printed before the program begins, in its dialect and with line 0.
@@ -26,7 +26,7 @@ std::vector<plan::ProgramMotion>
 motionsBefore(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
   const plan::Trajectory before = motion::partOf(in.trajectory, 0, in.firstPoint);
   const plan::Program program = program::writeProgram(format, programInput(in, before), ctx);
-  plan::ReadProgram read = program::readProgram(format, program.files, in.process, ctx);
+  plan::ReadProgram read = program::readProgram(format, program.files, in.tooling, ctx);
   for (plan::ProgramMotion& motion : read.motions)
     motion.file = motion.line = 0;
   return std::move(read.motions);
@@ -53,7 +53,7 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
           in.toolPlan,
           *points.trajectory,
           in.cell,
-          in.process,
+          in.tooling,
           in.name,
           in.options,
           first,
@@ -73,7 +73,7 @@ program::JobHead headOf(const ProgramStageInput& said) {
 ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFile>& files,
                     const ProgramStageInput& in, const base::RunContext& ctx, SharedRuns* shared) {
   ctx.report(0.0, base::message("replaying {format}"_text, format));
-  plan::ReadProgram read = program::readProgram(format, files, in.process, ctx.sub(0.0, 0.1));
+  plan::ReadProgram read = program::readProgram(format, files, in.tooling, ctx.sub(0.0, 0.1));
   if (in.firstPoint > 0) {
     std::vector<plan::ProgramMotion> motions = motionsBefore(format, in, ctx);
     read.firstMotion = motions.size();
@@ -87,7 +87,7 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
     read.motions = std::move(motions);
   }
   ReadBack back{read.firstMotion, read.defects, {}};
-  replay::ReplayInput input{std::move(read), in.toolPlan, in.trajectory, in.cell,       in.process,
+  replay::ReplayInput input{std::move(read), in.toolPlan, in.trajectory, in.cell,       in.tooling,
                             in.part,         in.platform, in.firstPoint, in.commonPoint};
   const base::RunContext rest = ctx.sub(0.1, 1.0);
   back.verdict = shared ? replayShared(std::move(input), *shared, rest)

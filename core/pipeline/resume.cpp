@@ -80,15 +80,16 @@ std::size_t motionAt(const ResumeRequest& request, const FoundProgram& found,
 std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
                         const base::RunContext& ctx) {
   const FoundProgram found = findProgram(fileOfLine(request, job), job.report.programs);
-  const process::Process process = chosenProcess(job.choices, parameterValues(job.choices));
+  const process::Tooling tooling = chosenTooling(job.choices, parameterValues(job.choices));
   const plan::ReadProgram read =
-      program::readProgram(std::string(found.dialect->id), found.files, process, ctx);
+      program::readProgram(std::string(found.dialect->id), found.files, tooling, ctx);
   std::size_t at = motionAt(request, found, read);
-  const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.item().platform);
+  const robot::Cell cell =
+      robot::loadCell(job.choices.cell, tooling.first().process, job.item().platform);
   const plan::Trajectory rest =
       motion::partOf(*job.trajectory, job.resumedAt, job.trajectory->pointCount());
   const program::MergedPoints points = program::pointsFor(
-      found.dialect->id, {*job.toolPlan, rest, cell, process, job.item().partName}, ctx);
+      found.dialect->id, {*job.toolPlan, rest, cell, tooling, job.item().partName}, ctx);
   const replay::ExecutedPath path = replay::executeProgram(read, cell, ctx);
   const replay::Alignment alignment =
       replay::alignProgram(read, path, replay::plannedNozzle(*points.trajectory, cell, ctx),
@@ -140,7 +141,7 @@ void writePrograms(PlanResult& result, const base::RunContext& ctx) {
   const ProgramStageInput in{
       *printed,          job.item().platform,
       *job.toolPlan,     *job.trajectory,
-      *result.cell,      *result.process,
+      *result.cell,      *result.tooling,
       programsName(job), program::programOptions(parameterValues(job.choices)),
       job.resumedAt};
   SharedRuns shared;
@@ -198,15 +199,15 @@ private:
     base::Stopwatch watch;
     ctx.report(0.0, "computing the part printed so far"_text);
     const plan::ToolPlan& plan = *job().toolPlan;
-    const process::Process& process = *result_.plan.process;
-    const double pitch = collision::growingPitch(plan, process);
+    const process::Tooling& tooling = *result_.plan.tooling;
+    const double pitch = collision::growingPitch(plan, tooling);
     const collision::GrowingPart growing(plan, pitch, ctx,
                                          collision::groundCells(job().item().platform, pitch, ctx));
     project::Timings timings;
     timings.collision = watch.seconds();
     watch = base::Stopwatch();
     const base::ParameterValues values = parameterValues(job().choices);
-    auto resumed = motion::resumeAt(*job().trajectory, point_, plan, *result_.plan.cell, process,
+    auto resumed = motion::resumeAt(*job().trajectory, point_, plan, *result_.plan.cell, tooling,
                                     growing, motionOptionsOf(values, job().choices.seed), ctx);
     timings.transfer = watch.seconds();
     if (!resumed) {
@@ -231,7 +232,8 @@ private:
                const base::RunContext& ctx) {
     const base::ParameterValues values = parameterValues(job().choices);
     const motion::MotionOptions options = motionOptionsOf(values, job().choices.seed);
-    const collision::CellCollision collision(*result_.plan.cell, *result_.plan.process);
+    const collision::CellCollision collision(*result_.plan.cell,
+                                             result_.plan.tooling->first().process);
     const motion::MotionScene scene{
         *job().toolPlan, *result_.plan.cell,
         collision,       growing,

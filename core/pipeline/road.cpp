@@ -46,7 +46,7 @@ project::StageKeys keysOfItem(const project::LoadedPart& loaded, const project::
   const project::Choices own =
       resolved(given ? choicesForGivenPaths(choices) : wayOrFirst(choices));
   const base::ParameterValues values = parameterValues(own);
-  return keysOf(loaded, own, values, chosenProcess(own, values));
+  return keysOf(loaded, own, values, chosenTooling(own, values));
 }
 
 } // namespace
@@ -77,10 +77,11 @@ PlanResult resultOf(project::Job job) {
   PlanResult result;
   result.items.resize(job.items.size());
   const base::ParameterValues values = parameterValues(job.choices);
-  result.process = std::make_shared<process::Process>(chosenProcess(job.choices, values));
+  result.tooling = chosenTooling(job.choices, values);
+  const process::Process& process = result.tooling->first().process;
   if (job.item().platform.known())
     result.cell = std::make_shared<robot::Cell>(
-        robot::loadCell(job.choices.cell, *result.process, job.item().platform));
+        robot::loadCell(job.choices.cell, process, job.item().platform));
   result.debug = values.boolean("output.debug");
   result.keepRefused = values.boolean("output.refused");
   result.proofs = values.boolean("output.proof");
@@ -89,7 +90,7 @@ PlanResult resultOf(project::Job job) {
     if (!job.item().placement)
       job.item().placement = placementByHandOrMode(
           *job.item().loaded->mesh, job.item().scale * unitMm(*job.item().loaded, job.choices),
-          {job.choices, values, *result.process});
+          {job.choices, values, process});
     result.item().placed = loadStageOf(job);
   }
   result.job = std::move(job);

@@ -49,6 +49,19 @@ ProcessKeys keysOf(const process::Process& process) {
               ownMaterialKey(material)};
 }
 
+// The same of all tools.
+ProcessKeys keysOf(const process::Tooling& tooling) {
+  ProcessKeys all;
+  for (const process::Tool& tool : tooling.tools()) {
+    const ProcessKeys own = keysOf(tool.process);
+    all.bead += own.bead;
+    all.head += own.head;
+    all.travel += own.travel;
+    all.material += own.material;
+  }
+  return all;
+}
+
 bool isMended(const project::LoadedPart& loaded, const project::Choices& choices) {
   return choices.item().repair && !loaded.found.clean(); // A clean mesh needs no repair.
 }
@@ -80,8 +93,8 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
 }
 
 // All inputs of writing and judging a program, apart from its format.
-std::string programText(const std::string& partName, const process::Process& p) {
-  const ProcessKeys keys = keysOf(p);
+std::string programText(const std::string& partName, const process::Tooling& tooling) {
+  const ProcessKeys keys = keysOf(tooling);
   return base::keyText(partName) + keys.material + keys.bead + keys.head + keys.travel;
 }
 
@@ -97,8 +110,9 @@ std::string next(const std::string& before, project::Stage stage, const std::str
 } // namespace
 
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
-                          const base::ParameterValues& values, const process::Process& process) {
-  const robot::Cell cell = fittingCell(choices, process); // The platform has its own text.
+                          const base::ParameterValues& values, const process::Tooling& tooling) {
+  const process::Process& process = tooling.first().process; // of stages that see one part
+  const robot::Cell cell = fittingCell(choices, process);    // The platform has its own text.
   const modes::Mode& mode = modes::findMode(choices.item().mode);
   const modes::ModeChoices in{choices, values, process};
   const std::string cellKey = cellText(cell, choices.cell);
@@ -112,7 +126,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   put(project::Stage::Load, loadText(loaded, in, cellKey));
   put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in));
   put(project::Stage::Layers, mode.layers.key(in));
-  const ProcessKeys processKeys = keysOf(process);
+  const ProcessKeys processKeys = keysOf(tooling);
   put(project::Stage::Toolpath, cellKey + base::keyText(toolpathOptionsOf(values, process)) +
                                     processKeys.bead + processKeys.head);
   put(project::Stage::Motion,
@@ -121,7 +135,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
     formats += format + " " + optionsText(format, program::programOptions(values));
-  put(project::Stage::Replay, programText(loaded.name, process) + "formats\n" + formats);
+  put(project::Stage::Replay, programText(loaded.name, tooling) + "formats\n" + formats);
   return keys;
 }
 
@@ -150,10 +164,10 @@ std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadSt
 }
 
 std::string programKey(const project::StageKeys& keys, const std::string& partName,
-                       const process::Process& process, const program::ProgramOptions& options,
+                       const process::Tooling& tooling, const program::ProgramOptions& options,
                        const std::string& format) {
   return next(keys[project::indexOf(project::Stage::Motion)], project::Stage::Replay,
-              programText(partName, process) + "format " + format + " " +
+              programText(partName, tooling) + "format " + format + " " +
                   optionsText(format, options));
 }
 

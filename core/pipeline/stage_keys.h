@@ -4,7 +4,7 @@
 #include "base/parameters.h"
 #include "modes/from_options.h"
 #include "modes/stages.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "program/program_options.h"
 #include "project/job.h"
 #include "project/stage.h"
@@ -18,7 +18,7 @@ namespace voluta::pipeline {
 // so that a change invalidates exactly the stages that depend on it. Throws Error{Usage,
 // UnreadableFile, UnusableInput} for the cell. Precondition: the choices are checked.
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
-                          const base::ParameterValues& values, const process::Process& process);
+                          const base::ParameterValues& values, const process::Tooling& tooling);
 
 // Returns the keys of a job from those of its items: up to Layers all items' keys, then the joined
 // layers' keys with the settings that the items share. A single item's keys are the job's.
@@ -32,7 +32,7 @@ std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadSt
 
 // Returns the key of one program of the Replay stage.
 std::string programKey(const project::StageKeys& keys, const std::string& partName,
-                       const process::Process& process, const program::ProgramOptions& options,
+                       const process::Tooling& tooling, const program::ProgramOptions& options,
                        const std::string& format);
 
 } // namespace voluta::pipeline

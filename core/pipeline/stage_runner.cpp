@@ -39,10 +39,9 @@ public:
               const PlanObservers& observers, Trial* trial)
       : context_(request.until, ctx, cache, observers, trial), ctx_(ctx),
         choices_(resolved(project::onlyItem(request.choices, 0))),
-        values_(parameterValues(choices_)),
-        process_(std::make_shared<process::Process>(chosenProcess(choices_, values_))) {
+        values_(parameterValues(choices_)), tooling_(chosenTooling(choices_, values_)) {
     base::require(request.items.size() == request.choices.items.size(), "choices for each item");
-    result_.process = process_;
+    result_.tooling = tooling_;
     result_.debug = values_.boolean("output.debug");
     result_.keepRefused = values_.boolean("output.refused");
     result_.proofs = values_.boolean("output.proof");
@@ -57,7 +56,7 @@ public:
     std::vector<project::StageKeys> keys;
     for (std::size_t i = 0; i < count; ++i) {
       items_.push_back(std::make_unique<ItemStages>(context_, request.choices, i, request.item(i),
-                                                    *process_, result_));
+                                                    tooling_, result_));
       keys.push_back(items_.back()->keys());
     }
     keys_ = joinedKeys(keys, choices_.printOrder);
@@ -74,6 +73,8 @@ private:
   project::Job& job() { return result_.job; }
   project::Report& report() { return result_.job.report; }
   const ItemStages& first() const { return *items_.front(); }
+  // Of the first tool, for stages that see one part.
+  const process::Process& process() const { return tooling_.first().process; }
   base::RunContext span(project::Stage stage) const { return context_.span(stage); }
 
   template <typename T, typename Make> std::shared_ptr<const T> cachedOrMade(Make make) {
@@ -116,7 +117,7 @@ private:
   bool decompose() {
     ItemOutcome all = ofEachItem([](ItemStages& item) { return item.decompose(); });
     result_.cell = std::make_shared<robot::Cell>(
-        robot::loadCell(choices_.cell, *process_, job().item().platform));
+        robot::loadCell(choices_.cell, process(), job().item().platform));
     for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
       program::requireOwnRobot(program::findDialect(format), *result_.cell);
       program::requireRodTurns(program::findDialect(format), *result_.cell);
@@ -142,15 +143,15 @@ private:
     const bool given = first().hasGivenPaths();
     const auto stage = cachedOrMade<ToolpathStage>([&] {
       if (given)
-        return givenToolpathStage(first().loaded(), first().placed(), *process_,
+        return givenToolpathStage(first().loaded(), first().placed(), process(),
                                   span(project::Stage::Toolpath));
       std::vector<std::shared_ptr<const layers::LayerStack>> stacks;
       for (const project::JobItem& item : job().items)
         stacks.push_back(item.layers);
       const auto joined = layers::joinStacks(stacks, choices_.printOrder);
       MadeToolpaths made =
-          toolpathStage(*joined, *result_.cell, job().item().platform, *process_,
-                        toolpathOptionsOf(values_, *process_), span(project::Stage::Toolpath));
+          toolpathStage(*joined, *result_.cell, job().item().platform, tooling_,
+                        toolpathOptionsOf(values_, process()), span(project::Stage::Toolpath));
       grown_ = std::move(made.grown);
       return made.stage;
     });
@@ -160,7 +161,7 @@ private:
       program::requireUpright(program::findDialect(format), stage->toolPlan->direction);
     const bool goesOn = done(project::Stage::Toolpath, stage->findings, stage->timings);
     if (goesOn && context_.isTrial() && !given && report().item().model.watertight)
-      if (const auto mass = massOutOfReach(*stage->toolPlan, *project::printedOf(job()), *process_))
+      if (const auto mass = massOutOfReach(*stage->toolPlan, *project::printedOf(job()), process()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return goesOn;
   }
@@ -172,7 +173,7 @@ private:
 
   std::unique_ptr<PartMotion> partMotion(const base::RunContext& ctx) {
     return std::make_unique<PartMotion>(
-        *result_.job.toolPlan, result_.job.item().platform, *result_.cell, *process_,
+        *result_.job.toolPlan, result_.job.item().platform, *result_.cell, tooling_,
         motionOptionsOf(values_, choices_.seed), std::exchange(grown_, {}), ctx);
   }
   // Keep the planner only if motion skipped waypoints: then replay is likely to require replanning
@@ -274,7 +275,7 @@ private:
                                *job().toolPlan,
                                *job().trajectory,
                                *result_.cell,
-                               *process_,
+                               tooling_,
                                std::filesystem::path(first().loaded().name).stem().string(),
                                program::programOptions(values_)};
     result_.checked.clear();
@@ -296,7 +297,7 @@ private:
   }
 
   std::string keyOf(const std::string& format) const {
-    return programKey(keys_, first().loaded().name, *process_, program::programOptions(values_),
+    return programKey(keys_, first().loaded().name, tooling_, program::programOptions(values_),
                       format);
   }
 
@@ -317,7 +318,7 @@ private:
   const base::RunContext& ctx_;
   const project::Choices choices_; // the job's, with the first item's way of building
   base::ParameterValues values_;
-  std::shared_ptr<const process::Process> process_;
+  const process::Tooling tooling_;
   std::vector<std::unique_ptr<ItemStages>> items_;
   std::shared_ptr<const MotionStage> motion_;
   // Volume filled by the tool-paths made here, handed to motion planning

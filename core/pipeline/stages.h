@@ -129,7 +129,7 @@ struct MadeToolpaths {
 // `options`: all but the platform, which is set here.
 MadeToolpaths toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
                             const platform::PlatformSolid& platform,
-                            const process::Process& process, toolpath::ToolpathOptions options,
+                            const process::Tooling& tooling, toolpath::ToolpathOptions options,
                             const base::RunContext& ctx);
 
 // Input of programStage(). `name`: of the part, without extension.
@@ -139,7 +139,7 @@ struct ProgramStageInput {
   const plan::ToolPlan& toolPlan;
   const plan::Trajectory& trajectory;
   const robot::Cell& cell;
-  const process::Process& process;
+  process::Tooling tooling;
   std::string name;
   program::ProgramOptions options = {};
   std::size_t firstPoint = 0; // trajectory point at which the program begins: Job::resumedAt

@@ -5,11 +5,11 @@ namespace voluta::pipeline {
 
 MadeToolpaths toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
                             const platform::PlatformSolid& platform,
-                            const process::Process& process, toolpath::ToolpathOptions options,
+                            const process::Tooling& tooling, toolpath::ToolpathOptions options,
                             const base::RunContext& ctx) {
   auto stage = std::make_shared<ToolpathStage>();
   options.platform = platform;
-  toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, cell, process, options, ctx);
+  toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, cell, tooling, options, ctx);
   stage->report = planned.statistics;
   stage->timings.toolpath = planned.seconds.toolpath;
   stage->timings.orient = planned.seconds.orient;

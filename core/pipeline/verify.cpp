@@ -62,20 +62,21 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   base::finishStaged(std::filesystem::absolute(program).parent_path());
   const FoundProgram found = findProgram(program, planned.report.programs);
   const std::string format(found.dialect->id);
-  const process::Process process = chosenProcess(planned.choices, parameterValues(planned.choices));
-  const robot::Cell cell = robot::loadCell(planned.choices.cell, process, planned.item().platform);
+  const process::Tooling tooling = chosenTooling(planned.choices, parameterValues(planned.choices));
+  const robot::Cell cell =
+      robot::loadCell(planned.choices.cell, tooling.first().process, planned.item().platform);
   const auto printed = project::printedOf(planned);
   const ProgramStageInput in{*printed,
                              planned.item().platform,
                              *planned.toolPlan,
                              *planned.trajectory,
                              cell,
-                             process,
+                             tooling,
                              programsName(planned),
                              {},
                              planned.resumedAt};
   const program::MergedPoints points =
-      program::pointsFor(format, {in.toolPlan, in.trajectory, in.cell, in.process, in.name}, ctx);
+      program::pointsFor(format, {in.toolPlan, in.trajectory, in.cell, in.tooling, in.name}, ctx);
   const ProgramStageInput said = saying(in, points);
   ReadBack back = replayText(format, found.files, said, ctx);
   requireMotions(back, format, program);

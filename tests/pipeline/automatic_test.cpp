@@ -61,7 +61,7 @@ void expectConsistent(const pipeline::PlanResult& result) {
   EXPECT_EQ(chosen.mode, hand.item().mode);
   EXPECT_EQ(chosen.platform, hand.item().platform.text());
   EXPECT_EQ(chosen.supports, pipeline::parameterValues(hand).text("supports"));
-  EXPECT_EQ(chosen.layerHeightMm, result.process->layerHeightMm);
+  EXPECT_EQ(chosen.layerHeightMm, result.tooling->first().process.layerHeightMm);
   for (const project::TriedReport& tried : report.item().tried) {
     EXPECT_FALSE(tried.name.empty());
     EXPECT_TRUE(tried.taken || !tried.reason.empty()) << base::english(tried.name);
@@ -357,7 +357,7 @@ TEST(Automatic, WhereAllHangTheOneThatHangsLeastIsTaken) {
       pipeline::planPart(request, {}, nullptr, {.onStage = noteShown});
   const project::Report& report = result.job.report;
   EXPECT_TRUE(pipeline::nothingBlocks(report));
-  EXPECT_GT(report.replay.longestUnsupportedMm, result.process->bridgeMm);
+  EXPECT_GT(report.replay.longestUnsupportedMm, result.tooling->first().process.bridgeMm);
   EXPECT_EQ(lastShown, result.job.choices.item().automaticWay);
   ASSERT_EQ(report.item().tried.size(), 2U);
   int taken = 0;

@@ -114,7 +114,8 @@ void report(const project::Job& job, const plan::ToolPlan& plan, const process::
               job.report.item().layers.thicknessP99Mm);
 
   // What the tool-paths' own stage takes for hanging.
-  const collision::GrowingPart growing(plan, collision::growingPitch(plan, process), ctx);
+  const collision::GrowingPart growing(
+      plan, collision::growingPitch(plan, process::Tooling(process)), ctx);
   const std::vector<char> hanging =
       toolpath::unsupportedWaypoints(plan, growing, job.item().platform, ctx);
   std::vector<Found> under(pieces.size());
@@ -256,7 +257,8 @@ int main(int argc, char** argv) {
     if (!keep.empty() && !std::filesystem::exists(kept))
       project::writeJob(kept, project::upTo(planned.job, project::Stage::Decompose));
     if (planned.job.toolPlan)
-      report(planned.job, *planned.job.toolPlan, *planned.process, overMm, listed, ctx);
+      report(planned.job, *planned.job.toolPlan, planned.tooling->first().process, overMm, listed,
+             ctx);
     std::fflush(stdout);
   }
 }

@@ -83,7 +83,7 @@ TEST(OpenPart, BecomesAWallOfTwoBeads) {
   const PlanResult result = planned(cup(), "thicken");
   EXPECT_EQ(first(result).kind, FindingKind::SurfaceThickened);
   EXPECT_TRUE(result.job.report.item().model.watertight);
-  const double wall = pipeline::openSurfaceWallMm(*result.process);
+  const double wall = pipeline::openSurfaceWallMm(result.tooling->first().process);
   EXPECT_NEAR(result.job.report.item().model.boundsMm.sizes().x(), 30.0 + wall, 0.05);
   EXPECT_NEAR(result.job.report.item().model.volumeMm3, (900 + 4 * 600) * wall, 0.1 * 3300 * wall);
 }

@@ -87,7 +87,8 @@ TEST(PartWays, AreOfThePlacedPartAndStandItWhereItWas) {
   request.choices.item().scale = "0.5";
   request.choices.item().placement.centreMm = {8.0, -3.0};
   const PlanResult result = pipeline::planPart(request, {});
-  const auto ways = pipeline::partWays(*result.item().placed, request.choices, *result.process, {});
+  const auto ways = pipeline::partWays(*result.item().placed, request.choices,
+                                       result.tooling->first().process, {});
   ASSERT_EQ(ways.size(), 2u) << "on the smallest side it would hardly stand";
   EXPECT_NEAR(ways[0].score.heightMm, 3.0, 1e-6);
   request.choices.item().placement = pipeline::standing(ways[0], result.item().placed->placement);

@@ -24,8 +24,8 @@ const base::RunContext kCtx;
 
 // Material of a program's motions, as its own reader finds it.
 double materialOf(const CheckedProgram& checked, const process::Process& process) {
-  const plan::ReadProgram read =
-      program::readProgram(checked.program.format, checked.program.files, process, kCtx);
+  const plan::ReadProgram read = program::readProgram(checked.program.format, checked.program.files,
+                                                      process::Tooling(process), kCtx);
   double volume = 0.0;
   for (const plan::ProgramMotion& motion : read.motions)
     volume += std::max(0.0, motion.volumeMm3);
@@ -48,7 +48,7 @@ TEST(Resume, AtTwentyRandomBeadsTheRestIsTheRest) {
     EXPECT_TRUE(rest.plan.checked[0]->passed) << bead;
     EXPECT_TRUE(nothingBlocks(rest.plan.job.report)) << bead;
     EXPECT_NEAR(rest.laidMm3 + rest.leftMm3, material, 1e-6 * material);
-    EXPECT_NEAR(materialOf(*rest.plan.checked[0], *rest.plan.process), rest.leftMm3,
+    EXPECT_NEAR(materialOf(*rest.plan.checked[0], rest.plan.tooling->first().process), rest.leftMm3,
                 2e-3 * material)
         << bead;
     // What is laid is what the beads before it hold.

@@ -43,7 +43,7 @@ TEST(SharedRuns, BeadsAreLaidOnceThoughTransfersAreSaidInOtherPieces) {
   ASSERT_GT(pieces.pointCount(), plan.job.trajectory->pointCount());
   const auto part = plan.job.item().printed();
   const ProgramStageInput in{
-      part, plan.job.item().platform, *plan.job.toolPlan, pieces, *plan.cell, *plan.process, "box"};
+      part, plan.job.item().platform, *plan.job.toolPlan, pieces, *plan.cell, *plan.tooling, "box"};
   SharedRuns shared;
   const auto native = programStage("urscript", in, kCtx, &shared);
   const auto foreign = programStage("gcode-extended", in, kCtx, &shared);

@@ -85,10 +85,11 @@ void StandChooser::refresh() {
     return;
   }
   const auto placed = document.result(Stage::Load);
-  if (!placed || !placed->item().placed || !placed->process || !document.upToDate(Stage::Load))
+  if (!placed || !placed->item().placed || !placed->tooling || !document.upToDate(Stage::Load))
     return;
-  const std::string key = pipeline::partWaysKey(*document.source(), placed->job.item().scale,
-                                                document.choices(), *placed->process);
+  const std::string key =
+      pipeline::partWaysKey(*document.source(), placed->job.item().scale, document.choices(),
+                            placed->tooling->first().process);
   // A custom orientation is shown beside the others; while the part has one of the computed ones,
   // they stay.
   if (key == key_ && (wayDown(down()) || (lookedFrom_ - down()).norm() < kSame))
@@ -110,7 +111,7 @@ void StandChooser::look(const std::string& key) {
       runner_,
       [plan, choices = work_.document.choices()](const base::RunContext& ctx) {
         const modes::LoadStage& placed = *plan->item().placed;
-        Found found{pipeline::partWays(placed, choices, *plan->process, ctx),
+        Found found{pipeline::partWays(placed, choices, plan->tooling->first().process, ctx),
                     {},
                     placed.placement.rotation.normalized()};
         std::vector<Eigen::Quaterniond> turns;

@@ -38,8 +38,9 @@ void Presenter::drawVoxels() {
     return;
   }
   const auto result = document_.result(Stage::Decompose);
-  voxels_.setDecomposition(result ? result->job.item().decomposition() : nullptr,
-                           result && result->process ? result->process->layerHeightMm : 0.0);
+  voxels_.setDecomposition(
+      result ? result->job.item().decomposition() : nullptr,
+      result && result->tooling ? result->tooling->first().process.layerHeightMm : 0.0);
 }
 
 // Flat slicing has a single piece, the part, which is not shown as a piece.

@@ -39,7 +39,7 @@ void PrintPresenter::show(Stage stage) {
   if (!result)
     drop(stage);
   else if (stage == Stage::Layers)
-    drawLayers(result->job.item().layers, *result->process);
+    drawLayers(result->job.item().layers, result->tooling->first().process);
   else if (stage == Stage::Toolpath)
     drawPaths(result->job.toolPlan);
   else if (stage == Stage::Motion)
@@ -164,7 +164,7 @@ void PrintPresenter::gatherFacts() {
       !result->job.item().pieces() || result->job.item().pieces()->pieces.size() < 2;
   inBackground(
       *gathering_,
-      [stack, plan, clock, stacked, heights = heightLimits(*result->process)] {
+      [stack, plan, clock, stacked, heights = heightLimits(result->tooling->first().process)] {
         auto facts = std::make_shared<LayerFacts>();
         facts->of = stack;
         facts->measures = layerMeasures(*stack, plan.get(), clock.get());
