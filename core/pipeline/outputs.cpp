@@ -94,13 +94,20 @@ void writeBuildFile(const PlanResult& result, const std::filesystem::path& folde
                                          result.job.item().partName, ctx));
 }
 
+namespace {
+// A dialect that refuses the motion has no text.
+bool isHandedOver(const CheckedProgram& checked, bool refusedToo) {
+  return checked.passed || (refusedToo && !checked.program.files.empty());
+}
+} // namespace
+
 void writeOutputs(PlanResult& result, const std::filesystem::path& folder,
                   const base::RunContext& ctx, const ProofStyle& proofStyle) {
   base::Stopwatch writing;
   ctx.report(0.0, "write files"_text);
   Programs written;
   for (const auto& checked : result.checked)
-    if (checked->passed || result.keepRefused)
+    if (isHandedOver(*checked, result.keepRefused))
       written.push_back(checked);
   for (const auto& checked : written)
     writeProgram(*checked, folder, ctx);
@@ -127,7 +134,7 @@ Programs chosenPrograms(const PlanResult& result, const std::vector<std::string>
   Programs chosen;
   for (const auto& checked : result.checked)
     if (std::find(formats.begin(), formats.end(), checked->program.format) != formats.end() &&
-        (checked->passed || refusedToo))
+        isHandedOver(*checked, refusedToo))
       chosen.push_back(checked);
   return chosen;
 }

@@ -139,10 +139,30 @@ std::vector<base::Message> failedThresholds(const replay::Verification& verdict)
   return failed;
 }
 
+namespace {
+// A program without a text, with the reason why there is none.
+std::shared_ptr<const CheckedProgram> refusedProgram(const program::Dialect& dialect,
+                                                     const robot::Cell& cell,
+                                                     const base::Error& reason) {
+  auto checked = std::make_shared<CheckedProgram>();
+  checked->program.format = dialect.id;
+  checked->program.foreign = program::isForeign(dialect, cell);
+  checked->verdict = replayReport({});
+  checked->failed = {reason.whole()};
+  return checked;
+}
+} // namespace
+
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
                                                    const ProgramStageInput& in,
                                                    const base::RunContext& ctx,
                                                    SharedRuns* shared) {
+  const program::Dialect& dialect = program::findDialect(format);
+  // A format that cannot move the cell at all is an invalid request, not a property of the plan.
+  program::requireOwnRobot(dialect, in.cell);
+  program::requireRodTurns(dialect, in.cell);
+  if (const auto refused = program::refusal(dialect, in.cell, {}, &in.trajectory))
+    return refusedProgram(dialect, in.cell, *refused);
   auto checked = std::make_shared<CheckedProgram>();
   base::Stopwatch writing;
   ctx.report(0.0, base::message("writing {format}"_text, format));

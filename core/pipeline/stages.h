@@ -146,8 +146,9 @@ struct ProgramStageInput {
   std::string job = {};       // as program::ProgramInput::job
   std::vector<std::size_t> commonPoint = {}; // as replay::ReplayInput::commonPoint
 };
-// Writes the program, reads it back and replays it. `shared`: results shared by the programs of one
-// motion; null: none.
+// Writes the program, reads it back and replays it. If the dialect has no word for an event of the
+// trajectory, the program has no files and did not pass. Throws as program::requireOwnRobot and
+// program::requireRodTurns. `shared`: results shared by the programs of one motion; null: none.
 std::shared_ptr<const CheckedProgram> programStage(const std::string& format,
                                                    const ProgramStageInput& in,
                                                    const base::RunContext& ctx,

@@ -1,6 +1,9 @@
 // A program that prints the beads of one judged before shares them; any other does not.
 #include "base/run_context.h"
+#include "pipeline/outputs.h"
+#include "pipeline/replay_stage.h"
 #include "pipeline/replayed/shared_runs.h"
+#include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "replay/scene.h"
 
@@ -18,9 +21,9 @@ const test::Scene& scene() {
 
 plan::ReadProgram boxProgram() {
   const test::Scene& s = scene();
-  const plan::Program written =
-      program::writeProgram("gcode-extended", {s.plan, s.trajectory, s.cell, s.process, "box"});
-  return program::readProgram("gcode-extended", written.files, s.process);
+  const plan::Program written = program::writeProgram(
+      "gcode-extended", {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+  return program::readProgram("gcode-extended", written.files, process::Tooling(s.process));
 }
 
 // Does a program share the beads of boxProgram after this change?
@@ -31,8 +34,9 @@ bool shares(const std::function<void(plan::ReadProgram&)>& change) {
     plan::ReadProgram program = boxProgram();
     if (changed)
       change(program);
-    replayShared({program, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform}, shared,
-                 {});
+    replayShared(
+        {program, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
+        shared, {});
   }
   return shared.runs().size() == 2 && shared.runs()[0].laid == shared.runs()[1].laid;
 }
@@ -99,6 +103,29 @@ TEST(SharedBeads, NotElsewhere) {
       if (m.extruding)
         m.position.x() += 0.1;
   }));
+}
+
+// An event that the dialect has no word for blocks the plan by a finding.
+TEST(ProgramStage, RefusesAnEventWithoutAWord) {
+  const test::Scene& s = scene();
+  plan::Trajectory cut = s.trajectory;
+  cut.events = {{.point = 2, .kind = plan::EventKind::Cut}};
+  const ProgramStageInput in{s.part, s.platform, s.plan, cut, s.cell, process::Tooling(s.process),
+                             "box"};
+  const auto checked = programStage("gcode-extended", in, {});
+  EXPECT_FALSE(checked->passed);
+  EXPECT_TRUE(checked->program.files.empty());
+  EXPECT_EQ(linesOfPoints(*checked, cut).size(), cut.pointCount());
+  project::Report report;
+  plan::Findings findings;
+  tellProgram(*checked, true, true, report, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings.front().kind, plan::FindingKind::ProgramRefused);
+  EXPECT_TRUE(findings.front().blocking);
+  EXPECT_GT(report.replay.thresholds.covered, 0.0);
+  PlanResult result;
+  result.checked = {checked};
+  EXPECT_TRUE(chosenPrograms(result, {"gcode-extended"}, true).empty());
 }
 
 } // namespace voluta::pipeline

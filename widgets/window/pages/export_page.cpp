@@ -231,8 +231,8 @@ std::vector<panels::ExportFormat> ExportPage::formats() const {
     format.foreign = cell && program::isForeign(dialect, *cell);
     if (cell && work().document.upToDate(Stage::Motion))
       if (const auto refusal = program::refusal(
-              dialect, *cell,
-              motion->job.toolPlan ? motion->job.toolPlan->direction : Directions()))
+              dialect, *cell, motion->job.toolPlan ? motion->job.toolPlan->direction : Directions(),
+              motion->job.trajectory.get()))
         format.whyNot = language::words(refusal->whole());
     if (const Checked program = result ? findProgram(*result, format.id) : nullptr) {
       format.state = !current          ? panels::VerdictState::OutOfDate
