@@ -53,9 +53,9 @@ struct MotionResult {
 // ends at a whole turn. The result does not depend on the number of threads.
 //
 // Example:
-//   const double pitch = collision::growingPitch(toolPlan, process);
+//   const double pitch = collision::growingPitch(toolPlan, tooling);
 //   const collision::GrowingPart growing(toolPlan, pitch, ctx);
-//   motion::MotionPlanner planner(toolPlan, cell, process, growing, {});
+//   motion::MotionPlanner planner(toolPlan, cell, tooling, growing, {});
 //   const motion::MotionResult moved = planner.plan(ctx);
 class MotionPlanner {
 public:

@@ -20,8 +20,8 @@ struct Tool {
 // One or more tools; a copy shares them.
 class Tooling {
 public:
-  // One tool with that process.
-  Tooling(Process process); // NOLINT(google-explicit-constructor): most jobs have one tool
+  // One tool with that process. Explicit, so that no stage drops a job's further tools unnoticed.
+  explicit Tooling(Process process);
   // Throws Error{Internal} if there is none.
   explicit Tooling(std::vector<Tool> tools);
 

@@ -149,9 +149,9 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
 // also throws as requireOwnRobot, requireRodTurns and requireEvents, and as requireUpright for
 // motions that are not joint moves; it uses the dialect's own options only.
 // Example:
-//   const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
+//   const program::ProgramInput input{toolPlan, trajectory, cell, tooling, "part"};
 //   const plan::Program program = program::writeProgram("urscript", input, ctx);
-//   const plan::ReadProgram read = program::readProgram("urscript", program.files, process, ctx);
+//   const plan::ReadProgram read = program::readProgram("urscript", program.files, tooling, ctx);
 plan::Program writeProgram(std::string_view id, const ProgramInput& input,
                            const base::RunContext& ctx = {});
 plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::ProgramFile>& files,

@@ -121,7 +121,7 @@ struct Verification : RunFigures {
 // depend on the number of threads.
 // Example:
 //   const replay::Verification verdict =
-//       replay::replayProgram({read, toolPlan, trajectory, cell, process, part, plate}, {}, ctx);
+//       replay::replayProgram({read, toolPlan, trajectory, cell, tooling, part, plate}, {}, ctx);
 Verification replayProgram(ReplayInput input, const ReplayThresholds& thresholds,
                            const base::RunContext& ctx);
 

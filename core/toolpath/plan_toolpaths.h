@@ -50,7 +50,7 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
 //   toolpath::ToolpathOptions options;
 //   options.platform = plate;
 //   const toolpath::ToolpathResult made =
-//       toolpath::planToolpaths(stack, cell, process, options, ctx);
+//       toolpath::planToolpaths(stack, cell, tooling, options, ctx);
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
                              const process::Tooling& tooling, const ToolpathOptions& options,
                              const base::RunContext& ctx);

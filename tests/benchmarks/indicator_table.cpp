@@ -296,7 +296,8 @@ int main(int argc, char** argv) {
       robot::loadCell(cellId.empty() ? job.choices.cell : cellId, process, job.item().platform);
   const plan::ToolPlan& plan = *job.toolPlan;
   const base::RunContext ctx(base::CancelToken(), 2);
-  const collision::GrowingPart part(plan, collision::growingPitch(plan, process), ctx);
+  const collision::GrowingPart part(plan, collision::growingPitch(plan, process::Tooling(process)),
+                                    ctx);
   const collision::GrowingPart coarse(plan, kFclPitchMm, ctx);
   const collision::CellCollision bodies(cell, process);
   const std::vector<Layer> layers = layersOf(plan);

@@ -342,14 +342,15 @@ int main(int argc, char** argv) {
   const plan::ToolPlan plan = layerOf(*job.toolPlan, wanted, noise, evenDirections);
   const base::RunContext ctx(base::CancelToken(), 2);
   const robot::ArmTwists twists(*cell.robot().kinematics);
-  const collision::GrowingPart part(plan, collision::growingPitch(plan, process), ctx);
+  const collision::GrowingPart part(plan, collision::growingPitch(plan, process::Tooling(process)),
+                                    ctx);
   motion::MotionOptions options;
   options.smoothing = ladder ? motion::TurnMethod::None : motion::TurnMethod::WholePath;
   options.leanRad = leanRad;
   options.axesRad = axesRad;
 
   base::Stopwatch watch;
-  motion::MotionPlanner planner(plan, cell, process, part, options);
+  motion::MotionPlanner planner(plan, cell, process::Tooling(process), part, options);
   const motion::MotionResult result = planner.plan(ctx);
   Measure ours, graph30, graph360, filtered, whole, whole2;
   ours.seconds = watch.seconds();

@@ -91,16 +91,18 @@ int main(int argc, char** argv) {
               "replay s", "files", "MB text", "peak MB", "covered, passed");
   const base::RunContext ctx(base::CancelToken(), 2);
   for (const std::string& format : formats) {
-    const program::ProgramInput input{plan, trajectory, cell, process, "spiral"};
+    const program::ProgramInput input{plan, trajectory, cell, process::Tooling(process), "spiral"};
     watch = base::Stopwatch();
     const program::MergedPoints points = program::pointsFor(format, input, ctx);
     const double merging = watch.seconds();
-    const program::ProgramInput said{plan, *points.trajectory, cell, process, "spiral"};
+    const program::ProgramInput said{plan, *points.trajectory, cell, process::Tooling(process),
+                                     "spiral"};
     watch = base::Stopwatch();
     const plan::Program program = program::writeProgram(format, said, ctx);
     const double writing = watch.seconds();
     watch = base::Stopwatch();
-    const plan::ReadProgram read = program::readProgram(format, program.files, process, ctx);
+    const plan::ReadProgram read =
+        program::readProgram(format, program.files, process::Tooling(process), ctx);
     const double reading = watch.seconds();
     std::size_t bytes = 0;
     for (const plan::ProgramFile& file : program.files)
@@ -110,7 +112,8 @@ int main(int argc, char** argv) {
     if (replays) {
       watch = base::Stopwatch();
       const replay::Verification verdict = replay::replayProgram(
-          {read, plan, *points.trajectory, cell, process, standing, plate}, {}, ctx);
+          {read, plan, *points.trajectory, cell, process::Tooling(process), standing, plate}, {},
+          ctx);
       replaying = watch.seconds();
       covered = verdict.coveredFraction;
       passed = verdict.passed;

@@ -115,12 +115,12 @@ int main(int argc, char** argv) {
     const robot::Cell cell = robot::loadCell(job.choices.cell, process, job.item().platform);
     const base::RunContext ctx(base::CancelToken(), threads);
     const plan::ToolPlan toolPlan = firstPaths(*job.toolPlan, paths);
-    const double pitch = collision::growingPitch(toolPlan, process);
+    const double pitch = collision::growingPitch(toolPlan, process::Tooling(process));
     platform::PlatformSolid ground = job.item().platform;
     ground.rod.reset();
     const collision::GrowingPart part(toolPlan, pitch, ctx,
                                       collision::groundCells(ground, pitch, ctx));
-    motion::MotionPlanner planner(toolPlan, cell, process, part, options);
+    motion::MotionPlanner planner(toolPlan, cell, process::Tooling(process), part, options);
     const base::Stopwatch watch;
     const std::clock_t cpu = std::clock();
     const motion::MotionResult result = planner.plan(ctx);

@@ -87,7 +87,7 @@ void toolpathsAndGrowingPart(benchmark::State& state) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, curved::platformDisc(80.0));
   for (auto _ : state) {
-    const auto planned = toolpath::planToolpaths(stack, cell, process, {}, {});
+    const auto planned = toolpath::planToolpaths(stack, cell, process::Tooling(process), {}, {});
     benchmark::DoNotOptimize(collision::GrowingPart(planned.plan, 0.5, {}).grid().cellCount());
   }
 }

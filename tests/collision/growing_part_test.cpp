@@ -259,12 +259,12 @@ TEST(GrowingPart, ThinLayersGetFinerCells) {
   plan::ToolPlan plan;
   addPath(plan, {{0, 0, 0.8}, {10, 0, 0.8}}, Vector3d::UnitZ());
   process::Process p; // 0.8 x 1.2 mm
-  EXPECT_EQ(collision::growingPitch(plan, p), 0.25 * p.beadWidthMm);
+  EXPECT_EQ(collision::growingPitch(plan, process::Tooling(p)), 0.25 * p.beadWidthMm);
   p.layerHeightMm = 0.25;
-  EXPECT_EQ(collision::growingPitch(plan, p), 0.125);
+  EXPECT_EQ(collision::growingPitch(plan, process::Tooling(p)), 0.125);
   // A part too large for cells so fine has coarser ones.
   addPath(plan, {{0, 0, 0.8}, {400, 400, 400}}, Vector3d::UnitZ());
-  EXPECT_GT(collision::growingPitch(plan, p), 0.7);
+  EXPECT_GT(collision::growingPitch(plan, process::Tooling(p)), 0.7);
 }
 
 TEST(GrowingPart, TheFinestToolOfThePathsDecidesTheCells) {
@@ -274,7 +274,7 @@ TEST(GrowingPart, TheFinestToolOfThePathsDecidesTheCells) {
   plan::ToolPlan plan;
   addPath(plan, {{0, 0, 0.8}, {10, 0, 0.8}}, Vector3d::UnitZ());
   addPath(plan, {{0, 5, 0.8}, {10, 5, 0.8}}, Vector3d::UnitZ());
-  const double usual = collision::growingPitch(plan, coarse.process);
+  const double usual = collision::growingPitch(plan, process::Tooling(coarse.process));
   EXPECT_EQ(collision::growingPitch(plan, tooling), usual); // no path uses the other one
   plan.paths.back().tool = 1;
   EXPECT_EQ(collision::growingPitch(plan, tooling), 0.1);

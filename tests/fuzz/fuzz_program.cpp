@@ -75,7 +75,7 @@ std::vector<std::string> fuzz::seeds() {
       if (extruders.empty())
         extruders = {program::kOutputsExtruder};
       for (const std::string_view extruder : extruders) {
-        program::ProgramInput input{toolPlan, said, cell, process, "part"};
+        program::ProgramInput input{toolPlan, said, cell, process::Tooling(process), "part"};
         input.options.own[std::string(program::kExtruderOption)] = std::string(extruder);
         for (const plan::ProgramFile& file : program::writeProgram(dialect.id, input).files)
           texts.push_back(file.text);
@@ -91,11 +91,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   program::detectDialect("input", text);
   // What stands beside the rows of a stream.
   for (const char* id : {"urscript-stream", "melfa-stream"})
-    program::readProgram(id, {{"rows", kRows}, {"beside", text}}, process);
-  program::readProgram("melfa-datalink", {{"lines", kLines}, {"beside", text}}, process);
-  program::readProgram("krl-eki", {{"lines", kEkiLines}, {"beside", text}}, process);
+    program::readProgram(id, {{"rows", kRows}, {"beside", text}}, process::Tooling(process));
+  program::readProgram("melfa-datalink", {{"lines", kLines}, {"beside", text}},
+                       process::Tooling(process));
+  program::readProgram("krl-eki", {{"lines", kEkiLines}, {"beside", text}},
+                       process::Tooling(process));
   for (const program::Dialect& dialect : program::dialects()) {
-    const plan::ReadProgram read = program::readProgram(dialect.id, {{"input", text}}, process);
+    const plan::ReadProgram read =
+        program::readProgram(dialect.id, {{"input", text}}, process::Tooling(process));
     fuzz::expect(read.defects.size() <= program::kMaxDefects, "defects are not listed without end");
     for (const plan::ProgramMotion& motion : read.motions)
       fuzz::expect(motion.position.allFinite() && motion.frame_T_tcp.matrix().allFinite() &&

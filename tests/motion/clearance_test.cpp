@@ -25,7 +25,7 @@ Clearances planned(const char* cellId, const plan::ToolPlan& plan, double plateM
   motion::MotionOptions options;
   options.nearCost = nearCost;
   Clearances c;
-  c.result = motion::MotionPlanner(plan, cell, process, part, options)
+  c.result = motion::MotionPlanner(plan, cell, process::Tooling(process), part, options)
                  .plan(base::RunContext(base::CancelToken(), threads));
   // By the queries themselves, at every waypoint.
   const collision::CellCollision collision(cell, process);

@@ -72,7 +72,7 @@ struct Wound {
 
   explicit Wound(plan::ToolPlan p, const std::function<void(json&)>& edit = {}, int threads = 2)
       : plan(std::move(p)), cell(cellOf(process, edit)), part(plan, 0.35, {}),
-        result(motion::MotionPlanner(plan, cell, process, part, {})
+        result(motion::MotionPlanner(plan, cell, process::Tooling(process), part, {})
                    .plan(base::RunContext(base::CancelToken(), threads))) {}
 
   static robot::Cell cellOf(const process::Process& process,

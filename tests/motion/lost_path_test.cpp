@@ -52,7 +52,7 @@ protected:
   motion::MotionResult planned(std::shared_ptr<const collision::FillTimes> ground) const {
     const robot::Cell cell = robot::loadCell("ur5-fixed", process_, test::disc(80.0));
     const collision::GrowingPart part(plan_, 0.45, {}, std::move(ground));
-    return motion::MotionPlanner(plan_, cell, process_, part, {}).plan({});
+    return motion::MotionPlanner(plan_, cell, process::Tooling(process_), part, {}).plan({});
   }
 
   plan::ToolPlan plan_;

@@ -393,7 +393,9 @@ double finelyOnTheWayTo(std::size_t point, const plan::Trajectory& t, const Scen
 TEST(LastLook, TellsWhereSomethingMeetsAndHowNearTheRestComes) {
   Scene s(test::cylinder(10.0, 4));
   plan::Trajectory t =
-      motion::MotionPlanner(s.plan, s.cell, s.process, s.part, s.options).plan({}).trajectory;
+      motion::MotionPlanner(s.plan, s.cell, process::Tooling(s.process), s.part, s.options)
+          .plan({})
+          .trajectory;
   const std::vector<std::size_t> before = motion::headBefore(s.plan);
   const motion::TrajectoryCheck sound = motion::checkTrajectory(t, s.scene, before, 100.0, {});
   EXPECT_TRUE(sound.collisions.empty());

@@ -37,7 +37,7 @@ struct Printed {
 
   explicit Printed(plan::ToolPlan p, int threads = 2)
       : plan(std::move(p)), part(plan, 1.0, {}),
-        result(motion::MotionPlanner(plan, cell, process, part, {})
+        result(motion::MotionPlanner(plan, cell, process::Tooling(process), part, {})
                    .plan(base::RunContext(base::CancelToken(), threads))) {}
 
   JointVector q(std::size_t i) const {

@@ -61,7 +61,9 @@ protected:
   collision::GrowingPart part_{plan_, 0.45, {}};
   motion::MotionOptions options_;
   plan::Trajectory t_ =
-      motion::MotionPlanner(plan_, cell_, process_, part_, options_).plan({}).trajectory;
+      motion::MotionPlanner(plan_, cell_, process::Tooling(process_), part_, options_)
+          .plan({})
+          .trajectory;
 
   static JointVector at(const plan::Trajectory& t, std::size_t i) {
     return Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof);
@@ -83,7 +85,8 @@ protected:
     return point;
   }
   motion::Resumed resumed(std::size_t point) const {
-    const auto found = motion::resumeAt(t_, point, plan_, cell_, process_, part_, options_, {});
+    const auto found =
+        motion::resumeAt(t_, point, plan_, cell_, process::Tooling(process_), part_, options_, {});
     EXPECT_TRUE(found);
     return found.value_or(motion::Resumed{});
   }

@@ -28,7 +28,7 @@ struct Moved {
 
   explicit Moved(plan::ToolPlan p)
       : plan(std::move(p)), part(plan, 0.45, {}),
-        result(motion::MotionPlanner(plan, cell, process, part, {}).plan({})) {}
+        result(motion::MotionPlanner(plan, cell, process::Tooling(process), part, {}).plan({})) {}
   JointVector at(std::size_t i) const {
     const plan::Trajectory& t = result.trajectory;
     return Eigen::Map<const Eigen::VectorXd>(t.at(i), t.dof);

@@ -106,7 +106,7 @@ TEST_F(Singular, PathsPassNoSingularPoseOnTheirWay) {
     const plan::ToolPlan plan = leaningBack(12.5, 42.5, aside);
     const collision::GrowingPart part(plan, 1.0, {});
     const motion::MotionResult moved =
-        motion::MotionPlanner(plan, cell_, process_, part, {}).plan({});
+        motion::MotionPlanner(plan, cell_, process::Tooling(process_), part, {}).plan({});
     EXPECT_LE(moved.skipped.size(), std::abs(aside) > 0.0 && std::abs(aside) < 0.05 ? 2u : 0u)
         << "aside " << aside;
     const plan::Trajectory& t = moved.trajectory;

@@ -32,7 +32,7 @@ struct Printed {
 
   explicit Printed(plan::ToolPlan p, const std::string& id = "kr10-r1100-slide")
       : plan(std::move(p)), cell(robot::loadCell(id, process, plate())), part(plan, 4.0, {}),
-        result(motion::MotionPlanner(plan, cell, process, part, {}).plan({})) {}
+        result(motion::MotionPlanner(plan, cell, process::Tooling(process), part, {}).plan({})) {}
 
   static platform::PlatformSolid plate() {
     platform::PlatformSolid solid;
@@ -144,7 +144,8 @@ TEST(Slide, APostBesideTheTrackStopsTheCarriage) {
   }
   // Planned, the arm keeps off it; what it does not get to on this side is named, and why.
   const motion::MotionResult result =
-      motion::MotionPlanner(free.plan, cell, free.process, free.part, {}).plan({});
+      motion::MotionPlanner(free.plan, cell, process::Tooling(free.process), free.part, {})
+          .plan({});
   for (std::size_t i = 0; i < result.trajectory.pointCount(); ++i)
     EXPECT_LT(result.trajectory.at(i)[kSlide], 380.0);
   EXPECT_EQ(result.statistics.collisions, result.skipped.size());

@@ -47,7 +47,7 @@ TEST(TallPart, IsCrossedClear) {
     const collision::CellCollision collision(cell, process);
     const collision::GrowingPart part(plan, 1.0, {});
     const motion::MotionResult moved =
-        motion::MotionPlanner(plan, cell, process, part, {}).plan({});
+        motion::MotionPlanner(plan, cell, process::Tooling(process), part, {}).plan({});
     EXPECT_TRUE(moved.skipped.empty()) << id;
     const plan::Trajectory& t = moved.trajectory;
     // From the last line but one to the last: everything else is printed by then.

@@ -26,7 +26,7 @@ motion::MotionResult ringOf(const char* cellId, double radius, double height,
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell = robot::loadCell(cellId, process, test::disc(20));
   const collision::GrowingPart part(plan, 4.0, {});
-  return motion::MotionPlanner(plan, cell, process, part, {}).plan({});
+  return motion::MotionPlanner(plan, cell, process::Tooling(process), part, {}).plan({});
 }
 
 } // namespace

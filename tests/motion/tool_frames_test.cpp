@@ -115,7 +115,7 @@ TEST(ToolFrames, AMotionKeepsToItsRule) {
   motion::MotionOptions options;
   options.turn = NozzleTurn::WorkAxis;
   const motion::MotionResult moved =
-      motion::MotionPlanner(plan, cell, process, part, options).plan({});
+      motion::MotionPlanner(plan, cell, process::Tooling(process), part, options).plan({});
   EXPECT_TRUE(moved.skipped.empty());
   const plan::Trajectory& t = moved.trajectory;
   for (std::size_t i = 0; i < t.pointCount(); ++i)

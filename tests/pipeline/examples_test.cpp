@@ -15,7 +15,7 @@
 #include "pipeline/road.h"
 #include "planar/search/beam_search.h"
 #include "planar/slicing/slicing.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "program/dialect.h"
 #include "replay/verification.h"
 #include "substrate/lathe_layers.h"
@@ -44,19 +44,19 @@ geometry::TriangleMesh readExample(const std::filesystem::path& stl) {
 }
 
 plan::ToolPlan coverExample(const layers::LayerStack& stack, const robot::Cell& cell,
-                            const process::Process& process, const platform::PlatformSolid& plate) {
+                            const process::Tooling& tooling, const platform::PlatformSolid& plate) {
   toolpath::ToolpathOptions options;
   options.platform = plate;
-  const toolpath::ToolpathResult made = toolpath::planToolpaths(stack, cell, process, options, ctx);
+  const toolpath::ToolpathResult made = toolpath::planToolpaths(stack, cell, tooling, options, ctx);
   EXPECT_GT(made.statistics.coveredFraction, 0.9);
   return made.plan;
 }
 
 plan::Trajectory moveExample(const plan::ToolPlan& toolPlan, const robot::Cell& cell,
-                             const process::Process& process) {
-  const double pitch = collision::growingPitch(toolPlan, process);
+                             const process::Tooling& tooling) {
+  const double pitch = collision::growingPitch(toolPlan, tooling);
   const collision::GrowingPart growing(toolPlan, pitch, ctx);
-  motion::MotionPlanner planner(toolPlan, cell, process, growing, {});
+  motion::MotionPlanner planner(toolPlan, cell, tooling, growing, {});
   const motion::MotionResult moved = planner.plan(ctx);
   EXPECT_TRUE(moved.skipped.empty());
   return moved.trajectory;
@@ -78,19 +78,20 @@ TEST(Examples, FromAFileToAVerdict) {
   EXPECT_NEAR(layers.volumeMm3, 480.0, 5.0);
 
   const process::Process process = process::loadProcess("fdm-1.0");
+  const process::Tooling tooling(process);
   const robot::Cell cell = robot::loadCell("ur5-fixed", process, plate);
-  const plan::ToolPlan toolPlan = coverExample(layers.stack, cell, process, plate);
-  const plan::Trajectory moved = moveExample(toolPlan, cell, process);
+  const plan::ToolPlan toolPlan = coverExample(layers.stack, cell, tooling, plate);
+  const plan::Trajectory moved = moveExample(toolPlan, cell, tooling);
   const plan::Trajectory trajectory =
-      *program::pointsFor("urscript", {toolPlan, moved, cell, process, "part"}, ctx).trajectory;
+      *program::pointsFor("urscript", {toolPlan, moved, cell, tooling, "part"}, ctx).trajectory;
 
-  const program::ProgramInput input{toolPlan, trajectory, cell, process, "part"};
+  const program::ProgramInput input{toolPlan, trajectory, cell, tooling, "part"};
   const plan::Program program = program::writeProgram("urscript", input, ctx);
-  const plan::ReadProgram read = program::readProgram("urscript", program.files, process, ctx);
+  const plan::ReadProgram read = program::readProgram("urscript", program.files, tooling, ctx);
   EXPECT_TRUE(read.complete);
 
   const replay::Verification verdict =
-      replay::replayProgram({read, toolPlan, trajectory, cell, process, part, plate}, {}, ctx);
+      replay::replayProgram({read, toolPlan, trajectory, cell, tooling, part, plate}, {}, ctx);
   EXPECT_TRUE(verdict.passed);
 }
 

@@ -25,7 +25,7 @@ protected:
 };
 
 TEST_F(Rings, AreMovedAlongAndAgainWithoutWhatIsMet) {
-  PartMotion moving(plan_, plate_, cell_, process_, {}, {}, {});
+  PartMotion moving(plan_, plate_, cell_, process::Tooling(process_), {}, {}, {});
   const auto all = moving.plan({});
   EXPECT_EQ(all->report.waypoints, plan_.waypointCount());
   EXPECT_TRUE(all->findings.empty());
@@ -37,8 +37,9 @@ TEST_F(Rings, AreMovedAlongAndAgainWithoutWhatIsMet) {
   EXPECT_EQ(least->report.waypoints, plan_.waypointCount() - 2);
 
   // As the planner has it with one growing part for all rounds.
-  const collision::GrowingPart growing(plan_, collision::growingPitch(plan_, process_), {});
-  motion::MotionPlanner planner(plan_, cell_, process_, growing, {});
+  const collision::GrowingPart growing(
+      plan_, collision::growingPitch(plan_, process::Tooling(process_)), {});
+  motion::MotionPlanner planner(plan_, cell_, process::Tooling(process_), growing, {});
   EXPECT_EQ(planner.plan({}).trajectory.joints, all->trajectory->joints);
   EXPECT_EQ(planner.planWithout({40}, {}).trajectory.joints, less->trajectory->joints);
   EXPECT_EQ(planner.planWithout({41}, {}).trajectory.joints, least->trajectory->joints);
@@ -46,9 +47,9 @@ TEST_F(Rings, AreMovedAlongAndAgainWithoutWhatIsMet) {
 
 TEST_F(Rings, TakeThePartThatIsLaidAlready) {
   const auto grown = std::make_shared<const collision::GrowingPart>(
-      plan_, collision::growingPitch(plan_, process_), base::RunContext{});
-  PartMotion taking(plan_, plate_, cell_, process_, {}, grown, {}),
-      laying(plan_, plate_, cell_, process_, {}, {}, {});
+      plan_, collision::growingPitch(plan_, process::Tooling(process_)), base::RunContext{});
+  PartMotion taking(plan_, plate_, cell_, process::Tooling(process_), {}, grown, {}),
+      laying(plan_, plate_, cell_, process::Tooling(process_), {}, {}, {});
   EXPECT_EQ(taking.plan({})->trajectory->joints, laying.plan({})->trajectory->joints);
   EXPECT_EQ(taking.planWithout({40}, {})->trajectory->joints,
             laying.planWithout({40}, {})->trajectory->joints);
@@ -59,10 +60,11 @@ TEST_F(Rings, AreGivenUpOnceMoreIsLostThanMayBeLeftOut) {
   const plan::ToolPath& last = upsideDown.paths.back();
   for (std::size_t w = last.first; w < last.first + last.count; ++w)
     upsideDown.direction[w] = -Eigen::Vector3d::UnitZ();
-  const auto whole = PartMotion(upsideDown, plate_, cell_, process_, {}, {}, {}).plan({});
+  const auto whole =
+      PartMotion(upsideDown, plate_, cell_, process::Tooling(process_), {}, {}, {}).plan({});
   ASSERT_NE(whole->trajectory, nullptr);
-  const auto tried =
-      PartMotion(upsideDown, plate_, cell_, process_, {}, {}, {}).plan({}, plan::kBlockingShare);
+  const auto tried = PartMotion(upsideDown, plate_, cell_, process::Tooling(process_), {}, {}, {})
+                         .plan({}, plan::kBlockingShare);
   EXPECT_EQ(tried->trajectory, nullptr);
   const auto blocking = std::ranges::find_if(whole->findings, &plan::Finding::blocking);
   ASSERT_NE(blocking, whole->findings.end());
@@ -72,15 +74,15 @@ TEST_F(Rings, AreGivenUpOnceMoreIsLostThanMayBeLeftOut) {
 }
 
 TEST_F(Rings, AreMovedTheSameWayWhereNothingIsLost) {
-  PartMotion tried(plan_, plate_, cell_, process_, {}, {}, {}),
-      whole(plan_, plate_, cell_, process_, {}, {}, {});
+  PartMotion tried(plan_, plate_, cell_, process::Tooling(process_), {}, {}, {}),
+      whole(plan_, plate_, cell_, process::Tooling(process_), {}, {}, {});
   EXPECT_EQ(tried.plan({}, plan::kBlockingShare)->trajectory->joints,
             whole.plan({})->trajectory->joints);
 }
 
 TEST_F(Rings, NothingToPrintIsTold) {
   const plan::ToolPlan none;
-  PartMotion moving(none, plate_, cell_, process_, {}, {}, {});
+  PartMotion moving(none, plate_, cell_, process::Tooling(process_), {}, {}, {});
   for (const auto& stage : {moving.plan({}), moving.planWithout({}, {})}) {
     EXPECT_EQ(stage->trajectory, nullptr);
     ASSERT_EQ(stage->findings.size(), 1u);

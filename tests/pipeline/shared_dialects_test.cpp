@@ -25,13 +25,14 @@ const test::Scene& scene() {
 
 test::ProgramText textOf(const std::string& format, const plan::Trajectory& trajectory) {
   const test::Scene& s = scene();
-  return test::textOf(
-      program::writeProgram(format, {s.plan, trajectory, s.cell, s.process, "box"}));
+  return test::textOf(program::writeProgram(
+      format, {s.plan, trajectory, s.cell, process::Tooling(s.process), "box"}));
 }
 
 replay::ReplayInput inputOf(const test::ProgramText& text, const plan::Trajectory& trajectory) {
   const test::Scene& s = scene();
-  return {test::read(text, s.process), s.plan, trajectory, s.cell, s.process, s.part, s.platform};
+  return {test::read(text, s.process), s.plan, trajectory, s.cell,
+          process::Tooling(s.process), s.part, s.platform};
 }
 
 Verification alone(const test::ProgramText& text, const plan::Trajectory& trajectory) {

@@ -98,7 +98,7 @@ TEST(Tooling, findsTheToolOfAPath) {
   path.tool = 2;
   EXPECT_THROW(tooling.of(path), base::Error);
   EXPECT_THROW(Tooling(std::vector<Tool>()), base::Error);
-  const Tooling one = Process();
+  const Tooling one{Process()};
   EXPECT_EQ(one.tools().size(), 1u);
 }
 

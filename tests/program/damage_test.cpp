@@ -37,7 +37,9 @@ protected:
     const replay::Alignment none{.pointOf = std::vector(program.motions.size(), replay::kUnmatched),
                                  .leadsTo = {},
                                  .deviations = {}};
-    return !replay::compareStatedFacts(program, trajectory_, none, *cell_, process_).empty();
+    return !replay::compareStatedFacts(program, trajectory_, none, *cell_,
+                                       process::Tooling(process_))
+                .empty();
   }
   bool seen(const plan::ReadProgram& whole, const plan::ReadProgram& damaged) const {
     EXPECT_FALSE(misstates(whole)) << whole.format;
@@ -66,7 +68,7 @@ TEST_P(Damage, noLineIsMissedUnnoticed) {
   for (const Dialect& d : ofThisCell()) {
     pathFor(d);
     const plan::Program program = writeProgram(d.id, input());
-    const plan::ReadProgram whole = readProgram(d.id, program.files, process_);
+    const plan::ReadProgram whole = readProgram(d.id, program.files, process::Tooling(process_));
     const test::ProgramText text = test::textOf(program);
     for (std::size_t i = 0; i < text.lines.size(); ++i) {
       if (idle(d, text.lines, i))
@@ -92,7 +94,7 @@ TEST_P(Damage, noDigitChangesUnnoticed) {
   for (const Dialect& d : ofThisCell()) {
     pathFor(d);
     const plan::Program program = writeProgram(d.id, input());
-    const plan::ReadProgram whole = readProgram(d.id, program.files, process_);
+    const plan::ReadProgram whole = readProgram(d.id, program.files, process::Tooling(process_));
     test::ProgramText text = test::textOf(program);
     for (std::size_t i = 1; i < whole.motions.size(); i += kEach) {
       std::string& line = text.lines[whole.motions[i].line - 1];
@@ -127,7 +129,8 @@ TEST_P(Damage, everyCutIsNoticed) {
     // Without its last line's end a text is whole.
     const std::size_t last = text.find_last_not_of("\r\n");
     for (std::size_t length = 0; length <= last; length += 1 + length % 7) {
-      const auto damaged = readProgram(d.id, {{"cut", text.substr(0, length)}}, process_);
+      const auto damaged =
+          readProgram(d.id, {{"cut", text.substr(0, length)}}, process::Tooling(process_));
       EXPECT_FALSE(damaged.complete) << d.id << " cut to " << length;
       EXPECT_FALSE(damaged.defects.empty());
     }
@@ -164,7 +167,7 @@ TEST_P(Damage, noGarbageBringsAReaderDown) {
       }
       // Every reader on every text: none may throw, and what it gives is finite.
       for (const Dialect& reader : dialects()) {
-        const auto read = readProgram(reader.id, {{"bad", bad}}, process_);
+        const auto read = readProgram(reader.id, {{"bad", bad}}, process::Tooling(process_));
         for (const plan::ProgramMotion& m : read.motions) {
           ASSERT_TRUE(m.frame_T_tcp.matrix().allFinite() && m.position.allFinite() &&
                       m.direction.allFinite() && std::isfinite(m.speedMmPerS) &&

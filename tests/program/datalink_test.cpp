@@ -32,7 +32,7 @@ protected:
     return writeProgram("melfa-datalink", input());
   }
   plan::ReadProgram read(const plan::Program& p) const {
-    return readProgram(p.format, p.files, process_);
+    return readProgram(p.format, p.files, process::Tooling(process_));
   }
 };
 
@@ -400,7 +400,7 @@ TEST(LinkRows, SwitchOnlyWhereTheArmStands) {
     return readProgram("melfa-datalink",
                        {{"a.lines",
                          std::string(melfaLinkForm().header) + "\ntool,0,0,100,0,0,0\n" + lines}},
-                       process)
+                       process::Tooling(process))
         .defects;
   };
   const std::string start = "400,0,300,180,0,180,8,0,-2\n", a = "400,1,300,180,0,180,20,",

@@ -38,7 +38,8 @@ TEST_F(Dialects, sayJointMotionsInPiecesWhereTheyCannotSayThem) {
       EXPECT_THROW(writeProgram(d.id, input()), base::Error);
       continue;
     }
-    const plan::ReadProgram back = readProgram(d.id, writeProgram(d.id, input()).files, process_);
+    const plan::ReadProgram back =
+        readProgram(d.id, writeProgram(d.id, input()).files, process::Tooling(process_));
     if (d.saysJointMotions) {
       EXPECT_EQ(back.motions.size(), 4u);
       continue;
@@ -107,7 +108,7 @@ TEST_F(Dialects, readBackEveryTarget) {
                               [&](const auto& f) { return f.name.ends_with(d.extension); }),
                 1);
       EXPECT_TRUE(program.files[0].name.ends_with(d.extension));
-      plan::ReadProgram back = readProgram(d.id, program.files, process_);
+      plan::ReadProgram back = readProgram(d.id, program.files, process::Tooling(process_));
       EXPECT_EQ(back.format, d.id);
       EXPECT_TRUE(back.complete);
       for (const plan::ProgramDefect& defect : back.defects)
@@ -134,7 +135,8 @@ TEST_F(Dialects, readBackEveryTargetOnARod) {
       EXPECT_THROW(writeProgram(d.id, input()), base::Error);
       continue;
     }
-    plan::ReadProgram back = readProgram(d.id, writeProgram(d.id, input()).files, process_);
+    plan::ReadProgram back =
+        readProgram(d.id, writeProgram(d.id, input()).files, process::Tooling(process_));
     EXPECT_TRUE(back.complete);
     EXPECT_TRUE(back.defects.empty());
     dropPieces(back);
@@ -148,7 +150,8 @@ TEST_F(Dialects, readBackTimeAndMaterial) {
   for (const Dialect& d : dialects()) {
     SCOPED_TRACE(d.id);
     randomFor(d, 7, 4000);
-    plan::ReadProgram back = readProgram(d.id, writeProgram(d.id, input()).files, process_);
+    plan::ReadProgram back =
+        readProgram(d.id, writeProgram(d.id, input()).files, process::Tooling(process_));
     dropPieces(back);
     ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
     double total = 0.0;
@@ -183,7 +186,7 @@ TEST_F(Dialects, namesKeepClearOfTheirLanguage) {
       ProgramInput in = input();
       in.name = name;
       const plan::Program program = writeProgram(d.id, in);
-      const plan::ReadProgram back = readProgram(d.id, program.files, process_);
+      const plan::ReadProgram back = readProgram(d.id, program.files, process::Tooling(process_));
       EXPECT_TRUE(back.complete && back.defects.empty());
       // What is defined stands behind the first word, below a header if there is one.
       const std::string& text = program.files[0].text;
@@ -213,7 +216,7 @@ TEST_F(Dialects, textFromFilesNeverLeavesItsRemark) {
     SCOPED_TRACE(d.id);
     randomFor(d, 2, 50);
     const plan::Program plain = writeProgram(d.id, input());
-    const plan::ReadProgram whole = readProgram(d.id, plain.files, process_);
+    const plan::ReadProgram whole = readProgram(d.id, plain.files, process::Tooling(process_));
     for (const std::string& hostile :
          {std::string("a\nmovej([0,0,0,0,0,0])\n"),
           std::string("a\r\n  MoveJ p1,v100,fine,tPlate;\r\n"),
@@ -223,7 +226,7 @@ TEST_F(Dialects, textFromFilesNeverLeavesItsRemark) {
       process::Process process = process_;
       process.material = process::materialNamed("unknown");
       process.material.label = process.id = hostile;
-      const ProgramInput in{plan_, trajectory_, *cell_, process, hostile};
+      const ProgramInput in{plan_, trajectory_, *cell_, process::Tooling(process), hostile};
       const plan::Program program = writeProgram(d.id, in);
       const std::string& text = program.files[0].text;
       EXPECT_EQ(std::count(text.begin(), text.end(), '\n'),
@@ -236,7 +239,7 @@ TEST_F(Dialects, textFromFilesNeverLeavesItsRemark) {
       std::istringstream lines(text);
       for (std::string line; std::getline(lines, line);)
         EXPECT_LE(line.size(), 255u);
-      const plan::ReadProgram back = readProgram(d.id, program.files, process);
+      const plan::ReadProgram back = readProgram(d.id, program.files, process::Tooling(process));
       EXPECT_TRUE(back.complete && back.defects.empty());
       ASSERT_EQ(back.motions.size(), whole.motions.size());
       for (std::size_t i = 0; i < back.motions.size(); ++i)
@@ -360,7 +363,7 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
                                  {"krl-eki", "HALT\r\n"}}) {
     randomFor(findDialect(id), 2, 50);
     const plan::Program program = writeProgram(id, input());
-    const plan::ReadProgram back = readProgram(id, program.files, process_);
+    const plan::ReadProgram back = readProgram(id, program.files, process::Tooling(process_));
     // Of a stream the program that takes it asks.
     const auto taking = std::ranges::find_if(program.files, [](const auto& f) {
       return !f.name.ends_with(".joints") && !f.name.ends_with(".rows") &&
@@ -379,7 +382,7 @@ TEST_F(Dialects, theOperatorIsAskedBeforeTheFirstMotion) {
   }
   randomFor(findDialect("urscript"), 2, 50);
   const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+      readProgram("urscript", writeProgram("urscript", input()).files, process::Tooling(process_));
   EXPECT_LE(back.motions.front().jointSpeedRadPerS, 0.25);
 }
 
@@ -442,7 +445,7 @@ TEST_F(Dialects, whatIsNoTextIsToldInOneLine) {
     const auto with = [&](const std::string& changed) {
       std::vector<plan::ProgramFile> files = program.files;
       files[0].text = changed;
-      return readProgram(d.id, files, process_);
+      return readProgram(d.id, files, process::Tooling(process_));
     };
     const std::string half = text.substr(0, text.find('\n', text.size() / 2) + 1);
     const std::string rest = text.substr(half.size());

@@ -39,7 +39,7 @@ protected:
     return writeProgram("krl-eki", input());
   }
   plan::ReadProgram read(const plan::Program& p) const {
-    return readProgram(p.format, p.files, process_);
+    return readProgram(p.format, p.files, process::Tooling(process_));
   }
 };
 
@@ -514,7 +514,7 @@ TEST(EkiRows, AreTenNumbers) {
                                  "\ntool,0,0,100,0,0,0\nbase,100,0,0,90,0,0\nload,1,0,0,50,0,0\n"
                                  "0,0,300,0,0,180,10,0,0,-2\n0,0,300,30,0,180,20,15,0,0\n"
                                  "10,0,300,30,0,180,20,15,0,0\n10,0,300,30,0,180,0,0,0,0\n"}},
-                  process::Process{});
+                  process::Tooling(process::Process{}));
   for (const auto& d : read.defects)
     ADD_FAILURE() << d.line << ": " << voluta::base::english(d.reason);
   ASSERT_EQ(read.motions.size(), 3u);

@@ -86,7 +86,7 @@ TEST_F(Extruders, giveEachMotionItsMaterial) {
       SCOPED_TRACE(std::string(d.id) + " with " + std::string(id));
       randomFor(d, 3, 900);
       const plan::Program program = writeProgram(d.id, inputFor(id));
-      const plan::ReadProgram back = readProgram(d.id, program.files, process_);
+      const plan::ReadProgram back = readProgram(d.id, program.files, process::Tooling(process_));
       for (const plan::ProgramDefect& defect : back.defects)
         ADD_FAILURE() << defect.line << ": " << base::english(defect.reason);
       EXPECT_TRUE(back.complete);
@@ -125,7 +125,7 @@ TEST_F(Extruders, drawBackAndReturnTheSame) {
       randomFor(d, 3, 300);
       ProgramInput in = inputFor(id);
       const plan::Program program = writeProgram(d.id, in);
-      const plan::ReadProgram back = readProgram(d.id, program.files, process_);
+      const plan::ReadProgram back = readProgram(d.id, program.files, process::Tooling(process_));
       for (const plan::ProgramDefect& defect : back.defects)
         ADD_FAILURE() << defect.line << ": " << base::english(defect.reason);
       std::size_t beads = 0, stands = 0;
@@ -273,7 +273,7 @@ TEST_F(AxisExtruder, isTheFirstAxisThatMovesNoPart) {
   for (const char* dialect : {"krl", "rapid"}) {
     SCOPED_TRACE(dialect);
     const plan::Program program = writeProgram(dialect, inputFor(kAxisExtruder));
-    const plan::ReadProgram back = readProgram(dialect, program.files, process_);
+    const plan::ReadProgram back = readProgram(dialect, program.files, process::Tooling(process_));
     for (const plan::ProgramDefect& defect : back.defects)
       ADD_FAILURE() << defect.line << ": " << base::english(defect.reason);
     EXPECT_TRUE(back.complete);
@@ -312,7 +312,7 @@ TEST_F(AxisExtruder, isSetToNothingAnewWhereItsRangeEnds) {
         most = std::max(most, std::stod(mm));
     EXPECT_LE(most, 40.0);
     EXPECT_GT(most, 25.0);
-    const plan::ReadProgram back = readProgram(dialect, program.files, process_);
+    const plan::ReadProgram back = readProgram(dialect, program.files, process::Tooling(process_));
     for (const plan::ProgramDefect& defect : back.defects)
       ADD_FAILURE() << defect.file << ":" << defect.line << ": " << base::english(defect.reason);
     EXPECT_TRUE(back.complete);
@@ -362,7 +362,8 @@ TEST_F(AxisExtruder, isRefusedWhereItRunsAsNoExtruderCan) {
     const std::string whole = text;
     text = std::regex_replace(text, std::regex(c.what), c.by);
     ASSERT_NE(text, whole);
-    const plan::ReadProgram back = readProgram(c.dialect, program.files, process_);
+    const plan::ReadProgram back =
+        readProgram(c.dialect, program.files, process::Tooling(process_));
     std::string told;
     for (const plan::ProgramDefect& defect : back.defects)
       told += base::english(defect.reason) + "\n";

@@ -39,7 +39,7 @@ protected:
     return in;
   }
   plan::ReadProgram read(const plan::Program& p) const {
-    return readProgram(p.format, p.files, process_);
+    return readProgram(p.format, p.files, process::Tooling(process_));
   }
 };
 

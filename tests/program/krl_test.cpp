@@ -18,7 +18,7 @@ using test::expectDefect;
 plan::ReadProgram readFiles(std::vector<plan::ProgramFile> files) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
-  return readProgram("krl", files, process);
+  return readProgram("krl", files, process::Tooling(process));
 }
 
 // In lines 10 and on.
@@ -188,7 +188,7 @@ TEST_F(Krl, aFixedNozzleIsTheBaseAndThePartTheTool) {
                       "$TOOL={X 0,Y 0,Z 100,A 0,B 0,C 0}\r\n"),
             std::string::npos)
       << text.substr(0, 2000);
-  const plan::ReadProgram back = readProgram("krl", program.files, process_);
+  const plan::ReadProgram back = readProgram("krl", program.files, process::Tooling(process_));
   expectSound(back);
   ASSERT_TRUE(back.base_T_nozzle && back.base_T_nozzle->isApprox(cell_->base_T_fixed(), 1e-6));
   EXPECT_EQ(program.files[1].text,
@@ -203,7 +203,7 @@ TEST_F(Krl, aRodIsE1) {
                       "0,Y 0,Z 0,A "),
             std::string::npos)
       << text.substr(0, 2000);
-  const plan::ReadProgram back = readProgram("krl", {{"f", text}}, process_);
+  const plan::ReadProgram back = readProgram("krl", {{"f", text}}, process::Tooling(process_));
   for (std::size_t i = 0; i < back.motions.size(); ++i) {
     EXPECT_EQ(back.motions[i].target, plan::TargetKind::UnitPose);
     EXPECT_NEAR(back.motions[i].externals.at(0), trajectory_.at(i)[6], 1e-6);
@@ -218,7 +218,7 @@ TEST_F(Krl, longProgramsAreCalledFileByFile) {
   cut.name = "a part with a long name";
   const plan::Program program = writeProgram("krl", cut);
   ASSERT_GT(program.files.size(), 8u);
-  const plan::ReadProgram back = readProgram("krl", program.files, process_);
+  const plan::ReadProgram back = readProgram("krl", program.files, process::Tooling(process_));
   expectSound(back);
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   for (std::size_t i = 1; i < back.motions.size(); ++i)
@@ -242,8 +242,8 @@ TEST_F(Krl, longProgramsAreCalledFileByFile) {
   }
   std::vector<plan::ProgramFile> fewer = program.files;
   fewer.pop_back();
-  EXPECT_FALSE(readProgram("krl", fewer, process_).complete);
-  EXPECT_FALSE(readProgram("krl", fewer, process_).defects.empty());
+  EXPECT_FALSE(readProgram("krl", fewer, process::Tooling(process_)).complete);
+  EXPECT_FALSE(readProgram("krl", fewer, process::Tooling(process_)).defects.empty());
 }
 
 // A motion that turns on the spot goes by its turn, and the limit is high again behind it.
@@ -262,7 +262,8 @@ TEST_F(Krl, turnsOnTheSpotAreTimed) {
         return (a - near).norm() < (b - near).norm();
       });
   append(plan::MoveKind::Print, {q.data(), q.data() + 6}, 0.4, 0.8);
-  const plan::ReadProgram back = readProgram("krl", writeProgram("krl", input()).files, process_);
+  const plan::ReadProgram back =
+      readProgram("krl", writeProgram("krl", input()).files, process::Tooling(process_));
   expectSound(back);
   EXPECT_NEAR(back.motions[2].durationS, 0.4, 0.4 * 0.02);
   EXPECT_NEAR(back.motions[2].durationS * back.motions[2].flowMm3PerS, 0.8, 1e-3);

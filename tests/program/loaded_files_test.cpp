@@ -52,12 +52,12 @@ TEST_F(LoadedFiles, TheLastLineMayHaveNoEnd) {
     SCOPED_TRACE(d.id);
     randomFor(d, 2, 200);
     plan::Program program = writeProgram(d.id, input());
-    const plan::ReadProgram whole = readProgram(d.id, program.files, process_);
+    const plan::ReadProgram whole = readProgram(d.id, program.files, process::Tooling(process_));
     EXPECT_TRUE(whole.complete);
     for (plan::ProgramFile& file : program.files)
       if (!d.isBinary || !d.isBinary(file.text))
         file.text.erase(file.text.find_last_not_of("\r\n") + 1);
-    const plan::ReadProgram back = readProgram(d.id, program.files, process_);
+    const plan::ReadProgram back = readProgram(d.id, program.files, process::Tooling(process_));
     for (const plan::ProgramDefect& defect : back.defects)
       ADD_FAILURE() << defect.file << ":" << defect.line << ": " << base::english(defect.reason);
     EXPECT_TRUE(back.complete);
@@ -78,8 +78,9 @@ TEST_F(LoadedFiles, GcodeNeedsNoBlanks) {
         std::erase(line, ' ');
     ASSERT_NE(text.find("G1X"), std::string::npos);
     EXPECT_EQ(detectDialect("part", text)->id, format);
-    const plan::ReadProgram whole = readProgram(format, program.files, process_),
-                            back = readProgram(format, {{"part", text}}, process_);
+    const plan::ReadProgram whole = readProgram(format, program.files, process::Tooling(process_)),
+                            back =
+                                readProgram(format, {{"part", text}}, process::Tooling(process_));
     for (const plan::ProgramDefect& defect : back.defects)
       ADD_FAILURE() << defect.line << ": " << base::english(defect.reason);
     ASSERT_EQ(back.motions.size(), whole.motions.size());
@@ -122,7 +123,8 @@ TEST_F(LoadedFiles, AnOmniCoreGetsItsOwnModulesAndSignals) {
       EXPECT_EQ(program.files[0].name, wanted ? "part_1.modx" : "part_1.mod");
       EXPECT_TRUE(
           program.files[1].text.starts_with(wanted ? "EIO:CFG_1.0:7:0::" : "EIO:CFG_1.0:6:1::"));
-      const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+      const plan::ReadProgram back =
+          readProgram("rapid", program.files, process::Tooling(process_));
       EXPECT_TRUE(back.complete && back.defects.empty());
     }
   }
@@ -137,7 +139,8 @@ TEST_F(LoadedFiles, ALongUrscriptProgramIsSplit) {
     in.options.own["urscriptForm"] = std::string(form);
     const plan::Program program = writeProgram("urscript", in);
     ASSERT_EQ(program.files.size(), form == std::string_view("node") ? 4u : 3u);
-    const plan::ReadProgram back = readProgram("urscript", program.files, process_);
+    const plan::ReadProgram back =
+        readProgram("urscript", program.files, process::Tooling(process_));
     EXPECT_TRUE(back.complete && back.defects.empty());
     EXPECT_EQ(back.motions.size(), trajectory_.pointCount());
     std::vector<std::size_t> motions(program.files.size(), 0);

@@ -20,7 +20,7 @@ plan::ReadProgram read(const std::string& text) {
   std::string lines;
   for (const char c : text)
     lines += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  return readProgram("melfa", {{"A.prg", lines}}, process);
+  return readProgram("melfa", {{"A.prg", lines}}, process::Tooling(process));
 }
 
 TEST(XyzAngles, AreThoseOfTheReference) {
@@ -131,7 +131,7 @@ TEST_F(Melfa, isCutIntoProgramsThatAreCalledInTurn) {
   for (std::size_t f = 1; f < program.files.size(); ++f)
     names.push_back(program.files[f].name);
   EXPECT_EQ(filesOfMelfa(program.files[0].text), names);
-  const plan::ReadProgram back = readProgram("melfa", program.files, process_);
+  const plan::ReadProgram back = readProgram("melfa", program.files, process::Tooling(process_));
   EXPECT_TRUE(back.complete && back.defects.empty());
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   for (std::size_t i = 1; i < back.motions.size(); ++i)
@@ -141,10 +141,10 @@ TEST_F(Melfa, isCutIntoProgramsThatAreCalledInTurn) {
     }
   std::vector<plan::ProgramFile> fewer = program.files;
   fewer.pop_back();
-  EXPECT_FALSE(readProgram("melfa", fewer, process_).complete);
+  EXPECT_FALSE(readProgram("melfa", fewer, process::Tooling(process_)).complete);
   fewer = program.files;
   fewer[0].text.erase(fewer[0].text.find("_2\"") + 1, 1);
-  EXPECT_FALSE(readProgram("melfa", fewer, process_).complete);
+  EXPECT_FALSE(readProgram("melfa", fewer, process::Tooling(process_)).complete);
 }
 
 TEST_F(Melfa, stepsAreFewAndShortEnough) {
@@ -162,7 +162,7 @@ TEST_F(Melfa, stepsAreFewAndShortEnough) {
 TEST_F(Melfa, heldBlendsAreNeverTooLarge) {
   appendRandom(5, 3000);
   const plan::ReadProgram back =
-      readProgram("melfa", writeProgram("melfa", input()).files, process_);
+      readProgram("melfa", writeProgram("melfa", input()).files, process::Tooling(process_));
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   std::size_t blended = 0;
   for (std::size_t i = 2; i + 1 < back.motions.size(); ++i) {

@@ -16,7 +16,7 @@ TEST_F(Positioner, isReadBackWhereItWas) {
   appendRandomOnPositioner(3, 200);
   for (const char* format : {"rapid", "krl", "csv", "gcode-extended"}) {
     const plan::Program written = writeProgram(format, input());
-    plan::ReadProgram back = readProgram(format, written.files, process_);
+    plan::ReadProgram back = readProgram(format, written.files, process::Tooling(process_));
     EXPECT_TRUE(back.complete) << format;
     for (const auto& d : back.defects)
       ADD_FAILURE() << format << ":" << d.line << ": " << base::english(d.reason);

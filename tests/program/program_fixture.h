@@ -264,7 +264,9 @@ protected:
     plan_.position.assign(waypoint, Eigen::Vector3d::Zero());
     plan_.direction.assign(waypoint, Eigen::Vector3d::UnitZ());
   }
-  program::ProgramInput input() const { return {plan_, trajectory_, *cell_, process_, "part 1"}; }
+  program::ProgramInput input() const {
+    return {plan_, trajectory_, *cell_, process::Tooling(process_), "part 1"};
+  }
 
   process::Process process_;
   std::optional<robot::Cell> cell_;

@@ -21,7 +21,7 @@ TEST_F(RapidHeld, aFixedNozzleIsAStationaryTool) {
           "PERS wobjdata wPlate:=[TRUE,TRUE,\"\",[[0,0,100],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];"),
       std::string::npos)
       << text.substr(0, 2000);
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   EXPECT_TRUE(back.complete && back.defects.empty());
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   ASSERT_TRUE(back.base_T_nozzle && back.base_T_nozzle->isApprox(cell_->base_T_fixed(), 1e-9));
@@ -35,7 +35,7 @@ TEST_F(RapidHeld, aFixedNozzleIsAStationaryTool) {
   const auto with = [&](const std::string& from, const std::string& to) {
     std::vector<plan::ProgramFile> files = program.files;
     files[0].text.replace(files[0].text.find(from), from.size(), to);
-    return readProgram("rapid", files, process_);
+    return readProgram("rapid", files, process::Tooling(process_));
   };
   EXPECT_NEAR(with("[FALSE,[[-800,", "[FALSE,[[-799,").base_T_nozzle->translation().x(), -799.0,
               1e-9);

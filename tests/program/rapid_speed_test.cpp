@@ -45,7 +45,7 @@ TEST_F(RapidSpeed, readsAFlowThatGoesByTheSpeed) {
   const auto read = [](const std::string& text) {
     process::Process process;
     process.maxFlowMm3PerS = 40.0;
-    return readProgram("rapid", {{"m.mod", text}}, process);
+    return readProgram("rapid", {{"m.mod", text}}, process::Tooling(process));
   };
   const std::string text =
       module("MoveL " + pose("1") + ",v100" + tail +
@@ -84,7 +84,7 @@ TEST_F(RapidSpeed, flowBySpeedLaysWhatThePlanLays) {
   ProgramInput in = input();
   in.options.own["rapidFlow"] = std::string("speed");
   const plan::Program program = writeProgram("rapid", in);
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   std::size_t events = 0;

@@ -46,7 +46,7 @@ std::string module(const std::string& body) {
 plan::ReadProgram read(std::vector<plan::ProgramFile> files) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
-  return readProgram("rapid", files, process);
+  return readProgram("rapid", files, process::Tooling(process));
 }
 plan::ReadProgram read(std::string text) {
   return read({{"m.mod", std::move(text)}});
@@ -251,7 +251,7 @@ TEST_F(Rapid, targetsOfAMovingNozzleStandInThePlatesWorkObject) {
   useMovingNozzle();
   appendRandom(8, 1500);
   const plan::Program program = writeProgram("rapid", input());
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   expectTargets(back);
   // A target's numbers are the tip in the work frame.
@@ -277,7 +277,7 @@ TEST_F(Rapid, itsOwnRobotGetsJointsTimesAndConfigurations) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find(",[-2,1,-3,0],"), std::string::npos) << text; // quarters of axes 1, 4, 6
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   ASSERT_EQ(back.motions.size(), 3u);
   EXPECT_TRUE(back.motions[0].jointInterpolated && back.motions[1].jointInterpolated);
@@ -294,7 +294,7 @@ TEST_F(Rapid, isCutIntoModulesThatComeBackInOrder) {
   EXPECT_EQ(program.files[0].name, "part_1.mod");
   EXPECT_EQ(program.files[3].name, "part_1_3.mod");
   EXPECT_EQ(program.files[5].name, "part_1.pgf");
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   expectTargets(back);
   for (std::size_t i = 1; i < back.motions.size(); ++i)
@@ -334,7 +334,7 @@ TEST_F(Rapid, aPathWithoutEndIsCutAtAStop) {
     append(plan::MoveKind::Print, {0.1 + 1e-4 * i, -1.9, 1.7, -1.2, -1.4, 0.3}, 0.05, 0.5);
   const plan::Program program = writeProgram("rapid", input());
   ASSERT_EQ(program.files.size(), 6u);
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   expectTargets(back);
   std::size_t stops = 0;
@@ -350,7 +350,7 @@ TEST_F(Rapid, aPathWithoutEndIsCutAtAStop) {
 TEST_F(Rapid, flowChangesWhereItsMotionBegins) {
   appendRandom(8, 1500);
   const plan::Program program = writeProgram("rapid", input());
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   std::vector<std::string> lines;
   std::istringstream text(program.files[0].text);
@@ -433,7 +433,7 @@ TEST_F(Rapid, modulesStandBesideTheSignalsThatTheyExpect) {
   for (const char* signal : {"-Name \"doExtruder\" -SignalType \"DO\"",
                              "-Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 "})
     EXPECT_NE(program.files[6].text.find(signal), std::string::npos);
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   expectTargets(back);
   // Modules are cut behind the lift: what stands while the next one loads is clear of the part.
@@ -449,7 +449,7 @@ TEST_F(Rapid, namesKeepClearOfTheLanguage) {
     ProgramInput in = input();
     in.name = name;
     const plan::Program program = writeProgram("rapid", in);
-    expectSound(readProgram("rapid", program.files, process_));
+    expectSound(readProgram("rapid", program.files, process::Tooling(process_)));
     const std::string& text = program.files[0].text;
     const std::string module = text.substr(7, text.find('\r') - 7);
     EXPECT_TRUE(module.starts_with("print_"));
@@ -563,7 +563,7 @@ TEST_F(Rapid, aRodsProgramComesBack) {
       ASSERT_EQ(file.text[i] == '\r', i + 1 < file.text.size() && file.text[i + 1] == '\n');
       ASSERT_TRUE(file.text[i] != '\n' || file.text[i - 1] == '\r');
     }
-  const plan::ReadProgram back = readProgram("rapid", program.files, process_);
+  const plan::ReadProgram back = readProgram("rapid", program.files, process::Tooling(process_));
   expectSound(back);
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   double worst = 0.0;

@@ -15,7 +15,7 @@ using test::expectDefect;
 plan::ReadProgram read(std::string_view format, std::string text) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
-  return readProgram(format, {{"file", std::move(text)}}, process);
+  return readProgram(format, {{"file", std::move(text)}}, process::Tooling(process));
 }
 
 // A whole program around the given body.

@@ -17,7 +17,7 @@ using test::expectDefect;
 plan::ReadProgram readFiles(std::vector<plan::ProgramFile> files) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
-  return readProgram("spel", files, process);
+  return readProgram("spel", files, process::Tooling(process));
 }
 
 // In lines 8 and on.
@@ -137,7 +137,7 @@ TEST_F(Spelplus, aFixedNozzleIsAnExternalControlPoint) {
                     first = text.find("  Go "), high = text.find("Power High");
   EXPECT_TRUE(low < asked && asked < first && first < high && high != std::string::npos);
   EXPECT_LT(high, text.find("  Move "));
-  const plan::ReadProgram back = readProgram("spel", program.files, process_);
+  const plan::ReadProgram back = readProgram("spel", program.files, process::Tooling(process_));
   expectSound(back);
   ASSERT_TRUE(back.base_T_nozzle && back.base_T_nozzle->isApprox(cell_->base_T_fixed(), 1e-6));
   EXPECT_EQ(back.motions[5].target, plan::TargetKind::WorkPose);
@@ -149,7 +149,7 @@ TEST_F(Spelplus, longProgramsAreCalledFileByFile) {
   cut.options.motionsPerFile = 100;
   const plan::Program program = writeProgram("spel", cut);
   ASSERT_GT(program.files.size(), 8u);
-  const plan::ReadProgram back = readProgram("spel", program.files, process_);
+  const plan::ReadProgram back = readProgram("spel", program.files, process::Tooling(process_));
   expectSound(back);
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   EXPECT_EQ(filesOfSpelplus(program.files[0].text).size(), program.files.size() - 1);
@@ -158,8 +158,10 @@ TEST_F(Spelplus, longProgramsAreCalledFileByFile) {
 // Corners are rounded by no more than the other dialects round them.
 TEST_F(Spelplus, cornersStayWithinTheirBlends) {
   appendRandom(6, 2000);
-  const plan::ReadProgram ours = readProgram("spel", writeProgram("spel", input()).files, process_);
-  const plan::ReadProgram krl = readProgram("krl", writeProgram("krl", input()).files, process_);
+  const plan::ReadProgram ours =
+      readProgram("spel", writeProgram("spel", input()).files, process::Tooling(process_));
+  const plan::ReadProgram krl =
+      readProgram("krl", writeProgram("krl", input()).files, process::Tooling(process_));
   ASSERT_EQ(ours.motions.size(), krl.motions.size());
   std::size_t rounded = 0;
   for (std::size_t i = 1; i < ours.motions.size(); ++i) {

@@ -23,7 +23,7 @@ protected:
     return writeProgram(id, input());
   }
   plan::ReadProgram read(const plan::Program& p) const {
-    return readProgram(p.format, p.files, process_);
+    return readProgram(p.format, p.files, process::Tooling(process_));
   }
 };
 

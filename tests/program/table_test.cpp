@@ -169,7 +169,7 @@ TEST_F(TablePrograms, NeverLeaveTheLineOnThePart) {
     in.options.own["tableZMm"] = reversed ? 75.0 : 0.0;
     in.options.own["tableSense"] = std::string(reversed ? "tool" : "part");
     const plan::ReadProgram back =
-        readProgram("gcode-bc", writeProgram("gcode-bc", in).files, process_);
+        readProgram("gcode-bc", writeProgram("gcode-bc", in).files, process::Tooling(process_));
     for (const auto& d : back.defects)
       ADD_FAILURE() << d.line << ": " << base::english(d.reason);
     ASSERT_TRUE(back.complete);
@@ -217,10 +217,11 @@ TEST_F(TablePrograms, CountIsSetBackInTravels) {
     in.options.own["tableUnwind"] = std::string("count");
     in.options.own["tableTurns"] = 1000.0; // it counts on
     const plan::ReadProgram on =
-        readProgram("gcode-bc", writeProgram("gcode-bc", in).files, process_);
+        readProgram("gcode-bc", writeProgram("gcode-bc", in).files, process::Tooling(process_));
     in.options.own["tableTurns"] = 1.0;
     const plan::Program program = writeProgram("gcode-bc", in);
-    const plan::ReadProgram back = readProgram("gcode-bc", program.files, process_);
+    const plan::ReadProgram back =
+        readProgram("gcode-bc", program.files, process::Tooling(process_));
     EXPECT_TRUE(back.complete && back.defects.empty());
     ASSERT_EQ(back.motions.size(), on.motions.size());
     for (std::size_t m = 0; m < on.motions.size(); ++m) {
@@ -251,7 +252,7 @@ TEST_F(TablePrograms, CountIsSetBackInTravels) {
         for (std::size_t k = 0; k < lines.size(); ++k)
           damaged += (k == l ? harm : lines[k]) + "\n";
         const plan::ReadProgram seen =
-            readProgram("gcode-bc", {{program.files[0].name, damaged}}, process_);
+            readProgram("gcode-bc", {{program.files[0].name, damaged}}, process::Tooling(process_));
         bool same = seen.defects.empty() && seen.motions.size() == back.motions.size();
         for (std::size_t m = 0; same && m < back.motions.size(); ++m)
           same = seen.motions[m].way.size() == back.motions[m].way.size();
@@ -265,7 +266,7 @@ TEST_F(TablePrograms, CountIsSetBackInTravels) {
 plan::ReadProgram readTable(const std::string& text) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
-  return readProgram("gcode-bc", {{"file", text}}, process);
+  return readProgram("gcode-bc", {{"file", text}}, process::Tooling(process));
 }
 
 TEST(TableReader, TimesByTheMode) {
@@ -348,7 +349,7 @@ M84
   EXPECT_EQ(detectDialect("part.gcode", text)->id, "gcode");
   process::Process process;
   process.material = process::Material();
-  const auto back = readProgram("gcode", {{"file", text}}, process);
+  const auto back = readProgram("gcode", {{"file", text}}, process::Tooling(process));
   for (const auto& d : back.defects)
     ADD_FAILURE() << d.line << ": " << base::english(d.reason);
   EXPECT_TRUE(back.complete);
@@ -367,7 +368,7 @@ M84
     std::string other = text;
     const std::size_t at = other.find("M106");
     other.insert(at, word);
-    const auto refused = readProgram("gcode", {{"file", other}}, process);
+    const auto refused = readProgram("gcode", {{"file", other}}, process::Tooling(process));
     ASSERT_FALSE(refused.defects.empty()) << word;
     EXPECT_EQ(refused.defects.front().line, 30u) << word;
   }

@@ -95,7 +95,7 @@ protected:
     return in;
   }
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) const {
-    return readProgram("gcode-bc", files, process_);
+    return readProgram("gcode-bc", files, process::Tooling(process_));
   }
 };
 

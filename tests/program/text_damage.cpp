@@ -98,7 +98,7 @@ ReadProgram read(const ProgramText& text, const process::Process& process) {
                   ? program::tmFrame(std::to_string(++id),
                                      line.substr(0, line.size() - (line.ends_with('\r') ? 1 : 0)))
                   : line + "\n";
-  return program::readProgram(text.format, {{text.name, joined}}, process);
+  return program::readProgram(text.format, {{text.name, joined}}, process::Tooling(process));
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> numbersIn(std::string_view line) {

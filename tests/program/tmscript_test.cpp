@@ -16,7 +16,7 @@ using Tmscript = test::Programs;
 plan::ReadProgram read(const std::string& text) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
-  return readProgram("tmscript", {{"a.tmscript", text}}, process);
+  return readProgram("tmscript", {{"a.tmscript", text}}, process::Tooling(process));
 }
 
 // As the maker's manual and driver have them.
@@ -149,7 +149,8 @@ TEST_F(Tmscript, ofItsOwnArmGoesByJoints) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
   append(plan::MoveKind::Joint, {0.5, 0, 0, 0, 0, 1}, 1, 0);
   append(plan::MoveKind::Print, {0.501, 0, 0, 0, 0, 1}, 0.05, 0.1);
-  const plan::ReadProgram back = readTmscript(writeTmscript(input(), {}).files, process_, {});
+  const plan::ReadProgram back =
+      readTmscript(writeTmscript(input(), {}).files, process::Tooling(process_), {});
   EXPECT_TRUE(back.complete && back.defects.empty());
   ASSERT_EQ(back.motions.size(), 3u);
   EXPECT_EQ(back.motions[1].target, plan::TargetKind::Joints);

@@ -79,7 +79,7 @@ protected:
   void expectReadBack(const char* format, plan::TargetKind poses) {
     SCOPED_TRACE(format);
     const plan::Program written = writeProgram(format, input());
-    plan::ReadProgram back = readProgram(format, written.files, process_);
+    plan::ReadProgram back = readProgram(format, written.files, process::Tooling(process_));
     EXPECT_TRUE(back.complete);
     for (const auto& d : back.defects)
       ADD_FAILURE() << d.line << ": " << base::english(d.reason);
@@ -182,7 +182,7 @@ TEST_F(Track, isRefusedWhereTheProgramDoesNotSayThatTheAxisCarriesTheArm) {
     const std::size_t at = text.find(c.line);
     ASSERT_NE(at, std::string::npos) << c.format;
     text.erase(at, std::string(c.line).size());
-    const plan::ReadProgram back = readProgram(c.format, program.files, process_);
+    const plan::ReadProgram back = readProgram(c.format, program.files, process::Tooling(process_));
     ASSERT_FALSE(back.defects.empty()) << c.format;
     EXPECT_NE(base::english(back.defects.front().reason).find(c.reason), std::string::npos)
         << base::english(back.defects.front().reason);
@@ -191,7 +191,7 @@ TEST_F(Track, isRefusedWhereTheProgramDoesNotSayThatTheAxisCarriesTheArm) {
   std::string& text = program.files[0].text;
   const std::size_t at = text.find(",E1 ");
   text.erase(at, text.find_first_of(",}", at + 1) - at);
-  EXPECT_FALSE(readProgram("krl", program.files, process_).defects.empty());
+  EXPECT_FALSE(readProgram("krl", program.files, process::Tooling(process_)).defects.empty());
 }
 
 } // namespace

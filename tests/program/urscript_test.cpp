@@ -22,12 +22,14 @@ TEST_F(Urscript, isCalledInAFileNodeAndNotOnAPort) {
     const std::string text = writeProgram("urscript", in).files[0].text;
     EXPECT_EQ(text.ends_with("\nend\n"), port);
     EXPECT_EQ(text.ends_with("\nend\nprint_part_1()\n"), !port);
-    const plan::ReadProgram back = readProgram("urscript", {{"f", text}}, process_);
+    const plan::ReadProgram back =
+        readProgram("urscript", {{"f", text}}, process::Tooling(process_));
     EXPECT_TRUE(back.complete && back.defects.empty());
   }
   const std::string text = writeProgram("urscript", input()).files[0].text;
-  EXPECT_FALSE(
-      readProgram("urscript", {{"f", text.substr(0, text.rfind("print_"))}}, process_).complete);
+  EXPECT_FALSE(readProgram("urscript", {{"f", text.substr(0, text.rfind("print_"))}},
+                           process::Tooling(process_))
+                   .complete);
 }
 
 // Motions that print take the plan's time whatever law the controller has for turning, and the
@@ -43,7 +45,7 @@ TEST_F(Urscript, givesTimesAndHoldsTheFlow) {
        (at = text.find("set_standard_analog_out(0,0.", at)) != std::string::npos; ++at)
     ++writes;
   EXPECT_EQ(writes, 3u) << text; // the prime, 10, 10.3
-  const plan::ReadProgram back = readProgram("urscript", {{"f", text}}, process_);
+  const plan::ReadProgram back = readProgram("urscript", {{"f", text}}, process::Tooling(process_));
   for (std::size_t i = 1; i < back.motions.size(); ++i) {
     EXPECT_NEAR(back.motions[i].durationS, 0.05, 0.05 * kFlowBand);
     EXPECT_NEAR(back.motions[i].durationS * back.motions[i].flowMm3PerS, 0.05 * flows[i - 1], 1e-4);
@@ -56,7 +58,7 @@ TEST_F(Urscript, timesAPlateThatTurnsOnTheSpot) {
   for (int i = 1; i <= 50; ++i)
     append(plan::MoveKind::Print, {0, 0, 0, 0, 0, 0.02 * i}, 0.05, 0.8);
   const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+      readProgram("urscript", writeProgram("urscript", input()).files, process::Tooling(process_));
   ASSERT_EQ(back.motions.size(), 51u);
   for (std::size_t i = 1; i < back.motions.size(); ++i) {
     EXPECT_NEAR(back.motions[i].durationS, 0.05, 1e-6);
@@ -68,7 +70,7 @@ TEST_F(Urscript, slowsWhatAsksForMoreThanTheFullFlow) {
   append(plan::MoveKind::Joint, {0, 0, 0, 0, 0, 0}, 0, 0);
   append(plan::MoveKind::Print, {0.001, 0, 0, 0, 0, 0}, 0.01, 0.8); // 80 mm3/s, 40 is full
   const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+      readProgram("urscript", writeProgram("urscript", input()).files, process::Tooling(process_));
   ASSERT_EQ(back.motions.size(), 2u);
   EXPECT_DOUBLE_EQ(back.motions[1].flowMm3PerS, 40.0);
   EXPECT_NEAR(back.motions[1].flowMm3PerS * seconds(back, 1), 0.8, 8e-4);
@@ -80,7 +82,7 @@ TEST_F(Urscript, isCutOnlyWhereTheExtruderIsOff) {
   cut.options.motionsPerFile = 100;
   const plan::Program program = writeProgram("urscript", cut);
   ASSERT_GT(program.files.size(), 3u);
-  const plan::ReadProgram back = readProgram("urscript", program.files, process_);
+  const plan::ReadProgram back = readProgram("urscript", program.files, process::Tooling(process_));
   EXPECT_TRUE(back.complete);
   EXPECT_TRUE(back.defects.empty());
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
@@ -96,7 +98,7 @@ TEST_F(Urscript, isCutOnlyWhereTheExtruderIsOff) {
 TEST_F(Urscript, blendsNeitherMeetNorLeaveAPath) {
   appendRandom(5, 3000);
   const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+      readProgram("urscript", writeProgram("urscript", input()).files, process::Tooling(process_));
   ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
   std::size_t blended = 0;
   for (std::size_t i = 1; i + 1 < back.motions.size(); ++i) {
@@ -121,7 +123,7 @@ TEST_F(Urscript, blendsStayNearTheCornerOnThePart) {
   for (unsigned seed = 6; seed < 12; ++seed)
     appendRandom(seed, 400);
   const plan::ReadProgram back =
-      readProgram("urscript", writeProgram("urscript", input()).files, process_);
+      readProgram("urscript", writeProgram("urscript", input()).files, process::Tooling(process_));
   const auto nozzle = [&](const Eigen::Vector3d& p, const Eigen::Quaterniond& q) {
     Eigen::Isometry3d tcp = Eigen::Isometry3d::Identity();
     tcp.linear() = q.toRotationMatrix();

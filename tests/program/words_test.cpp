@@ -23,7 +23,7 @@ namespace {
 plan::ReadProgram read(std::string_view format, const std::string& text) {
   process::Process process;
   process.maxFlowMm3PerS = 40.0;
-  return readProgram(format, {{"file", text}}, process);
+  return readProgram(format, {{"file", text}}, process::Tooling(process));
 }
 
 // Of the line put amid the print of the programs below, while the extruder is on.

@@ -23,15 +23,15 @@ const test::Scene& scene() {
 
 test::ProgramText textOf(const std::string& format) {
   const test::Scene& s = scene();
-  return test::textOf(
-      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"}));
+  return test::textOf(program::writeProgram(
+      format, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"}));
 }
 
 Verification verify(const test::ProgramText& text) {
   const test::Scene& s = scene();
-  return replayProgram(
-      {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-      ReplayThresholds{}, {});
+  return replayProgram({test::read(text, s.process), s.plan, s.trajectory, s.cell,
+                        process::Tooling(s.process), s.part, s.platform},
+                       ReplayThresholds{}, {});
 }
 
 // Behind the line of a motion amid a bead.

@@ -141,14 +141,14 @@ const test::Scene& scene() {
 }
 Verification verify(const test::ProgramText& text) {
   const test::Scene& s = scene();
-  return replayProgram(
-      {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-      ReplayThresholds{}, {});
+  return replayProgram({test::read(text, s.process), s.plan, s.trajectory, s.cell,
+                        process::Tooling(s.process), s.part, s.platform},
+                       ReplayThresholds{}, {});
 }
 test::ProgramText textOf(const std::string& format) {
   const test::Scene& s = scene();
-  return test::textOf(
-      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"}));
+  return test::textOf(program::writeProgram(
+      format, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"}));
 }
 // Straight motions by a speed in place of a time.
 test::ProgramText bySpeeds(test::ProgramText text, const std::string& acceleration) {
@@ -233,9 +233,10 @@ TEST(ControllerTime, PiecesOfATransferTakeTheirTimeForAForeignController) {
     t.extrudedMm3.push_back(t.extrudedMm3.back());
   }
   const plan::Program program =
-      program::writeProgram("urscript", {s.plan, t, s.cell, s.process, "box"});
+      program::writeProgram("urscript", {s.plan, t, s.cell, process::Tooling(s.process), "box"});
   EXPECT_TRUE(program.foreign);
-  const plan::ReadProgram read = program::readProgram("urscript", program.files, s.process);
+  const plan::ReadProgram read =
+      program::readProgram("urscript", program.files, process::Tooling(s.process));
   ASSERT_EQ(read.motions.size(), t.pointCount());
   const ExecutedPath path = executeProgram(read, s.cell, base::RunContext());
   const std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);

@@ -242,7 +242,7 @@ protected:
   const test::Scene& scene() const { return sceneFor(GetParam().dialect); }
   void SetUp() override {
     const test::Scene& s = scene();
-    program::ProgramInput in{s.plan, s.trajectory, s.cell, s.process, "box"};
+    program::ProgramInput in{s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"};
     in.options.own["extruder"] = GetParam().extruder;
     files_ = program::writeProgram(GetParam().dialect, in).files;
     for (std::size_t f = 0; f < files_.size(); ++f)
@@ -253,11 +253,12 @@ protected:
   bool streams() const { return stream_.has_value(); }
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) const {
-    return program::readProgram(GetParam().dialect, files, scene().process);
+    return program::readProgram(GetParam().dialect, files, process::Tooling(scene().process));
   }
   Verification verify(const std::vector<plan::ProgramFile>& files) const {
     const test::Scene& s = scene();
-    return replayProgram({read(files), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+    return replayProgram({read(files), s.plan, s.trajectory, s.cell, process::Tooling(s.process),
+                          s.part, s.platform},
                          ReplayThresholds{}, {});
   }
   std::size_t harmed() const { return stream_.value_or(0); }

@@ -16,13 +16,15 @@ namespace {
 class FlowBySpeed : public ::testing::Test {
 protected:
   void SetUp() override {
-    program::ProgramInput in{scene_.plan, scene_.trajectory, scene_.cell, scene_.process, "box"};
+    program::ProgramInput in{scene_.plan, scene_.trajectory, scene_.cell,
+                             process::Tooling(scene_.process), "box"};
     in.options.own["rapidFlow"] = std::string("speed");
     whole_ = test::textOf(program::writeProgram("rapid", in));
   }
   Verification verify(const test::ProgramText& text) const {
     return replayProgram({test::read(text, scene_.process), scene_.plan, scene_.trajectory,
-                          scene_.cell, scene_.process, scene_.part, scene_.platform},
+                          scene_.cell, process::Tooling(scene_.process), scene_.part,
+                          scene_.platform},
                          ReplayThresholds{}, {});
   }
   // The first line from `from` on (an index) that the pattern is in.

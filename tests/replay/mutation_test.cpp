@@ -27,8 +27,8 @@ protected:
   const test::Scene& scene() const { return sceneFor(GetParam()); }
   void SetUp() override {
     const test::Scene& s = scene();
-    whole_ = test::textOf(
-        program::writeProgram(GetParam(), {s.plan, s.trajectory, s.cell, s.process, "box"}));
+    whole_ = test::textOf(program::writeProgram(
+        GetParam(), {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"}));
     read_ = test::read(whole_, s.process);
     const Verification sound = verify(whole_);
     ASSERT_TRUE(sound.passed) << told(sound);
@@ -37,9 +37,9 @@ protected:
 
   Verification verify(const test::ProgramText& text) const {
     const test::Scene& s = scene();
-    return replayProgram(
-        {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-        ReplayThresholds{}, {});
+    return replayProgram({test::read(text, s.process), s.plan, s.trajectory, s.cell,
+                          process::Tooling(s.process), s.part, s.platform},
+                         ReplayThresholds{}, {});
   }
 
   // Amid a bead of the middle of the print: motions from 2 before to 12 behind extrude.

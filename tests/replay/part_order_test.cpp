@@ -34,7 +34,8 @@ protected:
   void SetUp() override {
     const test::Scene& s = scene();
     whole_ = program::writeProgram(
-        GetParam(), {s.plan, s.trajectory, s.cell, s.process, "box", {.motionsPerFile = 25}});
+        GetParam(),
+        {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box", {.motionsPerFile = 25}});
     std::set<std::size_t> files;
     for (const plan::ProgramMotion& m : read(whole_.files).motions)
       files.insert(m.file);
@@ -45,11 +46,12 @@ protected:
   }
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) const {
-    return program::readProgram(GetParam(), files, scene().process);
+    return program::readProgram(GetParam(), files, process::Tooling(scene().process));
   }
   Verification verify(const std::vector<plan::ProgramFile>& files) const {
     const test::Scene& s = scene();
-    return replayProgram({read(files), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+    return replayProgram({read(files), s.plan, s.trajectory, s.cell, process::Tooling(s.process),
+                          s.part, s.platform},
                          ReplayThresholds{}, {});
   }
   // Is one of these files, or a line of them, what the first finding tells?

@@ -51,14 +51,15 @@ const test::Scene& scene() {
 }
 
 Verification replayed(const test::Scene& s, const plan::ReadProgram& program) {
-  return replayProgram({program, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-                       ReplayThresholds{}, base::RunContext());
+  return replayProgram(
+      {program, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
+      ReplayThresholds{}, base::RunContext());
 }
 
 plan::ReadProgram programOf(const test::Scene& s, const std::string& format) {
-  const plan::Program written =
-      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"});
-  return program::readProgram(format, written.files, s.process);
+  const plan::Program written = program::writeProgram(
+      format, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+  return program::readProgram(format, written.files, process::Tooling(s.process));
 }
 
 TEST(Positioner, ABoxPrintedOnAMovingPlatePasses) {

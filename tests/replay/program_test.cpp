@@ -26,15 +26,15 @@ const test::Scene& scene() {
 
 test::ProgramText textOf(const std::string& format) {
   const test::Scene& s = scene();
-  return test::textOf(
-      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"}));
+  return test::textOf(program::writeProgram(
+      format, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"}));
 }
 
 Verification verify(const test::ProgramText& text, const base::RunContext& ctx = {}) {
   const test::Scene& s = scene();
-  return replayProgram(
-      {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-      ReplayThresholds{}, ctx);
+  return replayProgram({test::read(text, s.process), s.plan, s.trajectory, s.cell,
+                        process::Tooling(s.process), s.part, s.platform},
+                       ReplayThresholds{}, ctx);
 }
 
 // Line (1-based) of each trajectory point.
@@ -186,11 +186,13 @@ INSTANTIATE_TEST_SUITE_P(Replay, EachDialect, ::testing::ValuesIn(test::idsFor("
 // ---- what a program can do wrong though its text is as planned
 
 Verification replayPlan(const test::Scene& s, const std::string& format = "csv") {
-  const plan::Program program =
-      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"});
-  const plan::ReadProgram read = program::readProgram(format, program.files, s.process);
-  return replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-                       ReplayThresholds{}, base::RunContext());
+  const plan::Program program = program::writeProgram(
+      format, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+  const plan::ReadProgram read =
+      program::readProgram(format, program.files, process::Tooling(s.process));
+  return replayProgram(
+      {read, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
+      ReplayThresholds{}, base::RunContext());
 }
 
 bool hasKind(const Verification& v, const std::string& kind) {
@@ -236,15 +238,15 @@ TEST(Replay, TooFastAJointIsALimitViolation) {
 
 TEST(Replay, AnotherConfigurationIsFound) {
   test::Scene s = test::boxScene(1);
-  const plan::Program program =
-      program::writeProgram("csv", {s.plan, s.trajectory, s.cell, s.process, "box"});
-  plan::ReadProgram read = program::readProgram("csv", program.files, s.process);
+  const plan::Program program = program::writeProgram(
+      "csv", {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+  plan::ReadProgram read = program::readProgram("csv", program.files, process::Tooling(s.process));
   // The same nozzle, a whole turn of the last joint later.
   for (std::size_t m = 40; m < read.motions.size(); ++m)
     read.motions[m].joints[5] += read.motions[m].joints[5] > 0 ? -2 * base::kPi : 2 * base::kPi;
-  const Verification v =
-      replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-                    ReplayThresholds{}, base::RunContext());
+  const Verification v = replayProgram(
+      {read, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
+      ReplayThresholds{}, base::RunContext());
   EXPECT_TRUE(hasKind(v, "otherConfiguration")) << told(v);
   EXPECT_FALSE(v.passed);
 }
@@ -347,8 +349,9 @@ TEST(Replay, AProgramWithoutMotionsIsOneFindingThatCountsThePoints) {
   plan::ReadProgram nothing;
   nothing.format = "csv";
   nothing.complete = true;
-  const Verification v =
-      replayProgram({nothing, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform}, {}, {});
+  const Verification v = replayProgram(
+      {nothing, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform}, {},
+      {});
   EXPECT_FALSE(v.passed);
   const auto found =
       std::ranges::find(v.findings, plan::FindingKind::NoMotions, &plan::Finding::kind);
@@ -375,16 +378,19 @@ TEST(Replay, MaterialOfSupportsAndSkirtsIsNotThePart) {
 
 TEST(Replay, CancelsAndRefusesBrokenInput) {
   const test::Scene& s = scene();
-  const plan::Program program =
-      program::writeProgram("csv", {s.plan, s.trajectory, s.cell, s.process, "box"});
-  const plan::ReadProgram read = program::readProgram("csv", program.files, s.process);
+  const plan::Program program = program::writeProgram(
+      "csv", {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+  const plan::ReadProgram read =
+      program::readProgram("csv", program.files, process::Tooling(s.process));
   base::CancelToken cancel;
   cancel.cancel();
-  EXPECT_THROW(replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
+  EXPECT_THROW(replayProgram({read, s.plan, s.trajectory, s.cell, process::Tooling(s.process),
+                              s.part, s.platform},
                              ReplayThresholds{}, base::RunContext(cancel, 1)),
                base::Cancelled);
   const geometry::TriangleMesh nothing;
-  EXPECT_THROW(replayProgram({read, s.plan, s.trajectory, s.cell, s.process, nothing, s.platform},
+  EXPECT_THROW(replayProgram({read, s.plan, s.trajectory, s.cell, process::Tooling(s.process),
+                              nothing, s.platform},
                              ReplayThresholds{}, base::RunContext()),
                base::Error);
 }

@@ -56,8 +56,9 @@ plan::ReadProgram programOf(const test::Scene& s, plan::TargetKind kind) {
 }
 
 Verification replayed(const test::Scene& s, const plan::ReadProgram& program) {
-  return replayProgram({program, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-                       ReplayThresholds{}, base::RunContext());
+  return replayProgram(
+      {program, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
+      ReplayThresholds{}, base::RunContext());
 }
 
 bool tells(const Verification& v, const std::string& kind, const std::string& words = "") {
@@ -108,10 +109,11 @@ TEST(Rod, TheWindingPasses) {
 
 TEST(Rod, AJointTablePasses) {
   const test::Scene& s = scene();
-  const plan::Program program =
-      program::writeProgram("csv", {s.plan, s.trajectory, s.cell, s.process, "tube"});
+  const plan::Program program = program::writeProgram(
+      "csv", {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "tube"});
   EXPECT_NE(program.files[0].text.find("j7_deg"), std::string::npos);
-  const Verification v = replayed(s, program::readProgram("csv", program.files, s.process));
+  const Verification v =
+      replayed(s, program::readProgram("csv", program.files, process::Tooling(s.process)));
   EXPECT_TRUE(v.passed) << told(v);
   EXPECT_TRUE(v.armChecked);
 }
@@ -119,9 +121,11 @@ TEST(Rod, AJointTablePasses) {
 // A program's text, changed at the line of a trajectory point.
 Verification replayedRapid(const test::Scene& s, std::size_t point,
                            const std::function<void(std::string&)>& change, std::size_t& line) {
-  plan::Program program =
-      program::writeProgram("rapid", {s.plan, s.trajectory, s.cell, s.process, "tube"});
-  line = program::readProgram("rapid", program.files, s.process).motions.at(point).line;
+  plan::Program program = program::writeProgram(
+      "rapid", {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "tube"});
+  line = program::readProgram("rapid", program.files, process::Tooling(s.process))
+             .motions.at(point)
+             .line;
   std::string& text = program.files[0].text;
   std::size_t begin = 0;
   for (std::size_t k = 1; k < line; ++k)
@@ -130,7 +134,7 @@ Verification replayedRapid(const test::Scene& s, std::size_t point,
   const std::size_t length = changed.size();
   change(changed);
   text.replace(begin, length, changed);
-  return replayed(s, program::readProgram("rapid", program.files, s.process));
+  return replayed(s, program::readProgram("rapid", program.files, process::Tooling(s.process)));
 }
 
 TEST(Rod, RapidPasses) {
@@ -163,8 +167,9 @@ TEST(Rod, ATransferOfTheRodTakesItsTimeInEveryDialect) {
     if (!dialect.supportsExternalAxes)
       continue;
     const plan::Program program =
-        program::writeProgram(dialect.id, {s.plan, t, s.cell, s.process, "tube"});
-    const plan::ReadProgram read = program::readProgram(dialect.id, program.files, s.process);
+        program::writeProgram(dialect.id, {s.plan, t, s.cell, process::Tooling(s.process), "tube"});
+    const plan::ReadProgram read =
+        program::readProgram(dialect.id, program.files, process::Tooling(s.process));
     ASSERT_TRUE(read.defects.empty()) << dialect.id;
     const ExecutedPath path = executeProgram(read, s.cell, base::RunContext());
     const std::vector<double> seconds = controllerTimes(read, path, TurnLaw::Text);
@@ -357,9 +362,9 @@ test::Scene onABlock() {
   return s;
 }
 Verification replayedTable(const test::Scene& s) {
-  const plan::Program program =
-      program::writeProgram("csv", {s.plan, s.trajectory, s.cell, s.process, "box"});
-  return replayed(s, program::readProgram("csv", program.files, s.process));
+  const plan::Program program = program::writeProgram(
+      "csv", {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+  return replayed(s, program::readProgram("csv", program.files, process::Tooling(s.process)));
 }
 
 TEST(Ground, ABodyCarriesBeads) {

@@ -26,15 +26,15 @@ const test::Scene& scene() {
 
 test::ProgramText textOf(const std::string& format) {
   const test::Scene& s = scene();
-  return test::textOf(
-      program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"}));
+  return test::textOf(program::writeProgram(
+      format, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"}));
 }
 
 Verification verify(const test::ProgramText& text) {
   const test::Scene& s = scene();
-  return replayProgram(
-      {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-      ReplayThresholds{}, {});
+  return replayProgram({test::read(text, s.process), s.plan, s.trajectory, s.cell,
+                        process::Tooling(s.process), s.part, s.platform},
+                       ReplayThresholds{}, {});
 }
 
 class ScaraProgram : public ::testing::TestWithParam<std::string> {};

@@ -55,15 +55,16 @@ protected:
 
   static Verification replayed(const plan::ReadProgram& program) {
     const test::Scene& s = slid();
-    return replayProgram({program, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-                         ReplayThresholds{}, base::RunContext());
+    return replayProgram(
+        {program, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
+        ReplayThresholds{}, base::RunContext());
   }
 
   static plan::ReadProgram programOf(const std::string& format) {
     const test::Scene& s = slid();
-    const plan::Program written =
-        program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"});
-    return program::readProgram(format, written.files, s.process);
+    const plan::Program written = program::writeProgram(
+        format, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+    return program::readProgram(format, written.files, process::Tooling(s.process));
   }
 };
 
@@ -116,8 +117,10 @@ TEST(SlideOfAnotherCell, IsNotTakenForThisOne) {
     const auto read = [&](const test::Scene& s) {
       return program::readProgram(
           format,
-          program::writeProgram(format, {s.plan, s.trajectory, s.cell, s.process, "box"}).files,
-          s.process);
+          program::writeProgram(format,
+                                {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"})
+              .files,
+          process::Tooling(s.process));
     };
     const auto outOfReach = [](const ExecutedPath& path) {
       return std::any_of(path.violations.begin(), path.violations.end(),

@@ -21,15 +21,15 @@ namespace {
 
 test::ProgramText write(const test::Scene& s, const std::string& format,
                         std::string_view extruder = program::kOutputsExtruder) {
-  program::ProgramInput input{s.plan, s.trajectory, s.cell, s.process, "box"};
+  program::ProgramInput input{s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"};
   input.options.own[std::string(program::kExtruderOption)] = std::string(extruder);
   return test::textOf(program::writeProgram(format, input));
 }
 
 Verification verify(const test::Scene& s, const test::ProgramText& text) {
-  return replayProgram(
-      {test::read(text, s.process), s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-      ReplayThresholds{}, {});
+  return replayProgram({test::read(text, s.process), s.plan, s.trajectory, s.cell,
+                        process::Tooling(s.process), s.part, s.platform},
+                       ReplayThresholds{}, {});
 }
 
 // Replaces the pattern in all lines, or in the first that it is in; that one, 1-based.
@@ -184,7 +184,7 @@ TEST(StatedFacts, AFullFlowMayBeRounded) {
       read.facts = program::statedFullFlow(
           {{"a.script", "# extruder on: DO 0; flow: AO 0, " + text + "\n"}});
       EXPECT_EQ(read.facts.size(), 1U);
-      return compareStatedFacts(read, s.trajectory, {}, s.cell, s.process);
+      return compareStatedFacts(read, s.trajectory, {}, s.cell, process::Tooling(s.process));
     };
     EXPECT_TRUE(findings(program::fullFlowText("1", s.process)).empty()) << flow;
     EXPECT_FALSE(findings("1 = " + std::to_string(1.01 * flow + 0.001) + " mm3/s").empty()) << flow;

@@ -17,13 +17,13 @@ const test::Scene& scene() {
 
 ReplayInput input() {
   const test::Scene& s = scene();
-  const plan::Program written =
-      program::writeProgram("urscript", {s.plan, s.trajectory, s.cell, s.process, "box"});
-  return {program::readProgram("urscript", written.files, s.process),
+  const plan::Program written = program::writeProgram(
+      "urscript", {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+  return {program::readProgram("urscript", written.files, process::Tooling(s.process)),
           s.plan,
           s.trajectory,
           s.cell,
-          s.process,
+          process::Tooling(s.process),
           s.part,
           s.platform};
 }

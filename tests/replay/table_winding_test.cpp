@@ -23,7 +23,8 @@ protected:
   };
   Compared compare(const std::vector<plan::ProgramFile>& files) const {
     const base::RunContext ctx;
-    const plan::ReadProgram program = program::readProgram("gcode-bc", files, process_);
+    const plan::ReadProgram program =
+        program::readProgram("gcode-bc", files, process::Tooling(process_));
     const ExecutedPath path = executeProgram(program, *cell_, ctx);
     const PlannedNozzle planned = plannedNozzle(trajectory_, *cell_, ctx);
     const Alignment alignment = alignProgram(program, path, planned, trajectory_, *cell_, ctx);

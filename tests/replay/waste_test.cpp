@@ -42,8 +42,9 @@ test::Scene primedScene() {
 }
 
 Verification verify(const test::Scene& s, const plan::ReadProgram& read) {
-  return replayProgram({read, s.plan, s.trajectory, s.cell, s.process, s.part, s.platform},
-                       ReplayThresholds{}, {});
+  return replayProgram(
+      {read, s.plan, s.trajectory, s.cell, process::Tooling(s.process), s.part, s.platform},
+      ReplayThresholds{}, {});
 }
 
 TEST(Waste, IsNotThePartAndRestsOnWhatItLikes) {
@@ -52,9 +53,10 @@ TEST(Waste, IsNotThePartAndRestsOnWhatItLikes) {
   const double waste = 20.0 * process::beadArea(s.process.beadWidthMm, s.process.layerHeightMm);
   for (const program::Dialect& d : test::dialectsFor("urscript")) {
     SCOPED_TRACE(d.id);
-    const plan::Program program =
-        program::writeProgram(d.id, {s.plan, s.trajectory, s.cell, s.process, "box"});
-    const plan::ReadProgram read = program::readProgram(d.id, program.files, s.process);
+    const plan::Program program = program::writeProgram(
+        d.id, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+    const plan::ReadProgram read =
+        program::readProgram(d.id, program.files, process::Tooling(s.process));
     double standing = 0.0;
     for (const plan::ProgramPause& pause : read.pauses)
       standing += pause.volumeMm3;
@@ -101,9 +103,10 @@ TEST(Waste, IsNotThereWhereItFalls) {
 TEST(Waste, WhatIsNoneIsUnsupported) {
   test::Scene s = primedScene();
   s.plan.paths[0].kind = plan::PathKind::Support;
-  const plan::Program program =
-      program::writeProgram("urscript", {s.plan, s.trajectory, s.cell, s.process, "box"});
-  const Verification v = verify(s, program::readProgram("urscript", program.files, s.process));
+  const plan::Program program = program::writeProgram(
+      "urscript", {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+  const Verification v =
+      verify(s, program::readProgram("urscript", program.files, process::Tooling(s.process)));
   EXPECT_FALSE(v.passed);
   EXPECT_GT(v.unsupportedFraction, 0.05);
 }
@@ -118,11 +121,12 @@ TEST(DrawnBack, ComesToTheSamePrint) {
               : std::ranges::find(d.extruders, extruder) == d.extruders.end())
         continue;
       SCOPED_TRACE(std::string(d.id) + " with " + extruder);
-      program::ProgramInput in{s.plan, s.trajectory, s.cell, s.process, "box"};
+      program::ProgramInput in{s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"};
       if (!own)
         in.options.own["extruder"] = std::string(extruder);
       const plan::Program program = program::writeProgram(d.id, in);
-      const plan::ReadProgram read = program::readProgram(d.id, program.files, s.process);
+      const plan::ReadProgram read =
+          program::readProgram(d.id, program.files, process::Tooling(s.process));
       const Verification v = verify(s, read);
       EXPECT_TRUE(v.passed) << told(v);
       EXPECT_NEAR(v.massRatio, 1.0, 0.01);
@@ -139,7 +143,8 @@ TEST(DrawnBack, ComesToTheSamePrint) {
       ASSERT_NE(at, std::string::npos) << text.substr(0, 3000);
       const std::size_t begin = text.rfind('\n', at) + 1;
       text.erase(begin, text.find('\n', at) + 1 - begin);
-      EXPECT_FALSE(verify(s, program::readProgram(d.id, files, s.process)).passed);
+      EXPECT_FALSE(
+          verify(s, program::readProgram(d.id, files, process::Tooling(s.process))).passed);
     }
 }
 
@@ -157,9 +162,10 @@ TEST(Wipe, IsAMotionThatLaysNothing) {
   EXPECT_EQ(s.trajectory.move[first + 3], plan::MoveKind::Linear);
   for (const program::Dialect& d : test::dialectsFor("urscript")) {
     SCOPED_TRACE(d.id);
-    const plan::Program program =
-        program::writeProgram(d.id, {s.plan, s.trajectory, s.cell, s.process, "box"});
-    const plan::ReadProgram read = program::readProgram(d.id, program.files, s.process);
+    const plan::Program program = program::writeProgram(
+        d.id, {s.plan, s.trajectory, s.cell, process::Tooling(s.process), "box"});
+    const plan::ReadProgram read =
+        program::readProgram(d.id, program.files, process::Tooling(s.process));
     const Verification v = verify(s, read);
     EXPECT_TRUE(v.passed) << told(v);
     EXPECT_NEAR(v.massRatio, 1.0, 0.01);
@@ -181,7 +187,8 @@ TEST(Wipe, IsAMotionThatLaysNothing) {
     for (std::size_t l = 1; l < line; ++l)
       begin = text.find('\n', begin) + 1;
     text.erase(begin, text.find('\n', begin) + 1 - begin);
-    const Verification without = verify(s, program::readProgram(d.id, files, s.process));
+    const Verification without =
+        verify(s, program::readProgram(d.id, files, process::Tooling(s.process)));
     EXPECT_FALSE(without.passed);
     EXPECT_TRUE(std::ranges::any_of(without.places, [&](const TextPlace& p) {
       return p.line + 1 >= line && p.line <= line + 1;

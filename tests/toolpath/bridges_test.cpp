@@ -14,7 +14,7 @@ namespace {
 
 std::vector<char> unsupportedOf(const plan::ToolPlan& plan,
                                 const platform::PlatformSolid& platform) {
-  const double pitch = collision::growingPitch(plan, kProcess);
+  const double pitch = collision::growingPitch(plan, process::Tooling(kProcess));
   const base::RunContext ctx;
   const collision::GrowingPart part(plan, pitch, ctx, collision::groundCells(platform, pitch, ctx));
   return toolpath::unsupportedWaypoints(plan, part, platform, ctx);
@@ -85,7 +85,7 @@ TEST(Bridges, AreLaidSlowly) {
   plan.speedMmPerS[6] = 3.0f; // for its own reason
   std::vector<char> unsupported(plan.waypointCount(), 0);
   unsupported[4] = unsupported[5] = unsupported[6] = 1;
-  plan = slowed(plan, unsupported, kProcess);
+  plan = slowed(plan, unsupported, process::Tooling(kProcess));
   const auto slow = static_cast<float>(kProcess.bridgeSpeedMmPerS);
   EXPECT_LT(slow, 20.0f);
   const std::vector<float> expected{20, 20, 20, 20, slow, slow, 3, slow, 20, 20, 20};

@@ -46,7 +46,7 @@ struct Laid {
 Laid laid(const layers::LayerStack& stack, bool carriedWalls) {
   const process::Process process;
   const base::RunContext ctx;
-  const auto widths = toolpath::carriedWallWidths(stack, process, ctx);
+  const auto widths = toolpath::carriedWallWidths(stack, process::Tooling(process), ctx);
   std::vector<toolpath::PatchCover> covers;
   double volume = 0.0, beadVolume = 0.0;
   for (std::size_t p = 0; p < stack.patches.size(); ++p) {
@@ -55,7 +55,7 @@ Laid laid(const layers::LayerStack& stack, bool carriedWalls) {
     volume += covers.back().volumeMm3;
     beadVolume += covers.back().beadVolumeMm3;
   }
-  const plan::ToolPlan plan = toolpath::assemble(stack, covers, process).plan;
+  const plan::ToolPlan plan = toolpath::assemble(stack, covers, process::Tooling(process)).plan;
   const std::vector<replay::BeadPiece> pieces = test::laidBeads(plan);
   Vector3d low = plan.position.front(), high = low;
   for (const Vector3d& p : plan.position) {
@@ -113,7 +113,7 @@ TEST(CarriedWallWidths, AreThoseOfDiscsThatGrow) {
   for (const double off : {0.0, 0.3, 0.6, 0.8, 1.3, 6.0}) {
     SCOPED_TRACE(off);
     const layers::LayerStack stack = stackOf({{test::circle(12.0)}, {test::circle(12.0 + off)}});
-    const auto widths = toolpath::carriedWallWidths(stack, process, {});
+    const auto widths = toolpath::carriedWallWidths(stack, process::Tooling(process), {});
     for (const double w : widths[0])
       EXPECT_DOUBLE_EQ(w, process.beadWidthMm); // on the plate
     const double wanted = off == 6.0 ? process.beadWidthMm
@@ -138,7 +138,7 @@ TEST(CarriedWallWidths, LeaveSupportsAndSeams) {
   seamed.patches[1].innerRim.assign(seamed.patches[1].surface.vertices.size(), 1);
   const process::Process process;
   for (const layers::LayerStack& each : {stack, seamed}) {
-    const auto widths = toolpath::carriedWallWidths(each, process, {});
+    const auto widths = toolpath::carriedWallWidths(each, process::Tooling(process), {});
     for (const double w : widths[1])
       EXPECT_DOUBLE_EQ(w, process.beadWidthMm);
   }

@@ -58,7 +58,8 @@ layers::LayerStack dome(int count, double extraTilt) {
 TEST(PlanToolpaths, KeepsThePlansContract) {
   const auto stack = dome(3, 0.0);
   toolpath::ToolpathOptions o;
-  const auto r = toolpath::planToolpaths(stack, testCell(), testProcess(), o, base::RunContext{});
+  const auto r = toolpath::planToolpaths(stack, testCell(), process::Tooling(testProcess()), o,
+                                         base::RunContext{});
   const plan::ToolPlan& p = r.plan;
   ASSERT_GT(p.waypointCount(), 1000u);
   ASSERT_EQ(p.direction.size(), p.waypointCount());
@@ -95,9 +96,9 @@ TEST(PlanToolpaths, KeepsThePlansContract) {
 
 TEST(PlanToolpaths, SameForAnyNumberOfThreads) {
   const auto stack = dome(3, 0.6);
-  const auto one =
-      toolpath::planToolpaths(stack, testCell(), testProcess(), {}, base::RunContext{});
-  const auto two = toolpath::planToolpaths(stack, testCell(), testProcess(), {},
+  const auto one = toolpath::planToolpaths(stack, testCell(), process::Tooling(testProcess()), {},
+                                           base::RunContext{});
+  const auto two = toolpath::planToolpaths(stack, testCell(), process::Tooling(testProcess()), {},
                                            base::RunContext(base::CancelToken{}, 2));
   EXPECT_EQ(toolpath::writeToolpathVtp(one.plan), toolpath::writeToolpathVtp(two.plan));
 }
@@ -105,10 +106,11 @@ TEST(PlanToolpaths, SameForAnyNumberOfThreads) {
 // What is handed on for the motion is the part as that would lay it.
 TEST(PlanToolpaths, TheGrowingPartIsThePlans) {
   for (const double tilt : {0.0, 0.6}) {
-    const auto r =
-        toolpath::planToolpaths(dome(3, tilt), testCell(60), testProcess(), {}, base::RunContext{});
+    const auto r = toolpath::planToolpaths(dome(3, tilt), testCell(60),
+                                           process::Tooling(testProcess()), {}, base::RunContext{});
     ASSERT_NE(r.grown, nullptr);
-    const collision::GrowingPart anew(r.plan, collision::growingPitch(r.plan, testProcess()), {});
+    const collision::GrowingPart anew(
+        r.plan, collision::growingPitch(r.plan, process::Tooling(testProcess())), {});
     ASSERT_EQ(r.grown->grid().size, anew.grid().size);
     EXPECT_EQ(r.grown->grid().origin, anew.grid().origin);
     std::size_t others = 0;
@@ -128,7 +130,8 @@ TEST(PlanToolpaths, NeverAskForMoreThanTheExtruderGives) {
   process::Process process = testProcess();
   process.maxFlowMm3PerS = 8.0;
   const plan::ToolPlan made =
-      toolpath::planToolpaths(stack, testCell(), process, {}, base::RunContext{}).plan;
+      toolpath::planToolpaths(stack, testCell(), process::Tooling(process), {}, base::RunContext{})
+          .plan;
   const auto section = [&](std::size_t i) {
     return process::beadArea(made.widthMm[i], made.heightMm[i]);
   };
@@ -147,7 +150,8 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   toolpath::ToolpathOptions o;
   o.platform = test::circle(60);
   o.rimSupports = false;
-  const auto r = toolpath::planToolpaths(stack, testCell(60), process, o, base::RunContext{});
+  const auto r = toolpath::planToolpaths(stack, testCell(60), process::Tooling(process), o,
+                                         base::RunContext{});
   EXPECT_EQ(r.statistics.gouges, 0u);
   for (const plan::Finding& f : r.findings)
     EXPECT_EQ(plan::reportId(f), "braced"); // the dome's caps reach out
@@ -191,7 +195,7 @@ TEST(PlanToolpaths, LeansAwayFromPlateAndPart) {
   std::vector<toolpath::PatchCover> covers;
   for (const layers::Patch& patch : stack.patches)
     covers.push_back(toolpath::coverPatch(patch, process, o, base::RunContext{}));
-  const auto raw = toolpath::assemble(stack, covers, process);
+  const auto raw = toolpath::assemble(stack, covers, process::Tooling(process));
   const collision::GrowingPart rawPart(raw.plan, 0.6, base::RunContext{});
   std::size_t gouges = 0;
   for (std::size_t i = 0; i < raw.plan.waypointCount(); ++i)
@@ -230,14 +234,14 @@ TEST(Directions, FindTheWayIntoAWellThatLeans) {
     for (int i = 0; i <= 4; ++i)
       add(bottom + (0.25 * i - 0.5) * u, Vector3d::UnitZ(), 1.2f, 0.8f);
     const std::vector<Vector3d> clear(p.waypointCount(), Vector3d::UnitZ());
-    const auto oriented =
-        toolpath::orientDirections(p, clear, testCell(), process, {}, base::RunContext{});
+    const auto oriented = toolpath::orientDirections(
+        p, clear, testCell(), process::Tooling(process), {}, base::RunContext{});
     EXPECT_EQ(oriented.gouges, 0u) << azimuth;
     // Beads that are at hand are the same as those that are deposited anew.
-    const auto same =
-        toolpath::orientDirections(p, clear, testCell(), process, {}, base::RunContext{}, {},
-                                   std::make_shared<const collision::GrowingPart>(
-                                       p, collision::growingPitch(p, process), base::RunContext{}));
+    const auto same = toolpath::orientDirections(
+        p, clear, testCell(), process::Tooling(process), {}, base::RunContext{}, {},
+        std::make_shared<const collision::GrowingPart>(
+            p, collision::growingPitch(p, process::Tooling(process)), base::RunContext{}));
     EXPECT_EQ(same.plan.position, oriented.plan.position);
     EXPECT_EQ(same.plan.direction, oriented.plan.direction);
     for (std::size_t i = oriented.plan.paths.back().first; i < oriented.plan.waypointCount(); ++i)
@@ -258,7 +262,8 @@ TEST(PlanToolpaths, NoRoomForTheHeadIsAFinding) {
   }
   stack.patches.push_back(test::patchOver({test::circle(2)}));
   stack.layerCount = 40;
-  const auto r = toolpath::planToolpaths(stack, testCell(), testProcess(), {}, base::RunContext{});
+  const auto r = toolpath::planToolpaths(stack, testCell(), process::Tooling(testProcess()), {},
+                                         base::RunContext{});
   EXPECT_GT(r.statistics.gouges, 0u);
   ASSERT_EQ(r.findings.size(), 1u);
   EXPECT_EQ(voluta::plan::reportId(r.findings[0]), "gouge");
@@ -270,13 +275,14 @@ TEST(PlanToolpaths, NoRoomForTheHeadIsAFinding) {
 TEST(PlanToolpaths, Cancels) {
   base::CancelToken token;
   token.cancel();
-  EXPECT_THROW(toolpath::planToolpaths(dome(2, 0), testCell(), testProcess(), {},
+  EXPECT_THROW(toolpath::planToolpaths(dome(2, 0), testCell(), process::Tooling(testProcess()), {},
                                        base::RunContext(token, 2)),
                base::Cancelled);
 }
 
 TEST(PlanToolpaths, NothingInNothingOut) {
-  const auto r = toolpath::planToolpaths({}, testCell(), testProcess(), {}, base::RunContext{});
+  const auto r = toolpath::planToolpaths({}, testCell(), process::Tooling(testProcess()), {},
+                                         base::RunContext{});
   EXPECT_EQ(r.plan.waypointCount(), 0u);
   EXPECT_TRUE(r.findings.empty());
 }

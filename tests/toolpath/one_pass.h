@@ -22,7 +22,7 @@ inline const toolpath::UnsupportedPass& passOf(std::string_view id) {
 }
 
 inline toolpath::PassScene sceneOn(const platform::PlatformSolid& platform,
-                                   const process::Tooling& tooling = kProcess) {
+                                   const process::Tooling& tooling = process::Tooling(kProcess)) {
   static const robot::Cell cell = robot::loadCell("ur5-fixed", kProcess, kPlate.polygon);
   return {cell, tooling, platform};
 }
@@ -36,8 +36,9 @@ inline std::vector<Eigen::Vector3d> upwards(toolpath::PassPhase phase, const pla
 struct PassInput {
   PassInput(const toolpath::UnsupportedPass& pass, const plan::ToolPlan& plan,
             const platform::PlatformSolid& platform)
-      : part(plan, collision::growingPitch(plan, kProcess), {},
-             collision::groundCells(platform, collision::growingPitch(plan, kProcess), {})),
+      : part(plan, collision::growingPitch(plan, process::Tooling(kProcess)), {},
+             collision::groundCells(platform,
+                                    collision::growingPitch(plan, process::Tooling(kProcess)), {})),
         beads(toolpath::unsupportedBeads(pass.phase, plan, upwards(pass.phase, plan), part,
                                          platform, {})) {}
 

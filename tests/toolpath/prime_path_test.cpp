@@ -92,11 +92,11 @@ TEST(PrimePath, isTheFirstOfThePlanAndWaste) {
   const robot::Cell cell = robot::loadCell("ur5-moving", process, square(200));
   plan::ToolPlan plan = onePath();
   ToolpathOptions options;
-  addPrimePath(plan, cell, process, options);
+  addPrimePath(plan, cell, process::Tooling(process), options);
   EXPECT_FALSE(plan.primes());
   EXPECT_EQ(plan.paths.size(), 1u);
   options.prime = "line";
-  addPrimePath(plan, cell, process, options);
+  addPrimePath(plan, cell, process::Tooling(process), options);
   EXPECT_TRUE(plan.primes());
   ASSERT_EQ(plan.paths.size(), 2u);
   EXPECT_EQ(plan.paths[0].kind, plan::PathKind::Prime);
@@ -135,7 +135,7 @@ TEST(PrimePath, tellsWhereItFalls) {
   for (const double sideMm : {200.0, 42.0}) {
     plan::ToolPlan primed = plan;
     const auto told = addPrimePath(primed, robot::loadCell("ur5-moving", process, square(sideMm)),
-                                   process, options);
+                                   process::Tooling(process), options);
     EXPECT_EQ(primed.paths[0].kind, plan::PathKind::Prime);
     EXPECT_EQ(told.has_value(), primed.isPrimeInAir()) << sideMm;
     EXPECT_EQ(told.has_value(), sideMm < 100.0);

@@ -37,7 +37,8 @@ Underlaid underlaid(const plan::ToolPlan& plan, const platform::PlatformSolid& p
 }
 
 std::vector<char> unsupportedOf(const plan::ToolPlan& plan) {
-  const collision::GrowingPart part(plan, collision::growingPitch(plan, kProcess), {});
+  const collision::GrowingPart part(plan, collision::growingPitch(plan, process::Tooling(kProcess)),
+                                    {});
   return toolpath::unsupportedWaypoints(plan, part, kPlate, {});
 }
 
@@ -103,7 +104,8 @@ TEST(Underlay, LiesBehindThePrimeAndWhatIsGrownIsThePlan) {
   EXPECT_EQ(same.underlaid, 0u);
   for (const Underlaid* of : {&out, &same}) {
     ASSERT_NE(of->grown, nullptr);
-    const collision::GrowingPart fresh(of->plan, collision::growingPitch(of->plan, kProcess), {});
+    const collision::GrowingPart fresh(
+        of->plan, collision::growingPitch(of->plan, process::Tooling(kProcess)), {});
     ASSERT_EQ(of->grown->grid().size, fresh.grid().size);
     for (std::size_t c = 0; c < fresh.grid().cellCount(); ++c)
       ASSERT_EQ(of->grown->filledAt(c), fresh.filledAt(c));
@@ -252,7 +254,7 @@ TEST(Underlay, RandomFeet) {
       addPath(plan, from, from + number(4, 18), y, number(1.2, 2.8), 1 + row);
     }
     const Underlaid out = underlaid(plan);
-    const double pitch = collision::growingPitch(out.plan, kProcess);
+    const double pitch = collision::growingPitch(out.plan, process::Tooling(kProcess));
     const collision::GrowingPart part(out.plan, pitch, {});
     plan::ToolPlan deeper = out.plan; // cells are told by their centres
     for (float& height : deeper.heightMm)

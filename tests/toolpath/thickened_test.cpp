@@ -63,7 +63,7 @@ TEST(Thickened, RandomHeights) {
     addPath(plan, number(-15, -8), number(8, 15), y, 0.8 + height + number(0.0, 0.8), 1,
             static_cast<float>(height));
     const toolpath::UnsupportedBeads laid = thickened(plan);
-    const double pitch = collision::growingPitch(plan, kProcess);
+    const double pitch = collision::growingPitch(plan, process::Tooling(kProcess));
     for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
       const auto now = static_cast<double>(laid.plan.heightMm[i]);
       if (laid.plan.heightMm[i] == plan.heightMm[i])

@@ -27,7 +27,7 @@ const platform::PlatformSolid kNarrowPlate{
     Eigen::Vector2d(-20, -20), {20, -20}, {20, 0.5}, {-20, 0.5}};
 
 collision::GrowingPart grown(const plan::ToolPlan& plan) {
-  return {plan, collision::growingPitch(plan, kProcess), {}};
+  return {plan, collision::growingPitch(plan, process::Tooling(kProcess)), {}};
 }
 std::vector<char> unsupportedOf(const plan::ToolPlan& plan, int leastPlaces = 1) {
   return toolpath::unsupportedWaypoints(plan, grown(plan), kNarrowPlate, {}, leastPlaces);
@@ -35,7 +35,7 @@ std::vector<char> unsupportedOf(const plan::ToolPlan& plan, int leastPlaces = 1)
 std::vector<std::size_t> orderOf(const plan::ToolPlan& plan) {
   std::vector<std::size_t> order;
   for (const toolpath::OrderedPath& o :
-       toolpath::insideOutOrder(plan, unsupportedOf(plan), kProcess))
+       toolpath::insideOutOrder(plan, unsupportedOf(plan), process::Tooling(kProcess)))
     order.push_back(o.path);
   return order;
 }
@@ -100,7 +100,9 @@ TEST(InwardsFirst, APathIsTurnedThatBeginsWithWhatHangs) {
     return plan;
   };
   const auto turned = [](const plan::ToolPlan& plan) {
-    return toolpath::insideOutOrder(plan, unsupportedOf(plan), kProcess).at(1).turned;
+    return toolpath::insideOutOrder(plan, unsupportedOf(plan), process::Tooling(kProcess))
+        .at(1)
+        .turned;
   };
   EXPECT_TRUE(turned(thereAndBack(1.15, 0.0)));
   EXPECT_FALSE(turned(thereAndBack(0.0, 1.15)));
@@ -220,7 +222,7 @@ TEST(Braced, ALedgeOnItsWayToDirections) {
     const toolpath::PassedPlan under = toolpath::runUnsupportedPasses(
         toolpath::PassPhase::BeforeDirections, plan,
         std::vector<Vector3d>(plan.waypointCount(), Vector3d::UnitZ()), nullptr,
-        {cell, kProcess, kNarrowPlate}, {});
+        {cell, process::Tooling(kProcess), kNarrowPlate}, {});
     EXPECT_TRUE(under.findings.empty());
     const plan::ToolPlan& ordered = under.beads.plan;
     ASSERT_EQ(ordered.paths.size(), 5u);
@@ -229,8 +231,9 @@ TEST(Braced, ALedgeOnItsWayToDirections) {
       asides.push_back(ordered.position[ordered.paths[p].first].y());
     EXPECT_EQ(asides,
               upright ? (std::vector{3.5, 2.35, 1.2, 0.0}) : (std::vector{0.0, 1.2, 2.35, 3.5}));
-    const toolpath::OrientResult oriented = toolpath::orientDirections(
-        ordered, under.beads.clearDirection, cell, kProcess, options, {}, {}, under.grown);
+    const toolpath::OrientResult oriented =
+        toolpath::orientDirections(ordered, under.beads.clearDirection, cell,
+                                   process::Tooling(kProcess), options, {}, {}, under.grown);
     EXPECT_EQ(oriented.gouges, 0u);
     const auto unsupported = std::ranges::count(unsupportedOf(oriented.plan), 1);
     if (upright) {
