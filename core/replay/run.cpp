@@ -66,19 +66,19 @@ private:
       take(p);
     const Vector3d mostLow = low - Vector3d::Constant(kStrayMm);
     const Vector3d mostHigh = high + Vector3d::Constant(kStrayMm);
-    const double margin = mostOf(&process::Process::beadWidthMaxMm);
+    const double margin = maxOf(&process::Process::beadWidthMaxMm);
     for (const BeadPiece& piece : pieces)
       take(piece.to);
     low = (low - Vector3d::Constant(margin)).cwiseMax(mostLow);
     high = (high + Vector3d::Constant(margin)).cwiseMin(mostHigh);
     // Support below a bead is searched for within a quarter of its height, which cells of more than
     // half a height would not resolve.
-    const double ofWidth = 0.25 * leastOf(&process::Process::beadWidthMm);
+    const double ofWidth = 0.25 * minOf(&process::Process::beadWidthMm);
     const double ofHeight = 0.5 * thinHeight();
     const voxel::VoxelGrid grid = gridOver(low, high, std::min(ofWidth, ofHeight), kMaxCells);
     out_.figures.pitchMm = grid.pitch;
     DepositOptions options;
-    options.widthMaxMm = 3.0 * mostOf(&process::Process::beadWidthMaxMm);
+    options.widthMaxMm = 3.0 * maxOf(&process::Process::beadWidthMaxMm);
     const auto laid = std::make_shared<LaidBeads>();
     laid->beads = depositBeads(grid, pieces, options, ctx_.sub(0.0, 0.64));
     laid->printed.emplace(laid->beads, pieces);
@@ -86,7 +86,7 @@ private:
         process::erodedHead(firstProcess().head, firstProcess().contactToleranceMm), pieces,
         options.widthMaxMm);
     judgeBeads(*laid, pieces);
-    laid->pieces = laidPieces(pieces, 2.0 * mostOf(&process::Process::beadWidthMaxMm));
+    laid->pieces = laidPieces(pieces, 2.0 * maxOf(&process::Process::beadWidthMaxMm));
     // Collision checks need only the filling pieces.
     laid->beads.fill = {};
     laid->beads.otherFill = {};
@@ -95,18 +95,18 @@ private:
     return laid;
   }
 
-  // The least and the greatest value among the tools' processes.
-  double leastOf(double process::Process::*value) const {
-    double least = in_.tooling.first().process.*value;
+  // The smallest and the largest value among the tools' processes.
+  double minOf(double process::Process::*value) const {
+    double smallest = in_.tooling.first().process.*value;
     for (const process::Tool& tool : in_.tooling.tools())
-      least = std::min(least, tool.process.*value);
-    return least;
+      smallest = std::min(smallest, tool.process.*value);
+    return smallest;
   }
-  double mostOf(double process::Process::*value) const {
-    double most = in_.tooling.first().process.*value;
+  double maxOf(double process::Process::*value) const {
+    double largest = in_.tooling.first().process.*value;
     for (const process::Tool& tool : in_.tooling.tools())
-      most = std::max(most, tool.process.*value);
-    return most;
+      largest = std::max(largest, tool.process.*value);
+    return largest;
   }
   // Of the first tool. All heads have the shape of its head.
   const process::Process& firstProcess() const { return in_.tooling.first().process; }
@@ -114,13 +114,13 @@ private:
   // Returns the thickness that nine tenths of the waypoints exceed, or the processes' layer height
   // if that is less.
   double thinHeight() const {
-    const double usual = leastOf(&process::Process::layerHeightMm);
+    const double usual = minOf(&process::Process::layerHeightMm);
     std::vector<float> heights = in_.plan.heightMm;
     if (heights.empty())
       return usual;
     const auto tenth = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
     std::nth_element(heights.begin(), tenth, heights.end());
-    return std::clamp(static_cast<double>(*tenth), leastOf(&process::Process::layerHeightMinMm),
+    return std::clamp(static_cast<double>(*tenth), minOf(&process::Process::layerHeightMinMm),
                       usual);
   }
 
@@ -150,8 +150,8 @@ private:
     const PartCells cells = partCells(in_.part, query, beads.grid, ctx_);
     const Coverage coverage =
         measureCoverage(beads, cells, query,
-                        {.outsideMm = 0.25 * leastOf(&process::Process::beadWidthMm),
-                         .notchMm = 0.5 * leastOf(&process::Process::layerHeightMm)},
+                        {.outsideMm = 0.25 * minOf(&process::Process::beadWidthMm),
+                         .notchMm = 0.5 * minOf(&process::Process::layerHeightMm)},
                         ctx_);
     figures.partVolumeMm3 = partVolume(cells.volumeMm3);
     figures.coveredFraction = coverage.coveredFraction;
@@ -223,8 +223,8 @@ private:
 
   void findClashes(const KnownResults& known) {
     ctx_.report(0.72, "checking for collisions"_text);
-    const GroundSolids ground(in_.platform, in_.cell,
-                              0.25 * leastOf(&process::Process::beadWidthMm), ctx_);
+    const GroundSolids ground(in_.platform, in_.cell, 0.25 * minOf(&process::Process::beadWidthMm),
+                              ctx_);
     out_.head = headClashes(path(), out_.laid->pieces, known.firstPiece, *out_.laid->printed,
                             *out_.laid->underside, firstProcess(), ground, known.headKnown, ctx_);
     ctx_.report(0.97, "checking for collisions"_text);
