@@ -73,7 +73,7 @@ Json valueJson(const base::ParameterValue& value) {
 
 Json listParameters() {
   const std::vector<std::string> types{"number", "integer", "boolean", "choice", "text"};
-  const base::ParameterTable table = pipeline::offeredParameters();
+  const base::ParameterTable table = pipeline::allParameters();
   Json rows = Json::array();
   for (const base::ParameterSpec& spec : table.specs()) {
     Json row{{"id", spec.key},

@@ -15,7 +15,6 @@
 #include "placement/orient.h"
 #include "program/dialect.h"
 #include "program/program_options.h"
-#include "project/infill_density.h"
 #include "project/length_unit.h"
 #include "project/platform_kinds.h"
 #include "robot/cell.h"
@@ -108,13 +107,6 @@ base::ParameterTable allParameters() {
   return table;
 }
 
-base::ParameterTable offeredParameters() {
-  std::vector<base::ParameterSpec> specs = allParameters().specs();
-  std::erase_if(
-      specs, [](const base::ParameterSpec& spec) { return spec.key == project::kInfillDensity; });
-  return base::ParameterTable(std::move(specs));
-}
-
 std::vector<base::Message> setParameters(project::Choices& choices,
                                          const std::vector<std::string>& assignments) {
   base::ParameterValues values(allParameters());
@@ -125,12 +117,6 @@ std::vector<base::Message> setParameters(project::Choices& choices,
         base::currentKey(key) != key)
       notes.push_back(base::renamedNote(key));
   }
-  if (const double density = values.number(project::kInfillDensity); density < 1.0)
-    throw Error(ErrorCode::Usage,
-                base::message("infill density {density} cannot be printed yet: parts are filled "
-                              "solid"_text,
-                              base::number(density)),
-                std::string(project::kInfillDensity), "omit it"_text);
   for (const auto& [key, value] : values.changes())
     choices.item().parameters[key] = base::formatParameter(value);
   // Store the content of planes and profile files in the choices, so that the project can be

@@ -19,14 +19,9 @@ namespace voluta::pipeline {
 // Returns the parameters of all modules in one table.
 base::ParameterTable allParameters();
 // Checks "key=value" texts against the table and stores them in choices.parameters. Returns a note
-// for each renamed key, whose old name is accepted. Throws Error{Usage}, also for a value that
-// cannot be printed yet.
+// for each renamed key, whose old name is accepted. Throws Error{Usage}.
 std::vector<base::Message> setParameters(project::Choices& choices,
                                          const std::vector<std::string>& assignments);
-
-// Returns allParameters() without those that are not offered yet and therefore appear in no form,
-// list or help.
-base::ParameterTable offeredParameters();
 
 // Returns allParameters() with the defaults of a mode; unchanged if no mode has that id.
 base::ParameterTable parametersOf(std::string_view mode);

@@ -39,7 +39,7 @@ double partMaterial(const plan::ToolPlan& toolPlan) {
 std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
                                             const geometry::TriangleMesh& part,
                                             const process::Process& process) {
-  const double volume = std::abs(geometry::volume(part));
+  const double volume = std::abs(geometry::volume(part)) - toolPlan.fill.openMm3;
   if (!(volume > 0.0))
     return std::nullopt;
   // Priming before each bead, with the nozzle at rest, adds material too.

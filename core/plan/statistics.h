@@ -29,7 +29,10 @@ struct ToolpathStatistics {
   std::size_t gouges = 0;
   double maxTurnDeg = 0.0, materialMm3 = 0.0;
   double rimSupportMm3 = 0.0;  // of support beads under low rims, included in materialMm3
-  double layerVolumeMm3 = 0.0; // area x thickness of all patches: the target of materialMm3
+  double layerVolumeMm3 = 0.0; // area x thickness of all solid parts of patches
+  // Of the parts that sparse infill fills: area x thickness, and its beads. The target of
+  // materialMm3 is the sum of layerVolumeMm3 and sparseBeadMm3.
+  double sparseMm3 = 0.0, sparseBeadMm3 = 0.0;
 };
 
 // Of a motion.

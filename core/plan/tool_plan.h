@@ -2,20 +2,36 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace voluta::plan {
 
 // Project files store these numbers: add new kinds at the end.
-enum class PathKind : std::uint8_t { Wall, Infill, GapFill, Skirt, Support, Prime };
-inline constexpr std::size_t kPathKinds = 6;
+enum class PathKind : std::uint8_t {
+  Wall,
+  Infill, // Solid
+  GapFill,
+  Skirt,
+  Support,
+  Prime,
+  SparseInfill,
+  Bridge // Solid infill on top of sparse infill
+};
+inline constexpr std::size_t kPathKinds = 8;
 
 // Returns whether the bead is discarded and not part of the printed object, so that it needs no
 // support.
 constexpr bool isWaste(PathKind kind) {
   return kind == PathKind::Skirt || kind == PathKind::Prime;
+}
+
+// Returns whether the bead may span gaps of sparse infill inside the part.
+constexpr bool spansInterior(PathKind kind) {
+  return kind == PathKind::SparseInfill || kind == PathKind::Bridge;
 }
 
 // One bead printed without lifting: waypoints [first, first + count), count >= 2. A closed path
@@ -29,6 +45,15 @@ struct ToolPath {
   int tool = 0; // index in the job's tooling (process/tooling.h)
 };
 
+// How much of the part's volume is meant to be material.
+struct FillIntent {
+  // The part is solid up to this distance from its surface [mm]; infinite: everywhere.
+  double shellMm = std::numeric_limits<double>::infinity();
+  double openMm3 = 0.0; // Volume inside the part that sparse infill leaves open
+
+  bool isSolid() const { return std::isinf(shellMm); }
+};
+
 // All in the work frame [mm]: origin at the centre of the platform's top, z up from it.
 struct ToolPlan {
   std::vector<Eigen::Vector3d> position;  // The nozzle's tip: top of the bead
@@ -36,6 +61,7 @@ struct ToolPlan {
   std::vector<float> widthMm, heightMm;   // The bead's cross-section there (process/bead_model.h)
   std::vector<float> speedMmPerS;         // Desired speed on the segment that ends here
   std::vector<ToolPath> paths; // In print order; together they cover every waypoint exactly once
+  FillIntent fill;
 
   std::size_t waypointCount() const { return position.size(); }
   // Returns whether a waste bead primes the nozzle before the part begins.

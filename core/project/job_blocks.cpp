@@ -367,6 +367,8 @@ void addToolPlan(BlockWriter& out, const plan::ToolPlan& p, const std::string& n
     owners.insert(owners.end(), {path.item, path.tool});
   if (std::ranges::any_of(owners, [](std::int32_t owner) { return owner != 0; }))
     out.addOwned(name + ".owners", owners);
+  if (!p.fill.isSolid()) // Solid plans need no block
+    out.addOwned(name + ".fill", std::vector<double>{p.fill.shellMm, p.fill.openMm3});
 }
 
 plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
@@ -395,6 +397,9 @@ plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
       p.paths[k].tool = owners[2 * k + 1];
     }
   }
+  if (in.has(name + ".fill"))
+    if (const std::vector<double> fill = in.get<double>(name + ".fill"); fill.size() == 2)
+      p.fill = {fill[0], fill[1]};
   return p;
 }
 
@@ -478,10 +483,11 @@ platform::PlatformSolid getPlatform(const BlockReader& in) {
 bool isSound(const plan::ToolPlan& p) {
   const std::size_t n = p.waypointCount();
   if (p.direction.size() != n || p.widthMm.size() != n || p.heightMm.size() != n ||
-      p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction))
+      p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction) ||
+      !(p.fill.shellMm >= 0.0 && p.fill.openMm3 >= 0.0 && std::isfinite(p.fill.openMm3)))
     return false;
   return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
-    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Prime &&
+    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Bridge &&
            path.item >= 0 && path.tool >= 0;
   });
 }

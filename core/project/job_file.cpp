@@ -4,7 +4,6 @@
 #include "base/parameters.h"
 #include "project/block_file.h"
 #include "project/content_hash.h"
-#include "project/infill_density.h"
 #include "project/job.h"
 #include "project/job_blocks.h"
 #include "project/message_json.h"
@@ -110,22 +109,6 @@ Choices readChoices(const Json& j, int format) {
   for (const Json& tool : j.value("moreTools", Json::array()))
     c.tools.push_back({tool.at("process").get<std::string>()});
   return c;
-}
-
-// Removes the infill density of an older project and adds a note about it to the part.
-void dropSparseInfill(ItemChoices& choices, LoadedPart& part) {
-  const auto density = choices.parameters.find(kInfillDensity);
-  if (density == choices.parameters.end())
-    return;
-  double share = 1.0;
-  if (base::readNumbers(density->second, ',', {&share}) && share < 1.0) {
-    const base::Message note = base::message(
-        "the project's infill density {density} is ignored: parts are filled solid"_text,
-        density->second);
-    part.readNotes.push_back(note);
-    part.notes.push_back(note);
-  }
-  choices.parameters.erase(density);
 }
 
 // Renames the parameters whose keys were renamed, and adds a note about each to the item's part. A
@@ -472,7 +455,6 @@ Job readFrame(const Frame& frame, const std::string& where) {
     readResults(header, blocks, job.item());
     job.report = readReportJson(blocks.text("report"));
     getFacts(blocks, job, *loaded);
-    dropSparseInfill(job.choices.item(), *loaded);
     readRecords(header.at("stages"), job);
     job.resumedAt = header.value("resumedAt", std::size_t{0});
     if (!header.at("reached").is_null())

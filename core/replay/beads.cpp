@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "replay/beneath.h"
+#include "replay/interior_spans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -237,12 +238,9 @@ private:
 } // namespace
 
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
-                           const GroundProbe& ground, const base::RunContext& ctx) {
-  struct Found {
-    bool supported = false;
-    double carried = 0.0;
-  };
-  std::vector<Found> found(pieces.size());
+                           const GroundProbe& ground, const base::RunContext& ctx,
+                           const Interior* interior) {
+  std::vector<PieceSupport> found(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       if (pieces[p].waste) {
@@ -253,6 +251,8 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
       found[p] = {beneath.supported(), beneath.carriedShare()};
     }
   });
+  if (interior != nullptr)
+    acceptInteriorSpans(pieces, printed, *interior, found, ctx);
   SupportedBeads result;
   LongestRun inTheAir, unsupported, halfCarried;
   for (std::size_t p = 0; p < pieces.size(); ++p) {

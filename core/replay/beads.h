@@ -64,6 +64,14 @@ std::vector<LaidPiece> laidPieces(const std::vector<BeadPiece>& pieces, double w
 std::vector<std::uint32_t> firstPieceOfMotions(const std::vector<LaidPiece>& pieces,
                                                std::size_t motions);
 
+// Support of a piece.
+struct PieceSupport {
+  bool supported = false;
+  double carried = 0.0; // share of its width
+};
+
+struct Interior; // interior_spans.h
+
 struct SupportedBeads {
   double lengthMm = 0.0, unsupportedMm = 0.0;
   double halfCarriedMm = 0.0;             // supported on less than half of its width
@@ -81,8 +89,10 @@ struct SupportedBeads {
 // build direction; material beside the bead in its own layer is no support). The stricter test for
 // the carried share of the width probes directly below the bead: at eight positions across its
 // width, 1.05 to 1.25 heights below the tip. Material that the same bead deposited over its last 3
-// mm or two widths does not count. Waste is not checked. Throws Cancelled.
+// mm or two widths does not count. Waste is not checked. `interior`: of a part with sparse infill,
+// whose gaps beads may span (acceptInteriorSpans()); null: solid. Throws Cancelled.
 SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
-                           const GroundProbe& ground, const base::RunContext& ctx);
+                           const GroundProbe& ground, const base::RunContext& ctx,
+                           const Interior* interior = nullptr);
 
 } // namespace voluta::replay

@@ -140,7 +140,8 @@ namespace {
 // Sums of a slab of cells. Gaps are accumulated over blocks to find the position where most
 // material is missing.
 struct SlabSum {
-  double covered = 0.0, part = 0.0, outside = 0.0, notch = 0.0, bulge = 0.0, gap = 0.0;
+  double covered = 0.0, part = 0.0, outside = 0.0, notch = 0.0, bulge = 0.0, gap = 0.0,
+         interior = 0.0;
   Eigen::Vector3d gapAt = Eigen::Vector3d::Zero();
 };
 
@@ -170,6 +171,10 @@ public:
         for (int i = 0; i < grid_.size.x(); ++i) {
           const std::size_t c = grid_.index(i, j, k);
           const double share = cells_.share[c] / 255.0, fill = fillOf(c);
+          if (isInterior(i, j, k)) {
+            sum.interior += share;
+            continue;
+          }
           const double notch = notchAt(i, j, k);
           sum.part += share;
           sum.covered += std::min(share, fill);
@@ -199,6 +204,11 @@ private:
     return query_.closest(grid_.centre(i, j, k), distanceMm).triangle >= 0;
   }
 
+  bool isInterior(int i, int j, int k) const {
+    return std::isfinite(bands_.shellMm) && cells_.share[grid_.index(i, j, k)] == 255 &&
+           !isNear(i, j, k, bands_.shellMm);
+  }
+
   // Returns the unfilled share of a cell that is a notch (see Coverage).
   double notchAt(int i, int j, int k) const {
     if (beads_.rectangle.empty())
@@ -222,6 +232,8 @@ private:
       for (int j = low.y(); j < end.y(); ++j)
         for (int i = low.x(); i < end.x(); ++i) {
           const std::size_t c = grid_.index(i, j, k);
+          if (isInterior(i, j, k))
+            continue;
           const double less = std::max(0.0, cells_.share[c] / 255.0 - fillOf(c) - notchAt(i, j, k));
           missing += less;
           middle += less * grid_.centre(i, j, k);
@@ -260,12 +272,15 @@ Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
     notch += s.notch;
     bulge += s.bulge;
     result.outsideMm3 += s.outside * cellVolume;
+    result.interiorMm3 += s.interior * cellVolume;
     if (s.gap * cellVolume > result.worstGapMm3) {
       result.worstGapMm3 = s.gap * cellVolume;
       result.worstGap = s.gapAt;
     }
   }
-  result.coveredFraction = part > 0.0 ? (covered + std::min(notch, bulge)) / part : 0.0;
+  result.coveredFraction = part > 0.0                 ? (covered + std::min(notch, bulge)) / part
+                           : result.interiorMm3 > 0.0 ? 1.0
+                                                      : 0.0;
   return result;
 }
 

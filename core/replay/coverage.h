@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace voluta::base {
@@ -35,6 +36,8 @@ struct SurfaceBands {
   // No farther in, the notches beside the beads' round sides are part of the layered surface: half
   // the height of a layer
   double notchMm = 0.0;
+  // Farther in, cells that are not filled are no gaps: sparse infill
+  double shellMm = std::numeric_limits<double>::infinity();
 };
 
 struct Coverage {
@@ -47,6 +50,8 @@ struct Coverage {
   // centre of the missing material in the emptiest block of 3 mm
   Eigen::Vector3d worstGap = Eigen::Vector3d::Zero();
   double worstGapMm3 = 0.0; // missing volume there
+  double interiorMm3 =
+      0.0; // volume of the part beyond SurfaceBands::shellMm, not part of the share
 };
 
 // Supports and skirts are excluded from the fill. Throws Cancelled.

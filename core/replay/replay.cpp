@@ -53,7 +53,7 @@ private:
     const double part = std::max(out_.partVolumeMm3, 1e-9);
     out_.excessFraction += compared_.standingMm3 / part;
     out_.overfillFraction += compared_.standingMm3 / part;
-    out_.massRatio = out_.depositedMm3 / std::max(out_.partVolumeMm3, 1e-9);
+    out_.massRatio = out_.depositedMm3 / std::max(out_.intendedMm3, 1e-9);
   }
 
   void addBeads() {

@@ -8,6 +8,7 @@
 #include "replay/alignment.h"
 #include "replay/coverage.h"
 #include "replay/ground.h"
+#include "replay/interior_spans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +109,9 @@ private:
       largest = std::max(largest, tool.process.*value);
     return largest;
   }
+  double bridgeMm(const BeadPiece& piece) const {
+    return in_.tooling.at(out_.run.tool[piece.motion]).process.bridgeMm;
+  }
   // Of the first tool. All heads have the shape of its head.
   const process::Process& firstProcess() const { return in_.tooling.first().process; }
 
@@ -151,9 +155,13 @@ private:
     const Coverage coverage =
         measureCoverage(beads, cells, query,
                         {.outsideMm = 0.25 * minOf(&process::Process::beadWidthMm),
-                         .notchMm = 0.5 * minOf(&process::Process::layerHeightMm)},
+                         .notchMm = 0.5 * minOf(&process::Process::layerHeightMm),
+                         .shellMm = in_.plan.fill.shellMm},
                         ctx_);
     figures.partVolumeMm3 = partVolume(cells.volumeMm3);
+    // The plan can leave open no more than there is inside the shell.
+    figures.intendedMm3 =
+        figures.partVolumeMm3 - std::min(in_.plan.fill.openMm3, coverage.interiorMm3);
     figures.coveredFraction = coverage.coveredFraction;
     if (coverage.worstGapMm3 > 0.0)
       figures.worst.gap = coverage.worstGap;
@@ -194,7 +202,11 @@ private:
   void judgeSupport(const PrintedPart& printed, const std::vector<BeadPiece>& pieces) {
     RunFigures& figures = out_.figures;
     ctx_.report(0.7, "checking support below the beads"_text);
-    const SupportedBeads support = findSupport(pieces, printed, GroundProbe(in_.platform), ctx_);
+    std::optional<Interior> interior;
+    if (!in_.plan.fill.isSolid())
+      interior.emplace(in_.part, [this](const BeadPiece& piece) { return bridgeMm(piece); });
+    const SupportedBeads support = findSupport(pieces, printed, GroundProbe(in_.platform), ctx_,
+                                               interior ? &*interior : nullptr);
     figures.beadLengthMm = support.lengthMm;
     const double length = std::max(support.lengthMm, 1e-9);
     figures.unsupportedFraction = support.unsupportedMm / length;
@@ -214,10 +226,10 @@ private:
     if (pieces.empty())
       return;
     const BeadPiece& first = pieces[support.longestFrom];
-    const double bridgeMm = in_.tooling.at(out_.run.tool[first.motion]).process.bridgeMm;
-    if (support.longestUnsupportedMm > bridgeMm)
+    if (support.longestUnsupportedMm > bridgeMm(first))
       add(LongBridge,
-          {{"length", base::mm(support.longestUnsupportedMm)}, {"bridge", base::mm(bridgeMm)}},
+          {{"length", base::mm(support.longestUnsupportedMm)},
+           {"bridge", base::mm(bridgeMm(first))}},
           first.to, first.motion);
   }
 

@@ -77,7 +77,8 @@ struct RunFigures {
   std::vector<std::size_t> collidingWaypoints;
 
   double partVolumeMm3 = 0.0, beadLengthMm = 0.0;
-  double pitchMm = 0.0; // of the bead grid
+  double intendedMm3 = 0.0; // of the part, without the volume that sparse infill leaves open
+  double pitchMm = 0.0;     // of the bead grid
 
   WorstPlaces worst;
 };
@@ -85,7 +86,7 @@ struct RunFigures {
 struct Verification : RunFigures {
   bool passed = false; // all thresholds kept and no deviations in the text
 
-  // Deposited material (without supports and skirts) by part volume, at the controller's own
+  // Deposited material (without supports and skirts) by intended volume, at the controller's own
   // speeds.
   double massRatio = 0.0;
   double depositedMm3 = 0.0, supportMm3 = 0.0;

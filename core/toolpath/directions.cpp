@@ -236,6 +236,7 @@ private:
   ToolPlan subdivided() {
     const double limit = base::degreesToRadians(o_.turnLimitDeg);
     ToolPlan out;
+    out.fill = plan_.fill;
     subdividedClear_.clear();
     const auto add = [&](const Vector3d& middle, const Vector3d& d, float w, float h, float v) {
       out.position.push_back(middle + 0.5 * h * d);

@@ -1,6 +1,7 @@
 #include "toolpath/options.h"
 
 #include "toolpath/infill/infill.h"
+#include "toolpath/sparse/patterns.h"
 
 namespace voluta::toolpath {
 
@@ -8,6 +9,9 @@ base::ParameterTable toolpathParameters() {
   std::vector<base::Choice> infills;
   for (const InfillKind& kind : infillKinds())
     infills.push_back({std::string(kind.id), kind.label});
+  std::vector<base::Choice> patterns;
+  for (const SparsePattern& pattern : sparsePatterns())
+    patterns.push_back({std::string(pattern.id), pattern.label});
   return base::ParameterTable({
       base::integerParameter("walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text,
                              "walls"_text, "Number of beads along the outline of each layer."_text,
@@ -15,9 +19,25 @@ base::ParameterTable toolpathParameters() {
       base::choiceParameter("infill", ToolpathOptions{}.infill, infills, "Tool-paths"_text,
                             "infill"_text, "Pattern that fills the interior of each layer."_text,
                             true),
-      base::numberParameter("infillDensity", "", 1.0, 0.05, 1.0, "Tool-paths"_text,
+      base::numberParameter("infillDensity", "", 1.0, 0.0, 1.0, "Tool-paths"_text,
                             "infill density"_text,
-                            "Share of the interior that is filled; 1 is solid."_text, true),
+                            "Share of the interior that is filled; 1 is solid, 0 hollow. Walls and "
+                            "skins are always solid."_text,
+                            true),
+      base::choiceParameter("sparsePattern", ToolpathOptions{}.sparsePattern, patterns,
+                            "Tool-paths"_text, "sparse pattern"_text,
+                            "Pattern of the interior if its density is below 1."_text, true),
+      base::integerParameter(
+          "topLayers", ToolpathOptions{}.topLayers, 0, 100, "Tool-paths"_text, "top layers"_text,
+          "Solid layers between the sparse interior and the surface above it."_text, true),
+      base::integerParameter(
+          "bottomLayers", ToolpathOptions{}.bottomLayers, 0, 100, "Tool-paths"_text,
+          "bottom layers"_text,
+          "Solid layers between the sparse interior and the surface below it."_text, true),
+      base::numberParameter("skinMm", "mm", ToolpathOptions{}.skinMm, 0.0, 100.0, "Tool-paths"_text,
+                            "skin thickness"_text,
+                            "Minimum thickness of the top and bottom layers together with their "
+                            "number."_text),
       base::numberParameter(
           "infillAngle", "deg", ToolpathOptions{}.infillAngleDeg, 0.0, 180.0, "Tool-paths"_text,
           "infill direction"_text,
@@ -53,6 +73,10 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.walls = static_cast<int>(values.integer("walls"));
   o.infill = values.text("infill");
   o.infillDensity = values.number("infillDensity");
+  o.sparsePattern = values.text("sparsePattern");
+  o.topLayers = static_cast<int>(values.integer("topLayers"));
+  o.bottomLayers = static_cast<int>(values.integer("bottomLayers"));
+  o.skinMm = values.number("skinMm");
   o.infillAngleDeg = values.number("infillAngle");
   o.infillTurnDeg = values.number("infillRotation");
   o.windingAngleDeg = values.number("windingAngle");

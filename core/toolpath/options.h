@@ -12,7 +12,13 @@ namespace voluta::toolpath {
 struct ToolpathOptions {
   int walls = 2;                 // beads along the boundary of each patch
   std::string infill = "zigzag"; // id in infillKinds()
-  double infillDensity = 1.0;    // share of the interior that is filled, (0, 1]
+  // Share of the interior that is filled, [0, 1]; 1: solid. Below 1, sparsePattern fills it, an id
+  // in sparsePatterns().
+  double infillDensity = 1.0;
+  std::string sparsePattern = "gyroid";
+  // Solid layers above and below the interior, at least skinMm thick.
+  int topLayers = 3, bottomLayers = 3;
+  double skinMm = 0.0;
   // Direction of straight lines on the first layer, from x to y, and their rotation per layer.
   double infillAngleDeg = 135.0, infillTurnDeg = 90.0;
   double windingAngleDeg = 45.0; // of helical infill: 0 around the axis, 90 along it
@@ -27,8 +33,8 @@ struct ToolpathOptions {
   platform::PlatformSolid platform;
 };
 
-// Returns the parameters walls, infill, infillDensity, infillAngle, infillRotation, windingAngle,
-// rimSupports, prime and primeLengthMm.
+// Returns the parameters walls, infill, infillDensity, sparsePattern, topLayers, bottomLayers,
+// skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime and primeLengthMm.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.

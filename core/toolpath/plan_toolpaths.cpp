@@ -3,16 +3,15 @@
 #include "toolpath/prime_path.h"
 
 #include "base/error.h"
-#include "base/parallel.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
+#include "toolpath/sparse/cover_layers.h"
 #include "toolpath/unsupported/bead_tip.h"
 #include "toolpath/unsupported/passes.h"
-#include "toolpath/unsupported/supported_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +31,7 @@ int turnOf(const Bead& b) {
   case PathKind::Wall:
     return b.ring == 0 ? -1 : 1000 - b.ring;
   case PathKind::Infill:
+  case PathKind::Bridge:
     return 0;
   default:
     return 1;
@@ -130,15 +130,11 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                              const base::RunContext& ctx) {
   ToolpathResult r;
   base::Stopwatch watch;
-  const std::vector<std::vector<double>> wallWidths =
-      carriedWallWidths(stack, tooling, ctx.quiet());
-  std::vector<PatchCover> covers(stack.patches.size());
   const base::RunContext silent = ctx.quiet();
-  base::parallelWithProgress(ctx, covers.size(), 0.6, "tool-paths"_text, [&](std::size_t i) {
-    const layers::Patch& patch = stack.patches[i];
-    covers[i] = coverPatch(patch, tooling.at(patch.tool).process, options, silent, wallWidths[i]);
-  });
+  const LayerCovers made = coverLayers(stack, tooling, options, 0.6, ctx);
+  const std::vector<PatchCover>& covers = made.covers;
   Assembled assembled = assemble(stack, covers, tooling);
+  assembled.plan.fill = made.fill;
   // Added here, so that the travel moves of the head account for the prime as for every bead.
   if (auto falls = addPrimePath(assembled.plan, cell, tooling, options))
     r.findings.push_back(std::move(*falls));
@@ -179,6 +175,8 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
 
   plan::ToolpathStatistics& s = r.statistics;
   s.paths = s.starts = r.plan.paths.size();
+  s.sparseMm3 = made.sparseMm3;
+  s.sparseBeadMm3 = made.sparseBeadMm3;
   s.waypoints = r.plan.waypointCount();
   s.gouges = oriented.gouges;
   s.maxTurnDeg = oriented.maxTurnDeg;

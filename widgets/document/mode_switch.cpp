@@ -92,7 +92,7 @@ Choices ModeSwitch::automatic(const Choices& now) {
 
 base::ParameterTable parametersFor(const Choices& choices) {
   std::vector<base::ParameterSpec> specs = pipeline::parametersOf(choices).specs();
-  const base::ParameterTable offered = pipeline::offeredParameters();
+  const base::ParameterTable offered = pipeline::allParameters();
   std::erase_if(specs, [&](const base::ParameterSpec& spec) { return !offered.find(spec.key); });
   try {
     const std::map<std::string, std::string> ofWay = pipeline::parametersOfWay(choices);

@@ -27,6 +27,10 @@ const char* nameOf(plan::PathKind kind) {
     return "support";
   case plan::PathKind::Prime:
     return "prime";
+  case plan::PathKind::SparseInfill:
+    return "sparse infill";
+  case plan::PathKind::Bridge:
+    return "bridge";
   }
   return "path";
 }

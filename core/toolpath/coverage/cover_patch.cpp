@@ -58,8 +58,7 @@ struct Centrelines {
   // width.
   std::vector<double> extraMm;
   std::vector<double> depth; // Per vertex: distance from the boundary [hatches]
-  std::vector<double>
-      uniformSpacingMm; // InfillLines::uniformSpacingMm for solid infill, else empty
+  std::vector<double> uniformSpacingMm; // InfillLines::uniformSpacingMm
 
   bool isOuterWall(std::size_t k) const { return kind[k] == PathKind::Wall && ring[k] == 0; }
 
@@ -237,8 +236,7 @@ void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share
 // Converts the volume of each segment's share to the bead width at each point.
 class Sections {
 public:
-  Sections(const PatchSurface& s, const process::Process& p, double mostHatchMm)
-      : s_(s), p_(p), mostHatch_(mostHatchMm) {}
+  Sections(const PatchSurface& s, const process::Process& p) : s_(s), p_(p) {}
 
   // Returns the bead along a curve, without its widths.
   Bead along(const SurfaceCurve& c, PathKind kind, int ring) const {
@@ -272,8 +270,7 @@ public:
       BeadPoint& q = b.points[i];
       const double l = length[before] + length[after];
       const double section = l > 0 ? (volume[before] + volume[after]) / l : 0.0;
-      q.widthMm = within(
-          process::widthOfArea(std::min(section, mostHatch_ * q.heightMm), q.heightMm), q.heightMm);
+      q.widthMm = within(process::widthOfArea(section, q.heightMm), q.heightMm);
     }
     if (b.closed)
       b.points.back().widthMm = b.points.front().widthMm;
@@ -285,7 +282,6 @@ public:
 private:
   const PatchSurface& s_;
   const process::Process& p_;
-  double mostHatch_;
 };
 
 double volumeOf(const std::vector<Bead>& beads) {
@@ -347,7 +343,7 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
       depth,
       hatchMm,
       static_cast<double>(o.walls),
-      o.infillDensity,
+      1.0,
       layer,
       base::degreesToRadians(std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0)),
       base::degreesToRadians(o.windingAngleDeg),
@@ -355,12 +351,10 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   InfillLines infill = kind.fill(region, ctx);
   lines.add(std::move(infill.curves), PathKind::Infill, 0);
   ctx.checkpoint();
-  if (o.infillDensity >= 1.0) {
-    lines.depth = depth;
-    lines.uniformSpacingMm = std::move(infill.uniformSpacingMm);
-    lines.add(gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale),
-              PathKind::GapFill, 0);
-  }
+  lines.depth = depth;
+  lines.uniformSpacingMm = std::move(infill.uniformSpacingMm);
+  lines.add(gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale),
+            PathKind::GapFill, 0);
   ctx.checkpoint();
   return lines;
 }
@@ -369,7 +363,6 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
 PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
                       const ToolpathOptions& o, const base::RunContext& ctx,
                       const std::vector<double>& wallWidthMm) {
-  base::require(o.infillDensity > 0 && o.infillDensity <= 1, "infill density is in (0, 1]");
   base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
   const InfillKind& kind = infillKind(o.infill);
   if (kind.needsChart && patch.chart.empty())
@@ -392,7 +385,6 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
 
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double beadScale = beadScaleOf(process);
-  const bool solid = o.infillDensity >= 1.0;
   const auto planeSamples = [&](double mostMm2, const std::vector<char>& leftOut = {}) {
     const double fine = kPlaneFinestMm2 * beadScale * beadScale;
     return kind.needsChart
@@ -426,7 +418,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     smoothCurve(s, r.curve, r.corner, 2);
     c = std::move(r.curve);
   }
-  for (int i = 0; solid && i < kRelaxations; ++i) {
+  for (int i = 0; i < kRelaxations; ++i) {
     ctx.checkpoint();
     const VoronoiShares cells = computeShares(coarse, even.of(lines.curves), lines.extras(s));
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
@@ -452,7 +444,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   if (lessenExtras(lines.curves, cells, process.beadWidthMaxMm - process.beadWidthMm + hatch,
                    extras))
     cells = computeShares(fineSamples, stretches, extras);
-  const Sections sections(s, process, solid ? 1e9 : hatch);
+  const Sections sections(s, process);
   double target = 0.0;
   for (CellShare& share : cells.share)
     for (const double v : share.volumeMm3)
@@ -470,7 +462,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
       sections.widen(cover.beads[k], std::move(volume));
     }
     cover.beadVolumeMm3 = volumeOf(cover.beads);
-    if (!solid || cover.beadVolumeMm3 <= 0)
+    if (cover.beadVolumeMm3 <= 0)
       break;
     correction = std::clamp(correction * target / cover.beadVolumeMm3, 0.97, 1.03);
   }

@@ -51,6 +51,12 @@ UnsupportedBeads unsupportedBeads(PassPhase phase, const plan::ToolPlan& plan,
       unsupportedWaypoints(plan, part, platform, ctx, withDirections ? kMinSupportedSamples : 1),
       std::move(clearDirection),
       {}};
+  // Beads inside the part span the gaps of its infill: they are slowed down, never supported.
+  if (phase != PassPhase::AfterDirections)
+    for (const plan::ToolPath& path : plan.paths)
+      if (plan::spansInterior(path.kind))
+        std::fill_n(beads.unsupported.begin() + static_cast<std::ptrdiff_t>(path.first), path.count,
+                    char{0});
   if (withDirections)
     for (std::size_t i = 0; i < plan.waypointCount(); ++i)
       beads.middle.emplace_back(plan.position[i] - 0.5 * plan.heightMm[i] * plan.direction[i]);

@@ -286,6 +286,7 @@ public:
 
   PassResult run() {
     const std::vector<plan::ToolPath>& paths = was_.plan.paths;
+    out_.beads.plan.fill = was_.plan.fill;
     for (std::size_t p = 0; p < paths.size(); ++p) {
       if (beginsPatch(was_.plan, p) && !plan::isWaste(paths[p].kind))
         addSupports(p);

@@ -53,7 +53,7 @@ void PreparePage::build() {
   placement_ = new panels::PlacementPanel;
   placement_->setObjectName("placement");
   mesh_ = new panels::MeshPanel;
-  parameters_ = new forms::ParameterForm(pipeline::offeredParameters());
+  parameters_ = new forms::ParameterForm(pipeline::allParameters());
   parameters_->setObjectName("parameters");
   parameters_->setHeader(choices_->form());
   const auto text = [](std::string_view view) {

@@ -25,6 +25,10 @@ QString kindName(plan::PathKind kind) {
     return UnrolledView::tr("Skirt");
   case plan::PathKind::Support:
     return UnrolledView::tr("Support");
+  case plan::PathKind::SparseInfill:
+    return UnrolledView::tr("Sparse infill");
+  case plan::PathKind::Bridge:
+    return UnrolledView::tr("Bridge");
   case plan::PathKind::Prime:
     break;
   }

@@ -1,0 +1,124 @@
+#include "toolpath/sparse/cover_layers.h"
+
+#include "base/parallel.h"
+#include "process/bead_model.h"
+#include "toolpath/sparse/layer_count.h"
+#include "toolpath/sparse/sparse_lines.h"
+#include "toolpath/sparse/split_layers.h"
+#include "toolpath/unsupported/bead_tip.h"
+#include "toolpath/unsupported/supported_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace voluta::toolpath {
+
+namespace {
+using plan::PathKind;
+
+// Share of a bead's points over sparse infill from which it is a bridge.
+constexpr double kBridgeShare = 0.05;
+// [beads] by which the shell of a plan is thinner than walls and skins: beads beside the sparse
+// infill have round sides.
+constexpr double kRoundSide = 0.5;
+
+std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const process::Tooling& tooling,
+                                   const ToolpathOptions& options, double share,
+                                   const base::RunContext& ctx) {
+  const base::RunContext silent = ctx.quiet();
+  const std::vector<std::vector<double>> wallWidths = carriedWallWidths(stack, tooling, silent);
+  std::vector<PatchCover> covers(stack.patches.size());
+  base::parallelWithProgress(ctx, covers.size(), share, "tool-paths"_text, [&](std::size_t i) {
+    const layers::Patch& patch = stack.patches[i];
+    covers[i] = coverPatch(patch, tooling.at(patch.tool).process, options, silent, wallWidths[i]);
+  });
+  return covers;
+}
+
+double volumeOf(const layers::Patch& patch) {
+  double mm3 = 0.0;
+  for (const auto& t : patch.surface.triangles) {
+    const auto v = [&](std::size_t k) { return static_cast<std::size_t>(t[k]); };
+    const Eigen::Vector3d& a = patch.surface.vertices[v(0)];
+    const double area =
+        0.5 * (patch.surface.vertices[v(1)] - a).cross(patch.surface.vertices[v(2)] - a).norm();
+    mm3 +=
+        area / 3.0 * (patch.thicknessMm[v(0)] + patch.thicknessMm[v(1)] + patch.thicknessMm[v(2)]);
+  }
+  return mm3;
+}
+
+double volumeOf(const std::vector<Bead>& beads) {
+  double mm3 = 0.0;
+  for (const Bead& bead : beads)
+    for (std::size_t i = 1; i < bead.points.size(); ++i) {
+      const BeadPoint &p = bead.points[i - 1], &q = bead.points[i];
+      mm3 += process::beadVolume(process::beadArea(p.widthMm, p.heightMm),
+                                 process::beadArea(q.widthMm, q.heightMm),
+                                 (tipOf(q) - tipOf(p)).norm());
+    }
+  return mm3;
+}
+
+// Marks solid infill over sparse infill: the layer below is there, but not its solid part.
+void markBridges(std::size_t patch, const LayerCount& whole, const LayerCount& solid,
+                 std::vector<Bead>& beads) {
+  for (Bead& bead : beads) {
+    if (bead.kind != PathKind::Infill && bead.kind != PathKind::GapFill)
+      continue;
+    const auto overSparse = std::ranges::count_if(bead.points, [&](const BeadPoint& p) {
+      return whole.patchBelow(patch, p.middle, p.direction, p.heightMm) >= 0 &&
+             solid.patchBelow(patch, p.middle, p.direction, p.heightMm) < 0;
+    });
+    if (static_cast<double>(overSparse) > kBridgeShare * static_cast<double>(bead.points.size()))
+      bead.kind = PathKind::Bridge;
+  }
+}
+
+// Returns the distance from the surface up to which all places are in walls or skins.
+double shellOf(const process::Tooling& tooling, const ToolpathOptions& o) {
+  double shell = INFINITY;
+  for (const process::Tool& tool : tooling.tools()) {
+    const process::Process& p = tool.process;
+    const double hatch = process::hatchOf(p.beadWidthMm, p.layerHeightMm);
+    const double skin = std::max(o.skinMm, std::min(o.topLayers, o.bottomLayers) * p.layerHeightMm);
+    shell = std::min({shell, o.walls * hatch - kRoundSide * p.beadWidthMm, skin});
+  }
+  return std::max(0.0, shell);
+}
+} // namespace
+
+LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling& tooling,
+                        const ToolpathOptions& options, double share, const base::RunContext& ctx) {
+  LayerCovers out;
+  if (options.infillDensity >= 1.0) {
+    out.covers = coverSolid(stack, tooling, options, share, ctx);
+    return out;
+  }
+  const base::RunContext silent = ctx.quiet();
+  const LayerCount whole(stack, silent);
+  const SplitLayers split = splitLayers(stack, whole, tooling, options, silent);
+  out.covers = coverSolid(split.solid, tooling, options, share, ctx);
+  const LayerCount solid(split.solid, silent);
+  const std::vector<PatternFrame> frames = patternFrames(stack, options);
+  std::vector<std::vector<Bead>> sparse(stack.patches.size());
+  base::parallelChunks(silent, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
+    markBridges(i, whole, solid, out.covers[i].beads);
+    if (split.sparse[i])
+      sparse[i] = sparseBeads(*split.sparse[i], frames[i],
+                              tooling.at(stack.patches[i].tool).process, options, silent);
+  });
+  for (std::size_t i = 0; i < sparse.size(); ++i) {
+    if (split.sparse[i])
+      out.sparseMm3 += volumeOf(*split.sparse[i]);
+    out.sparseBeadMm3 += volumeOf(sparse[i]);
+    std::ranges::move(sparse[i], std::back_inserter(out.covers[i].beads));
+  }
+  if (out.sparseMm3 > 0.0)
+    out.fill = {shellOf(tooling, options), std::max(0.0, out.sparseMm3 - out.sparseBeadMm3)};
+  return out;
+}
+
+} // namespace voluta::toolpath

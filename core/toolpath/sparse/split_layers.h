@@ -1,0 +1,30 @@
+// Separates the interior that sparse infill fills from walls and skins.
+#pragma once
+
+#include "base/run_context.h"
+#include "layers/layer_stack.h"
+#include "process/tooling.h"
+#include "toolpath/options.h"
+#include "toolpath/sparse/layer_count.h"
+
+#include <optional>
+#include <vector>
+
+namespace voluta::toolpath {
+
+// The solid part of each patch: its walls and skins. Where it was cut off from the sparse part, its
+// rim is an inner rim (layers::Patch::innerRim), so that its infill extends up to the cut.
+struct SplitLayers {
+  layers::LayerStack solid;                         // Same patches, in the same order
+  std::vector<std::optional<layers::Patch>> sparse; // Per patch; nullopt: all of it is solid
+};
+
+// A place is sparse if it is inside the walls and not skin: at least topLayers and bottomLayers
+// other layers, at least skinMm thick, are between it and the part's surface along the build
+// direction. Skins extend by kSkinExtension beads into the sparse part. Sparse parts narrower than
+// kMinSparse beads become solid, and so do supports. `count`: of the same stack. Throws Cancelled.
+SplitLayers splitLayers(const layers::LayerStack& stack, const LayerCount& count,
+                        const process::Tooling& tooling, const ToolpathOptions& options,
+                        const base::RunContext& ctx);
+
+} // namespace voluta::toolpath
