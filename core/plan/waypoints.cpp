@@ -23,6 +23,7 @@ void appendWaypoint(ToolPlan& to, const ToolPlan& from, std::size_t waypoint) {
 RestOfPlan without(const ToolPlan& plan, const std::vector<char>& marked) {
   base::require(marked.size() == plan.waypointCount(), "one mark per waypoint");
   RestOfPlan rest;
+  rest.plan.fill = plan.fill;
   for (const ToolPath& path : plan.paths) {
     const std::size_t end = path.first + path.count;
     for (std::size_t b = path.first; b < end;) {

@@ -278,9 +278,8 @@ Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
       result.worstGap = s.gapAt;
     }
   }
-  result.coveredFraction = part > 0.0                 ? (covered + std::min(notch, bulge)) / part
-                           : result.interiorMm3 > 0.0 ? 1.0
-                                                      : 0.0;
+  result.shellMm3 = part * cellVolume;
+  result.coveredFraction = part > 0.0 ? (covered + std::min(notch, bulge)) / part : 0.0;
   return result;
 }
 

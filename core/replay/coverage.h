@@ -50,8 +50,8 @@ struct Coverage {
   // centre of the missing material in the emptiest block of 3 mm
   Eigen::Vector3d worstGap = Eigen::Vector3d::Zero();
   double worstGapMm3 = 0.0; // missing volume there
-  double interiorMm3 =
-      0.0; // volume of the part beyond SurfaceBands::shellMm, not part of the share
+  double shellMm3 = 0.0;    // volume of the part within SurfaceBands::shellMm of its surface
+  double interiorMm3 = 0.0; // the rest of the part, which coveredFraction leaves out
 };
 
 // Supports and skirts are excluded from the fill. Throws Cancelled.

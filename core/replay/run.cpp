@@ -163,6 +163,9 @@ private:
     figures.intendedMm3 =
         figures.partVolumeMm3 - std::min(in_.plan.fill.openMm3, coverage.interiorMm3);
     figures.coveredFraction = coverage.coveredFraction;
+    if (!in_.plan.fill.isSolid())
+      figures.coveredFraction = 1.0 - (1.0 - coverage.coveredFraction) * coverage.shellMm3 /
+                                          std::max(figures.intendedMm3, 1e-9);
     if (coverage.worstGapMm3 > 0.0)
       figures.worst.gap = coverage.worstGap;
     if (figures.coveredFraction < limits_.coveredMin)

@@ -64,6 +64,8 @@ struct TextPlace {
 
 // Figures of a run: its beads and its collisions.
 struct RunFigures {
+  // Share of the intended volume that is inside beads. Of a part with sparse infill only the shell
+  // is measured; the interior counts as covered, and its amount shows in the mass.
   double coveredFraction = 0.0;
   double unsupportedFraction = 0.0;
   double halfCarriedFraction = 0.0; // share of bead length supported on less than half its width

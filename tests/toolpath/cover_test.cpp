@@ -243,11 +243,6 @@ TEST(CoverPatch, EveryRowOfTheTableFills) {
       EXPECT_GE(c.coveredMm2 / c.areaMm2, 0.98) << walls;
       EXPECT_NEAR(c.beadVolumeMm3 / c.volumeMm3, 1.0, 0.01) << walls;
     }
-    o.walls = 1;
-    o.infillDensity = 0.4;
-    const auto sparse = cover(patch, o);
-    EXPECT_LT(sparse.beadVolumeMm3, 0.75 * sparse.volumeMm3);
-    EXPECT_GT(sparse.beadVolumeMm3, 0.3 * sparse.volumeMm3);
   }
 }
 

@@ -57,7 +57,7 @@ TEST(Infill, LinesOnACapAreEvenlySpacedOnTheSphere) {
       toolpath::distanceToSegments(s, toolpath::boundarySegments(s), 1e9);
   const std::vector<double> hatches(depth.size(), hatch);
   const auto curves =
-      toolpath::zigzagInfill({s, depth, hatches, 2.0, 1.0, 0, -0.25 * base::kPi}, {}).curves;
+      toolpath::zigzagInfill({s, depth, hatches, 2.0, 0, -0.25 * base::kPi}, {}).curves;
   // Angle over the great circle through the guide's middle: u / r of every point far from an end.
   const Vector3d normal = Vector3d(1, 1, 0).normalized();
   std::vector<double> u;

@@ -35,7 +35,7 @@ struct Filled {
       d /= kHatch;
     const std::vector<double> hatches(depth.size(), kHatch);
     toolpath::InfillLines lines =
-        toolpath::zigzagInfill({s, depth, hatches, kFrom, 1.0, 0, angle}, {});
+        toolpath::zigzagInfill({s, depth, hatches, kFrom, 0, angle}, {});
     uniformSpacingMm = std::move(lines.uniformSpacingMm);
     toolpath::ResampleOptions o;
     o.stepMm = kStep;
@@ -144,7 +144,7 @@ TEST(UniformStretches, AreNotOfWhatIsBent) {
   std::vector<double> depth = toolpath::distanceToSegments(s, toolpath::boundarySegments(s), 1e9);
   const std::vector<double> hatches(depth.size(), kHatch);
   EXPECT_TRUE(
-      toolpath::zigzagInfill({s, depth, hatches, kFrom, 1.0, 0, 0.3}, {}).uniformSpacingMm.empty());
+      toolpath::zigzagInfill({s, depth, hatches, kFrom, 0, 0.3}, {}).uniformSpacingMm.empty());
 }
 
 } // namespace

@@ -57,7 +57,7 @@ struct Centrelines {
   // Per vertex: half of the additional width of the outermost wall there; empty: no additional
   // width.
   std::vector<double> extraMm;
-  std::vector<double> depth; // Per vertex: distance from the boundary [hatches]
+  std::vector<double> depth;            // Per vertex: distance from the boundary [hatches]
   std::vector<double> uniformSpacingMm; // InfillLines::uniformSpacingMm
 
   bool isOuterWall(std::size_t k) const { return kind[k] == PathKind::Wall && ring[k] == 0; }
@@ -343,7 +343,6 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
       depth,
       hatchMm,
       static_cast<double>(o.walls),
-      1.0,
       layer,
       base::degreesToRadians(std::remainder(o.infillAngleDeg + layer * o.infillTurnDeg, 180.0)),
       base::degreesToRadians(o.windingAngleDeg),

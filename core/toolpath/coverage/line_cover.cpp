@@ -231,7 +231,7 @@ EvenLines evenLines(const InfillRegion& r, const std::vector<double>& depth,
       ++count;
     }
   hatch /= static_cast<double>(count);
-  const int n = std::max(1, static_cast<int>(std::lround((high - low) * r.density / hatch)));
+  const int n = std::max(1, static_cast<int>(std::lround((high - low) / hatch)));
   const double spacing = (high - low) / n;
   // Lines outside the region are discarded.
   std::vector<double> there(across.size(), std::numeric_limits<double>::quiet_NaN());

@@ -17,7 +17,6 @@ struct InfillRegion {
   const std::vector<double>& depth;   // Per vertex: distance from the boundary [hatches]
   const std::vector<double>& hatchMm; // Per vertex: distance between neighbouring beads
   double from = 0.0;
-  double density = 1.0;      // In (0, 1]
   int layer = 0;             // The direction alternates with the layer
   double directionRad = 0.0; // Direction of straight lines on a flat layer, from x towards y
   double windingRad = 0.0;   // Angle of helical lines from the circumferential direction, [0, pi/2]

@@ -8,8 +8,7 @@ namespace voluta::toolpath {
 InfillLines concentricInfill(const InfillRegion& r, const base::RunContext& ctx) {
   std::vector<SurfaceCurve> curves;
   const double deepest = *std::ranges::max_element(r.depth);
-  const double spacing = 1.0 / r.density;
-  for (double level = r.from + 0.5 * spacing; level < deepest; level += spacing) {
+  for (double level = r.from + 0.5; level < deepest; level += 1.0) {
     ctx.checkpoint();
     for (SurfaceCurve& c : wallAt(r.surface, r.depth, r.hatchMm, r.beadScale, level))
       curves.push_back(std::move(c));

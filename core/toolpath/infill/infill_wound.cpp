@@ -84,7 +84,7 @@ public:
   // Returns a helix over a part that extends all the way around; empty if it is too short for two
   // turns.
   std::vector<SurfaceCurve> helix() const {
-    const double pitch = hatch_ / r_.density, period = s_.chart.periodMm;
+    const double pitch = hatch_, period = s_.chart.periodMm;
     const auto [low, high, areStraight] = ends();
     if (high - low < 2.0 * pitch)
       return {};
@@ -98,7 +98,7 @@ public:
 
   // Returns parallel helices over a part that extends all the way around.
   std::vector<SurfaceCurve> inclined(double angle) const {
-    const double spacing = hatch_ / r_.density, period = s_.chart.periodMm;
+    const double spacing = hatch_, period = s_.chart.periodMm;
     const double sine = std::sin(std::abs(angle));
     const double starts = std::max(1.0, std::round(period * sine / spacing));
     Winding winding;

@@ -107,7 +107,7 @@ LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling&
   base::parallelChunks(silent, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
     markBridges(i, whole, solid, out.covers[i].beads);
     if (split.sparse[i])
-      sparse[i] = sparseBeads(*split.sparse[i], frames[i],
+      sparse[i] = sparseBeads(*split.sparse[i], {stack, i, whole, frames[i]},
                               tooling.at(stack.patches[i].tool).process, options, silent);
   });
   for (std::size_t i = 0; i < sparse.size(); ++i) {

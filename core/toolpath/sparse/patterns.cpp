@@ -20,6 +20,8 @@ using std::numbers::sqrt3;
 // Half of the width [beads] over which countBelow() rises: two lines that cross at a right angle
 // then pass each other a bead apart.
 constexpr double kRise = 0.7;
+// Length of the gyroid's lines per area of a layer [1 / period].
+constexpr double kGyroidLength = 2.455;
 
 // Returns how many of the lines at integers are below `t`. A line is counted gradually, within
 // `rise` of it: as a half at the line itself.
@@ -33,35 +35,51 @@ double countBelow(double t, double rise) {
 // for the sum of the families' counts, if all of them rise with y.
 class Families {
 public:
-  Families(double periodMm, double beadMm) : rise_(std::min(0.45, kRise * beadMm / periodMm)) {}
+  // spacingMm: between the lines of a family.
+  Families(double spacingMm, double beadMm) : spacingMm_(spacingMm), beadMm_(beadMm) {}
 
-  template <typename... Numbers> double at(Numbers... numbers) const {
-    return (countBelow(numbers, rise_) + ...);
+  // `numbers`: per family, an integer on its lines.
+  template <typename... Numbers> double at(const Branching& b, Numbers... numbers) const {
+    return (count(numbers, b) + ...);
   }
 
 private:
-  double rise_; // [periods]
+  double count(double number, const Branching& b) const {
+    const double closer = std::exp2(b.times), spacing = spacingMm_ / closer;
+    // Branches of a line at 0 end at quarters of the distance to its neighbours.
+    const double t = closer * number - (b.times > 0 ? 0.5 : 0.0);
+    const double rise = std::min(0.45, kRise * beadMm_ / spacing);
+    if (b.apartMm <= 0.0)
+      return countBelow(t, rise);
+    const double aside = b.apartMm / spacing;
+    return countBelow(t - aside, rise) + countBelow(t + aside, rise);
+  }
+
+  double spacingMm_, beadMm_;
 };
 
-PatternValue lines(double period, double) {
-  return [period](const Vector3d& p) { return p.y() / period; };
+PatternValue lines(double period, double bead) {
+  const Families families(period, bead);
+  return [=](const Vector3d& p, const Branching& b) {
+    return families.at(b, p.y() / period - 0.5); // The first line is half a period from y = 0
+  };
 }
 
 // Squares that stand on a corner.
 PatternValue grid(double period, double bead) {
   const Families families(period, bead);
-  return [period, families](const Vector3d& p) {
+  return [=](const Vector3d& p, const Branching& b) {
     const double u = p.x() / (std::numbers::sqrt2 * period),
                  v = p.y() / (std::numbers::sqrt2 * period);
-    return families.at(v - u, v + u);
+    return families.at(b, v - u, v + u);
   };
 }
 
 PatternValue triangles(double period, double bead) {
   const Families families(period, bead);
-  return [period, families](const Vector3d& p) {
+  return [=](const Vector3d& p, const Branching& b) {
     const double y = p.y() / period, x = p.x() / period;
-    return families.at(y, 0.5 * y - 0.5 * sqrt3 * x, 0.5 * y + 0.5 * sqrt3 * x);
+    return families.at(b, y, 0.5 * y - 0.5 * sqrt3 * x, 0.5 * y + 0.5 * sqrt3 * x);
   };
 }
 
@@ -69,52 +87,60 @@ PatternValue triangles(double period, double bead) {
 // they are triangles that change from layer to layer.
 PatternValue cubic(double period, double bead) {
   const Families families(period, bead);
-  return [period, families](const Vector3d& p) {
+  return [=](const Vector3d& p, const Branching& b) {
     const double y = p.y() / period, x = p.x() / period,
                  z = std::numbers::sqrt2 / 2.0 * p.z() / period;
-    return families.at(y + z, 0.5 * y - 0.5 * sqrt3 * x - z, 0.5 * y + 0.5 * sqrt3 * x - z);
+    return families.at(b, y + z, 0.5 * y - 0.5 * sqrt3 * x - z, 0.5 * y + 0.5 * sqrt3 * x - z);
   };
 }
 
 // Hexagons with edges of `period`: lines that run along every second of their edges and meet their
 // neighbours, a bead apart, along the others.
 PatternValue honeycomb(double period, double bead) {
-  const double row = 0.5 * sqrt3 * period, most = std::max(0.0, 0.5 - 0.5 * bead / row),
-               rise = std::min(0.25, 0.25 * bead / row); // Ramps of neighbours do not overlap
-  return [=](const Vector3d& p) {
+  const double row = 0.5 * sqrt3 * period, most = std::max(0.0, 0.5 - 0.5 * bead / row);
+  // Lines of a family are two rows apart. Half a bead, so that ramps of neighbours do not overlap.
+  const Families families(2.0 * row, 0.5 / kRise * bead);
+  return [=](const Vector3d& p, const Branching& b) {
     const double t = p.x() / (3.0 * period);
     // Flat over a third of a period, sloping over a sixth.
     const double wave = std::clamp(6.0 * (std::abs(t - std::floor(t) - 0.5) - 0.25), -0.5, 0.5);
-    const double shift = 2.0 * wave * most;
-    const double y = p.y() / row;
+    const double shift = 2.0 * wave * most, y = p.y() / row;
     // Odd lines are mirror images of even ones.
-    return countBelow(0.5 * (y - shift), rise) + countBelow(0.5 * (y + shift) + 0.5, rise);
+    return families.at(b, 0.5 * (y - shift), 0.5 * (y + shift) + 0.5);
   };
 }
 
 // Schoen's gyroid with a cell of `period`.
-PatternValue gyroid(double period, double) {
-  return [period](const Vector3d& p) {
+PatternValue gyroid(double period, double bead) {
+  const Families families(period / kGyroidLength, bead);
+  return [=](const Vector3d& p, const Branching& b) {
     const Vector3d q = 2.0 * base::kPi / period * p;
-    return 0.5 + 0.3 * (std::sin(q.x()) * std::cos(q.y()) + std::sin(q.y()) * std::cos(q.z()) +
-                        std::sin(q.z()) * std::cos(q.x()));
+    constexpr double kMost = 1.5; // midway between the sheets
+    const double g = std::sin(q.x()) * std::cos(q.y()) + std::sin(q.y()) * std::cos(q.z()) +
+                     std::sin(q.z()) * std::cos(q.x());
+    return families.at(b, 0.5 * g / kMost);
   };
 }
 
-// Area of the gyroid in a cubic cell by the cell's face [Schoen 1970], times the mean share of it
-// that a layer cuts.
-constexpr double kGyroidLength = 3.0915 * 0.25 * base::kPi;
-
 constexpr std::array<SparsePattern, 7> kPatterns{{
-    {"gyroid", "gyroid"_text, kGyroidLength, 1.0, gyroid},
-    {"lines", "lines"_text, 1.0, 1.0, lines},
-    {"grid", "grid"_text, 2.0, std::numbers::sqrt2, grid},
-    {"triangles", "triangles"_text, 3.0, 2.0, triangles},
-    {"cubic", "cubic"_text, 3.0, 2.0, cubic},
-    {"honeycomb", "honeycomb"_text, 8.0 / (3.0 * sqrt3), sqrt3, honeycomb},
-    {"concentric", "concentric"_text, 1.0, 1.0, nullptr},
+    {"gyroid", "gyroid"_text, kGyroidLength, 0.0, 1.0, 1.0 / kGyroidLength, 0.6, gyroid},
+    {"lines", "lines"_text, 1.0, 0.0, 1.0, 1.0, std::numbers::sqrt2, lines},
+    {"grid", "grid"_text, 2.0, 0.83, std::numbers::sqrt2, 1.0, 1.0, grid},
+    {"triangles", "triangles"_text, 3.0, 1.43, 2.0, 1.0, 2.0 / sqrt3, triangles},
+    {"cubic", "cubic"_text, 3.0, 1.97, 2.0, 1.0, 2.0 / sqrt3, cubic},
+    {"honeycomb", "honeycomb"_text, 8.0 / (3.0 * sqrt3), 0.62, sqrt3, sqrt3, 2.0, honeycomb},
+    {"concentric", "concentric"_text, 1.0, 0.0, 1.0, 1.0, std::numbers::sqrt2, lines, true},
 }};
 } // namespace
+
+double SparsePattern::periodMm(double density, double hatchMm, double beadMm) const {
+  const double wanted = density / hatchMm, loss = cornerLoss * beadMm;
+  if (loss <= 0.0)
+    return lengthPerArea / wanted;
+  // Of lengthPerArea / period - loss / period^2 = wanted; at most what the pattern can hold.
+  const double root = std::sqrt(std::max(0.0, lengthPerArea * lengthPerArea - 4.0 * loss * wanted));
+  return 2.0 * loss / (lengthPerArea - root);
+}
 
 std::span<const SparsePattern> sparsePatterns() {
   return kPatterns;

@@ -14,7 +14,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -49,6 +52,25 @@ std::vector<Vector3d> coordinates(const PatchSurface& s, const PatternFrame& fra
   return at;
 }
 
+// Returns per vertex the distance from the innermost wall of the patch that the surface is a part
+// of [mm]. Measured straight, since the patch's own surface is not at hand.
+std::vector<double> distanceFromWalls(const PatchSurface& s, const layers::Patch& patch,
+                                      double wallsMm) {
+  const PatchSurface whole = PatchSurface::refine(patch, 1e9);
+  const std::vector<SourceSegment> edges = boundaryParts(whole).surface;
+  std::vector<double> mm(s.position.size(), 0.0);
+  for (std::size_t v = 0; v < mm.size(); ++v) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const SourceSegment& edge : edges) {
+      const Vector3d along = edge.b - edge.a, off = s.position[v] - edge.a;
+      const double t = std::clamp(off.dot(along) / std::max(1e-12, along.squaredNorm()), 0.0, 1.0);
+      least = std::min(least, (off - t * along).squaredNorm());
+    }
+    mm[v] = std::sqrt(least) - wallsMm;
+  }
+  return mm;
+}
+
 // Removes the triangles over which the chart's u jumps by a period, so that no line is drawn over
 // them.
 layers::Patch withoutSeam(const layers::Patch& patch) {
@@ -63,19 +85,76 @@ layers::Patch withoutSeam(const layers::Patch& patch) {
   return open;
 }
 
-std::vector<SurfaceCurve> patternCurves(const InfillRegion& region, const SparsePattern& pattern,
-                                        const PatternFrame& frame, double beadMm,
-                                        const base::RunContext& ctx) {
-  const PatchSurface& s = region.surface;
-  const double period = pattern.periodMm(region.density, region.hatchMm.front());
-  const PatternValue value = pattern.value(period, beadMm);
-  std::vector<double> values;
-  for (const Vector3d& p : coordinates(s, frame, pattern.repeatsAfter * period))
-    values.push_back(value(p));
+// How the lines of a pattern branch towards a skin above, so that it finds spans that its beads can
+// bridge. In each layer the branches are a little farther apart.
+class Branches {
+public:
+  Branches(const SparsePattern& pattern, double periodMm, const process::Process& process)
+      : beadMm_(process.beadWidthMm) {
+    double spacing = pattern.spacing * periodMm, span = pattern.span * periodMm;
+    while (span - beadMm_ > kBridgeShare * process.bridgeMm && spacing > 4.0 * beadMm_ &&
+           layers_.size() < kMaxBranchings) {
+      apart_.push_back(0.25 * spacing);
+      layers_.push_back(
+          1 + std::max(0, static_cast<int>(
+                              std::ceil((0.25 * spacing - 0.5 * beadMm_) / (kLean * beadMm_)))));
+      spacing *= 0.5;
+      span *= 0.5;
+    }
+  }
+
+  int layers() const { return std::accumulate(layers_.begin(), layers_.end(), 0); }
+  int stages() const { return static_cast<int>(layers_.size()) + 1; }
+
+  // Stages: 0 has no branches; in stage k the k-th branching is going on. `left`: layers to the
+  // skin.
+  int stageOf(int left) const {
+    int done = layers() - left, stage = 0;
+    while (done > 0)
+      done -= layers_[at(stage++)];
+    return stage;
+  }
+  // Returns the branching at a place, as seen from a stage that may be another than its own.
+  Branching of(int left, int stage) const {
+    if (stage == 0)
+      return {};
+    int done = layers() - left;
+    for (int k = 0; k + 1 < stage; ++k)
+      done -= layers_[at(k)];
+    const int step = std::clamp(done, 1, layers_[at(stage - 1)]) - 1;
+    return {stage - 1, std::min(apart_[at(stage - 1)], (0.5 + kLean * step) * beadMm_)};
+  }
+
+private:
+  static constexpr double kBridgeShare = 0.85;
+  static constexpr double kLean = 0.4; // [beads] per layer
+  static constexpr std::size_t kMaxBranchings = 3;
+  double beadMm_;
+  std::vector<int> layers_;   // Per branching
+  std::vector<double> apart_; // Per branching, its end [mm]
+};
+
+// Returns per vertex the number of layers to the skin above, at most `most`.
+std::vector<int> layersToSkin(const PatchSurface& s, std::size_t patch, const LayerCount& count,
+                              const ToolpathOptions& o, int most) {
+  std::vector<int> left(s.position.size(), most);
+  if (most == 0 || o.topLayers == 0)
+    return left;
+  for (std::size_t v = 0; v < left.size(); ++v) {
+    const int skin =
+        std::max(o.topLayers, static_cast<int>(std::ceil(o.skinMm / s.thicknessMm[v] - 1e-6)));
+    const int above =
+        count.along(patch, s.position[v], s.direction[v], s.thicknessMm[v], skin + most).count;
+    left[v] = std::clamp(above - skin, 0, most);
+  }
+  return left;
+}
+
+void addLines(const PatchSurface& s, const std::vector<double>& values, LineCover& cover,
+              const base::RunContext& ctx) {
   const auto [low, high] = std::ranges::minmax(values);
   const double first = std::floor(low - 0.5);
   const int count = static_cast<int>(std::ceil(high + 0.5) - first);
-  LineCover cover(region, region.depth);
   const EvenIsolines levels(s, values, first, 1.0, count);
   for (int k = 0; k < count; ++k) {
     ctx.checkpoint();
@@ -84,7 +163,42 @@ std::vector<SurfaceCurve> patternCurves(const InfillRegion& region, const Sparse
       cover.add(c, k);
     }
   }
-  return cover.joined(kFarthestJoin * period, ctx);
+}
+
+std::vector<SurfaceCurve> patternCurves(const InfillRegion& region, const SparsePattern& pattern,
+                                        const SparsePlace& place, const process::Process& process,
+                                        const ToolpathOptions& o, const base::RunContext& ctx) {
+  const PatchSurface& s = region.surface;
+  const double bead = process.beadWidthMm;
+  const double period = pattern.periodMm(o.infillDensity, region.hatchMm.front(), bead);
+  const PatternValue value = pattern.value(period, bead);
+  std::vector<Vector3d> where = coordinates(s, place.frame, pattern.repeatsAfter * period);
+  if (pattern.followsWalls) {
+    const std::vector<double> mm =
+        distanceFromWalls(s, place.stack.patches[place.patch], o.walls * region.hatchMm.front());
+    for (std::size_t v = 0; v < where.size(); ++v)
+      where[v] = {0.0, mm[v], 0.0};
+  }
+  const Branches branches(pattern, period, process);
+  const std::vector<int> left = layersToSkin(s, place.patch, place.layers, o, branches.layers());
+  std::vector<SurfaceCurve> curves;
+  for (int stage = 0; stage < branches.stages(); ++stage) {
+    std::vector<double> values(where.size()), depth = region.depth;
+    bool isAny = false;
+    for (std::size_t v = 0; v < where.size(); ++v) {
+      values[v] = value(where[v], branches.of(left[v], stage));
+      if (branches.stageOf(left[v]) == stage)
+        isAny = true;
+      else
+        depth[v] = -1.0;
+    }
+    if (!isAny)
+      continue;
+    LineCover cover(region, depth);
+    addLines(s, values, cover, ctx);
+    std::ranges::move(cover.joined(kFarthestJoin * period, ctx), std::back_inserter(curves));
+  }
+  return curves;
 }
 
 // Moves the ends of an open bead outwards.
@@ -150,7 +264,7 @@ std::vector<PatternFrame> patternFrames(const layers::LayerStack& stack,
   return frames;
 }
 
-std::vector<Bead> sparseBeads(const layers::Patch& patch, const PatternFrame& frame,
+std::vector<Bead> sparseBeads(const layers::Patch& patch, const SparsePlace& place,
                               const process::Process& process, const ToolpathOptions& o,
                               const base::RunContext& ctx) {
   const SparsePattern& pattern = sparsePattern(o.sparsePattern);
@@ -163,12 +277,9 @@ std::vector<Bead> sparseBeads(const layers::Patch& patch, const PatternFrame& fr
     d /= hatch;
   const std::vector<double> hatchMm(depth.size(), hatch);
   InfillRegion region{s, depth, hatchMm};
-  region.density = o.infillDensity;
   region.beadScale = beadScaleOf(process);
   std::vector<Bead> beads;
-  for (const SurfaceCurve& curve :
-       pattern.value ? patternCurves(region, pattern, frame, process.beadWidthMm, ctx)
-                     : concentricInfill(region, ctx).curves)
+  for (const SurfaceCurve& curve : patternCurves(region, pattern, place, process, o, ctx))
     beads.push_back(beadAlong(s, curve, process, o.stepMm));
   return beads;
 }

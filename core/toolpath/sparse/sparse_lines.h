@@ -6,8 +6,10 @@
 #include "process/process.h"
 #include "toolpath/coverage/cover_patch.h"
 #include "toolpath/options.h"
+#include "toolpath/sparse/layer_count.h"
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 namespace voluta::toolpath {
@@ -22,11 +24,20 @@ struct PatternFrame {
 std::vector<PatternFrame> patternFrames(const layers::LayerStack& stack,
                                         const ToolpathOptions& options);
 
+// A sparse part in its stack.
+struct SparsePlace {
+  const layers::LayerStack& stack;
+  std::size_t patch; // Index of its patch
+  const LayerCount& layers;
+  PatternFrame frame;
+};
+
 // Beads of the process's usual width along the pattern's lines, joined along the edge of the patch
 // where ends of neighbours are near each other; free ends reach into the wall or skin beside them.
-// `patch`: one of SplitLayers::sparse. None for density 0. Throws Cancelled, Error{Usage} for an
-// unknown pattern.
-std::vector<Bead> sparseBeads(const layers::Patch& patch, const PatternFrame& frame,
+// Where the lines are too far apart for the skin above to bridge, each branches into two over the
+// layers below it. `patch`: one of SplitLayers::sparse. None for density 0. Throws Cancelled,
+// Error{Usage} for an unknown pattern.
+std::vector<Bead> sparseBeads(const layers::Patch& patch, const SparsePlace& place,
                               const process::Process& process, const ToolpathOptions& options,
                               const base::RunContext& ctx);
 

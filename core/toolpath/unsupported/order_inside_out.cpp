@@ -150,6 +150,7 @@ std::optional<PassResult> orderInsideOut(const UnsupportedBeads& beads, const Se
   if (inPlace == order.size())
     return std::nullopt;
   PassResult out;
+  out.beads.plan.fill = beads.plan.fill;
   for (const OrderedPath& next : order)
     appendPath(out.beads, beads, next);
   return out;
