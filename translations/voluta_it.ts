@@ -7076,6 +7076,89 @@ previsto</translation>
         <source>events of unequal number</source>
         <translation>eventi in numero diverso</translation>
     </message>
+    <message>
+        <source>Share of the interior that is filled; 1 is solid, 0 hollow. Walls and skins are always solid.</source>
+        <translation>Quota dell&apos;interno che viene riempita; 1 è pieno, 0 vuoto. Pareti e pelli sono sempre piene.</translation>
+    </message>
+    <message>
+        <source>sparse pattern</source>
+        <translation>motivo rado</translation>
+    </message>
+    <message>
+        <source>Pattern of the interior if its density is below 1.</source>
+        <translation>Motivo dell&apos;interno se la sua densità è minore di 1.</translation>
+    </message>
+    <message>
+        <source>top layers</source>
+        <translation>strati superiori</translation>
+    </message>
+    <message>
+        <source>Solid layers between the sparse interior and the surface above it.</source>
+        <translation>Strati pieni tra l&apos;interno rado e la superficie sopra di esso.</translation>
+    </message>
+    <message>
+        <source>bottom layers</source>
+        <translation>strati inferiori</translation>
+    </message>
+    <message>
+        <source>Solid layers between the sparse interior and the surface below it.</source>
+        <translation>Strati pieni tra l&apos;interno rado e la superficie sotto di esso.</translation>
+    </message>
+    <message>
+        <source>skin thickness</source>
+        <translation>spessore della pelle</translation>
+    </message>
+    <message>
+        <source>Minimum thickness of the top and bottom layers together with their number.</source>
+        <translation>Spessore minimo degli strati superiori e inferiori, oltre al loro numero.</translation>
+    </message>
+    <message>
+        <source>gyroid</source>
+        <translation>giroide</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>linee</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>griglia</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>triangoli</translation>
+    </message>
+    <message>
+        <source>cubic</source>
+        <translation>cubico</translation>
+    </message>
+    <message>
+        <source>honeycomb</source>
+        <translation>nido d&apos;ape</translation>
+    </message>
+    <message>
+        <source>unknown sparse infill &apos;{id}&apos;</source>
+        <translation>riempimento rado &apos;{id}&apos; sconosciuto</translation>
+    </message>
+    <message>
+        <source>Sparse infill</source>
+        <translation>Riempimento rado</translation>
+    </message>
+    <message>
+        <source>Bridge</source>
+        <translation>Ponte</translation>
+    </message>
+    <message numerus="yes">
+        <source>the skin above a hollow interior has nothing to rest on: {paths} bead, from this place on|the skins above a hollow interior have nothing to rest on: {paths} beads, from this place on</source>
+        <translation>
+            <numerusform>la pelle sopra un interno vuoto non ha appoggio: {paths} cordone, da questo punto in poi</numerusform>
+            <numerusform>le pelli sopra un interno vuoto non hanno appoggio: {paths} cordoni, da questo punto in poi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>set infillDensity to 0.1 or more; for a part that is open at the top, set topLayers to 0</source>
+        <translation>imposta infillDensity a 0.1 o più; per un pezzo aperto in alto, imposta topLayers a 0</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -9540,6 +9623,14 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Prime</source>
         <translation>Innesco</translation>
+    </message>
+    <message>
+        <source>Sparse infill</source>
+        <translation>Riempimento rado</translation>
+    </message>
+    <message>
+        <source>Bridge</source>
+        <translation>Ponte</translation>
     </message>
 </context>
 <context>

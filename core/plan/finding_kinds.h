@@ -78,6 +78,7 @@ enum class FindingKind : std::uint8_t {
   GivenWithoutSection,
   GivenTooFast,
   PatchWithoutBead,
+  HollowSkin,
   RimSupports,
   PrimeFalls,
   Braced,

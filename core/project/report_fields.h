@@ -75,7 +75,9 @@ constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
                     Field{"overlapFraction", &R::overlapFraction, "%"},
                     Field{"gouges", &R::gouges},
                     Field{"maxTurnDeg", &R::maxTurnDeg, "deg"},
-                    Field{"materialMm3", &R::materialMm3, "mm³"}};
+                    Field{"materialMm3", &R::materialMm3, "mm³"},
+                    Field{"sparseMm3", &R::sparseMm3, "mm³", true},
+                    Field{"sparseBeadMm3", &R::sparseBeadMm3, "mm³", true}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::MotionStatistics>) {
   using R = plan::MotionStatistics;

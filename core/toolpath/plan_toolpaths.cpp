@@ -125,6 +125,23 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
   return out;
 }
 
+namespace {
+// Returns the finding about skins that no infill carries.
+std::optional<plan::Finding> hollowSkin(const std::vector<PatchCover>& covers) {
+  std::size_t paths = 0;
+  std::optional<Vector3d> first;
+  for (const PatchCover& cover : covers)
+    for (const Bead& bead : cover.beads)
+      if (bead.kind == PathKind::Bridge) {
+        ++paths;
+        first = first.value_or(bead.points.front().middle);
+      }
+  if (!first)
+    return std::nullopt;
+  return plan::makeFinding(plan::FindingKind::HollowSkin, {{"paths", paths}}, *first, paths);
+}
+} // namespace
+
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
                              const process::Tooling& tooling, const ToolpathOptions& options,
                              const base::RunContext& ctx) {
@@ -135,6 +152,9 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   const std::vector<PatchCover>& covers = made.covers;
   Assembled assembled = assemble(stack, covers, tooling);
   assembled.plan.fill = made.fill;
+  if (options.infillDensity <= 0.0)
+    if (auto finding = hollowSkin(covers))
+      r.findings.push_back(std::move(*finding));
   // Added here, so that the travel moves of the head account for the prime as for every bead.
   if (auto falls = addPrimePath(assembled.plan, cell, tooling, options))
     r.findings.push_back(std::move(*falls));

@@ -26,7 +26,7 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
       "withinLimitsFraction"}},
     {"toolpath",
      {"paths", "waypoints", "lengthMm", "travelMm", "starts", "simpleRegions", "coveredFraction",
-      "overlapFraction", "gouges", "maxTurnDeg", "materialMm3"}},
+      "overlapFraction", "gouges", "maxTurnDeg", "materialMm3", "sparseMm3", "sparseBeadMm3"}},
     {"motion",
      {"robot", "cell", "waypoints", "unreachable", "collisions", "splits", "maxJerk",
       "sumSquaredJerk", "sumSquaredJerkBefore", "minClearanceMm", "minClearanceAtS", "durationS"}},

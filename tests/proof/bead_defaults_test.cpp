@@ -74,18 +74,4 @@ TEST_P(WideBeads, ABoxPassesWithoutFurtherSettings) {
 
 INSTANTIATE_TEST_SUITE_P(Widths, WideBeads, testing::Values(3.0, 8.0));
 
-TEST(InfillDensity, IsNotOfferedAndSaysWhy) {
-  EXPECT_EQ(offeredParameters().find("infillDensity"), nullptr);
-  project::Choices choices;
-  setParameters(choices, {"infillDensity=1"});
-  try {
-    setParameters(choices, {"infillDensity=0.4"});
-    FAIL();
-  } catch (const base::Error& error) {
-    EXPECT_EQ(error.code(), base::ErrorCode::Usage);
-    EXPECT_THAT(base::english(error.whole()),
-                testing::HasSubstr("infill density 0.4 cannot be printed yet"));
-  }
-}
-
 } // namespace
