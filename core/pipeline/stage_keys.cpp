@@ -40,10 +40,10 @@ std::string ownMaterialKey(const process::Material& m) {
 ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
                speed, travelSpeed, acceleration, tolerance, bridge, bridgeSpeed, maxFlow, prime,
-               retract, material, head] = process;
+               retract, material, head, features] = process;
   static_cast<void>(label); // The label affects no result.
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
-                        bridge, bridgeSpeed, maxFlow),
+                        bridge, bridgeSpeed, maxFlow, features.all()),
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
           base::keyText(id, nozzle, prime, retract, material.label, material.densityGPerCm3) +
               ownMaterialKey(material)};

@@ -67,7 +67,7 @@ Process readProcessText(const std::string& text, const std::string& name) {
   top.allowOnly({"id", "label", "nozzleDiameterMm", "layerHeightMm", "beadWidthMm", "stepMm",
                  "speedMmPerS", "travelSpeedMmPerS", "accelerationMmPerS2", "contactToleranceMm",
                  "bridgeMm", "bridgeSpeedMmPerS", "maxFlowMm3PerS", "primeS", "retractMm",
-                 "material", "densityGPerCm3", "head"});
+                 "material", "densityGPerCm3", "head", "features"});
   Process p;
   p.id = top.at("id").text();
   p.label = top.at("label").text();
@@ -89,6 +89,9 @@ Process readProcessText(const std::string& text, const std::string& name) {
   if (top.has("retractMm"))
     p.retractMm = top.at("retractMm").notNegative();
   p.head = readHead(top.at("head"));
+  if (top.has("features"))
+    p.features =
+        readFeatures(top.at("features"), {p.beadWidthMinMm, p.beadWidthMm, p.beadWidthMaxMm});
   return p;
 }
 

@@ -1,6 +1,7 @@
 // A process: nozzle, head, bead limits, speeds and material (resources/processes/*.json).
 #pragma once
 
+#include "process/features.h"
 #include "process/material.h"
 
 #include <filesystem>
@@ -39,6 +40,7 @@ struct Process {
   double retractMm = 0.0;          // Length of filament, retracted for a travel; 0: none
   Material material;               // With the density that the process's file states, if any
   HeadShape head;
+  FeatureTable features; // Optional in the file
 };
 
 // Throws Error{UnreadableFile} if the file is missing or not JSON; Error{UnusableInput} naming file

@@ -120,5 +120,55 @@ TEST_F(Processes, whatMakesNoSenseIsRefusedWithFileAndKey) {
       "[[0.0, 0.5], [0.0, 6.0]]", "head");
 }
 
+// The fine process with this block of features.
+Process withFeatures(const std::string& block) {
+  std::string text =
+      base::readFile(std::string(VOLUTA_SOURCE_DIR) + "/resources/processes/fdm-0.35.json");
+  return readProcessText(text.insert(text.find("\"head\""), "\"features\": " + block + ", "),
+                         "own");
+}
+
+TEST_F(Processes, featuresAreOptionalAndReadByKey) {
+  for (const FeatureSettings& none : loadProcess("fdm-0.35").features.all()) {
+    EXPECT_EQ(none.speedMmPerS, 0.0);
+    EXPECT_EQ(none.flow, 1.0);
+    EXPECT_EQ(none.widthMm, 0.0);
+  }
+  for (const FeatureRow& row : featureRows()) {
+    SCOPED_TRACE(row.key);
+    const Process p = withFeatures("{\"" + std::string(row.key) + "\": {\"flow\": 0.9" +
+                                   (row.hasSpeed ? ", \"speedMmPerS\": 12" : "") +
+                                   (row.hasWidth ? ", \"widthMm\": 0.8" : "") + "}}");
+    for (const FeatureRow& other : featureRows())
+      EXPECT_EQ(p.features.of(other.feature).flow, &other == &row ? 0.9 : 1.0);
+    EXPECT_EQ(p.features.of(row.feature).speedMmPerS, row.hasSpeed ? 12.0 : 0.0);
+    EXPECT_EQ(p.features.of(row.feature).widthMm, row.hasWidth ? 0.8 : 0.0);
+  }
+}
+
+TEST_F(Processes, featuresThatMakeNoSenseAreRefusedWithTheirKey) {
+  const std::pair<const char*, const char*> rows[] = {
+      {R"({"outerwall": {}})", "features.outerwall"},
+      {R"({"outerWall": {"speed": 1}})", "features.outerWall.speed"},
+      {R"({"infill": {"speedMmPerS": 0}})", "features.infill.speedMmPerS"},
+      {R"({"infill": {"flow": 2.5}})", "features.infill.flow"},
+      {R"({"infill": {"widthMm": 0.8}})", "features.infill.widthMm"},
+      {R"({"bridge": {"speedMmPerS": 5}})", "features.bridge.speedMmPerS"},
+      {R"({"outerWall": {"widthMm": 0.5}})", "features.outerWall.widthMm"},
+      {R"({"support": {"widthMm": 1.5}})", "features.support.widthMm"}};
+  for (const auto& [block, key] : rows) {
+    SCOPED_TRACE(block);
+    try {
+      withFeatures(block);
+      ADD_FAILURE();
+    } catch (const base::Error& e) {
+      EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
+      EXPECT_NE(voluta::base::english(e.message()).find("'" + std::string(key) + "'"),
+                std::string::npos)
+          << e.what();
+    }
+  }
+}
+
 } // namespace
 } // namespace voluta::process

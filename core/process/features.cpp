@@ -1,0 +1,72 @@
+#include "process/features.h"
+
+#include "base/json_node.h"
+#include "base/units.h"
+
+namespace voluta::process {
+
+namespace {
+using base::JsonNode;
+
+constexpr double kLeastFlow = 0.5, kMostFlow = 2.0;
+
+constexpr std::array<FeatureRow, kFeatures> kRows{{
+    {.feature = Feature::OuterWall, .key = "outerWall", .hasWidth = true},
+    {.feature = Feature::InnerWall, .key = "innerWall"},
+    {.feature = Feature::Infill, .key = "infill"},
+    {.feature = Feature::SparseInfill, .key = "sparseInfill"},
+    {.feature = Feature::Bridge, .key = "bridge", .hasSpeed = false},
+    {.feature = Feature::Support, .key = "support", .hasWidth = true},
+    {.feature = Feature::FirstLayer, .key = "firstLayer", .hasWidth = true},
+}};
+
+double readFlow(const JsonNode& node) {
+  const double flow = node.positive();
+  if (flow < kLeastFlow || flow > kMostFlow)
+    node.fail(base::message("must be between {least} and {most}"_text, base::number(kLeastFlow),
+                            base::number(kMostFlow)));
+  return flow;
+}
+
+double readWidth(const JsonNode& node, double minMm, double maxMm) {
+  const double width = node.positive();
+  if (width < minMm || width > maxMm)
+    node.fail(
+        base::message("must be between {least} and {most}"_text, base::mm(minMm), base::mm(maxMm)));
+  return width;
+}
+
+} // namespace
+
+std::span<const FeatureRow> featureRows() {
+  return kRows;
+}
+
+FeatureTable readFeatures(const JsonNode& node, const WidthRange& widths) {
+  node.allowOnly(
+      {"outerWall", "innerWall", "infill", "sparseInfill", "bridge", "support", "firstLayer"});
+  FeatureTable table;
+  for (const FeatureRow& row : kRows) {
+    if (!node.has(row.key))
+      continue;
+    const JsonNode own = node.at(row.key);
+    if (row.hasWidth)
+      own.allowOnly({"speedMmPerS", "flow", "widthMm"});
+    else if (row.hasSpeed)
+      own.allowOnly({"speedMmPerS", "flow"});
+    else
+      own.allowOnly({"flow"});
+    FeatureSettings& settings = table.of(row.feature);
+    if (own.has("speedMmPerS"))
+      settings.speedMmPerS = own.at("speedMmPerS").positive();
+    if (own.has("flow"))
+      settings.flow = readFlow(own.at("flow"));
+    if (own.has("widthMm"))
+      settings.widthMm = readWidth(
+          own.at("widthMm"), row.feature == Feature::OuterWall ? widths.usualMm : widths.minMm,
+          widths.maxMm);
+  }
+  return table;
+}
+
+} // namespace voluta::process
