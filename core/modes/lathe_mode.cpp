@@ -251,7 +251,7 @@ base::ParameterTable latheParameters() {
                             "distance from the rod's profile."_text,
                             true),
       base::numberParameter("firstLayerMm", "mm", 0.0, 0.0, 10.0, "Layers"_text, "first layer"_text,
-                            "Modes lathe and substrate: height of the first layer. 0: "
+                            "Height of the first layer; in all modes except curved. 0: "
                             "same as the other layers."_text),
   });
 }

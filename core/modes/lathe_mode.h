@@ -8,8 +8,8 @@ namespace voluta::modes {
 
 Mode latheMode();
 
-// Parameters rodAxis, rodSides, rodProfile, rodLayers, and firstLayerMm, which mode substrate also
-// uses.
+// Parameters rodAxis, rodSides, rodProfile, rodLayers, and firstLayerMm, which modes flat, planar
+// and substrate also use.
 base::ParameterTable latheParameters();
 
 } // namespace voluta::modes

@@ -8,7 +8,7 @@
 
 namespace voluta::modes {
 
-substrate::LevelOptions levelOptions(const ModeChoices& in) {
+double firstLayerMm(const ModeChoices& in) {
   const process::Process& p = in.process;
   const double first = in.values.number("firstLayerMm");
   if (first != 0.0 && (first < p.layerHeightMinMm || first > p.layerHeightMaxMm))
@@ -18,7 +18,12 @@ substrate::LevelOptions levelOptions(const ModeChoices& in) {
                       "firstLayerMm"_name,
                       base::message("give 0, or {least#} to {most}"_text,
                                     base::mm(p.layerHeightMinMm), base::mm(p.layerHeightMaxMm)));
-  return {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm, first, p.beadWidthMm};
+  return first;
+}
+
+substrate::LevelOptions levelOptions(const ModeChoices& in) {
+  const process::Process& p = in.process;
+  return {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm, firstLayerMm(in), p.beadWidthMm};
 }
 
 substrate::OverhangRule overhangRule(const ModeChoices& in) {

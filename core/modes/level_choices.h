@@ -1,4 +1,5 @@
-// Options and report shared by the modes whose layers follow a ground surface (lathe, substrate).
+// Options and report shared by the modes whose layers follow a ground surface (lathe, substrate),
+// and the first layer of all modes that have layers of given heights.
 #pragma once
 
 #include "modes/mode.h"
@@ -10,6 +11,9 @@
 
 namespace voluta::modes {
 
+// Returns the height of the first layer [mm]; 0: as the others. Throws Error{Usage} if it is
+// outside the process's limits.
+double firstLayerMm(const ModeChoices& in);
 // Returns layer heights, bead width and firstLayerMm. Throws Error{Usage} if the first layer is
 // outside the process's limits.
 substrate::LevelOptions levelOptions(const ModeChoices& in);

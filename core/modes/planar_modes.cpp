@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "geometry/measures.h"
+#include "modes/level_choices.h"
 #include "modes/piece_search.h"
 #include "modes/planar_platform.h"
 #include "modes/plate.h"
@@ -40,6 +41,7 @@ SlicePlan slicePlan(const ModeChoices& in) {
   options.heights.maxMm = in.process.layerHeightMaxMm;
   options.heights.adaptive = in.values.boolean("adaptiveLayers");
   options.heights.cuspMm = in.values.number("cuspMm");
+  options.heights.firstMm = firstLayerMm(in);
   options.beadWidthMm = in.process.beadWidthMm;
   options.supports = support::supportsWanted(in.values);
   options.overhangRad = riskRule(in).overhangRad;
@@ -258,7 +260,7 @@ Mode planarMode() {
             {slicePlan, sliced},
             project::ResultKind::InPieces,
             {"overhangAngle", "pieceMaterials", "cutPlanes", "planarScheme", "pieceClusters",
-             "pieceRoot", "adaptiveLayers", "cuspMm", "supports"}};
+             "pieceRoot", "adaptiveLayers", "cuspMm", "firstLayerMm", "supports"}};
   mode.cuts = true;
   return mode;
 }
@@ -270,7 +272,7 @@ Mode flatMode() {
                {flatSlicePlan, sliced},
                project::ResultKind::InPieces,
                {"voxelMm", "overhangAngle", "pieceMaterials", "adaptiveLayers", "cuspMm",
-                "layerPlanes", "supports"}};
+                "firstLayerMm", "layerPlanes", "supports"}};
   mode.upright = true;
   return mode;
 }

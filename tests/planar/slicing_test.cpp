@@ -217,6 +217,37 @@ TEST(LayerBounds, ElsewhereTheLastLayerIsWhatIsLeft) {
   }
 }
 
+TEST(LayerBounds, AFirstLayerOfItsOwnHeightComesFirst) {
+  HeightOptions options;
+  options.firstMm = 0.5;
+  for (const bool adaptive : {false, true})
+    for (const double height : {0.95, 1.2, 3.0, 8.0, 8.3, 10.7}) {
+      options.adaptive = adaptive;
+      for (const Piece& piece :
+           {pieceOf(test::box({0, 0, 0}, {20, 20, height})), pieceOf(cone(8.0, height, 32))}) {
+        const std::vector<double> bounds = layerBounds(piece, options);
+        EXPECT_EQ(bounds.front(), 0.0);
+        EXPECT_EQ(bounds[1], 0.5) << height;
+        EXPECT_EQ(bounds.back(), height);
+        for (std::size_t k = 1; k < bounds.size(); ++k) {
+          EXPECT_LE(bounds[k] - bounds[k - 1], 1.0 + 1e-9);
+          EXPECT_GE(bounds[k] - bounds[k - 1], 0.4 - 1e-9);
+        }
+      }
+    }
+  // Too low for a second layer.
+  const std::vector<double> low =
+      layerBounds(pieceOf(test::box({0, 0, 0}, {20, 20, 0.8})), options);
+  EXPECT_EQ(low, (std::vector<double>{0.0, 0.8}));
+  // A shelf above it still lies between layers.
+  const TriangleMesh step =
+      prism({{0, 0}, {20, 0}, {20, 3.3}, {10, 3.3}, {10, 9.0}, {0, 9.0}}, 20.0);
+  options.adaptive = false;
+  const std::vector<double> stepped = layerBounds(pieceOf(step), options);
+  EXPECT_EQ(stepped[1], 0.5);
+  EXPECT_TRUE(std::ranges::any_of(stepped, [](double z) { return std::abs(z - 3.3) < 1e-9; }));
+}
+
 TEST(LayerBounds, AdaptiveLayersAreThinWhereTheSurfaceLeans) {
   HeightOptions options;
   options.adaptive = true;

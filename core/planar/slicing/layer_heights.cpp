@@ -49,9 +49,9 @@ double topOf(const Piece& piece) {
   return top;
 }
 
-// Returns the heights, ascending, of the relevant flat faces that layers can all end on; includes
-// the top if it is flat.
-std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
+// Returns the heights, ascending, of the relevant flat faces above `from` that layers can all end
+// on; includes the top if it is flat.
+std::vector<double> shelvesOf(const Piece& piece, double fromMm, double top, double leastMm) {
   struct Face {
     double height, areaMm2;
   };
@@ -83,7 +83,7 @@ std::vector<double> shelvesOf(const Piece& piece, double top, double leastMm) {
     const auto near = [&](double height) {
       return std::abs(shelf.height - height) < leastMm - kRounding;
     };
-    if (!near(0.0) && !near(top) && std::ranges::none_of(chosen, near))
+    if (shelf.height > fromMm && !near(fromMm) && !near(top) && std::ranges::none_of(chosen, near))
       chosen.push_back(shelf.height);
   }
   std::ranges::sort(chosen);
@@ -137,14 +137,18 @@ double adaptiveHeight(const std::vector<Slope>& slopes, double z, const HeightOp
 std::vector<double> layerBounds(const Piece& piece, const HeightOptions& o) {
   base::require(o.minMm > 0.0 && o.minMm <= o.wantedMm && o.wantedMm <= o.maxMm && o.cuspMm > 0.0,
                 "layerBounds: heights in order");
+  base::require(o.firstMm == 0.0 || (o.firstMm >= o.minMm && o.firstMm <= o.maxMm),
+                "layerBounds: the first height is within the limits");
   const double top = topOf(piece);
   std::vector<double> bounds{0.0};
-  if (top <= o.maxMm) {
-    appendEven(bounds, top, evenCount(top, o));
+  if (o.firstMm > 0.0 && top >= o.firstMm + o.minMm)
+    bounds.push_back(o.firstMm);
+  if (const double remaining = top - bounds.back(); remaining <= o.maxMm) {
+    appendEven(bounds, top, evenCount(remaining, o));
     return bounds;
   }
   if (!o.adaptive)
-    for (const double shelf : shelvesOf(piece, top, o.minMm))
+    for (const double shelf : shelvesOf(piece, bounds.back(), top, o.minMm))
       appendEven(bounds, shelf, evenCount(shelf - bounds.back(), o));
   const std::vector<Slope> slopes = o.adaptive ? slopesOf(piece) : std::vector<Slope>{};
   while (top - bounds.back() > kSameMm) {

@@ -178,7 +178,10 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   std::vector<Level> levels;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     sections.emplace_back(pieces[p].solid.mesh, pieces[p].base.normal);
-    const std::vector<double> bounds = layerBounds(pieces[p], options.heights);
+    HeightOptions heights = options.heights;
+    if (pieces[p].baseTag != kPlate)
+      heights.firstMm = 0.0;
+    const std::vector<double> bounds = layerBounds(pieces[p], heights);
     boundsOf.push_back(bounds);
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
       levels.push_back({p, bounds[k], bounds[k + 1], static_cast<int>(levels.size())});

@@ -49,7 +49,8 @@ struct SliceResult {
 layers::LevelSurface sectionSurface(const Section& section, double edgeMm,
                                     const base::RunContext& ctx);
 
-// Slices each piece along its base's normal (layerBounds). A layer's mid-surface is the section at
+// Slices each piece along its base's normal (layerBounds); only pieces on the plate have a first
+// layer of its own height. A layer's mid-surface is the section at
 // half its height, its direction the normal. Layers are numbered over all pieces in their order.
 // Sections that cross or touch themselves are taken up to 1e-4 mm higher or lower, else filled by
 // their winding, as slicers do with self-intersecting meshes. Findings report areas too small for a
