@@ -735,8 +735,8 @@ persi</translation>
         <translation>Modo substrate: strati a distanza costante dalla superficie, su sfere, su cilindri lungo x, o che si spianano dalla superficie a una superficie finale con spessore variabile.</translation>
     </message>
     <message>
-        <source>Modes lathe and substrate: height of the first layer. 0: same as the other layers.</source>
-        <translation>Modi lathe e substrate: altezza del primo strato. 0: come gli altri strati.</translation>
+        <source>Height of the first layer; in all modes except curved. 0: same as the other layers.</source>
+        <translation>Altezza del primo strato; in tutti i modi tranne curved. 0: come gli altri strati.</translation>
     </message>
     <message>
         <source>Modes planar and flat: thinner layers where the surface is inclined, within the process&apos;s limits.</source>
@@ -5419,6 +5419,42 @@ mm³</translation>
     <message>
         <source>must have minMm below maxMm</source>
         <translation>deve avere minMm inferiore a maxMm</translation>
+    </message>
+    <message>
+        <source>first-layer bead width</source>
+        <translation>larghezza cordone del primo strato</translation>
+    </message>
+    <message>
+        <source>Nominal bead width of the first layer and the brim; limited by the process. 0: that of the process.</source>
+        <translation>Larghezza nominale dei cordoni del primo strato e della tesa; limitata dal processo. 0: quella del processo.</translation>
+    </message>
+    <message>
+        <source>first-layer speed</source>
+        <translation>velocità del primo strato</translation>
+    </message>
+    <message>
+        <source>Speed of all beads of the first layer and of the brim. 0: that of the process.</source>
+        <translation>Velocità di tutti i cordoni del primo strato e della tesa. 0: quella del processo.</translation>
+    </message>
+    <message>
+        <source>brim width</source>
+        <translation>larghezza della tesa</translation>
+    </message>
+    <message>
+        <source>Width of the loops on the plate around the first layer, which keep it from lifting; break them off after printing. 0: no brim.</source>
+        <translation>Larghezza degli anelli sul piano attorno al primo strato, che gli impediscono di sollevarsi; staccarli dopo la stampa. 0: nessuna tesa.</translation>
+    </message>
+    <message>
+        <source>no room on the plate for the whole brim, {width} wide: {share:.0f} of its length is left out</source>
+        <translation>nessun posto sul piano per l&apos;intera tesa, larga {width}: {share:.0f} della sua lunghezza è omesso</translation>
+    </message>
+    <message>
+        <source>use a larger plate (--platform), move the part to the middle, or set a smaller brimWidthMm</source>
+        <translation>usare un piano più grande (--platform), spostare il pezzo al centro o ridurre brimWidthMm</translation>
+    </message>
+    <message>
+        <source>must be between {least} and {most}</source>
+        <translation>deve essere tra {least} e {most}</translation>
     </message>
     <message>
         <source>prime length</source>

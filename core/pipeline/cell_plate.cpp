@@ -16,6 +16,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kRoomMm = 3.0;     // Margin around the foot and the supports
+constexpr double kBrimEdgeMm = 1.0; // Between a brim and the plate's edge
 constexpr double kStandingMm = 0.5; // Above the part's lowest point
 
 } // namespace
@@ -39,7 +40,8 @@ PlateNeeds plateNeeds(const base::ParameterValues& values) {
   return {.supports = support::supportsWanted(values),
           .prime = prime != "none",
           .primeIsRing = prime == "skirt",
-          .primeLengthMm = values.number("primeLengthMm")};
+          .primeLengthMm = values.number("primeLengthMm"),
+          .brimMm = values.number("brimWidthMm")};
 }
 
 std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::TriangleMesh& part,
@@ -54,15 +56,21 @@ std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::Triangl
       points.emplace_back(v.head<2>());
   else
     points = footOf(part);
+  const std::vector<Vector2d> withBrim =
+      geometry::convexPolygon(points, std::max(kRoomMm, needs.brimMm + kBrimEdgeMm));
   points = geometry::convexPolygon(std::move(points), kRoomMm);
   std::vector<Vector2d> plate, carrying;
+  const auto carries = [&plate](const std::vector<Vector2d>& all) {
+    return std::ranges::all_of(
+        all, [&](const Vector2d& p) { return geometry::inConvexPolygon(plate, p); });
+  };
   for (const std::string& text : cell.plates()) {
     plate = project::Platform(text).plateAround({});
-    if (!std::all_of(points.begin(), points.end(),
-                     [&](const Vector2d& p) { return geometry::inConvexPolygon(plate, p); }))
+    if (!carries(points))
       continue;
-    if (!needs.prime ||
-        toolpath::hasRoomForPrime(plate, part.vertices, needs.primeIsRing, needs.primeLengthMm))
+    if (carries(withBrim) &&
+        (!needs.prime ||
+         toolpath::hasRoomForPrime(plate, part.vertices, needs.primeIsRing, needs.primeLengthMm)))
       return plate;
     if (carrying.empty())
       carrying = plate;

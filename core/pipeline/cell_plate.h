@@ -22,12 +22,13 @@ struct PlateNeeds {
   bool prime = false;       // A priming bead next to the whole part (toolpath/prime_path.h)
   bool primeIsRing = false; // The priming bead surrounds the part
   double primeLengthMm = 0.0;
+  double brimMm = 0.0; // A brim of this width around the foot (toolpath/brim.h)
 };
 PlateNeeds plateNeeds(const base::ParameterValues& values);
 
 // Returns the corners of the smallest of the cell's plates that carries `part` (placed, [mm]) with
-// a margin around its foot and has room for `needs`. If no plate has room for the priming bead,
-// returns the smallest one that carries the part; if none carries it, the largest. Throws
+// a margin around its foot and has room for `needs`. If no plate has room for the priming bead and
+// the brim, returns the smallest one that carries the part; if none carries it, the largest. Throws
 // Error{Usage} if the cell has no plates.
 std::vector<Eigen::Vector2d> cellPlate(const robot::Cell& cell, const geometry::TriangleMesh& part,
                                        const PlateNeeds& needs);

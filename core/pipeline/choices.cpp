@@ -74,6 +74,14 @@ base::ParameterTable allParameters() {
                             "Nominal layer height; limited by the process."_text, true),
       base::numberParameter("beadWidthMm", "mm", 1.2, 0.1, 20.0, "Beads"_text, "bead width"_text,
                             "Nominal bead width; limited by the process."_text, true),
+      base::numberParameter("firstLayerWidthMm", "mm", 0.0, 0.0, 20.0, "Beads"_text,
+                            "first-layer bead width"_text,
+                            "Nominal bead width of the first layer and the brim; limited by the "
+                            "process. 0: that of the process."_text),
+      base::numberParameter("firstLayerSpeedMmPerS", "mm/s", 0.0, 0.0, 500.0, "Beads"_text,
+                            "first-layer speed"_text,
+                            "Speed of all beads of the first layer and of the brim. 0: that of "
+                            "the process."_text),
       base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads"_text, "step"_text,
                             "Maximum distance between waypoints along a tool-path."_text),
       base::numberParameter(
@@ -214,6 +222,11 @@ process::Process chosenProcess(const project::Choices& choices,
   put("layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
   put("beadWidthMm", p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
   put("stepMm", p.stepMm, 0.1, 10.0);
+  process::FeatureSettings& first = p.features.of(process::Feature::FirstLayer);
+  if (values.number("firstLayerWidthMm") > 0.0)
+    put("firstLayerWidthMm", first.widthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
+  if (values.number("firstLayerSpeedMmPerS") > 0.0)
+    first.speedMmPerS = values.number("firstLayerSpeedMmPerS");
   put("retractMm", p.retractMm, 0.0, 8.0);
   if (values.text("prime") == "none")
     p.primeS = 0.0;

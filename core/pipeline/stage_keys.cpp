@@ -81,7 +81,8 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   if (c.item().platform.isOfCell()) {
     const PlateNeeds needs = plateNeeds(in.values);
     text += "a plate of\n" + cell +
-            base::keyText(needs.supports, needs.prime, needs.primeIsRing, needs.primeLengthMm);
+            base::keyText(needs.supports, needs.prime, needs.primeIsRing, needs.primeLengthMm,
+                          needs.brimMm);
   }
   const modes::Mode& mode = modes::findMode(c.item().mode);
   if (mode.place)

@@ -81,6 +81,7 @@ enum class FindingKind : std::uint8_t {
   HollowSkin,
   RimSupports,
   PrimeFalls,
+  BrimCut,
   Braced,
   Gouge,
   // motion

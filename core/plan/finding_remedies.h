@@ -22,6 +22,7 @@ inline constexpr std::array kForAir{AddSupports, TurnLeastRisky, ChooseWay};
 inline constexpr std::array kForAirOverGround{PrintOnPlate};
 inline constexpr std::array kTurn{TurnLeastRisky};
 inline constexpr std::array kPedestal{ShrinkPlatform};
+inline constexpr std::array kForBrim{WidenPlatform, CentrePart};
 inline constexpr std::array kForUnheld{WidenPlatform, TurnLeastRisky};
 inline constexpr std::array kNarrow{NarrowVoxels};
 inline constexpr std::array kForUncovered{AdaptLayers, LowerLayers, FinerProcess, ChooseWay};

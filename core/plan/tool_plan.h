@@ -43,6 +43,7 @@ struct ToolPath {
   bool closed = false;
   int item = 0; // index in the job's items
   int tool = 0; // index in the job's tooling (process/tooling.h)
+  int ring = 0; // Walls: 0 is the outermost
 };
 
 // How much of the part's volume is meant to be material.

@@ -369,6 +369,11 @@ void addToolPlan(BlockWriter& out, const plan::ToolPlan& p, const std::string& n
     out.addOwned(name + ".owners", owners);
   if (!p.fill.isSolid()) // Solid plans need no block
     out.addOwned(name + ".fill", std::vector<double>{p.fill.shellMm, p.fill.openMm3});
+  std::vector<std::int32_t> rings;
+  for (const plan::ToolPath& path : p.paths)
+    rings.push_back(path.ring);
+  if (std::ranges::any_of(rings, [](std::int32_t ring) { return ring != 0; }))
+    out.addOwned(name + ".rings", rings);
 }
 
 plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
@@ -400,6 +405,12 @@ plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
   if (in.has(name + ".fill"))
     if (const std::vector<double> fill = in.get<double>(name + ".fill"); fill.size() == 2)
       p.fill = {fill[0], fill[1]};
+  // Older files have no rings.
+  if (in.has(name + ".rings")) {
+    const std::vector<std::int32_t> rings = in.get<std::int32_t>(name + ".rings");
+    for (std::size_t k = 0; k < p.paths.size() && k < rings.size(); ++k)
+      p.paths[k].ring = rings[k];
+  }
   return p;
 }
 
@@ -488,7 +499,7 @@ bool isSound(const plan::ToolPlan& p) {
     return false;
   return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
     return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Bridge &&
-           path.item >= 0 && path.tool >= 0;
+           path.item >= 0 && path.tool >= 0 && path.ring >= 0;
   });
 }
 

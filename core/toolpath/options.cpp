@@ -65,6 +65,10 @@ base::ParameterTable toolpathParameters() {
       base::numberParameter("primeLengthMm", "mm", ToolpathOptions{}.primeLengthMm, 10.0, 200.0,
                             "Tool-paths"_text, "prime length"_text,
                             "Length of the line beside the part."_text),
+      base::numberParameter("brimWidthMm", "mm", ToolpathOptions{}.brimWidthMm, 0.0, 50.0,
+                            "Tool-paths"_text, "brim width"_text,
+                            "Width of the loops on the plate around the first layer, which keep "
+                            "it from lifting; break them off after printing. 0: no brim."_text),
   });
 }
 
@@ -83,6 +87,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.rimSupports = values.text("rimSupports") != "none";
   o.prime = values.text("prime");
   o.primeLengthMm = values.number("primeLengthMm");
+  o.brimWidthMm = values.number("brimWidthMm");
   return o;
 }
 

@@ -1,5 +1,8 @@
 #include "toolpath/plan_toolpaths.h"
 
+#include "toolpath/brim.h"
+#include "toolpath/feature_speeds.h"
+#include "toolpath/first_layer.h"
 #include "toolpath/prime_path.h"
 
 #include "base/error.h"
@@ -66,6 +69,20 @@ double distanceTo(const Bead& b, const Vector3d& from) {
     least = std::min(least, (tipOf(p) - from).squaredNorm());
   return std::sqrt(least);
 }
+
+// Puts the brim before all other paths, and the prime before the brim.
+void addWaste(Assembled& assembled, const layers::LayerStack& stack, const robot::Cell& cell,
+              const process::Tooling& tooling, const ToolpathOptions& options,
+              plan::Findings& findings) {
+  plan::ToolPlan& plan = assembled.plan;
+  const std::size_t before = plan.waypointCount();
+  if (auto cut = addBrim(plan, stack, tooling, options))
+    findings.push_back(std::move(*cut));
+  if (auto falls = addPrimePath(plan, cell, tooling, options))
+    findings.push_back(std::move(*falls));
+  assembled.clearDirection.insert(assembled.clearDirection.begin(), plan.waypointCount() - before,
+                                  Vector3d::UnitZ());
+}
 } // namespace
 
 Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
@@ -105,6 +122,7 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
       path.closed = bead.closed;
       path.item = stack.patches[i].item;
       path.tool = stack.patches[i].tool;
+      path.ring = bead.ring;
       double last = 0.0; // section
       for (const BeadPoint& p : points) {
         const double own = process::beadArea(p.widthMm, p.heightMm);
@@ -155,12 +173,10 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   if (options.infillDensity <= 0.0)
     if (auto finding = hollowSkin(covers))
       r.findings.push_back(std::move(*finding));
+  const bool hasBrim = options.brimWidthMm > 0.0;
   // Added here, so that the travel moves of the head account for the prime as for every bead.
-  if (auto falls = addPrimePath(assembled.plan, cell, tooling, options))
-    r.findings.push_back(std::move(*falls));
-  if (assembled.plan.primes())
-    assembled.clearDirection.insert(assembled.clearDirection.begin(),
-                                    assembled.plan.paths.front().count, Vector3d::UnitZ());
+  if (!hasBrim)
+    addWaste(assembled, stack, cell, tooling, options, r.findings);
   const PassScene scene{cell, tooling, options.platform};
   plan::Findings told;
   std::shared_ptr<const collision::GrowingPart> grown;
@@ -173,6 +189,11 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
     grown = std::move(passed.grown);
     r.statistics.rimSupportMm3 = passed.addedMm3;
     told = std::move(passed.findings);
+  }
+  // A brim surrounds rim supports as well.
+  if (hasBrim) {
+    addWaste(assembled, stack, cell, tooling, options, r.findings);
+    grown.reset();
   }
   r.seconds.toolpath = watch.seconds();
 
@@ -189,7 +210,8 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
                                            std::move(oriented.grown), scene, silent);
   r.seconds.orient = watch.seconds();
   r.plan = std::move(passed.beads.plan);
-  r.grown = std::move(passed.grown);
+  if (!applyFeatures(r.plan, tooling, isFirstLayer, passed.beads.unsupported))
+    r.grown = std::move(passed.grown);
   for (plan::Findings* findings : {&oriented.findings, &passed.findings, &told})
     std::ranges::move(*findings, std::back_inserter(r.findings));
 

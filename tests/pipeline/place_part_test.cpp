@@ -47,8 +47,9 @@ void expectLaid(const PlanResult& result) {
     EXPECT_LT((part.vertices[i] - result.job.item().part->vertices[i]).norm(), 1e-9);
 }
 
-// A plate that carries the part but has no room for the prime is passed over for one that has.
-TEST(PlacePart, ThePlateHasRoomForThePrime) {
+// A plate that carries the part but has no room for the prime or the brim is passed over for one
+// that has.
+TEST(PlacePart, ThePlateHasRoomForThePrimeAndTheBrim) {
   const process::Process process = process::loadProcess("fdm-1.0");
   const robot::Cell cell =
       robot::loadCell("ur5-fixed", process, {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}});
@@ -60,13 +61,17 @@ TEST(PlacePart, ThePlateHasRoomForThePrime) {
     return radius;
   };
   const pipeline::PlateNeeds none, line{.prime = true, .primeLengthMm = 30.0},
-      ring{.prime = true, .primeIsRing = true, .primeLengthMm = 30.0};
+      ring{.prime = true, .primeIsRing = true, .primeLengthMm = 30.0}, narrow{.brimMm = 5.0},
+      wide{.brimMm = 12.0};
   EXPECT_NEAR(radiusFor(15.0, none), 30.0, 0.5);
   EXPECT_NEAR(radiusFor(15.0, line), 45.0, 0.5);
   EXPECT_NEAR(radiusFor(15.0, ring), 45.0, 0.5);
+  EXPECT_NEAR(radiusFor(15.0, narrow), 30.0, 0.5);
+  EXPECT_NEAR(radiusFor(15.0, wide), 45.0, 0.5);
   // Where none has room for it, the smallest that carries the part.
   EXPECT_NEAR(radiusFor(85.0, none), 125.0, 0.5);
   EXPECT_NEAR(radiusFor(85.0, ring), 125.0, 0.5);
+  EXPECT_NEAR(radiusFor(85.0, wide), 125.0, 0.5);
 }
 
 TEST(PlacePart, WhereTheModeLaidItIsKept) {

@@ -27,6 +27,8 @@ using test::boxPart, test::boxRequest;
 const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"layerHeightMm", {"0.7", 1}},
     {"beadWidthMm", {"1.3", 2}},
+    {"firstLayerWidthMm", {"1.4", 3}},
+    {"firstLayerSpeedMmPerS", {"10", 3}},
     {"stepMm", {"0.9", 3}},
     {"givenToolPaths", {"false", kStageCount}}, // of parts that bring some, see given_paths_test
     {"output.build3mf", {"true", kStageCount}},
@@ -56,7 +58,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"rodSides", {"6", kStageCount}},
     {"rodProfile", {"-20,3 20,3", kStageCount}},
     {"rodLayers", {"offset", kStageCount}},
-    {"firstLayerMm", {"0.5", kStageCount}},
+    {"firstLayerMm", {"0.5", kStageCount}}, // of all modes but curved
     {"layerShape", {"sphere", kStageCount}},
     {"layerCentre", {"0,0,-9", kStageCount}},
     {"endSurface", {"flat:9", kStageCount}},
@@ -95,6 +97,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"rimSupports", {"none", 3}},
     {"prime", {"skirt", 3}},
     {"primeLengthMm", {"60", 3}},
+    {"brimWidthMm", {"5", 3}},
     {"extruder", {"e-stream", 5}},
 };
 
@@ -202,6 +205,7 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
       {"planar", "pieceClusters", 6},  {"planar", "pieceRoot", 6},
       {"flat", "overhangAngle", 1},    {"flat", "pieceMaterials", 1},
       {"flat", "adaptiveLayers", 2},   {"flat", "cuspMm", 2},
+      {"flat", "firstLayerMm", 2},     {"planar", "firstLayerMm", 2},
       {"flat", "layerPlanes", 2},      {"flat", "voxelMm", 1},
       {"flat", "frontShape", 6},       {"flat", "layerHeightMm", 1}};
   for (const auto& [mode, key, first] : rows) {
@@ -352,6 +356,7 @@ TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {
       {"\"accelerationMmPerS2\": 500.0", "\"accelerationMmPerS2\": 400.0", 4},
       {"\"bridgeSpeedMmPerS\": 10.0", "\"bridgeSpeedMmPerS\": 9.0", 3},
       {"\"bridgeMm\": 6.0", "\"bridgeMm\": 9.0", 1},
+      {"\"head\"", "\"features\": {\"infill\": {\"speedMmPerS\": 30}}, \"head\"", 3},
       {"\"primeS\": 0.2", "\"primeS\": 0.3", 5},
       {"\"material\": \"PLA\"", "\"material\": \"PETG\"", 5}};
   for (const auto& [was, is, first] : rows) {

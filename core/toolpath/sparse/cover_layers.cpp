@@ -2,6 +2,8 @@
 
 #include "base/parallel.h"
 #include "process/bead_model.h"
+#include "toolpath/feature_speeds.h"
+#include "toolpath/first_layer.h"
 #include "toolpath/sparse/layer_count.h"
 #include "toolpath/sparse/sparse_lines.h"
 #include "toolpath/sparse/split_layers.h"
@@ -28,11 +30,14 @@ std::vector<PatchCover> coverSolid(const layers::LayerStack& stack, const proces
                                    const ToolpathOptions& options, double share,
                                    const base::RunContext& ctx) {
   const base::RunContext silent = ctx.quiet();
-  const std::vector<std::vector<double>> wallWidths = carriedWallWidths(stack, tooling, silent);
+  const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
+  std::vector<std::vector<double>> wallWidths = carriedWallWidths(stack, tooling, silent);
+  setWallWidths(stack, tooling, isFirstLayer, wallWidths);
   std::vector<PatchCover> covers(stack.patches.size());
   base::parallelWithProgress(ctx, covers.size(), share, "tool-paths"_text, [&](std::size_t i) {
     const layers::Patch& patch = stack.patches[i];
-    covers[i] = coverPatch(patch, tooling.at(patch.tool).process, options, silent, wallWidths[i]);
+    covers[i] = coverPatch(patch, processOf(patch, tooling, isFirstLayer[i] != 0), options, silent,
+                           wallWidths[i]);
   });
   return covers;
 }
