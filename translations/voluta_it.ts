@@ -5429,6 +5429,38 @@ mm³</translation>
         <translation>Larghezza nominale dei cordoni del primo strato e della tesa; limitata dal processo. 0: quella del processo.</translation>
     </message>
     <message>
+        <source>outer-wall speed</source>
+        <translation>velocità della parete esterna</translation>
+    </message>
+    <message>
+        <source>Speed of the outermost walls. 0: that of the process.</source>
+        <translation>Velocità delle pareti più esterne. 0: quella del processo.</translation>
+    </message>
+    <message>
+        <source>inner-wall speed</source>
+        <translation>velocità delle pareti interne</translation>
+    </message>
+    <message>
+        <source>Speed of all other walls. 0: that of the process.</source>
+        <translation>Velocità di tutte le altre pareti. 0: quella del processo.</translation>
+    </message>
+    <message>
+        <source>infill speed</source>
+        <translation>velocità del riempimento</translation>
+    </message>
+    <message>
+        <source>Speed of solid infill and gap fill, limited by the extruder&apos;s flow. 0: that of the process.</source>
+        <translation>Velocità del riempimento pieno e dei vuoti, limitata dal flusso dell&apos;estrusore. 0: quella del processo.</translation>
+    </message>
+    <message>
+        <source>support speed</source>
+        <translation>velocità dei supporti</translation>
+    </message>
+    <message>
+        <source>Speed of supports. 0: that of the process.</source>
+        <translation>Velocità dei supporti. 0: quella del processo.</translation>
+    </message>
+    <message>
         <source>first-layer speed</source>
         <translation>velocità del primo strato</translation>
     </message>

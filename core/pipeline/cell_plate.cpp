@@ -16,7 +16,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kRoomMm = 3.0;     // Margin around the foot and the supports
-constexpr double kBrimEdgeMm = 1.0; // Between a brim and the plate's edge
 constexpr double kStandingMm = 0.5; // Above the part's lowest point
 
 } // namespace
@@ -56,8 +55,7 @@ std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::Triangl
       points.emplace_back(v.head<2>());
   else
     points = footOf(part);
-  const std::vector<Vector2d> withBrim =
-      geometry::convexPolygon(points, std::max(kRoomMm, needs.brimMm + kBrimEdgeMm));
+  const std::vector<Vector2d> withBrim = geometry::convexPolygon(points, kRoomMm + needs.brimMm);
   points = geometry::convexPolygon(std::move(points), kRoomMm);
   std::vector<Vector2d> plate, carrying;
   const auto carries = [&plate](const std::vector<Vector2d>& all) {

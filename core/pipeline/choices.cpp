@@ -13,6 +13,7 @@
 #include "pipeline/automatic.h"
 #include "pipeline/open_part.h"
 #include "placement/orient.h"
+#include "process/feature_parameters.h"
 #include "program/dialect.h"
 #include "program/program_options.h"
 #include "project/length_unit.h"
@@ -78,10 +79,6 @@ base::ParameterTable allParameters() {
                             "first-layer bead width"_text,
                             "Nominal bead width of the first layer and the brim; limited by the "
                             "process. 0: that of the process."_text),
-      base::numberParameter("firstLayerSpeedMmPerS", "mm/s", 0.0, 0.0, 500.0, "Beads"_text,
-                            "first-layer speed"_text,
-                            "Speed of all beads of the first layer and of the brim. 0: that of "
-                            "the process."_text),
       base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads"_text, "step"_text,
                             "Maximum distance between waypoints along a tool-path."_text),
       base::numberParameter(
@@ -109,6 +106,7 @@ base::ParameterTable allParameters() {
   table.append(modes::modeParameters());
   table.append(openSurfaceParameters());
   table.append(placement::orientParameters());
+  table.append(process::featureParameters());
   table.append(toolpath::toolpathParameters());
   table.append(motion::motionParameters());
   table.append(program::programParameters());
@@ -225,8 +223,7 @@ process::Process chosenProcess(const project::Choices& choices,
   process::FeatureSettings& first = p.features.of(process::Feature::FirstLayer);
   if (values.number("firstLayerWidthMm") > 0.0)
     put("firstLayerWidthMm", first.widthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
-  if (values.number("firstLayerSpeedMmPerS") > 0.0)
-    first.speedMmPerS = values.number("firstLayerSpeedMmPerS");
+  process::setFeatureSpeeds(p.features, values);
   put("retractMm", p.retractMm, 0.0, 8.0);
   if (values.text("prime") == "none")
     p.primeS = 0.0;

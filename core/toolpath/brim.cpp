@@ -22,9 +22,13 @@ using Eigen::Vector3d;
 namespace {
 using base::at;
 
-constexpr double kUnits = 1e4;        // Polygon integers per mm
-constexpr double kArcMm = 0.01;       // Chord error of round corners
-constexpr double kCrackMm = 0.05;     // Narrower cracks between polygons are closed
+constexpr double kUnits = 1e4;    // Polygon integers per mm
+constexpr double kArcMm = 0.01;   // Chord error of round corners
+constexpr double kCrackMm = 0.05; // Narrower cracks between polygons are closed
+// [brim heights]: material with its underside below this would be inside the brim's beads
+constexpr double kLow = 0.75;
+// [bead widths]: half the width of the narrowest islands; narrower ones get no bead
+constexpr double kNarrowest = 0.25;
 constexpr double kShortestLoop = 3.0; // [bead widths]: shorter pieces do not stick
 // [hatches]: least distance of loops in a hole from its wall, so that they do not stick to it
 constexpr double kFromHoleWall = 1.5;
@@ -107,7 +111,18 @@ struct Islands {
   Paths hole; // Empty: on the plate
 };
 
-std::vector<Islands> islandsOf(const Paths& material) {
+bool meet(const Path& outline, const Paths& paths) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPath(outline, ClipperLib::ptSubject, true);
+  clipper.AddPaths(paths, ClipperLib::ptClip, true);
+  Paths shared;
+  clipper.Execute(ClipperLib::ctIntersection, shared, ClipperLib::pftNonZero,
+                  ClipperLib::pftNonZero);
+  return !shared.empty();
+}
+
+// `part`: the material without supports.
+std::vector<Islands> islandsOf(const Paths& material, const Paths& part, double beadWidthMm) {
   ClipperLib::Clipper clipper;
   clipper.AddPaths(material, ClipperLib::ptSubject, true);
   ClipperLib::PolyTree tree;
@@ -116,7 +131,9 @@ std::vector<Islands> islandsOf(const Paths& material) {
   const auto add = [&](const ClipperLib::PolyNode& around, Paths hole) {
     Islands islands{{}, std::move(hole)};
     for (const ClipperLib::PolyNode* outline : around.Childs)
-      islands.outlines.push_back(outline->Contour);
+      if (!grown({outline->Contour}, -kNarrowest * beadWidthMm).empty() &&
+          (islands.hole.empty() || meet(outline->Contour, part)))
+        islands.outlines.push_back(outline->Contour);
     if (!islands.outlines.empty())
       out.push_back(std::move(islands));
   };
@@ -161,41 +178,50 @@ void orderNearest(std::vector<BrimLoop>& loops, std::size_t first) {
   }
 }
 
-// Returns the outlines of a patch where it touches the plate.
-std::vector<Polygon2d> outlinesOf(const layers::Patch& patch) {
-  geometry::TriangleMesh touching;
-  touching.vertices = patch.surface.vertices;
+// Returns the outlines of a patch where its underside is below this height.
+std::vector<Polygon2d> outlinesOf(const layers::Patch& patch, double belowMm) {
+  geometry::TriangleMesh low;
+  low.vertices = patch.surface.vertices;
+  const auto isLow = [&](int v) { return undersideOf(patch, at(v)) < belowMm; };
   for (const auto& t : patch.surface.triangles)
-    if (std::ranges::all_of(t, [&](int v) { return touchesPlate(patch, at(v)); }))
-      touching.triangles.push_back(t);
+    if (std::ranges::any_of(t, isLow))
+      low.triangles.push_back(t);
   std::vector<Polygon2d> outlines;
-  for (const std::vector<int>& loop : geometry::boundaryLoops(touching)) {
+  for (const std::vector<int>& loop : geometry::boundaryLoops(low)) {
     Polygon2d outline;
     for (std::size_t i = loop.size(); i-- > 0;)
-      outline.emplace_back(touching.vertices[at(loop[i])].head<2>());
+      outline.emplace_back(low.vertices[at(loop[i])].head<2>());
     outlines.push_back(std::move(outline));
   }
   return outlines;
 }
 
-// Returns the outline of a support bead on the plate; none if it is higher up.
-std::vector<Polygon2d> outlinesOf(const plan::ToolPlan& plan, const plan::ToolPath& path) {
+// Returns the outlines of a bead where its underside is below this height.
+std::vector<Polygon2d> outlinesOf(const plan::ToolPlan& plan, const plan::ToolPath& path,
+                                  double belowMm) {
+  std::vector<Polygon2d> outlines;
   Path line;
   double width = 0.0;
+  const auto finish = [&] {
+    if (!line.empty())
+      for (const Path& outline :
+           grown({line}, 0.5 * width, ClipperLib::jtRound, ClipperLib::etOpenRound)) {
+        outlines.emplace_back();
+        for (const ClipperLib::IntPoint& p : outline)
+          outlines.back().push_back(pointOf(p));
+      }
+    line.clear();
+    width = 0.0;
+  };
   for (std::size_t i = path.first; i < path.first + path.count; ++i) {
-    const double height = plan.heightMm[i];
-    if (plan.position[i].z() - height > 0.25 * height)
-      return {};
+    if (plan.position[i].z() - static_cast<double>(plan.heightMm[i]) >= belowMm) {
+      finish();
+      continue;
+    }
     line.push_back(pointOf(Vector2d(plan.position[i].head<2>())));
     width = std::max(width, static_cast<double>(plan.widthMm[i]));
   }
-  std::vector<Polygon2d> outlines;
-  for (const Path& outline :
-       grown({line}, 0.5 * width, ClipperLib::jtRound, ClipperLib::etOpenRound)) {
-    outlines.emplace_back();
-    for (const ClipperLib::IntPoint& p : outline)
-      outlines.back().push_back(pointOf(p));
-  }
+  finish();
   return outlines;
 }
 
@@ -265,14 +291,17 @@ void prepend(plan::ToolPlan& plan, const plan::ToolPlan& front) {
 } // namespace
 
 Brim brimAround(const std::vector<Polygon2d>& polygons, const Polygon2d& plate, double brimWidthMm,
-                const BrimBead& bead) {
-  Paths material;
+                const BrimBead& bead, const std::vector<Polygon2d>& supports) {
+  Paths part;
   for (const Polygon2d& polygon : polygons)
-    material.push_back(pathOf(polygon));
+    part.push_back(pathOf(polygon));
+  Paths material = part;
+  for (const Polygon2d& support : supports)
+    material.push_back(pathOf(support));
   material =
       grown(grown(united(material), kCrackMm, ClipperLib::jtMiter), -kCrackMm, ClipperLib::jtMiter);
   const Paths onPlate = grown({pathOf(plate)}, -0.5 * bead.widthMm);
-  const std::vector<Islands> all = islandsOf(material);
+  const std::vector<Islands> all = islandsOf(material, part, bead.widthMm);
   const int count = std::max(1, static_cast<int>(std::lround(brimWidthMm / bead.hatchMm)));
   Brim brim;
   for (int k = count - 1; k >= 0; --k) {
@@ -281,6 +310,8 @@ Brim brimAround(const std::vector<Polygon2d>& polygons, const Polygon2d& plate, 
       const bool inHole = !islands.hole.empty();
       const Paths room = inHole ? grown(islands.hole, -kFromHoleWall * bead.hatchMm) : onPlate;
       for (const Path& contour : grown(islands.outlines, (k + 0.5) * bead.hatchMm)) {
+        if (!ClipperLib::Orientation(contour))
+          continue; // Around a pocket between islands
         double left = 0.0;
         for (const auto& [piece, closed] : piecesInside(contour, room)) {
           const double length = lengthOf(piece, closed);
@@ -314,21 +345,20 @@ std::optional<plan::Finding> addBrim(plan::ToolPlan& plan, const layers::LayerSt
   if (!(options.brimWidthMm > 0.0) || plan.paths.empty() || platform.polygon.size() < 3 ||
       platform.mesh || platform.rod)
     return std::nullopt;
-  std::vector<Polygon2d> outlines;
-  const auto add = [&](std::vector<Polygon2d> more) {
-    std::ranges::move(more, std::back_inserter(outlines));
-  };
-  for (const layers::Patch& patch : stack.patches)
-    add(outlinesOf(patch));
-  for (const plan::ToolPath& path : plan.paths)
-    if (path.kind == plan::PathKind::Support)
-      add(outlinesOf(plan, path));
   const process::Process& process = tooling.first().process;
   const double first = process.features.of(process::Feature::FirstLayer).widthMm;
   const double width = first > 0.0 ? first : process.beadWidthMm;
   const double height = std::min(firstHeight(stack, process), width);
+  std::vector<Polygon2d> outlines, supports;
+  for (const layers::Patch& patch : stack.patches)
+    std::ranges::move(
+        outlinesOf(patch, kLow * height),
+        std::back_inserter(patch.group == layers::kSupportGroup ? supports : outlines));
+  for (const plan::ToolPath& path : plan.paths)
+    if (path.kind == plan::PathKind::Support)
+      std::ranges::move(outlinesOf(plan, path, kLow * height), std::back_inserter(supports));
   const Brim brim = brimAround(outlines, platform.polygon, options.brimWidthMm,
-                               {process::hatchOf(width, height), width});
+                               {process::hatchOf(width, height), width}, supports);
   plan::ToolPlan front;
   const double speed =
       std::min(process.speedMmPerS, process.maxFlowMm3PerS / process::beadArea(width, height));

@@ -32,18 +32,19 @@ struct BrimBead {
   double widthMm = 0.0;
 };
 
-// Returns the loops around polygons (counter-clockwise, holes clockwise; overlaps count once) on a
-// plate (convex, counter-clockwise): round(brimWidthMm / hatch), at least one, at (k + 1/2) hatches
-// from the polygons. Loops of islands that are nearer than two brims to each other are joined.
-// Holes get none; loops around an island inside a hole keep a hatch away from the hole's wall. What
-// lies beyond the plate's edge is cut off.
+// Returns the loops around polygons and supports (counter-clockwise, holes clockwise; overlaps
+// count once) on a plate (convex, counter-clockwise): round(brimWidthMm / hatch), at least one, at
+// (k + 1/2) hatches from the outlines. Loops of islands that are nearer than two brims to each
+// other are joined. Holes and pockets between islands get none. A polygon inside a hole has loops
+// too, a hatch away from the hole's wall; supports there have none. What lies beyond the plate's
+// edge is cut off.
 Brim brimAround(const std::vector<Polygon2d>& polygons, const Polygon2d& plate, double brimWidthMm,
-                const BrimBead& bead);
+                const BrimBead& bead, const std::vector<Polygon2d>& supports = {});
 
 // Puts the brim before all other paths, printed with the first tool as PathKind::Skirt. Surrounds
-// the patches and the supports of the plan that touch the plate. Does nothing if the width is 0,
-// the plan has no path, or the platform is no plate. Returns a finding with the place if a part of
-// the brim is cut off at the plate's edge.
+// what the plan's patches and supports have below three quarters of its height. Does nothing if the
+// width is 0, the plan has no path, or the platform is no plate. Returns a finding with the place
+// if a part of the brim is cut off at the plate's edge.
 std::optional<plan::Finding> addBrim(plan::ToolPlan& plan, const layers::LayerStack& stack,
                                      const process::Tooling& tooling,
                                      const ToolpathOptions& options);

@@ -2,12 +2,14 @@
 
 namespace voluta::toolpath {
 
+double undersideOf(const layers::Patch& patch, std::size_t vertex) {
+  return patch.surface.vertices[vertex].z() -
+         0.5 * patch.thicknessMm[vertex] * patch.direction[vertex].z();
+}
+
 bool touchesPlate(const layers::Patch& patch, std::size_t vertex) {
   constexpr double kTouching = 0.25; // of the thickness
-  const double thickness = patch.thicknessMm[vertex];
-  const double bottom =
-      patch.surface.vertices[vertex].z() - 0.5 * thickness * patch.direction[vertex].z();
-  return bottom <= kTouching * thickness;
+  return undersideOf(patch, vertex) <= kTouching * patch.thicknessMm[vertex];
 }
 
 std::vector<char> firstLayerPatches(const layers::LayerStack& stack,

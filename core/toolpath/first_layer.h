@@ -9,6 +9,9 @@
 
 namespace voluta::toolpath {
 
+// Returns the height of the patch's underside over the plate at a vertex [mm].
+double undersideOf(const layers::Patch& patch, std::size_t vertex);
+
 // Returns whether the patch's underside touches the plate at a vertex, to a quarter of its
 // thickness.
 bool touchesPlate(const layers::Patch& patch, std::size_t vertex);

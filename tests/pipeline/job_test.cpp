@@ -78,6 +78,20 @@ TEST_F(JobFile, ComesBackAsItWas) {
   EXPECT_EQ(project::jobBytes(back), bytes);
 }
 
+// Files without rings are those of older versions.
+TEST_F(JobFile, RingsOfWallsComeBack) {
+  Job job = sampleJob();
+  EXPECT_EQ(project::jobBytes(job).find("toolPlan.rings"), std::string::npos);
+  plan::ToolPlan ringed = *job.toolPlan;
+  ringed.paths[0].ring = 3;
+  job.toolPlan = std::make_shared<plan::ToolPlan>(ringed);
+  EXPECT_EQ(readBack(project::jobBytes(job)).toolPlan->paths[0].ring, 3);
+  EXPECT_EQ(readBack(project::jobBytes(sampleJob())).toolPlan->paths[0].ring, 0);
+  ringed.paths[0].ring = -1;
+  job.toolPlan = std::make_shared<plan::ToolPlan>(ringed);
+  EXPECT_NE(errorOf(project::jobBytes(job)), "no error");
+}
+
 TEST_F(JobFile, ThePartComesBackAsItWasRead) {
   const Job job = sampleJob();
   const Job back = readBack(project::jobBytes(job));

@@ -28,6 +28,10 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"layerHeightMm", {"0.7", 1}},
     {"beadWidthMm", {"1.3", 2}},
     {"firstLayerWidthMm", {"1.4", 3}},
+    {"outerWallSpeedMmPerS", {"10", 3}},
+    {"innerWallSpeedMmPerS", {"10", 3}},
+    {"infillSpeedMmPerS", {"10", 3}},
+    {"supportSpeedMmPerS", {"10", 3}},
     {"firstLayerSpeedMmPerS", {"10", 3}},
     {"stepMm", {"0.9", 3}},
     {"givenToolPaths", {"false", kStageCount}}, // of parts that bring some, see given_paths_test

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "helpers/temporary_folder.h"
 #include "process/bead_model.h"
+#include "process/feature_parameters.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -144,6 +145,21 @@ TEST_F(Processes, featuresAreOptionalAndReadByKey) {
     EXPECT_EQ(p.features.of(row.feature).speedMmPerS, row.hasSpeed ? 12.0 : 0.0);
     EXPECT_EQ(p.features.of(row.feature).widthMm, row.hasWidth ? 0.8 : 0.0);
   }
+}
+
+TEST_F(Processes, speedsAsParametersReplaceThoseOfTheFile) {
+  const Process p = withFeatures(
+      R"({"outerWall": {"speedMmPerS": 12, "flow": 0.9}, "infill": {"speedMmPerS": 30}})");
+  base::ParameterValues values(featureParameters());
+  FeatureTable features = p.features;
+  setFeatureSpeeds(features, values);
+  for (const FeatureRow& row : featureRows())
+    EXPECT_EQ(features.of(row.feature).speedMmPerS, p.features.of(row.feature).speedMmPerS);
+  values.set("outerWallSpeedMmPerS", "8");
+  setFeatureSpeeds(features, values);
+  EXPECT_EQ(features.of(Feature::OuterWall).speedMmPerS, 8.0);
+  EXPECT_EQ(features.of(Feature::OuterWall).flow, 0.9);
+  EXPECT_EQ(features.of(Feature::Infill).speedMmPerS, 30.0);
 }
 
 TEST_F(Processes, featuresThatMakeNoSenseAreRefusedWithTheirKey) {

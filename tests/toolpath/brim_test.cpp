@@ -100,6 +100,17 @@ TEST(Brim, anIslandInAHoleHasLoopsApartFromTheWall) {
   EXPECT_GE(within, 3u);
 }
 
+TEST(Brim, supportsHaveLoopsOnlyOutside) {
+  const Polygon2d outer = square(40), hole = reversed(square(16));
+  const auto loops = [&](const std::vector<Polygon2d>& part,
+                         const std::vector<Polygon2d>& supports) {
+    return brimAround(part, square(200), 3.0, kBead, supports).loops.size();
+  };
+  EXPECT_EQ(loops({outer, hole}, {square(6)}), 3u);
+  EXPECT_EQ(loops({outer, hole, square(6)}, {}), 6u);
+  EXPECT_EQ(loops({square(10)}, {square(10, {40, 0})}), 6u);
+}
+
 TEST(Brim, loopsOfNearIslandsAreJoined) {
   const std::vector<Polygon2d> islands{square(10, {-8, 0}), square(10, {8, 0})}; // 6 mm apart
   const Brim brim = brimAround(islands, square(200), 4.0, kBead);
@@ -108,6 +119,34 @@ TEST(Brim, loopsOfNearIslandsAreJoined) {
   EXPECT_EQ(
       brimAround({square(10, {-20, 0}), square(10, {20, 0})}, square(200), 4.0, kBead).loops.size(),
       8u);
+}
+
+// Four bars around a square of 20 mm, 2 mm apart at its corners.
+TEST(Brim, pocketsBetweenIslandsGetNone) {
+  const auto bar = [](const Vector2d& at, double dx, double dy) {
+    return Polygon2d{at + Vector2d(-dx, -dy), at + Vector2d(dx, -dy), at + Vector2d(dx, dy),
+                     at + Vector2d(-dx, dy)};
+  };
+  const Brim brim = brimAround(
+      {bar({-13, 0}, 3, 10), bar({13, 0}, 3, 10), bar({0, -15}, 10, 3), bar({0, 15}, 10, 3)},
+      square(200), 3.0, kBead);
+  EXPECT_FALSE(brim.loops.empty());
+  bool around = false; // All four
+  for (const BrimLoop& loop : brim.loops) {
+    double least = 1e9, most = 0.0;
+    for (const Vector2d& p : loop.points) {
+      least = std::min(least, p.norm());
+      most = std::max(most, p.cwiseAbs().maxCoeff());
+    }
+    around = around || least > 14.0;
+    EXPECT_GT(most, 10.0); // Not in the pocket
+  }
+  EXPECT_TRUE(around);
+}
+
+TEST(Brim, islandsWithoutABeadGetNone) {
+  EXPECT_EQ(brimAround({square(20), square(0.5, {40, 0})}, square(200), 1.0, kBead).loops.size(),
+            1u);
 }
 
 TEST(Brim, overlappingPolygonsCountOnce) {
