@@ -5489,6 +5489,50 @@ mm³</translation>
         <translation>deve essere tra {least} e {most}</translation>
     </message>
     <message>
+        <source>where the travel is shortest</source>
+        <translation>dove lo spostamento è più breve</translation>
+    </message>
+    <message>
+        <source>aligned from layer to layer</source>
+        <translation>allineata da strato a strato</translation>
+    </message>
+    <message>
+        <source>in a corner</source>
+        <translation>in uno spigolo</translation>
+    </message>
+    <message>
+        <source>spread over the part</source>
+        <translation>distribuita sul pezzo</translation>
+    </message>
+    <message>
+        <source>unknown seam &apos;{id}&apos;</source>
+        <translation>giunzione &apos;{id}&apos; sconosciuta</translation>
+    </message>
+    <message>
+        <source>seam</source>
+        <translation>giunzione</translation>
+    </message>
+    <message>
+        <source>Where closed walls begin and end. A seam aligned or in a corner is less visible; spread seams weaken the part least.</source>
+        <translation>Dove iniziano e finiscono le pareti chiuse. Una giunzione allineata o in uno spigolo si vede meno; giunzioni distribuite indeboliscono meno il pezzo.</translation>
+    </message>
+    <message>
+        <source>shortest travel</source>
+        <translation>spostamento più breve</translation>
+    </message>
+    <message>
+        <source>as sliced</source>
+        <translation>come affettate</translation>
+    </message>
+    <message>
+        <source>order of islands</source>
+        <translation>ordine delle isole</translation>
+    </message>
+    <message>
+        <source>Order in which separate islands of a flat layer are printed.</source>
+        <translation>Ordine in cui si stampano le isole separate di uno strato piano.</translation>
+    </message>
+    <message>
         <source>prime length</source>
         <translation>lunghezza dell&apos;innesco</translation>
     </message>

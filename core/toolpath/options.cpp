@@ -1,6 +1,7 @@
 #include "toolpath/options.h"
 
 #include "toolpath/infill/infill.h"
+#include "toolpath/order/seam.h"
 #include "toolpath/sparse/patterns.h"
 
 namespace voluta::toolpath {
@@ -12,6 +13,9 @@ base::ParameterTable toolpathParameters() {
   std::vector<base::Choice> patterns;
   for (const SparsePattern& pattern : sparsePatterns())
     patterns.push_back({std::string(pattern.id), pattern.label});
+  std::vector<base::Choice> seams;
+  for (const SeamKind& kind : seamKinds())
+    seams.push_back({std::string(kind.id), kind.label});
   return base::ParameterTable({
       base::integerParameter("walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text,
                              "walls"_text, "Number of beads along the outline of each layer."_text,
@@ -69,6 +73,13 @@ base::ParameterTable toolpathParameters() {
                             "Tool-paths"_text, "brim width"_text,
                             "Width of the loops on the plate around the first layer, which keep "
                             "it from lifting; break them off after printing. 0: no brim."_text),
+      base::choiceParameter("seam", ToolpathOptions{}.seam, seams, "Tool-paths"_text, "seam"_text,
+                            "Where closed walls begin and end. A seam aligned or in a corner is "
+                            "less visible; spread seams weaken the part least."_text),
+      base::choiceParameter("islandOrder", "travel",
+                            {{"travel", "shortest travel"_text}, {"layers", "as sliced"_text}},
+                            "Tool-paths"_text, "order of islands"_text,
+                            "Order in which separate islands of a flat layer are printed."_text),
   });
 }
 
@@ -88,6 +99,8 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.prime = values.text("prime");
   o.primeLengthMm = values.number("primeLengthMm");
   o.brimWidthMm = values.number("brimWidthMm");
+  o.seam = values.text("seam");
+  o.orderIslands = values.text("islandOrder") == "travel";
   return o;
 }
 

@@ -29,14 +29,16 @@ struct ToolpathOptions {
   bool rimSupports = true;       // support beads under low rims (rim_supports.h)
   std::string prime = "none";    // line, skirt or none (prime_path.h)
   double primeLengthMm = 30.0;
-  double brimWidthMm = 0.0; // 0: none (brim.h)
+  double brimWidthMm = 0.0;     // 0: none (brim.h)
+  std::string seam = "nearest"; // id in seamKinds()
+  bool orderIslands = true;     // short travel between islands of one flat layer (islands.h)
   // Bodies and rods that exist before the part, work frame; a plate is the cell's.
   platform::PlatformSolid platform;
 };
 
 // Returns the parameters walls, infill, infillDensity, sparsePattern, topLayers, bottomLayers,
-// skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime, primeLengthMm and
-// brimWidthMm.
+// skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime, primeLengthMm,
+// brimWidthMm, seam and islandOrder.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.

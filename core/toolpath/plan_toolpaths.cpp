@@ -5,21 +5,18 @@
 #include "toolpath/first_layer.h"
 #include "toolpath/prime_path.h"
 
-#include "base/error.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
+#include "toolpath/order/assemble.h"
 #include "toolpath/sparse/cover_layers.h"
-#include "toolpath/unsupported/bead_tip.h"
 #include "toolpath/unsupported/passes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -28,47 +25,6 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 using plan::PathKind;
-
-int turnOf(const Bead& b) {
-  switch (b.kind) {
-  case PathKind::Wall:
-    return b.ring == 0 ? -1 : 1000 - b.ring;
-  case PathKind::Infill:
-  case PathKind::Bridge:
-    return 0;
-  default:
-    return 1;
-  }
-}
-
-// Returns a bead that starts at its point nearest to `from`: rotated if closed, reversed if its end
-// is nearer.
-std::pair<double, std::vector<BeadPoint>> startingNear(const Bead& b, const Vector3d& from) {
-  std::vector<BeadPoint> points = b.points;
-  if (b.closed) {
-    points.pop_back();
-    const auto nearest = std::ranges::min_element(
-        points, {}, [&](const BeadPoint& p) { return (tipOf(p) - from).squaredNorm(); });
-    std::ranges::rotate(points, nearest);
-    points.push_back(points.front());
-  } else if ((tipOf(points.back()) - from).squaredNorm() <
-             (tipOf(points.front()) - from).squaredNorm()) {
-    std::ranges::reverse(points);
-  }
-  const double distance = (tipOf(points.front()) - from).norm();
-  return {distance, std::move(points)};
-}
-
-// Lower bound of the above without copying.
-double distanceTo(const Bead& b, const Vector3d& from) {
-  if (!b.closed)
-    return std::min((tipOf(b.points.front()) - from).norm(),
-                    (tipOf(b.points.back()) - from).norm());
-  double least = std::numeric_limits<double>::infinity();
-  for (const BeadPoint& p : b.points)
-    least = std::min(least, (tipOf(p) - from).squaredNorm());
-  return std::sqrt(least);
-}
 
 // Puts the brim before all other paths, and the prime before the brim.
 void addWaste(Assembled& assembled, const layers::LayerStack& stack, const robot::Cell& cell,
@@ -83,67 +39,7 @@ void addWaste(Assembled& assembled, const layers::LayerStack& stack, const robot
   assembled.clearDirection.insert(assembled.clearDirection.begin(), plan.waypointCount() - before,
                                   Vector3d::UnitZ());
 }
-} // namespace
 
-Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
-                   const process::Tooling& tooling) {
-  base::require(covers.size() == stack.patches.size(), "one cover a patch");
-  Assembled out;
-  Vector3d here = Vector3d::Zero();
-  for (std::size_t i = 0; i < covers.size(); ++i) {
-    const auto& beads = covers[i].beads;
-    const process::Process& process = tooling.at(stack.patches[i].tool).process;
-    std::vector<char> laid(beads.size(), 0);
-    for (std::size_t done = 0; done < beads.size(); ++done) {
-      int turn = std::numeric_limits<int>::max();
-      for (std::size_t k = 0; k < beads.size(); ++k)
-        if (!laid[k])
-          turn = std::min(turn, turnOf(beads[k]));
-      std::size_t next = beads.size();
-      double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < beads.size(); ++k)
-        if (!laid[k] && turnOf(beads[k]) == turn)
-          if (const double d = distanceTo(beads[k], here); d < nearest) {
-            nearest = d;
-            next = k;
-          }
-      laid[next] = 1;
-      const Bead& bead = beads[next];
-      const auto [distance, points] = startingNear(bead, here);
-      if (!out.plan.paths.empty())
-        out.travelMm += distance;
-      plan::ToolPath path;
-      path.first = out.plan.waypointCount();
-      path.count = points.size();
-      path.kind = stack.patches[i].group == layers::kSupportGroup ? PathKind::Support : bead.kind;
-      path.layer = stack.patches[i].layer;
-      path.patch = static_cast<int>(i);
-      path.group = stack.patches[i].group;
-      path.closed = bead.closed;
-      path.item = stack.patches[i].item;
-      path.tool = stack.patches[i].tool;
-      path.ring = bead.ring;
-      double last = 0.0; // section
-      for (const BeadPoint& p : points) {
-        const double own = process::beadArea(p.widthMm, p.heightMm);
-        // While the section decreases the extruder delivers more than at the end point.
-        const double section = std::max(own, std::exchange(last, own));
-        out.plan.position.push_back(tipOf(p));
-        out.plan.direction.push_back(p.direction);
-        out.plan.widthMm.push_back(static_cast<float>(p.widthMm));
-        out.plan.heightMm.push_back(static_cast<float>(p.heightMm));
-        out.plan.speedMmPerS.push_back(
-            static_cast<float>(std::min(process.speedMmPerS, process.maxFlowMm3PerS / section)));
-        out.clearDirection.push_back(p.clearDirection);
-      }
-      out.plan.paths.push_back(path);
-      here = out.plan.position.back();
-    }
-  }
-  return out;
-}
-
-namespace {
 // Returns the finding about skins that no infill carries.
 std::optional<plan::Finding> hollowSkin(const std::vector<PatchCover>& covers) {
   std::size_t paths = 0;
@@ -168,7 +64,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   const base::RunContext silent = ctx.quiet();
   const LayerCovers made = coverLayers(stack, tooling, options, 0.6, ctx);
   const std::vector<PatchCover>& covers = made.covers;
-  Assembled assembled = assemble(stack, covers, tooling);
+  Assembled assembled = assemble(stack, covers, tooling, {options.seam, options.orderIslands});
   assembled.plan.fill = made.fill;
   if (options.infillDensity <= 0.0)
     if (auto finding = hollowSkin(covers))
@@ -200,7 +96,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   watch = base::Stopwatch();
   // If a rim support cannot be printed it is dropped; the rim is then unsupported, as without it.
   const auto liesUnderRim = [&](const plan::ToolPath& path) {
-    return path.kind == PathKind::Support &&
+    return path.kind == plan::PathKind::Support &&
            stack.patches[static_cast<std::size_t>(path.patch)].group != layers::kSupportGroup;
   };
   OrientResult oriented =

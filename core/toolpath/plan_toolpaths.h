@@ -8,12 +8,9 @@
 #include "plan/tool_plan.h"
 #include "process/tooling.h"
 #include "robot/cell.h"
-#include "toolpath/coverage/cover_patch.h"
 #include "toolpath/options.h"
 
-#include <Eigen/Core>
 #include <memory>
-#include <vector>
 
 namespace voluta::base {
 class RunContext;
@@ -31,18 +28,6 @@ struct ToolpathResult {
     double toolpath = 0.0, orient = 0.0;
   } seconds;
 };
-
-// The beads of all patches in one plan, in the stack's order of patches. Within a patch: walls from
-// outside inwards, infill, gap fill, in nearest-neighbour order; closed beads start at their point
-// nearest to the end of the last bead. Directions are those of the patches, speeds those of the
-// patches' tools.
-struct Assembled {
-  plan::ToolPlan plan;
-  std::vector<Eigen::Vector3d> clearDirection; // per waypoint
-  double travelMm = 0.0;
-};
-Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
-                   const process::Tooling& tooling);
 
 // Runs coverPatch for every patch, assemble and orientDirections. Precondition: the process of the
 // first tool is the cell's. Throws Cancelled, Error{Usage}.

@@ -102,6 +102,8 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"prime", {"skirt", 3}},
     {"primeLengthMm", {"60", 3}},
     {"brimWidthMm", {"5", 3}},
+    {"seam", {"corner", 3}},
+    {"islandOrder", {"layers", 3}},
     {"extruder", {"e-stream", 5}},
 };
 

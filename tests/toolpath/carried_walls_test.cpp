@@ -8,7 +8,7 @@
 #include "replay/beads.h"
 #include "replay/ground.h"
 #include "replay/printed_part.h"
-#include "toolpath/plan_toolpaths.h"
+#include "toolpath/order/assemble.h"
 #include "toolpath/shapes.h"
 
 #include <Eigen/Geometry>

@@ -5,6 +5,7 @@
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
+#include "toolpath/order/assemble.h"
 #include "toolpath/plan_toolpaths.h"
 #include "toolpath/shapes.h"
 #include "toolpath/unsupported/head_clearance.h"

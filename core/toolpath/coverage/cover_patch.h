@@ -2,11 +2,10 @@
 #pragma once
 
 #include "layers/layer_stack.h"
-#include "plan/tool_plan.h"
 #include "process/process.h"
+#include "toolpath/coverage/bead.h"
 #include "toolpath/options.h"
 
-#include <Eigen/Core>
 #include <vector>
 
 namespace voluta::base {
@@ -14,20 +13,6 @@ class RunContext;
 }
 
 namespace voluta::toolpath {
-
-struct BeadPoint {
-  Eigen::Vector3d middle;         // Centre of the bead's cross-section, on the patch's surface [mm]
-  Eigen::Vector3d direction;      // Unit vector; nozzle direction of the patch
-  Eigen::Vector3d clearDirection; // Unit vector; clear direction of the patch
-  double widthMm = 0.0, heightMm = 0.0;
-};
-// A closed bead repeats its first point at its end.
-struct Bead {
-  std::vector<BeadPoint> points;
-  plan::PathKind kind = plan::PathKind::Wall;
-  int ring = 0; // Walls: 0 is the outermost
-  bool closed = false;
-};
 
 struct PatchCover {
   std::vector<Bead> beads;    // In the order walls from outside inwards, infill, gap fill

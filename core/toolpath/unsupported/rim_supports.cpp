@@ -9,12 +9,14 @@
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
 #include "process/bead_model.h"
+#include "toolpath/order/travel.h"
 #include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/head_clearance.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -28,6 +30,8 @@ constexpr double kSlender = 6.0;           // widths: higher walls tip over
 constexpr double kBreakShare = 1.0 / 14.0; // of a bead's height, between it and its support
 constexpr double kMinShare = 0.5; // of the minimum layer height: thinner beads do not stick
 constexpr std::array kLeansDeg{20.0, -20.0, 40.0, -40.0};
+// Courses of one height; less than the height of a course, so that none rests on another.
+constexpr double kSameHeightMm = 0.05;
 constexpr double kUpright = 0.5; // cosine of the maximum tilt of courses over or to the side
 
 void append(plan::ToolPlan& plan, const Vector3d& tip, const Vector3d& direction, float widthMm,
@@ -58,7 +62,42 @@ struct Course {
       sum += t.dot(up);
     return sum / static_cast<double>(tip.size());
   }
+
+  Course reversed() const {
+    Course other = *this;
+    std::ranges::reverse(other.tip);
+    std::ranges::reverse(other.direction);
+    std::ranges::reverse(other.above);
+    std::ranges::reverse(other.heightMm);
+    return other;
+  }
 };
+
+// Returns the visits of least travel from `last` to `next`: low courses first, in any order where
+// they are equally high along `up`. Precondition: courses ascend along `up`.
+std::vector<Visit> visitsOf(const std::vector<const Course*>& courses, const Vector3d& up,
+                            const Vector3d& last, const Vector3d& next) {
+  std::vector<Stop> stops;
+  std::vector<StopTurn> turns;
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (const Course* course : courses) {
+    const double height = course->meanAlong(up);
+    if (height > lowest + kSameHeightMm) {
+      turns.emplace_back();
+      lowest = height;
+    }
+    turns.back().push_back(stops.size());
+    stops.push_back({{course->tip.front(), course->tip.back()}});
+  }
+  turns.insert(turns.begin(), StopTurn{stops.size()});
+  stops.push_back({{last}, true});
+  turns.push_back({stops.size()});
+  stops.push_back({{next}, true});
+  std::vector<Visit> visits = visitShortly(stops, turns, last);
+  visits.erase(visits.begin());
+  visits.pop_back();
+  return visits;
+}
 
 // The space below a waypoint, along its direction, that support may fill.
 struct Room {
@@ -315,8 +354,15 @@ private:
       for (const Vector3d& d : course->direction)
         up += d;
     std::ranges::stable_sort(beneath, {}, [&](const auto& b) { return b.first->meanAlong(up); });
+    std::vector<const Course*> courses;
     for (const auto& [course, under] : beneath)
-      addCourse(*course, *under);
+      courses.push_back(course);
+    const std::vector<Vector3d>& printed = out_.beads.plan.position;
+    const Vector3d next = was_.plan.position[paths[firstPath].first];
+    const Vector3d last = printed.empty() ? next : printed.back();
+    for (const Visit& visit : visitsOf(courses, up.normalized(), last, next))
+      addCourse(visit.begin == 0 ? *courses[visit.stop] : courses[visit.stop]->reversed(),
+                *beneath[visit.stop].second);
   }
 
   void addCourse(const Course& course, plan::ToolPath under) {
