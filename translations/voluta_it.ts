@@ -601,6 +601,10 @@ sioni</translation>
         <translation>ENDPROC senza procedura</translation>
     </message>
     <message>
+        <source>Fermat spiral</source>
+        <translation>spirale di Fermat</translation>
+    </message>
+    <message>
         <source>Field rounds</source>
         <translation>cicli del campo</translation>
     </message>

@@ -7,6 +7,7 @@
 #include "toolpath/coverage/bead_scale.h"
 #include "toolpath/coverage/coverage.h"
 #include "toolpath/coverage/refined_patch.h"
+#include "toolpath/coverage/strand_room.h"
 #include "toolpath/coverage/uniform_interior.h"
 #include "toolpath/coverage/voronoi_shares.h"
 #include "toolpath/infill/curve_tools.h"
@@ -33,7 +34,8 @@ using plan::PathKind;
 // (bead_scale.h).
 constexpr double kReach = 1.8;
 constexpr double kPlanStep = 0.5; // Point spacing [mm] while centrelines move
-constexpr int kRelaxations = 2;
+// Lines that close the gaps between them move farther.
+constexpr int kRelaxations = 2, kClosingRelaxations = 3;
 // Resampling step [mm], for beads of 1.2 mm. With kArcPasses, right angles become arcs of radius
 // about 0.4 mm.
 constexpr double kArcStep = 0.2;
@@ -59,6 +61,7 @@ struct Centrelines {
   std::vector<double> extraMm;
   std::vector<double> depth;            // Per vertex: distance from the boundary [hatches]
   std::vector<double> uniformSpacingMm; // InfillLines::uniformSpacingMm
+  std::vector<char> isClosed;           // InfillLines::isClosed
 
   bool isOuterWall(std::size_t k) const { return kind[k] == PathKind::Wall && ring[k] == 0; }
 
@@ -111,9 +114,9 @@ bool lessenExtras(const std::vector<SurfaceCurve>& curves, const VoronoiShares& 
   return any;
 }
 
-// Returns gapSpines()' outsideMm: per vertex, the distance to the nearest footprint of the lines.
-std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
-                              const std::vector<double>& hatchMm, double beadScale) {
+// Returns per vertex the distance to the nearest footprint of the lines.
+std::vector<double> outsideFootprints(const PatchSurface& s, const Centrelines& lines,
+                                      const std::vector<double>& hatchMm, double beadScale) {
   std::vector<SurfaceCurve> usual, wide;
   for (std::size_t k = 0; k < lines.curves.size(); ++k)
     (lines.isOuterWall(k) && !lines.extraMm.empty() ? wide : usual).push_back(lines.curves[k]);
@@ -140,6 +143,16 @@ std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
       distanceToSegments(s, segmentsOf(s, wide), kGapReachMm * beadScale);
   for (std::size_t v = 0; v < outside.size(); ++v)
     outside[v] = std::min(outside[v], toWide[v] - 0.5 * hatchMm[v] - lines.extraMm[v]);
+  return outside;
+}
+
+// Returns gapSpines()' outsideMm: no gap where the infill closes them.
+std::vector<double> outsideOf(const PatchSurface& s, const Centrelines& lines,
+                              const std::vector<double>& hatchMm, double beadScale) {
+  std::vector<double> outside = outsideFootprints(s, lines, hatchMm, beadScale);
+  for (std::size_t v = 0; v < lines.isClosed.size(); ++v)
+    if (lines.isClosed[v])
+      outside[v] = -hatchMm[v];
   return outside;
 }
 
@@ -198,9 +211,10 @@ void levelEnds(const SurfaceCurve& c, double reachMm, std::vector<double>& perSe
 }
 
 // Moves a centreline to the middle of its share, and extends its open ends into the area beyond
-// them.
+// them. `room`: of strandRoom(), so that no two parts cross; empty: not limited by it.
 void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share, double hatch,
-                  bool isSpine) {
+                  bool isSpine, const std::vector<double>& room) {
+  constexpr double kOfRoom = 0.45;
   const std::size_t n = c.points.size();
   std::vector<double> shift = share.lateralMm;
   if (isSpine && !c.closed)
@@ -223,8 +237,9 @@ void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share
     if (left.norm() < 1e-6)
       continue;
     Vector3d move = 0.5 * (shift[before] + shift[after]) * left.normalized();
-    if (move.norm() > 0.4 * hatch)
-      move *= 0.4 * hatch / move.norm();
+    const double most = room.empty() ? 0.4 * hatch : std::min(0.4 * hatch, kOfRoom * room[i]);
+    if (move.norm() > most)
+      move *= most / move.norm();
     if (first)
       move -= std::min(0.6 * hatch, share.beyondMm2[0] / hatch) * along(0);
     if (last)
@@ -352,6 +367,7 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   ctx.checkpoint();
   lines.depth = depth;
   lines.uniformSpacingMm = std::move(infill.uniformSpacingMm);
+  lines.isClosed = std::move(infill.isClosed);
   lines.add(gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale),
             PathKind::GapFill, 0);
   ctx.checkpoint();
@@ -417,12 +433,16 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     smoothCurve(s, r.curve, r.corner, 2);
     c = std::move(r.curve);
   }
-  for (int i = 0; i < kRelaxations; ++i) {
+  const int relaxations = lines.isClosed.empty() ? kRelaxations : kClosingRelaxations;
+  for (int i = 0; i < relaxations; ++i) {
     ctx.checkpoint();
     const VoronoiShares cells = computeShares(coarse, even.of(lines.curves), lines.extras(s));
+    const auto room = lines.isClosed.empty() ? std::vector<std::vector<double>>(lines.curves.size())
+                                             : strandRoom(lines.curves, hatch);
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.needsChart || lines.kind[k] != PathKind::Infill)
-        moveToMiddle(s, lines.curves[k], cells.share[k], hatch, lines.kind[k] == PathKind::GapFill);
+        moveToMiddle(s, lines.curves[k], cells.share[k], hatch, lines.kind[k] == PathKind::GapFill,
+                     room[k]);
   }
   // Round the corners: straight beads that meet at an angle leave a gap at the outside of the
   // corner.

@@ -9,9 +9,10 @@
 namespace voluta::toolpath {
 
 namespace {
-constexpr std::array<InfillKind, 6> kKinds{{
+constexpr std::array<InfillKind, 7> kKinds{{
     {"zigzag", "zigzag"_text, zigzagInfill, false, true},
     {"concentric", "concentric"_text, concentricInfill},
+    {"fermat", "Fermat spiral"_text, fermatInfill},
     {"woven", "woven"_text, wovenInfill, true},
     {"around", "around"_text, aroundInfill, true},
     {"along", "along"_text, alongInfill, true},

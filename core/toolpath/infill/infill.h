@@ -29,6 +29,9 @@ struct InfillLines {
   // Per vertex of a plane surface [mm]: the distance between straight parallel lines there; 0 where
   // lines need not be straight and parallel, as near the region's edge. Empty: 0 everywhere.
   std::vector<double> uniformSpacingMm = {};
+  // Per vertex: the lines are the only beads there, and widen to close the gaps between them.
+  // Empty: nowhere.
+  std::vector<char> isClosed = {};
 };
 
 struct InfillKind {
@@ -53,6 +56,10 @@ const InfillKind& infillKind(std::string_view id);
 InfillLines zigzagInfill(const InfillRegion& region, const base::RunContext& ctx);
 // Curves at equal distances from the boundary.
 InfillLines concentricInfill(const InfillRegion& region, const base::RunContext& ctx);
+// The curves of concentricInfill joined to one closed curve per connected region: a double spiral
+// where they are nested without branching (connected Fermat spirals, Zhao et al. 2016), joined side
+// by side where they branch and around holes.
+InfillLines fermatInfill(const InfillRegion& region, const base::RunContext& ctx);
 
 // Lines that are straight in the surface's chart (Castelli 5.3.1, appendix A). Where the region
 // extends all the way around, their number is an integer, so that they continue across the chart's

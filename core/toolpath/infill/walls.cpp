@@ -13,9 +13,8 @@ namespace voluta::toolpath {
 namespace {
 using base::at;
 
-constexpr double kInwards = 0.4; // hatches
-// Maximum closing, in hatches. With kInwards it has to be less than the distance from the wall to
-// the boundary.
+// Maximum closing, in hatches. With kWallInwards it has to be less than the distance from the wall
+// to the boundary.
 constexpr double kMaxClosing = 1.0;
 // mm, for beads of the usual width; shorter rings are no more than a blob.
 constexpr double kFar = 2.0, kShortest = 3.0;
@@ -36,27 +35,40 @@ std::vector<double> signedDistance(const PatchSurface& s, const std::vector<Surf
 }
 } // namespace
 
-std::vector<SurfaceCurve> wallAt(const PatchSurface& s, const std::vector<double>& depth,
-                                 const std::vector<double>& hatchMm, double beadScale,
-                                 double level) {
-  const auto inner = isolines(s, depth, level + kInwards);
+LevelSet openedAt(const PatchSurface& s, const std::vector<double>& depth,
+                  const std::vector<double>& hatchMm, double beadScale, double level,
+                  double inwards) {
+  const auto inner = isolines(s, depth, level + inwards);
   if (inner.empty())
     return {};
   const std::vector<double> fromInner =
       signedDistance(s, inner, hatchMm, beadScale, false,
-                     [&](std::size_t v) { return depth[v] >= level + kInwards; });
+                     [&](std::size_t v) { return depth[v] >= level + inwards; });
   // Where the region is hardly deep enough, the inner region is fragmented: close the gaps before
   // offsetting back outwards.
   const double closing = std::min(kMaxClosing, std::max(0.1, level - 0.05)),
-               out = -(kInwards + closing);
+               out = -(inwards + closing);
   const auto outer = isolines(s, fromInner, out);
   if (outer.empty())
     return {};
-  const std::vector<double> fromOuter = signedDistance(
-      s, outer, hatchMm, beadScale, true, [&](std::size_t v) { return fromInner[v] >= out; });
-  std::vector<SurfaceCurve> curves = isolines(s, fromOuter, closing);
+  return {signedDistance(s, outer, hatchMm, beadScale, true,
+                         [&](std::size_t v) { return fromInner[v] >= out; }),
+          closing};
+}
+
+std::vector<SurfaceCurve> wallsAround(const PatchSurface& s, const LevelSet& region,
+                                      double beadScale) {
+  if (region.value.empty())
+    return {};
+  std::vector<SurfaceCurve> curves = isolines(s, region.value, region.level);
   std::erase_if(curves, [&](const SurfaceCurve& c) { return lengthOf(c) < kShortest * beadScale; });
   return curves;
+}
+
+std::vector<SurfaceCurve> wallAt(const PatchSurface& s, const std::vector<double>& depth,
+                                 const std::vector<double>& hatchMm, double beadScale,
+                                 double level) {
+  return wallsAround(s, openedAt(s, depth, hatchMm, beadScale, level, kWallInwards), beadScale);
 }
 
 void dropJunctionRings(const PatchSurface& s, const std::vector<double>& depth, double hatchMm,
