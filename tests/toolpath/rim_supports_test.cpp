@@ -236,6 +236,29 @@ TEST(Underlay, LeansAwayFromAWall) {
   }
 }
 
+// From the last foot to the first bead of the patch, to and fro.
+TEST(Underlay, RimSupportsOfOneHeightAreInTheOrderOfLeastTravel) {
+  plan::ToolPlan plan;
+  for (const double y : {-12.0, -4.0, 4.0, 12.0})
+    addPath(plan, -15, 0, y, 0.8, 0);
+  for (const double y : {-12.0, 4.0, 12.0, -4.0})
+    addPath(plan, -15, 15, y, 1.6, 1);
+  const Underlaid out = underlaid(plan);
+  EXPECT_EQ(out.underlaid, 4u);
+  std::vector<plan::ToolPath> supports;
+  std::ranges::copy_if(
+      out.plan.paths, std::back_inserter(supports),
+      [](const plan::ToolPath& path) { return path.kind == plan::PathKind::Support; });
+  ASSERT_EQ(supports.size(), 4u);
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    const Vector3d& begin = out.plan.position[supports[k].first];
+    EXPECT_DOUBLE_EQ(begin.y(), 12.0 - 8.0 * static_cast<double>(k));
+    if (k > 0) {
+      EXPECT_NEAR((begin - out.plan.position[supports[k].first - 1]).norm(), 8.0, 0.5);
+    }
+  }
+}
+
 // By the hundred: of what is laid, nothing is in what was laid before it, and nothing hangs.
 TEST(Underlay, RandomFeet) {
   std::size_t laid = 0;
