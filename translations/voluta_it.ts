@@ -7275,6 +7275,38 @@ previsto</translation>
         <source>set infillDensity to 0.1 or more; for a part that is open at the top, set topLayers to 0</source>
         <translation>imposta infillDensity a 0.1 o più; per un pezzo aperto in alto, imposta topLayers a 0</translation>
     </message>
+    <message>
+        <source>thin walls</source>
+        <translation>pareti sottili</translation>
+    </message>
+    <message>
+        <source>as the narrowest bead</source>
+        <translation>come il cordone più stretto</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translation>ometti</translation>
+    </message>
+    <message>
+        <source>Walls narrower than the narrowest bead: printed as that bead, and so too wide, or left out. Below half its width they are always left out.</source>
+        <translation>Pareti più strette del cordone più stretto: stampate come quel cordone, quindi troppo larghe, oppure omesse. Sotto la metà della sua larghezza sono sempre omesse.</translation>
+    </message>
+    <message>
+        <source>{length:.0f} of walls, down to {width} thin, is printed too wide: with the narrowest bead, {bead}</source>
+        <translation>{length:.0f} di pareti, sottili fino a {width}, è stampato troppo largo: con il cordone più stretto, {bead}</translation>
+    </message>
+    <message>
+        <source>use a finer nozzle, or leave them out (thinWalls=omit)</source>
+        <translation>usa un ugello più fine, oppure omettile (thinWalls=omit)</translation>
+    </message>
+    <message>
+        <source>{length:.0f} of walls, down to {width} thin, is left out: the narrowest bead is {bead}</source>
+        <translation>{length:.0f} di pareti, sottili fino a {width}, è omesso: il cordone più stretto è {bead}</translation>
+    </message>
+    <message>
+        <source>use a finer nozzle, or print them with that bead (thinWalls=bead)</source>
+        <translation>usa un ugello più fine, oppure stampale con quel cordone (thinWalls=bead)</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

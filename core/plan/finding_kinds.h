@@ -79,6 +79,8 @@ enum class FindingKind : std::uint8_t {
   GivenTooFast,
   PatchWithoutBead,
   HollowSkin,
+  ThinWallsWidened,
+  ThinWallsLeftOut,
   RimSupports,
   PrimeFalls,
   BrimCut,

@@ -54,6 +54,44 @@ private:
   const Interior& interior_;
   const std::vector<PieceSupport>& support_;
 };
+// Finds the gaps along the beads: pieces [begin, end) of one bead.
+class Spans {
+public:
+  Spans(const std::vector<BeadPiece>& pieces, const std::vector<Held>& held)
+      : pieces_(pieces), held_(held) {}
+
+  std::size_t endOf(std::size_t begin) const {
+    std::size_t end = begin + 1;
+    while (continues(end) && held_[end] == Held::InteriorGap)
+      ++end;
+    return end;
+  }
+  double lengthMm(std::size_t begin, std::size_t end) const {
+    double length = 0.0;
+    for (std::size_t p = begin; p < end; ++p)
+      length += (pieces_[p].to - pieces_[p].from).norm();
+    return length;
+  }
+  // Returns the length that the gap may have.
+  double allowedMm(std::size_t begin, std::size_t end, const Interior& interior) const {
+    const bool isFirst = !continues(begin), isLast = !continues(end);
+    const bool before = !isFirst && isHeld(begin - 1), after = !isLast && isHeld(end);
+    if (before && after)
+      return interior.bridgeMm(pieces_[begin]);
+    return (isFirst && after) || (before && isLast) ? sectionOf(pieces_[begin], kWidestMm).widthMm
+                                                    : 0.0;
+  }
+
+private:
+  bool isHeld(std::size_t p) const { return held_[p] == Held::Below || held_[p] == Held::Beside; }
+  // Returns whether piece p continues the bead of the piece before it.
+  bool continues(std::size_t p) const {
+    return p > 0 && p < pieces_.size() && pieces_[p].run == pieces_[p - 1].run;
+  }
+
+  const std::vector<BeadPiece>& pieces_;
+  const std::vector<Held>& held_;
+};
 } // namespace
 
 void acceptInteriorSpans(const std::vector<BeadPiece>& pieces, const PrintedPart& printed,
@@ -66,24 +104,16 @@ void acceptInteriorSpans(const std::vector<BeadPiece>& pieces, const PrintedPart
       held[p] = judge.of(p);
   });
   constexpr PieceSupport kHeld{true, 1.0};
+  const Spans spans(pieces, held);
   for (std::size_t p = 0; p < pieces.size();) {
+    if (held[p] == Held::Beside)
+      support[p] = kHeld;
     if (held[p] != Held::InteriorGap) {
-      if (held[p] == Held::Beside)
-        support[p] = kHeld;
       ++p;
       continue;
     }
-    const auto isSameBead = [&](std::size_t q) {
-      return q < pieces.size() && pieces[q].run == pieces[p].run;
-    };
-    double lengthMm = 0.0;
-    std::size_t end = p;
-    for (; isSameBead(end) && held[end] == Held::InteriorGap; ++end)
-      lengthMm += (pieces[end].to - pieces[end].from).norm();
-    const auto holds = [&](std::size_t q) {
-      return isSameBead(q) && (held[q] == Held::Below || held[q] == Held::Beside);
-    };
-    if (p > 0 && holds(p - 1) && holds(end) && lengthMm <= interior.bridgeMm(pieces[p]))
+    const std::size_t end = spans.endOf(p);
+    if (spans.lengthMm(p, end) <= spans.allowedMm(p, end, interior))
       std::fill(support.begin() + static_cast<std::ptrdiff_t>(p),
                 support.begin() + static_cast<std::ptrdiff_t>(end), kHeld);
     p = end;

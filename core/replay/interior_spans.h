@@ -23,7 +23,8 @@ struct Interior {
 };
 
 // Counts pieces over the interior as supported where the gap below them is a span that can be
-// bridged: their bead is held before and after it, and in between it is no longer than `bridgeMm`.
+// bridged: their bead is held before and after it, and in between it is no longer than `bridgeMm`;
+// or held on one side, with an end that is no longer than the bead is wide.
 // A piece is held if there is material below it, or beside it a bead that has material below. A
 // piece is over the interior if the place below it is inside the part. `support`: per piece, as
 // found from the material below. Throws Cancelled.

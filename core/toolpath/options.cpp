@@ -76,6 +76,12 @@ base::ParameterTable toolpathParameters() {
       base::choiceParameter("seam", ToolpathOptions{}.seam, seams, "Tool-paths"_text, "seam"_text,
                             "Where closed walls begin and end. A seam aligned or in a corner is "
                             "less visible; spread seams weaken the part least."_text),
+      base::choiceParameter(
+          "thinWalls", ToolpathOptions{}.thinWalls,
+          {{"bead", "as the narrowest bead"_text}, {"omit", "leave out"_text}}, "Tool-paths"_text,
+          "thin walls"_text,
+          "Walls narrower than the narrowest bead: printed as that bead, and so too wide, or left "
+          "out. Below half its width they are always left out."_text),
       base::choiceParameter("islandOrder", "travel",
                             {{"travel", "shortest travel"_text}, {"layers", "as sliced"_text}},
                             "Tool-paths"_text, "order of islands"_text,
@@ -100,6 +106,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.primeLengthMm = values.number("primeLengthMm");
   o.brimWidthMm = values.number("brimWidthMm");
   o.seam = values.text("seam");
+  o.thinWalls = values.text("thinWalls");
   o.orderIslands = values.text("islandOrder") == "travel";
   return o;
 }

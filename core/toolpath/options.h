@@ -19,6 +19,9 @@ struct ToolpathOptions {
   // Solid layers above and below the interior, at least skinMm thick.
   int topLayers = 3, bottomLayers = 3;
   double skinMm = 0.0;
+  // Walls narrower than the narrowest bead: "bead" prints them with that bead, "omit" leaves them
+  // out.
+  std::string thinWalls = "bead";
   // Direction of straight lines on the first layer, from x to y, and their rotation per layer.
   double infillAngleDeg = 135.0, infillTurnDeg = 90.0;
   double windingAngleDeg = 45.0; // of helical infill: 0 around the axis, 90 along it
@@ -38,7 +41,7 @@ struct ToolpathOptions {
 
 // Returns the parameters walls, infill, infillDensity, sparsePattern, topLayers, bottomLayers,
 // skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime, primeLengthMm,
-// brimWidthMm, seam and islandOrder.
+// brimWidthMm, seam, islandOrder and thinWalls.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.

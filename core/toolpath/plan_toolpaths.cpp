@@ -54,6 +54,30 @@ std::optional<plan::Finding> hollowSkin(const std::vector<PatchCover>& covers) {
     return std::nullopt;
   return plan::makeFinding(plan::FindingKind::HollowSkin, {{"paths", paths}}, *first, paths);
 }
+
+// Returns the finding about walls that are narrower than the narrowest bead.
+std::optional<plan::Finding> thinWalls(const layers::LayerStack& stack,
+                                       const std::vector<PatchCover>& covers,
+                                       const process::Tooling& tooling, bool leftOut) {
+  double lengthMm = 0.0, beadMm = 0.0;
+  std::optional<ThinWall> thinnest;
+  for (std::size_t i = 0; i < covers.size(); ++i)
+    for (const ThinWall& wall : covers[i].thinWalls) {
+      lengthMm += wall.lengthMm;
+      if (thinnest && thinnest->widthMm <= wall.widthMm)
+        continue;
+      thinnest = wall;
+      beadMm = tooling.at(stack.patches[i].tool).process.beadWidthMinMm;
+    }
+  if (!thinnest)
+    return std::nullopt;
+  return plan::makeFinding(leftOut ? plan::FindingKind::ThinWallsLeftOut
+                                   : plan::FindingKind::ThinWallsWidened,
+                           {{"length", base::mm(lengthMm)},
+                            {"width", base::mm(thinnest->widthMm)},
+                            {"bead", base::mm(beadMm)}},
+                           thinnest->place);
+}
 } // namespace
 
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
@@ -66,6 +90,8 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   const std::vector<PatchCover>& covers = made.covers;
   Assembled assembled = assemble(stack, covers, tooling, {options.seam, options.orderIslands});
   assembled.plan.fill = made.fill;
+  if (auto finding = thinWalls(stack, covers, tooling, options.thinWalls == "omit"))
+    r.findings.push_back(std::move(*finding));
   if (options.infillDensity <= 0.0)
     if (auto finding = hollowSkin(covers))
       r.findings.push_back(std::move(*finding));

@@ -103,6 +103,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"primeLengthMm", {"60", 3}},
     {"brimWidthMm", {"5", 3}},
     {"seam", {"corner", 3}},
+    {"thinWalls", {"omit", 3}},
     {"islandOrder", {"layers", 3}},
     {"extruder", {"e-stream", 5}},
 };

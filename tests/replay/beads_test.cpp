@@ -8,6 +8,7 @@
 #include "replay/beads.h"
 #include "replay/coverage.h"
 #include "replay/depositor.h"
+#include "replay/interior_spans.h"
 #include "replay/printed_part.h"
 
 #include <gtest/gtest.h>
@@ -357,6 +358,44 @@ TEST(Support, TheLongestStretchIsOfOneBead) {
   const SupportedBeads s = findSupport(bridge, printed, GroundProbe(plate), kOne);
   EXPECT_NEAR(s.longestUnsupportedMm, 9.5, 1.0);
   EXPECT_NEAR(bridge[s.longestFrom].from.x(), 10.0, 1.0);
+}
+
+// A bead over piers of sparse infill, in a part that is `widthMm` wide across it. Its last
+// `beyondMm` are over none.
+double overPiers(double gapMm, double beyondMm, double widthMm, double bridgeMm) {
+  std::vector<BeadPiece> pieces;
+  const double end = 5.0 + gapMm;
+  for (const double x : {0.0, end})
+    for (const double z : {0.8, 1.6})
+      addBead(pieces, {{x, 5, z}, {x + 5, 5, z}}, 1.2, 0.8);
+  addBead(pieces, {{0, 5, 2.4}, {end + 5.0 + beyondMm, 5, 2.4}}, 1.2, 0.8);
+  const BeadGrid beads = lay(pieces, {-3, -3, -1}, {43, 33, 20});
+  const PrintedPart printed(beads, pieces);
+  const platform::PlatformSolid plate{{-1, -1}, {41, -1}, {41, 31}, {-1, 31}};
+  const Interior interior(test::box({-1, 5 - 0.5 * widthMm, 0}, {41, 5 + 0.5 * widthMm, 4}),
+                          [&](const BeadPiece&) { return bridgeMm; });
+  return findSupport(pieces, printed, GroundProbe(plate), kOne, &interior).unsupportedMm;
+}
+
+TEST(InteriorSpans, AreBridgedBetweenWhatHoldsThem) {
+  EXPECT_EQ(overPiers(5.0, 0.0, 8.0, 6.0), 0.0);
+  EXPECT_NEAR(overPiers(9.0, 0.0, 8.0, 6.0), 8.0, 1.5) << "longer than the material bridges";
+  EXPECT_EQ(overPiers(9.0, 0.0, 8.0, 10.0), 0.0);
+  EXPECT_EQ(overPiers(5.0, 1.5, 8.0, 6.0), 0.0) << "an end no longer than the bead is wide";
+  EXPECT_NEAR(overPiers(5.0, 4.5, 8.0, 6.0), 4.0, 1.0) << "an end that nothing holds";
+}
+
+TEST(InteriorSpans, OutsideThePartNoneIsAccepted) {
+  std::vector<BeadPiece> pieces;
+  for (const double x : {0.0, 10.0})
+    addBead(pieces, {{x, 5, 0.8}, {x + 5, 5, 0.8}}, 1.2, 0.8);
+  addBead(pieces, {{0, 5, 1.6}, {15, 5, 1.6}}, 1.2, 0.8);
+  const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20});
+  const PrintedPart printed(beads, pieces);
+  const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
+  const Interior beside(test::box({0, 15, 0}, {30, 25, 4}), [](const BeadPiece&) { return 6.0; });
+  EXPECT_EQ(findSupport(pieces, printed, GroundProbe(plate), kOne, &beside).unsupportedMm,
+            findSupport(pieces, printed, GroundProbe(plate), kOne).unsupportedMm);
 }
 
 // However cells happen to lie, a thin bead is carried by what is a twentieth of its height below

@@ -106,6 +106,32 @@ TEST(CoverPatch, StripsOfEveryWidth) {
   }
 }
 
+TEST(CoverPatch, ThinWallsArePrintedTooWideOrLeftOut) {
+  const process::Process process;
+  const double narrowest = process::hatchOf(process.beadWidthMinMm, process.layerHeightMm);
+  for (const double w : {0.5, 0.6, 0.7, 0.8, 0.95, 1.2, 3.0}) {
+    SCOPED_TRACE(w);
+    const layers::Patch wall = test::patchOver({test::rectangle(30, w)}, 0.3 * w);
+    toolpath::ToolpathOptions o;
+    const toolpath::PatchCover usual = cover(wall, o);
+    o.thinWalls = "omit";
+    const toolpath::PatchCover omitted = cover(wall, o);
+    if (w > narrowest) {
+      EXPECT_TRUE(usual.thinWalls.empty());
+      EXPECT_EQ(omitted.beads.size(), usual.beads.size());
+      continue;
+    }
+    if (w > 0.93 * narrowest)
+      continue; // Too wide by less than its measure tells
+    ASSERT_EQ(usual.thinWalls.size(), 1u);
+    EXPECT_NEAR(usual.thinWalls.front().widthMm, w, 0.1 * w);
+    EXPECT_NEAR(usual.thinWalls.front().lengthMm, 30.0, 1.5);
+    EXPECT_EQ(usual.beads.size(), 1u);
+    EXPECT_EQ(omitted.thinWalls.size(), 1u);
+    EXPECT_TRUE(omitted.beads.empty());
+  }
+}
+
 // Where lines meet the edge at a small angle, ends of neighbours are far apart along it.
 TEST(CoverPatch, ZigzagIsJoinedAroundHoles) {
   const auto zigzags = [](const layers::Patch& patch) {

@@ -63,6 +63,8 @@ struct Centrelines {
   std::vector<double> uniformSpacingMm; // InfillLines::uniformSpacingMm
   std::vector<char> isClosed;           // InfillLines::isClosed
 
+  std::vector<ThinWall> thinWalls;
+
   bool isOuterWall(std::size_t k) const { return kind[k] == PathKind::Wall && ring[k] == 0; }
 
   void add(std::vector<SurfaceCurve>&& more, PathKind k, int r) {
@@ -368,8 +370,16 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   lines.depth = depth;
   lines.uniformSpacingMm = std::move(infill.uniformSpacingMm);
   lines.isClosed = std::move(infill.isClosed);
-  lines.add(gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale),
-            PathKind::GapFill, 0);
+  std::vector<SurfaceCurve> spines =
+      gapSpines(s, outsideOf(s, lines, hatchMm, beadScale), boundaryMm, hatchMm, beadScale);
+  const double narrowest = process::hatchOf(process.beadWidthMinMm, process.layerHeightMm);
+  std::erase_if(spines, [&](const SurfaceCurve& spine) {
+    const auto thin = thinWallAlong(s, spine, boundaryMm, narrowest);
+    if (thin)
+      lines.thinWalls.push_back(*thin);
+    return thin && o.thinWalls == "omit";
+  });
+  lines.add(std::move(spines), PathKind::GapFill, 0);
   ctx.checkpoint();
   return lines;
 }
@@ -395,6 +405,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   cover.volumeMm3 = s.volumeMm3;
   cover.simple = oneLoop(s);
   Centrelines lines = centrelines(s, process, o, kind, patch.layer, wallWidthMm, ctx);
+  cover.thinWalls = lines.thinWalls;
   if (lines.curves.empty())
     return cover;
 

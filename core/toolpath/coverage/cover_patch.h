@@ -4,6 +4,7 @@
 #include "layers/layer_stack.h"
 #include "process/process.h"
 #include "toolpath/coverage/bead.h"
+#include "toolpath/infill/thin_walls.h"
 #include "toolpath/options.h"
 
 #include <vector>
@@ -21,6 +22,7 @@ struct PatchCover {
   double beadVolumeMm3 = 0.0; // Length of the tip's path x section (mean of each segment's ends)
   double coveredMm2 = 0.0, overlapMm2 = 0.0; // See coverage.h
   bool simple = false;                       // The patch has one boundary loop
+  std::vector<ThinWall> thinWalls;           // Printed wider, or left out (options)
 };
 
 // Covers the patch in three steps:

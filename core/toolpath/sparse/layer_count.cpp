@@ -19,6 +19,7 @@ using base::at;
 // one is another patch of the same layer.
 constexpr double kGap = 1.7, kSameLayer = 0.3;
 constexpr double kSameDirectionDeg = 30.0;
+constexpr int kSpareLayers = 2;
 
 // Every patch is of interest.
 std::vector<Eigen::AlignedBox3d> boxOf(const layers::LayerStack& stack) {
@@ -45,14 +46,19 @@ void LayerCount::walk(std::size_t patch, const Vector3d& place, const Vector3d& 
   const Vector3d from = place + start * way, to = place + kGap * maxThicknessMm_ * enough * way;
   Eigen::AlignedBox3d box(from);
   box.extend(to);
-  const auto size = static_cast<int>(stack_.patches.size());
-  thread_local std::vector<layers::StackQuery::Place> hits;
-  query_.hits(query_.near(box, 0, size), from, to, hits);
+  std::vector<int> near = query_.near(box, 0, static_cast<int>(stack_.patches.size()));
+  // Curved layers nest: the boxes of far more of them are near than can follow each other here.
+  const layers::Patch& own = stack_.patches[patch];
+  std::erase_if(near, [&](int p) {
+    const layers::Patch& other = stack_.patches[at(p)];
+    return other.item != own.item ||
+           (other.group == own.group && std::abs(other.layer - own.layer) > enough + kSpareLayers);
+  });
+  std::vector<layers::StackQuery::Place> hits;
+  query_.hits(near, from, to, hits);
   double last = 0.0, lastThickness = thicknessMm;
   for (const layers::StackQuery::Place& hit : hits) {
     const layers::Patch& other = stack_.patches[at(hit.patch)];
-    if (other.item != stack_.patches[patch].item)
-      continue;
     const auto vertex = at(other.surface.triangles[at(hit.triangle)][0]);
     const double thickness = other.thicknessMm[vertex];
     const double distance = start + hit.distance;
