@@ -20,7 +20,7 @@ template <typename T, std::size_t... I> constexpr bool takes(std::index_sequence
   };
 }
 
-inline constexpr std::size_t kMaxMembers = 20;
+inline constexpr std::size_t kMaxMembers = 24;
 
 template <typename T, std::size_t N = kMaxMembers> constexpr std::size_t countMembers() {
   if constexpr (takes<T>(std::make_index_sequence<N>()))
@@ -33,7 +33,7 @@ template <typename T, std::size_t N = kMaxMembers> constexpr std::size_t countMe
 
 } // namespace detail
 
-// Returns references to the members of an aggregate without base classes; at most 20 members, none
+// Returns references to the members of an aggregate without base classes; at most 24 members, none
 // of them an array or an optional.
 template <typename T> auto members(const T& t) {
   static_assert(std::is_aggregate_v<T>);
@@ -96,9 +96,21 @@ template <typename T> auto members(const T& t) {
   } else if constexpr (n == 19) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u] = t;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u);
-  } else {
+  } else if constexpr (n == 20) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v] = t;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v);
+  } else if constexpr (n == 21) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w);
+  } else if constexpr (n == 22) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x);
+  } else if constexpr (n == 23) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y);
+  } else {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y, z] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y, z);
   }
 }
 

@@ -78,6 +78,57 @@ std::optional<plan::Finding> thinWalls(const layers::LayerStack& stack,
                             {"bead", base::mm(beadMm)}},
                            thinnest->place);
 }
+
+// Adds the figures of the finished plan.
+void addPathFigures(const plan::ToolPlan& plan, plan::ToolpathStatistics& s) {
+  s.paths = s.starts = plan.paths.size();
+  s.waypoints = plan.waypointCount();
+  for (std::size_t k = 0; k < plan.paths.size(); ++k) {
+    const plan::ToolPath& path = plan.paths[k];
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+      const double length = (plan.position[i] - plan.position[i - 1]).norm();
+      const auto section = [&](std::size_t j) {
+        return process::beadArea(static_cast<double>(plan.widthMm[j]),
+                                 static_cast<double>(plan.heightMm[j]));
+      };
+      s.lengthMm += length;
+      if (plan::isWaste(path.kind))
+        continue;
+      s.materialMm3 += process::beadVolume(section(i - 1), section(i), length);
+    }
+    if (k > 0)
+      s.travelMm += (plan.position[path.first] - plan.position[path.first - 1]).norm();
+  }
+}
+
+// Adds the figures of the covers. Returns the finding about patches without a bead.
+std::optional<plan::Finding> addCoverFigures(const layers::LayerStack& stack,
+                                             const std::vector<PatchCover>& covers,
+                                             plan::ToolpathStatistics& s) {
+  double area = 0.0, covered = 0.0, overlap = 0.0, bareMm3 = 0.0;
+  std::size_t bare = 0, firstBare = 0;
+  for (std::size_t i = 0; i < covers.size(); ++i) {
+    const PatchCover& c = covers[i];
+    area += c.areaMm2;
+    covered += c.coveredMm2;
+    overlap += c.overlapMm2;
+    s.layerVolumeMm3 += c.volumeMm3;
+    s.simpleRegions += c.simple ? 1 : 0;
+    if (c.beads.empty() && c.areaMm2 > 0) {
+      firstBare = bare == 0 ? i : firstBare;
+      ++bare;
+      bareMm3 += c.volumeMm3;
+    }
+  }
+  s.coveredFraction = area > 0 ? covered / area : 0.0;
+  s.overlapFraction = area > 0 ? overlap / area : 0.0;
+  if (bare == 0)
+    return std::nullopt;
+  plan::Finding f = plan::makeFinding(plan::FindingKind::PatchWithoutBead, {},
+                                      stack.patches[firstBare].surface.vertices.front(), bare);
+  f.blocking = bareMm3 > plan::kBlockingShare * s.layerVolumeMm3;
+  return f;
+}
 } // namespace
 
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
@@ -86,6 +137,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   ToolpathResult r;
   base::Stopwatch watch;
   const base::RunContext silent = ctx.quiet();
+  const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
   const LayerCovers made = coverLayers(stack, tooling, options, 0.6, ctx);
   const std::vector<PatchCover>& covers = made.covers;
   Assembled assembled = assemble(stack, covers, tooling, {options.seam, options.orderIslands});
@@ -137,52 +189,13 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   for (plan::Findings* findings : {&oriented.findings, &passed.findings, &told})
     std::ranges::move(*findings, std::back_inserter(r.findings));
 
-  plan::ToolpathStatistics& s = r.statistics;
-  s.paths = s.starts = r.plan.paths.size();
-  s.sparseMm3 = made.sparseMm3;
-  s.sparseBeadMm3 = made.sparseBeadMm3;
-  s.waypoints = r.plan.waypointCount();
-  s.gouges = oriented.gouges;
-  s.maxTurnDeg = oriented.maxTurnDeg;
-  for (std::size_t k = 0; k < r.plan.paths.size(); ++k) {
-    const plan::ToolPath& path = r.plan.paths[k];
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
-      const double length = (r.plan.position[i] - r.plan.position[i - 1]).norm();
-      const auto section = [&](std::size_t j) {
-        return process::beadArea(static_cast<double>(r.plan.widthMm[j]),
-                                 static_cast<double>(r.plan.heightMm[j]));
-      };
-      s.lengthMm += length;
-      if (plan::isWaste(path.kind))
-        continue;
-      s.materialMm3 += process::beadVolume(section(i - 1), section(i), length);
-    }
-    if (k > 0)
-      s.travelMm += (r.plan.position[path.first] - r.plan.position[path.first - 1]).norm();
-  }
-  double area = 0.0, covered = 0.0, overlap = 0.0, bareMm3 = 0.0;
-  std::size_t bare = 0, firstBare = 0;
-  for (std::size_t i = 0; i < covers.size(); ++i) {
-    const PatchCover& c = covers[i];
-    area += c.areaMm2;
-    covered += c.coveredMm2;
-    overlap += c.overlapMm2;
-    s.layerVolumeMm3 += c.volumeMm3;
-    s.simpleRegions += c.simple ? 1 : 0;
-    if (c.beads.empty() && c.areaMm2 > 0) {
-      firstBare = bare == 0 ? i : firstBare;
-      ++bare;
-      bareMm3 += c.volumeMm3;
-    }
-  }
-  s.coveredFraction = area > 0 ? covered / area : 0.0;
-  s.overlapFraction = area > 0 ? overlap / area : 0.0;
-  if (bare > 0) {
-    plan::Finding f = plan::makeFinding(plan::FindingKind::PatchWithoutBead, {},
-                                        stack.patches[firstBare].surface.vertices.front(), bare);
-    f.blocking = bareMm3 > plan::kBlockingShare * s.layerVolumeMm3;
-    r.findings.push_back(std::move(f));
-  }
+  r.statistics.sparseMm3 = made.sparseMm3;
+  r.statistics.sparseBeadMm3 = made.sparseBeadMm3;
+  r.statistics.gouges = oriented.gouges;
+  r.statistics.maxTurnDeg = oriented.maxTurnDeg;
+  addPathFigures(r.plan, r.statistics);
+  if (auto bare = addCoverFigures(stack, covers, r.statistics))
+    r.findings.push_back(std::move(*bare));
   return r;
 }
 

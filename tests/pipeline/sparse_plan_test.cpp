@@ -3,7 +3,6 @@
 #include "box_request.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/outputs.h"
-#include "project/job_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -48,8 +48,7 @@ public:
 
 private:
   double hatch(std::size_t loop) const {
-    return r_.surface.interpolate(r_.hatchMm, nested_.loops[loop].curve.points.front()) /
-           r_.density;
+    return r_.surface.interpolate(r_.hatchMm, nested_.loops[loop].curve.points.front());
   }
 
   // Returns whether the loop is the part's surface. A spiral would leave a wedge open there.

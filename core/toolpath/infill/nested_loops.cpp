@@ -58,13 +58,13 @@ int uniteBeside(const PatchSurface& s, const SurfaceCurve& curve, const std::vec
 
 NestedLoops nestedLoops(const InfillRegion& r, const base::RunContext& ctx) {
   const PatchSurface& s = r.surface;
-  const double deepest = *std::ranges::max_element(r.depth), spacing = 1.0 / r.density;
+  const double deepest = *std::ranges::max_element(r.depth);
   NestedLoops nested;
   std::vector<int>& rank = nested.rank;
   rank.assign(s.position.size(), 0);
   std::vector<int> rankOfLoop; // Of the vertices inside
   int number = 0;
-  for (double level = r.from + 0.5 * spacing; level < deepest; level += spacing) {
+  for (double level = r.from + 0.5; level < deepest; level += 1.0) {
     ctx.checkpoint();
     const LevelSet inside = openedAt(s, r.depth, r.hatchMm, r.beadScale, level, kInwards);
     ++number;
