@@ -36,7 +36,7 @@ TEST_P(SparsePlans, PassWithLessMaterial) {
   const PlanResult plan = planPart(sparseRequest(mode, pattern), {});
   ASSERT_EQ(plan.checked.size(), 1u);
   EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
-  const plan::ToolpathStatistics& paths = plan.job.report.item().toolpath;
+  const plan::ToolpathStatistics& paths = plan.job.report.toolpath;
   EXPECT_GT(paths.sparseMm3, 1500.0);
   EXPECT_LT(paths.materialMm3, 0.9 * 34 * 30 * 12);
   EXPECT_NEAR(plan.checked[0]->verdict.massRatio, 1.0, 0.02);
