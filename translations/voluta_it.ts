@@ -5537,6 +5537,14 @@ mm³</translation>
         <translation>Ordine in cui si stampano le isole separate di uno strato piano.</translation>
     </message>
     <message>
+        <source>Prints the part as one continuous bead of rising height on its bottom layers: one wall, without infill, top layers and supports under low overhangs.</source>
+        <translation>Stampa il pezzo come un unico cordone continuo che sale, sopra i suoi strati inferiori: una parete, senza riempimento, strati superiori e supporti sotto gli sbalzi bassi.</translation>
+    </message>
+    <message>
+        <source>spiral vase</source>
+        <translation>vaso a spirale</translation>
+    </message>
+    <message>
         <source>prime length</source>
         <translation>lunghezza dell&apos;innesco</translation>
     </message>
@@ -6622,8 +6630,8 @@ previsto</translation>
         <translation>Il doppio della distanza fra i punti</translation>
     </message>
     <message>
-        <source>How a part whose surface has wide openings or no thickness is handled: refuse it, close the openings with patches, or thicken the surface to a wall two beads wide.</source>
-        <translation>Come trattare un pezzo la cui superficie ha grandi aperture o nessuno spessore: rifiutarlo, chiudere le aperture con toppe o ispessire la superficie a una parete larga due cordoni.</translation>
+        <source>How a part whose surface has wide openings or no thickness is handled: refuse it, close the openings with patches, thicken the surface to a wall two beads wide, or print it as one wall, one bead wide.</source>
+        <translation>Come trattare un pezzo la cui superficie ha grandi aperture o nessuno spessore: rifiutarlo, chiudere le aperture con toppe, ispessire la superficie a una parete larga due cordoni o stamparla come una sola parete, larga un cordone.</translation>
     </message>
     <message>
         <source>Checks, with the closest approach to each limit</source>
@@ -7043,6 +7051,10 @@ previsto</translation>
         <translation>ispessisci</translation>
     </message>
     <message>
+        <source>one wall</source>
+        <translation>una sola parete</translation>
+    </message>
+    <message>
         <source>thicken it to a wall (openSurfaces=thicken), close its rims to make it solid (openSurfaces=close), or close it in a modelling program</source>
         <translation>dalle lo spessore di una parete (openSurfaces=thicken), chiudi i bordi per farne un solido (openSurfaces=close) o chiudila in un programma di modellazione</translation>
     </message>
@@ -7057,6 +7069,30 @@ previsto</translation>
     <message>
         <source>the open surface was thickened to a wall of {wall:.2f}, half on each side</source>
         <translation>la superficie aperta è diventata una parete di {wall:.2f}, metà per lato</translation>
+    </message>
+    <message>
+        <source>thicken it to a wall of two beads (openSurfaces=thicken), or repair it in a modelling program</source>
+        <translation>ispessiscila a una parete di due cordoni (openSurfaces=thicken) o riparala in un programma di modellazione</translation>
+    </message>
+    <message>
+        <source>the open surface crosses itself at {places} pairs of triangles, the first at ({x:.4g}, {y:.4g}, {z:.4g})</source>
+        <translation>la superficie aperta interseca sé stessa in {places} coppie di triangoli, la prima in ({x:.4g}, {y:.4g}, {z:.4g})</translation>
+    </message>
+    <message>
+        <source>the open surface has only one side: it is twisted along {edges} edges, the first at ({x:.4g}, {y:.4g}, {z:.4g})</source>
+        <translation>la superficie aperta ha un solo lato: è ritorta lungo {edges} spigoli, il primo in ({x:.4g}, {y:.4g}, {z:.4g})</translation>
+    </message>
+    <message>
+        <source>the open surface branches at {edges} edges, the first at ({x:.4g}, {y:.4g}, {z:.4g})</source>
+        <translation>la superficie aperta si dirama in {edges} spigoli, il primo in ({x:.4g}, {y:.4g}, {z:.4g})</translation>
+    </message>
+    <message>
+        <source>to get a wall of two beads instead, use openSurfaces=thicken</source>
+        <translation>per ottenere invece una parete di due cordoni, usa openSurfaces=thicken</translation>
+    </message>
+    <message>
+        <source>the open surface is printed as one wall, one bead ({width:.2f}) wide</source>
+        <translation>la superficie aperta è stampata come una sola parete, larga un cordone ({width:.2f})</translation>
     </message>
     <message numerus="yes">
         <source>converted {count} lattice beams into round bars</source>
@@ -7306,6 +7342,25 @@ previsto</translation>
     <message>
         <source>use a finer nozzle, or print them with that bead (thinWalls=bead)</source>
         <translation>usa un ugello più fine, oppure stampale con quel cordone (thinWalls=bead)</translation>
+    </message>
+    <message>
+        <source>use thinner layers, or a part with steeper walls; the layers from there on are printed one by one</source>
+        <translation>usa strati più sottili o un pezzo con pareti più ripide; da lì in poi gli strati sono stampati uno per uno</translation>
+    </message>
+    <message>
+        <source>the spiral ends below layer {layer} of {layers}, which does not continue the layer before</source>
+        <translation>la spirale finisce sotto lo strato {layer} di {layers}, che non prosegue lo strato precedente</translation>
+    </message>
+    <message>
+        <source>print the towers as separate items, or cut off the part there; the layers from there on are printed one by one</source>
+        <translation>stampa le torri come oggetti separati o taglia lì il pezzo; da lì in poi gli strati sono stampati uno per uno</translation>
+    </message>
+    <message numerus="yes">
+        <source>the spiral ends below layer {layer} of {layers}: {beads} bead is there, not one closed loop|the spiral ends below layer {layer} of {layers}: {beads} beads are there, not one closed loop</source>
+        <translation>
+            <numerusform>la spirale finisce sotto lo strato {layer} di {layers}: lì c&apos;è {beads} cordone, non un unico anello chiuso</numerusform>
+            <numerusform>la spirale finisce sotto lo strato {layer} di {layers}: lì ci sono {beads} cordoni, non un unico anello chiuso</numerusform>
+        </translation>
     </message>
 </context>
 <context>

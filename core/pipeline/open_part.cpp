@@ -2,8 +2,11 @@
 
 #include "base/key_text.h"
 #include "geometry/repair/open_surface.h"
+#include "geometry/repair/surface_wall.h"
+#include "modes/mode_table.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
+#include "process/bead_model.h"
 
 #include <utility>
 
@@ -12,7 +15,13 @@ namespace voluta::pipeline {
 namespace {
 constexpr const char* kClose = "close";
 constexpr const char* kThicken = "thicken";
+constexpr const char* kWall = "wall";
 constexpr double kWallBeads = 2.0;
+
+// Width of the sections of a wall of one bead [mm]: beads of the nominal width fill it.
+double oneBeadMm(const process::Process& process) {
+  return process::hatchOf(process.beadWidthMm, process.layerHeightMm);
+}
 } // namespace
 
 base::ParameterTable openSurfaceParameters() {
@@ -21,11 +30,12 @@ base::ParameterTable openSurfaceParameters() {
           "openSurfaces", kRefuseOpenSurfaces,
           {{kRefuseOpenSurfaces, "refuse"_text},
            {kClose, "close"_text},
-           {kThicken, "thicken"_text}},
+           {kThicken, "thicken"_text},
+           {kWall, "one wall"_text}},
           "Placement"_text, "Open surfaces"_text,
           "How a part whose surface has wide openings or no thickness is handled: "
-          "refuse it, close the openings with patches, or thicken the surface to a "
-          "wall two beads wide."_text,
+          "refuse it, close the openings with patches, thicken the surface to a "
+          "wall two beads wide, or print it as one wall, one bead wide."_text,
           true),
   });
 }
@@ -34,28 +44,38 @@ double openSurfaceWallMm(const process::Process& process) {
   return kWallBeads * process.beadWidthMm;
 }
 
-std::string openSurfacesKey(const base::ParameterValues& values, const process::Process& process) {
+std::string openSurfacesKey(const project::Choices& choices, const base::ParameterValues& values,
+                            const process::Process& process) {
   const std::string choice = values.text("openSurfaces");
-  return choice == kRefuseOpenSurfaces ? std::string()
-                                       : base::keyText(choice, openSurfaceWallMm(process));
+  if (choice == kRefuseOpenSurfaces)
+    return {};
+  if (choice != kWall)
+    return base::keyText(choice, openSurfaceWallMm(process));
+  return base::keyText(choice, oneBeadMm(process), process.layerHeightMm,
+                       modes::findMode(choices.item().mode).upright,
+                       choices.item().placement.rotation.coeffs());
 }
 
 OpenPart::OpenPart(const project::LoadedPart& loaded, const base::ParameterValues& values,
-                   const process::Process& process)
-    : loaded_(loaded), choice_(values.text("openSurfaces")), wallMm_(openSurfaceWallMm(process)) {}
+                   const process::Process& process, bool levelLayers)
+    : loaded_(loaded), choice_(values.text("openSurfaces")),
+      wallMm_(choice_ == kWall ? oneBeadMm(process) : openSurfaceWallMm(process)),
+      beadMm_(process.beadWidthMm), layerHeightMm_(levelLayers ? process.layerHeightMm : 0.0) {}
 
-std::shared_ptr<const geometry::TriangleMesh> OpenPart::mesh(double scale,
-                                                             const base::RunContext& ctx) {
+std::shared_ptr<const geometry::TriangleMesh>
+OpenPart::mesh(double scale, const Eigen::Quaterniond& rotation, const base::RunContext& ctx) {
   if (!loaded_.open || choice_ == kRefuseOpenSurfaces)
     return loaded_.mesh;
-  if (mesh_ && (choice_ == kClose || scale == scale_))
+  const Eigen::Vector3d up = rotation.normalized().conjugate() * Eigen::Vector3d::UnitZ();
+  if (mesh_ && (choice_ == kClose || (scale == scale_ && (choice_ != kWall || up == up_))))
     return mesh_;
-  make(scale, ctx);
+  scale_ = scale;
+  up_ = up;
+  make(ctx);
   return mesh_;
 }
 
-void OpenPart::make(double scale, const base::RunContext& ctx) {
-  scale_ = scale;
+void OpenPart::make(const base::RunContext& ctx) {
   if (choice_ == kClose) {
     geometry::RepairResult closed = project::closedPart(loaded_, ctx);
     repairs_ = std::move(closed.repairs);
@@ -63,7 +83,10 @@ void OpenPart::make(double scale, const base::RunContext& ctx) {
     mesh_ = std::make_shared<geometry::TriangleMesh>(std::move(closed.mesh));
     return;
   }
-  geometry::TriangleMesh wall = geometry::thickened(*loaded_.mesh, wallMm_ / scale, ctx);
+  geometry::TriangleMesh wall =
+      choice_ == kWall ? geometry::surfaceWall(
+                             *loaded_.mesh, {wallMm_ / scale_, layerHeightMm_ / scale_, up_}, ctx)
+                       : geometry::thickened(*loaded_.mesh, wallMm_ / scale_, ctx);
   remains_ = geometry::diagnose(wall, ctx).sentences();
   mesh_ = std::make_shared<geometry::TriangleMesh>(std::move(wall));
 }
@@ -80,6 +103,8 @@ plan::Findings OpenPart::findings() const {
 plan::Findings OpenPart::doneFindings() const {
   using plan::FindingKind;
   const geometry::OpenSurface& open = *loaded_.open;
+  if (choice_ == kWall)
+    return {plan::makeFinding(FindingKind::SurfaceAsWall, {{"width", base::mm(beadMm_)}})};
   if (choice_ == kThicken)
     return {plan::makeFinding(FindingKind::SurfaceThickened, {{"wall", base::mm(wallMm_)}})};
   const std::vector<plan::NamedValue> sheets{{"share", base::percent(100.0 * open.sheetShare)},

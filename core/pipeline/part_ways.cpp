@@ -61,7 +61,7 @@ std::string partWaysKey(const project::LoadedPart& loaded, double scale,
                        values.number("overhangAngle"), p.layerHeightMm, p.beadWidthMm,
                        p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2, p.maxFlowMm3PerS,
                        p.primeS) +
-         openSurfacesKey(values, p);
+         openSurfacesKey(choices, values, p);
 }
 
 geometry::Placement standing(const placement::Way& way, const geometry::Placement& placed) {

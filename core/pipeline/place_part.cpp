@@ -133,13 +133,13 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
                                : std::min(1.0, reachingScale(*loaded.mesh, unit, how,
                                                              fittingCell(choices, process), 1.0));
   };
-  OpenPart shape(loaded, values, process);
+  OpenPart shape(loaded, values, process, mode.upright);
   const auto place = [&](const geometry::Placement& how) {
     stage->placement = how;
     stage->scale = scaleFor(how);
     const double scale = stage->scale * unit;
     stage->part = std::make_shared<geometry::TriangleMesh>(
-        geometry::place(*shape.mesh(scale, ctx), scale, how));
+        geometry::place(*shape.mesh(scale, how.rotation, ctx), scale, how));
   };
   const std::optional<geometry::Placement> given =
       takesGivenPaths(loaded, values) && isUntouched(choices.item().placement)

@@ -74,7 +74,7 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
                     c.item().placement.centreMm, c.item().placement.liftMm);
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
-  text += openSurfacesKey(in.values, in.process);
+  text += openSurfacesKey(in.choices, in.values, in.process);
   text += base::keyText(turnPlan(c, in.values));
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n";
@@ -161,7 +161,7 @@ std::string placedPartKey(const project::LoadedPart& loaded, const modes::LoadSt
   return base::keyText(loaded.hash, isMended(loaded, in.choices),
                        placed.scale * unitMm(loaded, in.choices), at.rotation.coeffs(), at.centreMm,
                        at.liftMm) +
-         openSurfacesKey(in.values, in.process);
+         openSurfacesKey(in.choices, in.values, in.process);
 }
 
 std::string programKey(const project::StageKeys& keys, const std::string& partName,

@@ -86,6 +86,12 @@ base::ParameterTable toolpathParameters() {
                             {{"travel", "shortest travel"_text}, {"layers", "as sliced"_text}},
                             "Tool-paths"_text, "order of islands"_text,
                             "Order in which separate islands of a flat layer are printed."_text),
+      base::booleanParameter("spiral", ToolpathOptions{}.spiral, "Tool-paths"_text,
+                             "spiral vase"_text,
+                             "Prints the part as one continuous bead of rising height on its "
+                             "bottom layers: one wall, without infill, top layers and supports "
+                             "under low overhangs."_text,
+                             true),
   });
 }
 
@@ -108,6 +114,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.seam = values.text("seam");
   o.thinWalls = values.text("thinWalls");
   o.orderIslands = values.text("islandOrder") == "travel";
+  o.spiral = values.boolean("spiral");
   return o;
 }
 

@@ -35,13 +35,14 @@ struct ToolpathOptions {
   double brimWidthMm = 0.0;     // 0: none (brim.h)
   std::string seam = "nearest"; // id in seamKinds()
   bool orderIslands = true;     // short travel between islands of one flat layer (islands.h)
+  bool spiral = false;          // one bead with rising height (spiral.h)
   // Bodies and rods that exist before the part, work frame; a plate is the cell's.
   platform::PlatformSolid platform;
 };
 
 // Returns the parameters walls, infill, infillDensity, sparsePattern, topLayers, bottomLayers,
 // skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime, primeLengthMm,
-// brimWidthMm, seam, islandOrder and thinWalls.
+// brimWidthMm, seam, islandOrder, thinWalls and spiral.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.

@@ -12,6 +12,7 @@
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
 #include "toolpath/order/assemble.h"
+#include "toolpath/order/spiral.h"
 #include "toolpath/sparse/cover_layers.h"
 #include "toolpath/unsupported/passes.h"
 
@@ -132,18 +133,24 @@ std::optional<plan::Finding> addCoverFigures(const layers::LayerStack& stack,
 } // namespace
 
 ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
-                             const process::Tooling& tooling, const ToolpathOptions& options,
+                             const process::Tooling& tooling, const ToolpathOptions& given,
                              const base::RunContext& ctx) {
+  const ToolpathOptions options = given.spiral ? spiralOptions(given) : given;
   ToolpathResult r;
   base::Stopwatch watch;
   const base::RunContext silent = ctx.quiet();
   const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
-  const LayerCovers made = coverLayers(stack, tooling, options, 0.6, ctx);
+  LayerCovers made = coverLayers(stack, tooling, options, 0.6, ctx);
   const std::vector<PatchCover>& covers = made.covers;
+  if (options.spiral)
+    made.fill = keepOuterWalls(stack, options.bottomLayers, made.covers);
   Assembled assembled = assemble(stack, covers, tooling, {options.seam, options.orderIslands});
   assembled.plan.fill = made.fill;
   if (auto finding = thinWalls(stack, covers, tooling, options.thinWalls == "omit"))
     r.findings.push_back(std::move(*finding));
+  if (options.spiral)
+    if (auto ends = joinSpiral(assembled, options.bottomLayers))
+      r.findings.push_back(std::move(*ends));
   if (options.infillDensity <= 0.0)
     if (auto finding = hollowSkin(covers))
       r.findings.push_back(std::move(*finding));

@@ -105,6 +105,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"seam", {"corner", 3}},
     {"thinWalls", {"omit", 3}},
     {"islandOrder", {"layers", 3}},
+    {"spiral", {"true", 3}},
     {"extruder", {"e-stream", 5}},
 };
 

@@ -2,8 +2,8 @@
 #include "geometry/append_mesh.h"
 #include "geometry/measures.h"
 #include "geometry/repair/open_surface.h"
-#include "geometry/repair/orientation.h"
 #include "geometry/repair/self_intersections.h"
+#include "geometry/repair/sheets.h"
 #include "geometry/repair/winding_union.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -13,7 +13,8 @@
 #include "geometry/cgal_mesh.h"
 
 #include <array>
-#include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace voluta::geometry {
@@ -51,33 +52,14 @@ TriangleMesh wrapped(const TriangleMesh& sheets, double wallMm) {
 
 TriangleMesh thickened(const TriangleMesh& mesh, double wallMm, const base::RunContext& ctx) {
   base::require(wallMm > 0.0, "thickened: wallMm > 0");
-  const Components parts = components(mesh);
-  const std::vector<bool> closed = closedComponents(mesh, parts);
-  std::vector<double> volumes(closed.size(), 0.0), areas(closed.size(), 0.0);
-  const Eigen::Vector3d origin = bounds(mesh).center();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto c = static_cast<std::size_t>(parts.ofTriangle[t]);
-    const Eigen::Vector3d a = mesh.corner(t, 0) - origin, b = mesh.corner(t, 1) - origin,
-                          d = mesh.corner(t, 2) - origin;
-    volumes[c] += a.dot(b.cross(d)) / 6.0;
-    areas[c] += triangleArea(mesh, t);
-  }
-  std::vector<bool> isSolid(mesh.triangles.size()), isSheet(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto c = static_cast<std::size_t>(parts.ofTriangle[t]);
-    // A closed component without volume is a sheet with two sides.
-    isSolid[t] = closed[c] && std::abs(volumes[c]) > 1e-9 * areas[c] * std::sqrt(areas[c]);
-    isSheet[t] = !isSolid[t];
-  }
-  TriangleMesh solids = subMesh(mesh, isSolid);
-  const TriangleMesh sheets = subMesh(mesh, isSheet);
+  auto [solids, sheets] = separateSolids(mesh);
   ctx.checkpoint();
   if (!sheets.empty())
     appendMesh(solids, wrapped(sheets, wallMm));
   ctx.checkpoint();
   const auto pairs = selfIntersections(solids, ctx);
   if (pairs.empty())
-    return solids;
+    return std::move(solids);
   std::optional<WindingUnion> united = windingUnion(solids, pairs, ctx);
   return united && !united->losesTooMuch() ? std::move(united->mesh) : std::move(solids);
 }

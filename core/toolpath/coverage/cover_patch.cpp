@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_scale.h"
+#include "toolpath/coverage/bead_volume.h"
 #include "toolpath/coverage/coverage.h"
 #include "toolpath/coverage/refined_patch.h"
 #include "toolpath/coverage/strand_room.h"
@@ -300,18 +301,6 @@ private:
   const PatchSurface& s_;
   const process::Process& p_;
 };
-
-double volumeOf(const std::vector<Bead>& beads) {
-  double v = 0.0;
-  for (const Bead& b : beads)
-    for (std::size_t i = 1; i < b.points.size(); ++i) {
-      const BeadPoint &p = b.points[i - 1], &q = b.points[i];
-      v += process::beadVolume(process::beadArea(p.widthMm, p.heightMm),
-                               process::beadArea(q.widthMm, q.heightMm),
-                               (tipOf(q) - tipOf(p)).norm());
-    }
-  return v;
-}
 
 Centrelines centrelines(const PatchSurface& s, const process::Process& process,
                         const ToolpathOptions& o, const InfillKind& kind, int layer,

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "process/bead_model.h"
+#include "toolpath/coverage/bead_volume.h"
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"
 #include "toolpath/sparse/layer_count.h"
@@ -52,18 +53,6 @@ double volumeOf(const layers::Patch& patch) {
     mm3 +=
         area / 3.0 * (patch.thicknessMm[v(0)] + patch.thicknessMm[v(1)] + patch.thicknessMm[v(2)]);
   }
-  return mm3;
-}
-
-double volumeOf(const std::vector<Bead>& beads) {
-  double mm3 = 0.0;
-  for (const Bead& bead : beads)
-    for (std::size_t i = 1; i < bead.points.size(); ++i) {
-      const BeadPoint &p = bead.points[i - 1], &q = bead.points[i];
-      mm3 += process::beadVolume(process::beadArea(p.widthMm, p.heightMm),
-                                 process::beadArea(q.widthMm, q.heightMm),
-                                 (tipOf(q) - tipOf(p)).norm());
-    }
   return mm3;
 }
 

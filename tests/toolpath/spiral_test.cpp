@@ -1,0 +1,191 @@
+// Spirals: closed beads of layers joined to one bead of rising height.
+#include "plan/finding_kinds.h"
+#include "process/bead_model.h"
+#include "toolpath/order/spiral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+
+namespace {
+
+using namespace voluta;
+using Eigen::Vector3d;
+using plan::FindingKind;
+
+constexpr double kHeight = 0.8, kWidth = 1.2;
+
+struct Ring {
+  double radius = 15.0, z = 0.0; // z: of the tips
+  double begin = 0.0;            // angle [rad]
+  bool backwards = false;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  double wave = 0.0; // amplitude of three lobes
+};
+
+void append(toolpath::Assembled& to, const Ring& ring, int layer) {
+  constexpr int kPoints = 90;
+  plan::ToolPath path;
+  path.first = to.plan.waypointCount();
+  path.count = kPoints + 1;
+  path.layer = path.patch = layer;
+  path.closed = true;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double turn = 2 * std::numbers::pi * (i % kPoints) / kPoints,
+                 a = ring.begin + (ring.backwards ? -turn : turn),
+                 r = ring.radius + ring.wave * std::cos(3 * a);
+    to.plan.position.emplace_back(ring.centre.x() + r * std::cos(a),
+                                  ring.centre.y() + r * std::sin(a), ring.z);
+    to.plan.direction.push_back(Vector3d::UnitZ());
+    to.clearDirection.push_back(Vector3d::UnitZ());
+    to.plan.widthMm.push_back(static_cast<float>(kWidth));
+    to.plan.heightMm.push_back(static_cast<float>(kHeight));
+    to.plan.speedMmPerS.push_back(20.0f);
+  }
+  to.plan.paths.push_back(path);
+}
+
+toolpath::Assembled tube(int layers) {
+  toolpath::Assembled all;
+  for (int k = 0; k < layers; ++k)
+    append(all, {.z = (k + 1) * kHeight}, k);
+  return all;
+}
+
+double volumeOf(const plan::ToolPlan& plan) {
+  double mm3 = 0.0;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      mm3 += process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
+                                 process::beadArea(plan.widthMm[i], plan.heightMm[i]),
+                                 (plan.position[i] - plan.position[i - 1]).norm());
+  return mm3;
+}
+
+TEST(Spiral, ATubeIsOneHelixOnALevelTurnAndUnderALevelTurn) {
+  constexpr int kLayers = 10;
+  toolpath::Assembled spiral = tube(kLayers);
+  EXPECT_EQ(toolpath::joinSpiral(spiral, 3), std::nullopt);
+  const plan::ToolPlan& plan = spiral.plan;
+  ASSERT_EQ(plan.paths.size(), 1u);
+  EXPECT_FALSE(plan.paths.front().closed);
+  EXPECT_EQ(plan.paths.front().count, plan.waypointCount());
+  EXPECT_EQ(spiral.clearDirection.size(), plan.waypointCount());
+  double turned = 0.0; // in turns
+  for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
+    const Vector3d& p = plan.position[i];
+    if (i > 0) {
+      const Vector3d& before = plan.position[i - 1];
+      turned +=
+          std::atan2(before.x() * p.y() - before.y() * p.x(), before.head<2>().dot(p.head<2>())) /
+          (2 * std::numbers::pi);
+    }
+    EXPECT_NEAR(p.z() / kHeight, std::clamp(turned, 1.0, 1.0 * kLayers), 1e-6);
+    EXPECT_NEAR(p.head<2>().norm(), 15.0, 1e-6);
+    const double gap = turned <= 1.0             ? 1.0 // on the plate
+                       : turned <= 2.0           ? turned - 1.0
+                       : turned <= 1.0 * kLayers ? 1.0
+                                                 : kLayers + 1.0 - turned;
+    if (std::abs(turned - 1.0) > 1e-6)
+      EXPECT_NEAR(plan.heightMm[i] / kHeight, std::max(gap, 0.1), 1e-5) << turned;
+  }
+  EXPECT_NEAR(turned, kLayers + 0.9, 0.02);
+}
+
+TEST(Spiral, BeginsAboveTheBottomAndEndsBelowTwoTowers) {
+  toolpath::Assembled all;
+  for (int k = 0; k < 12; ++k) {
+    append(all, {.z = (k + 1) * kHeight}, k);
+    if (k < 3 || k >= 9)
+      append(all, {.radius = 5.0, .z = (k + 1) * kHeight, .centre = {40.0, 0.0}}, k);
+  }
+  const double volume = volumeOf(all.plan);
+  const std::optional<plan::Finding> finding = toolpath::joinSpiral(all, 3);
+  EXPECT_EQ(all.plan.paths.size(), 6u + 1u + 6u);
+  EXPECT_EQ(all.plan.paths[6].layer, 3);
+  EXPECT_NEAR(volumeOf(all.plan), volume, 0.02 * volume);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->kind, FindingKind::SpiralEnds);
+  EXPECT_FALSE(finding->blocking);
+  EXPECT_NEAR(finding->where->z(), 10 * kHeight, 1e-6);
+}
+
+TEST(Spiral, ReportsAPartWithoutALoop) {
+  toolpath::Assembled towers;
+  for (int k = 0; k < 8; ++k)
+    for (const double x : {-20.0, 20.0})
+      append(towers, {.radius = 8.0, .z = (k + 1) * kHeight, .centre = {x, 0.0}}, k);
+  const std::size_t paths = towers.plan.paths.size();
+  const std::optional<plan::Finding> finding = toolpath::joinSpiral(towers, 3);
+  EXPECT_EQ(towers.plan.paths.size(), paths);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->kind, FindingKind::SpiralEnds);
+}
+
+TEST(Spiral, EndsWhereALoopIsNotAboveTheLoopBefore) {
+  toolpath::Assembled all;
+  for (int k = 0; k < 8; ++k)
+    append(all, {.radius = k < 4 ? 15.0 : 8.0, .z = (k + 1) * kHeight}, k);
+  const std::optional<plan::Finding> finding = toolpath::joinSpiral(all, 0);
+  EXPECT_EQ(all.plan.paths.size(), 1u + 4u);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->kind, FindingKind::SpiralInterrupted);
+}
+
+// Loops that drift, grow and change their outline, begun anywhere and in either direction.
+TEST(Spiral, RandomStacksKeepTheirVolumeAndRiseSteadily) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int run = 0; run < 200; ++run) {
+    toolpath::Assembled all;
+    Ring ring{.radius = 18.0, .wave = 2.0};
+    const int layers = 3 + static_cast<int>(8 * std::abs(unit(random)));
+    for (int k = 0; k < layers; ++k) {
+      ring.z += kHeight;
+      ring.begin = 4 * unit(random);
+      ring.backwards = unit(random) < 0.0;
+      ring.radius += 0.3 * unit(random);
+      ring.wave += 0.2 * unit(random);
+      ring.centre += Eigen::Vector2d(0.2 * unit(random), 0.2 * unit(random));
+      append(all, ring, k);
+    }
+    const double volume = volumeOf(all.plan);
+    EXPECT_EQ(toolpath::joinSpiral(all, 0), std::nullopt) << run;
+    ASSERT_EQ(all.plan.paths.size(), 1u) << run;
+    EXPECT_NEAR(volumeOf(all.plan), volume, 0.03 * volume) << run;
+    for (std::size_t i = 1; i < all.plan.waypointCount(); ++i) {
+      const Vector3d step = all.plan.position[i] - all.plan.position[i - 1];
+      EXPECT_GE(step.z(), -1e-6) << run;
+      EXPECT_LT(step.norm(), 3.0) << run;
+    }
+  }
+}
+
+TEST(Spiral, KeepsTheOuterWallsAboveTheBottom) {
+  layers::LayerStack stack;
+  stack.patches.resize(5);
+  std::vector<toolpath::PatchCover> covers(5);
+  const auto bead = [](plan::PathKind kind, int ring, bool closed) {
+    toolpath::Bead b{{}, kind, ring, closed};
+    for (const double x : {0.0, 10.0, 0.0})
+      b.points.push_back({{x, 0, 0}, Vector3d::UnitZ(), Vector3d::UnitZ(), kWidth, kHeight});
+    return b;
+  };
+  for (std::size_t k = 0; k < 5; ++k) {
+    stack.patches[k].layer = static_cast<int>(k);
+    covers[k].beads = {bead(plan::PathKind::Wall, 0, true), bead(plan::PathKind::Infill, 0, false)};
+    covers[k].beadVolumeMm3 = 2 * 20 * process::beadArea(kWidth, kHeight);
+  }
+  covers[4].beads.erase(covers[4].beads.begin()); // no wall: everything stays
+  stack.patches[3].group = layers::kSupportGroup;
+  const plan::FillIntent fill = toolpath::keepOuterWalls(stack, 2, covers);
+  EXPECT_EQ(covers[1].beads.size(), 2u);
+  EXPECT_EQ(covers[2].beads.size(), 1u);
+  EXPECT_EQ(covers[3].beads.size(), 2u);
+  EXPECT_EQ(covers[4].beads.size(), 1u);
+  EXPECT_NEAR(fill.openMm3, 20 * process::beadArea(kWidth, kHeight), 1e-9);
+}
+
+} // namespace
