@@ -44,6 +44,10 @@ double openSurfaceWallMm(const process::Process& process) {
   return kWallBeads * process.beadWidthMm;
 }
 
+bool isPrintedAsWall(const project::LoadedPart& loaded, const base::ParameterValues& values) {
+  return loaded.open && values.text("openSurfaces") == kWall;
+}
+
 std::string openSurfacesKey(const project::Choices& choices, const base::ParameterValues& values,
                             const process::Process& process) {
   const std::string choice = values.text("openSurfaces");

@@ -190,6 +190,11 @@ std::shared_ptr<const SizeStage> sizeStage(const project::LoadedPart& loaded,
   };
   auto stage = std::make_shared<SizeStage>();
   stage->findings = sizeFindings(*placed.part, placed.scale, reach, process, ctx);
+  // Across a slanting wall one bead is thinner than its width.
+  if (isPrintedAsWall(loaded, parameterValues(choices)))
+    std::erase_if(stage->findings, [](const plan::Finding& f) {
+      return f.kind == plan::FindingKind::ThinPart || f.kind == plan::FindingKind::ThinPartInReach;
+    });
   return stage;
 }
 

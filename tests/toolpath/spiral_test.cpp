@@ -88,8 +88,9 @@ TEST(Spiral, ATubeIsOneHelixOnALevelTurnAndUnderALevelTurn) {
                        : turned <= 2.0           ? turned - 1.0
                        : turned <= 1.0 * kLayers ? 1.0
                                                  : kLayers + 1.0 - turned;
-    if (std::abs(turned - 1.0) > 1e-6)
+    if (std::abs(turned - 1.0) > 1e-6) {
       EXPECT_NEAR(plan.heightMm[i] / kHeight, std::max(gap, 0.1), 1e-5) << turned;
+    }
   }
   EXPECT_NEAR(turned, kLayers + 0.9, 0.02);
 }

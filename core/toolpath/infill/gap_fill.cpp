@@ -3,6 +3,7 @@
 #include "base/index.h"
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/infill/regions.h"
+#include "toolpath/infill/ring_spines.h"
 #include "toolpath/surface_fields.h"
 
 #include <Eigen/Core>
@@ -18,7 +19,10 @@ using base::at;
 
 constexpr double kEdge = 0.18;       // [hatches]: distance between the ends of spine and gap
 constexpr double kWorthwhile = 0.28; // [hatches]: half width of the narrowest gap that gets a bead
-constexpr int kRounds = 8;           // Branches of branches
+// [hatches]: greatest distance between the ends of two spines of one ring. The second begins 0.8
+// hatches and an edge beyond the end of the first.
+constexpr double kRingGap = 1.3;
+constexpr int kRounds = 8; // Branches of branches
 // Near its ends a spine keeps to vertices with this share of the room [hatches] nearby.
 constexpr double kMiddle = 0.85, kCornerReach = 1.2;
 // [mm], for beads of 1.2 mm (bead_scale.h): resampling step, and the minimum length of the spines
@@ -173,6 +177,7 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
   for (std::size_t v = 0; v < n; ++v)
     room[v] = std::min(boundaryMm[v], outsideMm[v]) / hatchMm[v];
 
+  const std::vector<double> wholeRoom = room;
   std::vector<SurfaceCurve> spines;
   std::vector<double> cost(n);
   for (int round = 0; round < kRounds; ++round) {
@@ -231,7 +236,10 @@ std::vector<SurfaceCurve> gapSpines(const PatchSurface& s, const std::vector<dou
     for (SurfaceCurve& c : fresh)
       spines.push_back(std::move(c));
   }
-  return spines;
+  if (spines.empty())
+    return spines;
+  const double hatch = *std::ranges::max_element(hatchMm);
+  return joinRings(s, std::move(spines), wholeRoom, kEdge, kRingGap * hatch);
 }
 
 } // namespace voluta::toolpath
