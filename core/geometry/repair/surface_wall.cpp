@@ -29,7 +29,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Weight of the smallest move against the planes of the triangles.
-constexpr double kSmallMove = 1e-3;
+constexpr double kSmallMove = 1e-4;
 // A vertex moves by at most this many times the move across its triangles: limits sharp edges.
 constexpr double kMiter = 2.0;
 // Horizontal part of the normal from which moves are parallel to the plate, and up to which they
