@@ -7356,10 +7356,10 @@ previsto</translation>
         <translation>stampa le torri come oggetti separati o taglia lì il pezzo; da lì in poi gli strati sono stampati uno per uno</translation>
     </message>
     <message numerus="yes">
-        <source>the spiral ends below layer {layer} of {layers}: {beads} bead is there, not one closed loop|the spiral ends below layer {layer} of {layers}: {beads} beads are there, not one closed loop</source>
+        <source>the spiral ends below layer {layer} of {layers}: it has {beads} beads, not one closed loop</source>
         <translation>
-            <numerusform>la spirale finisce sotto lo strato {layer} di {layers}: lì c&apos;è {beads} cordone, non un unico anello chiuso</numerusform>
-            <numerusform>la spirale finisce sotto lo strato {layer} di {layers}: lì ci sono {beads} cordoni, non un unico anello chiuso</numerusform>
+            <numerusform>la spirale finisce sotto lo strato {layer} di {layers}: il suo {beads} cordone non è un anello chiuso</numerusform>
+            <numerusform>la spirale finisce sotto lo strato {layer} di {layers}: ha {beads} cordoni, non un unico anello chiuso</numerusform>
         </translation>
     </message>
 </context>

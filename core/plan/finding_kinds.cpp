@@ -238,7 +238,7 @@ constexpr auto kRows =
              "the skin above a hollow interior has nothing to rest on: {paths} bead, from this place on|the skins above a hollow interior have nothing to rest on: {paths} beads, from this place on"_plural,
              "set infillDensity to 0.1 or more; for a part that is open at the top, set topLayers to 0"_text},
             {SpiralEnds, "spiralEnds", "spiralEnds", Toolpath, Info,
-             "the spiral ends below layer {layer} of {layers}: {beads} bead is there, not one closed loop|the spiral ends below layer {layer} of {layers}: {beads} beads are there, not one closed loop"_plural,
+             "the spiral ends below layer {layer} of {layers}: its {beads} bead is not a closed loop|the spiral ends below layer {layer} of {layers}: it has {beads} beads, not one closed loop"_plural,
              "print the towers as separate items, or cut off the part there; the layers from there on are printed one by one"_text},
             {SpiralInterrupted, "spiralInterrupted", "spiralEnds", Toolpath, Info,
              "the spiral ends below layer {layer} of {layers}, which does not continue the layer before"_text,

@@ -204,13 +204,11 @@ bool isLoop(const std::vector<ToolPath>& paths, const LayerPaths& layer) {
 
 // `layer`: the first that the spiral does not contain; `isApart`: it is one loop.
 plan::Finding spiralEnds(const ToolPlan& plan, const LayerPaths& layer, int layers, bool isApart) {
-  std::vector<plan::NamedValue> values{{"layer", plan.paths[layer.first].layer + 1},
-                                       {"layers", layers}};
+  const plan::NamedValue at{"layer", plan.paths[layer.first].layer + 1}, of{"layers", layers};
   const Vector3d& where = plan.position[plan.paths[layer.first].first];
-  if (isApart)
-    return plan::makeFinding(plan::FindingKind::SpiralInterrupted, std::move(values), where);
-  values.push_back({"beads", layer.count()});
-  return plan::makeFinding(plan::FindingKind::SpiralEnds, std::move(values), where);
+  return isApart ? plan::makeFinding(plan::FindingKind::SpiralInterrupted, {at, of}, where)
+                 : plan::makeFinding(plan::FindingKind::SpiralEnds,
+                                     {{"beads", layer.count()}, at, of}, where);
 }
 
 // Layers [first, end) of one closed bead each, begun beside each other and in one direction.

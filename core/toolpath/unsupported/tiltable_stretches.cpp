@@ -22,7 +22,18 @@ std::vector<UnsupportedStretch> tiltableStretches(const plan::ToolPlan& plan,
                                                   const process::Tooling& tooling) {
   if (path.kind == plan::PathKind::Support)
     return {};
-  return unsupportedStretches(plan, path, unsupported, 0.5 * tooling.of(path).process.bridgeMm);
+  const process::Process& process = tooling.of(path).process;
+  std::vector<UnsupportedStretch> stretches =
+      unsupportedStretches(plan, path, unsupported, 0.5 * process.bridgeMm);
+  // The ends of a spiral are thinner than layers and lie on the turn below, but the cells of the
+  // part are too coarse for that.
+  std::erase_if(stretches, [&](const UnsupportedStretch& s) {
+    const auto height = plan.heightMm.begin();
+    return std::all_of(height + static_cast<std::ptrdiff_t>(s.begin),
+                       height + static_cast<std::ptrdiff_t>(s.end),
+                       [&](float h) { return static_cast<double>(h) < process.layerHeightMinMm; });
+  });
+  return stretches;
 }
 
 } // namespace voluta::toolpath
