@@ -156,7 +156,7 @@ TEST(SurfaceWall, RandomWavesHaveTheVolumeOfTheirAreaAndAreClosed) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int k = 0; k < 150; ++k) {
-    const double amplitude = 3.0 * unit(random), waves = 0.5 + unit(random),
+    const double amplitude = 2.0 * unit(random), waves = 0.5 + unit(random),
                  width = 0.4 + unit(random);
     const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();
     const int cells = 16 + static_cast<int>(10 * unit(random));

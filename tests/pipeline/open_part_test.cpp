@@ -1,4 +1,5 @@
 // A surface that encloses nothing is planned on the user's word only.
+#include "base/error.h"
 #include "geometry/measures.h"
 #include "geometry/repair/diagnosis.h"
 #include "helpers/bow_tie.h"
@@ -10,8 +11,10 @@
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <numbers>
 
 using namespace voluta;
 using pipeline::PlanRequest;
@@ -98,6 +101,81 @@ std::shared_ptr<const project::LoadedPart> cupBeside(const geometry::TriangleMes
 // Of which closing the cup does not make a solid.
 std::shared_ptr<const project::LoadedPart> cupAndBowTie() {
   return cupBeside(test::bowTie({40, 0, 15}, 20.0, 12.0, 8.0, 20.0));
+}
+
+// A tube without bottom and top, or a part of it.
+std::shared_ptr<const project::LoadedPart> tube(double turns = 1.0, double heightMm = 6.0) {
+  constexpr int kSides = 96;
+  geometry::TriangleMesh m;
+  const bool whole = turns >= 1.0;
+  for (const double z : {0.0, heightMm})
+    for (int i = 0; i < kSides; ++i) {
+      const double a = 2.0 * std::numbers::pi * turns * i / kSides;
+      m.vertices.emplace_back(15.0 * std::cos(a), 15.0 * std::sin(a), z);
+    }
+  for (int i = 0; i < (whole ? kSides : kSides - 1); ++i) {
+    const int j = (i + 1) % kSides;
+    m.triangles.push_back({i, j, j + kSides});
+    m.triangles.push_back({i, j + kSides, i + kSides});
+  }
+  return project::loadedFrom("tube.stl", std::make_shared<geometry::TriangleMesh>(std::move(m)), {},
+                             true, {});
+}
+
+PlanResult plannedWall(std::shared_ptr<const project::LoadedPart> part, const std::string& mode,
+                       bool spiral) {
+  PlanRequest request;
+  request.item().loaded = std::move(part);
+  request.choices.item().mode = mode;
+  request.choices.item().parameters = {
+      {"openSurfaces", "wall"}, {"spiral", spiral ? "true" : "false"}, {"prime", "none"}};
+  return pipeline::planPart(request, {});
+}
+
+TEST(OpenPart, BecomesOneWallOfOneBead) {
+  for (const char* mode : {"flat", "curved"})
+    for (const double turns : {1.0, 0.6})
+      for (const bool spiral : {false, true}) {
+        const PlanResult result = plannedWall(tube(turns), mode, spiral);
+        const plan::Findings& findings = result.job.report.findings;
+        EXPECT_EQ(first(result).kind, FindingKind::SurfaceAsWall);
+        EXPECT_TRUE(std::ranges::none_of(findings, &plan::Finding::blocking)) << mode << turns;
+        EXPECT_EQ(result.job.reached, Stage::Replay);
+        const plan::ToolPlan& made = *result.job.toolPlan;
+        const bool winds = spiral && turns >= 1.0;
+        EXPECT_EQ(made.paths.size(),
+                  winds ? 1u : static_cast<std::size_t>(made.paths.back().layer) + 1)
+            << mode << turns;
+        EXPECT_EQ(made.paths.front().closed, !winds && turns >= 1.0);
+        const double bead = result.tooling->first().process.beadWidthMm;
+        for (std::size_t i = 0; i < made.waypointCount() && turns >= 1.0; ++i)
+          EXPECT_NEAR(made.widthMm[i], bead, 0.03 * bead) << mode;
+      }
+}
+
+TEST(OpenPart, AClosedSolidIsAVaseOnItsBottom) {
+  PlanRequest request;
+  request.item().loaded = project::loadedFrom(
+      "box.stl", std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {30, 30, 8})), {},
+      true, {});
+  request.choices.item().mode = "flat";
+  request.choices.item().parameters = {{"spiral", "true"}, {"prime", "none"}};
+  const PlanResult result = pipeline::planPart(request, {});
+  EXPECT_TRUE(std::ranges::none_of(result.job.report.findings, &plan::Finding::blocking));
+  const std::vector<plan::ToolPath>& paths = result.job.toolPlan->paths;
+  EXPECT_EQ(std::ranges::count_if(paths, [](const plan::ToolPath& p) { return p.layer >= 3; }), 1);
+  EXPECT_EQ(paths.back().layer, 3);
+  EXPECT_FALSE(paths.back().closed);
+}
+
+TEST(OpenPart, IsRefusedAsAWallIfItCrossesItself) {
+  geometry::TriangleMesh m;
+  m.vertices = {{0, 0, 0},    {30, 0, 0},  {30, 0, 20},  {0, 0, 20},
+                {15, -15, 0}, {15, 15, 0}, {15, 15, 20}, {15, -15, 20}};
+  m.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  auto part = project::loadedFrom(
+      "cross.stl", std::make_shared<geometry::TriangleMesh>(std::move(m)), {}, true, {});
+  EXPECT_THROW(plannedWall(std::move(part), "flat", false), base::Error);
 }
 
 TEST(OpenPart, WhatClosingMendsAndWhatItLeavesIsTold) {
