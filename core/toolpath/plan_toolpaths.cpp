@@ -80,6 +80,17 @@ std::optional<plan::Finding> thinWalls(const layers::LayerStack& stack,
                            thinnest->place);
 }
 
+plan::Findings coverFindings(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
+                             const process::Tooling& tooling, const ToolpathOptions& options) {
+  plan::Findings findings;
+  if (auto thin = thinWalls(stack, covers, tooling, options.thinWalls == "omit"))
+    findings.push_back(std::move(*thin));
+  if (options.infillDensity <= 0.0)
+    if (auto hollow = hollowSkin(covers))
+      findings.push_back(std::move(*hollow));
+  return findings;
+}
+
 // Adds the figures of the finished plan.
 void addPathFigures(const plan::ToolPlan& plan, plan::ToolpathStatistics& s) {
   s.paths = s.starts = plan.paths.size();
@@ -146,14 +157,10 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
     made.fill = keepOuterWalls(stack, options.bottomLayers, made.covers);
   Assembled assembled = assemble(stack, covers, tooling, {options.seam, options.orderIslands});
   assembled.plan.fill = made.fill;
-  if (auto finding = thinWalls(stack, covers, tooling, options.thinWalls == "omit"))
-    r.findings.push_back(std::move(*finding));
+  r.findings = coverFindings(stack, covers, tooling, options);
   if (options.spiral)
     if (auto ends = joinSpiral(assembled, options.bottomLayers))
       r.findings.push_back(std::move(*ends));
-  if (options.infillDensity <= 0.0)
-    if (auto finding = hollowSkin(covers))
-      r.findings.push_back(std::move(*finding));
   const bool hasBrim = options.brimWidthMm > 0.0;
   // Added here, so that the travel moves of the head account for the prime as for every bead.
   if (!hasBrim)
