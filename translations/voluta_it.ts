@@ -7055,12 +7055,20 @@ previsto</translation>
         <translation>una sola parete</translation>
     </message>
     <message>
-        <source>thicken it to a wall (openSurfaces=thicken), close its rims to make it solid (openSurfaces=close), or close it in a modelling program</source>
-        <translation>dalle lo spessore di una parete (openSurfaces=thicken), chiudi i bordi per farne un solido (openSurfaces=close) o chiudila in un programma di modellazione</translation>
+        <source>Print as one wall</source>
+        <translation>Stampa come una sola parete</translation>
     </message>
     <message>
-        <source>thicken the sheets to walls (openSurfaces=thicken), or give them a thickness in a modelling program</source>
-        <translation>dai alle lamine lo spessore di una parete (openSurfaces=thicken) o dagliene uno in un programma di modellazione</translation>
+        <source>One bead wide, centred on the surface; its rims stay open</source>
+        <translation>Larga un cordone, centrata sulla superficie; i bordi restano aperti</translation>
+    </message>
+    <message>
+        <source>print it as one wall (openSurfaces=wall), thicken it to a wall of two beads (openSurfaces=thicken), close its rims to make it solid (openSurfaces=close), or close it in a modelling program</source>
+        <translation>stampala come una sola parete (openSurfaces=wall), dalle lo spessore di una parete di due cordoni (openSurfaces=thicken), chiudi i bordi per farne un solido (openSurfaces=close) o chiudila in un programma di modellazione</translation>
+    </message>
+    <message>
+        <source>print the sheets as walls of one bead (openSurfaces=wall) or two (openSurfaces=thicken), or give them a thickness in a modelling program</source>
+        <translation>stampa le lamine come pareti di un cordone (openSurfaces=wall) o di due (openSurfaces=thicken), o dai loro uno spessore in un programma di modellazione</translation>
     </message>
     <message>
         <source>thicken the surface in a modelling program</source>
@@ -7301,7 +7309,7 @@ previsto</translation>
         <translation>Ponte</translation>
     </message>
     <message numerus="yes">
-        <source>the skin above a hollow interior has nothing to rest on: {paths} bead, from this place on|the skins above a hollow interior have nothing to rest on: {paths} beads, from this place on</source>
+        <source>the skins above a hollow interior have nothing to rest on: {paths} beads, from this place on</source>
         <translation>
             <numerusform>la pelle sopra un interno vuoto non ha appoggio: {paths} cordone, da questo punto in poi</numerusform>
             <numerusform>le pelli sopra un interno vuoto non hanno appoggio: {paths} cordoni, da questo punto in poi</numerusform>
@@ -7344,16 +7352,16 @@ previsto</translation>
         <translation>usa un ugello più fine, oppure stampale con quel cordone (thinWalls=bead)</translation>
     </message>
     <message>
-        <source>use thinner layers, or a part with steeper walls; the layers from there on are printed one by one</source>
-        <translation>usa strati più sottili o un pezzo con pareti più ripide; da lì in poi gli strati sono stampati uno per uno</translation>
+        <source>use thinner layers, or a part with steeper walls; another spiral may begin there</source>
+        <translation>usa strati più sottili o un pezzo con pareti più ripide; lì può cominciare un&apos;altra spirale</translation>
     </message>
     <message>
         <source>the spiral ends below layer {layer} of {layers}, which does not continue the layer before</source>
         <translation>la spirale finisce sotto lo strato {layer} di {layers}, che non prosegue lo strato precedente</translation>
     </message>
     <message>
-        <source>print the towers as separate items, or cut off the part there; the layers from there on are printed one by one</source>
-        <translation>stampa le torri come oggetti separati o taglia lì il pezzo; da lì in poi gli strati sono stampati uno per uno</translation>
+        <source>print towers as separate items, or cut off the part there; layers of several beads are printed as usual</source>
+        <translation>stampa le torri come oggetti separati o taglia lì il pezzo; gli strati con più cordoni sono stampati come al solito</translation>
     </message>
     <message numerus="yes">
         <source>the spiral ends below layer {layer} of {layers}: it has {beads} beads, not one closed loop</source>

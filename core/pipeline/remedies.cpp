@@ -51,6 +51,10 @@ std::optional<project::Choices> thickenSurface(const plan::Finding&,
   return withParameter(choices, "openSurfaces", "thicken");
 }
 
+std::optional<project::Choices> printAsWall(const plan::Finding&, const project::Choices& choices) {
+  return withParameter(choices, "openSurfaces", "wall");
+}
+
 std::optional<project::Choices> closeRims(const plan::Finding&, const project::Choices& choices) {
   return withParameter(choices, "openSurfaces", "close");
 }
@@ -386,6 +390,8 @@ std::span<const Remedy> remedies() {
   static constexpr auto kRemedies = std::to_array<Remedy>(
       {{ThickenSurface, "thickenSurface", "Thicken to a wall"_text,
         "Two beads wide, centred on the surface"_text, thickenSurface},
+       {WallSurface, "wallSurface", "Print as one wall"_text,
+        "One bead wide, centred on the surface; its rims stay open"_text, printAsWall},
        {CloseRims, "closeRims", "Close the openings"_text,
         "Flat patches over the openings: the part becomes solid"_text, closeRims},
        {DropToPlate, "dropToPlate", "Drop to plate"_text, "Lowers the part onto the plate"_text,

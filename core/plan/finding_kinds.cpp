@@ -41,14 +41,14 @@ constexpr auto kRows =
              "repair the mesh in a modelling program if the result looks wrong"_text},
             {OpenRims, "openSurface", "openSurface", Load, Error,
              "open surface: {rims} open edge loop, {width:.3g} wide|open surface: {rims} open edge loops, the widest {width:.3g} wide"_plural,
-             "thicken it to a wall (openSurfaces=thicken), close its rims to make it solid "
-             "(openSurfaces=close), or close it in a modelling program"_text,
+             "print it as one wall (openSurfaces=wall), thicken it to a wall of two beads "
+             "(openSurfaces=thicken), close its rims to make it solid (openSurfaces=close), or "
+             "close it in a modelling program"_text,
              kForRims},
             {SheetModel, "sheetModel", "openSurface", Load, Error,
              "sheet model: {share:.3g} of the surface has no thickness, {triangles} triangles"_text,
-             "thicken the sheets to walls (openSurfaces=thicken), or give them a thickness in a "
-             "modelling "
-             "program"_text,
+             "print the sheets as walls of one bead (openSurfaces=wall) or two "
+             "(openSurfaces=thicken), or give them a thickness in a modelling program"_text,
              kForSheets},
             {RimsClosed, "rimsClosed", "openSurface", Load, Info,
              "open edges were closed: {share:.3g} of the surface is patches"_text,
@@ -239,10 +239,10 @@ constexpr auto kRows =
              "set infillDensity to 0.1 or more; for a part that is open at the top, set topLayers to 0"_text},
             {SpiralEnds, "spiralEnds", "spiralEnds", Toolpath, Info,
              "the spiral ends below layer {layer} of {layers}: its {beads} bead is not a closed loop|the spiral ends below layer {layer} of {layers}: it has {beads} beads, not one closed loop"_plural,
-             "print the towers as separate items, or cut off the part there; the layers from there on are printed one by one"_text},
+             "print towers as separate items, or cut off the part there; layers of several beads are printed as usual"_text},
             {SpiralInterrupted, "spiralInterrupted", "spiralEnds", Toolpath, Info,
              "the spiral ends below layer {layer} of {layers}, which does not continue the layer before"_text,
-             "use thinner layers, or a part with steeper walls; the layers from there on are printed one by one"_text},
+             "use thinner layers, or a part with steeper walls; another spiral may begin there"_text},
             {RimSupports, "rimSupports", "rimSupports", Toolpath, Info,
              "support beads ({volume:.3g}) under {paths} bead that would overhang just above the plate or the printed part|support beads ({volume:.3g}) under {paths} beads that would overhang just above the plate or the printed part"_plural,
              kBreakOff},

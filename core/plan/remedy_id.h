@@ -8,6 +8,7 @@ namespace voluta::plan {
 // A remedy that a button applies; the pipeline implements it.
 enum class RemedyId : std::uint8_t {
   ThickenSurface,
+  WallSurface,
   CloseRims,
   DropToPlate,
   ShrinkPlatform,

@@ -228,7 +228,7 @@ TEST(OpenPart, ItsRemediesLeadThere) {
   const PlanResult refused = planned(cup(), "refuse");
   const std::vector<pipeline::RemedyAction> offers =
       pipeline::remediesFor(first(refused), refused.job.choices);
-  ASSERT_EQ(offers.size(), 2u);
+  ASSERT_EQ(offers.size(), 3u);
   for (const pipeline::RemedyAction& offer : offers) {
     PlanRequest request;
     request.item().loaded = cup();

@@ -172,24 +172,6 @@ TEST(FermatInfill, WindsAroundARod) {
 }
 
 // Half of the lines at half the density, twice as far apart.
-TEST(FermatInfill, IsSparserAtALowerDensity) {
-  const auto disc = test::patchOver({test::circle(15)});
-  const auto length = [&](double density) {
-    toolpath::ToolpathOptions o;
-    o.infill = "fermat";
-    o.walls = 0;
-    o.infillDensity = density;
-    const toolpath::PatchCover c = toolpath::coverPatch(disc, process::Process{}, o, {});
-    EXPECT_EQ(c.beads.size(), 1U);
-    double mm = 0.0;
-    for (std::size_t i = 1; i < c.beads.front().points.size(); ++i)
-      mm += (c.beads.front().points[i].middle - c.beads.front().points[i - 1].middle).norm();
-    return mm;
-  };
-  EXPECT_NEAR(length(0.5) / length(1.0), 0.5, 0.03);
-  EXPECT_NEAR(length(0.25) / length(1.0), 0.25, 0.03);
-}
-
 // Without walls the spiral is the only bead.
 TEST(FermatInfill, AFlatRingWithoutWallsHasOneStart) {
   const auto ring = test::patchOver({test::circle(25), test::circle(15, true)});

@@ -125,12 +125,21 @@ TEST(Spiral, ReportsAPartWithoutALoop) {
   EXPECT_EQ(finding->kind, FindingKind::SpiralEnds);
 }
 
+TEST(Spiral, InfillOfOneClosedBeadIsNoTurn) {
+  toolpath::Assembled all = tube(8);
+  for (int k = 0; k < 3; ++k)
+    all.plan.paths[static_cast<std::size_t>(k)].kind = plan::PathKind::Infill;
+  EXPECT_EQ(toolpath::joinSpiral(all, 3), std::nullopt);
+  EXPECT_EQ(all.plan.paths.size(), 3u + 1u);
+}
+
 TEST(Spiral, EndsWhereALoopIsNotAboveTheLoopBefore) {
   toolpath::Assembled all;
   for (int k = 0; k < 8; ++k)
     append(all, {.radius = k < 4 ? 15.0 : 8.0, .z = (k + 1) * kHeight}, k);
   const std::optional<plan::Finding> finding = toolpath::joinSpiral(all, 0);
-  EXPECT_EQ(all.plan.paths.size(), 1u + 4u);
+  EXPECT_EQ(all.plan.paths.size(), 2u) << "another spiral begins there";
+  EXPECT_EQ(all.plan.paths[1].layer, 4);
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->kind, FindingKind::SpiralInterrupted);
 }

@@ -198,8 +198,10 @@ std::vector<LayerPaths> layersOf(const std::vector<ToolPath>& paths) {
 bool isLoop(const std::vector<ToolPath>& paths, const LayerPaths& layer) {
   const ToolPath& path = paths[layer.first];
   constexpr std::size_t kFewest = 4; // A triangle
-  return layer.count() == 1 && path.closed && path.count >= kFewest &&
-         path.kind != PathKind::Support && !plan::isWaste(path.kind);
+  // The centreline of a ring of one bead is a gap fill; infill may be one closed bead too.
+  const bool isWall =
+      (path.kind == PathKind::Wall && path.ring == 0) || path.kind == PathKind::GapFill;
+  return layer.count() == 1 && path.closed && path.count >= kFewest && isWall;
 }
 
 // `layer`: the first that the spiral does not contain; `isApart`: it is one loop.
@@ -217,9 +219,12 @@ struct LoopRun {
   std::vector<Loop> loops;
 };
 
-LoopRun loopRunOf(const Assembled& assembled, const std::vector<LayerPaths>& layers) {
+// Returns the first run from layer `from` on; without loops at the end.
+LoopRun loopRunFrom(std::size_t from, const Assembled& assembled,
+                    const std::vector<LayerPaths>& layers) {
   const std::vector<ToolPath>& paths = assembled.plan.paths;
   LoopRun run;
+  run.first = from;
   while (run.first < layers.size() && !isLoop(paths, layers[run.first]))
     ++run.first;
   for (run.end = run.first; run.end < layers.size() && isLoop(paths, layers[run.end]); ++run.end) {
@@ -304,28 +309,38 @@ plan::FillIntent keepOuterWalls(const layers::LayerStack& stack, int bottomLayer
 std::optional<plan::Finding> joinSpiral(Assembled& assembled, int bottomLayers) {
   const std::vector<ToolPath>& paths = assembled.plan.paths;
   const std::vector<LayerPaths> layers = layersOf(paths);
-  const LoopRun run = loopRunOf(assembled, layers);
-  const auto count = static_cast<int>(layers.size());
-  if (run.loops.size() < 2) {
-    const auto above = std::ranges::find_if(
-        layers, [&](const LayerPaths& l) { return paths[l.first].layer >= bottomLayers; });
-    return above == layers.end()
-               ? std::nullopt
-               : std::optional(spiralEnds(assembled.plan, *above, count, isLoop(paths, *above)));
+  Rebuilt rebuilt(assembled);
+  std::size_t copied = 0; // layers
+  std::optional<std::size_t> left;
+  const auto copyUntil = [&](std::size_t end) {
+    for (; copied < end; ++copied) {
+      rebuilt.copy(layers[copied].first, layers[copied].end);
+      if (!left && paths[layers[copied].first].layer >= bottomLayers)
+        left = copied;
+    }
+  };
+  while (copied < layers.size()) {
+    const LoopRun run = loopRunFrom(copied, assembled, layers);
+    copyUntil(run.first);
+    if (run.loops.size() < 2) {
+      copyUntil(run.end);
+      continue;
+    }
+    ToolPath path = paths[layers[run.first].first];
+    // Settings of the first layer hold for the first layer only.
+    path.patch = paths[layers[run.first + 1].first].patch;
+    path.kind = PathKind::Wall;
+    path.ring = 0;
+    path.closed = false;
+    rebuilt.add(path, spiralOf(run.loops));
+    copied = run.end;
+    if (!left && run.end < layers.size())
+      left = run.end;
   }
   std::optional<plan::Finding> finding;
-  if (run.end < layers.size())
-    finding = spiralEnds(assembled.plan, layers[run.end], count, isLoop(paths, layers[run.end]));
-  Rebuilt rebuilt(assembled);
-  rebuilt.copy(0, layers[run.first].first);
-  ToolPath path = paths[layers[run.first].first];
-  // Settings of the first layer hold for the first layer only.
-  path.patch = paths[layers[run.first + 1].first].patch;
-  path.kind = PathKind::Wall;
-  path.ring = 0;
-  path.closed = false;
-  rebuilt.add(path, spiralOf(run.loops));
-  rebuilt.copy(layers[run.end - 1].end, paths.size());
+  if (left)
+    finding = spiralEnds(assembled.plan, layers[*left], static_cast<int>(layers.size()),
+                         isLoop(paths, layers[*left]));
   assembled = rebuilt.take();
   return finding;
 }

@@ -27,8 +27,8 @@ plan::FillIntent keepOuterWalls(const layers::LayerStack& stack, int bottomLayer
 // continues the layer before. The path runs level along the first bead, and then once around per
 // layer: along the bead of a layer it rises from the bead below to it, in proportion to the length,
 // its height that of the gap below; one further level turn, of falling height, ends it. The volume
-// is that of the beads. Layers before the first such layer stay as they are, and so do those from
-// the one that ends the spiral: it is reported. Precondition: print order.
+// is that of the beads. Other layers stay as they are; the first of them from layer `bottomLayers`
+// on is reported. Precondition: print order.
 std::optional<plan::Finding> joinSpiral(Assembled& assembled, int bottomLayers);
 
 } // namespace voluta::toolpath
