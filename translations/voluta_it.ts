@@ -831,10 +831,6 @@ mm²</translation>
         <translation>Forma della testa che non deve urtare il pezzo già stampato. flat: una piastra di larghezza illimitata. nozzle: la testa vera dove altrimenti si perderebbero voxel, e sotto tetti larghi. auto: la testa vera solo sotto tetti larghi.</translation>
     </message>
     <message>
-        <source>Share of the interior that is filled; 1 is solid.</source>
-        <translation>Quota dell&apos;interno da riempire; 1 è pieno.</translation>
-    </message>
-    <message>
         <source>Skirt</source>
         <translation>Skirt</translation>
     </message>
@@ -6762,16 +6758,8 @@ previsto</translation>
         <translation>il modo di contare il filamento</translation>
     </message>
     <message>
-        <source>infill density {density} cannot be printed yet: parts are filled solid</source>
-        <translation>la densità di riempimento {density} non si può ancora stampare: i pezzi sono pieni</translation>
-    </message>
-    <message>
         <source>parameter {oldKey} was renamed to {key}</source>
         <translation>il parametro {oldKey} ora si chiama {key}</translation>
-    </message>
-    <message>
-        <source>the project&apos;s infill density {density} is ignored: parts are filled solid</source>
-        <translation>la densità di riempimento {density} del progetto è ignorata: i pezzi sono pieni</translation>
     </message>
     <message>
         <source>is damaged or truncated UTF-16</source>
@@ -6800,10 +6788,6 @@ previsto</translation>
     <message>
         <source>layer {layer}</source>
         <translation>strato {layer}</translation>
-    </message>
-    <message>
-        <source>omit it</source>
-        <translation>ometterla</translation>
     </message>
     <message>
         <source>sheets without thickness were left out: {share:.3g} of the surface, {triangles} triangles</source>
