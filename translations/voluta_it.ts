@@ -7320,16 +7320,16 @@ previsto</translation>
         <translation>Pareti più strette del cordone più stretto: stampate come quel cordone, quindi troppo larghe, oppure omesse. Sotto la metà della sua larghezza sono sempre omesse.</translation>
     </message>
     <message>
-        <source>{length:.0f} of walls, down to {width} thin, is printed too wide: with the narrowest bead, {bead}</source>
-        <translation>{length:.0f} di pareti, sottili fino a {width}, è stampato troppo largo: con il cordone più stretto, {bead}</translation>
+        <source>{length:.0f} of walls, down to {width:.2f} thin, is printed too wide: with the narrowest bead, {bead:.3g}</source>
+        <translation>{length:.0f} di pareti, sottili fino a {width:.2f}, è stampato troppo largo: con il cordone più stretto, {bead:.3g}</translation>
     </message>
     <message>
         <source>use a finer nozzle, or leave them out (thinWalls=omit)</source>
         <translation>usa un ugello più fine, oppure omettile (thinWalls=omit)</translation>
     </message>
     <message>
-        <source>{length:.0f} of walls, down to {width} thin, is left out: the narrowest bead is {bead}</source>
-        <translation>{length:.0f} di pareti, sottili fino a {width}, è omesso: il cordone più stretto è {bead}</translation>
+        <source>{length:.0f} of walls, down to {width:.2f} thin, is left out: the narrowest bead is {bead:.3g}</source>
+        <translation>{length:.0f} di pareti, sottili fino a {width:.2f}, è omesso: il cordone più stretto è {bead:.3g}</translation>
     </message>
     <message>
         <source>use a finer nozzle, or print them with that bead (thinWalls=bead)</source>

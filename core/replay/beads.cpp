@@ -247,7 +247,8 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
         found[p] = {true, 1.0};
         continue;
       }
-      const Beneath beneath(pieces, static_cast<std::uint32_t>(p), printed, ground);
+      const Beneath beneath(pieces, static_cast<std::uint32_t>(p), printed, ground,
+                            interior != nullptr);
       found[p] = {beneath.supported(), beneath.carriedShare()};
     }
   });

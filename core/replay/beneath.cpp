@@ -48,11 +48,18 @@ bool isIn(const BeadPiece& piece, const Vector3d& point, double beyondMm) {
          std::abs(off.dot(up.cross(way).normalized())) <= 0.5 * section.widthMm;
 }
 
+// Returns whether a point is lower than a piece's bottom.
+bool isUnder(const BeadPiece& piece, const Vector3d& point) {
+  constexpr double kSlack = 1.02;
+  const Vector3d up = (piece.fromDirection + piece.toDirection).normalized();
+  const double height = 0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
+  return (0.5 * (piece.from + piece.to) - point).dot(up) > kSlack * height;
+}
 } // namespace
 
 Beneath::Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index,
-                 const PrintedPart& printed, const GroundProbe& ground)
-    : pieces_(pieces), printed_(printed), ground_(ground) {
+                 const PrintedPart& printed, const GroundProbe& ground, bool onlyBelow)
+    : pieces_(pieces), printed_(printed), ground_(ground), onlyBelow_(onlyBelow) {
   const BeadPiece& piece = pieces[index];
   tip_ = 0.5 * (piece.from + piece.to);
   up_ = (piece.fromDirection + piece.toDirection).normalized();
@@ -91,7 +98,9 @@ bool Beneath::carriedAt(double asideMm) const {
 }
 
 bool Beneath::holds(const Vector3d& point) const {
-  if (printed_.printedAt(point, moment_) || ground_.holds(point, 0.25 * width_))
+  const std::uint32_t filler = printed_.pieceAt(point, moment_);
+  const bool isFilled = filler != kNeverFilled && !(onlyBelow_ && isUnder(pieces_[filler], point));
+  if (isFilled || ground_.holds(point, 0.25 * width_))
     return true;
   const double pitch = printed_.grid().pitch;
   const std::uint32_t below = printed_.pieceAt(point - pitch * up_, moment_);

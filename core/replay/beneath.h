@@ -14,8 +14,10 @@ namespace voluta::replay {
 // The probes of findSupport() at a piece's middle (beads.h). Keeps references to all arguments.
 class Beneath {
 public:
+  // `onlyBelow`: a cell that a bead of the same layer filled is no support where the point is below
+  // that bead. Neighbours in a layer fill cells that reach a little below it.
   Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index, const PrintedPart& printed,
-          const GroundProbe& ground);
+          const GroundProbe& ground, bool onlyBelow = false);
 
   bool supported() const;
   // Returns the supported share of its width, from eight probes.
@@ -40,6 +42,7 @@ private:
   const GroundProbe& ground_;
   Eigen::Vector3d tip_, up_, side_; // side_: unit, up x way
   double height_, width_;
+  bool onlyBelow_;
   PrintState moment_;
 };
 

@@ -321,7 +321,9 @@ TEST(Automatic, APartThatNoWayTakesIsAnError) {
 // Growth misses nothing of a box, so columns would change nothing of what blocks it.
 TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   pipeline::PlanRequest request = automaticRequest();
-  request.choices.item().parameters["infillDensity"] = "0"; // Skins over nothing
+  // A skin over nothing.
+  request.choices.item().parameters = {
+      {"infillDensity", "0"}, {"topLayers", "1"}, {"bottomLayers", "1"}};
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   EXPECT_FALSE(pipeline::nothingBlocks(result.job.report));
   expectConsistent(result);

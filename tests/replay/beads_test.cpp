@@ -385,6 +385,23 @@ TEST(InteriorSpans, AreBridgedBetweenWhatHoldsThem) {
   EXPECT_NEAR(overPiers(5.0, 4.5, 8.0, 6.0), 4.0, 1.0) << "an end that nothing holds";
 }
 
+// However the cells lie, neighbours in a layer do not carry each other over a hollow.
+TEST(InteriorSpans, NeighboursOfTheSameLayerCarryNothing) {
+  for (const double z : {6.0, 6.1, 6.15, 6.2, 6.25, 6.3}) {
+    SCOPED_TRACE(z);
+    std::vector<BeadPiece> pieces;
+    for (int line = 0; line < 8; ++line)
+      addBead(pieces, {{0, 5 + 1.03 * line, z}, {30, 5 + 1.03 * line, z}}, 1.2, 0.8);
+    const BeadGrid beads = lay(pieces, {-3, -3, -1}, {33, 33, 20});
+    const PrintedPart printed(beads, pieces);
+    const platform::PlatformSolid plate{{-1, -1}, {31, -1}, {31, 31}, {-1, 31}};
+    const Interior interior(test::box({-1, 0, 0}, {31, 20, 10}),
+                            [](const BeadPiece&) { return 6.0; });
+    const SupportedBeads s = findSupport(pieces, printed, GroundProbe(plate), kOne, &interior);
+    EXPECT_NEAR(s.unsupportedMm, s.lengthMm, 1e-6);
+  }
+}
+
 TEST(InteriorSpans, OutsideThePartNoneIsAccepted) {
   std::vector<BeadPiece> pieces;
   for (const double x : {0.0, 10.0})

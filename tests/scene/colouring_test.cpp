@@ -1,3 +1,4 @@
+#include "plan/tool_plan.h"
 #include "scene/colouring.h"
 #include "scene/theme.h"
 
@@ -72,6 +73,12 @@ TEST(Colouring, ReasonsAndStepsAreToldApart) {
         EXPECT_GT(distance(all[i], sequentialColour(s / 50.0)), 0.2) << i << " at " << s / 50.0;
     }
   }
+}
+
+TEST(Colouring, EveryKindOfBeadHasItsOwnColour) {
+  for (int i = 0; i < static_cast<int>(voluta::plan::kPathKinds); ++i)
+    for (int k = 0; k < i; ++k)
+      EXPECT_GT(distance(categoricalColour(i), categoricalColour(k)), 0.25) << i << " and " << k;
 }
 
 TEST(Colouring, RedIsKeptForWhatIsBlocked) {

@@ -109,7 +109,7 @@ TEST(CoverPatch, StripsOfEveryWidth) {
 TEST(CoverPatch, ThinWallsArePrintedTooWideOrLeftOut) {
   const process::Process process;
   const double narrowest = process::hatchOf(process.beadWidthMinMm, process.layerHeightMm);
-  for (const double w : {0.5, 0.6, 0.7, 0.8, 0.95, 1.2, 3.0}) {
+  for (const double w : {0.6, 0.65, 0.7, 0.8, 0.95, 1.2, 3.0}) {
     SCOPED_TRACE(w);
     const layers::Patch wall = test::patchOver({test::rectangle(30, w)}, 0.3 * w);
     toolpath::ToolpathOptions o;

@@ -24,6 +24,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -197,7 +198,7 @@ void ExportPanel::setBlockedReason(const QString& reason) {
 }
 
 void ExportPanel::showLine(std::size_t file, std::size_t line) {
-  if (static_cast<int>(file) >= file_->count())
+  if (static_cast<int>(file) >= fileCount_)
     return;
   file_->setCurrentIndex(static_cast<int>(file));
   preview_->showLine(line);
@@ -249,19 +250,35 @@ void ExportPanel::showFormat(const QString& id) {
   forms::tabInReadingOrder({this}); // rows of options are added and removed
   facts_->setFigures(format ? figuresOf(*format) : std::nullopt);
   facts_->setAssumptions(format ? format->assumptions : QStringList());
-  const int before = file_->currentIndex();
-  {
-    const QSignalBlocker quiet(file_);
-    file_->clear();
-    if (format)
-      for (const ExportFile& file : format->files)
-        file_->addItem(QStringLiteral("%1 (%2)").arg(
-            file.name, QLocale().formattedDataSize(
-                           file.text ? static_cast<qint64>(file.text->size()) : 0, 1)));
-    file_->setEnabled(file_->count() > 0);
-    file_->setCurrentIndex(std::min(std::max(before, 0), file_->count() - 1));
-  }
+  QStringList names;
+  if (format)
+    for (const ExportFile& file : format->files)
+      names << QStringLiteral("%1 (%2)").arg(
+          file.name,
+          QLocale().formattedDataSize(file.text ? static_cast<qint64>(file.text->size()) : 0, 1));
+  showFileNames(names);
   showFile(file_->currentIndex());
+}
+
+// An event of the list itself may lead here, by a key that starts a plan. Rows are therefore only
+// removed after it.
+void ExportPanel::showFileNames(const QStringList& names) {
+  const QSignalBlocker quiet(file_);
+  const int count = static_cast<int>(names.size()), before = file_->currentIndex();
+  for (int row = 0; row < count; ++row)
+    if (row < file_->count())
+      file_->setItemText(row, names[row]);
+    else
+      file_->addItem(names[row]);
+  file_->setEnabled(count > 0);
+  file_->setCurrentIndex(std::min(std::max(before, 0), count - 1));
+  fileCount_ = count;
+  if (file_->count() > count)
+    QTimer::singleShot(0, this, [this] {
+      const QSignalBlocker stillQuiet(file_);
+      while (file_->count() > fileCount_)
+        file_->removeItem(file_->count() - 1);
+    });
 }
 
 void ExportPanel::showFile(int index) {

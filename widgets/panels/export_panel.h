@@ -76,6 +76,7 @@ private:
   void build();
   void showFormat(const QString& id);
   void showFile(int index);
+  void showFileNames(const QStringList& names);
   void showButton();
   void browse();
   void exportNow();
@@ -96,6 +97,7 @@ private:
   ProgramFacts* facts_ = nullptr;
   QLabel* fileLabel_ = nullptr;
   QComboBox* file_ = nullptr;
+  int fileCount_ = 0; // rows of file_ that show a file
   TextPreview* preview_ = nullptr;
   ResumeBar* resume_ = nullptr;
   QLabel* folderLabel_ = nullptr;
