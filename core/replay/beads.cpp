@@ -247,8 +247,7 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
         found[p] = {true, 1.0};
         continue;
       }
-      const Beneath beneath(pieces, static_cast<std::uint32_t>(p), printed, ground,
-                            interior != nullptr);
+      const Beneath beneath(pieces, static_cast<std::uint32_t>(p), printed, ground);
       found[p] = {beneath.supported(), beneath.carriedShare()};
     }
   });

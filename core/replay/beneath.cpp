@@ -58,8 +58,8 @@ bool isUnder(const BeadPiece& piece, const Vector3d& point) {
 } // namespace
 
 Beneath::Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index,
-                 const PrintedPart& printed, const GroundProbe& ground, bool onlyBelow)
-    : pieces_(pieces), printed_(printed), ground_(ground), onlyBelow_(onlyBelow) {
+                 const PrintedPart& printed, const GroundProbe& ground)
+    : pieces_(pieces), printed_(printed), ground_(ground) {
   const BeadPiece& piece = pieces[index];
   tip_ = 0.5 * (piece.from + piece.to);
   up_ = (piece.fromDirection + piece.toDirection).normalized();
@@ -99,7 +99,7 @@ bool Beneath::carriedAt(double asideMm) const {
 
 bool Beneath::holds(const Vector3d& point) const {
   const std::uint32_t filler = printed_.pieceAt(point, moment_);
-  const bool isFilled = filler != kNeverFilled && !(onlyBelow_ && isUnder(pieces_[filler], point));
+  const bool isFilled = filler != kNeverFilled && !isUnder(pieces_[filler], point);
   if (isFilled || ground_.holds(point, 0.25 * width_))
     return true;
   const double pitch = printed_.grid().pitch;

@@ -14,10 +14,8 @@ namespace voluta::replay {
 // The probes of findSupport() at a piece's middle (beads.h). Keeps references to all arguments.
 class Beneath {
 public:
-  // `onlyBelow`: a cell that a bead of the same layer filled is no support where the point is below
-  // that bead. Neighbours in a layer fill cells that reach a little below it.
   Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index, const PrintedPart& printed,
-          const GroundProbe& ground, bool onlyBelow = false);
+          const GroundProbe& ground);
 
   bool supported() const;
   // Returns the supported share of its width, from eight probes.
@@ -29,7 +27,9 @@ public:
   // Returns whether there is ground at the point, or material that was deposited earlier and is no
   // longer soft. Cells resolve the part's surface to half their pitch, which is as much as thin
   // layers yield. If the point's own cell is not filled but the one below it is, the section of the
-  // bead that filled the lower cell decides whether it reaches up to the point.
+  // bead that filled the lower cell decides whether it reaches up to the point. A cell is no
+  // support where the point is below the bead that filled it: neighbours in a layer fill cells that
+  // reach a little below it.
   bool holds(const Eigen::Vector3d& point) const;
 
   const Eigen::Vector3d& tip() const { return tip_; } // nozzle tip
@@ -42,7 +42,6 @@ private:
   const GroundProbe& ground_;
   Eigen::Vector3d tip_, up_, side_; // side_: unit, up x way
   double height_, width_;
-  bool onlyBelow_;
   PrintState moment_;
 };
 
