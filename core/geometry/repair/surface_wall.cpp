@@ -204,11 +204,7 @@ TriangleMesh surfaceWall(const TriangleMesh& mesh, const WallShape& shape,
   closeSmallHoles(sheets, shape.width, ctx);
   ctx.checkpoint();
   appendMesh(solids, bothSides(sheets, movesOf(sheets, shape)));
-  const auto pairs = selfIntersections(solids, ctx);
-  if (pairs.empty())
-    return std::move(solids);
-  std::optional<WindingUnion> united = windingUnion(solids, pairs, ctx);
-  return united && !united->losesTooMuch() ? std::move(united->mesh) : std::move(solids);
+  return overlapsUnited(std::move(solids), ctx);
 }
 
 } // namespace voluta::geometry

@@ -2,7 +2,6 @@
 #include "geometry/append_mesh.h"
 #include "geometry/measures.h"
 #include "geometry/repair/open_surface.h"
-#include "geometry/repair/self_intersections.h"
 #include "geometry/repair/sheets.h"
 #include "geometry/repair/winding_union.h"
 
@@ -13,7 +12,6 @@
 #include "geometry/cgal_mesh.h"
 
 #include <array>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -57,11 +55,7 @@ TriangleMesh thickened(const TriangleMesh& mesh, double wallMm, const base::RunC
   if (!sheets.empty())
     appendMesh(solids, wrapped(sheets, wallMm));
   ctx.checkpoint();
-  const auto pairs = selfIntersections(solids, ctx);
-  if (pairs.empty())
-    return std::move(solids);
-  std::optional<WindingUnion> united = windingUnion(solids, pairs, ctx);
-  return united && !united->losesTooMuch() ? std::move(united->mesh) : std::move(solids);
+  return overlapsUnited(std::move(solids), ctx);
 }
 
 } // namespace voluta::geometry

@@ -6,10 +6,12 @@
 #include "geometry/repair/arrangement.h"
 #include "geometry/repair/diagnosis.h"
 #include "geometry/repair/repair_steps.h"
+#include "geometry/repair/self_intersections.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace voluta::geometry {
 
@@ -180,6 +182,14 @@ std::optional<WindingUnion> windingUnion(const TriangleMesh& mesh,
   if (!isWatertight(united.mesh))
     return std::nullopt;
   return united;
+}
+
+TriangleMesh overlapsUnited(TriangleMesh mesh, const base::RunContext& ctx) {
+  const auto pairs = selfIntersections(mesh, ctx);
+  if (pairs.empty())
+    return mesh;
+  std::optional<WindingUnion> united = windingUnion(mesh, pairs, ctx);
+  return united && !united->losesTooMuch() ? std::move(united->mesh) : std::move(mesh);
 }
 
 } // namespace voluta::geometry

@@ -33,4 +33,8 @@ std::optional<WindingUnion> windingUnion(const TriangleMesh& mesh,
                                          const std::vector<std::pair<int, int>>& pairs,
                                          const base::RunContext& ctx);
 
+// Returns the mesh with the shells that overlap united; unchanged if it does not intersect itself,
+// or if the union fails or loses too much. Throws Cancelled. Precondition: a watertight mesh.
+TriangleMesh overlapsUnited(TriangleMesh mesh, const base::RunContext& ctx);
+
 } // namespace voluta::geometry

@@ -1,10 +1,8 @@
 #include "toolpath/infill/infill.h"
 
-#include "base/error.h"
 #include "base/nearest_name.h"
 
 #include <array>
-#include <string>
 
 namespace voluta::toolpath {
 
@@ -25,15 +23,7 @@ std::span<const InfillKind> infillKinds() {
 }
 
 const InfillKind& infillKind(std::string_view id) {
-  std::vector<std::string> ids;
-  for (const InfillKind& kind : kKinds) {
-    if (kind.id == id)
-      return kind;
-    ids.emplace_back(kind.id);
-  }
-  throw base::Error(base::ErrorCode::Usage,
-                    base::message("unknown infill '{id}'"_text, std::string(id)), "infill"_name,
-                    base::didYouMean(id, ids));
+  return base::rowWithId(infillKinds(), id, "unknown infill '{id}'"_text, "infill"_name);
 }
 
 } // namespace voluta::toolpath

@@ -14,8 +14,9 @@ struct ThinWall {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
 
-// Returns the wall along the middle of which a curve runs, if it is narrower than `narrowestMm`,
-// the hatch of the narrowest bead. boundaryMm: per vertex, distance to the patch's boundary.
+// Returns the wall whose middle the curve follows, or nullopt unless that wall is narrower than
+// `narrowestMm`, the hatch of the narrowest bead. boundaryMm: per vertex, distance to the patch's
+// boundary.
 std::optional<ThinWall> thinWallAlong(const PatchSurface& surface, const SurfaceCurve& curve,
                                       const std::vector<double>& boundaryMm, double narrowestMm);
 

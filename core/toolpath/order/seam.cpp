@@ -13,7 +13,6 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <string>
 
 namespace voluta::toolpath {
 
@@ -142,15 +141,7 @@ std::span<const SeamKind> seamKinds() {
 }
 
 const SeamKind& seamKind(std::string_view id) {
-  std::vector<std::string> ids;
-  for (const SeamKind& kind : kKinds) {
-    if (kind.id == id)
-      return kind;
-    ids.emplace_back(kind.id);
-  }
-  throw base::Error(base::ErrorCode::Usage,
-                    base::message("unknown seam '{id}'"_text, std::string(id)), "seam"_name,
-                    base::didYouMean(id, ids));
+  return base::rowWithId(seamKinds(), id, "unknown seam '{id}'"_text, "seam"_name);
 }
 
 SeamPlace alignedSeam(const SeamInput& input) {

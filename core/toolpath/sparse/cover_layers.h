@@ -22,8 +22,8 @@ struct LayerCovers {
 };
 
 // Runs coverPatch() for every patch; with an infill density below 1 for the solid part of each, and
-// sparseBeads() for the rest. Solid infill of which a part rests on a sparse part becomes
-// PathKind::Bridge. Reports progress up to `share`. Throws Cancelled, Error{Usage}.
+// sparseBeads() for the rest. Solid infill beads that partly rest on a sparse
+// part become PathKind::Bridge. Reports progress up to `share`. Throws Cancelled, Error{Usage}.
 LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling& tooling,
                         const ToolpathOptions& options, double share, const base::RunContext& ctx);
 

@@ -1,6 +1,5 @@
 #include "toolpath/sparse/patterns.h"
 
-#include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 
@@ -8,8 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <vector>
 
 namespace voluta::toolpath {
 
@@ -147,15 +144,8 @@ std::span<const SparsePattern> sparsePatterns() {
 }
 
 const SparsePattern& sparsePattern(std::string_view id) {
-  std::vector<std::string> ids;
-  for (const SparsePattern& pattern : kPatterns) {
-    if (pattern.id == id)
-      return pattern;
-    ids.emplace_back(pattern.id);
-  }
-  throw base::Error(base::ErrorCode::Usage,
-                    base::message("unknown sparse infill '{id}'"_text, std::string(id)),
-                    "sparsePattern"_name, base::didYouMean(id, ids));
+  return base::rowWithId(sparsePatterns(), id, "unknown sparse infill '{id}'"_text,
+                         "sparsePattern"_name);
 }
 
 } // namespace voluta::toolpath
