@@ -7161,10 +7161,6 @@ previsto</translation>
         <translation>un cambio utensile</translation>
     </message>
     <message>
-        <source>choose a way of building for each part</source>
-        <translation>scegli un modo di costruzione per ogni parte</translation>
-    </message>
-    <message>
         <source>feeding in place</source>
         <translation>avanzamento da fermo</translation>
     </message>
@@ -7175,10 +7171,6 @@ previsto</translation>
     <message>
         <source>is above 1</source>
         <translation>è maggiore di 1</translation>
-    </message>
-    <message>
-        <source>mode auto plans one part at a time</source>
-        <translation>la modalità auto pianifica una parte alla volta</translation>
     </message>
     <message>
         <source>mode {mode} needs a rod, but cell {cell} has none</source>
@@ -7353,6 +7345,86 @@ previsto</translation>
             <numerusform>la spirale finisce sotto lo strato {layer} di {layers}: il suo {beads} cordone non è un anello chiuso</numerusform>
             <numerusform>la spirale finisce sotto lo strato {layer} di {layers}: ha {beads} cordoni, non un unico anello chiuso</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>{first} and {second} overlap</source>
+        <translation>{first} e {second} si sovrappongono</translation>
+    </message>
+    <message>
+        <source>arrange the parts</source>
+        <translation>disponi i pezzi</translation>
+    </message>
+    <message>
+        <source>move one of the parts on the Prepare page, or arrange them</source>
+        <translation>sposta uno dei pezzi nella pagina Prepara, oppure disponili</translation>
+    </message>
+    <message>
+        <source>neither {first} nor {second} can be printed beside the other one: they are {gap:.1f} apart, the head needs {needed:.1f}</source>
+        <translation>né {first} né {second} può essere stampato accanto all&apos;altro: distano {gap:.1f}, alla testa serve {needed:.1f}</translation>
+    </message>
+    <message>
+        <source>arrange the parts, or print them layer by layer</source>
+        <translation>disponi i pezzi, oppure stampali strato per strato</translation>
+    </message>
+    <message>
+        <source>Print layer by layer</source>
+        <translation>Stampa strato per strato</translation>
+    </message>
+    <message>
+        <source>All parts grow together, so that no finished part is in the way</source>
+        <translation>Tutti i pezzi crescono insieme, così nessun pezzo finito è d&apos;intralcio</translation>
+    </message>
+    <message>
+        <source>the plate has no room for {parts} parts</source>
+        <translation>il piano non ha posto per {parts} pezzi</translation>
+    </message>
+    <message>
+        <source>print fewer or smaller parts, or use a cell with a larger plate</source>
+        <translation>stampa meno pezzi o pezzi più piccoli, oppure usa una cella con un piano più grande</translation>
+    </message>
+    <message>
+        <source>a spiral is printed alone</source>
+        <translation>una spirale si stampa da sola</translation>
+    </message>
+    <message>
+        <source>remove the other parts, or set spiral to false</source>
+        <translation>togli gli altri pezzi, oppure imposta spiral su false</translation>
+    </message>
+    <message>
+        <source>a part around a rod or on a body is printed alone</source>
+        <translation>un pezzo attorno a un&apos;asta o su un corpo si stampa da solo</translation>
+    </message>
+    <message>
+        <source>remove the other parts, or choose a way of building on a plate</source>
+        <translation>togli gli altri pezzi, oppure scegli un modo di costruire su un piano</translation>
+    </message>
+    <message>
+        <source>{parts} parts are too many for a job</source>
+        <translation>{parts} pezzi sono troppi per un lavoro</translation>
+    </message>
+    <message>
+        <source>print up to {most} parts</source>
+        <translation>stampa al massimo {most} pezzi</translation>
+    </message>
+    <message>
+        <source>a part with its own tool-paths is printed alone</source>
+        <translation>un pezzo con i propri percorsi si stampa da solo</translation>
+    </message>
+    <message>
+        <source>remove the other parts, or ignore its tool-paths (givenToolPaths=false)</source>
+        <translation>togli gli altri pezzi, oppure ignora i suoi percorsi (givenToolPaths=false)</translation>
+    </message>
+    <message>
+        <source>{option} {text}: not of the form {form}</source>
+        <translation>{option} {text}: non ha la forma {form}</translation>
+    </message>
+    <message>
+        <source>{option} {text}: there are {parts} parts</source>
+        <translation>{option} {text}: i pezzi sono {parts}</translation>
+    </message>
+    <message>
+        <source>different for each part</source>
+        <translation>diverso per ogni pezzo</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/exit_code.h"
+#include "cli/plate_options.h"
 #include "cli/progress.h"
 #include "pipeline/compare.h"
 #include "pipeline/compare_figures.h"
@@ -21,7 +22,8 @@ namespace voluta::cli {
 std::string moreFindings(std::size_t more);
 
 struct PlanOptions {
-  pipeline::PlanRequest request;
+  pipeline::PlanRequest request; // its item has the choices common to all parts
+  PlateOptions plate;
   std::filesystem::path folder;
   int threads = 1;
   ProgressStyle progress = ProgressStyle::Bar;

@@ -74,10 +74,9 @@ struct PlanValues {
   std::vector<std::string> sets;
 };
 
-// The part and its placement.
-void addPartOptions(CLI::App& command, pipeline::PlanRequest& request) {
+// The cell, the process and the part's placement.
+void addPlacingOptions(CLI::App& command, pipeline::PlanRequest& request) {
   project::Choices& choices = request.choices;
-  command.add_option("PART", request.item().part, "mesh file, or sample:NAME")->required();
   command.add_option("--cell", choices.cell, "robot cell (see: list cells), or FILE.json");
   command.add_option("--process", choices.tool().process,
                      "nozzle, material, speeds (see: list processes), or FILE.json");
@@ -93,8 +92,34 @@ void addPartOptions(CLI::App& command, pipeline::PlanRequest& request) {
       "(see: orient)");
 }
 
+void addPartOption(CLI::App& command, pipeline::PlanRequest& request) {
+  command.add_option("PART", request.item().part, "mesh file, or sample:NAME")->required();
+}
+
+void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions& options) {
+  command.add_option("PART", options.parts, "mesh files, or sample:NAME")->required();
+  command.add_option("--copies", options.copies, "number of each part")->check(CLI::Range(1, 255));
+  command
+      .add_option("--place", options.places,
+                  "NUMBER:X,Y,TURN: place of a part in mm, and its rotation about z in degrees; "
+                  "parts are numbered from 1; default: arranged side by side")
+      ->allow_extra_args(false);
+  command
+      .add_option("--part", options.own, "NUMBER:KEY=VALUE: mode, scale or a parameter of one part")
+      ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--order",
+          [&choices](const std::string& order) {
+            choices.printOrder = order == "layers" ? layers::PrintOrder::ByLayer
+                                                   : layers::PrintOrder::OneAfterAnother;
+          },
+          "several parts: one after another (parts) or layer by layer (layers)")
+      ->check(CLI::IsMember({"parts", "layers"}));
+}
+
 void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValues& values) {
-  addPartOptions(command, request);
+  addPlacingOptions(command, request);
   command.add_option("--set", values.sets, "key=value of a parameter (see: list parameters)")
       ->allow_extra_args(false);
   command.add_option("--until", values.until, "stop after this stage");
@@ -121,6 +146,7 @@ void addPlan(CLI::App& app, Parsed& parsed, int threads) {
   values->options.threads = threads;
   CLI::App* plan = app.add_subcommand("plan", "plan a part and write verified robot programs");
   auto& request = values->options.request;
+  addPlateOptions(*plan, request.choices, values->options.plate);
   addPlanOptions(*plan, request, *values);
   plan->add_option("-o", values->options.folder, "folder for job, report and programs")->required();
   request.choices.item().automatic = true;
@@ -162,6 +188,7 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
   values->options.threads = threads;
   CLI::App* compare = app.add_subcommand("compare", "compare ways of building a part");
   auto& compared = values->options.compared;
+  addPartOption(*compare, compared.plan);
   addPlanOptions(*compare, compared.plan, *values);
   compare
       ->add_option("-o", values->options.folder,
@@ -268,7 +295,8 @@ void addOrient(CLI::App& app, Parsed& parsed, int threads) {
   auto options = std::make_shared<OrientOptions>();
   options->threads = threads;
   CLI::App* orient = app.add_subcommand("orient", "list suggested orientations of a part");
-  addPartOptions(*orient, options->request);
+  addPartOption(*orient, options->request);
+  addPlacingOptions(*orient, options->request);
   orient->add_flag("--json", options->json, "as JSON");
   addThreads(*orient, options->threads);
   orient->callback([options, &parsed] {

@@ -15,8 +15,15 @@ std::string moreFindings(std::size_t more) {
 }
 
 namespace {
+// Returns "kitten.stl: " for a finding about one of several parts.
+std::string partOf(const plan::Finding& finding, const project::Report& report) {
+  return finding.item < 0 ? std::string()
+                          : report.item(static_cast<std::size_t>(finding.item)).model.file + ": ";
+}
+
 // Prints the most severe finding as the one-line reason why the plan is not complete.
-void sayFindings(const plan::Findings& findings) {
+void sayFindings(const project::Report& report) {
+  const plan::Findings& findings = report.findings;
   std::size_t blocking = 0;
   const plan::Finding* first = nullptr;
   for (const plan::Finding& f : findings)
@@ -28,25 +35,34 @@ void sayFindings(const plan::Findings& findings) {
                                 ? fmt::format(" at ({:.1f}, {:.1f}, {:.1f})", first->where->x(),
                                               first->where->y(), first->where->z())
                                 : "";
-  fmt::print(stderr, "{}: {}{} ({}){}\n", plan::stageName(plan::stageOf(*first)),
-             plan::englishReason(*first), where, plan::englishRemedy(*first),
+  fmt::print(stderr, "{}: {}{}{} ({}){}\n", plan::stageName(plan::stageOf(*first)),
+             partOf(*first, report), plan::englishReason(*first), where,
+             plan::englishRemedy(*first),
              blocking > 1 ? moreFindings(blocking - 1) + " in report.json" : "");
 }
 
-void sayResult(const project::Report& r) {
-  const project::DecompositionReport& d = r.item().decomposition;
-  for (const base::Message& rejected : pipeline::rejectedTexts(r))
-    fmt::print("Rejected: {}\n", base::english(rejected));
-  if (!r.item().tried.empty())
-    fmt::print("{}\n", base::english(pipeline::chosenText(r)));
-  fmt::print("mode {}; ", d.mode);
+// Prints how one part is built. `name`: empty for the only part.
+void sayItem(const project::ItemReport& item, const std::string& name) {
+  for (const base::Message& rejected : pipeline::rejectedTexts(item))
+    fmt::print("{}Rejected: {}\n", name, base::english(rejected));
+  if (!item.tried.empty())
+    fmt::print("{}{}\n", name, base::english(pipeline::chosenText(item)));
+  const project::DecompositionReport& d = item.decomposition;
+  fmt::print("{}mode {}; ", name, d.mode);
   if (d.voxels > 0)
     fmt::print("{} voxels, {} missed; ", d.voxels, d.missedAfterSupports);
   if (!d.pieceList.empty())
     fmt::print("{} pieces, {:.1f} of {:.1f} mm2 risky; ", d.pieces, d.riskyAreaMm2,
                d.riskyAreaBeforeMm2);
-  fmt::print("{} layers; {} waypoints, {:.0f} s\n", r.item().layers.count, r.toolpath.waypoints,
-             r.motion.durationS);
+  fmt::print("{} layers", item.layers.count);
+}
+
+void sayResult(const project::Report& r) {
+  for (const project::ItemReport& item : r.items) {
+    sayItem(item, r.items.size() > 1 ? item.model.file + ": " : std::string());
+    fmt::print("{}", &item == &r.items.back() ? "; " : "\n");
+  }
+  fmt::print("{} waypoints, {:.0f} s\n", r.toolpath.waypoints, r.motion.durationS);
   if (r.replay.thresholds.covered > 0.0)
     fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
                "{} collisions, deviation {:.4f} mm\n",
@@ -68,20 +84,21 @@ ExitCode reportingCommand(const ReportingWork& work, const std::filesystem::path
   if (!report)
     return kCancelled;
   sayResult(*report);
-  sayFindings(report->findings);
+  sayFindings(*report);
   return pipeline::nothingBlocks(*report) ? kDone : kNotAll;
 }
 
 ExitCode planCommand(const PlanOptions& options) {
   const auto trying = std::make_shared<base::Message>();
   return reportingCommand(
-      [request = options.request, trying](const std::filesystem::path& folder,
-                                          const base::RunContext& ctx) {
+      [options, trying](const std::filesystem::path& folder, const base::RunContext& ctx) {
+        const pipeline::PlanRequest request =
+            withParts(options.request, options.plate, ctx.sub(0.0, 0.01));
         const auto onWay = [&](const pipeline::WayInTurn& way) {
           *trying = pipeline::tryingText(way);
         };
         pipeline::PlanResult result =
-            pipeline::planPart(request, ctx.sub(0.0, 0.97), nullptr, {.onWay = onWay});
+            pipeline::planPart(request, ctx.sub(0.01, 0.97), nullptr, {.onWay = onWay});
         *trying = {};
         pipeline::writeOutputs(result, folder, ctx.sub(0.97, 1.0),
                                {.pictures = pictures::proofPictures});

@@ -3,6 +3,7 @@
 
 #include "layers/layer_stack.h"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -10,13 +11,16 @@ namespace voluta::layers {
 
 enum class PrintOrder {
   OneAfterAnother, // all layers of an item before the next item
-  ByLayer          // the items' first layers, then their second layers, ...
+  ByLayer          // always the lowest layer that is not printed yet, of any item
 };
 
 // Returns one stack with the patches of all items in print order. Patch::item is the index in
-// `items`; Patch::layer ascends. The stack of a single item is returned itself.
-// Precondition: no stack is null; there is one at least.
+// `items`; Patch::layer ascends, and layers of equal height have the same number if they are
+// printed by layer. The stack of a single item is returned itself. `sequence`: the order of the
+// items one after another; empty: as given. Precondition: no stack is null; there is one at least;
+// a sequence has each index once.
 std::shared_ptr<const LayerStack>
-joinStacks(std::span<const std::shared_ptr<const LayerStack>> items, PrintOrder order);
+joinStacks(std::span<const std::shared_ptr<const LayerStack>> items, PrintOrder order,
+           std::span<const std::size_t> sequence = {});
 
 } // namespace voluta::layers

@@ -39,7 +39,9 @@ double partMaterial(const plan::ToolPlan& toolPlan) {
 std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
                                             const geometry::TriangleMesh& part,
                                             const process::Process& process) {
-  const double volume = std::abs(geometry::volume(part)) - toolPlan.fill.openMm3;
+  double volume = std::abs(geometry::volume(part));
+  for (const plan::FillIntent& fill : toolPlan.fill)
+    volume -= fill.openMm3;
   if (!(volume > 0.0))
     return std::nullopt;
   // Priming before each bead, with the nozzle at rest, adds material too.

@@ -36,11 +36,11 @@ void append(plan::Findings& to, const plan::Findings& more) {
 } // namespace
 
 ItemStages::ItemStages(const StageContext& context, const project::Choices& given,
-                       std::size_t index, const RequestedItem& part,
-                       const process::Tooling& tooling, PlanResult& result)
+                       std::size_t index, const RequestedItem& part, PlanResult& result)
     : context_(context), given_(project::onlyItem(given, index)), choices_(resolved(given_)),
-      index_(index), tooling_(tooling), process_(tooling_.first().process), result_(result),
-      values_(parameterValues(choices_)), mode_(modes::findMode(choices_.item().mode)) {
+      index_(index), values_(parameterValues(choices_)), tooling_(chosenTooling(choices_, values_)),
+      process_(tooling_.first().process), result_(result),
+      mode_(modes::findMode(choices_.item().mode)) {
   report().decomposition.mode = choices_.item().mode;
   report().chosen = chosenReport();
   loaded_ = loadedOf(part, choices_.item().repair, context_.span(Stage::Load));
@@ -166,6 +166,10 @@ ItemOutcome ItemStages::layers() {
   report().decomposition.supportVolumeMm3 =
       decomposed_->report.supportVolumeMm3 + stage->supportVolumeMm3;
   return {stage->findings, stage->timings};
+}
+
+toolpath::ItemLayers ItemStages::forToolpaths() const {
+  return {result_.job.item(index_).layers, toolpathOptionsOf(values_, process_), tooling_};
 }
 
 } // namespace voluta::pipeline

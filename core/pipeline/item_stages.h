@@ -24,7 +24,7 @@ public:
   // item and report of that index the stages fill in. All but `given` outlive it.
   // Throws as planPart.
   ItemStages(const StageContext& context, const project::Choices& given, std::size_t index,
-             const RequestedItem& part, const process::Tooling& tooling, PlanResult& result);
+             const RequestedItem& part, PlanResult& result);
 
   ItemOutcome load();
   ItemOutcome decompose();
@@ -34,6 +34,8 @@ public:
   const modes::LoadStage& placed() const { return *placed_; }
   const project::Choices& choices() const { return choices_; }
   const project::StageKeys& keys() const { return keys_; }
+  // Precondition: layers() is done.
+  toolpath::ItemLayers forToolpaths() const;
   // Is it printed along the tool-paths that its file brought?
   bool hasGivenPaths() const { return hasGivenPaths_; }
 
@@ -56,10 +58,10 @@ private:
   const project::Choices given_; // of this item only, as the user made them
   const project::Choices choices_;
   std::size_t index_;
-  const process::Tooling tooling_;
+  base::ParameterValues values_;
+  const process::Tooling tooling_;  // with this item's layer height, bead width and step
   const process::Process& process_; // of the first tool
   PlanResult& result_;
-  base::ParameterValues values_;
   const modes::Mode& mode_;
   std::shared_ptr<const project::LoadedPart> loaded_;
   std::shared_ptr<const modes::LoadStage> placed_;

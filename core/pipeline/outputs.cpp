@@ -5,12 +5,14 @@
 #include "base/stopwatch.h"
 #include "build3mf/build_writer.h"
 #include "curved/vti_writer.h"
+#include "geometry/append_mesh.h"
 #include "geometry/formats/mesh_reader.h"
 #include "layers/vtp_writer.h"
 #include "motion/trajectory_csv.h"
 #include "pipeline/pedestal.h"
 #include "pipeline/program_files.h"
 #include "pipeline/proof.h"
+#include "pipeline/replay_stage.h"
 #include "planar/given_cuts.h"
 #include "toolpath/vtp_writer.h"
 
@@ -36,14 +38,19 @@ void writePieces(const std::vector<planar::Piece>& pieces, const std::filesystem
 
 void writeDebug(const PlanResult& result, const std::filesystem::path& folder,
                 const base::RunContext& ctx) {
-  if (const project::Voxels voxels = result.job.item().decomposition())
-    base::writeFile(folder / "voxels.vti", curved::voxelsVti(*voxels));
-  if (const project::Pieces pieces = result.job.item().pieces())
-    writePieces(pieces->pieces, folder / "pieces", ctx);
-  ctx.checkpoint();
-  if (result.job.item().layers)
-    base::writeFile(folder / "layers.vtp", layers::writeLayersVtp(*result.job.item().layers));
-  ctx.checkpoint();
+  for (std::size_t i = 0; i < result.job.items.size(); ++i) {
+    const project::JobItem& item = result.job.item(i);
+    // The files of the first item have the names of a single one's.
+    const std::string number = i == 0 ? "" : "-" + std::to_string(i + 1);
+    if (const project::Voxels voxels = item.decomposition())
+      base::writeFile(folder / ("voxels" + number + ".vti"), curved::voxelsVti(*voxels));
+    if (const project::Pieces pieces = item.pieces())
+      writePieces(pieces->pieces, folder / ("pieces" + number), ctx);
+    ctx.checkpoint();
+    if (item.layers)
+      base::writeFile(folder / ("layers" + number + ".vtp"), layers::writeLayersVtp(*item.layers));
+    ctx.checkpoint();
+  }
   if (result.job.toolPlan)
     base::writeFile(folder / "toolpath.vtp", toolpath::writeToolpathVtp(*result.job.toolPlan));
   ctx.checkpoint();
@@ -83,15 +90,18 @@ bool writesBuildFile(const PlanResult& result) {
 } // namespace
 
 std::string buildName(const PlanResult& result) {
-  return std::filesystem::path(result.job.item().partName).stem().string() + build3mf::kEnding;
+  return programsName(result.job) + build3mf::kEnding;
 }
 
 void writeBuildFile(const PlanResult& result, const std::filesystem::path& folder,
                     const base::RunContext& ctx) {
-  if (result.job.toolPlan && result.job.item().part)
-    base::writeFile(folder / buildName(result),
-                    build3mf::writeBuild(*result.job.toolPlan, *result.job.item().part,
-                                         result.job.item().partName, ctx));
+  if (!result.job.toolPlan || !result.job.item().part)
+    return;
+  geometry::TriangleMesh all = *result.job.item().part;
+  for (std::size_t i = 1; i < result.job.items.size(); ++i)
+    geometry::appendMesh(all, *result.job.item(i).part);
+  base::writeFile(folder / buildName(result),
+                  build3mf::writeBuild(*result.job.toolPlan, all, result.job.item().partName, ctx));
 }
 
 namespace {

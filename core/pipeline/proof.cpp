@@ -20,6 +20,8 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 namespace voluta::pipeline {
 
@@ -138,9 +140,40 @@ void putMargins(Proof& proof, const PlanResult& result, const Measured& measured
   proof.isotropy = {measured.margins.isotropy, places.ofPoint(measured.margins.isotropyPoint)};
 }
 
+// Returns "kitten.stl", or "2 x kitten.stl, spot.stl" for several items.
+std::string partNames(const project::Job& job) {
+  std::vector<std::pair<std::string, int>> counts;
+  for (const project::JobItem& item : job.items) {
+    const auto known =
+        std::ranges::find(counts, item.partName, &std::pair<std::string, int>::first);
+    if (known == counts.end())
+      counts.emplace_back(item.partName, 1);
+    else
+      ++known->second;
+  }
+  std::string names;
+  for (const auto& [name, count] : counts)
+    names += (names.empty() ? "" : ", ") + (count > 1 ? std::to_string(count) + " x " : "") + name;
+  return names;
+}
+
+base::Text modeLabel(const project::Job& job) {
+  const std::string& first = job.choices.item().mode;
+  const bool same = std::ranges::all_of(
+      job.choices.items, [&](const project::ItemChoices& item) { return item.mode == first; });
+  return same ? modes::findMode(first).label : "different for each part"_text;
+}
+
+int layersOf(const project::Report& report) {
+  int layers = 0;
+  for (const project::ItemReport& item : report.items)
+    layers += item.layers.count;
+  return layers;
+}
+
 Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Measured& measured) {
   Proof proof;
-  proof.part = result.job.item().partName;
+  proof.part = partNames(result.job);
   proof.format = checked.program.format;
   proof.foreign = checked.program.foreign;
   proof.rest = result.job.resumedAt > 0;
@@ -151,10 +184,10 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.version = project::kVersion;
   proof.robot = result.cell->robot().label;
   proof.cell = result.cell->label();
-  proof.mode = modes::findMode(result.job.choices.item().mode).label;
+  proof.mode = modeLabel(result.job);
   proof.process = result.tooling->first().process;
   proof.sizeMm = geometry::bounds(*project::printedOf(result.job)).sizes();
-  proof.layers = result.job.report.item().layers.count;
+  proof.layers = layersOf(result.job.report);
   proof.verdict = checked.verdict;
   proof.deviations = checked.deviations;
   proof.plannedS = result.job.report.motion.durationS;

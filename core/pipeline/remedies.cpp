@@ -383,6 +383,14 @@ Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
   return changed;
 }
 
+Edited printByLayer(const plan::Finding&, const project::Choices& choices) {
+  if (choices.items.size() == 1 || choices.printOrder == layers::PrintOrder::ByLayer)
+    return std::nullopt;
+  project::Choices changed = choices;
+  changed.printOrder = layers::PrintOrder::ByLayer;
+  return changed;
+}
+
 } // namespace
 
 std::span<const Remedy> remedies() {
@@ -461,7 +469,10 @@ std::span<const Remedy> remedies() {
         "Tries the ways of building in turn until nothing is unsupported or missed"_text,
         chooseWay},
        {PrintOnPlate, "printOnPlate", "Print on a plate"_text,
-        "In a usual cell; Voluta chooses the way of building"_text, printOnPlate}});
+        "In a usual cell; Voluta chooses the way of building"_text, printOnPlate},
+       {PrintByLayer, "printByLayer", "Print layer by layer"_text,
+        "All parts grow together, so that no finished part is in the way"_text, printByLayer,
+        true}});
   return kRemedies;
 }
 
@@ -472,12 +483,23 @@ std::vector<RemedyAction> remediesFor(const plan::Finding& finding,
   for (const Remedy& remedy : remedies()) {
     if (std::ranges::find(wanted, remedy.id) == wanted.end())
       continue;
+    const bool isOfOneItem = choices.items.size() == 1 || finding.item >= 0;
+    if (!isOfOneItem && !remedy.ofJob)
+      continue;
+    const auto item = static_cast<std::size_t>(std::max(finding.item, 0));
     // Some cures fail for choices that cannot be planned (such as a value the process does not
     // allow).
-    auto outcome = base::outcomeOf([&] { return remedy.cure(finding, choices); });
+    auto outcome = base::outcomeOf([&] {
+      return remedy.cure(finding, remedy.ofJob ? choices : project::onlyItem(choices, item));
+    });
     auto* cured = std::get_if<Edited>(&outcome);
     if (!cured || !*cured)
       continue;
+    if (!remedy.ofJob) {
+      std::vector<project::ItemChoices> items = choices.items;
+      items[item] = (*cured)->item();
+      (*cured)->items = std::move(items);
+    }
     base::Message label(remedy.label);
     for (const std::string_view name : base::placeNames(remedy.label.english()))
       label.values.push_back(*finding.value(name));

@@ -20,6 +20,7 @@ struct Remedy {
   // Returns the changed choices; nullopt if nothing would change or the remedy cannot be applied.
   // Precondition: the kind of the finding lists this remedy among its cures.
   std::optional<project::Choices> (*cure)(const plan::Finding&, const project::Choices&);
+  bool ofJob = false; // changes no item: applies to findings about several of them
 };
 
 // Returns one row per RemedyId, in the order in which they are offered: smallest change of the part
@@ -31,7 +32,8 @@ struct RemedyAction {
   base::Message label;
   project::Choices choices;
 };
-// Returns the remedies that apply to a finding of a plan with these choices.
+// Returns the remedies that apply to a finding of a plan with these choices. Of several items, they
+// change the finding's item.
 std::vector<RemedyAction> remediesFor(const plan::Finding& finding,
                                       const project::Choices& choices);
 

@@ -58,11 +58,14 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
           in.options,
           first,
           withInput(in, [](const program::ProgramInput& all) { return program::jobHash(all); }),
-          std::move(commonPoint)};
+          std::move(commonPoint),
+          in.firstTriangle};
 }
 
 std::string programsName(const project::Job& job) {
-  return std::filesystem::path(job.item().partName).stem().string() +
+  const std::string more =
+      job.items.size() > 1 ? "-and-" + std::to_string(job.items.size() - 1) + "-more" : "";
+  return std::filesystem::path(job.item().partName).stem().string() + more +
          (job.resumedAt > 0 ? "-rest" : "");
 }
 
@@ -87,8 +90,9 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
     read.motions = std::move(motions);
   }
   ReadBack back{read.firstMotion, read.defects, {}};
-  replay::ReplayInput input{std::move(read), in.toolPlan, in.trajectory, in.cell,       in.tooling,
-                            in.part,         in.platform, in.firstPoint, in.commonPoint};
+  replay::ReplayInput input{std::move(read), in.toolPlan,     in.trajectory, in.cell,
+                            in.tooling,      in.part,         in.platform,   in.firstPoint,
+                            in.commonPoint,  in.firstTriangle};
   const base::RunContext rest = ctx.sub(0.1, 1.0);
   back.verdict = shared ? replayShared(std::move(input), *shared, rest)
                         : replay::replayProgram(std::move(input), {}, rest);
@@ -113,6 +117,8 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   r.maxDeviationMm = verdict.maxDeviationMm;
   r.controllerDurationS = verdict.durationS;
   r.flowErrorFraction = verdict.flowErrorFraction;
+  for (const replay::ItemFigures& item : verdict.items)
+    r.items.push_back({item.coveredFraction, item.unsupportedFraction, item.massRatio});
   const replay::ReplayThresholds limits;
   r.thresholds.covered = limits.coveredMin;
   r.thresholds.unsupported = limits.unsupportedMax;

@@ -138,12 +138,19 @@ void writePrograms(PlanResult& result, const base::RunContext& ctx) {
   project::Job& job = result.job;
   const std::vector<std::string> formats = chosenFormats(job.choices, *result.cell);
   const auto printed = project::printedOf(job);
-  const ProgramStageInput in{
-      *printed,          job.item().platform,
-      *job.toolPlan,     *job.trajectory,
-      *result.cell,      *result.tooling,
-      programsName(job), program::programOptions(parameterValues(job.choices)),
-      job.resumedAt};
+  const platform::PlatformSolid platform = project::platformOf(job);
+  const ProgramStageInput in{*printed,
+                             platform,
+                             *job.toolPlan,
+                             *job.trajectory,
+                             *result.cell,
+                             *result.tooling,
+                             programsName(job),
+                             program::programOptions(parameterValues(job.choices)),
+                             job.resumedAt,
+                             {},
+                             {},
+                             project::firstTriangles(job)};
   SharedRuns shared;
   plan::Findings findings;
   project::Timings timings;
@@ -190,7 +197,8 @@ private:
     const auto trajectory = job().trajectory;
     const project::MotionReport motion = report().motion;
     job() = project::upTo(job(), project::Stage::Toolpath);
-    report().item().tried.clear();
+    for (project::ItemReport& item : report().items)
+      item.tried.clear();
     job().trajectory = trajectory;
     report().motion = motion;
   }
@@ -201,8 +209,8 @@ private:
     const plan::ToolPlan& plan = *job().toolPlan;
     const process::Tooling& tooling = *result_.plan.tooling;
     const double pitch = collision::growingPitch(plan, tooling);
-    const collision::GrowingPart growing(plan, pitch, ctx,
-                                         collision::groundCells(job().item().platform, pitch, ctx));
+    const collision::GrowingPart growing(
+        plan, pitch, ctx, collision::groundCells(project::platformOf(job()), pitch, ctx));
     project::Timings timings;
     timings.collision = watch.seconds();
     watch = base::Stopwatch();

@@ -1,6 +1,7 @@
 #include "pipeline/road.h"
 
 #include "base/error.h"
+#include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
@@ -10,12 +11,13 @@
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace voluta::pipeline {
 
 namespace {
 
-// Loads the part if that is not done. If the part brings its own tool-paths, replaces the request's
+// Loads the only part if that is not done. If it brings its own tool-paths, replaces the request's
 // choices by those for given paths and returns true.
 bool takesGivenPathsOf(PlanRequest& request, const base::RunContext& ctx) {
   if (!request.item().loaded)
@@ -27,18 +29,96 @@ bool takesGivenPathsOf(PlanRequest& request, const base::RunContext& ctx) {
   return true;
 }
 
-// Throws Error{Usage} if the job has several tools, the choices of an item are invalid, or several
-// items leave their way of building to a search, which plans a part alone.
+// Throws Error{Usage} if the mode of one of several items prints on no plate.
+void requirePlate(const project::ItemChoices& item) {
+  const bool onPlate = item.automatic || !modes::findMode(item.mode).aroundRod;
+  if (!onPlate || item.platform.isBody())
+    throw base::Error(base::ErrorCode::Usage,
+                      "a part around a rod or on a body is printed alone"_text, {},
+                      "remove the other parts, or choose a way of building on a plate"_text);
+}
+
+// Throws Error{Usage} if the job has several tools, too many items, or invalid choices of an item.
 void checkItems(const project::Choices& choices) {
+  constexpr std::size_t kMostItems = 255; // replay::BeadPiece::item
   if (choices.tools.size() > 1)
     throw base::Error(base::ErrorCode::Usage, "jobs with several tools cannot be planned yet"_text,
                       {}, "choose one process"_text);
+  if (choices.items.size() > kMostItems)
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("{parts} parts are too many for a job"_text, choices.items.size()), {},
+        base::message("print up to {most} parts"_text, kMostItems));
   for (std::size_t i = 0; i < choices.items.size(); ++i) {
     checkChoices(project::onlyItem(choices, i));
-    if (choices.items.size() > 1 && choices.item(i).automatic)
-      throw base::Error(base::ErrorCode::Usage, "mode auto plans one part at a time"_text, {},
-                        "choose a way of building for each part"_text);
+    if (choices.items.size() > 1)
+      requirePlate(choices.item(i));
   }
+}
+
+// Returns whether mode auto searches for the way of building. While the user edits, a part is
+// placed and decomposed in the way that the last search chose.
+bool searches(const PlanRequest& request) {
+  return request.until > project::Stage::Decompose || !namesWay(request.choices);
+}
+
+PlanRequest onlyItem(const PlanRequest& request, std::size_t i) {
+  PlanRequest one;
+  one.items = {request.item(i)};
+  one.choices = project::onlyItem(request.choices, i);
+  one.until = request.until;
+  return one;
+}
+
+// Returns whether the choices of two items differ at most in their place on the plate.
+bool areAlike(const project::ItemChoices& a, const project::ItemChoices& b) {
+  const auto all = [](const project::ItemChoices& c) {
+    return std::tie(c.automatic, c.platformStays, c.automaticWay, c.mode, c.growth, c.platform,
+                    c.scale, c.units, c.placement.liftMm, c.repair, c.parameters);
+  };
+  return all(a) == all(b) && a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
+}
+
+// Plans several parts. Each part whose way of building is left to mode auto is planned alone first;
+// copies take the way that was found for the first of them.
+PlanResult planSeveral(PlanRequest request, const base::RunContext& ctx, StageCache* cache,
+                       const PlanObservers& observers) {
+  const double count = static_cast<double>(request.items.size());
+  constexpr double kSearchShare = 0.5;
+  const project::Choices given = request.choices;
+  std::vector<std::vector<project::TriedReport>> tried(request.items.size());
+  for (std::size_t i = 0; i < request.items.size(); ++i) {
+    const double at = static_cast<double>(i);
+    const base::RunContext own =
+        ctx.sub(kSearchShare * at / count, kSearchShare * (at + 1.0) / count);
+    PlanRequest one = onlyItem(request, i);
+    const bool hasPaths = takesGivenPathsOf(one, own);
+    request.item(i).loaded = one.item().loaded;
+    if (hasPaths)
+      throw base::Error(
+          base::ErrorCode::Usage, "a part with its own tool-paths is printed alone"_text,
+          one.item().loaded->name,
+          "remove the other parts, or ignore its tool-paths (givenToolPaths=false)"_text);
+    if (!request.choices.item(i).automatic || !searches(one))
+      continue;
+    std::size_t same = 0;
+    while (request.item(same).loaded->hash != request.item(i).loaded->hash ||
+           !areAlike(given.item(same), given.item(i)))
+      ++same;
+    if (same < i) {
+      request.choices.item(i) = request.choices.item(same);
+      request.choices.item(i).placement.centreMm = given.item(i).placement.centreMm;
+      tried[i] = tried[same];
+      continue;
+    }
+    const PlanResult found = planAutomatically(one, own, cache, {.onWay = observers.onWay});
+    request.choices.item(i) = found.job.choices.item();
+    tried[i] = found.job.report.item().tried;
+  }
+  PlanResult result = planChosenWay(request, ctx.sub(kSearchShare, 1.0), cache, observers);
+  for (std::size_t i = 0; i < tried.size(); ++i)
+    result.job.report.item(i).tried = std::move(tried[i]);
+  return result;
 }
 
 project::StageKeys keysOfItem(const project::LoadedPart& loaded, const project::Choices& choices) {
@@ -54,10 +134,10 @@ project::StageKeys keysOfItem(const project::LoadedPart& loaded, const project::
 PlanResult planPart(const PlanRequest& request, const base::RunContext& ctx, StageCache* cache,
                     const PlanObservers& observers) {
   checkItems(request.choices);
+  if (request.items.size() > 1)
+    return planSeveral(request, ctx, cache, observers);
   PlanRequest given = request;
-  // While the user edits, the part is placed and decomposed in the way that the last search chose.
-  const bool searches = request.until > project::Stage::Decompose || !namesWay(request.choices);
-  if (request.choices.item().automatic && !takesGivenPathsOf(given, ctx) && searches)
+  if (request.choices.item().automatic && !takesGivenPathsOf(given, ctx) && searches(request))
     return planAutomatically(given, ctx, cache, observers);
   return planChosenWay(given, ctx, cache, observers);
 }
@@ -79,19 +159,24 @@ PlanResult resultOf(project::Job job) {
   const base::ParameterValues values = parameterValues(job.choices);
   result.tooling = chosenTooling(job.choices, values);
   const process::Process& process = result.tooling->first().process;
-  if (job.item().platform.known())
+  if (std::ranges::all_of(job.items,
+                          [](const project::JobItem& item) { return item.platform.known(); }))
     result.cell = std::make_shared<robot::Cell>(
-        robot::loadCell(job.choices.cell, process, job.item().platform));
+        robot::loadCell(job.choices.cell, process, project::platformOf(job)));
   result.debug = values.boolean("output.debug");
   result.keepRefused = values.boolean("output.refused");
   result.proofs = values.boolean("output.proof");
   result.buildFile = values.boolean("output.build3mf");
-  if (job.item().part) {
-    if (!job.item().placement)
-      job.item().placement = placementByHandOrMode(
-          *job.item().loaded->mesh, job.item().scale * unitMm(*job.item().loaded, job.choices),
-          {job.choices, values, process});
-    result.item().placed = loadStageOf(job);
+  for (std::size_t i = 0; i < job.items.size(); ++i) {
+    project::JobItem& item = job.item(i);
+    if (!item.part)
+      continue;
+    const project::Choices own = resolved(project::onlyItem(job.choices, i));
+    if (!item.placement)
+      item.placement =
+          placementByHandOrMode(*item.loaded->mesh, item.scale * unitMm(*item.loaded, own),
+                                {own, parameterValues(own), process});
+    result.item(i).placed = loadStageOf(job, i);
   }
   result.job = std::move(job);
   return result;

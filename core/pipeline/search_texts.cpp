@@ -25,19 +25,19 @@ base::Message tryingText(const WayInTurn& way) {
   return base::message("Trying {way} ({number} of {count})"_text, way.name, way.number, way.count);
 }
 
-base::Message chosenText(const project::Report& report) {
-  base::require(!report.item().tried.empty(), "chosenText: a plan of mode auto");
-  const base::Message values = valuesText(report.item().chosen);
-  return std::ranges::any_of(report.item().tried, &project::TriedReport::passed)
-             ? base::message("Chosen: {way} ({values})"_text, report.item().chosen.name, values)
+base::Message chosenText(const project::ItemReport& item) {
+  base::require(!item.tried.empty(), "chosenText: a plan of mode auto");
+  const base::Message values = valuesText(item.chosen);
+  return std::ranges::any_of(item.tried, &project::TriedReport::passed)
+             ? base::message("Chosen: {way} ({values})"_text, item.chosen.name, values)
              : base::message(
                    "No way of building passes; the best one is shown: {way} ({values})"_text,
-                   report.item().chosen.name, values);
+                   item.chosen.name, values);
 }
 
-std::vector<base::Message> rejectedTexts(const project::Report& report) {
+std::vector<base::Message> rejectedTexts(const project::ItemReport& item) {
   std::vector<base::Message> rejected;
-  for (const project::TriedReport& tried : report.item().tried)
+  for (const project::TriedReport& tried : item.tried)
     if (!tried.taken)
       rejected.push_back(base::message("{way}: {reason}"_text, tried.name, tried.reason));
   return rejected;

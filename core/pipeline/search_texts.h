@@ -13,10 +13,10 @@ namespace voluta::pipeline {
 base::Message tryingText(const WayInTurn& way);
 
 // Returns "Chosen: flat layers with supports" with the values used, or a text that no way passes.
-// Precondition: mode auto has tried at least one way.
-base::Message chosenText(const project::Report& report);
+// Precondition: mode auto has tried at least one way for the part.
+base::Message chosenText(const project::ItemReport& item);
 
 // Returns one sentence for each way that was tried and not chosen: its name and why.
-std::vector<base::Message> rejectedTexts(const project::Report& report);
+std::vector<base::Message> rejectedTexts(const project::ItemReport& item);
 
 } // namespace voluta::pipeline

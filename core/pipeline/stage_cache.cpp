@@ -74,16 +74,17 @@ bool holdsResult(const project::Job& job) {
 }
 } // namespace
 
-std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job) {
+std::shared_ptr<modes::LoadStage> loadStageOf(const project::Job& job, std::size_t index) {
+  const project::JobItem& item = job.item(index);
   auto load = std::make_shared<modes::LoadStage>();
-  load->scale = job.item().scale;
-  load->placement = job.item().placement.value_or(job.choices.item().placement);
-  load->part = job.item().part;
-  if (job.item().part && job.choices.item().platform.isOfCell()) {
-    const project::Choices choices = resolved(job.choices);
+  load->scale = item.scale;
+  load->placement = item.placement.value_or(job.choices.item(index).placement);
+  load->part = item.part;
+  if (item.part && job.choices.item(index).platform.isOfCell()) {
+    const project::Choices choices = resolved(project::onlyItem(job.choices, index));
     const base::ParameterValues values = parameterValues(choices);
-    load->platform = cellPlate(fittingCell(choices, chosenProcess(choices, values)),
-                               *job.item().part, plateNeeds(values));
+    load->platform = cellPlate(fittingCell(choices, chosenProcess(choices, values)), *item.part,
+                               plateNeeds(values));
   }
   return load;
 }
@@ -103,14 +104,16 @@ void seedCache(StageCache& cache, const project::Job& job) {
     stage->report = report;
     stage->timings = record.timings;
     // The file lacks a voxel object's placed cells; they are quick to compute again.
-    const bool whole = T::kStage == project::Stage::Load
+    // The records of several items are joined up to the layers.
+    const bool whole = T::kStage <= project::Stage::Layers && job.items.size() > 1 ? false
+                       : T::kStage == project::Stage::Load
                            ? !job.item().loaded || !job.item().loaded->cells
                        : T::kStage == project::Stage::Decompose ? holdsResult(job)
                                                                 : true;
     if (whole && *job.reached >= T::kStage && !record.key.empty())
       cache.keep<T>(record.key, stage);
   };
-  auto load = loadStageOf(job);
+  auto load = loadStageOf(job, 0);
   seed(load, job.report.item().model, nullptr);
   auto decompose = std::make_shared<modes::DecomposeStage>();
   decompose->platform = job.item().platform;

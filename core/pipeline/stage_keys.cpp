@@ -150,8 +150,16 @@ project::StageKeys joinedKeys(std::span<const project::StageKeys> items, layers:
       keys[s] += items[i][s];
   keys[kLayers] += base::keyText(static_cast<int>(order));
   // A key is that of the stage before and its own text.
-  for (std::size_t s = kLayers + 1; s < project::kStageCount; ++s)
-    keys[s] = keys[s - 1] + items.front()[s].substr(items.front()[s - 1].size());
+  const auto own = [](const project::StageKeys& item, std::size_t s) {
+    return item[s].substr(item[s - 1].size());
+  };
+  constexpr std::size_t kToolpath = project::indexOf(project::Stage::Toolpath);
+  for (std::size_t s = kLayers + 1; s < project::kStageCount; ++s) {
+    keys[s] = keys[s - 1] + own(items.front(), s);
+    // The layers of every item are covered by its own options.
+    for (std::size_t i = 1; i < items.size() && s == kToolpath; ++i)
+      keys[s] += own(items[i], s);
+  }
   return keys;
 }
 

@@ -9,6 +9,8 @@
 #include "pipeline/early_verdict.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/item_stages.h"
+#include "pipeline/items/plate_parts.h"
+#include "pipeline/items/print_sequence.h"
 #include "pipeline/part_motion.h"
 #include "pipeline/part_size.h"
 #include "pipeline/pedestal.h"
@@ -55,8 +57,8 @@ public:
     ctx.report(0.0, "load"_text);
     std::vector<project::StageKeys> keys;
     for (std::size_t i = 0; i < count; ++i) {
-      items_.push_back(std::make_unique<ItemStages>(context_, request.choices, i, request.item(i),
-                                                    tooling_, result_));
+      items_.push_back(
+          std::make_unique<ItemStages>(context_, request.choices, i, request.item(i), result_));
       keys.push_back(items_.back()->keys());
     }
     keys_ = joinedKeys(keys, choices_.printOrder);
@@ -100,9 +102,12 @@ private:
   // A stage of every item, one after the other.
   template <typename Run> ItemOutcome ofEachItem(const Run& run) {
     ItemOutcome all;
-    for (const auto& item : items_) {
-      const ItemOutcome one = run(*item);
-      all.findings.insert(all.findings.end(), one.findings.begin(), one.findings.end());
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      ItemOutcome one = run(*items_[i]);
+      if (items_.size() > 1)
+        for (plan::Finding& finding : one.findings)
+          finding.item = static_cast<int>(i);
+      std::ranges::move(one.findings, std::back_inserter(all.findings));
       all.timings += one.timings;
       all.goesOn = all.goesOn && one.goesOn;
     }
@@ -110,14 +115,28 @@ private:
   }
 
   bool load() {
-    const ItemOutcome all = ofEachItem([](ItemStages& item) { return item.load(); });
+    ItemOutcome all = ofEachItem([](ItemStages& item) { return item.load(); });
+    if (items_.size() > 1 && all.goesOn)
+      addFindingsBetween(all);
     return done(project::Stage::Load, all.findings, all.timings) && all.goesOn;
+  }
+
+  void addFindingsBetween(ItemOutcome& all) {
+    std::vector<std::shared_ptr<const geometry::TriangleMesh>> parts;
+    std::vector<std::string> names;
+    for (const project::JobItem& item : job().items) {
+      parts.push_back(item.part);
+      names.push_back(item.partName);
+    }
+    plan::Findings found = findingsBetween(parts, job().choices, process(), names);
+    all.goesOn = std::ranges::none_of(found, &plan::Finding::blocking);
+    std::ranges::move(found, std::back_inserter(all.findings));
   }
 
   bool decompose() {
     ItemOutcome all = ofEachItem([](ItemStages& item) { return item.decompose(); });
     result_.cell = std::make_shared<robot::Cell>(
-        robot::loadCell(choices_.cell, process(), job().item().platform));
+        robot::loadCell(choices_.cell, process(), project::platformOf(job())));
     for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
       program::requireOwnRobot(program::findDialect(format), *result_.cell);
       program::requireRodTurns(program::findDialect(format), *result_.cell);
@@ -139,19 +158,33 @@ private:
     return done(project::Stage::Layers, all.findings, all.timings);
   }
 
+  std::shared_ptr<const layers::LayerStack> joinedLayers() {
+    std::vector<std::shared_ptr<const layers::LayerStack>> stacks;
+    std::vector<Footprint> footprints;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      stacks.push_back(job().item(i).layers);
+      footprints.push_back(footprintOf(*job().item(i).part, mayLean(job().choices.item(i))));
+    }
+    if (stacks.size() == 1)
+      return stacks.front();
+    const process::HeadShape head =
+        process::erodedHead(process().head, process().contactToleranceMm);
+    return layers::joinStacks(stacks, choices_.printOrder, printSequence(footprints, head).order);
+  }
+
   bool toolpath() {
     const bool given = first().hasGivenPaths();
     const auto stage = cachedOrMade<ToolpathStage>([&] {
       if (given)
         return givenToolpathStage(first().loaded(), first().placed(), process(),
                                   span(project::Stage::Toolpath));
-      std::vector<std::shared_ptr<const layers::LayerStack>> stacks;
-      for (const project::JobItem& item : job().items)
-        stacks.push_back(item.layers);
-      const auto joined = layers::joinStacks(stacks, choices_.printOrder);
+      const auto joined = joinedLayers();
+      std::vector<toolpath::ItemLayers> items;
+      for (const auto& item : items_)
+        items.push_back(item->forToolpaths());
       MadeToolpaths made =
-          toolpathStage(*joined, *result_.cell, job().item().platform, tooling_,
-                        toolpathOptionsOf(values_, process()), span(project::Stage::Toolpath));
+          toolpathStage(std::move(items), *joined, *result_.cell, project::platformOf(job()),
+                        tooling_, span(project::Stage::Toolpath));
       grown_ = std::move(made.grown);
       return made.stage;
     });
@@ -173,7 +206,7 @@ private:
 
   std::unique_ptr<PartMotion> partMotion(const base::RunContext& ctx) {
     return std::make_unique<PartMotion>(
-        *result_.job.toolPlan, result_.job.item().platform, *result_.cell, tooling_,
+        *result_.job.toolPlan, project::platformOf(result_.job), *result_.cell, tooling_,
         motionOptionsOf(values_, choices_.seed), std::exchange(grown_, {}), ctx);
   }
   // Keep the planner only if motion skipped waypoints: then replay is likely to require replanning
@@ -194,7 +227,8 @@ private:
     report().motion = motion_->report;
     plan::Findings findings = motion_->findings;
     if (motion_->tooLarge) {
-      const bool anyScale = !first().hasGivenPaths() && takesAnyScale(first().loaded(), choices_);
+      const bool anyScale = items_.size() == 1 && !first().hasGivenPaths() &&
+                            takesAnyScale(first().loaded(), choices_);
       findings.insert(findings.begin(),
                       tooLargeFinding(*motion_->tooLarge,
                                       anyScale ? std::optional(job().item().scale) : std::nullopt));
@@ -270,14 +304,19 @@ private:
   void write(bool untilMet) {
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
     const auto printed = project::printedOf(job());
+    const platform::PlatformSolid platform = project::platformOf(job());
     const ProgramStageInput in{*printed,
-                               job().item().platform,
+                               platform,
                                *job().toolPlan,
                                *job().trajectory,
                                *result_.cell,
                                tooling_,
-                               std::filesystem::path(first().loaded().name).stem().string(),
-                               program::programOptions(values_)};
+                               programsName(job()),
+                               program::programOptions(values_),
+                               0,
+                               {},
+                               {},
+                               project::firstTriangles(job())};
     result_.checked.clear();
     SharedRuns shared;
     for (std::size_t i = 0; i < formats.size(); ++i) {

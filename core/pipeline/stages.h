@@ -24,7 +24,7 @@
 #include "project/stage.h"
 #include "replay/worst_places.h"
 #include "robot/cell.h"
-#include "toolpath/options.h"
+#include "toolpath/plan_toolpaths.h"
 
 #include <cstdint>
 #include <memory>
@@ -126,11 +126,12 @@ struct MadeToolpaths {
   // to cache.
   std::shared_ptr<const collision::GrowingPart> grown;
 };
-// `options`: all but the platform, which is set here.
-MadeToolpaths toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
+// `items`: with all options but the platform, which is set here. `joined`: their layers in print
+// order.
+MadeToolpaths toolpathStage(std::vector<toolpath::ItemLayers> items,
+                            const layers::LayerStack& joined, const robot::Cell& cell,
                             const platform::PlatformSolid& platform,
-                            const process::Tooling& tooling, toolpath::ToolpathOptions options,
-                            const base::RunContext& ctx);
+                            const process::Tooling& tooling, const base::RunContext& ctx);
 
 // Input of programStage(). `name`: of the part, without extension.
 struct ProgramStageInput {
@@ -144,7 +145,8 @@ struct ProgramStageInput {
   program::ProgramOptions options = {};
   std::size_t firstPoint = 0; // trajectory point at which the program begins: Job::resumedAt
   std::string job = {};       // as program::ProgramInput::job
-  std::vector<std::size_t> commonPoint = {}; // as replay::ReplayInput::commonPoint
+  std::vector<std::size_t> commonPoint = {};   // as replay::ReplayInput::commonPoint
+  std::vector<std::size_t> firstTriangle = {}; // as replay::ReplayInput::firstTriangle
 };
 // Writes the program, reads it back and replays it. If the dialect has no word for an event of the
 // trajectory, the program has no files and did not pass. Throws as program::requireOwnRobot and

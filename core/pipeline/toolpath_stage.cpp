@@ -1,15 +1,15 @@
 #include "pipeline/stages.h"
-#include "toolpath/plan_toolpaths.h"
 
 namespace voluta::pipeline {
 
-MadeToolpaths toolpathStage(const layers::LayerStack& layers, const robot::Cell& cell,
+MadeToolpaths toolpathStage(std::vector<toolpath::ItemLayers> items,
+                            const layers::LayerStack& joined, const robot::Cell& cell,
                             const platform::PlatformSolid& platform,
-                            const process::Tooling& tooling, toolpath::ToolpathOptions options,
-                            const base::RunContext& ctx) {
+                            const process::Tooling& tooling, const base::RunContext& ctx) {
   auto stage = std::make_shared<ToolpathStage>();
-  options.platform = platform;
-  toolpath::ToolpathResult planned = toolpath::planToolpaths(layers, cell, tooling, options, ctx);
+  for (toolpath::ItemLayers& item : items)
+    item.options.platform = platform;
+  toolpath::ToolpathResult planned = toolpath::planToolpaths(items, joined, cell, tooling, ctx);
   stage->report = planned.statistics;
   stage->timings.toolpath = planned.seconds.toolpath;
   stage->timings.orient = planned.seconds.orient;

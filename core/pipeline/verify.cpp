@@ -63,18 +63,13 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   const FoundProgram found = findProgram(program, planned.report.programs);
   const std::string format(found.dialect->id);
   const process::Tooling tooling = chosenTooling(planned.choices, parameterValues(planned.choices));
-  const robot::Cell cell =
-      robot::loadCell(planned.choices.cell, tooling.first().process, planned.item().platform);
+  const platform::PlatformSolid platform = project::platformOf(planned);
+  const robot::Cell cell = robot::loadCell(planned.choices.cell, tooling.first().process, platform);
   const auto printed = project::printedOf(planned);
-  const ProgramStageInput in{*printed,
-                             planned.item().platform,
-                             *planned.toolPlan,
-                             *planned.trajectory,
-                             cell,
-                             tooling,
-                             programsName(planned),
-                             {},
-                             planned.resumedAt};
+  ProgramStageInput in{*printed, platform, *planned.toolPlan,    *planned.trajectory,
+                       cell,     tooling,  programsName(planned)};
+  in.firstPoint = planned.resumedAt;
+  in.firstTriangle = project::firstTriangles(planned);
   const program::MergedPoints points =
       program::pointsFor(format, {in.toolPlan, in.trajectory, in.cell, in.tooling, in.name}, ctx);
   const ProgramStageInput said = saying(in, points);

@@ -107,7 +107,7 @@ std::string englishRemedy(const Finding& finding) {
 
 bool sameFact(const Finding& a, const Finding& b) {
   constexpr double kSameMm = 0.1;
-  return a.kind == b.kind && a.more == b.more && a.values == b.values &&
+  return a.kind == b.kind && a.more == b.more && a.values == b.values && a.item == b.item &&
          a.where.has_value() == b.where.has_value() &&
          (!a.where || (*a.where - *b.where).norm() <= kSameMm);
 }

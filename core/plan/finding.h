@@ -40,6 +40,7 @@ struct Finding {
   bool more = false;    // Also stands for further ones, which are not listed (FindingRow::more)
   bool blocking = true; // False: informational, exit code stays 0
   ProgramLine program;  // Set by stage replay
+  int item = -1;        // index in the job's items; -1: the whole job, or its only item
 
   // Returns nullptr if the finding has no value of this name.
   const base::Value* value(std::string_view name) const;

@@ -38,6 +38,8 @@ enum class FindingKind : std::uint8_t {
   NotTurned,
   CellCannotPrint,
   LargerThanPlates,
+  PartsOverlap,
+  PartsBlock,
   // decompose
   PlatformAdrift,
   ShadowedUnderFacet,

@@ -41,6 +41,7 @@ inline constexpr std::array kForAdrift{CellPlate, CentrePart};
 inline constexpr std::array kForLying{StandBest};
 inline constexpr std::array kForRims{WallSurface, ThickenSurface, CloseRims};
 inline constexpr std::array kForSheets{WallSurface, ThickenSurface};
+inline constexpr std::array kForBlocked{PrintByLayer};
 inline constexpr std::array kForUpright{PrintFlat, UsualCell};
 inline constexpr std::array kForTooLarge{ScaleToReach, LargerCell, PrintFlat};
 inline constexpr std::array kForOutOfReach{ScaleToFit, Shrink, CentrePart, LargerCell, PrintFlat};

@@ -43,7 +43,8 @@ enum class RemedyId : std::uint8_t {
   LargerCell,
   PrintFlat,
   ChooseWay,
-  PrintOnPlate
+  PrintOnPlate,
+  PrintByLayer
 };
 
 } // namespace voluta::plan

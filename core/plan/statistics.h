@@ -18,6 +18,12 @@ struct LayerStatistics {
   double volumeMm3() const { return areaMm2 * thicknessMeanMm; }
 };
 
+// Of the tool-paths of one item among several.
+struct ItemToolpaths {
+  std::size_t paths = 0;
+  double lengthMm = 0.0, materialMm3 = 0.0;
+};
+
 // Of tool-paths.
 struct ToolpathStatistics {
   std::size_t paths = 0, waypoints = 0;
@@ -33,6 +39,7 @@ struct ToolpathStatistics {
   // Of the parts that sparse infill fills: area x thickness, and its beads. The target of
   // materialMm3 is the sum of layerVolumeMm3 and sparseBeadMm3.
   double sparseMm3 = 0.0, sparseBeadMm3 = 0.0;
+  std::vector<ItemToolpaths> items; // empty: the job has one item
 };
 
 // Of a motion.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,7 +47,7 @@ struct ToolPath {
   int ring = 0; // Walls: 0 is the outermost
 };
 
-// How much of the part's volume is meant to be material.
+// How much of an item's volume is meant to be material.
 struct FillIntent {
   // The part is solid up to this distance from its surface [mm]; infinite: everywhere.
   double shellMm = std::numeric_limits<double>::infinity();
@@ -61,8 +62,16 @@ struct ToolPlan {
   std::vector<Eigen::Vector3d> direction; // Unit vector, from the bead into the nozzle
   std::vector<float> widthMm, heightMm;   // The bead's cross-section there (process/bead_model.h)
   std::vector<float> speedMmPerS;         // Desired speed on the segment that ends here
-  std::vector<ToolPath> paths; // In print order; together they cover every waypoint exactly once
-  FillIntent fill;
+  std::vector<ToolPath> paths;  // In print order; together they cover every waypoint exactly once
+  std::vector<FillIntent> fill; // Per item; empty: all items are solid
+
+  // Precondition: the item is one of the job's.
+  FillIntent fillOf(std::size_t item) const {
+    return item < fill.size() ? fill[item] : FillIntent{};
+  }
+  bool isSolid() const {
+    return std::all_of(fill.begin(), fill.end(), [](const FillIntent& f) { return f.isSolid(); });
+  }
 
   std::size_t waypointCount() const { return position.size(); }
   // Returns whether a waste bead primes the nozzle before the part begins.

@@ -34,8 +34,9 @@ std::string contentHash(const plan::ToolPlan& plan) {
   for (const plan::ToolPath& p : plan.paths)
     text += fmt::format("{} {} {} {} {} {} {}\n", p.first, p.count, static_cast<int>(p.kind),
                         p.layer, p.patch, p.group, p.closed);
-  if (!plan.fill.isSolid())
-    text += fmt::format("{} {}\n", plan.fill.shellMm, plan.fill.openMm3);
+  if (!plan.isSolid())
+    for (const plan::FillIntent& fill : plan.fill)
+      text += fmt::format("{} {}\n", fill.shellMm, fill.openMm3);
   text += bytesOf(plan.position);
   text += bytesOf(plan.direction);
   for (const auto* values : {&plan.widthMm, &plan.heightMm, &plan.speedMmPerS})

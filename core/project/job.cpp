@@ -1,6 +1,9 @@
 #include "project/job.h"
 
 #include "geometry/append_mesh.h"
+#include "geometry/convex_polygon.h"
+
+#include <utility>
 
 namespace voluta::project {
 
@@ -18,6 +21,27 @@ std::shared_ptr<const geometry::TriangleMesh> printedOf(const Job& job) {
   return all;
 }
 
+std::vector<std::size_t> firstTriangles(const Job& job) {
+  std::vector<std::size_t> first;
+  std::size_t next = 0;
+  for (const JobItem& item : job.items) {
+    if (job.items.size() == 1)
+      break;
+    first.push_back(next);
+    next += item.printed().triangles.size();
+  }
+  return first;
+}
+
+platform::PlatformSolid platformOf(const Job& job) {
+  if (job.items.size() == 1)
+    return job.item().platform;
+  std::vector<Eigen::Vector2d> corners;
+  for (const JobItem& item : job.items)
+    corners.insert(corners.end(), item.platform.polygon.begin(), item.platform.polygon.end());
+  return geometry::convexPolygon(std::move(corners));
+}
+
 StageKeys Job::keys() const {
   StageKeys keys;
   for (std::size_t i = 0; i < kStageCount; ++i)
@@ -27,21 +51,25 @@ StageKeys Job::keys() const {
 
 Job upTo(Job job, std::optional<Stage> last) {
   const auto keeps = [&](Stage stage) { return last && stage <= *last; };
-  if (!keeps(Stage::Load)) {
-    job.item().scale = 1.0;
-    job.item().placement.reset();
-    job.item().part = nullptr;
-    job.report.item().model = {};
-  }
-  if (!keeps(Stage::Decompose)) {
-    job.item().platform = {};
-    job.item().result = {};
-    job.report.item().decomposition = {};
-    job.report.item().decomposition.mode = job.choices.item().mode;
-  }
-  if (!keeps(Stage::Layers)) {
-    job.item().layers = nullptr;
-    job.report.item().layers = {};
+  for (std::size_t i = 0; i < job.items.size(); ++i) {
+    JobItem& item = job.item(i);
+    ItemReport& report = job.report.item(i);
+    if (!keeps(Stage::Load)) {
+      item.scale = 1.0;
+      item.placement.reset();
+      item.part = nullptr;
+      report.model = {};
+    }
+    if (!keeps(Stage::Decompose)) {
+      item.platform = {};
+      item.result = {};
+      report.decomposition = {};
+      report.decomposition.mode = job.choices.item(i).mode;
+    }
+    if (!keeps(Stage::Layers)) {
+      item.layers = nullptr;
+      report.layers = {};
+    }
   }
   if (!keeps(Stage::Toolpath)) {
     job.toolPlan = nullptr;

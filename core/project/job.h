@@ -80,6 +80,12 @@ struct Job {
 // and lives as long as the job. Precondition: every item is placed.
 std::shared_ptr<const geometry::TriangleMesh> printedOf(const Job& job);
 
+// Returns the first triangle of each item in printedOf(); empty for a single item.
+std::vector<std::size_t> firstTriangles(const Job& job);
+// Returns the surface that printing starts on: the platform of the only item, or one plate around
+// the plates of several. Precondition: every item has a plate, if there are several.
+platform::PlatformSolid platformOf(const Job& job);
+
 // Returns the job without the results after `last`; none: without any results.
 Job upTo(Job job, std::optional<Stage> last);
 

@@ -367,8 +367,12 @@ void addToolPlan(BlockWriter& out, const plan::ToolPlan& p, const std::string& n
     owners.insert(owners.end(), {path.item, path.tool});
   if (std::ranges::any_of(owners, [](std::int32_t owner) { return owner != 0; }))
     out.addOwned(name + ".owners", owners);
-  if (!p.fill.isSolid()) // Solid plans need no block
-    out.addOwned(name + ".fill", std::vector<double>{p.fill.shellMm, p.fill.openMm3});
+  if (!p.isSolid()) { // Solid plans need no block
+    std::vector<double> fill;
+    for (const plan::FillIntent& item : p.fill)
+      fill.insert(fill.end(), {item.shellMm, item.openMm3});
+    out.addOwned(name + ".fill", fill);
+  }
   std::vector<std::int32_t> rings;
   for (const plan::ToolPath& path : p.paths)
     rings.push_back(path.ring);
@@ -402,9 +406,11 @@ plan::ToolPlan getToolPlan(const BlockReader& in, const std::string& name) {
       p.paths[k].tool = owners[2 * k + 1];
     }
   }
-  if (in.has(name + ".fill"))
-    if (const std::vector<double> fill = in.get<double>(name + ".fill"); fill.size() == 2)
-      p.fill = {fill[0], fill[1]};
+  if (in.has(name + ".fill")) {
+    const std::vector<double> fill = in.get<double>(name + ".fill");
+    for (std::size_t i = 0; i + 1 < fill.size(); i += 2)
+      p.fill.push_back({fill[i], fill[i + 1]});
+  }
   // Older files have no rings.
   if (in.has(name + ".rings")) {
     const std::vector<std::int32_t> rings = in.get<std::int32_t>(name + ".rings");
@@ -495,7 +501,9 @@ bool isSound(const plan::ToolPlan& p) {
   const std::size_t n = p.waypointCount();
   if (p.direction.size() != n || p.widthMm.size() != n || p.heightMm.size() != n ||
       p.speedMmPerS.size() != n || !allFinite(p.position) || !allFinite(p.direction) ||
-      !(p.fill.shellMm >= 0.0 && p.fill.openMm3 >= 0.0 && std::isfinite(p.fill.openMm3)))
+      !std::ranges::all_of(p.fill, [](const plan::FillIntent& fill) {
+        return fill.shellMm >= 0.0 && fill.openMm3 >= 0.0 && std::isfinite(fill.openMm3);
+      }))
     return false;
   return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
     return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Bridge &&

@@ -143,16 +143,19 @@ Json findingJson(const plan::Finding& f) {
     for (const plan::NamedValue& value : f.values)
       addPlain(values, std::string(value.name), value.value);
   const auto fits = values.find("fitsMm");
-  return Json{{"stage", plan::stageName(plan::stageOf(f))},
-              {"kind", plan::reportId(f)},
-              {"where", f.where ? pointJson(*f.where) : Json()},
-              {"when", f.whenS ? Json(*f.whenS) : Json()},
-              {"count", f.count},
-              {"reason", plan::englishReason(f)},
-              {"remedy", plan::englishRemedy(f)},
-              {"remedyMm", fits != values.end() ? Json(*fits) : Json()},
-              {"blocking", f.blocking},
-              {"values", std::move(values)}};
+  Json json{{"stage", plan::stageName(plan::stageOf(f))},
+            {"kind", plan::reportId(f)},
+            {"where", f.where ? pointJson(*f.where) : Json()},
+            {"when", f.whenS ? Json(*f.whenS) : Json()},
+            {"count", f.count},
+            {"reason", plan::englishReason(f)},
+            {"remedy", plan::englishRemedy(f)},
+            {"remedyMm", fits != values.end() ? Json(*fits) : Json()},
+            {"blocking", f.blocking},
+            {"values", std::move(values)}};
+  if (f.item >= 0) // Reports of one item have no such key
+    json["item"] = f.item;
+  return json;
 }
 
 plan::Finding readFinding(const Json& j) {
@@ -166,6 +169,7 @@ plan::Finding readFinding(const Json& j) {
     f.whenS = j.at("when").get<double>();
   j.at("count").get_to(f.count);
   j.at("blocking").get_to(f.blocking);
+  f.item = j.value("item", -1);
   return f;
 }
 
@@ -180,6 +184,8 @@ Json factJson(const plan::Finding& f) {
        Json{{"format", f.program.format}, {"file", f.program.file}, {"line", f.program.line}}}};
   if (f.more)
     fact["more"] = true;
+  if (f.item >= 0)
+    fact["item"] = f.item;
   return fact;
 }
 
@@ -200,6 +206,7 @@ void readFact(const Json& j, plan::Finding& finding) {
   program.at("format").get_to(finding.program.format);
   program.at("file").get_to(finding.program.file);
   program.at("line").get_to(finding.program.line);
+  finding.item = j.value("item", -1);
 }
 
 Json messageJson(const base::Message& message) {

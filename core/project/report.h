@@ -60,6 +60,11 @@ struct ThresholdsReport {
   std::size_t collisions = 0, limitViolations = 0;
 };
 
+// Of one item among several.
+struct ItemReplayReport {
+  double coveredFraction = 0.0, unsupportedFraction = 0.0, massRatio = 0.0;
+};
+
 struct ReplayReport {
   bool passed = false;
   double coveredFraction = 0.0, unsupportedFraction = 0.0, overfillFraction = 0.0, massRatio = 0.0;
@@ -68,6 +73,7 @@ struct ReplayReport {
   double maxDeviationMm = 0.0;
   double controllerDurationS = 0.0, flowErrorFraction = 0.0;
   ThresholdsReport thresholds;
+  std::vector<ItemReplayReport> items; // empty: the job has one item
 };
 
 // A way of building that mode auto tried.

@@ -77,7 +77,13 @@ constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
                     Field{"maxTurnDeg", &R::maxTurnDeg, "deg"},
                     Field{"materialMm3", &R::materialMm3, "mm³"},
                     Field{"sparseMm3", &R::sparseMm3, "mm³", true},
-                    Field{"sparseBeadMm3", &R::sparseBeadMm3, "mm³", true}};
+                    Field{"sparseBeadMm3", &R::sparseBeadMm3, "mm³", true},
+                    Field{"items", &R::items, "", true}};
+}
+constexpr auto fieldsOf(std::type_identity<plan::ItemToolpaths>) {
+  using R = plan::ItemToolpaths;
+  return std::tuple{Field{"paths", &R::paths}, Field{"lengthMm", &R::lengthMm, "mm"},
+                    Field{"materialMm3", &R::materialMm3, "mm³"}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::MotionStatistics>) {
   using R = plan::MotionStatistics;
@@ -134,7 +140,14 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
                     Field{"maxDeviationMm", &R::maxDeviationMm, "mm"},
                     Field{"controllerDurationS", &R::controllerDurationS, "s", true},
                     Field{"flowErrorFraction", &R::flowErrorFraction, "%", true},
-                    Field{"thresholds", &R::thresholds}};
+                    Field{"thresholds", &R::thresholds},
+                    Field{"items", &R::items, "", true}};
+}
+constexpr auto fieldsOf(std::type_identity<ItemReplayReport>) {
+  using R = ItemReplayReport;
+  return std::tuple{Field{"coveredFraction", &R::coveredFraction, "%"},
+                    Field{"unsupportedFraction", &R::unsupportedFraction, "%"},
+                    Field{"massRatio", &R::massRatio}};
 }
 constexpr auto fieldsOf(std::type_identity<TriedReport>) {
   using R = TriedReport;

@@ -21,6 +21,18 @@ Json boundsJson(const Eigen::AlignedBox3d& box) {
   return Json::array({pointJson(box.min()), pointJson(box.max())});
 }
 
+// Returns whether a list has an entry per item and the job has one item. Reports of one item do not
+// have such lists.
+template <typename T> bool isOfOneItem(const T&) {
+  return false;
+}
+bool isOfOneItem(const std::vector<plan::ItemToolpaths>& items) {
+  return items.empty();
+}
+bool isOfOneItem(const std::vector<ItemReplayReport>& items) {
+  return items.empty();
+}
+
 template <typename T> Json json(const T& value);
 template <typename T> Json json(const std::vector<T>& values) {
   Json list = Json::array();
@@ -39,7 +51,10 @@ template <typename T> Json json(const T& value) {
     return boundsJson(value);
   } else if constexpr (HasFields<T>) {
     Json object = Json::object();
-    forEachField<T>([&](const auto& field) { object[field.key] = json(value.*field.member); });
+    forEachField<T>([&](const auto& field) {
+      if (!isOfOneItem(value.*field.member))
+        object[field.key] = json(value.*field.member);
+    });
     return object;
   } else {
     return Json(value);

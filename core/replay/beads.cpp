@@ -25,9 +25,9 @@ double motionVolume(const plan::ReadProgram& program, const ExecutedPath& path, 
 std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf,
                                          const plan::Trajectory& trajectory,
                                          const plan::ToolPlan& plan, double defaultHeightMm) {
-  std::vector<plan::PathKind> kind(plan.waypointCount());
+  std::vector<const plan::ToolPath*> pathOf(plan.waypointCount());
   for (const plan::ToolPath& path : plan.paths)
-    std::fill_n(kind.begin() + static_cast<std::ptrdiff_t>(path.first), path.count, path.kind);
+    std::fill_n(pathOf.begin() + static_cast<std::ptrdiff_t>(path.first), path.count, &path);
   // Points between waypoints (subdivisions) get the height of the next waypoint along the bead.
   std::vector<std::size_t> waypointAt(trajectory.pointCount(), plan::kNoWaypoint);
   std::size_t next = plan::kNoWaypoint;
@@ -42,13 +42,14 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
   BeadKnowledge last{static_cast<float>(defaultHeightMm), static_cast<float>(defaultHeightMm), true,
                      false};
   for (std::size_t m = 0; m < pointOf.size(); ++m) {
-    BeadKnowledge here{last.toHeightMm, last.toHeightMm, last.ofPart, last.waste};
+    BeadKnowledge here{last.toHeightMm, last.toHeightMm, last.ofPart, last.waste, last.item};
     const std::size_t w =
         pointOf[m] < waypointAt.size() ? waypointAt[pointOf[m]] : plan::kNoWaypoint;
     if (w < plan.waypointCount()) {
       here.toHeightMm = plan.heightMm[w];
-      here.waste = plan::isWaste(kind[w]);
-      here.ofPart = !here.waste && kind[w] != plan::PathKind::Support;
+      here.waste = plan::isWaste(pathOf[w]->kind);
+      here.ofPart = !here.waste && pathOf[w]->kind != plan::PathKind::Support;
+      here.item = static_cast<std::uint8_t>(pathOf[w]->item);
     }
     result[m] = last = here;
   }
@@ -101,6 +102,7 @@ public:
     piece.motion = static_cast<std::uint32_t>(m);
     piece.ofPart = known.ofPart;
     piece.waste = known.waste;
+    piece.item = known.item;
     if (length < 1e-6)
       addOnTheSpot(piece, end - 1, volumeMm3, known);
     else
@@ -264,8 +266,14 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
     unsupported.add(p, length, goesOn, !found[p].supported);
     halfCarried.add(p, length, goesOn, found[p].carried < 0.5);
     result.lengthMm += length;
+    if (result.lengthOfItemMm.size() <= pieces[p].item) {
+      result.lengthOfItemMm.resize(pieces[p].item + 1U);
+      result.unsupportedOfItemMm.resize(pieces[p].item + 1U);
+    }
+    result.lengthOfItemMm[pieces[p].item] += length;
     if (!found[p].supported) {
       result.unsupportedMm += length;
+      result.unsupportedOfItemMm[pieces[p].item] += length;
       result.unsupported.push_back(static_cast<std::uint32_t>(p));
     }
     if (found[p].carried < 0.5)

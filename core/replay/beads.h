@@ -25,6 +25,7 @@ struct BeadKnowledge {
   float fromHeightMm = 0.0f, toHeightMm = 0.0f;
   bool ofPart = true; // false: support, skirt or prime
   bool waste = false; // skirt or prime: its support is not checked
+  std::uint8_t item = 0;
 };
 
 // Returns the material of a motion that takes `seconds` [mm3]: the amount given in the text,
@@ -74,6 +75,8 @@ struct Interior; // interior_spans.h
 
 struct SupportedBeads {
   double lengthMm = 0.0, unsupportedMm = 0.0;
+  // Of each item up to the last one with a bead
+  std::vector<double> lengthOfItemMm, unsupportedOfItemMm;
   double halfCarriedMm = 0.0;             // supported on less than half of its width
   std::vector<std::uint32_t> unsupported; // piece indices, in order
   // The longest run of one bead without support across its whole width, and its first piece.

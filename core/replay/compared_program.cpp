@@ -121,8 +121,14 @@ private:
   void addMaterial() {
     Verification& verdict = out_.verdict;
     const std::vector<double> volume = flowingMm3(in_.program, seconds());
-    for (std::size_t m = 0; m < volume.size(); ++m)
-      (out_.run.knowledge[m].ofPart ? verdict.depositedMm3 : verdict.supportMm3) += volume[m];
+    verdict.depositedOfItemMm3.assign(in_.firstTriangle.size() > 1 ? in_.firstTriangle.size() : 0,
+                                      0.0);
+    for (std::size_t m = 0; m < volume.size(); ++m) {
+      const BeadKnowledge& known = out_.run.knowledge[m];
+      (known.ofPart ? verdict.depositedMm3 : verdict.supportMm3) += volume[m];
+      if (known.ofPart && known.item < verdict.depositedOfItemMm3.size())
+        verdict.depositedOfItemMm3[known.item] += volume[m];
+    }
     out_.standingMm3 = standingMm3(in_.program);
     verdict.depositedMm3 += out_.standingMm3;
   }

@@ -137,20 +137,24 @@ PartCells partCells(const geometry::TriangleMesh& part, const geometry::MeshQuer
 
 namespace {
 
-// Sums of a slab of cells. Gaps are accumulated over blocks to find the position where most
-// material is missing.
-struct SlabSum {
-  double covered = 0.0, part = 0.0, outside = 0.0, notch = 0.0, bulge = 0.0, gap = 0.0,
-         interior = 0.0;
+// Sums of an item's cells in a slab. Gaps are accumulated over blocks to find the position where
+// most material is missing.
+struct ItemSum {
+  double covered = 0.0, part = 0.0, notch = 0.0, bulge = 0.0, gap = 0.0, interior = 0.0;
   Eigen::Vector3d gapAt = Eigen::Vector3d::Zero();
+};
+
+struct SlabSum {
+  std::vector<ItemSum> items;
+  double outside = 0.0;
 };
 
 class SlabMeasure {
 public:
   SlabMeasure(const BeadGrid& beads, const PartCells& cells, const geometry::MeshQuery& query,
-              const SurfaceBands& bands)
+              const SurfaceBands& bands, const ItemFinder& items)
       : beads_(beads), grid_(beads.grid), cells_(cells), query_(query), bands_(bands),
-        block_(std::max(1, static_cast<int>(std::lround(3.0 / grid_.pitch)))),
+        items_(items), block_(std::max(1, static_cast<int>(std::lround(3.0 / grid_.pitch)))),
         blocksX_((grid_.size.x() + block_ - 1) / block_),
         blocksY_((grid_.size.y() + block_ - 1) / block_) {}
 
@@ -161,8 +165,9 @@ public:
   // Stops early if the run is cancelled.
   SlabSum measure(std::size_t slab, const base::RunContext& ctx) const {
     SlabSum sum;
-    std::vector<double> gap(static_cast<std::size_t>(blocksX_) *
-                            static_cast<std::size_t>(blocksY_));
+    sum.items.resize(items_.count());
+    const auto blocks = static_cast<std::size_t>(blocksX_) * static_cast<std::size_t>(blocksY_);
+    std::vector<double> gap(blocks * items_.count());
     const int first = static_cast<int>(slab) * block_;
     for (int k = first; k < std::min(first + block_, grid_.size.z()); ++k)
       for (int j = 0; j < grid_.size.y(); ++j) {
@@ -171,26 +176,34 @@ public:
         for (int i = 0; i < grid_.size.x(); ++i) {
           const std::size_t c = grid_.index(i, j, k);
           const double share = cells_.share[c] / 255.0, fill = fillOf(c);
-          if (isInterior(i, j, k)) {
-            sum.interior += share;
+          if (cells_.share[c] == 0 && fill <= 0.0)
+            continue;
+          const std::size_t item = items_.at(grid_.centre(i, j, k));
+          ItemSum& own = sum.items[item];
+          if (isInterior(i, j, k, item)) {
+            own.interior += share;
             continue;
           }
           const double notch = notchAt(i, j, k);
-          sum.part += share;
-          sum.covered += std::min(share, fill);
-          sum.notch += notch;
-          gap[static_cast<std::size_t>(j / block_ * blocksX_ + i / block_)] +=
+          own.part += share;
+          own.covered += std::min(share, fill);
+          own.notch += notch;
+          gap[item * blocks + static_cast<std::size_t>(j / block_ * blocksX_ + i / block_)] +=
               std::max(0.0, share - fill - notch);
           if (fill <= share)
             continue;
           const bool outside = cells_.share[c] == 0 && !isNear(i, j, k, bands_.outsideMm);
-          (outside ? sum.outside : sum.bulge) += fill - share;
+          (outside ? sum.outside : own.bulge) += fill - share;
         }
       }
-    const auto worst = std::max_element(gap.begin(), gap.end());
-    sum.gap = *worst;
-    const auto b = static_cast<int>(worst - gap.begin());
-    sum.gapAt = middleOfGap({b % blocksX_ * block_, b / blocksX_ * block_, first});
+    for (std::size_t item = 0; item < sum.items.size(); ++item) {
+      const auto from = gap.begin() + static_cast<std::ptrdiff_t>(item * blocks);
+      const auto worst = std::max_element(from, from + static_cast<std::ptrdiff_t>(blocks));
+      sum.items[item].gap = *worst;
+      const auto b = static_cast<int>(worst - from);
+      sum.items[item].gapAt =
+          middleOfGap({b % blocksX_ * block_, b / blocksX_ * block_, first}, item);
+    }
     return sum;
   }
 
@@ -204,9 +217,9 @@ private:
     return query_.closest(grid_.centre(i, j, k), distanceMm).triangle >= 0;
   }
 
-  bool isInterior(int i, int j, int k) const {
-    return std::isfinite(bands_.shellMm) && cells_.share[grid_.index(i, j, k)] == 255 &&
-           !isNear(i, j, k, bands_.shellMm);
+  bool isInterior(int i, int j, int k, std::size_t item) const {
+    return item < bands_.shellMm.size() && std::isfinite(bands_.shellMm[item]) &&
+           cells_.share[grid_.index(i, j, k)] == 255 && !isNear(i, j, k, bands_.shellMm[item]);
   }
 
   // Returns the unfilled share of a cell that is a notch (see Coverage).
@@ -222,9 +235,9 @@ private:
     return notch;
   }
 
-  // Returns the mean position of the material that is missing in the block from `low` on; zero if
-  // none is.
-  Eigen::Vector3d middleOfGap(const Eigen::Vector3i& low) const {
+  // Returns the mean position of the item's material that is missing in the block from `low` on;
+  // zero if none is.
+  Eigen::Vector3d middleOfGap(const Eigen::Vector3i& low, std::size_t item) const {
     const Eigen::Vector3i end = (low.array() + block_).min(grid_.size.array());
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     double missing = 0.0;
@@ -232,7 +245,8 @@ private:
       for (int j = low.y(); j < end.y(); ++j)
         for (int i = low.x(); i < end.x(); ++i) {
           const std::size_t c = grid_.index(i, j, k);
-          if (isInterior(i, j, k))
+          if (cells_.share[c] == 0 || items_.at(grid_.centre(i, j, k)) != item ||
+              isInterior(i, j, k, item))
             continue;
           const double less = std::max(0.0, cells_.share[c] / 255.0 - fillOf(c) - notchAt(i, j, k));
           missing += less;
@@ -248,38 +262,58 @@ private:
   const PartCells& cells_;
   const geometry::MeshQuery& query_;
   const SurfaceBands bands_;
+  const ItemFinder& items_;
   const int block_, blocksX_, blocksY_; // cells; blocks
 };
+
+// Adds a slab's sums of an item, or of another part of it.
+void add(ItemSum& to, const ItemSum& more) {
+  to.covered += more.covered;
+  to.part += more.part;
+  to.notch += more.notch;
+  to.bulge += more.bulge;
+  to.interior += more.interior;
+  if (more.gap > to.gap) {
+    to.gap = more.gap;
+    to.gapAt = more.gapAt;
+  }
+}
+
+ItemCoverage coverageOf(const ItemSum& sum, double cellMm3) {
+  return {.coveredFraction =
+              sum.part > 0.0 ? (sum.covered + std::min(sum.notch, sum.bulge)) / sum.part : 0.0,
+          .worstGap = sum.gapAt,
+          .worstGapMm3 = sum.gap * cellMm3,
+          .shellMm3 = sum.part * cellMm3,
+          .interiorMm3 = sum.interior * cellMm3};
+}
 
 } // namespace
 
 Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
                          const geometry::MeshQuery& query, const SurfaceBands& bands,
-                         const base::RunContext& ctx) {
+                         const base::RunContext& ctx, const ItemFinder& items) {
   base::require(cells.share.size() == beads.fill.size(), "measureCoverage: one grid");
-  const SlabMeasure slabs(beads, cells, query, bands);
+  const SlabMeasure slabs(beads, cells, query, bands, items);
   std::vector<SlabSum> sums(slabs.slabs());
   base::parallelChunks(ctx, sums.size(), 1, [&](std::size_t begin, std::size_t) {
     sums[begin] = slabs.measure(begin, ctx);
   });
   ctx.checkpoint();
-  const double cellVolume = std::pow(beads.grid.pitch, 3);
-  Coverage result;
-  double part = 0.0, covered = 0.0, notch = 0.0, bulge = 0.0;
-  for (const SlabSum& s : sums) {
-    part += s.part;
-    covered += s.covered;
-    notch += s.notch;
-    bulge += s.bulge;
-    result.outsideMm3 += s.outside * cellVolume;
-    result.interiorMm3 += s.interior * cellVolume;
-    if (s.gap * cellVolume > result.worstGapMm3) {
-      result.worstGapMm3 = s.gap * cellVolume;
-      result.worstGap = s.gapAt;
+  const double cellMm3 = std::pow(beads.grid.pitch, 3);
+  std::vector<ItemSum> ofItems(items.count());
+  ItemSum all;
+  double outside = 0.0;
+  for (const SlabSum& slab : sums) {
+    outside += slab.outside * cellMm3;
+    for (std::size_t i = 0; i < ofItems.size(); ++i) {
+      add(ofItems[i], slab.items[i]);
+      add(all, slab.items[i]);
     }
   }
-  result.shellMm3 = part * cellVolume;
-  result.coveredFraction = part > 0.0 ? (covered + std::min(notch, bulge)) / part : 0.0;
+  Coverage result{coverageOf(all, cellMm3), outside, {}};
+  for (const ItemSum& sum : ofItems)
+    result.items.push_back(coverageOf(sum, cellMm3));
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "geometry/mesh_query.h"
 #include "geometry/triangle_mesh.h"
 #include "replay/depositor.h"
+#include "replay/item_finder.h"
 
 #include <Eigen/Geometry>
 
@@ -36,17 +37,18 @@ struct SurfaceBands {
   // No farther in, the notches beside the beads' round sides are part of the layered surface: half
   // the height of a layer
   double notchMm = 0.0;
-  // Farther in, cells that are not filled are no gaps: sparse infill
-  double shellMm = std::numeric_limits<double>::infinity();
+  // Per item: farther in, cells that are not filled are no gaps but sparse infill; empty: the whole
+  // part is solid
+  std::vector<double> shellMm = {};
 };
 
-struct Coverage {
+// Of one item.
+struct ItemCoverage {
   // (sum of min(fill, share) + filled notches) / sum of share. The smooth surface of the part cuts
   // through the round sides of the beads: they bulge out of it, and leave notches inside of it that
   // are as large. Notches are cells near the surface inside the rectangle around a bead; the volume
   // that bulges out counts as their fill, as far as it goes.
   double coveredFraction = 0.0;
-  double outsideMm3 = 0.0; // fill of cells beyond SurfaceBands::outsideMm
   // centre of the missing material in the emptiest block of 3 mm
   Eigen::Vector3d worstGap = Eigen::Vector3d::Zero();
   double worstGapMm3 = 0.0; // missing volume there
@@ -54,9 +56,14 @@ struct Coverage {
   double interiorMm3 = 0.0; // the rest of the part, which coveredFraction leaves out
 };
 
+struct Coverage : ItemCoverage { // of all items
+  double outsideMm3 = 0.0;       // fill of cells beyond SurfaceBands::outsideMm
+  std::vector<ItemCoverage> items;
+};
+
 // Supports and skirts are excluded from the fill. Throws Cancelled.
 Coverage measureCoverage(const BeadGrid& beads, const PartCells& cells,
                          const geometry::MeshQuery& query, const SurfaceBands& bands,
-                         const base::RunContext& ctx);
+                         const base::RunContext& ctx, const ItemFinder& items = {});
 
 } // namespace voluta::replay

@@ -41,6 +41,7 @@ struct BeadPiece {
   std::uint32_t motion = 0; // index in the program
   bool ofPart = true;       // false: support, skirt or prime
   bool waste = false;       // skirt or prime
+  std::uint8_t item = 0;    // index in the job's items
 };
 
 // Returns the section of a piece. Its width follows from volume and length; if that is less than

@@ -37,8 +37,10 @@ public:
 
 private:
   void add(plan::FindingKind kind, std::vector<plan::NamedValue> values,
-           std::optional<Vector3d> where = std::nullopt, std::size_t count = 1) {
-    addFinding(out_, {plan::makeFinding(kind, std::move(values), where, count), {}});
+           std::optional<Vector3d> where = std::nullopt, std::size_t count = 1, int item = -1) {
+    plan::Finding finding = plan::makeFinding(kind, std::move(values), where, count);
+    finding.item = item;
+    addFinding(out_, {std::move(finding), {}});
   }
   void atMotion(plan::FindingKind kind, std::size_t motion, std::vector<plan::NamedValue> values,
                 const Vector3d& where, double whenS, std::size_t count = 1) {
@@ -54,16 +56,28 @@ private:
     out_.excessFraction += compared_.standingMm3 / part;
     out_.overfillFraction += compared_.standingMm3 / part;
     out_.massRatio = out_.depositedMm3 / std::max(out_.intendedMm3, 1e-9);
+    for (std::size_t i = 0; i < out_.items.size(); ++i)
+      out_.items[i].massRatio =
+          out_.depositedOfItemMm3.at(i) / std::max(out_.items[i].intendedMm3, 1e-9);
   }
 
   void addBeads() {
     for (const BeadFinding& f : run_.beads)
-      if (f.motion)
+      if (f.motion) {
         atMotion(f.kind, *f.motion, f.values, *f.where, path_.startS[*f.motion], f.count);
-      else
-        add(f.kind, f.values, f.where, f.count);
-    if (std::abs(out_.massRatio - 1.0) > limits_.massTolerance)
-      add(Mass, {{"share", base::percent(100.0 * out_.massRatio)}});
+        out_.findings.back().item = f.item;
+      } else {
+        add(f.kind, f.values, f.where, f.count, f.item);
+      }
+    if (out_.items.empty())
+      addMass(out_.massRatio, -1);
+    for (std::size_t i = 0; i < out_.items.size(); ++i)
+      addMass(out_.items[i].massRatio, static_cast<int>(i));
+  }
+
+  void addMass(double ratio, int item) {
+    if (std::abs(ratio - 1.0) > limits_.massTolerance)
+      add(Mass, {{"share", base::percent(100.0 * ratio)}}, std::nullopt, 1, item);
   }
 
   void addClashes() {
@@ -97,11 +111,20 @@ private:
     const auto atMost = [&](const char* name, double value, double limit) {
       out_.results.push_back({name, value, limit, value <= limit});
     };
-    atLeast("coveredFraction", out_.coveredFraction, limits_.coveredMin);
-    atMost("unsupportedFraction", out_.unsupportedFraction, limits_.unsupportedMax);
+    // Of several items, the worst one decides.
+    double covered = out_.coveredFraction, unsupported = out_.unsupportedFraction;
+    double mass = out_.massRatio;
+    for (const ItemFigures& item : out_.items) {
+      covered = std::min(covered, item.coveredFraction);
+      unsupported = std::max(unsupported, item.unsupportedFraction);
+      if (std::abs(item.massRatio - 1.0) > std::abs(mass - 1.0))
+        mass = item.massRatio;
+    }
+    atLeast("coveredFraction", covered, limits_.coveredMin);
+    atMost("unsupportedFraction", unsupported, limits_.unsupportedMax);
     atMost("overfillFraction", out_.overfillFraction, limits_.overfillMax);
-    atMost("massRatio", std::abs(out_.massRatio - 1.0), limits_.massTolerance);
-    out_.results.back().value = out_.massRatio;
+    atMost("massRatio", std::abs(mass - 1.0), limits_.massTolerance);
+    out_.results.back().value = mass;
     atMost("collisions", static_cast<double>(out_.collisions),
            static_cast<double>(limits_.collisionsMax));
     atMost("limitViolations", static_cast<double>(out_.limitViolations),

@@ -9,6 +9,7 @@
 #include "replay/coverage.h"
 #include "replay/ground.h"
 #include "replay/interior_spans.h"
+#include "replay/item_finder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,18 +129,18 @@ private:
                       usual);
   }
 
-  // Returns the mesh's exact volume if the mesh is closed, else the volume on the grid.
-  double partVolume(double onGrid) const {
+  // Returns the exact volume of these triangles if they are closed, else the volume on the grid.
+  double partVolume(std::size_t firstTriangle, std::size_t endTriangle, double onGrid) const {
     double sum = 0.0;
-    for (std::size_t t = 0; t < in_.part.triangles.size(); ++t)
+    for (std::size_t t = firstTriangle; t < endTriangle; ++t)
       sum += in_.part.corner(t, 0).dot(in_.part.corner(t, 1).cross(in_.part.corner(t, 2))) / 6.0;
     return std::abs(sum - onGrid) < 0.02 * onGrid ? sum : onGrid;
   }
 
   void add(plan::FindingKind kind, std::vector<plan::NamedValue> values,
            std::optional<Vector3d> where = std::nullopt,
-           std::optional<std::size_t> motion = std::nullopt, std::size_t count = 1) {
-    out_.beads.push_back({kind, std::move(values), where, motion, count});
+           std::optional<std::size_t> motion = std::nullopt, std::size_t count = 1, int item = -1) {
+    out_.beads.push_back({kind, std::move(values), where, motion, count, item});
   }
 
   void judgeBeads(const LaidBeads& laid, const std::vector<BeadPiece>& pieces) {
@@ -152,26 +153,61 @@ private:
     RunFigures& figures = out_.figures;
     const geometry::MeshQuery query(in_.part);
     const PartCells cells = partCells(in_.part, query, beads.grid, ctx_);
-    const Coverage coverage =
-        measureCoverage(beads, cells, query,
-                        {.outsideMm = 0.25 * minOf(&process::Process::beadWidthMm),
-                         .notchMm = 0.5 * minOf(&process::Process::layerHeightMm),
-                         .shellMm = in_.plan.fill.shellMm},
-                        ctx_);
-    figures.partVolumeMm3 = partVolume(cells.volumeMm3);
-    // The plan can leave open no more than there is inside the shell.
-    figures.intendedMm3 =
-        figures.partVolumeMm3 - std::min(in_.plan.fill.openMm3, coverage.interiorMm3);
-    figures.coveredFraction = coverage.coveredFraction;
-    if (!in_.plan.fill.isSolid())
-      figures.coveredFraction = 1.0 - (1.0 - coverage.coveredFraction) * coverage.shellMm3 /
-                                          std::max(figures.intendedMm3, 1e-9);
+    const double outsideMm = 0.25 * minOf(&process::Process::beadWidthMm);
+    const ItemFinder items(in_.part, query, in_.firstTriangle, 4.0 * outsideMm);
+    SurfaceBands bands{.outsideMm = outsideMm,
+                       .notchMm = 0.5 * minOf(&process::Process::layerHeightMm)};
+    for (const plan::FillIntent& fill : in_.plan.fill)
+      bands.shellMm.push_back(fill.shellMm);
+    const Coverage coverage = measureCoverage(beads, cells, query, bands, ctx_, items);
+    figures.partVolumeMm3 = partVolume(0, in_.part.triangles.size(), cells.volumeMm3);
+    judgeCoverage(coverage);
+    judgeExcess(coverage.outsideMm3, beads.pieceExcessMm3, pieces);
+  }
+
+  // Returns the intended volume of an item, or of a job of one item. The plan can leave open no
+  // more than there is inside the shell.
+  double intendedMm3(std::size_t item, const ItemCoverage& coverage, double volumeMm3) const {
+    return volumeMm3 - std::min(in_.plan.fillOf(item).openMm3, coverage.interiorMm3);
+  }
+  // Returns the covered share of the intended volume.
+  double coveredFraction(std::size_t item, const ItemCoverage& coverage, double intended) const {
+    if (in_.plan.fillOf(item).isSolid())
+      return coverage.coveredFraction;
+    return 1.0 - (1.0 - coverage.coveredFraction) * coverage.shellMm3 / std::max(intended, 1e-9);
+  }
+
+  void judgeCoverage(const Coverage& coverage) {
+    RunFigures& figures = out_.figures;
     if (coverage.worstGapMm3 > 0.0)
       figures.worst.gap = coverage.worstGap;
-    if (figures.coveredFraction < limits_.coveredMin)
-      add(Uncovered, {{"share", base::percent(100.0 * (1.0 - figures.coveredFraction))}},
-          coverage.worstGap);
-    judgeExcess(coverage.outsideMm3, beads.pieceExcessMm3, pieces);
+    if (coverage.items.size() == 1) {
+      figures.intendedMm3 = intendedMm3(0, coverage, figures.partVolumeMm3);
+      figures.coveredFraction = coveredFraction(0, coverage, figures.intendedMm3);
+      addUncovered(figures.coveredFraction, coverage, -1);
+      return;
+    }
+    double covered = 0.0;
+    for (std::size_t i = 0; i < coverage.items.size(); ++i) {
+      const ItemCoverage& own = coverage.items[i];
+      const std::size_t end =
+          i + 1 < in_.firstTriangle.size() ? in_.firstTriangle[i + 1] : in_.part.triangles.size();
+      ItemFigures item;
+      item.intendedMm3 = intendedMm3(
+          i, own, partVolume(in_.firstTriangle[i], end, own.shellMm3 + own.interiorMm3));
+      item.coveredFraction = coveredFraction(i, own, item.intendedMm3);
+      figures.intendedMm3 += item.intendedMm3;
+      covered += item.coveredFraction * item.intendedMm3;
+      addUncovered(item.coveredFraction, own, static_cast<int>(i));
+      figures.items.push_back(item);
+    }
+    figures.coveredFraction = covered / std::max(figures.intendedMm3, 1e-9);
+  }
+
+  void addUncovered(double coveredFraction, const ItemCoverage& coverage, int item) {
+    if (coveredFraction < limits_.coveredMin)
+      add(Uncovered, {{"share", base::percent(100.0 * (1.0 - coveredFraction))}}, coverage.worstGap,
+          std::nullopt, 1, item);
   }
 
   void judgeExcess(double outsideMm3, const std::vector<float>& excessMm3,
@@ -206,7 +242,7 @@ private:
     RunFigures& figures = out_.figures;
     ctx_.report(0.7, "checking support below the beads"_text);
     std::optional<Interior> interior;
-    if (!in_.plan.fill.isSolid())
+    if (!in_.plan.isSolid())
       interior.emplace(in_.part, [this](const BeadPiece& piece) { return bridgeMm(piece); });
     const SupportedBeads support = findSupport(pieces, printed, GroundProbe(in_.platform), ctx_,
                                                interior ? &*interior : nullptr);
@@ -221,11 +257,10 @@ private:
       figures.worst.halfCarried = pieces[*support.halfCarriedFrom].to;
     if (support.longestUnsupportedMm > 0.0)
       figures.worst.longestUnsupported = pieces[support.longestFrom].to;
-    if (figures.unsupportedFraction > limits_.unsupportedMax && !support.unsupported.empty()) {
-      const BeadPiece& first = pieces[support.unsupported.front()];
-      add(Unsupported, {{"length", base::mm(support.unsupportedMm)}}, first.to, first.motion,
-          support.unsupported.size());
-    }
+    if (figures.items.empty() && figures.unsupportedFraction > limits_.unsupportedMax &&
+        !support.unsupported.empty())
+      addUnsupported(support.unsupportedMm, support.unsupported, pieces, -1);
+    judgeSupportOfItems(support, pieces);
     if (pieces.empty())
       return;
     const BeadPiece& first = pieces[support.longestFrom];
@@ -234,6 +269,30 @@ private:
           {{"length", base::mm(support.longestUnsupportedMm)},
            {"bridge", base::mm(bridgeMm(first))}},
           first.to, first.motion);
+  }
+
+  void judgeSupportOfItems(const SupportedBeads& support, const std::vector<BeadPiece>& pieces) {
+    const std::size_t count = std::min(out_.figures.items.size(), support.lengthOfItemMm.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      ItemFigures& item = out_.figures.items[i];
+      item.unsupportedFraction =
+          support.unsupportedOfItemMm[i] / std::max(support.lengthOfItemMm[i], 1e-9);
+      if (item.unsupportedFraction <= limits_.unsupportedMax)
+        continue;
+      std::vector<std::uint32_t> own;
+      for (const std::uint32_t p : support.unsupported)
+        if (pieces[p].item == i)
+          own.push_back(p);
+      addUnsupported(support.unsupportedOfItemMm[i], own, pieces, static_cast<int>(i));
+    }
+  }
+
+  // Precondition: there are unsupported pieces.
+  void addUnsupported(double lengthMm, const std::vector<std::uint32_t>& unsupported,
+                      const std::vector<BeadPiece>& pieces, int item) {
+    const BeadPiece& first = pieces[unsupported.front()];
+    add(Unsupported, {{"length", base::mm(lengthMm)}}, first.to, first.motion, unsupported.size(),
+        item);
   }
 
   void findClashes(const KnownResults& known) {

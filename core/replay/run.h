@@ -41,6 +41,7 @@ struct BeadFinding {
   std::optional<Eigen::Vector3d> where;
   std::optional<std::size_t> motion;
   std::size_t count = 1;
+  int item = -1; // as plan::Finding::item
 };
 
 // The deposited material of a run.

@@ -37,6 +37,8 @@ struct ReplayInput {
   // Per point of the trajectory: its number in the trajectory shared by the programs that are
   // compared with each other; empty: the same number.
   std::span<const std::size_t> commonPoint = {};
+  // First triangle of each item in `part`; empty: the job has one item.
+  std::span<const std::size_t> firstTriangle = {};
 };
 
 // The limits that a program must keep (docs/design.md, Replay).
@@ -62,6 +64,12 @@ struct TextPlace {
   std::size_t file = 0, line = 0;
 };
 
+// Figures of one item among several, as the figures of the whole job below.
+struct ItemFigures {
+  double coveredFraction = 0.0, unsupportedFraction = 0.0;
+  double intendedMm3 = 0.0, massRatio = 0.0;
+};
+
 // Figures of a run: its beads and its collisions.
 struct RunFigures {
   // Share of the intended volume that is inside beads. Of a part with sparse infill only the shell
@@ -82,6 +90,9 @@ struct RunFigures {
   double intendedMm3 = 0.0; // of the part, without the volume that sparse infill leaves open
   double pitchMm = 0.0;     // of the bead grid
 
+  // Of each item of a job of several, which all have to keep the limits; empty: the job has one.
+  std::vector<ItemFigures> items;
+
   WorstPlaces worst;
 };
 
@@ -92,6 +103,7 @@ struct Verification : RunFigures {
   // speeds.
   double massRatio = 0.0;
   double depositedMm3 = 0.0, supportMm3 = 0.0;
+  std::vector<double> depositedOfItemMm3; // of each item of a job of several
   std::size_t limitViolations = 0; // counted like collisions
   std::size_t deviations = 0;      // places where the text differs from the plan
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;

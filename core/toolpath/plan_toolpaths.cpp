@@ -5,6 +5,7 @@
 #include "toolpath/first_layer.h"
 #include "toolpath/prime_path.h"
 
+#include "base/error.h"
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "plan/blocking_share.h"
@@ -26,6 +27,8 @@ namespace voluta::toolpath {
 namespace {
 using Eigen::Vector3d;
 using plan::PathKind;
+
+constexpr double kCoverShare = 0.6; // of the stage's progress
 
 // Puts the brim before all other paths, and the prime before the brim.
 void addWaste(Assembled& assembled, const layers::LayerStack& stack, const robot::Cell& cell,
@@ -91,12 +94,17 @@ plan::Findings coverFindings(const layers::LayerStack& stack, const std::vector<
   return findings;
 }
 
-// Adds the figures of the finished plan.
-void addPathFigures(const plan::ToolPlan& plan, plan::ToolpathStatistics& s) {
+// Adds the figures of the finished plan of that many items.
+void addPathFigures(const plan::ToolPlan& plan, std::size_t items, plan::ToolpathStatistics& s) {
+  if (items > 1)
+    s.items.resize(items);
+  plan::ItemToolpaths ofOne;
   s.paths = s.starts = plan.paths.size();
   s.waypoints = plan.waypointCount();
   for (std::size_t k = 0; k < plan.paths.size(); ++k) {
     const plan::ToolPath& path = plan.paths[k];
+    plan::ItemToolpaths& own = items > 1 ? s.items.at(static_cast<std::size_t>(path.item)) : ofOne;
+    own.paths += plan::isWaste(path.kind) ? 0 : 1;
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
       const double length = (plan.position[i] - plan.position[i - 1]).norm();
       const auto section = [&](std::size_t j) {
@@ -106,7 +114,10 @@ void addPathFigures(const plan::ToolPlan& plan, plan::ToolpathStatistics& s) {
       s.lengthMm += length;
       if (plan::isWaste(path.kind))
         continue;
-      s.materialMm3 += process::beadVolume(section(i - 1), section(i), length);
+      const double mm3 = process::beadVolume(section(i - 1), section(i), length);
+      s.materialMm3 += mm3;
+      own.lengthMm += length;
+      own.materialMm3 += mm3;
     }
     if (k > 0)
       s.travelMm += (plan.position[path.first] - plan.position[path.first - 1]).norm();
@@ -141,17 +152,37 @@ std::optional<plan::Finding> addCoverFigures(const layers::LayerStack& stack,
   f.blocking = bareMm3 > plan::kBlockingShare * s.layerVolumeMm3;
   return f;
 }
-} // namespace
 
-ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
-                             const process::Tooling& tooling, const ToolpathOptions& given,
-                             const base::RunContext& ctx) {
-  const ToolpathOptions options = given.spiral ? spiralOptions(given) : given;
+// Covers the layers of several items and puts the covers in the order of the joined stack.
+LayerCovers coverItems(std::span<const ItemLayers> items, const layers::LayerStack& joined,
+                       double share, const base::RunContext& ctx) {
+  LayerCovers all;
+  std::vector<LayerCovers> own;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const double count = static_cast<double>(items.size()), at = static_cast<double>(i);
+    own.push_back(coverLayers(*items[i].stack, items[i].tooling, items[i].options, 1.0,
+                              ctx.sub(share * at / count, share * (at + 1.0) / count)));
+    all.fill.push_back(own.back().fill.empty() ? plan::FillIntent{} : own.back().fill.front());
+    all.sparseMm3 += own.back().sparseMm3;
+    all.sparseBeadMm3 += own.back().sparseBeadMm3;
+  }
+  std::vector<std::size_t> next(items.size());
+  for (const layers::Patch& patch : joined.patches) {
+    const auto item = static_cast<std::size_t>(patch.item);
+    all.covers.push_back(std::move(own[item].covers[next[item]++]));
+  }
+  return all;
+}
+
+// Completes a plan of that many items, whose layers are covered.
+ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::LayerStack& stack,
+                           const robot::Cell& cell, const process::Tooling& tooling,
+                           const ToolpathOptions& options, base::Stopwatch watch,
+                           const base::RunContext& ctx) {
+
   ToolpathResult r;
-  base::Stopwatch watch;
   const base::RunContext silent = ctx.quiet();
   const std::vector<char> isFirstLayer = firstLayerPatches(stack, options.platform);
-  LayerCovers made = coverLayers(stack, tooling, options, 0.6, ctx);
   const std::vector<PatchCover>& covers = made.covers;
   if (options.spiral)
     made.fill = keepOuterWalls(stack, options.bottomLayers, made.covers);
@@ -193,7 +224,7 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   };
   OrientResult oriented =
       orientDirections(assembled.plan, assembled.clearDirection, cell, tooling, options,
-                       ctx.sub(0.6, 1.0), liesUnderRim, std::move(grown));
+                       ctx.sub(kCoverShare, 1.0), liesUnderRim, std::move(grown));
   PassedPlan passed = runUnsupportedPasses(PassPhase::AfterDirections, oriented.plan, {},
                                            std::move(oriented.grown), scene, silent);
   r.seconds.orient = watch.seconds();
@@ -207,10 +238,36 @@ ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell&
   r.statistics.sparseBeadMm3 = made.sparseBeadMm3;
   r.statistics.gouges = oriented.gouges;
   r.statistics.maxTurnDeg = oriented.maxTurnDeg;
-  addPathFigures(r.plan, r.statistics);
+  addPathFigures(r.plan, items, r.statistics);
   if (auto bare = addCoverFigures(stack, covers, r.statistics))
     r.findings.push_back(std::move(*bare));
   return r;
+}
+
+} // namespace
+
+ToolpathResult planToolpaths(const layers::LayerStack& stack, const robot::Cell& cell,
+                             const process::Tooling& tooling, const ToolpathOptions& given,
+                             const base::RunContext& ctx) {
+  const ToolpathOptions options = given.spiral ? spiralOptions(given) : given;
+  const base::Stopwatch watch;
+  return planCovered(coverLayers(stack, tooling, options, kCoverShare, ctx), 1, stack, cell,
+                     tooling, options, watch, ctx);
+}
+
+ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::LayerStack& joined,
+                             const robot::Cell& cell, const process::Tooling& tooling,
+                             const base::RunContext& ctx) {
+  const ToolpathOptions& options = items.front().options;
+  if (items.size() == 1)
+    return planToolpaths(joined, cell, tooling, options, ctx);
+  for (const ItemLayers& item : items)
+    if (item.options.spiral)
+      throw base::Error(base::ErrorCode::Usage, "a spiral is printed alone"_text, {},
+                        "remove the other parts, or set spiral to false"_text);
+  const base::Stopwatch watch;
+  return planCovered(coverItems(items, joined, kCoverShare, ctx), items.size(), joined, cell,
+                     tooling, options, watch, ctx);
 }
 
 } // namespace voluta::toolpath

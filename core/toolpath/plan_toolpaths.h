@@ -11,6 +11,7 @@
 #include "toolpath/options.h"
 
 #include <memory>
+#include <span>
 
 namespace voluta::base {
 class RunContext;
@@ -28,6 +29,22 @@ struct ToolpathResult {
     double toolpath = 0.0, orient = 0.0;
   } seconds;
 };
+
+// Layers of one item, and how they are covered. Of the options of several items, those of the
+// first hold for the whole job where they concern more than one item: order, prime, brim, rim
+// supports.
+struct ItemLayers {
+  std::shared_ptr<const layers::LayerStack> stack;
+  ToolpathOptions options;
+  process::Tooling tooling; // the job's, with the item's layer height, bead width and step
+};
+
+// Covers the layers of each item by its own options; then as planToolpaths() below for `joined`,
+// which has the patches of all items in print order (layers::joinStacks()). Precondition: one item
+// or more. Throws Error{Usage} if one of several items is a spiral.
+ToolpathResult planToolpaths(std::span<const ItemLayers> items, const layers::LayerStack& joined,
+                             const robot::Cell& cell, const process::Tooling& tooling,
+                             const base::RunContext& ctx);
 
 // Runs coverPatch for every patch, assemble and orientDirections. Precondition: the process of the
 // first tool is the cell's. Throws Cancelled, Error{Usage}.

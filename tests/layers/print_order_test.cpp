@@ -8,14 +8,14 @@
 namespace voluta::layers {
 namespace {
 
-// Two patches on each of `count` layers.
-std::shared_ptr<const LayerStack> stackOf(int count) {
+// Two patches on each of `count` layers of this height.
+std::shared_ptr<const LayerStack> stackOf(int count, double heightMm = 1.0) {
   auto stack = std::make_shared<LayerStack>();
   stack->layerCount = count;
   for (int layer = 0; layer < count; ++layer)
     for (int k = 0; k < 2; ++k) {
       Patch patch;
-      patch.surface.vertices.assign(3, {static_cast<double>(count), 0.0, 0.0});
+      patch.surface.vertices.assign(3, {static_cast<double>(count), 0.0, heightMm * layer});
       patch.layer = layer;
       stack->patches.push_back(std::move(patch));
     }
@@ -50,6 +50,23 @@ TEST(PrintOrder, ByLayerAlternates) {
   EXPECT_EQ(all->layerCount, 2);
   const std::vector<std::pair<int, int>> wanted = {{0, 0}, {0, 0}, {1, 0}, {1, 0}, {1, 1}, {1, 1}};
   EXPECT_EQ(orderOf(*all), wanted);
+}
+
+TEST(PrintOrder, OneAfterAnotherFollowsASequence) {
+  const std::vector items = {stackOf(2), stackOf(1)};
+  const std::vector<std::size_t> sequence = {1, 0};
+  const auto all = joinStacks(items, PrintOrder::OneAfterAnother, sequence);
+  const std::vector<std::pair<int, int>> wanted = {{1, 0}, {1, 0}, {0, 1}, {0, 1}, {0, 2}, {0, 2}};
+  EXPECT_EQ(orderOf(*all), wanted);
+}
+
+TEST(PrintOrder, ByLayerPrintsTheLowestLayerNext) {
+  const std::vector items = {stackOf(2, 1.0), stackOf(3, 0.4)};
+  const auto all = joinStacks(items, PrintOrder::ByLayer);
+  const std::vector<std::pair<int, int>> wanted = {{0, 0}, {0, 0}, {1, 0}, {1, 0}, {1, 1},
+                                                   {1, 1}, {1, 2}, {1, 2}, {0, 3}, {0, 3}};
+  EXPECT_EQ(orderOf(*all), wanted);
+  EXPECT_EQ(all->layerCount, 4);
 }
 
 TEST(PrintOrder, LosesNoPatch) {

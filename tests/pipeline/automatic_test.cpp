@@ -66,7 +66,7 @@ void expectConsistent(const pipeline::PlanResult& result) {
     EXPECT_FALSE(tried.name.empty());
     EXPECT_TRUE(tried.taken || !tried.reason.empty()) << base::english(tried.name);
   }
-  EXPECT_EQ(pipeline::rejectedTexts(report).size(), report.item().tried.size() - 1);
+  EXPECT_EQ(pipeline::rejectedTexts(report.item()).size(), report.item().tried.size() - 1);
 }
 
 } // namespace
@@ -271,7 +271,7 @@ TEST(Automatic, WhatIsSaidOfABoxIsConsistent) {
       pipeline::planPart(automaticRequest(), {}, nullptr, {.onWay = note});
   expectConsistent(result);
   EXPECT_EQ(tried, (std::vector<std::string>{"curved layers"}));
-  EXPECT_EQ(base::english(pipeline::chosenText(result.job.report)),
+  EXPECT_EQ(base::english(pipeline::chosenText(result.job.report.item())),
             "Chosen: curved layers (layer height 0.8 mm, supports: none, platform: plate of the "
             "cell)");
 }
@@ -327,7 +327,7 @@ TEST(Automatic, NoWayIsTriedThatComesToTheSame) {
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   EXPECT_FALSE(pipeline::nothingBlocks(result.job.report));
   expectConsistent(result);
-  const std::string said = base::english(pipeline::chosenText(result.job.report));
+  const std::string said = base::english(pipeline::chosenText(result.job.report.item()));
   EXPECT_TRUE(said.starts_with("No way of building passes; the best one is shown: ")) << said;
   EXPECT_EQ(result.job.reached, project::Stage::Replay);
   EXPECT_FALSE(result.checked.empty());

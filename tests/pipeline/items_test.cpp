@@ -3,6 +3,7 @@
 #include "pipeline/box_request.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_cache.h"
+#include "plan/finding_kinds.h"
 
 #include "helpers/temporary_folder.h"
 
@@ -94,6 +95,73 @@ TEST(Items, AreAllFoundAgainHoweverMany) {
   const pipeline::PlanResult again = pipeline::planPart(request, {}, &cache);
   for (std::size_t i = 0; i < request.items.size(); ++i)
     EXPECT_EQ(again.job.item(i).layers, first.job.item(i).layers) << i;
+}
+
+// A program is judged by each of its parts: a small part whose beads are missing is refused beside
+// large ones.
+TEST(Items, AreJudgedEachByItself) {
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  request.choices.item(1).scale = "0.5";
+  request.until = Stage::Replay;
+  request.choices.formats = {"gcode-extended"};
+  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  const project::ReplayReport& replay = result.job.report.replay;
+  EXPECT_TRUE(replay.passed);
+  ASSERT_EQ(replay.items.size(), 2u);
+  for (const project::ItemReplayReport& item : replay.items) {
+    EXPECT_GE(item.coveredFraction, 0.97);
+    EXPECT_NEAR(item.massRatio, 1.0, 0.03);
+  }
+  ASSERT_EQ(result.job.report.toolpath.items.size(), 2u);
+  EXPECT_NEAR(result.job.report.toolpath.items[0].materialMm3,
+              8.0 * result.job.report.toolpath.items[1].materialMm3,
+              0.1 * result.job.report.toolpath.items[0].materialMm3);
+}
+
+TEST(Items, HaveTheFiguresOfPartsPlannedAlone) {
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  request.choices.item(0).parameters["infillDensity"] = "0.3";
+  request.choices.item(1).parameters["walls"] = "3";
+  const pipeline::PlanResult both = pipeline::planPart(request, {});
+  for (std::size_t i = 0; i < 2; ++i) {
+    pipeline::PlanRequest alone = request;
+    alone.items = {request.item(i)};
+    alone.choices = project::onlyItem(request.choices, i);
+    const plan::ToolpathStatistics one = pipeline::planPart(alone, {}).job.report.toolpath;
+    const plan::ItemToolpaths& own = both.job.report.toolpath.items.at(i);
+    EXPECT_NEAR(own.materialMm3, one.materialMm3, 0.01 * one.materialMm3) << i;
+  }
+  EXPECT_TRUE(both.job.toolPlan->fillOf(1).isSolid());
+  EXPECT_FALSE(both.job.toolPlan->fillOf(0).isSolid());
+}
+
+TEST(Items, SwallowedPartsBlock) {
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  request.choices.item(1).placement.centreMm = request.choices.item(0).placement.centreMm;
+  request.choices.item(1).scale = "0.3";
+  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  ASSERT_FALSE(result.job.report.findings.empty());
+  EXPECT_EQ(result.job.report.findings.back().kind, plan::FindingKind::PartsOverlap);
+  EXPECT_FALSE(result.job.toolPlan) << "nothing to plan until the parts are apart";
+}
+
+TEST(Items, SearchTheirWaysEachByItself) {
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  request.choices.item(0).automatic = true;
+  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  EXPECT_FALSE(result.job.report.item(0).tried.empty());
+  EXPECT_FALSE(result.job.choices.item(0).automaticWay.empty());
+  EXPECT_TRUE(result.job.report.item(1).tried.empty());
+  EXPECT_TRUE(result.job.toolPlan);
+}
+
+TEST(Items, FindingsNameTheirPart) {
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  request.choices.item(1).scale = "0.04";
+  request.until = Stage::Load;
+  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  ASSERT_FALSE(result.job.report.findings.empty());
+  EXPECT_EQ(result.job.report.findings.front().item, 1);
 }
 
 TEST(Items, SeveralToolsAreRefused) {

@@ -52,6 +52,8 @@ Choices choicesFor(RemedyId id) {
     choices.tool().process = "fdm-0.35";
   if (id == RemedyId::UsualCell)
     choices.cell = "ur5-moving";
+  if (id == RemedyId::PrintByLayer)
+    choices.items.resize(2);
   if (id == RemedyId::PrintOnPlate) {
     choices.item().mode = "lathe";
     choices.cell = "lathe";
@@ -74,6 +76,7 @@ StageKeys keysOf(const Choices& choices) {
   request.item().loaded = loadedFrom(
       "box.stl", std::make_shared<geometry::TriangleMesh>(test::box({0, 0, 0}, {9, 9, 5})), {},
       true, {});
+  request.items.resize(choices.items.size(), request.item());
   request.choices = choices;
   return stageKeys(request);
 }
@@ -112,6 +115,7 @@ TEST(Remedies, EveryRowCuresWhatItIsForAndIsThenDone) {
       unchanged.item().units = choices.item().units;
       unchanged.tool().process = choices.tool().process;
       unchanged.cell = choices.cell;
+      unchanged.printOrder = choices.printOrder;
       unchanged.item().mode = choices.item().mode;
       unchanged.item().automatic = choices.item().automatic;
       EXPECT_EQ(keysOf(unchanged), before) << remedy.name << " changes something else too";
@@ -146,6 +150,21 @@ TEST(Remedies, AreOfferedForTheirKindsOnly) {
   choices.item().automatic = true;
   EXPECT_TRUE(idsFor(FindingKind::LongBridge).empty()) << "it has chosen";
   EXPECT_EQ(idsFor(FindingKind::Stopped), (std::set<RemedyId>{RemedyId::DropToPlate}));
+}
+
+TEST(Remedies, ChangeTheItemOfTheFinding) {
+  Choices choices;
+  choices.items.resize(2);
+  choices.item(0).placement.liftMm = choices.item(1).placement.liftMm = 2.0;
+  plan::Finding finding = findingOf(FindingKind::Unreached);
+  EXPECT_TRUE(remediesFor(finding, choices).empty()) << "no item is named";
+  finding.item = 1;
+  const std::vector<RemedyAction> offers = remediesFor(finding, choices);
+  const auto drop = std::ranges::find(offers, RemedyId::DropToPlate,
+                                      [](const RemedyAction& offer) { return offer.remedy->id; });
+  ASSERT_NE(drop, offers.end());
+  EXPECT_EQ(drop->choices.item(0).placement.liftMm, 2.0);
+  EXPECT_EQ(drop->choices.item(1).placement.liftMm, 0.0);
 }
 
 // As a user has them who has moved the part about: in every mode, and in mode auto whichever way it

@@ -36,10 +36,10 @@ TEST(Waypoints, APathGoesOnAfterThoseLeftOut) {
   plan.paths[0].layer = 3;
   plan.paths[1].closed = true;
   // The fourth stays alone between two that go, and goes with them.
-  plan.fill = {1.5, 2.5};
+  plan.fill = {{1.5, 2.5}};
   const RestOfPlan rest = without(plan, {0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0});
-  EXPECT_EQ(rest.plan.fill.shellMm, 1.5);
-  EXPECT_EQ(rest.plan.fill.openMm3, 2.5);
+  EXPECT_EQ(rest.plan.fillOf(0).shellMm, 1.5);
+  EXPECT_EQ(rest.plan.fillOf(0).openMm3, 2.5);
   EXPECT_EQ(rest.waypoint, (std::vector<std::size_t>{0, 1, 5, 6, 7, 8, 9, 10, 11}));
   ASSERT_EQ(rest.plan.paths.size(), 3u);
   EXPECT_EQ(rest.plan.paths[1].first, 2u);

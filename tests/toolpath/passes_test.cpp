@@ -46,7 +46,7 @@ std::map<std::string, plan::ToolPlan> samples() {
   ledge.direction.front() = Vector3d(0.01, 0.0, 1.0).normalized();
   for (auto& [name, plan] : plans) {
     plan.paths.front().kind = plan::PathKind::Infill;
-    plan.fill = {1.5, 2.5};
+    plan.fill = {{1.5, 2.5}};
     for (std::size_t p = 0; p < plan.paths.size(); ++p)
       plan.paths[p].item = plan.paths[p].group = static_cast<int>(p % 2);
     for (std::size_t i = 0; i < plan.waypointCount(); ++i)
@@ -187,8 +187,8 @@ TEST_P(EveryPass, ChangesOnlyItsShareOfThePlan) {
       continue;
     ++changed;
     expectWhole(result->beads, pass.phase);
-    EXPECT_EQ(result->beads.plan.fill.shellMm, plan.fill.shellMm);
-    EXPECT_EQ(result->beads.plan.fill.openMm3, plan.fill.openMm3);
+    EXPECT_EQ(result->beads.plan.fillOf(0).shellMm, plan.fillOf(0).shellMm);
+    EXPECT_EQ(result->beads.plan.fillOf(0).openMm3, plan.fillOf(0).openMm3);
     switch (pass.changes) {
     case PassChange::Waypoints:
       expectSameWaypoints(input.beads, result->beads, pass.phase);

@@ -274,8 +274,8 @@ TEST(CoverLayers, FillsTheInteriorAtItsDensity) {
     // Beads that join the lines come on top.
     EXPECT_GE(made.sparseBeadMm3 / made.sparseMm3, 0.93 * density);
     EXPECT_LE(made.sparseBeadMm3 / made.sparseMm3, 1.25 * density);
-    EXPECT_NEAR(made.fill.openMm3, made.sparseMm3 - made.sparseBeadMm3, 1e-6);
-    EXPECT_GT(made.fill.shellMm, 1.0);
+    EXPECT_NEAR(made.fill.at(0).openMm3, made.sparseMm3 - made.sparseBeadMm3, 1e-6);
+    EXPECT_GT(made.fill.at(0).shellMm, 1.0);
     for (std::size_t k = 0; k < 10; ++k)
       for (const toolpath::Bead& bead : made.covers[k].beads)
         EXPECT_EQ(bead.kind == plan::PathKind::Bridge,
@@ -284,7 +284,7 @@ TEST(CoverLayers, FillsTheInteriorAtItsDensity) {
   }
   const toolpath::LayerCovers solid =
       toolpath::coverLayers(stack, tooling, sparseOptions(1.0), 1.0, {});
-  EXPECT_TRUE(solid.fill.isSolid());
+  EXPECT_TRUE(solid.fill.empty());
   EXPECT_EQ(solid.sparseMm3, 0.0);
 }
 

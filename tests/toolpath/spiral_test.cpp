@@ -190,12 +190,12 @@ TEST(Spiral, KeepsTheOuterWallsAboveTheBottom) {
   }
   covers[4].beads.erase(covers[4].beads.begin()); // no wall: everything stays
   stack.patches[3].group = layers::kSupportGroup;
-  const plan::FillIntent fill = toolpath::keepOuterWalls(stack, 2, covers);
+  const std::vector<plan::FillIntent> fill = toolpath::keepOuterWalls(stack, 2, covers);
   EXPECT_EQ(covers[1].beads.size(), 2u);
   EXPECT_EQ(covers[2].beads.size(), 1u);
   EXPECT_EQ(covers[3].beads.size(), 2u);
   EXPECT_EQ(covers[4].beads.size(), 1u);
-  EXPECT_NEAR(fill.openMm3, 20 * process::beadArea(kWidth, kHeight), 1e-9);
+  EXPECT_NEAR(fill.at(0).openMm3, 20 * process::beadArea(kWidth, kHeight), 1e-9);
 }
 
 } // namespace

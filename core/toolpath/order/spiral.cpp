@@ -285,8 +285,8 @@ ToolpathOptions spiralOptions(ToolpathOptions options) {
   return options;
 }
 
-plan::FillIntent keepOuterWalls(const layers::LayerStack& stack, int bottomLayers,
-                                std::vector<PatchCover>& covers) {
+std::vector<plan::FillIntent> keepOuterWalls(const layers::LayerStack& stack, int bottomLayers,
+                                             std::vector<PatchCover>& covers) {
   base::require(covers.size() == stack.patches.size(), "one cover a patch");
   const auto isOuterWall = [](const Bead& bead) {
     return bead.kind == PathKind::Wall && bead.ring == 0 && bead.closed;
@@ -303,7 +303,8 @@ plan::FillIntent keepOuterWalls(const layers::LayerStack& stack, int bottomLayer
     openMm3 += std::max(0.0, covers[i].beadVolumeMm3 - left);
     covers[i].beadVolumeMm3 = left;
   }
-  return openMm3 > 0.0 ? plan::FillIntent{0.0, openMm3} : plan::FillIntent{};
+  return openMm3 > 0.0 ? std::vector<plan::FillIntent>{{0.0, openMm3}}
+                       : std::vector<plan::FillIntent>{};
 }
 
 std::optional<plan::Finding> joinSpiral(Assembled& assembled, int bottomLayers) {

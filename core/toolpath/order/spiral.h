@@ -20,8 +20,8 @@ ToolpathOptions spiralOptions(ToolpathOptions options);
 // Removes all beads but the closed outermost walls from patches that have such walls, from layer
 // `bottomLayers` on; supports stay. Returns the intent of the material that is left. Precondition:
 // one cover a patch.
-plan::FillIntent keepOuterWalls(const layers::LayerStack& stack, int bottomLayers,
-                                std::vector<PatchCover>& covers);
+std::vector<plan::FillIntent> keepOuterWalls(const layers::LayerStack& stack, int bottomLayers,
+                                             std::vector<PatchCover>& covers);
 
 // Joins consecutive layers of one closed bead each to one open path, as long as each layer
 // continues the layer before. The path runs level along the first bead, and then once around per

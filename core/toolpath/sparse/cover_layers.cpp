@@ -111,7 +111,7 @@ LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling&
     std::ranges::move(sparse[i], std::back_inserter(out.covers[i].beads));
   }
   if (out.sparseMm3 > 0.0)
-    out.fill = {shellOf(tooling, options), std::max(0.0, out.sparseMm3 - out.sparseBeadMm3)};
+    out.fill = {{shellOf(tooling, options), std::max(0.0, out.sparseMm3 - out.sparseBeadMm3)}};
   return out;
 }
 

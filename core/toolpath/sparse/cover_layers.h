@@ -16,7 +16,7 @@ struct LayerCovers {
   // Per patch; beads of sparse infill are the last ones. Areas, volumes and coverage are those of
   // the solid part.
   std::vector<PatchCover> covers;
-  plan::FillIntent fill;
+  std::vector<plan::FillIntent> fill; // as plan::ToolPlan::fill
   double sparseMm3 = 0.0;     // Volume of the sparse parts
   double sparseBeadMm3 = 0.0; // Volume of their beads
 };

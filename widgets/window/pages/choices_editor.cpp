@@ -193,8 +193,8 @@ QString ChoicesEditor::wayChosen() const {
   const auto result = document_.lastResult();
   if (!result || result->job.report.item().tried.empty())
     return {};
-  QStringList lines{language::words(pipeline::chosenText(result->job.report)) + u'.'};
-  for (const base::Message& rejected : pipeline::rejectedTexts(result->job.report))
+  QStringList lines{language::words(pipeline::chosenText(result->job.report.item())) + u'.'};
+  for (const base::Message& rejected : pipeline::rejectedTexts(result->job.report.item()))
     lines << tr("Rejected: %1.").arg(language::words(rejected));
   return lines.join(u'\n');
 }

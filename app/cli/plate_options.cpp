@@ -1,0 +1,101 @@
+#include "cli/plate_options.h"
+
+#include "base/error.h"
+#include "base/number_list.h"
+#include "base/units.h"
+#include "pipeline/choices.h"
+#include "pipeline/items/plate_parts.h"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <utility>
+
+namespace voluta::cli {
+
+namespace {
+
+base::Error badText(const std::string& option, const std::string& text, const std::string& form) {
+  return {base::ErrorCode::Usage,
+          base::message("{option} {text}: not of the form {form}"_text, option, text, form)};
+}
+
+// Splits "NUMBER:REST". Throws Error{Usage} if there is no part of that number.
+std::pair<std::size_t, std::string> numbered(const std::string& option, const std::string& text,
+                                             const std::string& form, std::size_t parts) {
+  const std::size_t colon = text.find(':');
+  std::size_t number = 0;
+  const char* end = text.data() + std::min(colon, text.size());
+  if (colon == std::string::npos || std::from_chars(text.data(), end, number).ptr != end ||
+      number == 0)
+    throw badText(option, text, form);
+  if (number > parts)
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("{option} {text}: there are {parts} parts"_text, option, text, parts));
+  return {number - 1, text.substr(colon + 1)};
+}
+
+void place(project::ItemChoices& item, const std::string& text, const std::string& rest) {
+  constexpr const char* kForm = "NUMBER:X,Y or NUMBER:X,Y,TURN";
+  double x = 0.0, y = 0.0, turn = 0.0;
+  if (!base::readNumbers(rest, ',', {&x, &y}) && !base::readNumbers(rest, ',', {&x, &y, &turn}))
+    throw badText("--place", text, kForm);
+  item.placement.centreMm = {x, y};
+  item.placement.rotation =
+      Eigen::AngleAxisd(base::degreesToRadians(turn), Eigen::Vector3d::UnitZ()) *
+      item.placement.rotation;
+}
+
+void setOwn(pipeline::PlanRequest& request, std::size_t number, const std::string& text,
+            const std::string& rest) {
+  const std::size_t equals = rest.find('=');
+  if (equals == std::string::npos)
+    throw badText("--part", text, "NUMBER:KEY=VALUE");
+  const std::string key = rest.substr(0, equals), value = rest.substr(equals + 1);
+  project::ItemChoices& item = request.choices.item(number);
+  if (key == "mode") {
+    item.automatic = value == "auto";
+    if (!item.automatic)
+      item.mode = value;
+  } else if (key == "scale") {
+    item.scale = value;
+  } else {
+    project::Choices own = project::onlyItem(request.choices, number);
+    for (const base::Message& note : pipeline::setParameters(own, {rest}))
+      fmt::print(stderr, "note: {}\n", base::english(note));
+    item = own.item();
+  }
+}
+
+} // namespace
+
+pipeline::PlanRequest withParts(pipeline::PlanRequest request, const PlateOptions& options,
+                                const base::RunContext& ctx) {
+  const project::ItemChoices choices = request.choices.item();
+  request.items.clear();
+  request.choices.items.clear();
+  for (const std::string& part : options.parts)
+    for (int copy = 0; copy < options.copies; ++copy) {
+      request.items.push_back({part, nullptr});
+      request.choices.items.push_back(choices);
+    }
+  const std::size_t count = request.items.size();
+  for (const std::string& text : options.own) {
+    const auto [number, rest] = numbered("--part", text, "NUMBER:KEY=VALUE", count);
+    setOwn(request, number, text, rest);
+  }
+  for (const std::string& text : options.places) {
+    const auto [number, rest] = numbered("--place", text, "NUMBER:X,Y,TURN", count);
+    place(request.choices.item(number), text, rest);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    project::ItemChoices& item = request.choices.item(i);
+    if (!item.automatic && !item.platformStays)
+      item.platform = pipeline::usualPlatform(project::onlyItem(request.choices, i));
+  }
+  if (count == 1 || !options.places.empty())
+    return request;
+  return pipeline::withArrangedParts(std::move(request), ctx);
+}
+
+} // namespace voluta::cli

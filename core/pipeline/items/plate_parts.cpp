@@ -1,0 +1,87 @@
+#include "pipeline/items/plate_parts.h"
+
+#include "base/error.h"
+#include "geometry/meshes_meet.h"
+#include "modes/mode_table.h"
+#include "pipeline/automatic.h"
+#include "pipeline/cell_plate.h"
+#include "pipeline/choices.h"
+#include "pipeline/items/arrangement.h"
+#include "pipeline/items/print_sequence.h"
+#include "pipeline/stages.h"
+#include "plan/finding_kinds.h"
+
+#include <algorithm>
+
+namespace voluta::pipeline {
+
+namespace {
+bool isOnCellPlate(const project::ItemChoices& item) {
+  return item.platform.isOfCell() || (item.automatic && !item.platformStays);
+}
+} // namespace
+
+bool mayLean(const project::ItemChoices& item) {
+  return item.automatic || !modes::findMode(item.mode).upright;
+}
+
+PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) {
+  base::require(request.items.size() == request.choices.items.size(), "choices for each item");
+  std::vector<Footprint> parts;
+  std::vector<Eigen::Vector2d> centres;
+  process::HeadShape head;
+  ArrangeOptions options;
+  options.order = request.choices.printOrder;
+  for (std::size_t i = 0; i < request.items.size(); ++i) {
+    RequestedItem& item = request.item(i);
+    if (!item.loaded)
+      item.loaded = project::loadPart(item.part, request.choices.item(i).repair, ctx);
+    const project::Choices own = resolved(wayOrFirst(project::onlyItem(request.choices, i)));
+    const base::ParameterValues values = parameterValues(own);
+    const process::Process process = chosenProcess(own, values);
+    const auto placed = loadStage(*item.loaded, own, process, ctx);
+    parts.push_back(footprintOf(*placed->part, mayLean(request.choices.item(i))));
+    centres.push_back(placed->placement.centreMm);
+    options.spareMm = std::max(options.spareMm, 2.0 * process.beadWidthMaxMm) +
+                      2.0 * values.number("brimWidthMm");
+    head = process.head;
+    if (options.plate.empty() && isOnCellPlate(request.choices.item(i)))
+      options.plate = largestPlate(fittingCell(own, process));
+  }
+  const auto moves = arranged(parts, head, options);
+  if (!moves)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      base::message("the plate has no room for {parts} parts"_text, parts.size()),
+                      {}, "print fewer or smaller parts, or use a cell with a larger plate"_text);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    request.choices.item(i).placement.centreMm = centres[i] + (*moves)[i];
+  return request;
+}
+
+plan::Findings
+findingsBetween(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& parts,
+                const project::Choices& choices, const process::Process& process,
+                const std::vector<std::string>& names) {
+  plan::Findings findings;
+  for (std::size_t a = 0; a < parts.size(); ++a)
+    for (std::size_t b = a + 1; b < parts.size(); ++b)
+      if (const auto where = geometry::meetingPoint(*parts[a], *parts[b]))
+        findings.push_back(plan::makeFinding(plan::FindingKind::PartsOverlap,
+                                             {{"first", names[a]}, {"second", names[b]}}, *where));
+  if (!findings.empty() || choices.printOrder != layers::PrintOrder::OneAfterAnother)
+    return findings;
+  std::vector<Footprint> footprints;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    footprints.push_back(footprintOf(*parts[i], mayLean(choices.item(i))));
+  if (const auto blocked =
+          printSequence(footprints, process::erodedHead(process.head, process.contactToleranceMm))
+              .blocked)
+    findings.push_back(plan::makeFinding(plan::FindingKind::PartsBlock,
+                                         {{"first", names[blocked->first]},
+                                          {"second", names[blocked->second]},
+                                          {"gap", base::mm(blocked->gapMm)},
+                                          {"needed", base::mm(blocked->neededMm)}}));
+  return findings;
+}
+
+} // namespace voluta::pipeline

@@ -1,0 +1,29 @@
+// The parts of a request as they are placed on the common plate.
+#pragma once
+
+#include "base/run_context.h"
+#include "pipeline/items/footprint.h"
+#include "pipeline/plan_result.h"
+#include "plan/finding.h"
+
+#include <vector>
+
+namespace voluta::pipeline {
+
+// Returns the request with all parts loaded and moved to places beside each other (arranged()), on
+// the cell's largest plate if a part is printed on the cell's plate. Keeps rotations and lifts.
+// Throws Error{UnusableInput} if the plate has no room for all of them; as planPart for a part that
+// cannot be loaded.
+PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx);
+
+// Returns whether the layers of the item may tilt the head.
+bool mayLean(const project::ItemChoices& item);
+
+// Returns blocking findings for parts that intersect, and findings for parts of which neither can
+// be printed beside the other. `parts`: the placed meshes, as the items of `choices`.
+plan::Findings
+findingsBetween(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& parts,
+                const project::Choices& choices, const process::Process& process,
+                const std::vector<std::string>& names);
+
+} // namespace voluta::pipeline

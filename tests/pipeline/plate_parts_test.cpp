@@ -1,0 +1,123 @@
+// Several parts on a plate: distances, order, arrangement.
+#include "geometry/meshes_meet.h"
+#include "helpers/shapes.h"
+#include "pipeline/items/arrangement.h"
+#include "pipeline/items/print_sequence.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using pipeline::Footprint;
+
+namespace {
+
+// 5 mm wide up to a height of 20, 30 mm wide above.
+const process::HeadShape kHead{{{0.0, 5.0}, {20.0, 5.0}, {20.0, 30.0}, {80.0, 30.0}}};
+
+Footprint square(double x, double y, double side, double height, bool leans = false) {
+  return {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, height, leans};
+}
+
+TEST(Footprint, IsTheHullSeenFromAbove) {
+  const Footprint part = pipeline::footprintOf(test::box({1, 2, 0}, {4, 6, 7}), false);
+  EXPECT_EQ(part.outline.size(), 4u);
+  EXPECT_EQ(part.heightMm, 7.0);
+}
+
+TEST(Footprint, GapsAreKnown) {
+  EXPECT_DOUBLE_EQ(pipeline::gapBetween(square(0, 0, 10, 1), square(13, 0, 10, 1)), 3.0);
+  EXPECT_DOUBLE_EQ(pipeline::gapBetween(square(0, 0, 10, 1), square(13, 14, 10, 1)), 5.0);
+  EXPECT_DOUBLE_EQ(pipeline::gapBetween(square(0, 0, 10, 1), square(9, 9, 10, 1)), 0.0);
+  EXPECT_DOUBLE_EQ(pipeline::gapBetween(square(0, 0, 10, 1), square(4, 4, 1, 1)), 0.0);
+}
+
+TEST(Footprint, ATallNeighbourMeetsTheWidePartOfTheHead) {
+  EXPECT_EQ(pipeline::headNeedsMm(kHead, square(0, 0, 1, 50), square(0, 0, 1, 10)), 5.0);
+  EXPECT_EQ(pipeline::headNeedsMm(kHead, square(0, 0, 1, 10), square(0, 0, 1, 50)), 30.0);
+  EXPECT_EQ(pipeline::headNeedsMm(kHead, square(0, 0, 1, 10, true), square(0, 0, 1, 1)), 30.0);
+}
+
+TEST(PrintSequence, PrintsALowPartBeforeATallOneBesideIt) {
+  const std::vector<Footprint> parts{square(0, 0, 10, 50), square(20, 0, 10, 10)};
+  const pipeline::PrintSequence found = pipeline::printSequence(parts, kHead);
+  EXPECT_EQ(found.order, (std::vector<std::size_t>{1, 0}));
+  EXPECT_FALSE(found.blocked);
+}
+
+TEST(PrintSequence, KeepsTheGivenOrderWhereItIsFree) {
+  const std::vector<Footprint> parts{square(0, 0, 10, 50), square(60, 0, 10, 10),
+                                     square(120, 0, 10, 50)};
+  EXPECT_EQ(pipeline::printSequence(parts, kHead).order, (std::vector<std::size_t>{0, 1, 2}));
+}
+
+TEST(PrintSequence, NamesThePairThatBlocks) {
+  const std::vector<Footprint> parts{square(0, 0, 10, 50), square(20, 0, 10, 60)};
+  const pipeline::PrintSequence found = pipeline::printSequence(parts, kHead);
+  ASSERT_TRUE(found.blocked);
+  EXPECT_EQ(found.blocked->first, 0u);
+  EXPECT_EQ(found.blocked->second, 1u);
+  EXPECT_DOUBLE_EQ(found.blocked->gapMm, 10.0);
+  EXPECT_DOUBLE_EQ(found.blocked->neededMm, 30.0);
+  EXPECT_EQ(found.order.size(), 2u);
+}
+
+// Random parts, 300 plates: whatever is arranged can be printed one after another.
+TEST(Arrangement, LeavesTheHeadItsRoom) {
+  std::mt19937 random(7);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int plate = 0; plate < 300; ++plate) {
+    std::vector<Footprint> parts;
+    const int count = 2 + plate % 9;
+    for (int i = 0; i < count; ++i)
+      parts.push_back(square(between(-50, 50), between(-50, 50), between(5, 40), between(2, 100)));
+    pipeline::ArrangeOptions options;
+    if (plate % 2 == 0)
+      options.plate = {{-200, -150}, {200, -150}, {200, 150}, {-200, 150}};
+    const auto moves = pipeline::arranged(parts, kHead, options);
+    if (!moves) {
+      EXPECT_FALSE(options.plate.empty()) << "there is always room without a plate";
+      continue;
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (Vector2d& p : parts[i].outline)
+        p += (*moves)[i];
+    EXPECT_FALSE(pipeline::printSequence(parts, kHead).blocked) << plate;
+    for (const Footprint& part : parts)
+      for (const Vector2d& p : part.outline)
+        if (!options.plate.empty()) {
+          EXPECT_LE(std::abs(p.x()), 197.0);
+          EXPECT_LE(std::abs(p.y()), 147.0);
+        }
+  }
+}
+
+TEST(Arrangement, OfOnePartCentresIt) {
+  const std::vector<Footprint> parts{square(100, 30, 10, 50)};
+  const auto moves = pipeline::arranged(parts, kHead, {});
+  ASSERT_TRUE(moves);
+  EXPECT_LT(((*moves)[0] - Vector2d(-105, -35)).norm(), 1e-9);
+}
+
+TEST(Arrangement, RefusesWhatDoesNotFit) {
+  const std::vector<Footprint> parts{square(0, 0, 60, 5), square(0, 0, 60, 5)};
+  pipeline::ArrangeOptions options;
+  options.plate = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}};
+  EXPECT_FALSE(pipeline::arranged(parts, kHead, options));
+}
+
+TEST(MeshesMeet, FindsCrossingsAndEnclosures) {
+  const auto big = test::box({0, 0, 0}, {10, 10, 10});
+  EXPECT_FALSE(geometry::meetingPoint(big, test::box({10.5, 0, 0}, {20, 10, 10})));
+  EXPECT_TRUE(geometry::meetingPoint(big, test::box({9, 9, 9}, {20, 20, 20})));
+  EXPECT_TRUE(geometry::meetingPoint(big, test::box({4, 4, 4}, {5, 5, 5}))) << "swallowed";
+  EXPECT_TRUE(geometry::meetingPoint(test::box({4, 4, 4}, {5, 5, 5}), big)) << "swallowing";
+  EXPECT_TRUE(geometry::meetingPoint(big, test::box({-5, 4, 4}, {15, 5, 5}))) << "a cross";
+}
+
+} // namespace
