@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "geometry/append_mesh.h"
 #include "geometry/mesh_query.h"
 #include "helpers/shapes.h"
 #include "process/bead_model.h"
@@ -147,6 +148,31 @@ Judged judge(const std::vector<BeadPiece>& pieces, const geometry::TriangleMesh&
   const Coverage c = measureCoverage(beads, cells, query, kBands, kOne);
   return {c.coveredFraction, beads.laidMm3 / cells.volumeMm3, c.outsideMm3 / cells.volumeMm3,
           beads.excessMm3 / cells.volumeMm3};
+}
+
+// A small box without beads beside a large one that is full: 0.8 % of both, all of the small one.
+TEST(Coverage, OfEachItemIsItsOwn) {
+  auto part = test::box({0, 0, 0}, {10, 10, 10});
+  const std::vector<std::size_t> firstTriangle{0, part.triangles.size()};
+  geometry::appendMesh(part, test::box({14, 0, 0}, {16, 2, 2}));
+  const geometry::MeshQuery query(part);
+  BeadGrid beads;
+  beads.grid = gridOver({-3, -3, -3}, {19, 13, 13}, 0.25, 10'000'000);
+  beads.fill = base::ZeroedArray<float>(beads.grid.cellCount());
+  const PartCells cells = partCells(part, query, beads.grid, kOne);
+  const ItemFinder items(part, query, firstTriangle, 1.0);
+  for (std::size_t c = 0; c < beads.fill.size(); ++c) {
+    const Eigen::Vector3i cell = beads.grid.cell(c);
+    const Vector3d at = beads.grid.centre(cell.x(), cell.y(), cell.z());
+    if (at.x() < 12)
+      beads.fill[c] = static_cast<float>(cells.share[c]) / 255.0f;
+  }
+  const Coverage c = measureCoverage(beads, cells, query, kBands, kOne, items);
+  ASSERT_EQ(c.items.size(), 2u);
+  EXPECT_NEAR(c.items[0].coveredFraction, 1.0, 1e-6);
+  EXPECT_NEAR(c.items[1].coveredFraction, 0.0, 1e-6);
+  EXPECT_NEAR(c.coveredFraction, 1000.0 / 1008.0, 1e-6);
+  EXPECT_GT(c.items[1].worstGap.x(), 14.0);
 }
 
 // A box filled but for one block of a millimetre, and as much material half a bead beyond it: each
