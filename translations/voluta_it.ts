@@ -7419,8 +7419,8 @@ previsto</translation>
         <translation>{option} {text}: non ha la forma {form}</translation>
     </message>
     <message>
-        <source>{option} {text}: there are {parts} parts</source>
-        <translation>{option} {text}: i pezzi sono {parts}</translation>
+        <source>{option} {text}: no such part, the last one is {parts}</source>
+        <translation>{option} {text}: pezzo inesistente, l&apos;ultimo è {parts}</translation>
     </message>
     <message>
         <source>different for each part</source>

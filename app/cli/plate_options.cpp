@@ -29,9 +29,9 @@ std::pair<std::size_t, std::string> numbered(const std::string& option, const st
       number == 0)
     throw badText(option, text, form);
   if (number > parts)
-    throw base::Error(
-        base::ErrorCode::Usage,
-        base::message("{option} {text}: there are {parts} parts"_text, option, text, parts));
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("{option} {text}: no such part, the last one is {parts}"_text,
+                                    option, text, parts));
   return {number - 1, text.substr(colon + 1)};
 }
 

@@ -126,6 +126,34 @@ TEST_F(CommandLine, WrongRequestsNameTheNearest) {
   EXPECT_EQ(entries(), std::set<std::string>{"box.stl"}) << "a refused request left something";
 }
 
+TEST_F(CommandLine, SeveralPartsArePlacedAndPlanned) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  const Ended ended =
+      run({"plan", part, "--copies", "2", "-o", out, "--mode", "flat", "--until", "layers",
+           "--place", "1:-20,0", "--place", "2:20,5,90", "--part", "2:scale=0.5"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const auto report = nlohmann::json::parse(base::readFile(folder_ / "out" / "report.json"));
+  ASSERT_EQ(report["items"].size(), 2u);
+  EXPECT_EQ(report["items"][1]["model"]["scale"], 0.5);
+  const auto centreX = [&](std::size_t i) {
+    const auto& box = report["items"][i]["model"]["boundsMm"];
+    return 0.5 * (box[0][0].get<double>() + box[1][0].get<double>());
+  };
+  EXPECT_NEAR(centreX(0), -20.0, 1e-6);
+  EXPECT_NEAR(centreX(1), 20.0, 1e-6);
+}
+
+TEST_F(CommandLine, PlacesOfPartsAreCheckedInOneLine) {
+  const std::string part = smallBox(), out = (folder_ / "out").string();
+  expectOneLine(run({"plan", part, "-o", out, "--place", "3:0,0"}), 2, {"3:0,0", "the last one is 1"});
+  expectOneLine(run({"plan", part, "-o", out, "--place", "1:0"}), 2, {"NUMBER:X,Y"});
+  expectOneLine(run({"plan", part, "-o", out, "--part", "1:mode"}), 2, {"NUMBER:KEY=VALUE"});
+  expectOneLine(run({"plan", part, part, "-o", out, "--mode", "lathe", "--cell", "lathe"}), 2,
+                {"printed alone"});
+  expectOneLine(run({"plan", part, "--copies", "200", "-o", out, "--scale", "1"}), 3,
+                {"no room", "200"});
+}
+
 TEST_F(CommandLine, AnOldKeyOfAParameterIsTakenWithANote) {
   const std::string part = smallBox(), out = (folder_ / "out").string();
   const Ended ended = run({"plan", part, "-o", out, "--mode", "flat", "--until", "layers", "--set",
