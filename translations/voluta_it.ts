@@ -555,6 +555,10 @@
         <translation>Scrive anche i programmi respinti dalla verifica, come refused-NOME: da esaminare, mai da eseguire.</translation>
     </message>
     <message>
+        <source>Beads along circles are written as arcs (G2 and G3, movec, MoveC, CIRC), within the resolution or 0.02 mm.</source>
+        <translation>I cordoni lungo cerchi si scrivono come archi (G2 e G3, movec, MoveC, CIRC), entro la risoluzione o 0,02 mm.</translation>
+    </message>
+    <message>
         <source>Layers at constant radius around the axis, or at constant distance from the rod&apos;s profile.</source>
         <translation>Strati a raggio costante intorno all’asse, o a distanza costante dal profilo della barra.</translation>
     </message>
@@ -651,6 +655,10 @@ sioni</translation>
     <message>
         <source>How many rotations of the part about the nozzle&apos;s axis are tried at each point.</source>
         <translation>Quante rotazioni del pezzo attorno all&apos;asse dell&apos;ugello vengono provate in ogni punto.</translation>
+    </message>
+    <message>
+        <source>Points of beads are omitted if the path, the nozzle&apos;s direction, the bead&apos;s section and the speed stay within tolerance without them; this is the tolerance of the path. 0: all points are written. Cells with external axes keep all points.</source>
+        <translation>I punti dei cordoni vengono omessi se senza di essi il percorso, la direzione dell&apos;ugello, la sezione del cordone e la velocità restano entro la tolleranza; questa è la tolleranza del percorso. 0: si scrivono tutti i punti. Le celle con assi esterni mantengono tutti i punti.</translation>
     </message>
     <message>
         <source>Rotation of straight lines from layer to layer; 0: the same direction throughout.</source>
@@ -935,6 +943,38 @@ mm³</translation>
     <message>
         <source>Voxel width used for growth; the layer height is independent of it.</source>
         <translation>Larghezza dei voxel usati per la crescita; l&apos;altezza degli strati non ne dipende.</translation>
+    </message>
+    <message>
+        <source>an arc from a position that is not known</source>
+        <translation>un arco da una posizione non nota</translation>
+    </message>
+    <message>
+        <source>an arc that changes its height is not understood</source>
+        <translation>un arco che cambia altezza non è supportato</translation>
+    </message>
+    <message>
+        <source>an arc without its centre, I and J</source>
+        <translation>un arco senza il suo centro, I e J</translation>
+    </message>
+    <message>
+        <source>arc fitting</source>
+        <translation>adattamento ad archi</translation>
+    </message>
+    <message>
+        <source>movec needs two poses</source>
+        <translation>movec richiede due pose</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>risoluzione</translation>
+    </message>
+    <message>
+        <source>the end of an arc is not at the distance of its start from the centre</source>
+        <translation>la fine di un arco non ha la stessa distanza dal centro del suo inizio</translation>
+    </message>
+    <message>
+        <source>the three points of an arc are on a line</source>
+        <translation>i tre punti di un arco sono allineati</translation>
     </message>
     <message>
         <source>unknown G command</source>

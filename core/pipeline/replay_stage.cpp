@@ -18,14 +18,29 @@ TextLine textLine(std::size_t file, std::size_t line) {
 
 program::ProgramInput programInput(const ProgramStageInput& in,
                                    const plan::Trajectory& trajectory) {
-  return {in.toolPlan, trajectory, in.cell, in.tooling, in.name, in.options, in.job};
+  return {in.toolPlan, trajectory, in.cell, in.tooling, in.name, in.options, in.job, in.arcs};
+}
+
+// Returns the arcs of the points [first, last), numbered from `first`. The arc to `first` is none.
+std::vector<program::ArcVia> arcsBetween(std::span<const program::ArcVia> arcs, std::size_t first,
+                                         std::size_t last) {
+  std::vector<program::ArcVia> part;
+  for (program::ArcVia arc : arcs)
+    if (arc.point > first && arc.point < last) {
+      arc.point -= first;
+      part.push_back(arc);
+    }
+  return part;
 }
 
 // Returns the motions printed before the program begins, in its dialect and with line 0.
 std::vector<plan::ProgramMotion>
 motionsBefore(const std::string& format, const ProgramStageInput& in, const base::RunContext& ctx) {
   const plan::Trajectory before = motion::partOf(in.trajectory, 0, in.firstPoint);
-  const plan::Program program = program::writeProgram(format, programInput(in, before), ctx);
+  const std::vector<program::ArcVia> arcs = arcsBetween(in.arcs, 0, in.firstPoint);
+  program::ProgramInput input = programInput(in, before);
+  input.arcs = arcs;
+  const plan::Program program = program::writeProgram(format, input, ctx);
   plan::ReadProgram read = program::readProgram(format, program.files, in.tooling, ctx);
   for (plan::ProgramMotion& motion : read.motions)
     motion.file = motion.line = 0;
@@ -38,7 +53,11 @@ template <typename F> auto withInput(const ProgramStageInput& in, const F& use) 
     return use(programInput(in, in.trajectory));
   const plan::Trajectory rest =
       motion::partOf(in.trajectory, in.firstPoint, in.trajectory.pointCount());
-  return use(programInput(in, rest));
+  const std::vector<program::ArcVia> arcs =
+      arcsBetween(in.arcs, in.firstPoint, in.trajectory.pointCount());
+  program::ProgramInput input = programInput(in, rest);
+  input.arcs = arcs;
+  return use(input);
 }
 } // namespace
 
@@ -59,7 +78,9 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
           first,
           withInput(in, [](const program::ProgramInput& all) { return program::jobHash(all); }),
           std::move(commonPoint),
-          in.firstTriangle};
+          in.firstTriangle,
+          points.arcs,
+          {&in.trajectory, points.pointOf}};
 }
 
 std::string programsName(const project::Job& job) {
@@ -90,9 +111,9 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
     read.motions = std::move(motions);
   }
   ReadBack back{read.firstMotion, read.defects, {}};
-  replay::ReplayInput input{std::move(read), in.toolPlan,     in.trajectory, in.cell,
-                            in.tooling,      in.part,         in.platform,   in.firstPoint,
-                            in.commonPoint,  in.firstTriangle};
+  replay::ReplayInput input{std::move(read), in.toolPlan,      in.trajectory, in.cell,
+                            in.tooling,      in.part,          in.platform,   in.firstPoint,
+                            in.commonPoint,  in.firstTriangle, in.whole};
   const base::RunContext rest = ctx.sub(0.1, 1.0);
   back.verdict = shared ? replayShared(std::move(input), *shared, rest)
                         : replay::replayProgram(std::move(input), {}, rest);

@@ -88,8 +88,11 @@ std::size_t pointOfLine(const ResumeRequest& request, const project::Job& job,
       robot::loadCell(job.choices.cell, tooling.first().process, job.item().platform);
   const plan::Trajectory rest =
       motion::partOf(*job.trajectory, job.resumedAt, job.trajectory->pointCount());
-  const program::MergedPoints points = program::pointsFor(
-      found.dialect->id, {*job.toolPlan, rest, cell, tooling, job.item().partName}, ctx);
+  const program::MergedPoints points =
+      program::pointsFor(found.dialect->id,
+                         {*job.toolPlan, rest, cell, tooling, job.item().partName,
+                          program::programOptions(parameterValues(job.choices))},
+                         ctx);
   const replay::ExecutedPath path = replay::executeProgram(read, cell, ctx);
   const replay::Alignment alignment =
       replay::alignProgram(read, path, replay::plannedNozzle(*points.trajectory, cell, ctx),

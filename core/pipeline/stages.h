@@ -18,16 +18,19 @@
 #include "planar/decomposition.h"
 #include "platform/platform_solid.h"
 #include "process/process.h"
+#include "program/program_input.h"
 #include "program/program_options.h"
 #include "project/job.h"
 #include "project/report.h"
 #include "project/stage.h"
+#include "replay/verification.h"
 #include "replay/worst_places.h"
 #include "robot/cell.h"
 #include "toolpath/plan_toolpaths.h"
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -147,6 +150,8 @@ struct ProgramStageInput {
   std::string job = {};       // as program::ProgramInput::job
   std::vector<std::size_t> commonPoint = {};   // as replay::ReplayInput::commonPoint
   std::vector<std::size_t> firstTriangle = {}; // as replay::ReplayInput::firstTriangle
+  std::span<const program::ArcVia> arcs = {}; // as program::ProgramInput::arcs
+  replay::WholePlan whole = {};               // before its points were merged
 };
 // Writes the program, reads it back and replays it. If the dialect has no word for an event of the
 // trajectory, the program has no files and did not pass. Throws as program::requireOwnRobot and

@@ -62,16 +62,18 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   base::finishStaged(std::filesystem::absolute(program).parent_path());
   const FoundProgram found = findProgram(program, planned.report.programs);
   const std::string format(found.dialect->id);
-  const process::Tooling tooling = chosenTooling(planned.choices, parameterValues(planned.choices));
+  const base::ParameterValues values = parameterValues(planned.choices);
+  const process::Tooling tooling = chosenTooling(planned.choices, values);
   const platform::PlatformSolid platform = project::platformOf(planned);
   const robot::Cell cell = robot::loadCell(planned.choices.cell, tooling.first().process, platform);
   const auto printed = project::printedOf(planned);
   ProgramStageInput in{*printed, platform, *planned.toolPlan,    *planned.trajectory,
                        cell,     tooling,  programsName(planned)};
+  in.options = program::programOptions(values);
   in.firstPoint = planned.resumedAt;
   in.firstTriangle = project::firstTriangles(planned);
-  const program::MergedPoints points =
-      program::pointsFor(format, {in.toolPlan, in.trajectory, in.cell, in.tooling, in.name}, ctx);
+  const program::MergedPoints points = program::pointsFor(
+      format, {in.toolPlan, in.trajectory, in.cell, in.tooling, in.name, in.options}, ctx);
   const ProgramStageInput said = saying(in, points);
   ReadBack back = replayText(format, found.files, said, ctx);
   requireMotions(back, format, program);

@@ -63,9 +63,9 @@ struct ProgramMotion {
   // WorkPose, UnitPose, FlangePose [rad]; values of sliding axes [mm] are converted as if they were
   // degrees
   std::vector<double> externals;
-  // ToolPoint: intermediate nozzle points between the previous target and this one, at equal steps
-  // of the motion's time. Given if the machine turns the part and the motion is linear in its axes,
-  // so that the nozzle's path on the part is curved. Empty: straight on the part.
+  // Intermediate nozzle points (ToolPoint) or TCP positions (poses, in the frame of frame_T_tcp)
+  // between the previous target and this one, at equal steps of the motion's time. Given for arcs,
+  // and if the machine turns the part while its axes move linearly. Empty: straight.
   std::vector<NozzlePoint> way;
   // FlangePose: relative to Base; WorkPose
   Eigen::Isometry3d frame_T_tcp = Eigen::Isometry3d::Identity();

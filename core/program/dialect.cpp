@@ -77,6 +77,8 @@ const std::vector<Dialect>& dialects() {
        .extension = "script",
        .controller = "urscript",
        .needsJoints = false,
+       .straight = Straight::InBase,
+       .hasArcs = true,
        .supportsExternalAxes = false,
        .events = {plan::EventKind::Pause},
        // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
@@ -99,6 +101,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "urscript",
        .needsJoints = true,
        .beadsByJoints = true,
+       .straight = Straight::Pieces,
        .supportsExternalAxes = false,
        // Every row states its time.
        .time = {},
@@ -135,6 +138,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "ngc",
        .controller = "gcode-bc",
        .needsJoints = false,
+       .straight = Straight::Pieces,
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        // Every motion states its time.
@@ -151,6 +155,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "gco",
        .controller = "gcode",
        .needsJoints = false,
+       .hasArcs = true,
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        .tiltsNozzle = false,
@@ -168,6 +173,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "mod",
        .controller = "rapid",
        .needsJoints = false,
+       .hasArcs = true,
        .events = {plan::EventKind::Pause},
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
@@ -192,6 +198,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "src",
        .controller = "krl",
        .needsJoints = false,
+       .hasArcs = true,
        .events = {plan::EventKind::Pause},
        .time = kKrlTime,
        .merge = kKrlMerge,
@@ -250,6 +257,7 @@ const std::vector<Dialect>& dialects() {
        .label = "MELFA-BASIC V (Mitsubishi)"_text,
        .extension = "prg",
        .controller = "melfa",
+       .straight = Straight::InBase,
        .supportsExternalAxes = false,
        .events = {plan::EventKind::Pause},
        .time = kMelfaTime,
@@ -272,6 +280,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "melfa",
        .needsJoints = true,
        .beadsByJoints = true,
+       .straight = Straight::Pieces,
        .supportsExternalAxes = false,
        // Every row states its time.
        .time = {},
@@ -291,6 +300,7 @@ const std::vector<Dialect>& dialects() {
        .label = "Lines by data link (MELFA-BASIC V, with receiver and sender)"_text,
        .extension = "lines",
        .controller = "melfa",
+       .straight = Straight::InBase,
        .supportsExternalAxes = false,
        .time = kMelfaTime,
        .merge = kMelfaMerge,
@@ -307,6 +317,8 @@ const std::vector<Dialect>& dialects() {
        .label = "TMscript (Techman)"_text,
        .extension = "tmscript",
        .controller = "tmscript",
+       // A bead's path is a spline through its points.
+       .straight = Straight::Pieces,
        .supportsExternalAxes = false,
        // Points state their times; Line and PTP their ramps. The pace of the motion queue is
        // undocumented.
@@ -365,6 +377,10 @@ const Dialect* detectDialect(std::string_view fileName, std::string_view text) {
 std::vector<base::ParameterSpec> optionsOf(const Dialect& dialect) {
   std::vector<base::ParameterSpec> options =
       dialect.options ? dialect.options() : std::vector<base::ParameterSpec>();
+  if (dialect.straight != Straight::Pieces)
+    options.push_back(programResolution());
+  if (dialect.hasArcs)
+    options.push_back(arcFitting());
   if (dialect.extruders.size() > 1)
     options.push_back(extruderOption(dialect.extruders));
   if (std::ranges::find(dialect.extruders, kAxisExtruder) != dialect.extruders.end())
@@ -410,6 +426,27 @@ bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
          });
 }
 
+namespace {
+// The user's own tolerances. The section may then change as the flow does within its band.
+void addOptions(const Dialect& dialect, const ProgramOptions& options, MergeLimits& limits) {
+  // The blends at the ends of arcs and lines take the rest.
+  constexpr double kArcMm = 0.02, kOwnShare = 0.9, kSectionShare = 0.05;
+  const ProgramOptions own = optionsAmong(optionsOf(dialect), options);
+  const double resolution =
+      dialect.straight == Straight::Pieces ? 0.0 : numberOf(programResolution(), own);
+  limits.inBase = dialect.straight == Straight::InBase;
+  if (dialect.hasArcs && isOn(arcFitting(), own))
+    limits.arcMm = kOwnShare * (resolution > 0.0 ? resolution : kArcMm);
+  limits.levelArcs = !dialect.tiltsNozzle;
+  if (resolution > 0.0) {
+    limits.all = true;
+    limits.toleranceMm = kOwnShare * resolution;
+  }
+  if (limits.all || limits.arcMm > 0.0)
+    limits.sectionShare = kSectionShare;
+}
+} // namespace
+
 MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
                        const base::RunContext& ctx) {
   const Dialect& dialect = findDialect(id);
@@ -421,6 +458,8 @@ MergedPoints pointsFor(std::string_view id, const ProgramInput& input,
   // Where poses are written, the pieces of a joint motion determine its path.
   if (turnsRod || isForeign(dialect, input.cell))
     limits.jointRad = 0.0;
+  if (!turnsRod)
+    addOptions(dialect, input.options, limits);
   return mergedPoints(input, limits, ctx);
 }
 

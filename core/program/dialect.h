@@ -28,6 +28,13 @@
 
 namespace voluta::program {
 
+// How the controller moves between the Cartesian targets of a bead.
+enum class Straight {
+  OnPart, // the nozzle's tip straight on the part
+  InBase, // the TCP straight in Base
+  Pieces  // by rows or axes of its own: points cannot be omitted
+};
+
 struct Dialect {
   std::string_view id;
   base::Text label;
@@ -37,6 +44,8 @@ struct Dialect {
   bool needsJoints = false;
   // It has no straight motions: beads too are joint motions between points at constant speed.
   bool beadsByJoints = false;
+  Straight straight = Straight::OnPart;
+  bool hasArcs = false; // has circular motions
   // otherwise joint motions are written as straight pieces (joint_pieces.h)
   bool saysJointMotions = true;
   bool supportsExternalAxes = true; // can state positions of external axes, or poses on the part

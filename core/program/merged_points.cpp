@@ -1,7 +1,7 @@
 #include "program/merged_points.h"
 
-#include "program/common/blend.h"
 #include "program/common/motion_targets.h"
+#include "program/motion_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,16 +20,18 @@ public:
   Merger(const ProgramInput& input, const MergeLimits& limits, std::vector<std::size_t>& pointOf,
          const base::RunContext& ctx)
       : in_(input.trajectory), limits_(limits), targets_(motionTargets(input, ctx)),
-        pointOf_(pointOf) {}
+        fit_(input, limits, targets_), pointOf_(pointOf) {}
 
   plan::Trajectory run() {
     out_.dof = in_.dof;
     keep(0, 0);
     for (std::size_t from = 0; from + 1 < in_.pointCount();) {
       std::size_t to = from + 1;
-      while ((isShort(from, to) && canGoOn(to) && fits(from, to + 1)) ||
+      while ((isShort(from, to) && canGoOn(to) && fit_.isLine(from, to + 1)) ||
              (turnsOn(to) && onJointLine(from, to + 1)))
         ++to;
+      if (const std::optional<Eigen::Vector3d> via = arcInstead(from, to))
+        arcs_.push_back({out_.pointCount(), *via});
       keep(from + 1, to);
       from = to;
     }
@@ -39,6 +41,7 @@ public:
     }
     return std::move(out_);
   }
+  std::vector<ArcVia> takeArcs() { return std::move(arcs_); }
 
 private:
   // Replaces the motions to `first` ... `to` by one motion to `to`.
@@ -53,11 +56,34 @@ private:
     t.extrudedMm3.push_back(in_.extrudedMm3[to]);
   }
 
+  // Returns a point on an arc that replaces more motions than the line to `to`, and sets `to` to
+  // its end.
+  std::optional<Eigen::Vector3d> arcInstead(std::size_t from, std::size_t& to) const {
+    constexpr std::size_t kLeastMotions = 3;
+    std::optional<Eigen::Vector3d> via;
+    if (!(limits_.arcMm > 0.0))
+      return via;
+    for (std::size_t end = from + 1; end < in_.pointCount() && isPrint(in_, end); ++end) {
+      if (end >= from + kLeastMotions) {
+        const std::optional<Eigen::Vector3d> next = fit_.arcVia(from, end);
+        if (!next)
+          break;
+        if (end > to) {
+          via = next;
+          to = end;
+        }
+      }
+      if (!canGoOn(end))
+        break;
+    }
+    return via;
+  }
+
   double lengthMm(std::size_t from, std::size_t to) const {
     return (targets_[to].tipMm - targets_[from].tipMm).norm();
   }
   bool isShort(std::size_t from, std::size_t to) const {
-    return isPrint(in_, to) && (in_.timeS[to] - in_.timeS[from] < limits_.leastS ||
+    return isPrint(in_, to) && (limits_.all || in_.timeS[to] - in_.timeS[from] < limits_.leastS ||
                                 lengthMm(from, to) < limits_.leastMm);
   }
   // A bead's last point is kept, and so is the point before an event.
@@ -91,35 +117,13 @@ private:
     return true;
   }
 
-  // Returns whether all points in between are within tolerance of the straight motion.
-  bool fits(std::size_t from, std::size_t to) const {
-    const Eigen::Vector3d a = targets_[from].tipMm, way = targets_[to].tipMm - a;
-    const double length = way.norm();
-    if (!(length > 0.0))
-      return false;
-    const double section = (in_.extrudedMm3[to] - in_.extrudedMm3[from]) / length;
-    for (std::size_t i = from + 1; i <= to; ++i) {
-      const double step = lengthMm(i - 1, i);
-      const double volume = in_.extrudedMm3[i] - in_.extrudedMm3[i - 1];
-      if (std::abs(volume - section * step) > limits_.sectionShare * section * step)
-        return false;
-      const double u = (targets_[i].tipMm - a).dot(way) / (length * length);
-      if (u < -kSlack || u > 1.0 + kSlack ||
-          (targets_[i].tipMm - a - u * way).norm() > limits_.toleranceMm)
-        return false;
-      const Eigen::Vector3d axis =
-          ((1.0 - u) * targets_[from].direction + u * targets_[to].direction).normalized();
-      if (turnRad(axis, targets_[i].direction) > limits_.toleranceRad)
-        return false;
-    }
-    return true;
-  }
-
   const plan::Trajectory& in_;
   const MergeLimits& limits_;
   std::vector<MotionTarget> targets_;
+  MotionFit fit_;
   std::vector<std::size_t>& pointOf_;
   plan::Trajectory out_;
+  std::vector<ArcVia> arcs_;
 };
 
 // All later points are delayed accordingly.
@@ -139,16 +143,25 @@ void slowShortMotions(plan::Trajectory& trajectory, double leastS) {
 MergedPoints mergedPoints(const ProgramInput& input, const MergeLimits& limits,
                           const base::RunContext& ctx) {
   const plan::Trajectory& planned = input.trajectory;
-  const bool joins = limits.leastS > 0.0 || limits.leastMm > 0.0 || limits.jointRad > 0.0;
+  const bool joins = limits.leastS > 0.0 || limits.leastMm > 0.0 || limits.jointRad > 0.0 ||
+                     limits.all || limits.arcMm > 0.0;
   std::vector<std::size_t> pointOf(planned.pointCount());
   std::iota(pointOf.begin(), pointOf.end(), std::size_t{0});
   if (!joins && limits.motionS <= 0.0)
     return {std::shared_ptr<const plan::Trajectory>(std::shared_ptr<void>(), &planned),
-            std::move(pointOf)};
-  auto merged = std::make_shared<plan::Trajectory>(joins ? Merger(input, limits, pointOf, ctx).run()
-                                                         : planned);
+            std::move(pointOf),
+            {}};
+  std::vector<ArcVia> arcs;
+  auto merged = std::make_shared<plan::Trajectory>();
+  if (joins) {
+    Merger merger(input, limits, pointOf, ctx);
+    *merged = merger.run();
+    arcs = merger.takeArcs();
+  } else {
+    *merged = planned;
+  }
   slowShortMotions(*merged, limits.motionS);
-  return {std::move(merged), std::move(pointOf)};
+  return {std::move(merged), std::move(pointOf), std::move(arcs)};
 }
 
 } // namespace voluta::program

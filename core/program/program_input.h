@@ -7,9 +7,19 @@
 #include "program/program_options.h"
 #include "robot/cell.h"
 
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
 #include <string>
 
 namespace voluta::program {
+
+// The motion to `point` is a circular arc of the nozzle's tip on the part that passes `tipMm` (work
+// frame). If the arm holds the part, its orientation is constant, so that each TCP moves on an arc.
+struct ArcVia {
+  std::size_t point = 0;
+  Eigen::Vector3d tipMm = Eigen::Vector3d::Zero();
+};
 
 // References: the caller keeps them alive while a writer runs. Preconditions (Error{Internal}):
 // trajectory.dof == cell.dof(), its arrays have equal lengths, there is at least one point, and its
@@ -24,7 +34,8 @@ struct ProgramInput {
   // Hash of the motion before its points were merged for this dialect (job_head.h); empty: hash of
   // `trajectory`.
   std::string job = {};
-  bool foreign = false; // for a controller other than the cell's; set by writeProgram
+  std::span<const ArcVia> arcs = {}; // ascending by point; empty unless the dialect has arcs
+  bool foreign = false;              // for a controller other than the cell's; set by writeProgram
 
   // Of the tool that the program begins with.
   const process::Process& process() const { return tooling.first().process; }

@@ -17,6 +17,18 @@ base::ParameterSpec motionsPerFileOption() {
                                 "5000, KRL 2500, MELFA 6500, SPEL+ one file)."_text);
 }
 
+base::ParameterSpec programResolution() {
+  return base::numberParameter(
+      "programResolutionMm", "mm", 0.0, 0.0, 0.2, "Programs"_text, "resolution"_text,
+      "Points of beads are omitted if the path, the nozzle's direction, the bead's section and the speed stay within tolerance without them; this is the tolerance of the path. 0: all points are written. Cells with external axes keep all points."_text);
+}
+
+base::ParameterSpec arcFitting() {
+  return base::booleanParameter(
+      "arcFitting", false, "Programs"_text, "arc fitting"_text,
+      "Beads along circles are written as arcs (G2 and G3, movec, MoveC, CIRC), within the resolution or 0.02 mm."_text);
+}
+
 std::size_t motionsPerFile(const ProgramOptions& options, std::size_t usual) {
   return options.motionsPerFile > 0 ? options.motionsPerFile : usual;
 }
@@ -35,6 +47,10 @@ const T& valueOf(const base::ParameterSpec& option, const ProgramOptions& option
 std::string chosenOf(const base::ParameterSpec& option, const ProgramOptions& options) {
   base::require(option.type == base::ParameterType::Choice, "an option that is a choice");
   return valueOf<std::string>(option, options);
+}
+
+bool isOn(const base::ParameterSpec& option, const ProgramOptions& options) {
+  return valueOf<bool>(option, options);
 }
 
 double numberOf(const base::ParameterSpec& option, const ProgramOptions& options) {

@@ -23,12 +23,18 @@ struct ProgramOptions {
 // Shared by the dialects whose programs can be split: sets ProgramOptions::motionsPerFile.
 base::ParameterSpec motionsPerFileOption();
 
+// Shared by all dialects whose motions are straight: the tolerance within which points of beads are
+// omitted [mm], 0: none. Of those with circular motions: whether they are used.
+base::ParameterSpec programResolution();
+base::ParameterSpec arcFitting();
+
 // Returns the chosen number, or the dialect's `usual`. 0: unlimited.
 std::size_t motionsPerFile(const ProgramOptions& options, std::size_t usual);
 
 // Returns the chosen id of a choice option.
 std::string chosenOf(const base::ParameterSpec& option, const ProgramOptions& options);
-// Returns the value of a numeric option.
+// Return the value of a numeric option, and of a boolean one.
+bool isOn(const base::ParameterSpec& option, const ProgramOptions& options);
 double numberOf(const base::ParameterSpec& option, const ProgramOptions& options);
 
 // Returns those of `options` that are among `specs`.

@@ -95,8 +95,9 @@ private:
     addDeviations(compareEvents(in_.program, in_.trajectory, alignment));
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
                                     in_.tooling, in_.firstPoint));
-    const struct PathDeviation deviation =
-        pathDeviation(path(), planned, in_.trajectory, in_.program, alignment, ctx_);
+    const std::optional<WholePath> whole = wholePath(in_.whole, in_.trajectory, in_.cell, ctx_);
+    const struct PathDeviation deviation = pathDeviation(
+        path(), planned, in_.trajectory, in_.program, alignment, ctx_, whole ? &*whole : nullptr);
     verdict.maxDeviationMm = deviation.mm;
     verdict.maxDeviationRad = deviation.rad;
     out_.deviationMotion = deviation.motion;

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,15 +76,27 @@ std::vector<TextFinding> compareWithPlan(const plan::ReadProgram& program, const
                                          const Alignment& alignment,
                                          const ComparisonOptions& options);
 
+// The planned nozzle before its points were merged. The motion to merged point j replaces the
+// points up to lastOf[j].
+struct WholePath {
+  PlannedNozzle planned;
+  std::vector<std::size_t> lastOf;
+};
+// Returns nullopt if no points were merged. Throws Cancelled.
+std::optional<WholePath> wholePath(const WholePlan& whole, const plan::Trajectory& merged,
+                                   const robot::Cell& cell, const base::RunContext& ctx);
+
 // Largest distance of the executed nozzle from the planned polyline, over motions with a point, and
-// largest angle between the nozzle axes at their targets. Joint motions have no polyline: only
-// their ends count. Throws Cancelled.
+// largest angle between the nozzle axes at their targets. With `whole`, the polyline is that before
+// merging, and the distance of its points from the executed motion counts as well. Joint motions
+// have no polyline: only their ends count. Throws Cancelled.
 struct PathDeviation {
   double mm = 0.0, rad = 0.0;
   std::size_t motion = 0; // motion with the largest distance
 };
 PathDeviation pathDeviation(const ExecutedPath& path, const PlannedNozzle& planned,
                             const plan::Trajectory& trajectory, const plan::ReadProgram& program,
-                            const Alignment& alignment, const base::RunContext& ctx);
+                            const Alignment& alignment, const base::RunContext& ctx,
+                            const WholePath* whole = nullptr);
 
 } // namespace voluta::replay

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/units.h"
 #include "replay/arm_speeds.h"
+#include "replay/motion_target.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,28 +27,7 @@ constexpr double kMaxArmSteps = 20000.0; // bounds the run time for absurd numbe
 constexpr double kRangeSlackRad = 1e-4;  // rounding of joints in a program's text
 constexpr std::size_t kGrain = 1024;
 
-// A TCP pose in Base, a pose of the nozzle in the work frame, or the nozzle's tip and direction
-// there.
-struct Target {
-  Vector3d position = Vector3d::Zero();
-  Quaterniond turn = Quaterniond::Identity();
-  Vector3d direction = Vector3d::UnitZ();
-};
-
-Target between(const Target& a, const Target& b, double u) {
-  Target t;
-  t.position = a.position + u * (b.position - a.position);
-  t.turn = a.turn.slerp(u, b.turn);
-  const double angle =
-      std::atan2(a.direction.cross(b.direction).norm(), a.direction.dot(b.direction));
-  if (angle < 1e-9 || angle > base::kPi - 1e-9)
-    t.direction = u < 0.5 ? a.direction : b.direction;
-  else
-    t.direction = (std::sin((1 - u) * angle) * a.direction + std::sin(u * angle) * b.direction) /
-                  std::sin(angle);
-  t.direction.normalize();
-  return t;
-}
+using Target = MotionTarget;
 
 class Runner {
 public:
@@ -76,6 +56,7 @@ public:
     path_.startS.assign(n, 0.0);
     findExternals();
     findTargets();
+    findWays();
     findLengths();
     if (path_.arm)
       solveJoints();
@@ -200,7 +181,8 @@ private:
     return inWork_ ? cell_->base_T_flange(poseOf(t), q) : poseOf(t) * tcp_T_flange_;
   }
 
-  Isometry3d poseOfTarget(std::size_t m) const {
+  // `frame_T_tcp`: of the motion, or on its way.
+  Isometry3d poseOfTarget(std::size_t m, const Isometry3d& frame_T_tcp) const {
     const plan::ProgramMotion& motion = motions_[m];
     if (motion.target == plan::TargetKind::Joints) {
       const JointVector q = jointTarget(motion);
@@ -211,18 +193,17 @@ private:
       return cell_->work_T_tool(cell_->home());
     // The program's own base and tool frames may differ from the cell's.
     if (motion.target == plan::TargetKind::WorkPose && program_.base_T_nozzle)
-      return cell_->flange_T_moved().inverse() * program_.flange_T_tcp * motion.frame_T_tcp *
+      return cell_->flange_T_moved().inverse() * program_.flange_T_tcp * frame_T_tcp *
              program_.base_T_nozzle->inverse() * cell_->base_T_fixed();
     if (isInWork(motion)) {
-      const Isometry3d work_T_moved = motion.frame_T_tcp * tcp_T_flange_ * cell_->flange_T_moved();
+      const Isometry3d work_T_moved = frame_T_tcp * tcp_T_flange_ * cell_->flange_T_moved();
       return motion.target == plan::TargetKind::UnitPose ? cell_->work_T_unit() * work_T_moved
                                                          : work_T_moved;
     }
     if (!inWork_)
-      return motion.frame_T_tcp;
+      return frame_T_tcp;
     const JointVector q = withExternals(m, 1.0, cell_->home());
-    return cell_->work_T_toolOfFlange(cell_->base_T_world(q) * motion.frame_T_tcp * tcp_T_flange_,
-                                      q);
+    return cell_->work_T_toolOfFlange(cell_->base_T_world(q) * frame_T_tcp * tcp_T_flange_, q);
   }
 
   void findTargets() {
@@ -236,7 +217,7 @@ private:
           t.direction = motion.direction;
         } else {
           base::require(cell_ != nullptr, "replay: a program for an arm needs a cell");
-          const Isometry3d pose = poseOfTarget(m);
+          const Isometry3d pose = poseOfTarget(m, motion.frame_T_tcp);
           t.position = pose.translation();
           t.turn = Quaterniond(pose.linear());
         }
@@ -245,23 +226,39 @@ private:
     });
   }
 
-  double lengthOf(std::size_t m) const {
-    Vector3d last = targets_[m - 1].position;
-    double length = 0.0;
-    for (const plan::NozzlePoint& point : motions_[m].way) {
-      length += (point.position - last).norm();
-      last = point.position;
+  // Finds the positions on the way of poses, in the frame of the targets.
+  void findWays() {
+    way_.resize(motions_.size());
+    for (std::size_t m = 1; m < motions_.size(); ++m) {
+      const plan::ProgramMotion& motion = motions_[m];
+      Isometry3d pose = motion.frame_T_tcp;
+      for (const plan::NozzlePoint& point : motion.way) {
+        pose.translation() = point.position;
+        way_[m].push_back(isToolPoint(m) ? point.position : poseOfTarget(m, pose).translation());
+      }
     }
-    return length + (targets_[m].position - last).norm();
+  }
+  // Returns point k of the path of motion m; 0: its start; way_[m].size() + 1: its end.
+  const Vector3d& pathPoint(std::size_t m, std::size_t k) const {
+    return k == 0                ? targets_[m - 1].position
+           : k <= way_[m].size() ? way_[m][k - 1]
+                                 : targets_[m].position;
+  }
+  double lengthOf(std::size_t m) const {
+    double length = 0.0;
+    for (std::size_t k = 0; k <= way_[m].size(); ++k)
+      length += (pathPoint(m, k + 1) - pathPoint(m, k)).norm();
+    return length;
   }
 
   void findLengths() {
     for (std::size_t m = 1; m < motions_.size(); ++m) {
-      const Vector3d way = targets_[m].position - targets_[m - 1].position;
+      const Vector3d way = pathPoint(m, 1) - pathPoint(m, 0);
       path_.commandedMm[m] = lengthOf(m);
       path_.turnRad[m] = targets_[m].turn.angularDistance(targets_[m - 1].turn);
       if (m > 1) {
-        const Vector3d before = targets_[m - 1].position - targets_[m - 2].position;
+        const std::size_t last = way_[m - 1].size();
+        const Vector3d before = pathPoint(m - 1, last + 1) - pathPoint(m - 1, last);
         path_.cornerRad[m - 1] = std::atan2(before.cross(way).norm(), before.dot(way));
       }
       const double blends = motions_[m].blendMm + motions_[m - 1].blendMm;
@@ -279,26 +276,28 @@ private:
         {motions_[m].blendMm, 0.5 * path_.commandedMm[m], 0.5 * path_.commandedMm[m + 1]});
   }
 
-  // Returns the target at s in [0,1] of the time of motion m, which follows the points of its way.
-  Target onWay(std::size_t m, double s) const {
-    const std::vector<plan::NozzlePoint>& way = motions_[m].way;
-    const double at = s * static_cast<double>(way.size() + 1);
-    const std::size_t piece = std::min(static_cast<std::size_t>(at), way.size());
+  // Returns the target at s in [0,1] of the time of straight motion m >= 1, without rounded
+  // corners.
+  Target onPath(std::size_t m, double s) const {
+    const Target &from = targets_[m - 1], &to = targets_[m];
+    if (way_[m].empty())
+      return between(from, to, s);
+    const double at = s * static_cast<double>(way_[m].size() + 1);
+    const std::size_t piece = std::min(static_cast<std::size_t>(at), way_[m].size());
     const auto point = [&](std::size_t k) {
-      Target t;
-      t.position = way[k].position;
-      t.direction = way[k].direction;
+      Target t = k == 0 ? from : to;
+      t.position = pathPoint(m, k);
+      if (k > 0 && k <= way_[m].size())
+        t.direction = motions_[m].way[k - 1].direction;
       return t;
     };
-    return between(piece == 0 ? targets_[m - 1] : point(piece - 1),
-                   piece == way.size() ? targets_[m] : point(piece),
-                   at - static_cast<double>(piece));
+    Target t = between(point(piece), point(piece + 1), at - static_cast<double>(piece));
+    t.turn = from.turn.slerp(s, to.turn);
+    return t;
   }
 
   // Returns the target at s in [0,1] of straight motion m >= 1, with rounded corners.
   Target along(std::size_t m, double s) const {
-    if (!motions_[m].way.empty())
-      return onWay(m, s);
     const Target &a = targets_[m - 1], &b = targets_[m];
     const double length = path_.commandedMm[m];
     const double before = blendAt(m - 1), after = blendAt(m);
@@ -306,15 +305,15 @@ private:
       return between(between(in, corner, v), between(corner, out, v), v);
     };
     if (before > 0.0 && s * length < before) {
-      const Target in = between(targets_[m - 2], a, 1.0 - before / path_.commandedMm[m - 1]);
-      return rounded(in, a, between(a, b, before / length), 0.5 + 0.5 * s * length / before);
+      const Target in = onPath(m - 1, 1.0 - before / path_.commandedMm[m - 1]);
+      return rounded(in, a, onPath(m, before / length), 0.5 + 0.5 * s * length / before);
     }
     if (after > 0.0 && (1.0 - s) * length < after) {
-      const Target out = between(b, targets_[m + 1], after / path_.commandedMm[m + 1]);
-      return rounded(between(a, b, 1.0 - after / length), b, out,
+      const Target out = onPath(m + 1, after / path_.commandedMm[m + 1]);
+      return rounded(onPath(m, 1.0 - after / length), b, out,
                      0.5 - 0.5 * (1.0 - s) * length / after);
     }
-    return between(a, b, s);
+    return onPath(m, s);
   }
 
   // The arm's configurations along consecutive motions.
@@ -437,9 +436,8 @@ private:
   // Sets q to the joints nearest to it that reach motion m at s; leaves the arm's joints unchanged
   // and returns false if there are none.
   bool follow(std::size_t m, double s, JointVector& q, std::vector<JointVector>& scratch) const {
-    const Target t = m == 0 || motions_[m].jointInterpolated || s >= 1.0
-                         ? targets_[m]
-                         : between(targets_[m - 1], targets_[m], s);
+    const Target t =
+        m == 0 || motions_[m].jointInterpolated || s >= 1.0 ? targets_[m] : onPath(m, s);
     q = withExternals(m, s, q);
     const int arm = cell_->armDof();
     if (const auto next = robot::nextBranch(cell_->robot(), flangeOf(t, q), q, kNextRad)) {
@@ -546,18 +544,16 @@ private:
     Vector3d last = path_.targetTip[m - 1], direction;
     double longest = 0.0;
     constexpr int kChords = 8;
-    const bool plain = (isToolPoint(m) && motions_[m].way.empty()) ||
-                       (isStraight(m) && externals_ > 0) ||
-                       (isStraight(m) && path_.commandedMm[m] < 2.0 &&
-                        targets_[m - 1].turn.angularDistance(targets_[m].turn) < 0.02);
-    if (!motions_[m].way.empty()) {
-      const std::size_t pieces = motions_[m].way.size() + 1;
-      for (std::size_t k = 1; k <= pieces; ++k) {
-        const Vector3d tip =
-            k == pieces ? path_.targetTip[m] : Vector3d(motions_[m].way[k - 1].position);
-        longest = std::max(longest, static_cast<double>(pieces) / kChords * (tip - last).norm());
-        last = tip;
-      }
+    const bool straight = way_[m].empty();
+    const bool plain =
+        straight && (isToolPoint(m) || (isStraight(m) && externals_ > 0) ||
+                     (isStraight(m) && path_.commandedMm[m] < 2.0 &&
+                      targets_[m - 1].turn.angularDistance(targets_[m].turn) < 0.02));
+    if (!straight && isToolPoint(m)) {
+      const std::size_t pieces = way_[m].size() + 1;
+      for (std::size_t k = 0; k < pieces; ++k)
+        longest = std::max(longest, static_cast<double>(pieces) / kChords *
+                                        (pathPoint(m, k + 1) - pathPoint(m, k)).norm());
     } else if (plain) {
       longest = (path_.targetTip[m] - last).norm() / kChords;
     } else {
@@ -583,6 +579,7 @@ private:
   int externals_ = 0;   // number of axes
   std::vector<double> externalsAt_; // at each motion's end
   std::vector<Target> targets_;
+  std::vector<std::vector<Vector3d>> way_; // per motion: the points that it passes
   ExecutedPath path_;
 };
 

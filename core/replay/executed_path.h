@@ -6,7 +6,7 @@
 //   in proportion. If external axes turn the work frame, and in programs of joint values, they do
 //   so with the nozzle in the work frame while the external axes turn in proportion. ToolPoint
 //   motions move the tip linearly in the work frame and rotate its direction along the great
-//   circle, from point to point of their way if they have one;
+//   circle. Motions with a way lead from point to point of it, and rotate the TCP as straight ones;
 // - a blend of radius r at a target starts r before it and ends r after it (lengths of the TCP's
 //   path). It is the parabola whose control point is the target (quadratic Bezier), which cuts the
 //   corner by r/2 sin(turn/2). Rotations follow the same (de Casteljau) construction;

@@ -22,6 +22,12 @@ class RunContext;
 
 namespace voluta::replay {
 
+// The trajectory before its points were merged for the program; null: none were.
+struct WholePlan {
+  const plan::Trajectory* trajectory = nullptr;
+  std::span<const std::size_t> mergedPoint; // per point: the one that ends its merged motion
+};
+
 // The program as read, the plan it was written from, and the part it has to print.
 struct ReplayInput {
   plan::ReadProgram program; // freed after the comparison, as it takes hundreds of bytes per motion
@@ -39,6 +45,7 @@ struct ReplayInput {
   std::span<const std::size_t> commonPoint = {};
   // First triangle of each item in `part`; empty: the job has one item.
   std::span<const std::size_t> firstTriangle = {};
+  WholePlan whole = {}; // the reference of the path's deviation
 };
 
 // The limits that a program must keep (docs/design.md, Replay).

@@ -87,6 +87,8 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"motionsPerFile", {"2000", 5}},
     {"urscriptForm", {"port", 5}},
     {"rapidModules", {"modx", kStageCount}}, // no program here is RAPID
+    {"programResolutionMm", {"0.02", 5}},
+    {"arcFitting", {"true", 5}},
     {"rapidFlow", {"speed", kStageCount}},
     {"krlMemoryMb", {"2", kStageCount}}, // nor KRL
     {"tableXMm", {"5", kStageCount}},    // nor for a table

@@ -33,9 +33,25 @@ std::string_view assumedLoadText(const ProgramInput& input) {
   return plate ? "0.5 kg of plate, and the part" : "1 kg of head";
 }
 
+ViaTarget viaTarget(const ProgramInput& input, const std::vector<MotionTarget>& targets,
+                    TcpFrame frame, const ArcVia& arc) {
+  const MotionTarget& to = targets[arc.point];
+  ViaTarget via{targets[arc.point - 1].tcpTurn.slerp(0.5, to.tcpTurn), arc.tipMm};
+  if (frame == TcpFrame::Work)
+    return via;
+  // The TCP moves with the tip, or the part against it.
+  const robot::Cell& cell = input.cell;
+  const Eigen::Vector3d way = arc.tipMm - to.tipMm;
+  via.mm = cell.nozzleMount() == robot::Mount::World
+               ? Eigen::Vector3d(to.tcpMm - to.tcpTurn * way)
+               : Eigen::Vector3d(to.tcpMm + cell.base_T_work(cell.home()).linear() * way);
+  return via;
+}
+
 TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget>& targets,
-                       double (*written)(double share))
-    : in_(input), targets_(targets), seconds_(targets.size(), 0.0), flow_(targets.size(), 0.0) {
+                       double (*written)(double share), TcpFrame frame)
+    : in_(input), targets_(targets), frame_(frame), seconds_(targets.size(), 0.0),
+      flow_(targets.size(), 0.0) {
   const double full = in_.process().maxFlowMm3PerS;
   const Extruder& extruder = extruderOf(in_);
   double held = 0.0;
@@ -59,12 +75,47 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
   }
 }
 
+const ArcVia* TcpMotions::arc(std::size_t i) const {
+  const auto at = std::ranges::lower_bound(in_.arcs, i, {}, &ArcVia::point);
+  return at != in_.arcs.end() && at->point == i ? &*at : nullptr;
+}
+
+std::optional<Arc> TcpMotions::tipArc(std::size_t i) const {
+  const ArcVia* via = arc(i);
+  return via ? arcThrough(targets_[i - 1].tipMm, via->tipMm, targets_[i].tipMm) : std::nullopt;
+}
+
+std::optional<Arc> TcpMotions::tcpArc(std::size_t i) const {
+  const ArcVia* via = arc(i);
+  return via ? arcThrough(targets_[i - 1].tcpMm, viaTarget(in_, targets_, frame_, *via).mm,
+                          targets_[i].tcpMm)
+             : std::nullopt;
+}
+
+namespace {
+Eigen::Vector3d alongArc(const Arc& arc, bool start) {
+  return arc.lengthMm() * arc.directionAt(start ? 0.0 : arc.sweepRad);
+}
+} // namespace
+
+Eigen::Vector3d TcpMotions::tipAlong(std::size_t i, End end) const {
+  if (const std::optional<Arc> arc = tipArc(i))
+    return alongArc(*arc, end == End::Start);
+  return targets_[i].tipMm - targets_[i - 1].tipMm;
+}
+
+Eigen::Vector3d TcpMotions::tcpAlong(std::size_t i, End end) const {
+  if (const std::optional<Arc> arc = tcpArc(i))
+    return alongArc(*arc, end == End::Start);
+  return targets_[i].tcpMm - targets_[i - 1].tcpMm;
+}
+
 double TcpMotions::tcpMm(std::size_t i) const {
-  return (targets_[i].tcpMm - targets_[i - 1].tcpMm).norm();
+  return tcpAlong(i, End::Start).norm();
 }
 
 double TcpMotions::tipMm(std::size_t i) const {
-  return (targets_[i].tipMm - targets_[i - 1].tipMm).norm();
+  return tipAlong(i, End::Start).norm();
 }
 
 double TcpMotions::speedMmPerS(std::size_t i) const {
@@ -82,23 +133,27 @@ double TcpMotions::blendMm(std::size_t i) const {
   const plan::Trajectory& t = in_.trajectory;
   if (i + 1 >= t.pointCount() || t.move[i] == plan::MoveKind::Joint || t.move[i + 1] != t.move[i])
     return 0.0;
-  const BlendSegment in{tcpMm(i), targets_[i].tipMm - targets_[i - 1].tipMm};
-  const BlendSegment out{tcpMm(i + 1), targets_[i + 1].tipMm - targets_[i].tipMm};
+  const BlendSegment in{tcpMm(i), tipAlong(i, End::Stop)};
+  const BlendSegment out{tcpMm(i + 1), tipAlong(i + 1, End::Start)};
   if (turnRad(in.nozzle, out.nozzle) > kTurnsBackRad)
     return 0.0;
   // Round down, so that the allowed radius is not exceeded.
-  return std::floor(blendRadiusMm(in, out, kFirstOrderShare * kBlendToleranceMm) * 1e3) / 1e3;
+  double radius = blendRadiusMm(in, out, kFirstOrderShare * kBlendToleranceMm);
+  // A blend follows the tangent of an arc, which it leaves by a quarter of r^2 / R.
+  for (const std::optional<Arc>& arc : {tipArc(i), tipArc(i + 1)})
+    if (arc)
+      radius = std::min(radius, std::sqrt(arc->radiusMm * kBlendToleranceMm));
+  return std::floor(radius * 1e3) / 1e3;
 }
 
 double TcpMotions::blendMmPerS2(std::size_t i) const {
   const double r = blendMm(i);
   if (!(r > 0.0 && seconds(i) > 0.0 && seconds(i + 1) > 0.0))
     return 0.0;
-  const auto velocity = [&](std::size_t k) -> Eigen::Vector3d {
-    return (targets_[k].tcpMm - targets_[k - 1].tcpMm) / seconds(k);
-  };
   const double s = r / speedMmPerS(i) + r / speedMmPerS(i + 1);
-  return (velocity(i + 1) - velocity(i)).norm() / s;
+  return (tcpAlong(i + 1, End::Start) / seconds(i + 1) - tcpAlong(i, End::Stop) / seconds(i))
+             .norm() /
+         s;
 }
 
 } // namespace voluta::program

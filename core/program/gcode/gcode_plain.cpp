@@ -23,6 +23,7 @@ private:
     return true;
   }
 
+  bool hasArcs() const override { return true; }
   std::span<const KnownWord> ownWords() const override { return slicerWords(); }
   bool isMessage(std::string_view code) const override {
     // M862: the printer it is for; M486: the object that is printed.

@@ -1,5 +1,6 @@
 #include "program/gcode/gcode_reader.h"
 
+#include "program/common/arc.h"
 #include "program/common/text.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ void GcodeReader::execute(GcodeWords& w) {
 }
 
 void GcodeReader::executeG(double g, GcodeWords& w) {
-  if (g == 0.0 || g == 1.0)
+  if (g == 0.0 || g == 1.0 || (hasArcs() && (g == 2.0 || g == 3.0)))
     motion(g, w);
   else if (g == 4.0)
     out_.pause(std::max(0.0, w['S'].value_or(0.0) + 1e-3 * w['P'].value_or(0.0)), 0.0);
@@ -210,8 +211,9 @@ double GcodeReader::secondsOf(GcodeWords&, double filamentMm) {
 }
 
 void GcodeReader::motion(double g, GcodeWords& w) {
+  const bool isArc = g > 1.0;
   for (const char c : std::string_view("ABCDHIJKLOPQRSTUVW"))
-    if (w[c] && !isTargetWord(c)) {
+    if (w[c] && !isTargetWord(c) && !(isArc && (c == 'I' || c == 'J'))) {
       defect(
           base::message("a motion with a word {letter} is not understood"_text, std::string(1, c)));
       return;
@@ -232,7 +234,7 @@ void GcodeReader::motion(double g, GcodeWords& w) {
       defect(base::message("{length:.0f} of filament retracted: out of the hot end"_text,
                            base::mm(e_.drawnBackMm())));
   }
-  const bool moves = w.any("XYZ") || movesBeside(w);
+  const bool moves = w.any("XYZ") || isArc || movesBeside(w);
   // Before the first target, material is extruded at home (prime); later it would form a blob.
   if (!moves && (pushedMm == 0.0 || out_.program().motions.empty())) {
     out_.pause(secondsOf(w, filamentMm), pushedMm * filamentMm2_, filamentMm - pushedMm);
@@ -242,7 +244,13 @@ void GcodeReader::motion(double g, GcodeWords& w) {
   m.target = plan::TargetKind::ToolPoint;
   m.volumeMm3 = pushedMm * filamentMm2_;
   m.extruding = pushedMm > 0.0;
-  if (!target(w, g, m.extruding, m))
+  const bool fromKnown = knows('X') && knows('Y') && knows('Z');
+  const Eigen::Vector3d from = position_;
+  if (isArc && !fromKnown) {
+    defect("an arc from a position that is not known"_text);
+    return;
+  }
+  if (!target(w, g, m.extruding, m) || (isArc && !arc(from, g, w, m)))
     return;
   if (perS_ == 0.0)
     defect("a motion before any speed (F)"_text);
@@ -251,6 +259,31 @@ void GcodeReader::motion(double g, GcodeWords& w) {
   for (Nozzle& nozzle : nozzles_)
     nozzle.cold = false;
   motorsOff_ = ended_ = false;
+}
+
+// I and J lead from the start to the centre, in the plane of X and Y.
+bool GcodeReader::arc(const Eigen::Vector3d& from, double g, GcodeWords& w,
+                      plan::ProgramMotion& m) {
+  constexpr double kSameMm = 0.01;
+  const Eigen::Vector3d way(w['I'].value_or(0.0), w['J'].value_or(0.0), 0.0);
+  const double side = g == 3.0 ? 1.0 : -1.0;
+  const std::optional<Arc> arc =
+      arcAbout(from + way, side * Eigen::Vector3d::UnitZ(), from, m.position);
+  if (!arc || (!w['I'] && !w['J'])) {
+    defect("an arc without its centre, I and J"_text);
+    return false;
+  }
+  if (std::abs(m.position.z() - from.z()) > kSameMm) {
+    defect("an arc that changes its height is not understood"_text);
+    return false;
+  }
+  if (arc->distanceMm(m.position) > kSameMm) {
+    defect("the end of an arc is not at the distance of its start from the centre"_text);
+    return false;
+  }
+  for (const Eigen::Vector3d& point : pointsAlong(*arc))
+    m.way.push_back({point, m.direction});
+  return true;
 }
 
 bool GcodeReader::takePosition(GcodeWords& w) {

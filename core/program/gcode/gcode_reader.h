@@ -37,8 +37,10 @@ protected:
   // Returns whether the line moves although it has no X Y Z.
   virtual bool movesBeside(GcodeWords&) const { return false; }
   // Takes the words of a motion's target and its speed. Returns false if there is no motion or a
-  // defect was reported. `g`: 0 or 1.
+  // defect was reported. `g`: 0 to 3.
   virtual bool target(GcodeWords& words, double g, bool extruding, plan::ProgramMotion& motion) = 0;
+  // Returns whether G2 and G3 are motions of this kind.
+  virtual bool hasArcs() const { return false; }
   // Handles G92 of the axes that isTargetWord() names. Returns false if it would shift their
   // origin.
   virtual bool setsCount(GcodeWords&) { return false; }
@@ -74,6 +76,7 @@ private:
   void heat(double m, GcodeWords& words);
   void setPosition(GcodeWords& words);
   void motion(double g, GcodeWords& words);
+  bool arc(const Eigen::Vector3d& from, double g, GcodeWords& words, plan::ProgramMotion& motion);
 
   // Returns the tool that the line heats: its T, else the selected one; nullopt if the job has no
   // such tool.

@@ -1,6 +1,7 @@
 #include "program/gcode/gcode_text.h"
 
 #include "base/units.h"
+#include "program/common/arc.h"
 #include "program/common/motion_targets.h"
 #include "program/common/text.h"
 #include "program/common/walk.h"
@@ -53,16 +54,29 @@ private:
 
   void motion(std::size_t i, int pieces = 1) {
     const std::optional<double> filamentMm = GcodeText::filamentMm(in_.trajectory, i);
+    const auto via = std::ranges::lower_bound(in_.arcs, i, {}, &ArcVia::point);
+    const bool isArc = via != in_.arcs.end() && via->point == i;
     line(filamentMm ? "G1" : "G0", targets_[i], motionSeconds(in_.trajectory, i) / pieces,
-         filamentMm);
+         filamentMm, isArc ? &*via : nullptr);
+  }
+
+  // Returns the arc from the last tip, in the plane of X and Y.
+  std::optional<Arc> arcTo(const Eigen::Vector3d& tip, const ArcVia& via) const {
+    const auto level = [&](const Eigen::Vector3d& p) {
+      return Eigen::Vector3d(p.x(), p.y(), tip.z());
+    };
+    return arcThrough(level(lastTip_), level(via.tipMm), tip);
   }
 
   // The motion takes `s` seconds; 0: untimed.
   void line(std::string_view command, const MotionTarget& target, double s,
-            std::optional<double> filamentMm = std::nullopt) {
+            std::optional<double> filamentMm = std::nullopt, const ArcVia* via = nullptr) {
     Eigen::Vector3d tip;
     for (int k = 0; k < 3; ++k)
       tip[k] = roundedTo(target.tipMm[k], kPositionDecimals);
+    const std::optional<Arc> arc = via ? arcTo(tip, *via) : std::nullopt;
+    if (arc)
+      command = arc->u.cross(arc->v).z() > 0.0 ? "G3" : "G2";
     text_.out += command;
     text_.word(" X", tip.x(), kPositionDecimals);
     text_.word(" Y", tip.y(), kPositionDecimals);
@@ -72,10 +86,14 @@ private:
       text_.word(" nY", target.direction.y(), kDirectionDecimals);
       text_.word(" nZ", target.direction.z(), kDirectionDecimals);
     }
+    if (arc) {
+      text_.word(" I", arc->centre.x() - lastTip_.x(), kPositionDecimals);
+      text_.word(" J", arc->centre.y() - lastTip_.y(), kPositionDecimals);
+    }
     if (filamentMm)
       text_.amount(*filamentMm);
     // Compute the speed from the targets as written, so that rounding does not change it.
-    const double length = (tip - lastTip_).norm();
+    const double length = arc ? arc->lengthMm() : (tip - lastTip_).norm();
     double speed = s > 0.0 ? length / s : 0.0;
     if (speed < 1e-3) // at rest, or untimed
       speed = in_.process().travelSpeedMmPerS;

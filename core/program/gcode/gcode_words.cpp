@@ -8,7 +8,7 @@ namespace voluta::program {
 // and tool.
 std::span<const KnownWord> gcodeWords() {
   static constexpr std::array kTable = {
-      KnownWord{"G17", kAnywhere, "plane of arcs, of which there are none"},
+      KnownWord{"G17", kAnywhere, "plane of arcs: X and Y"},
       KnownWord{"G21", kAnywhere, "millimetres"},
       KnownWord{"G28", kSetUp, "drives home"},
       KnownWord{"G40", kAnywhere, "no tool compensation"},

@@ -19,14 +19,19 @@ constexpr double kMinBlendMm = 1e-4;
 } // namespace
 
 KrlMotions::KrlMotions(const ProgramInput& input, const base::RunContext& ctx)
-    : in_(input), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
-      turnLimit_(kTurnDegPerS) {
+    : in_(input), targets_(motionTargets(input, ctx)),
+      motions_(in_, targets_, writtenShare, TcpFrame::Work), turnLimit_(kTurnDegPerS) {
   placeInWorkFrame(in_, kKrlMmDecimals, targets_);
   findTurnLimit();
 }
 
 Eigen::Vector3d KrlMotions::degrees(std::size_t i) const {
   return zyxDegrees(targets_[i].tcpTurn);
+}
+
+std::optional<ViaTarget> KrlMotions::via(std::size_t i) const {
+  const ArcVia* arc = motions_.arc(i);
+  return arc ? std::optional(viaTarget(in_, targets_, TcpFrame::Work, *arc)) : std::nullopt;
 }
 
 double KrlMotions::turnDegPerS(std::size_t i) const {

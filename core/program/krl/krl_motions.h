@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace voluta::program {
@@ -25,6 +26,8 @@ public:
   // Pose of the nozzle in the work frame, or on the object the arm holds; positions as written.
   Eigen::Vector3d mm(std::size_t i) const override { return targets_[i].tcpMm; }
   Eigen::Vector3d degrees(std::size_t i) const override; // A, B, C
+  // Returns the pose that motion i passes if it is an arc.
+  std::optional<ViaTarget> via(std::size_t i) const;
   double mmPerS(std::size_t i) const override;
   double degPerS(std::size_t i) const override;
   double blendMm(std::size_t i) const override;

@@ -1,4 +1,5 @@
 #include "base/units.h"
+#include "program/common/arc_motion.h"
 #include "program/common/procedures.h"
 #include "program/common/text.h"
 #include "program/krl/krl.h"
@@ -124,7 +125,7 @@ private:
       out_.wordAt("CONTINUE", kAside);
       return aheadOfArm_ = true;
     }
-    if (word == "ptp" || word == "lin" || word == "sptp" || word == "slin")
+    if (word == "ptp" || word == "lin" || word == "sptp" || word == "slin" || word == "circ")
       return motion(word, line);
     if (word == "trigger")
       return trigger(line);
@@ -218,6 +219,8 @@ private:
           base::message("'{word}' slows the arm: the flow would not follow"_text, "$OV_PRO"_name));
     if (root == "$ipo_mode" && value.words[""] != "base" && value.words[""] != "tcp")
       return fail("$IPO_MODE must be #BASE or #TCP"_text);
+    if (root == "$circ_type" && value.words[""] != "base")
+      return fail("the tool does not turn evenly along its way"_text);
     if (root == "$ori_type" && value.words[""] != "var")
       return fail("the tool does not turn evenly along its way"_text);
     if (root == "$vel_extax") {
@@ -373,6 +376,9 @@ private:
 
   bool motion(const std::string& word, LineCursor& line) {
     KrlValue target;
+    via_.reset();
+    if (word == "circ" && (!variables_.takeValue(line, via_.emplace()) || !line.takeMark(',')))
+      return false;
     if (!variables_.takeValue(line, target))
       return false;
     plan::ProgramMotion m;
@@ -416,6 +422,8 @@ private:
     if (const auto mm = externals_.extruderAlone(target))
       return m.jointInterpolated && !rounds && feed(*mm);
     if (!targetOf(m, target))
+      return false;
+    if (via_ && !arcOf(m, *via_))
       return false;
     auto wrong = krlSpeed(variables_, lastKind_ == m.target ? last_ : std::nullopt, m);
     if (!wrong && rounds)
@@ -469,6 +477,17 @@ private:
     }
     m.joints.insert(m.joints.end(), m.externals.begin(), m.externals.end());
     return true;
+  }
+
+  bool arcOf(plan::ProgramMotion& m, const KrlValue& via) {
+    const bool place = krlNumber(via, "x") && krlNumber(via, "y") && krlNumber(via, "z");
+    const auto pose = krlFrame(via);
+    if (!place || !pose || m.target == plan::TargetKind::Joints)
+      return fail("a position far outside any robot's reach"_text);
+    if (!last_ || lastKind_ != m.target)
+      return fail("an arc from a position that is not known"_text);
+    auto wrong = setArc(last_->translation(), (frame_T_base_ * *pose).translation(), m);
+    return !wrong || fail(std::move(*wrong));
   }
 
   // Takes the current $TOOL and $BASE, which determine the motion's kind of target.
@@ -530,6 +549,7 @@ private:
   KrlExternals externals_{variables_};
   std::array<double, 6> lastParts_{};
   std::optional<Eigen::Isometry3d> last_; // frame_T_tcp of the last motion if it was a pose
+  std::optional<KrlValue> via_;           // of a CIRC
   plan::TargetKind lastKind_ = plan::TargetKind::FlangePose;
   std::vector<std::pair<std::string, double>> triggers_; // of the next motion
 };

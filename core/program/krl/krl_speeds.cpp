@@ -1,4 +1,5 @@
 #include "program/krl/krl_speeds.h"
+#include "program/common/arc_motion.h"
 
 #include "base/units.h"
 #include "program/krl/krl.h"
@@ -52,7 +53,7 @@ std::optional<base::Message> krlSpeed(const KrlVariables& variables,
 }
 
 void slowByTurn(const Eigen::Isometry3d& last, double turning, plan::ProgramMotion& m) {
-  const double way = (m.frame_T_tcp.translation() - last.translation()).norm() / m.speedMmPerS;
+  const double way = lengthMm(last.translation(), m) / m.speedMmPerS;
   const double turn =
       base::radiansToDegrees(Eigen::Quaterniond(m.frame_T_tcp.linear())
                                  .angularDistance(Eigen::Quaterniond(last.linear())));

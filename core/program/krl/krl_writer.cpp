@@ -197,6 +197,8 @@ private:
     line("");
     line(joined({"$LOAD=", krlLoadText(assumedLoadKg(in_), in_.cell.flange_T_moved().translation()),
                  " ; assumed: ", assumedLoadText(in_)}));
+    if (!in_.arcs.empty())
+      line("$CIRC_TYPE=#BASE");
     line(joined({"$ACC.CP=", fixedText(kKrlMostMmPerS2 / 1000.0, 2)}));
     line(joined({"$VEL.ORI1=", fixedText(motions_.turnLimit(), 0)}));
     line(joined({"$VEL.ORI2=", fixedText(motions_.turnLimit(), 0)}));
@@ -329,7 +331,13 @@ private:
     const bool rounds = blend > 0.0;
     if (rounds)
       set("$APO.CDIS", fixedText(steppedDown(blend), kBlendDecimals));
-    out_ += "LIN ";
+    if (const std::optional<ViaTarget> via = motions_.via(i)) {
+      out_ += "CIRC ";
+      appendKrlTarget(out_, via->mm, zyxDegrees(via->turn));
+      out_ += "},";
+    } else {
+      out_ += "LIN ";
+    }
     target(i);
     line(rounds ? " C_DIS" : "");
     stands_ = !rounds;

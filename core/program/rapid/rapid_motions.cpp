@@ -1,6 +1,7 @@
 #include "program/rapid/rapid_motions.h"
 
 #include "base/units.h"
+#include "program/common/arc_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ bool RapidMotions::fail(base::Message reason) {
 
 bool RapidMotions::fill(const RapidMotionData& data, plan::ProgramMotion& motion,
                         base::Message& reason) {
-  const bool filled = externalOf(data, motion) && targetOf(data, motion) &&
+  const bool filled = externalOf(data, motion) && targetOf(data, motion) && arcOf(data, motion) &&
                       zoneOf(data.zone.numbers, motion) &&
                       speedOf(data.speed.numbers, data.timed, motion);
   if (!filled)
@@ -60,7 +61,7 @@ std::optional<double> RapidMotions::extruderAlone(const std::vector<double>& tar
 std::optional<double> RapidMotions::wayMm(const plan::ProgramMotion& motion) const {
   if (!last_ || lastKind_ != motion.target || motion.jointInterpolated)
     return std::nullopt;
-  return (motion.frame_T_tcp.translation() - last_->translation()).norm();
+  return lengthMm(last_->translation(), motion);
 }
 
 void RapidMotions::done(const plan::ProgramMotion& motion) {
@@ -148,6 +149,24 @@ bool RapidMotions::targetOf(const RapidMotionData& data, plan::ProgramMotion& m)
     out_.line = here;
   }
   return true;
+}
+
+bool RapidMotions::arcOf(const RapidMotionData& data, plan::ProgramMotion& m) {
+  if (!data.via)
+    return true;
+  Eigen::Isometry3d user, frame, pose;
+  const std::vector<double>& object = data.object.numbers;
+  if (!rapidPose(object, 3, user, reason_) || !rapidPose(object, 10, frame, reason_) ||
+      !rapidPose(data.via->numbers, 0, pose, reason_))
+    return false;
+  if (!last_ || lastKind_ != m.target)
+    return fail("an arc from a position that is not known"_text);
+  if (m.target == plan::TargetKind::UnitPose)
+    pose = frame * pose;
+  else if (m.target == plan::TargetKind::FlangePose)
+    pose = user * frame * pose;
+  auto wrong = setArc(last_->translation(), pose.translation(), m);
+  return !wrong || fail(std::move(*wrong));
 }
 
 bool RapidMotions::zoneOf(const std::vector<double>& zone, plan::ProgramMotion& m) {

@@ -21,8 +21,9 @@ namespace voluta::program {
 inline constexpr std::string_view kRapidExtruderUnit = "extruder";
 
 struct RapidMotionData {
-  bool absolute = false; // MoveAbsJ: joint target
-  bool timed = false;    // The motion already has its \T
+  bool absolute = false;        // MoveAbsJ: joint target
+  bool timed = false;           // The motion already has its \T
+  std::optional<RapidData> via; // MoveC: the circle point
   RapidData target, speed, zone, tool, object;
   std::size_t toolLine = 0; // Line of the tool's declaration; 0: unknown
 };
@@ -42,7 +43,7 @@ public:
   // Returns the extruder's axis in a target of MoveExtJ that moves nothing else.
   std::optional<double> extruderAlone(const std::vector<double>& jointtarget) const;
 
-  // Returns the length of the TCP's straight path; nullopt if its start is unknown.
+  // Returns the length of the TCP's path; nullopt if its start is unknown.
   std::optional<double> wayMm(const plan::ProgramMotion& motion) const;
   // Records the motion as the start of the next one.
   void done(const plan::ProgramMotion& motion);
@@ -51,6 +52,7 @@ private:
   bool mayMoveRobot() const;
   bool externalOf(const RapidMotionData& data, plan::ProgramMotion& motion);
   bool targetOf(const RapidMotionData& data, plan::ProgramMotion& motion);
+  bool arcOf(const RapidMotionData& data, plan::ProgramMotion& motion);
   bool zoneOf(const std::vector<double>& zone, plan::ProgramMotion& motion);
   bool speedOf(const std::vector<double>& speed, bool timed, plan::ProgramMotion& motion);
   bool fail(base::Message reason);

@@ -224,12 +224,16 @@ private:
       return triggEquip();
     if (word == "triggspeed")
       return triggSpeed();
-    if (word == "movel" || word == "movej" || word == "moveabsj" || word == "triggl")
+    if (word == "movel" || word == "movej" || word == "moveabsj" || word == "triggl" ||
+        word == "movec" || word == "triggc")
       return motion(word);
     if (word == "setdo")
       return output("doextruder", [&](double v) { return digital(v); });
     if (word == "setao")
       return output("aoflow", [&](double v) { return analogue(v); });
+    if (word == "cirpathmode")
+      return takeMark('\\') && ((takeWord("objectframe") && takeEnd()) ||
+                                fail("the tool does not turn evenly along its way"_text));
     if (word == "confl" || word == "confj")
       return supervision(word == "confl" ? linearOff_ : jointOff_);
     if (word == "actunit" || word == "deactunit")
@@ -427,17 +431,21 @@ private:
     data.object = *predeclaredRapid("wobjdata", "wobj0");
     data.toolLine = toolLine_;
     plan::ProgramMotion m;
-    m.jointInterpolated = word != "movel" && word != "triggl";
+    m.jointInterpolated = word == "movej" || data.absolute;
+    const bool triggers = word == "triggl" || word == "triggc";
     RapidData trigg;
+    if ((word == "movec" || word == "triggc") &&
+        (!value("robtarget", data.via.emplace()) || !takeMark(',')))
+      return false;
     if (!value(data.absolute ? "jointtarget" : "robtarget", data.target))
       return false;
     if (data.absolute && takeMark('\\') && !takeWord("noeoffs"))
       return false;
     if (!takeMark(',') || !value("speeddata", data.speed) || !takeTime(data.timed, m.durationS))
       return false;
-    if (word == "triggl" && (!takeMark(',') || !value("triggdata", trigg)))
+    if (triggers && (!takeMark(',') || !value("triggdata", trigg)))
       return false;
-    if (word == "triggl" && trigg.numbers.empty())
+    if (triggers && trigg.numbers.empty())
       return fail("a TriggL before its TriggEquip"_text);
     if (!takeMark(',') || !value("zonedata", data.zone) || !takeMark(',') ||
         !value("tooldata", data.tool))

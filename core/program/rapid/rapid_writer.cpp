@@ -53,7 +53,8 @@ bool isForOmniCore(const ProgramInput& input) {
 class RapidWriter : private ProgramEmitter {
 public:
   RapidWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), motions_(in_, targets_),
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)),
+        motions_(in_, targets_, writtenShare, TcpFrame::Work),
         cuts_(cutsOf(input, motionsPerFile(input.options, kMotionsPerModule))),
         name_(identifierOf(input.name)), object_(in_.cell.rod() ? "wRod"
                                                  : movesPart()  ? "wTable"
@@ -125,6 +126,8 @@ private:
     line("  PROC main()");
     line("    ConfL\\Off;");
     line("    ConfJ\\Off;");
+    if (!in_.arcs.empty())
+      line("    CirPathMode\\ObjectFrame;");
     if (movesRobot())
       line(joined({"    ActUnit ", robotUnit(), ";"}));
     if (movesPart())
@@ -368,13 +371,17 @@ private:
       externals(i);
       out_ += "]\\NoEOffs";
     } else {
-      out_ += joint ? "    MoveJ [" : atStart_ ? "    TriggL [" : "    MoveL [";
-      appendRapidPosition(out_, targets_[i].tcpMm, kPositionDecimals);
-      out_ += ',';
-      appendRapidTurn(out_, targets_[i].tcpTurn, kTurnDecimals);
-      configuration(i);
-      externals(i);
-      out_ += ']';
+      const ArcVia* arc = joint ? nullptr : motions_.arc(i);
+      if (arc)
+        out_ += atStart_ ? "    TriggC " : "    MoveC ";
+      else
+        out_ += joint ? "    MoveJ " : atStart_ ? "    TriggL " : "    MoveL ";
+      if (arc) {
+        const ViaTarget via = viaTarget(in_, targets_, TcpFrame::Work, *arc);
+        target(i, via.mm, via.turn);
+        out_ += ',';
+      }
+      target(i, targets_[i].tcpMm, targets_[i].tcpTurn);
     }
     speed(i, joint);
     if (std::exchange(atStart_, false))
@@ -382,6 +389,17 @@ private:
     zone(blendMm);
     stands_ = !(blendMm > 0.0);
     line(joined({",", kRapidTool, "\\WObj:=", object_, ";"}));
+  }
+
+  // A robtarget with the configuration and axes of point i.
+  void target(std::size_t i, const Eigen::Vector3d& mm, const Eigen::Quaterniond& turn) {
+    out_ += '[';
+    appendRapidPosition(out_, mm, kPositionDecimals);
+    out_ += ',';
+    appendRapidTurn(out_, turn, kTurnDecimals);
+    configuration(i);
+    externals(i);
+    out_ += ']';
   }
 
   // Axes that move part and robot to point i, and the extruder's; without a point they keep their

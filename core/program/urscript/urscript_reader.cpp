@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "program/common/arc_motion.h"
 #include "program/common/language_words.h"
 #include "program/common/rotation_vector.h"
 #include "program/common/text.h"
@@ -276,6 +277,8 @@ private:
     const std::string_view name = call.name;
     if (name == "movel" || name == "movej" || name == "movep")
       motion(call);
+    else if (name == "movec")
+      arc(call);
     else if (name == "set_standard_digital_out" || name == "set_digital_out")
       digitalOut(call);
     else if (name == "set_standard_analog_out" || name == "set_analog_out")
@@ -418,6 +421,51 @@ private:
       (m.jointInterpolated ? m.jointAccelerationRadPerS2 : m.accelerationMmPerS2) =
           m.jointInterpolated ? *a : *a * 1000.0;
     }
+    last_ = m.target == plan::TargetKind::FlangePose ? std::optional(m.frame_T_tcp) : std::nullopt;
+    out_.motionByOutputs(std::move(m));
+  }
+
+  // movec(pose_via, pose_to, a, v, r, mode): mode 0 turns the tool evenly towards the target.
+  void arc(const Call& call) {
+    plan::ProgramMotion m;
+    m.target = plan::TargetKind::FlangePose;
+    Eigen::Isometry3d via;
+    if (call.count < 2) {
+      defect("movec needs two poses"_text);
+      return;
+    }
+    if (!poseOf(call.arguments[0].value, via) || !poseOf(call.arguments[1].value, m.frame_T_tcp))
+      return;
+    for (std::size_t i = 2; i < call.count; ++i)
+      if (const std::string_view name = call.arguments[i].name;
+          !name.empty() && name != "a" && name != "v" && name != "r" && name != "mode") {
+        defect(base::message("an argument of {name} is unknown or given twice"_text, call.name));
+        return;
+      }
+    const auto a = numberOf(call, "a", 2, 1000.0, 1.2);
+    const auto v = numberOf(call, "v", 3, kMaxSpeed, 0.25);
+    const auto r = numberOf(call, "r", 4, 10.0, 0.0);
+    const auto mode = numberOf(call, "mode", 5, 1.0, 0.0);
+    if (!a || !v || !r || !mode)
+      return;
+    if (!(*a > 0.0) || !(*v > 0.0)) {
+      defect("the motion never arrives: no speed or acceleration"_text);
+      return;
+    }
+    if (*mode != 0.0)
+      defect("the tool does not turn evenly along its way"_text);
+    if (!last_ || !tcpSet_) {
+      defect("an arc from a position that is not known"_text);
+      return;
+    }
+    if (auto wrong = setArc(last_->translation(), via.translation(), m)) {
+      defect(std::move(*wrong));
+      return;
+    }
+    m.blendMm = *r * 1000.0;
+    m.speedMmPerS = *v * 1000.0;
+    m.accelerationMmPerS2 = *a * 1000.0;
+    last_ = m.frame_T_tcp;
     out_.motionByOutputs(std::move(m));
   }
 
@@ -495,6 +543,7 @@ private:
   UrscriptVariables variables_;
   std::vector<std::string> running_; // Functions, the innermost last
   bool tcpSet_ = false, everSet_ = false;
+  std::optional<Eigen::Isometry3d> last_; // Target of the last motion if it was a pose
 };
 
 } // namespace

@@ -245,6 +245,12 @@ private:
     return least;
   }
 
+  double centripetalMPerS2(const ArcVia& via, double mPerS) const {
+    const std::optional<Arc> arc =
+        arcThrough(targets_[via.point - 1].tipMm, via.tipMm, targets_[via.point].tipMm);
+    return arc ? mPerS * mPerS * 1000.0 / arc->radiusMm : 0.0;
+  }
+
   void straightMotion(std::size_t i, bool stops) override {
     const double s = motions_.seconds(i), speed = tcpSpeed(i);
     // Enough to change to this speed from that of the last motion within half of this one, and to
@@ -255,10 +261,22 @@ private:
       acceleration = std::max(acceleration, 2.0 * std::abs(speed - tcpSpeed(i - 1)) / s);
     acceleration = std::clamp(acceleration, 0.01, kMaxAccelerationMPerS2);
 
-    out_ += "  movel(";
+    const ArcVia* arc = motions_.arc(i);
+    if (arc) { // the centripetal part too; movec takes no time
+      acceleration =
+          std::min(std::max(acceleration, centripetalMPerS2(*arc, speed)), kMaxAccelerationMPerS2);
+      out_ += "  movec(";
+      const ViaTarget via = viaTarget(in_, targets_, TcpFrame::Base, *arc);
+      pose(via.mm, rotationVectorNear(via.turn, rotation_[i]), kPoseDecimals);
+      out_ += ',';
+    } else {
+      out_ += "  movel(";
+    }
     pose(targets_[i].tcpMm, rotation_[i], kPoseDecimals);
     number(",a=", acceleration, 2);
-    if (s > 0.0)
+    if (arc && speed > 0.0)
+      number(",v=", speed, kSpeedDecimals);
+    else if (s > 0.0)
       number(",t=", s, 6);
     else
       number(",v=", in_.process().travelSpeedMmPerS / 1000.0, kSpeedDecimals);

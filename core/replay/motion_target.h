@@ -1,0 +1,35 @@
+// A target of a motion, and targets between two of them.
+#pragma once
+
+#include "base/units.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace voluta::replay {
+
+// A TCP pose in Base, a pose of the nozzle in the work frame, or the nozzle's tip and direction
+// there.
+struct MotionTarget {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+};
+
+// Returns the target at share u of the straight motion from `a` to `b`.
+inline MotionTarget between(const MotionTarget& a, const MotionTarget& b, double u) {
+  MotionTarget t;
+  t.position = a.position + u * (b.position - a.position);
+  t.turn = a.turn.slerp(u, b.turn);
+  const double angle =
+      std::atan2(a.direction.cross(b.direction).norm(), a.direction.dot(b.direction));
+  if (angle < 1e-9 || angle > base::kPi - 1e-9)
+    t.direction = u < 0.5 ? a.direction : b.direction;
+  else
+    t.direction = (std::sin((1 - u) * angle) * a.direction + std::sin(u * angle) * b.direction) /
+                  std::sin(angle);
+  t.direction.normalize();
+  return t;
+}
+
+} // namespace voluta::replay
