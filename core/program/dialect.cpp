@@ -429,18 +429,18 @@ bool decidesOnPlan(std::string_view id, const std::vector<std::string>& formats,
 namespace {
 // The user's own tolerances. The section may then change as the flow does within its band.
 void addOptions(const Dialect& dialect, const ProgramOptions& options, MergeLimits& limits) {
-  // The blends at the ends of arcs and lines take the rest.
-  constexpr double kArcMm = 0.02, kOwnShare = 0.9, kSectionShare = 0.05;
+  // Blends of the corners between lines take as much again, those at the ends of arcs little.
+  constexpr double kArcMm = 0.02, kLineShare = 0.5, kArcShare = 0.8, kSectionShare = 0.05;
   const ProgramOptions own = optionsAmong(optionsOf(dialect), options);
   const double resolution =
       dialect.straight == Straight::Pieces ? 0.0 : numberOf(programResolution(), own);
   limits.inBase = dialect.straight == Straight::InBase;
   if (dialect.hasArcs && isOn(arcFitting(), own))
-    limits.arcMm = kOwnShare * (resolution > 0.0 ? resolution : kArcMm);
+    limits.arcMm = kArcShare * (resolution > 0.0 ? resolution : kArcMm);
   limits.levelArcs = !dialect.tiltsNozzle;
   if (resolution > 0.0) {
     limits.all = true;
-    limits.toleranceMm = kOwnShare * resolution;
+    limits.toleranceMm = kLineShare * resolution;
   }
   if (limits.all || limits.arcMm > 0.0)
     limits.sectionShare = kSectionShare;

@@ -17,8 +17,10 @@ constexpr double kSlack = 1e-9; // for rounding errors
 constexpr double kMaxRadiusMm = 1000.0, kMinRadiusMm = 0.2;
 // Controllers limit arcs to less than a turn, and the point on it to its middle part.
 constexpr double kMaxSweepRad = base::kPi;
-// The nozzle stays upright on an arc, because controllers differ in how they turn a tool along it.
+// Of the nozzle on arcs in Base or in a plane of X and Y. Others turn it evenly along the arc.
 constexpr double kArcTurnRad = 2e-3;
+// Larger turns of the arm's tool would take another way.
+constexpr double kMaxArcTurnRad = 0.5 * base::kPi;
 // A part that turns while its TCP moves along an arc moves on another curve below the nozzle.
 constexpr double kPartTurnRad = 2e-5, kSameTurnRad = 1e-7;
 constexpr double kSameHeightMm = 1e-3;
@@ -103,20 +105,29 @@ bool MotionFit::fits(const Arc& arc, std::size_t from, std::size_t to) const {
     if (arc.distanceMm(targets_[i].tipMm) > limits_.arcMm || arc.distanceMm(middle) > limits_.arcMm)
       return false;
     const double angle = i == to ? arc.sweepRad : arc.angleOf(targets_[i].tipMm);
-    if (!(angle > last) || angle > arc.sweepRad + kSlack)
+    if (!(angle > last) || angle > arc.sweepRad + kSlack ||
+        !hasDirection(from, to, i, angle / arc.sweepRad))
       return false;
     last = angle;
   }
   return true;
 }
 
-std::optional<Vector3d> MotionFit::arcVia(std::size_t from, std::size_t to) const {
+bool MotionFit::canTurn(std::size_t from, std::size_t to) const {
   for (std::size_t i = from + 1; i <= to; ++i)
-    if (turnRad(targets_[from].direction, targets_[i].direction) > kArcTurnRad ||
+    if (((limits_.inBase || limits_.levelArcs) &&
+         turnRad(targets_[from].direction, targets_[i].direction) > kArcTurnRad) ||
         (heldInBase_ && turnsPart(from, i, kPartTurnRad)) ||
         (limits_.levelArcs &&
-         std::abs(targets_[i].tipMm.z() - targets_[from].tipMm.z()) > kSameHeightMm))
-      return std::nullopt;
+         std::abs(targets_[i].tipMm.z() - targets_[from].tipMm.z()) > kSameHeightMm) ||
+        targets_[from].tcpTurn.angularDistance(targets_[i].tcpTurn) > kMaxArcTurnRad)
+      return false;
+  return true;
+}
+
+std::optional<Vector3d> MotionFit::arcVia(std::size_t from, std::size_t to) const {
+  if (!canTurn(from, to))
+    return std::nullopt;
   const Vector3d &start = targets_[from].tipMm, &end = targets_[to].tipMm;
   Vector3d via = targets_[from + (to - from) / 2].tipMm;
   std::optional<Arc> arc;

@@ -19,7 +19,7 @@ base::ParameterSpec motionsPerFileOption() {
 
 base::ParameterSpec programResolution() {
   return base::numberParameter(
-      "programResolutionMm", "mm", 0.0, 0.0, 0.2, "Programs"_text, "resolution"_text,
+      "programResolutionMm", "mm", 0.0, 0.0, 0.05, "Programs"_text, "resolution"_text,
       "Points of beads are omitted if the path, the nozzle's direction, the bead's section and the speed stay within tolerance without them; this is the tolerance of the path. 0: all points are written. Cells with external axes keep all points."_text);
 }
 

@@ -226,39 +226,39 @@ private:
     });
   }
 
-  // Finds the positions on the way of poses, in the frame of the targets.
   void findWays() {
     way_.resize(motions_.size());
     for (std::size_t m = 1; m < motions_.size(); ++m) {
-      const plan::ProgramMotion& motion = motions_[m];
-      Isometry3d pose = motion.frame_T_tcp;
-      for (const plan::NozzlePoint& point : motion.way) {
+      Isometry3d pose = motions_[m].frame_T_tcp;
+      for (const plan::NozzlePoint& point : motions_[m].way) {
         pose.translation() = point.position;
         way_[m].push_back(isToolPoint(m) ? point.position : poseOfTarget(m, pose).translation());
       }
     }
   }
-  // Returns point k of the path of motion m; 0: its start; way_[m].size() + 1: its end.
+  // Point 0 of the path of motion m is its start, way_[m].size() + 1 its end.
   const Vector3d& pathPoint(std::size_t m, std::size_t k) const {
     return k == 0                ? targets_[m - 1].position
            : k <= way_[m].size() ? way_[m][k - 1]
                                  : targets_[m].position;
   }
+  Vector3d chord(std::size_t m, std::size_t k) const {
+    return pathPoint(m, k + 1) - pathPoint(m, k);
+  }
   double lengthOf(std::size_t m) const {
     double length = 0.0;
     for (std::size_t k = 0; k <= way_[m].size(); ++k)
-      length += (pathPoint(m, k + 1) - pathPoint(m, k)).norm();
+      length += chord(m, k).norm();
     return length;
   }
 
   void findLengths() {
     for (std::size_t m = 1; m < motions_.size(); ++m) {
-      const Vector3d way = pathPoint(m, 1) - pathPoint(m, 0);
+      const Vector3d way = chord(m, 0);
       path_.commandedMm[m] = lengthOf(m);
       path_.turnRad[m] = targets_[m].turn.angularDistance(targets_[m - 1].turn);
       if (m > 1) {
-        const std::size_t last = way_[m - 1].size();
-        const Vector3d before = pathPoint(m - 1, last + 1) - pathPoint(m - 1, last);
+        const Vector3d before = chord(m - 1, way_[m - 1].size());
         path_.cornerRad[m - 1] = std::atan2(before.cross(way).norm(), before.dot(way));
       }
       const double blends = motions_[m].blendMm + motions_[m - 1].blendMm;
@@ -552,8 +552,7 @@ private:
     if (!straight && isToolPoint(m)) {
       const std::size_t pieces = way_[m].size() + 1;
       for (std::size_t k = 0; k < pieces; ++k)
-        longest = std::max(longest, static_cast<double>(pieces) / kChords *
-                                        (pathPoint(m, k + 1) - pathPoint(m, k)).norm());
+        longest = std::max(longest, static_cast<double>(pieces) / kChords * chord(m, k).norm());
     } else if (plain) {
       longest = (path_.targetTip[m] - last).norm() / kChords;
     } else {
@@ -564,6 +563,10 @@ private:
         last = tip;
       }
     }
+    if (!straight)
+      longest = std::max(
+          longest, step / kChords *
+                       chordsOfArc(path_.commandedMm[m], chord(m, 0), chord(m, way_[m].size())));
     // Chords are shorter than the curve.
     const double slack = plain ? 1.0 : 0.98;
     const double count = std::ceil(longest * kChords / (slack * step) - 1e-3);
@@ -579,7 +582,7 @@ private:
   int externals_ = 0;   // number of axes
   std::vector<double> externalsAt_; // at each motion's end
   std::vector<Target> targets_;
-  std::vector<std::vector<Vector3d>> way_; // per motion: the points that it passes
+  std::vector<std::vector<Vector3d>> way_; // per motion: points that it passes, as its target
   ExecutedPath path_;
 };
 

@@ -32,4 +32,12 @@ inline MotionTarget between(const MotionTarget& a, const MotionTarget& b, double
   return t;
 }
 
+// Returns the number of chords of an arc that stay within 0.002 mm of it. `in`, `out`: directions
+// at its ends.
+inline double chordsOfArc(double lengthMm, const Eigen::Vector3d& in, const Eigen::Vector3d& out) {
+  constexpr double kSagittaMm = 0.002;
+  const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
+  return std::sqrt(lengthMm * turn / (8.0 * kSagittaMm));
+}
+
 } // namespace voluta::replay

@@ -142,7 +142,7 @@ TEST(RapidReader, namesWhatItCannotTake) {
       {"MoveL " + pose + ",v100,fine,t1\\WObj:=w2;", "not declared"},
       {"MoveL Offs(p1,0,0,1),v100,fine,t1;", "not declared"},
       {"MoveL " + pose + ",v100,fine;", "not understood"},
-      {"MoveC " + pose + "," + pose + ",v100,fine,t1;", "not known"},
+      {"MoveC " + pose + "," + pose + ",v100,fine,t1;", "on a line"},
       {"MoveAbsJ [[0,0,0,0,0,1E5],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t1;", "limit"},
       {"SetDO doExtruder,2;", "0 or 1"},
       {"SetAO aoFlow,1.5;", "0..1"},

@@ -86,7 +86,7 @@ TEST(UrscriptReader, namesWhatItCannotTake) {
       {"movel(p[-0.4,0,0.3,0,3,0],a=1,v=0.1\n", "not understood"},
       {"movel()\n", "without a target"},
       {"movej([0,0,0],a=1,v=1)\n", "joints"},
-      {"movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])\n", "not known"},
+      {"movec(p[0,0,0,0,0,0],p[0,0,0,0,0,0])\n", "on a line"},
       {"servoj([0,0,0,0,0,0])\n", "not known"},
       {"while True:\n", "not understood"},
       {"x = y\n", "not understood"},

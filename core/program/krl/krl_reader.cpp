@@ -482,7 +482,9 @@ private:
   bool arcOf(plan::ProgramMotion& m, const KrlValue& via) {
     const bool place = krlNumber(via, "x") && krlNumber(via, "y") && krlNumber(via, "z");
     const auto pose = krlFrame(via);
-    if (!place || !pose || m.target == plan::TargetKind::Joints)
+    if (!place)
+      return fail("a coordinate is missing, and the arm's position is not known"_text);
+    if (!pose || m.target == plan::TargetKind::Joints)
       return fail("a position far outside any robot's reach"_text);
     if (!last_ || lastKind_ != m.target)
       return fail("an arc from a position that is not known"_text);
