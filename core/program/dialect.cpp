@@ -430,7 +430,7 @@ namespace {
 // The user's own tolerances. The section may then change as the flow does within its band.
 void addOptions(const Dialect& dialect, const ProgramOptions& options, MergeLimits& limits) {
   // Blends of the corners between lines take as much again, those at the ends of arcs little.
-  constexpr double kArcMm = 0.02, kLineShare = 0.5, kArcShare = 0.8, kSectionShare = 0.05;
+  constexpr double kArcMm = 0.02, kLineShare = 0.5, kArcShare = 0.9, kSectionShare = 0.05;
   const ProgramOptions own = optionsAmong(optionsOf(dialect), options);
   const double resolution =
       dialect.straight == Straight::Pieces ? 0.0 : numberOf(programResolution(), own);

@@ -139,10 +139,11 @@ double TcpMotions::blendMm(std::size_t i) const {
     return 0.0;
   // Round down, so that the allowed radius is not exceeded.
   double radius = blendRadiusMm(in, out, kFirstOrderShare * kBlendToleranceMm);
-  // A blend follows the tangent of an arc, which it leaves by a quarter of r^2 / R.
+  // A blend follows the tangent of an arc, which adds a quarter of r^2 / R: at most a sixteenth of
+  // the tolerance.
   for (const std::optional<Arc>& arc : {tipArc(i), tipArc(i + 1)})
     if (arc)
-      radius = std::min(radius, std::sqrt(arc->radiusMm * kBlendToleranceMm));
+      radius = std::min(radius, 0.5 * std::sqrt(arc->radiusMm * kBlendToleranceMm));
   return std::floor(radius * 1e3) / 1e3;
 }
 
