@@ -101,7 +101,8 @@ private:
     };
     for (const plan::ToolPath& path : plan_.paths)
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
-        const double most = process_.maxFlowMm3PerS / std::max({section(i - 1), section(i), 1e-9});
+        const double most =
+            process::flowLimit(process_) / std::max({section(i - 1), section(i), 1e-9});
         if (plan_.speedMmPerS[i] > most) {
           plan_.speedMmPerS[i] = static_cast<float>(most);
           ++slowed;
@@ -203,11 +204,11 @@ std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPar
         plan::FindingKind::GivenWithoutSection,
         {{"points", taking.filled}, {"process", process.id}}, std::nullopt, taking.filled));
   if (taking.slowed > 0)
-    stage->findings.push_back(
-        plan::makeFinding(plan::FindingKind::GivenTooFast,
-                          {{"points", taking.slowed},
-                           {"limit", base::Quantity{process.maxFlowMm3PerS, base::Unit::Mm3PerS}}},
-                          std::nullopt, taking.slowed));
+    stage->findings.push_back(plan::makeFinding(
+        plan::FindingKind::GivenTooFast,
+        {{"points", taking.slowed},
+         {"limit", base::Quantity{process::flowLimit(process), base::Unit::Mm3PerS}}},
+        std::nullopt, taking.slowed));
   stage->timings.toolpath = watch.seconds();
   return stage;
 }

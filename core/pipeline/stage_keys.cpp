@@ -34,7 +34,13 @@ struct ProcessKeys {
 // Empty for a material that comes with the program: its label and density identify it.
 std::string ownMaterialKey(const process::Material& m) {
   return m.comesWithProgram ? std::string()
-                            : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC);
+                            : base::keyText(m.nozzleC.value_or(0), m.nozzleMinC, m.nozzleMaxC,
+                                            m.bedC.value_or(0), m.fan, m.bridgeFan.value_or(m.fan));
+}
+
+// The same for the limit of the material's flow.
+std::string ownFlowKey(const process::Process& p) {
+  return p.material.comesWithProgram ? std::string() : base::keyText(process::flowLimit(p));
 }
 
 ProcessKeys keysOf(const process::Process& process) {
@@ -43,7 +49,8 @@ ProcessKeys keysOf(const process::Process& process) {
                retract, material, head, features] = process;
   static_cast<void>(label); // The label affects no result.
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
-                        bridge, bridgeSpeed, maxFlow, features.all()),
+                        bridge, bridgeSpeed, maxFlow, features.all()) +
+              ownFlowKey(process),
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
           base::keyText(id, nozzle, prime, retract, material.label, material.densityGPerCm3) +
               ownMaterialKey(material)};

@@ -258,7 +258,7 @@ double Way::missedShare() const {
 double estimatedSeconds(double volumeMm3, double heightMm, double acrossMm,
                         const process::Process& p) {
   const double flow =
-      std::min(p.maxFlowMm3PerS, process::beadArea(p.beadWidthMm, p.layerHeightMm) * p.speedMmPerS);
+      std::min(process::flowLimit(p), process::beadArea(p.beadWidthMm, p.layerHeightMm) * p.speedMmPerS);
   const double travel =
       acrossMm / p.travelSpeedMmPerS + p.travelSpeedMmPerS / p.accelerationMmPerS2;
   return volumeMm3 / flow + std::ceil(heightMm / p.layerHeightMm - 1e-6) * (p.primeS + travel);

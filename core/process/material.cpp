@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 namespace voluta::process {
 
@@ -17,6 +18,7 @@ using base::JsonNode;
 
 constexpr const char* kFolder = "materials";                // of base::dataFile()
 constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450; // that print heads withstand
+constexpr double kHottestBedC = 250.0;
 
 bool isColour(const std::string& text) {
   return text.size() == 7 && text[0] == '#' &&
@@ -29,6 +31,54 @@ void readNozzle(const JsonNode& node, Material& m) {
   m.nozzleC = static_cast<int>(range.usual);
   m.nozzleMinC = static_cast<int>(range.least);
   m.nozzleMaxC = static_cast<int>(range.most);
+}
+
+double readShare(const JsonNode& node) {
+  const double share = node.notNegative();
+  if (share > 1.0)
+    node.fail("is above 1"_text);
+  return share;
+}
+
+// Temperatures that no file states: any that heads withstand.
+void forgetTemperatures(Material& m) {
+  m.nozzleC = m.bedC = std::nullopt;
+  m.nozzleMinC = kColdestNozzleC;
+  m.nozzleMaxC = kHottestNozzleC;
+}
+
+void readTemperatures(const JsonNode& top, Material& m) {
+  forgetTemperatures(m);
+  if (top.has("nozzleC"))
+    readNozzle(top.at("nozzleC"), m);
+  if (!top.has("bedC"))
+    return;
+  const double bed = top.at("bedC").notNegative();
+  if (bed > kHottestBedC)
+    top.at("bedC").fail("is above 250"_text);
+  m.bedC = static_cast<int>(bed);
+}
+
+void readLimits(const JsonNode& top, Material& m) {
+  m.fan = top.has("fan") ? readShare(top.at("fan")) : 0.0;
+  if (top.has("bridgeFan"))
+    m.bridgeFan = readShare(top.at("bridgeFan"));
+  if (top.has("maxFlowMm3PerS"))
+    m.maxFlowMm3PerS = top.at("maxFlowMm3PerS").positive();
+  if (top.has("bridgeWidths"))
+    m.bridgeWidths = top.at("bridgeWidths").notNegative();
+  if (top.has("bridgeMm"))
+    m.bridgeMm = top.at("bridgeMm").notNegative();
+}
+
+void readLooks(const JsonNode& top, Material& m) {
+  m.pricePerKg = top.has("pricePerKg") ? top.at("pricePerKg").notNegative() : 0.0;
+  if (top.has("colour"))
+    m.colour = top.at("colour").text();
+  if (!isColour(m.colour))
+    top.at("colour").fail("must be #RRGGBB"_text);
+  if (top.has("notes"))
+    m.notes = top.at("notes").text();
 }
 
 Material loadFile(const std::filesystem::path& file) {
@@ -44,24 +94,39 @@ bool prints(const Material& material, double nozzleC) {
 
 Material readMaterialText(const std::string& text, const std::string& name) {
   const JsonNode top = JsonNode::parse(text, name);
-  top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeWidths",
-                 "pricePerKg", "colour"});
+  top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeFan",
+                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "pricePerKg", "colour", "notes"});
   Material m;
   m.id = top.at("id").text();
   m.label = top.at("label").text();
   m.densityGPerCm3 = top.at("densityGPerCm3").positive();
-  readNozzle(top.at("nozzleC"), m);
-  m.bedC = static_cast<int>(top.at("bedC").notNegative());
-  m.fan = top.at("fan").notNegative();
-  if (m.fan > 1.0)
-    top.at("fan").fail("is above 1"_text);
-  m.bridgeWidths = top.at("bridgeWidths").notNegative();
-  m.pricePerKg = top.at("pricePerKg").notNegative();
-  m.colour = top.at("colour").text();
-  if (!isColour(m.colour))
-    top.at("colour").fail("must be #RRGGBB"_text);
+  readTemperatures(top, m);
+  readLimits(top, m);
+  readLooks(top, m);
   m.comesWithProgram = false;
   return m;
+}
+
+std::string materialText(const Material& m) {
+  nlohmann::ordered_json json = {
+      {"id", m.id}, {"label", m.label}, {"densityGPerCm3", m.densityGPerCm3}};
+  if (m.nozzleC)
+    json["nozzleC"] = {{"default", *m.nozzleC}, {"min", m.nozzleMinC}, {"max", m.nozzleMaxC}};
+  const auto write = [&json](const char* key, const auto& value) {
+    if (value)
+      json[key] = *value;
+  };
+  write("bedC", m.bedC);
+  json["fan"] = m.fan;
+  write("bridgeFan", m.bridgeFan);
+  write("maxFlowMm3PerS", m.maxFlowMm3PerS);
+  json["bridgeWidths"] = m.bridgeWidths;
+  write("bridgeMm", m.bridgeMm);
+  json["pricePerKg"] = m.pricePerKg;
+  json["colour"] = m.colour;
+  if (!m.notes.empty())
+    json["notes"] = m.notes;
+  return json.dump(2) + "\n";
 }
 
 std::vector<std::string> materialIds() {
@@ -80,9 +145,8 @@ Material materialNamed(const std::string& name) {
   Material unknown;
   unknown.id = unknown.label = name;
   unknown.densityGPerCm3 = 0.0;
-  unknown.nozzleC = unknown.bedC = std::nullopt;
-  unknown.nozzleMinC = kColdestNozzleC;
-  unknown.nozzleMaxC = kHottestNozzleC;
+  forgetTemperatures(unknown);
+  unknown.fan = 0.0;
   unknown.pricePerKg = 0.0;
   unknown.comesWithProgram = false;
   return unknown;

@@ -14,10 +14,14 @@ struct Material {
   std::optional<int> nozzleC = 210;       // usual nozzle temperature [°C]; none: unknown
   int nozzleMinC = 170, nozzleMaxC = 250; // range in which a nozzle prints it [°C]
   std::optional<int> bedC = 60;           // usual plate temperature [°C]; none: unknown
-  double fan = 1.0;                       // part cooling, 0..1
+  double fan = 1.0;                       // part cooling from the second layer on, 0..1
+  std::optional<double> bridgeFan;        // part cooling of bridges, 0..1; none: as elsewhere
+  std::optional<double> maxFlowMm3PerS;   // melted at most, whatever the process allows; none: any
   double bridgeWidths = 5.0; // length that a bead bridges, in bead widths, unless the process says
-  double pricePerKg = 20.0;  // in the user's currency; 0: unknown
+  std::optional<double> bridgeMm; // longest bridge, whatever the process allows; none: any
+  double pricePerKg = 20.0;       // in the user's currency; 0: unknown
   std::string colour = "#D8CFC0"; // #RRGGBB
+  std::string notes;              // for people
   // Label and density identify a material that comes with the program in cache keys; the key of any
   // other contains the values that results depend on.
   bool comesWithProgram = true;
@@ -28,10 +32,14 @@ struct Material {
 // Returns whether a nozzle at that temperature [°C] prints the material.
 bool prints(const Material& material, double nozzleC);
 
-// Reads a material from the text of its file; `name` names the file in errors.
+// Reads a material from the text of its file; `name` names the file in errors. Required are id,
+// label and density; temperatures that are missing are unknown, the rest is neutral.
 // Throws Error{UnreadableFile} if it is not JSON; Error{UnusableInput}, naming file and key, if a
 // key is missing or unknown, a value is out of range or temperatures are not ordered.
 Material readMaterialText(const std::string& text, const std::string& name);
+
+// Returns the text of a material's file: readMaterialText() returns the same material.
+std::string materialText(const Material& material);
 
 // Returns the ids of all materials, those of the user included, sorted.
 std::vector<std::string> materialIds();

@@ -58,6 +58,11 @@ HeadShape erodedHead(const HeadShape& head, double toleranceMm) {
   return eroded;
 }
 
+double flowLimit(const Process& process) {
+  return std::min(process.maxFlowMm3PerS,
+                  process.material.maxFlowMm3PerS.value_or(process.maxFlowMm3PerS));
+}
+
 Process readProcess(const std::filesystem::path& file) {
   return readProcessText(base::readFile(file), file.string());
 }
@@ -82,6 +87,8 @@ Process readProcessText(const std::string& text, const std::string& name) {
   p.material = readMaterial(top);
   p.bridgeMm = top.has("bridgeMm") ? top.at("bridgeMm").notNegative()
                                    : p.material.bridgeWidths * p.beadWidthMm;
+  if (p.material.bridgeMm)
+    p.bridgeMm = std::min(p.bridgeMm, *p.material.bridgeMm);
   p.bridgeSpeedMmPerS = top.has("bridgeSpeedMmPerS") ? top.at("bridgeSpeedMmPerS").positive()
                                                      : kBridgeSpeed * p.speedMmPerS;
   p.maxFlowMm3PerS = top.at("maxFlowMm3PerS").positive();

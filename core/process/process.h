@@ -35,13 +35,17 @@ struct Process {
   double contactToleranceMm = 0.4;
   double bridgeMm = 6.0;           // Maximum length of an unsupported bridge
   double bridgeSpeedMmPerS = 10.0; // Maximum speed on a bridge
-  double maxFlowMm3PerS = 40.0;    // Flow at the analogue output's full scale
+  double maxFlowMm3PerS = 40.0;    // Flow at the analogue output's full scale; see flowLimit()
   double primeS = 0.2;             // The extruder runs this long before a path moves
   double retractMm = 0.0;          // Length of filament, retracted for a travel; 0: none
   Material material;               // With the density that the process's file states, if any
   HeadShape head;
   FeatureTable features; // Optional in the file
 };
+
+// Returns the largest flow that may be planned [mm3/s]: that of the head or, if less, that of the
+// material.
+double flowLimit(const Process& process);
 
 // Throws Error{UnreadableFile} if the file is missing or not JSON; Error{UnusableInput} naming file
 // and key for a missing or unknown key, a size, speed or density that is not positive, limits that

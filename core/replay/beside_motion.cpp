@@ -199,7 +199,7 @@ double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& traje
     return 0.0;
   const double flow =
       process::beadArea(process.beadWidthMm, process.layerHeightMm) * process.speedMmPerS;
-  return std::min(process.maxFlowMm3PerS, flow) * process.primeS;
+  return std::min(process::flowLimit(process), flow) * process.primeS;
 }
 
 double standingMm3(const plan::ReadProgram& program) {

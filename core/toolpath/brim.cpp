@@ -361,7 +361,7 @@ std::optional<plan::Finding> addBrim(plan::ToolPlan& plan, const layers::LayerSt
                                {process::hatchOf(width, height), width}, supports);
   plan::ToolPlan front;
   const double speed =
-      std::min(process.speedMmPerS, process.maxFlowMm3PerS / process::beadArea(width, height));
+      std::min(process.speedMmPerS, process::flowLimit(process) / process::beadArea(width, height));
   for (const BrimLoop& loop : brim.loops)
     append(front, loop, options.stepMm, width, height, speed);
   if (!front.paths.empty())

@@ -84,7 +84,7 @@ public:
       const double own = process::beadArea(plan_.widthMm[i], plan_.heightMm[i]);
       // As in assemble(): while the section decreases, more is extruded than at the end point.
       const double section = std::max(own, std::exchange(last, own));
-      double speed = std::min(speedMmPerS, process_.maxFlowMm3PerS / section);
+      double speed = std::min(speedMmPerS, process::flowLimit(process_) / section);
       if (unsupported_[i] || (i > path_.first && unsupported_[i - 1]))
         speed = std::min(speed, process_.bridgeSpeedMmPerS);
       plan_.speedMmPerS[i] = static_cast<float>(speed);

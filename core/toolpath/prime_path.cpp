@@ -139,7 +139,7 @@ std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cel
   }
   const std::size_t count = points.size();
   const double speed =
-      std::min(process.speedMmPerS, process.maxFlowMm3PerS / process::beadArea(width, height));
+      std::min(process.speedMmPerS, process::flowLimit(process) / process::beadArea(width, height));
   const auto before = [&](auto& list, const auto& value) {
     list.insert(list.begin(), count, value);
   };

@@ -2,11 +2,16 @@
 #include "process/material.h"
 
 #include "base/error.h"
+#include "base/files.h"
+#include "process/cooling.h"
+#include "process/own_materials.h"
 #include "process/tooling.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace voluta::process {
 namespace {
@@ -31,6 +36,10 @@ TEST_F(Materials, everyOneKeepsItsContract) {
     EXPECT_FALSE(prints(m, m.nozzleMaxC + 1));
     EXPECT_LE(m.fan, 1.0);
     EXPECT_EQ(materialNamed(m.label).id, id) << "processes name it by its label";
+    Material back = readMaterialText(materialText(m), id);
+    EXPECT_FALSE(back.comesWithProgram);
+    back.comesWithProgram = true;
+    EXPECT_EQ(back, m) << "written back the same";
   }
 }
 
@@ -47,6 +56,154 @@ TEST_F(Materials, anUnknownNameHasNoTemperature) {
   EXPECT_FALSE(m.comesWithProgram);
   EXPECT_TRUE(prints(m, 300.0));
   EXPECT_FALSE(prints(m, 500.0));
+}
+
+Material randomMaterial(std::mt19937_64& random) {
+  const auto chance = [&] { return random() % 2 == 0; };
+  const auto share = [&] { return static_cast<double>(random() % 1001) / 1000.0; };
+  Material m;
+  m.id = "own-" + std::to_string(random() % 1000);
+  m.label = "Ow\"n \xC3\xA8 " + std::to_string(random() % 1000);
+  m.densityGPerCm3 = 0.1 + 7.0 * share();
+  m.nozzleMinC = 100 + static_cast<int>(random() % 100);
+  m.nozzleMaxC = m.nozzleMinC + static_cast<int>(random() % 100);
+  m.nozzleC = m.nozzleMinC + (m.nozzleMaxC - m.nozzleMinC) / 2;
+  m.bedC = static_cast<int>(random() % 120);
+  if (chance()) {
+    m.nozzleC = m.bedC = std::nullopt;
+    m.nozzleMinC = 100;
+    m.nozzleMaxC = 450;
+  }
+  m.fan = share();
+  if (chance())
+    m.bridgeFan = share();
+  if (chance())
+    m.maxFlowMm3PerS = 0.1 + 50.0 * share();
+  m.bridgeWidths = 10.0 * share();
+  if (chance())
+    m.bridgeMm = 10.0 * share();
+  m.pricePerKg = 100.0 * share();
+  m.colour = "#0a1B2c";
+  m.notes = chance() ? "dry at 60" : "";
+  m.comesWithProgram = false;
+  return m;
+}
+
+TEST_F(Materials, areReadAsTheyWereWritten) {
+  std::mt19937_64 random(5);
+  for (int n = 0; n < 300; ++n) {
+    const Material m = randomMaterial(random);
+    EXPECT_EQ(readMaterialText(materialText(m), "a.json"), m) << materialText(m);
+  }
+}
+
+TEST_F(Materials, needNoMoreThanTheirDensity) {
+  const Material m =
+      readMaterialText(R"({"id": "clay", "label": "Clay", "densityGPerCm3": 2})", "a.json");
+  EXPECT_FALSE(m.nozzleC || m.bedC || m.bridgeFan || m.maxFlowMm3PerS || m.bridgeMm);
+  EXPECT_EQ(m.fan, 0.0);
+  EXPECT_EQ(m.pricePerKg, 0.0);
+}
+
+// Each error is one line with the file and the key.
+TEST_F(Materials, namesFileAndKeyOfABadValue) {
+  const struct {
+    const char *key, *value;
+  } cases[] = {{"densityGPerCm3", "0"}, {"densityGPerCm3", "\"light\""},
+               {"bedC", "-1"},          {"bedC", "400"},
+               {"fan", "1.5"},          {"bridgeFan", "-0.1"},
+               {"maxFlowMm3PerS", "0"}, {"bridgeMm", "-1"},
+               {"bridgeWidths", "-1"},  {"pricePerKg", "-1"},
+               {"colour", "\"red\""},   {"notes", "3"},
+               {"density", "1"}};
+  for (const auto& c : cases) {
+    std::string text = R"({"id": "a", "label": "A", )";
+    if (c.key != std::string("densityGPerCm3"))
+      text += R"("densityGPerCm3": 1, )";
+    text += "\"" + std::string(c.key) + "\": " + c.value + "}";
+    try {
+      readMaterialText(text, "own.json");
+      ADD_FAILURE() << text;
+    } catch (const base::Error& e) {
+      const std::string line = e.what();
+      EXPECT_NE(line.find("own.json"), std::string::npos) << line;
+      EXPECT_NE(line.find(c.key), std::string::npos) << line;
+      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    }
+  }
+}
+
+TEST_F(Materials, boundTheFlowAndTheBridgesOfAProcess) {
+  Process p = loadProcess("fdm-1.0");
+  EXPECT_EQ(flowLimit(p), p.maxFlowMm3PerS);
+  p.material.maxFlowMm3PerS = 12.0;
+  EXPECT_EQ(flowLimit(p), 12.0);
+  p.material.maxFlowMm3PerS = 100.0;
+  EXPECT_EQ(flowLimit(p), p.maxFlowMm3PerS);
+}
+
+TEST_F(Materials, theFanIsOffInTheFirstLayer) {
+  Material m;
+  m.fan = 0.5;
+  plan::ToolPath path;
+  EXPECT_EQ(fanShare(m, path), 0.0);
+  path.layer = 1;
+  EXPECT_EQ(fanShare(m, path), 0.5);
+  path.kind = plan::PathKind::Bridge;
+  EXPECT_EQ(fanShare(m, path), 0.5);
+  m.bridgeFan = 1.0;
+  EXPECT_EQ(fanShare(m, path), 1.0);
+  path.layer = 0;
+  EXPECT_EQ(fanShare(m, path), 0.0);
+}
+
+class OwnMaterials : public Materials {
+protected:
+  void SetUp() override {
+    Materials::SetUp();
+    folder_ = std::filesystem::path(::testing::TempDir()) / "voluta_own_materials";
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    setenv("VOLUTA_DATA", (folder_ / "data").c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("VOLUTA_DATA");
+    std::filesystem::remove_all(folder_);
+  }
+  std::filesystem::path write(const std::string& text) const {
+    base::writeFile(folder_ / "own.json", text);
+    return folder_ / "own.json";
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(OwnMaterials, areImportedUsedAndExported) {
+  Material m = loadMaterial("petg");
+  m.id = "my-petg";
+  m.label = "My PETG";
+  m.bridgeMm = 4.0;
+  m.maxFlowMm3PerS = 8.0;
+  m.comesWithProgram = false;
+  importMaterial(write(materialText(m)));
+  EXPECT_EQ(loadMaterial("my-petg"), m);
+  EXPECT_EQ(materialNamed("My-PETG"), m);
+  const Process p = readProcessText(processTextWith("fdm-1.0", "my-petg"), "a.json");
+  EXPECT_EQ(p.material, m);
+  EXPECT_EQ(p.bridgeMm, 4.0) << "five bead widths are more than the material bridges";
+  EXPECT_EQ(flowLimit(p), 8.0);
+  exportMaterial("my-petg", folder_ / "out.json");
+  EXPECT_EQ(readMaterialText(base::readFile(folder_ / "out.json"), ""), m);
+}
+
+TEST_F(OwnMaterials, cannotReplaceThoseOfTheProgramOrLeaveTheirFolder) {
+  Material m;
+  EXPECT_THROW(importMaterial(write(materialText(m))), base::Error);
+  for (const char* id : {"", "../a", "a/b", ".a", "A b"}) {
+    m.id = id;
+    EXPECT_THROW(importMaterial(write(materialText(m))), base::Error) << id;
+  }
+  EXPECT_EQ(materialIds().size(), 3u);
+  EXPECT_THROW(chosenMaterial("plaa"), base::Error);
 }
 
 TEST_F(Materials, refusesWhatCannotBe) {

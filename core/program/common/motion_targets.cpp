@@ -112,7 +112,7 @@ bool standsClear(const plan::Trajectory& trajectory, std::size_t point) {
 }
 
 double primeFlowMm3PerS(const process::Process& process) {
-  return std::min(process.maxFlowMm3PerS,
+  return std::min(process::flowLimit(process),
                   process::beadArea(process.beadWidthMm, process.layerHeightMm) *
                       process.speedMmPerS);
 }

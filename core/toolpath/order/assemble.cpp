@@ -118,7 +118,7 @@ void append(Assembled& out, const std::vector<BeadPoint>& points, const process:
     out.plan.widthMm.push_back(static_cast<float>(p.widthMm));
     out.plan.heightMm.push_back(static_cast<float>(p.heightMm));
     out.plan.speedMmPerS.push_back(
-        static_cast<float>(std::min(process.speedMmPerS, process.maxFlowMm3PerS / section)));
+        static_cast<float>(std::min(process.speedMmPerS, process::flowLimit(process) / section)));
     out.clearDirection.push_back(p.clearDirection);
   }
 }

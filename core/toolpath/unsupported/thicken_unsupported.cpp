@@ -67,7 +67,7 @@ std::optional<PassResult> thickenUnsupported(const UnsupportedBeads& beads, cons
         plan.heightMm[i] = static_cast<float>(thicker);
         const double section = process::beadArea(static_cast<double>(was.widthMm[i]), thicker);
         plan.speedMmPerS[i] =
-            std::min(was.speedMmPerS[i], static_cast<float>(process.maxFlowMm3PerS / section));
+            std::min(was.speedMmPerS[i], static_cast<float>(process::flowLimit(process) / section));
         out->beads.unsupported[i] = 0;
       }
     }
