@@ -7466,6 +7466,38 @@ previsto</translation>
         <source>different for each part</source>
         <translation>diverso per ogni pezzo</translation>
     </message>
+    <message>
+        <source>the bed temperature, °C</source>
+        <translation>la temperatura del piatto, °C</translation>
+    </message>
+    <message>
+        <source>a wait until the bed is hot</source>
+        <translation>un&apos;attesa finché il piatto è caldo</translation>
+    </message>
+    <message>
+        <source>part cooling {found} % from this line on, {planned} % planned</source>
+        <translation>raffreddamento del pezzo {found} % da questa riga in poi, previsto {planned} %</translation>
+    </message>
+    <message>
+        <source>is above 250</source>
+        <translation>è oltre 250</translation>
+    </message>
+    <message>
+        <source>&apos;{id}&apos; cannot be a material&apos;s id</source>
+        <translation>&apos;{id}&apos; non può essere l&apos;id di un materiale</translation>
+    </message>
+    <message>
+        <source>use small letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;</source>
+        <translation>usa lettere minuscole, cifre, &apos;-&apos;, &apos;_&apos; e &apos;.&apos;</translation>
+    </message>
+    <message>
+        <source>a material &apos;{id}&apos; comes with the program</source>
+        <translation>un materiale &apos;{id}&apos; è fornito con il programma</translation>
+    </message>
+    <message>
+        <source>choose another id</source>
+        <translation>scegli un altro id</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -7620,6 +7652,14 @@ previsto</translation>
     <message>
         <source>Your own processes are JSON files in %1</source>
         <translation>I propri processi sono file JSON in %1</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiale</translation>
+    </message>
+    <message>
+        <source>Your own materials are JSON files in %1</source>
+        <translation>I tuoi materiali sono file JSON in %1</translation>
     </message>
 </context>
 <context>
@@ -9110,6 +9150,34 @@ circa %6, stimato da volume e altezza senza supporti</translation>
     <message>
         <source>Rejected: %1.</source>
         <translation>Scartato: %1.</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>materiale</translation>
+    </message>
+    <message>
+        <source>%1 g/cm³</source>
+        <translation>%1 g/cm³</translation>
+    </message>
+    <message>
+        <source>nozzle %1 °C</source>
+        <translation>ugello %1 °C</translation>
+    </message>
+    <message>
+        <source>plate %1 °C</source>
+        <translation>piatto %1 °C</translation>
+    </message>
+    <message>
+        <source>fan %1 %</source>
+        <translation>ventola %1 %</translation>
+    </message>
+    <message>
+        <source>up to %1 mm³/s</source>
+        <translation>fino a %1 mm³/s</translation>
+    </message>
+    <message>
+        <source>%1 per kg</source>
+        <translation>%1 al kg</translation>
     </message>
 </context>
 <context>

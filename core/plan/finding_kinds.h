@@ -139,6 +139,7 @@ enum class FindingKind : std::uint8_t {
   NozzleElsewhere,
   StatementMissing,
   StatementChanged,
+  FanChanged,
   OutputPasses,
   PostureChanged,
   FlowErrors,

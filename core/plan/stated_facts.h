@@ -26,7 +26,10 @@ enum class FactKind : std::uint8_t {
   OpenRounding,    // Corners are blended as far as the controller chooses
   PassingOutput,   // An extruder output is set at a motion that does not stop
   ToolSelected,    // `tool` deposits from here on
-  TapeCut          // Cuts the tape
+  TapeCut,         // Cuts the tape
+  BedHeat,         // Number: degrees C, 0: off
+  BedHeatWait,     // Waits until the bed is that hot
+  FanSpeed         // Number: part cooling, 0..1
 };
 
 struct StatedFact {

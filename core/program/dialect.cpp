@@ -50,8 +50,8 @@ constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad
 
 using enum plan::FactKind;
 std::vector<plan::FactKind> gcodeStates() {
-  return {OperatorStop, NozzleHeat,        NozzleHeatWait, Home,
-          Millimetres,  AbsolutePositions, FilamentCount};
+  return {OperatorStop, NozzleHeat,  NozzleHeatWait,    BedHeat,      BedHeatWait,
+          Home,         Millimetres, AbsolutePositions, FilamentCount};
 }
 
 std::vector<std::string> unitsOfRapid(const robot::Cell& cell) {

@@ -28,6 +28,7 @@ const std::vector<Extruder>& extruders() {
       {.id = kCastelliExtruder,
        .label = "Castelli serial"_text,
        .text = castelliFlowText,
+       .fan = castelliFanText,
        .written = castelliWritten,
        .filamentMm = kCastelliFilamentMm,
        .lagS = 0.01,

@@ -27,6 +27,8 @@ struct Extruder {
   // For extruders controlled by texts that the program sends (ProgramEmitter::send): returns the
   // text for a flow [mm3/s]; 0 stops it. nullptr: controlled by outputs.
   std::string (*text)(double mm3PerS) = nullptr;
+  // For such extruders with a fan: returns the text for part cooling, 0..1; nullptr: without a fan.
+  std::string (*fan)(double share) = nullptr;
   // Returns the flow [mm3/s] that is actually written for a wanted flow. nullptr: as with the
   // dialect's analogue output.
   double (*written)(double mm3PerS) = nullptr;

@@ -72,6 +72,31 @@ bool takeCell(std::string_view text, JobHead& head) {
 
 } // namespace
 
+namespace {
+// Returns e.g. "Nozzle 210 C, plate 60 C"; empty if no temperature is known.
+std::string heatText(const ProgramInput& input, std::string_view unit) {
+  std::string nozzles, text;
+  std::size_t count = 0;
+  for (const process::Tool& tool : input.tooling.usedAfter(input.trajectory, 0))
+    if (const std::optional<int> celsius = tool.process.material.nozzleC) {
+      nozzles += joined({count++ > 0 ? ", " : "", std::to_string(*celsius)});
+    }
+  if (count > 0)
+    text = joined({count > 1 ? "Nozzles " : "Nozzle ", nozzles, unit});
+  if (const int bed = input.process().material.bedC.value_or(0); bed > 0)
+    text += joined({text.empty() ? "Plate " : ", plate ", std::to_string(bed), unit});
+  return text;
+}
+
+std::string heatLine(const ProgramInput& input) {
+  std::string text = heatText(input, " degrees C");
+  const process::Material& material = input.process().material;
+  if (!text.empty() && material.fan > 0.0)
+    text += joined({", fan ", fixedText(100.0 * material.fan, 0), " % from layer 2 on"});
+  return text;
+}
+} // namespace
+
 std::optional<std::string_view> behindMark(std::string_view line, std::string_view word) {
   const std::size_t at = line.find(word);
   const auto isMark = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; };
@@ -128,6 +153,14 @@ std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files) 
   return std::nullopt;
 }
 
+std::string startQuestion(const ProgramInput& input) {
+  const std::string heat = heatText(input, " C");
+  std::string question = joined({heat, "? The arm goes straight to its start. Is the way clear?"});
+  if (heat.empty() || question.size() > kQuestionLength)
+    return std::string(kStartQuestion);
+  return question;
+}
+
 std::vector<std::string> headLines(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
   const process::Process& p = input.process();
@@ -140,6 +173,8 @@ std::vector<std::string> headLines(const ProgramInput& input) {
       joined({std::to_string(t.pointCount()), " motions, ", fixedText(mm3, 1), " mm3, ",
               fixedText(mm3 * 1e-3 * p.material.densityGPerCm3, 1), " g, ",
               fixedText(t.timeS.back(), 1), " s"})};
+  if (std::string heat = heatLine(input); !heat.empty())
+    lines.push_back(std::move(heat));
   if (extruderOf(input).streams)
     lines.push_back(joined({kStreamNote, streamName(input),
                             ", played from each moment on at which the extruder's output goes "

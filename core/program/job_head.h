@@ -23,8 +23,8 @@ std::string plainText(std::string_view text, std::size_t most = 60);
 std::string jobHash(const ProgramInput& input);
 
 // Returns lines without a dialect's comment mark: part, job, cell, robot, process; amount and
-// duration; the ranges and the start values of the joints (unless foreign: those of the cell's own
-// arm).
+// duration; temperatures and fan, if known; the ranges and the start values of the joints (unless
+// foreign: those of the cell's own arm).
 std::vector<std::string> headLines(const ProgramInput& input);
 // Same for controllers that limit lines to `most` characters: longer lines are continued in the
 // next one at a blank; lines that names from files make too long are cut.
@@ -50,5 +50,10 @@ inline constexpr std::string_view kPauseText = "Paused. Continue?";
 // Question to the operator before anything moves.
 inline constexpr std::string_view kStartQuestion =
     "The arm goes slowly and straight to its start. Is the way clear?";
+
+// The same with the temperatures that the operator has to set, as far as they are known, for
+// programs that cannot heat and wait; at most kQuestionLength characters.
+std::string startQuestion(const ProgramInput& input);
+inline constexpr std::size_t kQuestionLength = 80; // RAPID's strings
 
 } // namespace voluta::program

@@ -81,7 +81,11 @@ void ProgramBuilder::send(std::string_view text) {
   case 'R':
     wordAt("R", kSetUp);
     return;
-  default: // fan, and queries
+  case 'F':
+    state(plan::FactKind::FanSpeed, std::min(1.0, value / kCastelliFullFan));
+    wordAt(text, kAnywhere);
+    return;
+  default: // queries
     wordAt(text, kAnywhere);
   }
 }

@@ -7,6 +7,7 @@
 #include "replay/beside_motion.h"
 #include "replay/controller_time.h"
 #include "replay/executed_path.h"
+#include "replay/heat_facts.h"
 #include "replay/limit_findings.h"
 #include "replay/planned_events.h"
 #include "replay/section_errors.h"
@@ -90,8 +91,10 @@ private:
         alignProgram(in_.program, path(), planned, in_.trajectory, in_.cell, ctx_);
     addDeviations(compareWithPlan(in_.program, path(), planned, in_.trajectory, alignment,
                                   ComparisonOptions{}));
-    addDeviations(compareStatedFacts(in_.program, in_.trajectory, alignment, in_.cell, in_.tooling,
-                                     in_.firstPoint));
+    addDeviations(
+        compareStatedFacts(in_.program, in_.trajectory, alignment, in_.cell, in_.tooling));
+    addDeviations(compareHeat(in_.program, in_.trajectory, in_.tooling, in_.firstPoint));
+    addFindings(verdict, compareFan(in_.program, in_.plan, in_.trajectory, alignment, in_.tooling));
     addDeviations(compareEvents(in_.program, in_.trajectory, alignment));
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
                                     in_.tooling, in_.firstPoint));
@@ -188,7 +191,7 @@ private:
       const double flow = motion.volumeMm3 >= 0.0 && path().durationS[m] > 0.0
                               ? volume / path().durationS[m]
                               : (motion.extruding ? motion.flowMm3PerS : 0.0);
-      const double most = in_.tooling.at(out_.run.tool[m]).process.maxFlowMm3PerS;
+      const double most = process::flowLimit(in_.tooling.at(out_.run.tool[m]).process);
       if (flow > 1.05 * most)
         all.push_back({LimitKind::Flow, m, -1, flow, most});
     }

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <span>
 
 namespace voluta::replay {
 
@@ -26,10 +24,6 @@ base::Message nameOf(FactKind kind) {
   switch (kind) {
   case FactKind::OperatorStop:
     return "a stop until the operator continues"_text;
-  case FactKind::NozzleHeat:
-    return "the nozzle temperature, °C"_text;
-  case FactKind::NozzleHeatWait:
-    return "a wait until the nozzle is hot"_text;
   case FactKind::Home:
     return "the reference run"_text;
   case FactKind::Millimetres:
@@ -51,6 +45,11 @@ base::Message nameOf(FactKind kind) {
   case FactKind::ToolSelected: // events: planned_events.h
   case FactKind::TapeCut:
   case FactKind::PassingOutput:
+  case FactKind::NozzleHeat: // heat_facts.h
+  case FactKind::NozzleHeatWait:
+  case FactKind::BedHeat:
+  case FactKind::BedHeatWait:
+  case FactKind::FanSpeed:
     break;
   }
   return "a trigger for the output"_text;
@@ -59,11 +58,9 @@ base::Message nameOf(FactKind kind) {
 class Comparer {
 public:
   Comparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
-           const Alignment& alignment, const robot::Cell& cell, const process::Tooling& tooling,
-           std::size_t firstPoint)
+           const Alignment& alignment, const robot::Cell& cell, const process::Tooling& tooling)
       : program_(program), trajectory_(trajectory), alignment_(alignment), cell_(cell),
-        fullFlowMm3PerS_(tooling.first().process.maxFlowMm3PerS),
-        tools_(tooling.usedAfter(trajectory, firstPoint)) {
+        fullFlowMm3PerS_(tooling.first().process.maxFlowMm3PerS) {
     const auto flows = std::ranges::find_if(
         program.pauses, [](const plan::ProgramPause& p) { return p.volumeMm3 > 0.0; });
     firstFlow_ = static_cast<std::size_t>(flows - program.pauses.begin());
@@ -111,15 +108,10 @@ private:
     case FactKind::OperatorStop:
       operatorStop(firstMotion);
       break;
-    case FactKind::NozzleHeat:
-      for (std::size_t tool = 0; tool < tools_.size(); ++tool)
-        heat(tool, firstMotion);
-      break;
+    case FactKind::NozzleHeat: // heat_facts.h
     case FactKind::NozzleHeatWait:
-      for (std::size_t tool = 0; tool < tools_.size(); ++tool)
-        if (heatOf(tool) &&
-            !first(kind, [&](const StatedFact& f) { return isOf(tool, f) && isBeforeFlow(f); }))
-          missing(kind, firstMotion);
+    case FactKind::BedHeat:
+    case FactKind::BedHeatWait:
       break;
     default:
       if (!first(kind, [&](const StatedFact& f) { return isBeforeMotion(f) && isBeforeFlow(f); }))
@@ -143,30 +135,6 @@ private:
     else
       missing(FactKind::OperatorStop,
               home && isBeforeMotion(*home) ? placeOfFact(*home) : firstMotion);
-  }
-
-  std::optional<int> heatOf(std::size_t tool) const {
-    return tools_[tool].process.material.nozzleC;
-  }
-  static bool isOf(std::size_t tool, const StatedFact& fact) {
-    return fact.tool == static_cast<int>(tool);
-  }
-
-  void heat(std::size_t tool, TextPlace firstMotion) {
-    const std::optional<int> planned = heatOf(tool);
-    if (!planned)
-      return;
-    const auto isOn = [](const StatedFact& f) { return f.number > 0.0; };
-    if (!first(FactKind::NozzleHeat,
-               [&](const StatedFact& f) { return isOf(tool, f) && isOn(f) && isBeforeFlow(f); }))
-      missing(FactKind::NozzleHeat, firstMotion);
-    const StatedFact* last = nullptr;
-    for (const StatedFact& fact : program_.facts)
-      if (fact.kind == FactKind::NozzleHeat && isOf(tool, fact) && fact.before <= firstBead_)
-        last = &fact;
-    if (last && !isOn(*last))
-      changed(FactKind::NozzleHeat, placeOfFact(*last), base::number(last->number),
-              base::number(*planned));
   }
 
   void stated(const StatedFact& fact) {
@@ -243,7 +211,6 @@ private:
   const Alignment& alignment_;
   const robot::Cell& cell_;
   const double fullFlowMm3PerS_;
-  const std::span<const process::Tool> tools_; // that print
   // pause in which material flows first; first extruding motion
   std::size_t firstFlow_ = 0, firstBead_ = 0;
   std::vector<TextFinding> found_;
@@ -254,9 +221,8 @@ private:
 std::vector<TextFinding> compareStatedFacts(const plan::ReadProgram& program,
                                             const plan::Trajectory& trajectory,
                                             const Alignment& alignment, const robot::Cell& cell,
-                                            const process::Tooling& tooling,
-                                            std::size_t firstPoint) {
-  return Comparer(program, trajectory, alignment, cell, tooling, firstPoint).compare();
+                                            const process::Tooling& tooling) {
+  return Comparer(program, trajectory, alignment, cell, tooling).compare();
 }
 
 } // namespace voluta::replay

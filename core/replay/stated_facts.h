@@ -9,17 +9,14 @@
 #include "replay/comparison.h"
 #include "robot/cell.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace voluta::replay {
 
-// `firstPoint`: of the trajectory, where the text begins. Returns a finding, with its line, for
-// each of these:
+// Returns a finding, with its line, for each of these:
 // - a required statement is missing before the first motion, or, if it concerns material, before
-//   anything flows. The operator's stop must come before any motion of the machine. A temperature
-//   is required for each tool that prints (Tooling::usedAfter) a material with a known usual
-//   temperature, and must stay on until the first bead;
+//   anything flows. The operator's stop must come before any motion of the machine. Temperatures:
+//   heat_facts.h;
 // - a stop ends without the operator;
 // - the full value or the range of the flow output differs from the process or the dialect;
 // - the cell does not have a mechanical unit;
@@ -29,7 +26,6 @@ namespace voluta::replay {
 std::vector<TextFinding> compareStatedFacts(const plan::ReadProgram& program,
                                             const plan::Trajectory& trajectory,
                                             const Alignment& alignment, const robot::Cell& cell,
-                                            const process::Tooling& tooling,
-                                            std::size_t firstPoint = 0);
+                                            const process::Tooling& tooling);
 
 } // namespace voluta::replay

@@ -46,6 +46,7 @@ TEST_F(Golden, urscript) {
   # part part 1, job 989d904e1002c6e8
   # cell bench, robot ur5, process fdm-1.0 (PLA)
   # 6 motions, 1.6 mm3, 0 g, 4.2 s
+  # Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
   # joints go, degrees: 0 to 0.7, 0 to 0, 0 to 0, 0 to 0, 0 to 0, 0 to 90
   # starts at joints, degrees: 0, 0, 0, 0, 0, 0; the first motion goes there slowly and straight from wherever the arm stands
   # fixed nozzle: the TCP is the plate's centre, poses are the plate's in Base
@@ -55,7 +56,7 @@ TEST_F(Golden, urscript) {
   set_analog_outputdomain(0,1) # 0 to 10 V
   set_standard_digital_out(0,False)
   set_standard_analog_out(0,0)
-  popup("The arm goes slowly and straight to its start. Is the way clear?",title="Voluta",blocking=True)
+  popup("Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?",title="Voluta",blocking=True)
   movej([0.0000000,0.0000000,0.0000000,0.0000000,0.0000000,0.0000000],a=0.5,v=0.25)
   # prime
   set_standard_analog_out(0,0.4113)
@@ -87,6 +88,7 @@ TEST_F(Golden, urscriptStream) {
 # part part 1, job 989d904e1002c6e8
 # cell bench, robot ur5, process fdm-1.0 (PLA)
 # 6 motions, 1.6 mm3, 0 g, 4.2 s
+# Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 # joints go, degrees: 0 to 0.7, 0 to 0, 0 to 0, 0 to 0, 0 to 0, 0 to 90
 # starts at joints, degrees: 0, 0, 0, 0, 0, 0; the first motion goes there slowly and straight from wherever the arm stands
 # extruder: digital output 0; flow: analogue output 0, 1 = 40 mm3/s
@@ -112,6 +114,7 @@ TEST_F(Golden, extendedGcode) {
 ; part part 1, job 989d904e1002c6e8
 ; cell bench, robot ur5, process fdm-1.0 (PLA)
 ; 6 motions, 1.6 mm3, 0 g, 4.2 s
+; Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 ; FOREIGN: not the language of the cell's controller
 ; filament diameter 1.75 mm
 G21
@@ -119,9 +122,12 @@ G90
 M82
 M117 The arm goes slowly and straight to its start. Is the way clear?
 M0
+M140 S60
 M104 S210 ; assumed for PLA
 G28
+M190 S60
 M109 S210
+M107
 G92 E0
 G1 E1.36808 F410.424 ; prime
 G92 E0
@@ -136,6 +142,7 @@ G0 X8.7508 Y-15.8473 Z-41.4500 nX0.980785 nY0.195090 nZ0.000000 F851.705
 G0 X5.4910 Y-17.2500 Z-41.4500 nX1.000000 nY0.000000 nZ0.000000 F851.708
 ; layer 7, wall, path 0
 G0 X5.4910 Y-14.7900 Z-49.4624 nX1.000000 nY0.000000 nZ0.000000 F5028.922
+M106 S255
 G1 X5.4910 Y-14.5485 Z-50.2649 nX1.000000 nY0.000000 nZ0.000000 E0.33260 F1005.66
 G1 X5.4910 Y-14.3077 Z-51.0678 nX1.000000 nY0.000000 nZ0.000000 E0.66520 F1005.879
 G0 X8.2473 Y-13.3160 Z-49.8636 nX0.980785 nY0.195090 nZ0.000000 F760.113
@@ -147,6 +154,8 @@ G0 X17.3487 Y-1.2426 Z-43.8511 nX0.382683 nY0.923880 nZ0.000000 F837.529
 G0 X17.6229 Y2.0932 Z-42.6503 nX0.195090 nY0.980785 nZ0.000000 F853.424
 G0 X17.2500 Y5.4910 Z-41.4500 nX0.000000 nY1.000000 nZ0.000000 F869.477
 M104 S0
+M140 S0
+M107
 M84
 ; end
 )");
@@ -166,9 +175,9 @@ TEST_F(Golden, tableGcode) {
         "G1 X49.4624 Y-14.7900 Z5.4910 B-90.00000 C0.00000 F600\n"
         "G1 X50.2649 Y-14.5485 Z5.4910 B-90.00000 C0.00000 E0.33260 F1200\n"
         "G1 X51.0678 Y-14.3077 Z5.4910 B-90.00000 C0.00000 E0.66520 F1200\n",
-        "G94\nM104 S0\nM84\n; end\n"})
+        "G94\nM104 S0\nM140 S0\nM107\nM84\n; end\n"})
     EXPECT_NE(whole.find(lines), std::string::npos) << lines << "in\n" << whole;
-  EXPECT_TRUE(whole.ends_with("\nG94\nM104 S0\nM84\n; end\n"));
+  EXPECT_TRUE(whole.ends_with("\nG94\nM104 S0\nM140 S0\nM107\nM84\n; end\n"));
 }
 
 // CR LF and the list of modules apart.
@@ -179,6 +188,7 @@ TEST_F(Golden, rapid) {
   ! part part 1, job 989d904e1002c6e8
   ! cell bench, robot ur5, process fdm-1.0 (PLA)
   ! 6 motions, 1.6 mm3, 0 g, 4.2 s
+  ! Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
   ! fixed nozzle: a stationary tool, which stands in world, the base while the base frame is zero; the arm holds the work object, poses are the nozzle's on it
   ! extruder on: doExtruder; flow: aoFlow, 1 = 40 mm3/s
   ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: part_1_EIO.cfg
@@ -191,7 +201,7 @@ TEST_F(Golden, rapid) {
     ConfJ\Off;
     SetDO doExtruder,0;
     SetAO aoFlow,0;
-    UIMsgBox "The arm goes slowly and straight to its start. Is the way clear?";
+    UIMsgBox "Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?";
     MoveJ [[17.25,5.491,-41.45],[0.70710678,0.70710678,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],[50,20,5000,1000],fine,tNozzle\WObj:=wPlate;
     ! prime
     SetAO aoFlow,0.4113;
@@ -244,7 +254,7 @@ $VEL.ORI1=200
 $VEL.ORI2=200
 $OUT[1]=FALSE
 $ANOUT[1]=0
-; The arm goes slowly and straight to its start. Is the way clear?
+; Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
 HALT
 BAS (#VEL_PTP,10)
 PTP {X 17.25,Y 5.491,Z -41.45,A 0,B 0,C 90}
@@ -287,7 +297,7 @@ TEST_F(Golden, spel) {
   Weight 0.5 ' assumed: 0.5 kg of plate, and the part
   Off 1
   AIO_Out 1, 0
-  Print "The arm goes slowly and straight to its start. Is the way clear?"
+  Print "Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?"
   Pause
   Speed 10
   Go XY(-817.25,-291.45,-5.491,0,0,90)
@@ -324,6 +334,7 @@ TEST_F(Golden, jointTable) {
 # part part 1, job 989d904e1002c6e8
 # cell bench, robot ur5, process fdm-1.0 (PLA)
 # 6 motions, 1.6 mm3, 0 g, 4.2 s
+# Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 # joints go, degrees: 0 to 0.7, 0 to 0, 0 to 0, 0 to 0, 0 to 0, 0 to 90
 # starts at joints, degrees: 0, 0, 0, 0, 0, 0; the first motion goes there slowly and straight from wherever the arm stands
 time_s,j1_deg,j2_deg,j3_deg,j4_deg,j5_deg,j6_deg,extruded_mm3,waypoint,move
@@ -345,6 +356,7 @@ TEST_F(Golden, melfa) {
 3 ' part part 1, job 989d904e1002c6e8
 4 ' cell bench, robot ur5, process fdm-1.0 (PLA)
 5 ' 6 motions, 1.6 mm3, 0 g, 4.2 s
+5 ' Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 6 ' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's; the TCP is the plate's
 7 ' centre, positions are the plate's in the robot's base
 8 ' extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
@@ -357,7 +369,7 @@ TEST_F(Golden, melfa) {
 15 Cnt 0
 16 M_Out(10)=0
 17 M_Outw(16)=0
-18 ' The arm goes slowly and straight to its start. Is the way clear?
+18 ' Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
 19 ' Hlt waits for the operator's start
 20 Hlt
 21 JOvrd 8
@@ -399,6 +411,7 @@ TEST_F(Golden, melfaDatalink) {
 # part part 1, job 989d904e1002c6e8
 # cell bench, robot ur5, process fdm-1.0 (PLA)
 # 6 motions, 1.6 mm3, 0 g, 4.2 s
+# Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 # extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
 x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,mm_per_s,flow,blend_mm
 tool,0,0,100,0,0,0
@@ -419,10 +432,11 @@ nozzle,-800,-250,0,180,0,0
 2 ' part part 1, job 989d904e1002c6e8
 3 ' cell bench, robot ur5, process fdm-1.0 (PLA)
 4 ' 6 motions, 1.6 mm3, 0 g, 4.2 s
+4 ' Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 5 ' extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
 6 ' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's
 7 ' COM3 is the network: COMDEV's third OPT13, its CPRCE13 2, port 10003, the robot serves
-8 ' The arm goes slowly and straight to its start. Is the way clear?
+8 ' Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
 9 Tool (0,0,100,0,0,0)(0,0)
 10 Base P_NBase
 11 P_WkCord(1)=(-800,-250,0,180,0,0)(0,0)
@@ -506,13 +520,14 @@ TEST_F(Golden, tmscript) {
 // part part 1, job 989d904e1002c6e8
 // cell bench, robot ur5, process fdm-1.0 (PLA)
 // 6 motions, 1.6 mm3, 0 g, 4.2 s
+// Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
 // fixed nozzle: the TCP is the plate's centre, poses are the plate's in RobotBase
 // extruder on: DO 0 of the control box; flow: AO 0, 10 V = 40 mm3/s
 $TMSCT,25,1,ChangeBase("RobotBase"),*08
 $TMSCT,32,2,ChangeTCP({0,0,100,0,0,0},0.5),*22
 $TMSCT,26,3,IO["ControlBox"].DO[0]=0,*66
 $TMSCT,26,4,IO["ControlBox"].AO[0]=0,*64
-// The arm goes slowly and straight to its start. Is the way clear?
+// Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
 $TMSCT,9,5,Pause(),*02
 $TMSCT,56,6,PTP("CPP",-817.25,-291.45,-5.491,90,0,0,8,500,0,false),*3F
 // prime

@@ -1,5 +1,6 @@
 #include "program/common/walk.h"
 
+#include "process/cooling.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
 #include "program/extruder.h"
@@ -60,6 +61,8 @@ private:
     }
     if (isPrint(t, i) && drawn_)
       draw(false);
+    if (isPrint(t, i))
+      cool(t.waypoint[i]);
     if (walk_.outputs != nullptr && isPrint(t, i))
       flow(walk_.outputs->flowMm3PerS(i));
     extruder(isPrint(t, i));
@@ -98,6 +101,23 @@ private:
         emitter_.extrudeInPlace(event.feedMm, std::abs(event.feedMm) / kDrawBackMmPerS);
         break;
       }
+  }
+
+  // Runs the fan as the path of that waypoint needs it.
+  void cool(std::size_t waypoint) {
+    const auto& paths = in_.toolPlan.paths;
+    if (waypoint == plan::kNoWaypoint)
+      return;
+    while (path_ + 1 < paths.size() && paths[path_ + 1].first <= waypoint)
+      ++path_;
+    const double share = process::fanShare(process().material, paths[path_]);
+    if (std::abs(share - fan_) < process::kSameFan)
+      return;
+    fan_ = share;
+    if (walk_.outputs != nullptr && extruder_.fan)
+      emitter_.send(extruder_.fan(share));
+    else
+      emitter_.fan(share);
   }
 
   void flow(double mm3PerS) {
@@ -168,7 +188,9 @@ private:
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;
-  int tool_ = 0;                   // selected
+  int tool_ = 0;         // selected
+  std::size_t path_ = 0; // printed last
+  double fan_ = 0.0;
   std::size_t lastPrint_ = 0;      // point
   std::string said_;               // last text sent
   std::vector<std::size_t> zeros_; // points, of an extruder that is an axis

@@ -29,6 +29,8 @@ public:
   // A text for an extruder that is controlled by texts (Extruder::text).
   virtual void send(std::string_view /*text*/) {}
   virtual void wait(double /*seconds*/) {}
+  // Part cooling from here on, called on changes only; off at the beginning.
+  virtual void fan(double /*share*/) {}
   // Events of the trajectory, in place; for dialects that have words for them (Dialect::events).
   virtual void selectTool(int /*tool*/) {}
   virtual void cut() {}

@@ -39,6 +39,14 @@ std::string castelliFlowText(double mm3PerS) {
   return joined({"G", std::to_string(castelliHalfPeriodUs(mm3PerS)), "n"});
 }
 
+std::string castelliFanText(double share) {
+  return joined({"F", std::to_string(std::lround(share * kCastelliFullFan)), "n"});
+}
+
+std::string castelliHeatText(int celsius) {
+  return joined({"M", std::to_string(celsius), "n"});
+}
+
 std::optional<CastelliCommand> readCastelli(std::string_view text) {
   CastelliCommand command;
   if (text.size() < 3 || text.size() > kCastelliMostBytes || text.back() != 'n' ||

@@ -12,6 +12,7 @@ namespace voluta::program {
 
 inline constexpr double kCastelliStepsPerMm = 1674.18, kCastelliFilamentMm = 3.0;
 inline constexpr std::size_t kCastelliMostBytes = 16;
+inline constexpr double kCastelliFullFan = 255.0;
 // Default address of the board in programs.
 inline constexpr std::string_view kCastelliAddress = "192.168.0.30";
 inline constexpr int kCastelliPort = 5000;
@@ -25,6 +26,10 @@ double castelliWritten(double mm3PerS);
 
 // E.g. "G1394n" for a bead of 0.1514 mm² at 10 mm/s.
 std::string castelliFlowText(double mm3PerS);
+
+// E.g. "F128n" for half the fan's full speed; a nozzle temperature: "M210n", 0: off.
+std::string castelliFanText(double share);
+std::string castelliHeatText(int celsius);
 
 struct CastelliCommand {
   char word = 'G'; // one of G, M, T, F, R

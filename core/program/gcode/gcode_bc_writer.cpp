@@ -214,6 +214,7 @@ private:
   }
 
   void remark(std::string_view text) override { text_.remark(text); }
+  void fan(double share) override { text_.fan(share); }
   // Under G93 F is the inverse of a time.
   void retract(double filamentMm) override {
     text_.retract(filamentMm, 60.0 * kDrawnMmPerS / std::abs(filamentMm));

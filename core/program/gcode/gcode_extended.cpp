@@ -102,9 +102,11 @@ bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::siz
   // E is 0 before the prime, but not after it.
   if (lines[i] == "G92 E0")
     return lines[i - 1].find("prime") == std::string::npos;
-  // M109 heats too.
+  // M109 and M190 heat too.
   const bool heatsEarly = lines[i].starts_with("M104 S") && lines[i] != "M104 S0";
-  return heatsEarly || lines[i].starts_with("M117") || primes(lines, i);
+  const bool cools = lines[i].starts_with("M106") || lines[i] == "M107";
+  return heatsEarly || cools || lines[i].starts_with("M140 S") || lines[i].starts_with("M117") ||
+         primes(lines, i);
 }
 
 } // namespace voluta::program

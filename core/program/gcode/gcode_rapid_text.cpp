@@ -167,7 +167,8 @@ constexpr std::string_view kSame = R"(  ! from here on the same for every job
       goOn FALSE;
       WaitTime\InPos,nSeconds;
     ELSEIF sCode<>"" AND sCode<>"G21" AND sCode<>"G28" AND sCode<>"G90" AND sCode<>"M0"
-      AND sCode<>"M82" AND sCode<>"M84" AND sCode<>"M104" AND sCode<>"M109" THEN
+      AND sCode<>"M82" AND sCode<>"M84" AND sCode<>"M104" AND sCode<>"M109"
+      AND sCode<>"M106" AND sCode<>"M107" AND sCode<>"M140" AND sCode<>"M190" THEN
       refuse sCode;
     ENDIF
     sCode:="";

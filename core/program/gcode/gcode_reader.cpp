@@ -146,6 +146,10 @@ void GcodeReader::executeM(double m, GcodeWords& w) {
   } else if (!inTable('M', m)) {
     defect("unknown M command"_text);
   }
+  if (m == 140.0 || m == 190.0)
+    heatBed(m, w);
+  else if (m == 106.0 || m == 107.0)
+    cool(m, w);
   // M1 stops only if a switch is set; with P or S a stop ends by itself.
   if (m == 0.0 || m == 1.0)
     out_.state(OperatorStop, m == 0.0 && !w['P'] && !w['S'] ? 1.0 : 0.0);
@@ -191,6 +195,21 @@ void GcodeReader::heat(double m, GcodeWords& w) {
   nozzle.celsius = celsius;
   nozzle.cold = celsius == 0.0;
   nozzle.used = nozzle.used || celsius > 0.0;
+}
+
+void GcodeReader::heatBed(double m, GcodeWords& w) {
+  const double celsius = w['S'] ? *w['S'] : w['R'].value_or(0.0);
+  out_.state(BedHeat, celsius);
+  if (m == 190.0 && celsius > 0.0)
+    out_.state(BedHeatWait);
+}
+
+// P numbers the fans of a machine; the first one cools the part.
+void GcodeReader::cool(double m, GcodeWords& w) {
+  if (w['P'].value_or(0.0) == 0.0)
+    out_.state(FanSpeed,
+               m == 107.0 ? 0.0
+                          : std::clamp(w['S'].value_or(kGcodeFullFan) / kGcodeFullFan, 0.0, 1.0));
 }
 
 bool GcodeReader::isCold() const {

@@ -74,6 +74,8 @@ private:
   void executeM(double m, GcodeWords& words);
   bool inTable(char letter, double number);
   void heat(double m, GcodeWords& words);
+  void heatBed(double m, GcodeWords& words);
+  void cool(double m, GcodeWords& words);
   void setPosition(GcodeWords& words);
   void motion(double g, GcodeWords& words);
   bool arc(const Eigen::Vector3d& from, double g, GcodeWords& words, plan::ProgramMotion& motion);

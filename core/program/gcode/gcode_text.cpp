@@ -9,6 +9,7 @@
 #include "program/stream/joint_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -41,6 +42,7 @@ private:
 
   void pause() override { text_.out += joined({"M0 ; ", kPauseText, "\n"}); }
   void remark(std::string_view text) override { text_.remark(text); }
+  void fan(double share) override { text_.fan(share); }
   void retract(double filamentMm) override { text_.retract(filamentMm, 60.0 * kDrawnMmPerS); }
   // The nozzle's path is not straight, so it is written in pieces.
   void jointMotion(std::size_t i) override {
@@ -160,15 +162,20 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
   out += joined({"M117 ", question, "\nM0\n"});
   const std::span<const process::Tool> tools = input.tooling.usedAfter(input.trajectory, 0);
   tools_ = tools.size();
+  bedC_ = p.material.bedC.value_or(0);
+  if (bedC_ > 0)
+    out += joined({"M140 S", std::to_string(bedC_), "\n"});
   for (std::size_t tool = 0; tool < tools_; ++tool)
     if (const process::Material& material = tools[tool].process.material; material.nozzleC)
       out += joined({heating("M104", tool), std::to_string(*material.nozzleC), " ; assumed for ",
                      plainText(material.label), "\n"});
   out += "G28\n";
+  if (bedC_ > 0)
+    out += joined({"M190 S", std::to_string(bedC_), "\n"});
   for (std::size_t tool = 0; tool < tools_; ++tool)
     if (const std::optional<int> celsius = tools[tool].process.material.nozzleC)
       out += joined({heating("M109", tool), std::to_string(*celsius), "\n"});
-  out += "G92 E0\n";
+  out += "M107\nG92 E0\n";
   if (primesStanding(input)) {
     const double mmPerS = primeFlowMm3PerS(p) / filamentArea();
     word("G1 E", mmPerS * p.primeS, kFilamentDecimals, true);
@@ -180,8 +187,16 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
 void GcodeText::end() {
   for (std::size_t tool = 0; tool < tools_; ++tool)
     line(heating("M104", tool) + "0");
+  if (bedC_ > 0)
+    line("M140 S0");
+  line("M107");
   line("M84");
   line(kGcodeEnd);
+}
+
+void GcodeText::fan(double share) {
+  const long speed = std::lround(share * kGcodeFullFan);
+  line(speed > 0 ? joined({"M106 S", std::to_string(speed)}) : std::string("M107"));
 }
 
 std::optional<double> GcodeText::filamentMm(const plan::Trajectory& trajectory, std::size_t point) {

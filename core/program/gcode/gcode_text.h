@@ -15,6 +15,7 @@
 namespace voluta::program {
 
 inline constexpr int kPositionDecimals = 4, kDirectionDecimals = 6;
+inline constexpr double kGcodeFullFan = 255.0;
 // Speed of retracting and returning filament.
 inline constexpr double kDrawnMmPerS = 30.0;
 inline constexpr std::string_view kGcodeEnd = "; end";
@@ -29,11 +30,13 @@ public:
   void line(std::string_view text);
   void remark(std::string_view text);
 
-  // Writes remarks, units, the question, home, heat of each tool that prints, and the prime;
-  // `notes`: remarks of the dialect.
+  // Writes remarks, units, the question, home, heat of the bed and of each tool that prints, the
+  // fan off, and the prime; `notes`: remarks of the dialect.
   void head(const ProgramInput& input, std::string_view title, std::string_view question,
             const std::vector<std::string>& notes = {});
   void end();
+  // Writes part cooling, 0..1, from here on.
+  void fan(double share);
 
   // Writes the filament length at the end of a bead's motion.
   void amount(double filamentMm);
@@ -51,6 +54,7 @@ private:
 
   double lastMm_ = 0.0;
   std::size_t tools_ = 1; // that print
+  int bedC_ = 0;          // 0: not heated
 };
 
 // Writes motions that are straight on the part, one per point, joint motions in pieces: extended

@@ -234,7 +234,7 @@ private:
     line("HALT");
   }
   void prompt() override {
-    line(joined({"; ", kStartQuestion}));
+    line(joined({"; ", startQuestion(in_)}));
     line("HALT");
   }
   void remark(std::string_view text) override { line(joined({"; ", text})); }

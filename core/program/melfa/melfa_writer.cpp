@@ -136,7 +136,7 @@ private:
     step("Hlt");
   }
   void prompt() override {
-    remark(kStartQuestion);
+    remark(startQuestion(in_));
     remark("Hlt waits for the operator's start");
     step("Hlt");
   }

@@ -281,7 +281,7 @@ private:
     perMm_ = 0.0;
   }
   void pause() override { line(joined({"    UIMsgBox \"", kPauseText, "\";"})); }
-  void prompt() override { line(joined({"    UIMsgBox \"", kStartQuestion, "\";"})); }
+  void prompt() override { line(joined({"    UIMsgBox \"", startQuestion(in_), "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
   // Between motions that do not stop, an assignment would run ahead of the arm, so the flow is an
   // event at the point where the next motion begins.

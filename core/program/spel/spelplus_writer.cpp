@@ -118,7 +118,7 @@ private:
     line(joined({"  OpenNet #", kPort, " As Client"}));
     line(joined({"  WaitNet #", kPort}));
     if (const auto celsius = in_.process().material.nozzleC)
-      send(joined({"M", std::to_string(*celsius), "n"}));
+      send(castelliHeatText(*celsius));
   }
   bool sends() const { return extruderOf(in_).text != nullptr; }
   // Write appends no line end, which the extruder would take for a text.
@@ -177,7 +177,7 @@ private:
     line("  Pause");
   }
   void prompt() override {
-    line(joined({"  Print \"", kStartQuestion, "\""}));
+    line(joined({"  Print \"", startQuestion(in_), "\""}));
     line("  Pause");
   }
   void remark(std::string_view text) override { line(joined({"  ' ", text})); }

@@ -103,7 +103,7 @@ private:
     frame("IO[\"ControlBox\"].AO[0]=0");
   }
   void prompt() override {
-    remark(kStartQuestion);
+    remark(startQuestion(in_));
     frame("Pause()");
   }
   void remark(std::string_view text) override { line(joined({"// ", text})); }

@@ -148,7 +148,7 @@ private:
                  kSocket, "\") # the extruder's address, to be set"}));
     outputsOff();
     if (const auto celsius = in_.process().material.nozzleC; celsius && file == 0)
-      send(joined({"M", std::to_string(*celsius), "n"}));
+      send(castelliHeatText(*celsius));
   }
   bool sends() const { return extruderOf(in_).text != nullptr; }
   void outputsOff() {
@@ -183,7 +183,7 @@ private:
     line(joined({"  popup(\"", kPauseText, "\",title=\"Voluta\",blocking=True)"}));
   }
   void prompt() override {
-    line(joined({"  popup(\"", kStartQuestion, "\",title=\"Voluta\",blocking=True)"}));
+    line(joined({"  popup(\"", startQuestion(in_), "\",title=\"Voluta\",blocking=True)"}));
   }
   void endFile(std::size_t) override {
     line("  # end");
