@@ -114,6 +114,15 @@ struct ReachOptions {
 ExitCode cellReachCommand(const ReachOptions& options);
 ExitCode cellNozzleCommand(const ReachOptions& options);
 
+struct MaterialOptions {
+  std::string material;       // id, or a material's file
+  std::filesystem::path file; // to write
+};
+ExitCode materialShowCommand(const MaterialOptions& options);   // its file's text
+ExitCode materialCheckCommand(const MaterialOptions& options);  // whether it can be used
+ExitCode materialImportCommand(const MaterialOptions& options); // copies it to the user's own
+ExitCode materialExportCommand(const MaterialOptions& options);
+
 struct CheckCellOptions {
   std::string cell; // Id, or a file
   std::string process = "fdm-1.0";

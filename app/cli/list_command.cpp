@@ -67,6 +67,26 @@ Json listProcesses() {
   return rows;
 }
 
+Json listMaterials() {
+  Json rows = Json::array();
+  for (const std::string& id : process::materialIds()) {
+    const process::Material m = process::loadMaterial(id);
+    Json row{{"id", id},
+             {"label", m.label},
+             {"densityGPerCm3", m.densityGPerCm3},
+             {"fan", m.fan},
+             {"pricePerKg", m.pricePerKg},
+             {"colour", m.colour},
+             {"own", !m.comesWithProgram}};
+    if (m.nozzleC)
+      row["nozzleC"] = *m.nozzleC;
+    if (m.bedC)
+      row["bedC"] = *m.bedC;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 Json valueJson(const base::ParameterValue& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
@@ -99,15 +119,30 @@ struct Listing {
   std::string_view what;
   Json (*rows)();
 };
-constexpr Listing kListings[] = {{"modes", listModes},         {"cells", listCells},
-                                 {"robots", listRobots},       {"formats", listFormats},
-                                 {"processes", listProcesses}, {"parameters", listParameters}};
+constexpr Listing kListings[] = {{"modes", listModes},          {"cells", listCells},
+                                 {"robots", listRobots},        {"formats", listFormats},
+                                 {"processes", listProcesses},  {"materials", listMaterials},
+                                 {"parameters", listParameters}};
+
+std::string materialText(const Json& row) {
+  std::string text = fmt::format(", {} g/cm3", row.at("densityGPerCm3").get<double>());
+  if (row.contains("nozzleC"))
+    text += fmt::format(", nozzle {} °C", row.at("nozzleC").get<int>());
+  if (row.contains("bedC"))
+    text += fmt::format(", bed {} °C", row.at("bedC").get<int>());
+  text += fmt::format(", fan {:.0f} %", 100.0 * row.at("fan").get<double>());
+  if (const double price = row.at("pricePerKg").get<double>(); price > 0.0)
+    text += fmt::format(", {} per kg", price);
+  return text;
+}
 
 std::string textOf(const Json& row) {
   std::string text =
       fmt::format("{:<18} {}", row.at("id").get<std::string>(), row.at("label").get<std::string>());
   if (row.contains("default"))
     text += fmt::format(" = {} {}", row.at("default").dump(), row.at("unit").get<std::string>());
+  if (row.contains("densityGPerCm3"))
+    text += materialText(row);
   if (row.contains("min"))
     text += fmt::format(" [{} to {}]", row.at("min").dump(), row.at("max").dump());
   if (row.contains("choices"))

@@ -4,6 +4,7 @@
 #include "cli/run_interruptibly.h"
 #include "curved/growth_scheme.h"
 #include "pipeline/choices.h"
+#include "process/own_materials.h"
 #include "project/platform_kinds.h"
 #include "project/turn_text.h"
 #include "project/version.h"
@@ -71,6 +72,7 @@ struct Parsed {
 // Options common to plan and compare.
 struct PlanValues {
   std::string until = "replay", progress = "bar";
+  std::string material; // empty: the process's
   std::vector<std::string> sets;
 };
 
@@ -120,6 +122,8 @@ void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions&
 
 void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValues& values) {
   addPlacingOptions(command, request);
+  command.add_option("--material", values.material,
+                     "material instead of the process's (see: list materials)");
   command.add_option("--set", values.sets, "key=value of a parameter (see: list parameters)")
       ->allow_extra_args(false);
   command.add_option("--until", values.until, "stop after this stage");
@@ -132,6 +136,8 @@ void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
   request.until = project::stageOf(values.until);
   project::Choices& choices = request.choices;
   pipeline::takeOwnFiles(choices);
+  if (!values.material.empty())
+    choices.tool().process = process::processTextWith(choices.tool().process, values.material);
   for (const base::Message& note : pipeline::setParameters(choices, values.sets))
     fmt::print(stderr, "note: {}\n", base::english(note));
   if (!choices.item().automatic && !choices.item().platformStays)
@@ -416,10 +422,32 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
   addReach(*cell, parsed, threads);
 }
 
+void addMaterial(CLI::App& app, Parsed& parsed) {
+  CLI::App* material = app.add_subcommand("material", "set up your own materials");
+  material->require_subcommand(1);
+  auto options = std::make_shared<MaterialOptions>();
+  const auto add = [&](const char* name, const char* help, const char* what,
+                       ExitCode (*run)(const MaterialOptions&)) {
+    CLI::App* command = material->add_subcommand(name, help);
+    command->add_option("MATERIAL", options->material, what)->required();
+    command->callback([options, run, &parsed] { parsed.run = [=] { return run(*options); }; });
+    return command;
+  };
+  const char* any = "material (see: list materials), or FILE.json";
+  add("show", "print a material's file", any, materialShowCommand);
+  add("check", "check a material's file", any, materialCheckCommand);
+  add("import", "copy a file to your own materials", "FILE.json", materialImportCommand);
+  add("export", "write a material to a file", "material (see: list materials)",
+      materialExportCommand)
+      ->add_option("-o", options->file, "FILE.json to write")
+      ->required();
+}
+
 void addList(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* list = app.add_subcommand("list", "list the available choices");
-  list->add_option("WHAT", options->what, "modes, cells, robots, formats, processes or parameters")
+  list->add_option("WHAT", options->what,
+                   "modes, cells, robots, formats, processes, materials or parameters")
       ->required();
   list->add_flag("--json", options->json, "as JSON");
   list->callback([options, &parsed] { parsed.run = [options] { return listCommand(*options); }; });
@@ -473,6 +501,7 @@ int run(int argc, char** argv) {
   addOrient(app, parsed, threads);
   addRobot(app, parsed, threads);
   addCell(app, parsed, threads);
+  addMaterial(app, parsed);
   addList(app, parsed);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());

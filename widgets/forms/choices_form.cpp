@@ -5,12 +5,14 @@
 #include "forms/platform_editor.h"
 #include "forms/value_boxes.h"
 
+#include <QColor>
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPixmap>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -52,6 +54,11 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   addCombo(growth_, QStringLiteral("growth"), 1);
   addCombo(cell_, QStringLiteral("cell"), 3);
   addCombo(process_, QStringLiteral("process"), 4);
+  addCombo(material_, QStringLiteral("material"), 5);
+  materialFacts_ = new QLabel(this);
+  materialFacts_->setObjectName(QStringLiteral("materialFacts"));
+  materialFacts_->setWordWrap(true);
+  grid->addWidget(materialFacts_, 6, 1);
 
   platformLabel_ = new QLabel(this);
   platform_ = new PlatformEditor(this);
@@ -71,8 +78,8 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   seed_->setRange(0, std::numeric_limits<int>::max());
   seed_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   seedLabel_->setBuddy(seed_);
-  grid->addWidget(seedLabel_, 5, 0);
-  grid->addWidget(seed_, 5, 1);
+  grid->addWidget(seedLabel_, 7, 0);
+  grid->addWidget(seed_, 7, 1);
   connect(seed_, &QSpinBox::valueChanged, this,
           [this](int value) { emit changed(QStringLiteral("seed"), QString::number(value)); });
 
@@ -88,8 +95,8 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   noticeLine->addWidget(notice_, 1);
   noticeButton_ = new QPushButton(this);
   noticeButton_->setObjectName(QStringLiteral("noticeButton"));
-  grid->addWidget(noticeRow_, 6, 0, 1, 2);
-  grid->addWidget(noticeButton_, 7, 0, 1, 2);
+  grid->addWidget(noticeRow_, 8, 0, 1, 2);
+  grid->addWidget(noticeButton_, 9, 0, 1, 2);
   connect(noticeButton_, &QPushButton::clicked, this, &ChoicesForm::noticePressed);
   setNotice({}, {}, false);
   retranslate();
@@ -138,6 +145,7 @@ void ChoicesForm::setLists(const ChoiceLists& lists) {
   fillCombo(growth_.combo, lists.growths);
   fillCombo(cell_.combo, lists.cells);
   fillCombo(process_.combo, lists.processes);
+  fillCombo(material_.combo, lists.materials);
   platforms_ = lists.platforms;
 }
 
@@ -146,7 +154,8 @@ void ChoicesForm::setTexts(const ChoiceTexts& texts) {
   choose(growth_.combo, texts.growth);
   choose(cell_.combo, texts.cell);
   choose(process_.combo, texts.process);
-  for (const Row* row : {&mode_, &growth_, &cell_, &process_})
+  showMaterial(texts);
+  for (const Row* row : {&mode_, &growth_, &cell_, &process_, &material_})
     showTip(*row);
   if (const auto at = platforms_.find(texts.mode); at != platforms_.end())
     platform_->setUses(at->second);
@@ -156,19 +165,34 @@ void ChoicesForm::setTexts(const ChoiceTexts& texts) {
   seed_->setValue(texts.seed);
 }
 
+void ChoicesForm::showMaterial(const ChoiceTexts& texts) {
+  choose(material_.combo, texts.material);
+  materialFacts_->setText(texts.materialFacts);
+  materialFacts_->setVisible(!texts.materialFacts.isEmpty());
+  const int at = material_.combo->currentIndex();
+  if (const QColor colour(texts.materialColour); at >= 0 && colour.isValid()) {
+    const int side = fontMetrics().height();
+    QPixmap swatch(side, side);
+    swatch.fill(colour);
+    material_.combo->setItemIcon(at, swatch);
+  }
+}
+
 void ChoicesForm::retranslate() {
   mode_.label->setText(tr("Mode"));
   growth_.label->setText(tr("Growth"));
   platformLabel_->setText(tr("Platform"));
   cell_.label->setText(tr("Cell"));
   process_.label->setText(tr("Process"));
+  material_.label->setText(tr("Material"));
   const auto own = [](const char* folder) {
     return QDir::toNativeSeparators(
         QString::fromStdString((base::userDataFolder() / folder).string()));
   };
   cell_.tip = tr("Your own cells are JSON files in %1").arg(own("cells"));
   process_.tip = tr("Your own processes are JSON files in %1").arg(own("processes"));
-  for (const Row* row : {&mode_, &growth_, &cell_, &process_})
+  material_.tip = tr("Your own materials are JSON files in %1").arg(own("materials"));
+  for (const Row* row : {&mode_, &growth_, &cell_, &process_, &material_})
     showTip(*row);
   seedLabel_->setText(tr("Seed"));
   seed_->setToolTip(

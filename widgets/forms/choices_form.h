@@ -1,4 +1,5 @@
-// Form for the choices that are not parameters: mode, growth, platform, cell, process, seed.
+// Form for the choices that are not parameters: mode, growth, platform, cell, process, material,
+// seed.
 #pragma once
 
 #include "forms/platform_editor.h"
@@ -21,7 +22,7 @@ struct ChoiceItem {
 };
 
 struct ChoiceLists {
-  std::vector<ChoiceItem> modes, growths, cells, processes;
+  std::vector<ChoiceItem> modes, growths, cells, processes, materials;
   std::map<QString, std::vector<project::PlatformUse>> platforms; // Supported by a mode
 };
 
@@ -29,6 +30,8 @@ struct ChoiceTexts {
   QString mode, growth, platform, cell, process;
   int seed = 1;
   RodProfile rod = {};
+  QString material = {}, materialFacts = {};
+  QString materialColour = {}; // #RRGGBB
 };
 
 class ChoicesForm : public QWidget {
@@ -53,7 +56,8 @@ public:
 signals:
   void noticePressed();
   void rodProfileChanged(const voluta::forms::RodProfile& profile);
-  // `field` is "mode", "growth", "platform", "cell", "process" or "seed".
+  // `field` is "mode", "growth", "platform", "cell", "process", "material" or
+  // "seed".
   void changed(const QString& field, const QString& text);
 
 protected:
@@ -69,7 +73,10 @@ private:
   static void showTip(const Row& row);
   void retranslate();
 
-  Row mode_, growth_, cell_, process_;
+  void showMaterial(const ChoiceTexts& texts);
+
+  Row mode_, growth_, cell_, process_, material_;
+  QLabel* materialFacts_ = nullptr;
   QLabel* platformLabel_ = nullptr;
   PlatformEditor* platform_ = nullptr;
   QLabel* seedLabel_ = nullptr;

@@ -6,10 +6,12 @@
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/search_texts.h"
+#include "process/own_materials.h"
 #include "process/process.h"
 #include "robot/cell.h"
 
 #include <QFileInfo>
+#include <QLocale>
 
 namespace voluta::window {
 
@@ -35,6 +37,8 @@ QString editNameOf(const QString& field) {
     return ChoicesEditor::tr("cell");
   if (field == "process")
     return ChoicesEditor::tr("process");
+  if (field == "material")
+    return ChoicesEditor::tr("material");
   return ChoicesEditor::tr("seed");
 }
 
@@ -54,6 +58,24 @@ QString changesOf(const project::Choices& from, const project::Choices& to) {
   return parts.join(QStringLiteral(", "));
 }
 
+// Returns e.g. "1.27 g/cm³, nozzle 240 °C, plate 80 °C, fan 50 %, 24 per kg".
+QString materialFacts(const process::Material& m) {
+  const QLocale locale;
+  QStringList facts{ChoicesEditor::tr("%1 g/cm³").arg(locale.toString(m.densityGPerCm3))};
+  if (m.nozzleC)
+    facts << ChoicesEditor::tr("nozzle %1 °C").arg(*m.nozzleC);
+  if (m.bedC)
+    facts << ChoicesEditor::tr("plate %1 °C").arg(*m.bedC);
+  facts << ChoicesEditor::tr("fan %1 %").arg(qRound(100.0 * m.fan));
+  if (m.maxFlowMm3PerS)
+    facts << ChoicesEditor::tr("up to %1 mm³/s").arg(locale.toString(*m.maxFlowMm3PerS));
+  if (m.pricePerKg > 0.0)
+    facts << ChoicesEditor::tr("%1 per kg").arg(locale.toString(m.pricePerKg));
+  if (!m.notes.empty())
+    facts << named(m.notes);
+  return facts.join(QStringLiteral(", "));
+}
+
 // Returns whether the platform is a body whose file is missing.
 bool bodyIsMissing(const project::Choices& choices) {
   return choices.item().platform.isBody() &&
@@ -63,6 +85,27 @@ bool bodyIsMissing(const project::Choices& choices) {
 bool wantsBody(const project::Choices& choices) {
   return modes::findMode(choices.item().mode).platforms.front() == project::PlatformUse::Body &&
          !choices.item().platform.isBody();
+}
+
+// Adds the material of a process, if that can be read: the run reports what is wrong with it.
+void showMaterial(const std::string& process, forms::ChoiceTexts& texts) {
+  try {
+    const process::Material m = process::loadProcess(process).material;
+    texts.material = named(m.id);
+    texts.materialColour = named(m.colour);
+    texts.materialFacts = materialFacts(m);
+  } catch (const base::Error&) {
+    texts.materialFacts.clear();
+  }
+}
+
+// Returns the process unchanged if it or the material cannot be read.
+std::string withMaterial(const std::string& process, const std::string& material) {
+  try {
+    return process::processTextWith(process, material);
+  } catch (const base::Error&) {
+    return process;
+  }
 }
 
 // As typed; the run reports values that cannot be parsed.
@@ -87,6 +130,8 @@ forms::ChoiceLists choiceLists() {
     lists.cells.push_back(item(cell));
   for (const std::string& process : process::processIds())
     lists.processes.push_back(item(process));
+  for (const std::string& material : process::materialIds())
+    lists.materials.push_back(item(material));
   return lists;
 }
 
@@ -116,9 +161,16 @@ void ChoicesEditor::retranslate() {
 
 void ChoicesEditor::show() {
   const project::Choices& c = document_.choices();
-  form_->setTexts({c.item().automatic ? QString::fromLatin1(kAutomatic) : named(c.item().mode),
-                   named(c.item().growth.id()), named(c.item().platform.text()), named(c.cell),
-                   named(c.tool().process), c.seed, rodProfileOf(c)});
+  forms::ChoiceTexts texts{c.item().automatic ? QString::fromLatin1(kAutomatic)
+                                              : named(c.item().mode),
+                           named(c.item().growth.id()),
+                           named(c.item().platform.text()),
+                           named(c.cell),
+                           named(c.tool().process),
+                           c.seed,
+                           rodProfileOf(c)};
+  showMaterial(c.tool().process, texts);
+  form_->setTexts(texts);
   form_->setGrows(modes::findMode(c.item().mode).grows);
   showNotice();
 }
@@ -142,6 +194,8 @@ void ChoicesEditor::change(const QString& field, const QString& text) {
     c.cell = value;
   } else if (field == "process") {
     c.tool().process = value;
+  } else if (field == "material") {
+    c.tool().process = withMaterial(c.tool().process, value);
   } else if (field == "seed") {
     c.seed = text.toInt();
   }

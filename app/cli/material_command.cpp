@@ -1,0 +1,30 @@
+#include "base/data_files.h"
+#include "cli/commands.h"
+#include "process/own_materials.h"
+
+#include <fmt/format.h>
+
+namespace voluta::cli {
+
+ExitCode materialShowCommand(const MaterialOptions& options) {
+  fmt::print("{}", process::materialText(process::chosenMaterial(options.material)));
+  return kDone;
+}
+
+ExitCode materialCheckCommand(const MaterialOptions& options) {
+  const process::Material material = process::chosenMaterial(options.material);
+  fmt::print("{}: no problems\n", material.label);
+  return kDone;
+}
+
+ExitCode materialImportCommand(const MaterialOptions& options) {
+  fmt::print("{}\n", process::importMaterial(options.material).string());
+  return kDone;
+}
+
+ExitCode materialExportCommand(const MaterialOptions& options) {
+  process::exportMaterial(options.material, options.file);
+  return kDone;
+}
+
+} // namespace voluta::cli
