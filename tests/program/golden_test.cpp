@@ -172,7 +172,7 @@ TEST_F(Golden, tableGcode) {
         "G1 X41.4500 Y-17.2500 Z5.4910 B-90.00000 C-78.75000 F960\n",
         "G1 X41.4500 Y-17.2500 Z5.4910 B-90.00000 C0.00000 F960\n"
         "; layer 7, wall, path 0\n"
-        "G1 X49.4624 Y-14.7900 Z5.4910 B-90.00000 C0.00000 F600\n"
+        "G1 X49.4624 Y-14.7900 Z5.4910 B-90.00000 C0.00000 F600\nM106 S255\n"
         "G1 X50.2649 Y-14.5485 Z5.4910 B-90.00000 C0.00000 E0.33260 F1200\n"
         "G1 X51.0678 Y-14.3077 Z5.4910 B-90.00000 C0.00000 E0.66520 F1200\n",
         "G94\nM104 S0\nM140 S0\nM107\nM84\n; end\n"})
@@ -356,48 +356,48 @@ TEST_F(Golden, melfa) {
 3 ' part part 1, job 989d904e1002c6e8
 4 ' cell bench, robot ur5, process fdm-1.0 (PLA)
 5 ' 6 motions, 1.6 mm3, 0 g, 4.2 s
-5 ' Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
-6 ' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's; the TCP is the plate's
-7 ' centre, positions are the plate's in the robot's base
-8 ' extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
-9 ' load assumed: 0.5 kg, to be set in HNDDAT1
-10 Tool (0,0,100,0,0,0)(0,0)
-11 Base P_NBase
-12 P_WkCord(1)=(-800,-250,0,180,0,0)(0,0)
-13 Ovrd 100
-14 Accel 100,100
-15 Cnt 0
-16 M_Out(10)=0
-17 M_Outw(16)=0
-18 ' Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
-19 ' Hlt waits for the operator's start
-20 Hlt
-21 JOvrd 8
-22 Mov (-817.25,-291.45,-5.491,90,0,0)(7,0)
-23 ' prime
-24 M_Outw(16)=4113
-25 M_Out(10)=1
-26 Dly 0.2
-27 M_Out(10)=0
-28 ' print
-29 JOvrd 25
-30 Mov (-817.25,-291.45,-5.491,0,-90,90)(7,0)
-31 ' layer 7, wall, path 0
-32 Spd 83.81495
-33 EMvs 1,(-814.2947,-299.6078,-5.491,0,-90,90.57296)(7,0)
-34 M_Outw(16)=4000
-35 M_Out(10)=1
-36 Spd 16.76217
-37 Cnt 1,0.377,0.377
-38 EMvs 1,(-813.9947,-300.4219,-5.491,0,-90,90.63025)(7,0)
-39 EMvs 1,(-813.6938,-301.2358,-5.491,0,-90,90.68755)(7,0)
-40 Cnt 0
-41 M_Out(10)=0
-42 Mov (-817.25,-291.45,-5.491,90,0,0)(7,0)
-43 ' end
-44 M_Out(10)=0
-45 M_Outw(16)=0
-46 End
+6 ' Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
+7 ' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's; the TCP is the plate's
+8 ' centre, positions are the plate's in the robot's base
+9 ' extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
+10 ' load assumed: 0.5 kg, to be set in HNDDAT1
+11 Tool (0,0,100,0,0,0)(0,0)
+12 Base P_NBase
+13 P_WkCord(1)=(-800,-250,0,180,0,0)(0,0)
+14 Ovrd 100
+15 Accel 100,100
+16 Cnt 0
+17 M_Out(10)=0
+18 M_Outw(16)=0
+19 ' Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
+20 ' Hlt waits for the operator's start
+21 Hlt
+22 JOvrd 8
+23 Mov (-817.25,-291.45,-5.491,90,0,0)(7,0)
+24 ' prime
+25 M_Outw(16)=4113
+26 M_Out(10)=1
+27 Dly 0.2
+28 M_Out(10)=0
+29 ' print
+30 JOvrd 25
+31 Mov (-817.25,-291.45,-5.491,0,-90,90)(7,0)
+32 ' layer 7, wall, path 0
+33 Spd 83.81495
+34 EMvs 1,(-814.2947,-299.6078,-5.491,0,-90,90.57296)(7,0)
+35 M_Outw(16)=4000
+36 M_Out(10)=1
+37 Spd 16.76217
+38 Cnt 1,0.377,0.377
+39 EMvs 1,(-813.9947,-300.4219,-5.491,0,-90,90.63025)(7,0)
+40 EMvs 1,(-813.6938,-301.2358,-5.491,0,-90,90.68755)(7,0)
+41 Cnt 0
+42 M_Out(10)=0
+43 Mov (-817.25,-291.45,-5.491,90,0,0)(7,0)
+44 ' end
+45 M_Out(10)=0
+46 M_Outw(16)=0
+47 End
 )");
 }
 
@@ -432,83 +432,83 @@ nozzle,-800,-250,0,180,0,0
 2 ' part part 1, job 989d904e1002c6e8
 3 ' cell bench, robot ur5, process fdm-1.0 (PLA)
 4 ' 6 motions, 1.6 mm3, 0 g, 4.2 s
-4 ' Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
-5 ' extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
-6 ' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's
-7 ' COM3 is the network: COMDEV's third OPT13, its CPRCE13 2, port 10003, the robot serves
-8 ' Nozzle 210 C, plate 60 C? The arm goes straight to its start. Is the way clear?
-9 Tool (0,0,100,0,0,0)(0,0)
-10 Base P_NBase
-11 P_WkCord(1)=(-800,-250,0,180,0,0)(0,0)
-12 Ovrd 100
-13 Accel 100,100
-14 Cnt 0
-15 M_Out(10)=0
-16 M_Outw(16)=0
-17 Hlt
-18 JOvrd 8
-19 P1=(-817.25,-291.45,-5.491,90,0,0)(7,0)
-20 Mov P1
-21 Open "COM3:" As #1
-22 *OPENS
-23 If M_Open(1)<>1 Then GoTo *OPENS
-24 Def Act 1,M_Open(1)<>1 GoTo *LOST
-25 Act 1=1
-26 *TAKES
-27 Input #1,M1,M2,M3,M4,M5,M6,M7,M8,M9
-28 If M7=0 Then GoTo *DONE
-29 If M7<0 Then GoTo *STAYS
-30 If M9<0 Then GoTo *JOINTS
-31 GoSub *POSE
-32 Spd M7
-33 If M9>0 Then
-34 Cnt 1,M9,M9
-35 EndIf
-36 If M8=0 Then
-37 M_Out(10)=0
-38 EndIf
-39 If M8>0 Then
-40 M_Out(10)=1
-41 EndIf
-42 EMvs 1,P1 Wth M_Outw(16)=M8
-43 If M9=0 Then
-44 Cnt 0
-45 EndIf
-46 Print #1,M7
-47 GoTo *TAKES
-48 *JOINTS
-49 M_Out(10)=0
-50 M_Outw(16)=0
-51 JOvrd M7
-52 GoSub *POSE
-53 Mov P1
-54 Print #1,M7
-55 GoTo *TAKES
-56 *STAYS
-57 M_Outw(16)=M8
-58 If M8>0 Then
-59 M_Out(10)=1
-60 EndIf
-61 Dly -M7
-62 M_Out(10)=0
-63 Print #1,M7
-64 GoTo *TAKES
-65 *DONE
-66 Print #1,M7
-67 *LOST
-68 M_Out(10)=0
-69 M_Outw(16)=0
-70 Act 1=0
-71 Close #1
-72 End
-73 *POSE
-74 P1.X=M1
-75 P1.Y=M2
-76 P1.Z=M3
-77 P1.A=Rad(M4)
-78 P1.B=Rad(M5)
-79 P1.C=Rad(M6)
-80 Return
+5 ' Nozzle 210 degrees C, plate 60 degrees C, fan 100 % from layer 2 on
+6 ' extruder on: output 10; flow: outputs 16 to 31 as a number, 10000 = 40 mm3/s
+7 ' fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's
+8 ' COM3 is the network: COMDEV's third OPT13, its CPRCE13 2, port 10003, the robot serves
+9 ' The arm goes slowly and straight to its start. Is the way clear?
+10 Tool (0,0,100,0,0,0)(0,0)
+11 Base P_NBase
+12 P_WkCord(1)=(-800,-250,0,180,0,0)(0,0)
+13 Ovrd 100
+14 Accel 100,100
+15 Cnt 0
+16 M_Out(10)=0
+17 M_Outw(16)=0
+18 Hlt
+19 JOvrd 8
+20 P1=(-817.25,-291.45,-5.491,90,0,0)(7,0)
+21 Mov P1
+22 Open "COM3:" As #1
+23 *OPENS
+24 If M_Open(1)<>1 Then GoTo *OPENS
+25 Def Act 1,M_Open(1)<>1 GoTo *LOST
+26 Act 1=1
+27 *TAKES
+28 Input #1,M1,M2,M3,M4,M5,M6,M7,M8,M9
+29 If M7=0 Then GoTo *DONE
+30 If M7<0 Then GoTo *STAYS
+31 If M9<0 Then GoTo *JOINTS
+32 GoSub *POSE
+33 Spd M7
+34 If M9>0 Then
+35 Cnt 1,M9,M9
+36 EndIf
+37 If M8=0 Then
+38 M_Out(10)=0
+39 EndIf
+40 If M8>0 Then
+41 M_Out(10)=1
+42 EndIf
+43 EMvs 1,P1 Wth M_Outw(16)=M8
+44 If M9=0 Then
+45 Cnt 0
+46 EndIf
+47 Print #1,M7
+48 GoTo *TAKES
+49 *JOINTS
+50 M_Out(10)=0
+51 M_Outw(16)=0
+52 JOvrd M7
+53 GoSub *POSE
+54 Mov P1
+55 Print #1,M7
+56 GoTo *TAKES
+57 *STAYS
+58 M_Outw(16)=M8
+59 If M8>0 Then
+60 M_Out(10)=1
+61 EndIf
+62 Dly -M7
+63 M_Out(10)=0
+64 Print #1,M7
+65 GoTo *TAKES
+66 *DONE
+67 Print #1,M7
+68 *LOST
+69 M_Out(10)=0
+70 M_Outw(16)=0
+71 Act 1=0
+72 Close #1
+73 End
+74 *POSE
+75 P1.X=M1
+76 P1.Y=M2
+77 P1.Z=M3
+78 P1.A=Rad(M4)
+79 P1.B=Rad(M5)
+80 P1.C=Rad(M6)
+81 Return
 )");
 }
 
