@@ -5,6 +5,7 @@
 #include "base/json_node.h"
 #include "base/lower_case.h"
 #include "process/chosen_range.h"
+#include "process/material_node.h"
 
 #include <algorithm>
 #include <cctype>
@@ -93,7 +94,10 @@ bool prints(const Material& material, double nozzleC) {
 }
 
 Material readMaterialText(const std::string& text, const std::string& name) {
-  const JsonNode top = JsonNode::parse(text, name);
+  return readMaterialNode(JsonNode::parse(text, name));
+}
+
+Material readMaterialNode(const JsonNode& top) {
   top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeFan",
                  "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "pricePerKg", "colour", "notes"});
   Material m;

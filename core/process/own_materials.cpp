@@ -58,6 +58,9 @@ std::string processTextWith(const std::string& choice, const std::string& materi
   const base::DataText data = base::dataText("processes", choice, "unknown process '{id}'"_text);
   auto json = nlohmann::ordered_json::parse(data.text);
   json["material"] = chosen.id;
+  json.erase("ownMaterial");
+  if (!chosen.comesWithProgram)
+    json["ownMaterial"] = nlohmann::ordered_json::parse(materialText(chosen));
   json.erase("densityGPerCm3");
   json.erase("bridgeMm");
   return json.dump(2) + "\n";

@@ -22,7 +22,8 @@ std::filesystem::path importMaterial(const std::filesystem::path& file);
 void exportMaterial(const std::string& id, const std::filesystem::path& file);
 
 // Returns the text of a process's file with another material; its density and bridges are then the
-// material's. `choice`: as for loadProcess(). Throws as loadProcess() and loadMaterial().
+// material's. A material of the user's own is stored within the text, so that projects need no
+// other file. `choice`: as for loadProcess(). Throws as loadProcess() and loadMaterial().
 std::string processTextWith(const std::string& choice, const std::string& material);
 
 } // namespace voluta::process

@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/json_node.h"
 #include "process/chosen_range.h"
+#include "process/material_node.h"
 
 #include <algorithm>
 #include <vector>
@@ -40,8 +41,11 @@ HeadShape readHead(const JsonNode& list) {
     list.fail("does not rise from z = 0"_text);
   return head;
 }
-// A material without a file of its own needs the density here.
+// A material without a file of its own needs the density here. One of the user's own is within the
+// process where that has to do without the user's files.
 Material readMaterial(const JsonNode& process) {
+  if (process.has("ownMaterial"))
+    return readMaterialNode(process.at("ownMaterial"));
   Material material = materialNamed(process.at("material").text());
   if (process.has("densityGPerCm3") || material.densityGPerCm3 == 0.0)
     material.densityGPerCm3 = process.at("densityGPerCm3").positive();
@@ -69,10 +73,26 @@ Process readProcess(const std::filesystem::path& file) {
 
 Process readProcessText(const std::string& text, const std::string& name) {
   const JsonNode top = JsonNode::parse(text, name);
-  top.allowOnly({"id", "label", "nozzleDiameterMm", "layerHeightMm", "beadWidthMm", "stepMm",
-                 "speedMmPerS", "travelSpeedMmPerS", "accelerationMmPerS2", "contactToleranceMm",
-                 "bridgeMm", "bridgeSpeedMmPerS", "maxFlowMm3PerS", "primeS", "retractMm",
-                 "material", "densityGPerCm3", "head", "features"});
+  top.allowOnly({"id",
+                 "label",
+                 "nozzleDiameterMm",
+                 "layerHeightMm",
+                 "beadWidthMm",
+                 "stepMm",
+                 "speedMmPerS",
+                 "travelSpeedMmPerS",
+                 "accelerationMmPerS2",
+                 "contactToleranceMm",
+                 "bridgeMm",
+                 "bridgeSpeedMmPerS",
+                 "maxFlowMm3PerS",
+                 "primeS",
+                 "retractMm",
+                 "material",
+                 "ownMaterial",
+                 "densityGPerCm3",
+                 "head",
+                 "features"});
   Process p;
   p.id = top.at("id").text();
   p.label = top.at("label").text();

@@ -189,6 +189,11 @@ TEST_F(OwnMaterials, areImportedUsedAndExported) {
   EXPECT_EQ(materialNamed("My-PETG"), m);
   const Process p = readProcessText(processTextWith("fdm-1.0", "my-petg"), "a.json");
   EXPECT_EQ(p.material, m);
+  const std::string text = processTextWith("fdm-1.0", "my-petg");
+  std::filesystem::remove(folder_ / "data" / "materials" / "my-petg.json");
+  EXPECT_EQ(readProcessText(text, "a.json").material, m) << "the process needs no other file";
+  importMaterial(write(materialText(m)));
+  EXPECT_EQ(readProcessText(processTextWith(text, "pla"), "a.json").material, Material());
   EXPECT_EQ(p.bridgeMm, 4.0) << "five bead widths are more than the material bridges";
   EXPECT_EQ(flowLimit(p), 8.0);
   exportMaterial("my-petg", folder_ / "out.json");
