@@ -7498,6 +7498,70 @@ previsto</translation>
         <source>choose another id</source>
         <translation>scegli un altro id</translation>
     </message>
+    <message>
+        <source>Cooling</source>
+        <translation>Raffreddamento</translation>
+    </message>
+    <message>
+        <source>minimum layer time</source>
+        <translation>tempo minimo per strato</translation>
+    </message>
+    <message>
+        <source>Minimum time before a bead is covered by the next layer, at every place. The robot waits above the part where the order of the beads does not give them this time. 0: no limit.</source>
+        <translation>Tempo minimo prima che un cordone venga coperto dallo strato successivo, in ogni punto. Il robot attende sopra il pezzo dove l&apos;ordine dei cordoni non concede loro questo tempo. 0: nessun limite.</translation>
+    </message>
+    <message>
+        <source>maximum layer time</source>
+        <translation>tempo massimo per strato</translation>
+    </message>
+    <message>
+        <source>Age up to which a bead still bonds with the one above it. Older places are reported. 0: no limit.</source>
+        <translation>Età fino alla quale un cordone aderisce ancora a quello sopra di esso. I punti più vecchi vengono segnalati. 0: nessun limite.</translation>
+    </message>
+    <message>
+        <source>a wait</source>
+        <translation>un&apos;attesa</translation>
+    </message>
+    <message>
+        <source>{time:.1f}</source>
+        <translation>{time:.1f}</translation>
+    </message>
+    <message>
+        <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads</source>
+        <translation>il cordone sottostante viene coperto dopo {time:.1f}, prima del tempo minimo per strato di {limit:.1f}; così {length:.0f} di cordoni</translation>
+    </message>
+    <message>
+        <source>lower the minimum layer time, print slower, or print without a spiral</source>
+        <translation>riduci il tempo minimo per strato, stampa più lentamente, o stampa senza spirale</translation>
+    </message>
+    <message>
+        <source>only you know how long a bead has to cool: change the minimum layer time</source>
+        <translation>solo tu sai quanto deve raffreddarsi un cordone: cambia il tempo minimo per strato</translation>
+    </message>
+    <message>
+        <source>the bead below is {time:.1f} old when it is covered, beyond the maximum layer time of {limit:.1f}; so are {length:.0f} of beads</source>
+        <translation>il cordone sottostante ha {time:.1f} quando viene coperto, oltre il tempo massimo per strato di {limit:.1f}; così {length:.0f} di cordoni</translation>
+    </message>
+    <message>
+        <source>print faster, or fewer parts at a time</source>
+        <translation>stampa più velocemente, o meno pezzi alla volta</translation>
+    </message>
+    <message>
+        <source>Time between layers: {shortest:.1f} to {longest:.1f} on its controller, {mean:.1f} on average; at least {limit:.0f} required.</source>
+        <translation>Tempo tra gli strati: da {shortest:.1f} a {longest:.1f} sul suo controllore, {mean:.1f} in media; richiesti almeno {limit:.0f}.</translation>
+    </message>
+    <message>
+        <source>Layer time</source>
+        <translation>Tempo per strato</translation>
+    </message>
+    <message>
+        <source>slowest speed for cooling</source>
+        <translation>velocità minima per il raffreddamento</translation>
+    </message>
+    <message>
+        <source>Down to this speed beads are printed slower to keep the minimum layer time, before the robot waits. 0: it only waits.</source>
+        <translation>Fino a questa velocità i cordoni vengono stampati più lentamente per rispettare il tempo minimo per strato, prima che il robot attenda. 0: attende soltanto.</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

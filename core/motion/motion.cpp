@@ -16,6 +16,7 @@
 #include "motion/sequence.h"
 #include "motion/timed_points.h"
 #include "motion/timing.h"
+#include "motion/waits.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
@@ -36,6 +37,8 @@ namespace {
 
 // Rounds of planning again without waypoints that collide in the finished motion
 constexpr int kRounds = 10;
+// Rounds of planning transfers again because the arm waits on some of them
+constexpr int kWaitRounds = 3;
 
 // Returns the volume of the bead from the previous waypoint to this one [mm3].
 double beadTo(const plan::ToolPlan& plan, std::size_t i) {
@@ -241,14 +244,13 @@ private:
     return std::exchange(result_, {});
   }
 
-  // Connects, times and checks the planned paths.
-  void join(const base::RunContext& ctx) {
+  void connect(const base::RunContext& ctx) {
     base::Stopwatch watch;
     std::vector<Run> runs;
     for (const PathWay& way : ways_)
       runs.insert(runs.end(), way.runs.begin(), way.runs.end());
-    ConnectedRuns connected =
-        connectRuns(scene_, std::move(runs), home_, planner_, transfers_, ctx.sub(0.0, 0.5));
+    ConnectedRuns connected = connectRuns(scene_, std::move(runs), home_, planner_, transfers_,
+                                          ctx.sub(0.0, 0.5), waitBefore_);
     skipped_ = std::move(connected.skipped);
     refusedAgain_ = std::move(connected.refused);
     result_.times.transfer += watch.seconds();
@@ -256,8 +258,35 @@ private:
     watch = base::Stopwatch();
     assemble(connected.sequence, ctx.sub(0.5, 0.6));
     result_.times.jerk += watch.seconds();
+  }
 
-    watch = base::Stopwatch();
+  // Adds the waits for beads to cool. Returns whether there are new ones.
+  bool addWaits() {
+    if (options_.leastLayerTimeS <= 0.0)
+      return false;
+    plan::Trajectory& t = result_.trajectory;
+    plan::MotionStatistics& s = result_.statistics;
+    const std::size_t before = waitBefore_.size();
+    for (const plan::TrajectoryEvent& wait :
+         waitsToCool(plan_, t, cell_, options_.leastLayerTimeS)) {
+      t.events.push_back(wait);
+      ++s.waits;
+      s.waitS += wait.seconds;
+      waitBefore_.insert(plan::waypointAhead(t, wait.point));
+    }
+    std::ranges::stable_sort(t.events, {}, &plan::TrajectoryEvent::point);
+    s.durationS += s.waitS;
+    return waitBefore_.size() > before;
+  }
+
+  // Connects, times and checks the planned paths.
+  void join(const base::RunContext& ctx) {
+    connect(ctx);
+    // Travels on which the arm waits lift higher, which changes the waits.
+    for (int round = 0; addWaits() && round < kWaitRounds; ++round)
+      connect(ctx);
+
+    const base::Stopwatch watch;
     ctx.report(0.6, "checking the motion"_text);
     check_ = checkTrajectory(result_.trajectory, scene_, headBefore_, kClearanceCapMm,
                              ctx.sub(0.6, 1.0));
@@ -466,6 +495,7 @@ private:
   std::optional<collision::Contact> homeMeets_;
   std::vector<SkippedPiece> skipped_; // For lack of a transfer
   std::vector<Refused> refusedAgain_; // Of runs that were planned again from another state
+  std::set<std::size_t> waitBefore_;  // First waypoints of runs
   TrajectoryCheck check_;
   MotionResult result_;
 };

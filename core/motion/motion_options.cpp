@@ -9,6 +9,7 @@ namespace {
 constexpr const char *kRotationSmoothing = "rotationSmoothing", *kWholePath = "wholePath";
 constexpr const char *kNozzleRotation = "nozzleRotation", *kTangent = "tangent",
                      *kWorkAxis = "workAxis", *kRodrigues = "rodrigues";
+constexpr const char *kMinLayerTime = "minLayerTimeS", *kMaxLayerTime = "maxLayerTimeS";
 
 NozzleTurn nozzleTurn(const std::string& name) {
   return name == kTangent     ? NozzleTurn::Tangent
@@ -54,7 +55,13 @@ base::ParameterTable motionParameters() {
        base::numberParameter(
            "tiltToleranceDeg", "deg", base::radiansToDegrees(d.leanRad), 0.0, 10.0, "Motion"_text,
            "tilt tolerance"_text,
-           "How far the nozzle may tilt from its planned direction where that makes the joints' motion smoother. Only with minimum jerk of whole paths."_text)});
+           "How far the nozzle may tilt from its planned direction where that makes the joints' motion smoother. Only with minimum jerk of whole paths."_text),
+       base::numberParameter(
+           kMinLayerTime, "s", 0.0, 0.0, 3600.0, "Cooling"_text, "minimum layer time"_text,
+           "Minimum time before a bead is covered by the next layer, at every place. The robot waits above the part where the order of the beads does not give them this time. 0: no limit."_text),
+       base::numberParameter(
+           kMaxLayerTime, "s", 0.0, 0.0, 36000.0, "Cooling"_text, "maximum layer time"_text,
+           "Age up to which a bead still bonds with the one above it. Older places are reported. 0: no limit."_text)});
 }
 
 MotionOptions motionOptions(const base::ParameterValues& values) {
@@ -71,7 +78,12 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.smoothing =
       values.text(kRotationSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
   o.leanRad = base::degreesToRadians(values.number("tiltToleranceDeg"));
+  o.leastLayerTimeS = layerTimes(values).leastS;
   return o;
+}
+
+plan::LayerTimes layerTimes(const base::ParameterValues& values) {
+  return {values.number(kMinLayerTime), values.number(kMaxLayerTime)};
 }
 
 } // namespace voluta::motion

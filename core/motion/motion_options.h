@@ -4,6 +4,7 @@
 #include "base/parameters.h"
 #include "base/units.h"
 #include "collision/cell_collision.h"
+#include "plan/layer_times.h"
 
 #include <cstdint>
 
@@ -48,17 +49,20 @@ struct MotionOptions {
   // Maximum deviation from the schedule of external axes that move along a path; sliding axes by
   // robot::fromTurn.
   double axesRad = base::degreesToRadians(15.0);
-  double enoughMm = 10.0; // Clearance above which no better pose is sought
-  double nearCost = 1.0;  // Cost [rad] of a rung of the ladder graph at the clearance limit
-  double wipeMm = 0.0;    // Along the bead before the lift, extruder off
+  double enoughMm = 10.0;       // Clearance above which no better pose is sought
+  double nearCost = 1.0;        // Cost [rad] of a rung of the ladder graph at the clearance limit
+  double wipeMm = 0.0;          // Along the bead before the lift, extruder off
+  double leastLayerTimeS = 0.0; // plan::LayerTimes
 
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,
-// rotationSmoothing, tiltToleranceDeg.
+// rotationSmoothing, tiltToleranceDeg, minLayerTimeS, maxLayerTimeS.
 base::ParameterTable motionParameters();
 // Does not throw if `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);
+// Same precondition.
+plan::LayerTimes layerTimes(const base::ParameterValues& values);
 
 } // namespace voluta::motion

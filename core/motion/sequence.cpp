@@ -24,9 +24,11 @@ constexpr int kThorough = 5;
 class Connector {
 public:
   Connector(const MotionScene& scene, PathPlanner& paths, KnownTransfers& known,
-            const RobotState& home, const base::RunContext& ctx)
-      : scene_(scene), paths_(paths), known_(known), home_(home), ctx_(ctx), usual_(scene),
-        thorough_(scene, kThorough), bounds_(printedBoundsOf(scene.plan)) {}
+            const RobotState& home, const std::set<std::size_t>& highBefore,
+            const base::RunContext& ctx)
+      : scene_(scene), paths_(paths), known_(known), home_(home), highBefore_(highBefore),
+        ctx_(ctx), usual_(scene), thorough_(scene, kThorough),
+        bounds_(printedBoundsOf(scene.plan)) {}
 
   ConnectedRuns connect(std::vector<Run> runs) {
     std::vector<std::optional<Transfer>> ahead(runs.size());
@@ -98,7 +100,8 @@ private:
     const plan::ToolPath &pathA = scene_.plan.paths[a.path], &pathB = scene_.plan.paths[b.path];
     const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
                      (last.at.tip - first.at.tip).norm() <= scene_.options.hopMm;
-    const bool high = a.points.front().next / kHighEvery != first.next / kHighEvery;
+    const bool high = a.points.front().next / kHighEvery != first.next / kHighEvery ||
+                      highBefore_.contains(first.next);
     const Lift lift = high ? Lift::High : hop ? Lift::Hop : Lift::Usual;
     const auto from = [&](const RobotState& state) {
       return known_.of(high ? Way::BetweenHigh : Way::Between, state, first.at, last.next,
@@ -273,6 +276,7 @@ private:
   PathPlanner& paths_;
   KnownTransfers& known_;
   const RobotState& home_;
+  const std::set<std::size_t>& highBefore_;
   const base::RunContext& ctx_;
   TransferPlanner usual_, thorough_;
   std::vector<PrintedBounds> bounds_;
@@ -305,8 +309,9 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q) {
 }
 
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
-                          PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx) {
-  return Connector(scene, paths, known, home, ctx).connect(std::move(runs));
+                          PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx,
+                          const std::set<std::size_t>& highBefore) {
+  return Connector(scene, paths, known, home, highBefore, ctx).connect(std::move(runs));
 }
 
 } // namespace voluta::motion

@@ -10,6 +10,7 @@
 #include "motion/transfers/transfer.h"
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace voluta::base {
@@ -50,7 +51,10 @@ RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 // leave; if it cannot reach a run's start, the run begins at the first point that it can reach. So
 // at worst the whole run is lost, but never later ones. The last transfer, home, always exists if
 // there is a run. Throws Cancelled. `known`: transfers of this scene; new ones are added.
+// `highBefore`: first waypoints of runs, ascending, to which the transfer lifts by kHighLiftMm if
+// it can.
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
-                          PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx);
+                          PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx,
+                          const std::set<std::size_t>& highBefore = {});
 
 } // namespace voluta::motion

@@ -276,6 +276,7 @@ toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
   toolpath::ToolpathOptions options = toolpath::toolpathOptions(values);
   options.stepMm = process.stepMm;
   options.edgeMm = std::max(options.edgeMm, 0.5 * process.beadWidthMm);
+  options.cooling.leastLayerTimeS = motion::layerTimes(values).leastS;
   return options;
 }
 

@@ -8,10 +8,13 @@
 #include "geometry/measures.h"
 #include "modes/mode_table.h"
 #include "motion/margins.h"
+#include "motion/motion_options.h"
 #include "motion/resume.h"
+#include "pipeline/choices.h"
 #include "pipeline/printed_mesh.h"
 #include "pipeline/replay_stage.h"
 #include "project/version.h"
+#include "replay/layer_times.h"
 
 #include <algorithm>
 #include <cmath>
@@ -204,6 +207,8 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.longestUnsupported = places.near(checked.worst.longestUnsupported);
   proof.deviation = places.near(checked.worst.deviation);
   proof.flowError = places.near(checked.worst.flowError);
+  proof.layerTime = places.near(checked.worst.layerTime);
+  proof.leastLayerTimeS = motion::layerTimes(parameterValues(result.job.choices)).leastS;
   proof.fill = measured.fill;
   return proof;
 }
@@ -237,6 +242,15 @@ Json replayJson(const Proof& proof) {
               {"maxDeviationMm", v.maxDeviationMm},
               {"flowErrorFraction", v.flowErrorFraction},
               {"textDeviations", proof.deviations}};
+}
+
+// Bead length by the time after which a bead covers the one below; the last class is open.
+Json layerTimesJson(const project::ReplayReport& verdict) {
+  return Json{{"shortestS", verdict.shortestLayerTimeS},
+              {"meanS", verdict.meanLayerTimeS},
+              {"longestS", verdict.longestLayerTimeS},
+              {"classesS", replay::kLayerTimeClassesS},
+              {"lengthMm", verdict.layerTimesMm}};
 }
 
 // Placeholder for the shares, which are inserted as one line instead of thousands.
@@ -324,7 +338,9 @@ std::string proofJson(const Proof& proof) {
               {"halfCarriedFraction", placeJson(proof.halfCarried)},
               {"longestUnsupportedMm", placeJson(proof.longestUnsupported)},
               {"maxDeviationMm", placeJson(proof.deviation)},
-              {"flowErrorFraction", placeJson(proof.flowError)}}},
+              {"flowErrorFraction", placeJson(proof.flowError)},
+              {"shortestLayerTimeS", placeJson(proof.layerTime)}}},
+            {"layerTimes", layerTimesJson(proof.verdict)},
             {"leastClearance", valueJson(proof.clearance, "mm")},
             {"jointLimits", std::move(joints)},
             {"jointSpeeds", std::move(speeds)},

@@ -64,7 +64,9 @@ struct Proof {
   std::vector<Joint> joints;
   ProofValue isotropy; // motion/margins.h; 0: singular
   // Worst places of the replay's figures (replay/worst_places.h).
-  ProofPlace gap, overfill, unsupported, halfCarried, longestUnsupported, deviation, flowError;
+  ProofPlace gap, overfill, unsupported, halfCarried, longestUnsupported, deviation, flowError,
+      layerTime;
+  double leastLayerTimeS = 0.0; // required; 0: none
   FillMap fill;
 
   double massG() const { return 1e-3 * materialMm3 * process.material.densityGPerCm3; }

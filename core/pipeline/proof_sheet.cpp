@@ -181,6 +181,21 @@ private:
           message("Longest unsupported run: {length:.1f}; this material bridges {bridge:.1f}."_text,
                   base::mm(verdict_.longestUnsupportedMm), base::mm(bridge)),
           place(proof_.longestUnsupported));
+    layerTimes();
+  }
+
+  void layerTimes() {
+    if (verdict_.longestLayerTimeS <= 0.0)
+      return;
+    constexpr double kTolerance = 0.02;
+    const bool isHeld = verdict_.shortestLayerTimeS >= (1.0 - kTolerance) * proof_.leastLayerTimeS;
+    check(proof_.leastLayerTimeS > 0.0 ? (isHeld ? Mark::Passed : Mark::Failed) : Mark::Note,
+          message("Time between layers: {shortest:.1f} to {longest:.1f} on its controller, "
+                  "{mean:.1f} on average; at least {limit:.0f} required."_text,
+                  base::seconds(verdict_.shortestLayerTimeS),
+                  base::seconds(verdict_.longestLayerTimeS), base::seconds(verdict_.meanLayerTimeS),
+                  base::seconds(proof_.leastLayerTimeS)),
+          place(proof_.layerTime));
   }
 
   void programChecks() {

@@ -80,7 +80,8 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
           std::move(commonPoint),
           in.firstTriangle,
           points.arcs,
-          {&in.trajectory, points.pointOf}};
+          {&in.trajectory, points.pointOf},
+          in.layerTimes};
 }
 
 std::string programsName(const project::Job& job) {
@@ -113,7 +114,7 @@ ReadBack replayText(const std::string& format, const std::vector<plan::ProgramFi
   ReadBack back{read.firstMotion, read.defects, {}};
   replay::ReplayInput input{std::move(read), in.toolPlan,      in.trajectory, in.cell,
                             in.tooling,      in.part,          in.platform,   in.firstPoint,
-                            in.commonPoint,  in.firstTriangle, in.whole};
+                            in.commonPoint,  in.firstTriangle, in.whole,      in.layerTimes};
   const base::RunContext rest = ctx.sub(0.1, 1.0);
   back.verdict = shared ? replayShared(std::move(input), *shared, rest)
                         : replay::replayProgram(std::move(input), {}, rest);
@@ -140,6 +141,10 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   r.flowErrorFraction = verdict.flowErrorFraction;
   for (const replay::ItemFigures& item : verdict.items)
     r.items.push_back({item.coveredFraction, item.unsupportedFraction, item.massRatio});
+  r.shortestLayerTimeS = verdict.layerTimes.shortestS;
+  r.meanLayerTimeS = verdict.layerTimes.meanS;
+  r.longestLayerTimeS = verdict.layerTimes.longestS;
+  r.layerTimesMm = verdict.layerTimes.lengthMm;
   const replay::ReplayThresholds limits;
   r.thresholds.covered = limits.coveredMin;
   r.thresholds.unsupported = limits.unsupportedMax;

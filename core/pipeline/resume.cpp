@@ -142,18 +142,18 @@ void writePrograms(PlanResult& result, const base::RunContext& ctx) {
   const std::vector<std::string> formats = chosenFormats(job.choices, *result.cell);
   const auto printed = project::printedOf(job);
   const platform::PlatformSolid platform = project::platformOf(job);
-  const ProgramStageInput in{*printed,
-                             platform,
-                             *job.toolPlan,
-                             *job.trajectory,
-                             *result.cell,
-                             *result.tooling,
-                             programsName(job),
-                             program::programOptions(parameterValues(job.choices)),
-                             job.resumedAt,
-                             {},
-                             {},
-                             project::firstTriangles(job)};
+  const base::ParameterValues values = parameterValues(job.choices);
+  ProgramStageInput in{*printed,
+                       platform,
+                       *job.toolPlan,
+                       *job.trajectory,
+                       *result.cell,
+                       *result.tooling,
+                       programsName(job),
+                       program::programOptions(values),
+                       job.resumedAt};
+  in.firstTriangle = project::firstTriangles(job);
+  in.layerTimes = motion::layerTimes(values);
   SharedRuns shared;
   plan::Findings findings;
   project::Timings timings;

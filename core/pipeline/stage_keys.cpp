@@ -143,7 +143,9 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   std::string formats;
   for (const std::string& format : chosenFormats(choices, cell))
     formats += format + " " + optionsText(format, program::programOptions(values));
-  put(project::Stage::Replay, programText(loaded.name, tooling) + "formats\n" + formats);
+  put(project::Stage::Replay, programText(loaded.name, tooling) +
+                                  base::keyText(motion::layerTimes(values)) + "formats\n" +
+                                  formats);
   return keys;
 }
 

@@ -305,18 +305,16 @@ private:
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
     const auto printed = project::printedOf(job());
     const platform::PlatformSolid platform = project::platformOf(job());
-    const ProgramStageInput in{*printed,
-                               platform,
-                               *job().toolPlan,
-                               *job().trajectory,
-                               *result_.cell,
-                               tooling_,
-                               programsName(job()),
-                               program::programOptions(values_),
-                               0,
-                               {},
-                               {},
-                               project::firstTriangles(job())};
+    ProgramStageInput in{*printed,
+                         platform,
+                         *job().toolPlan,
+                         *job().trajectory,
+                         *result_.cell,
+                         tooling_,
+                         programsName(job()),
+                         program::programOptions(values_)};
+    in.firstTriangle = project::firstTriangles(job());
+    in.layerTimes = motion::layerTimes(values_);
     result_.checked.clear();
     SharedRuns shared;
     for (std::size_t i = 0; i < formats.size(); ++i) {
@@ -337,7 +335,8 @@ private:
 
   std::string keyOf(const std::string& format) const {
     return programKey(keys_, first().loaded().name, tooling_, program::programOptions(values_),
-                      format);
+                      format) +
+           base::keyText(motion::layerTimes(values_));
   }
 
   // Caches motion and programs together, so that the cache stays consistent whenever a plan is

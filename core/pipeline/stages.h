@@ -12,6 +12,7 @@
 #include "motion/too_large.h"
 #include "pipeline/slow_spans.h"
 #include "plan/finding.h"
+#include "plan/layer_times.h"
 #include "plan/program.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
@@ -152,6 +153,7 @@ struct ProgramStageInput {
   std::vector<std::size_t> firstTriangle = {}; // as replay::ReplayInput::firstTriangle
   std::span<const program::ArcVia> arcs = {}; // as program::ProgramInput::arcs
   replay::WholePlan whole = {};               // before its points were merged
+  plan::LayerTimes layerTimes = {};          // as replay::ReplayInput::layerTimes
 };
 // Writes the program, reads it back and replays it. If the dialect has no word for an event of the
 // trajectory, the program has no files and did not pass. Throws as program::requireOwnRobot and

@@ -72,6 +72,7 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   in.options = program::programOptions(values);
   in.firstPoint = planned.resumedAt;
   in.firstTriangle = project::firstTriangles(planned);
+  in.layerTimes = motion::layerTimes(values);
   const program::MergedPoints points = program::pointsFor(
       format, {in.toolPlan, in.trajectory, in.cell, in.tooling, in.name, in.options}, ctx);
   const ProgramStageInput said = saying(in, points);

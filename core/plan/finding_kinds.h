@@ -148,6 +148,8 @@ enum class FindingKind : std::uint8_t {
   Mass,
   Unsupported,
   LongBridge,
+  CoolingTime,
+  BondTime,
   ReplayedCollision,
   OutOfReach,
   JointRange,

@@ -65,6 +65,8 @@ inline constexpr std::span<const RemedyId> kNoRemedies{};
 inline constexpr base::Text kHasRemedies; // instead of a text why there is none
 inline constexpr base::Text kOnlyWriteAgain =
     "the program does not match this plan: changing the plan does not help"_text;
+inline constexpr base::Text kForCooling =
+    "only you know how long a bead has to cool: change the minimum layer time"_text;
 inline constexpr base::Text kSaysItself = "the message says how to fix it"_text;
 inline constexpr base::Text kOldProject =
     "stored as text in an older project: plan again to see remedies"_text;

@@ -60,7 +60,9 @@ struct MotionStatistics {
   double minClearanceAtS = 0.0; // Time of that clearance
   // Share of the plan's material; includes all waypoints that are not printed
   double leftOutFraction = 0.0;
-  double durationS = 0.0;
+  double durationS = 0.0; // Waits included
+  std::size_t waits = 0;  // For beads to cool
+  double waitS = 0.0;
 };
 
 } // namespace voluta::plan

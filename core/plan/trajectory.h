@@ -24,21 +24,23 @@ enum class EventKind : std::uint8_t {
   ToolChange, // `tool` deposits from here on
   Cut,        // the tape is cut
   Pause,      // until the operator continues
-  Feed        // `feedMm` of filament or tape is fed in place
+  Feed,       // `feedMm` of filament or tape is fed in place
+  Wait        // `seconds` pass
 };
 
 // Happens in place, after the arm has arrived at the point before and before it moves to `point`.
 struct TrajectoryEvent {
   std::size_t point = 1; // 1 .. pointCount() - 1
   EventKind kind = EventKind::Pause;
-  int tool = 0;        // ToolChange: index in the job's tooling
-  double feedMm = 0.0; // Feed
+  int tool = 0;         // ToolChange: index in the job's tooling
+  double feedMm = 0.0;  // Feed
+  double seconds = 0.0; // Wait
 };
 
 struct Trajectory {
   int dof = 0;
   std::vector<double> joints;          // Dof values per point [rad] (sliding axes: [mm])
-  std::vector<double> timeS;           // Per point, from 0, non-decreasing
+  std::vector<double> timeS;           // Per point, from 0, non-decreasing; of the motions alone
   std::vector<MoveKind> move;          // Per point
   std::vector<std::size_t> waypoint;   // Per point: its ToolPlan waypoint, or kNoWaypoint
   std::vector<double> extrudedMm3;     // Per point: total material deposited when it is reached
@@ -49,6 +51,13 @@ struct Trajectory {
   std::span<const TrajectoryEvent> eventsBefore(std::size_t point) const {
     const auto range = std::ranges::equal_range(events, point, {}, &TrajectoryEvent::point);
     return {range.begin(), range.end()};
+  }
+  // Returns the duration of the waits before the motion to that point [s].
+  double waitBefore(std::size_t point) const {
+    double seconds = 0.0;
+    for (const TrajectoryEvent& event : eventsBefore(point))
+      seconds += event.seconds;
+    return seconds;
   }
   // Returns whether another tool deposits from a later point than `after` on.
   bool changesTool(std::size_t after = 0) const {

@@ -80,7 +80,7 @@ const std::vector<Dialect>& dialects() {
        .straight = Straight::InBase,
        .hasArcs = true,
        .supportsExternalAxes = false,
-       .events = {plan::EventKind::Pause},
+       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
        // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
@@ -103,6 +103,7 @@ const std::vector<Dialect>& dialects() {
        .beadsByJoints = true,
        .straight = Straight::Pieces,
        .supportsExternalAxes = false,
+       .events = {plan::EventKind::Wait},
        // Every row states its time.
        .time = {},
        // Every row states its flow. An extruder stream counts motions, but a row may be only a
@@ -121,7 +122,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "gcode-extended",
        .needsJoints = false,
        .saysJointMotions = false,
-       .events = {plan::EventKind::Pause},
+       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
@@ -159,7 +160,7 @@ const std::vector<Dialect>& dialects() {
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        .tiltsNozzle = false,
-       .events = {plan::EventKind::Pause},
+       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
        // Same as extended G-code.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .states = gcodeStates(),
@@ -174,7 +175,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "rapid",
        .needsJoints = false,
        .hasArcs = true,
-       .events = {plan::EventKind::Pause},
+       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Controllers report events 50024 and 50078 below about 20 to 30 ms or 0.5 to 1 mm.
@@ -199,7 +200,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "krl",
        .needsJoints = false,
        .hasArcs = true,
-       .events = {plan::EventKind::Pause},
+       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
        .time = kKrlTime,
        .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
@@ -219,6 +220,7 @@ const std::vector<Dialect>& dialects() {
        .extension = "eki",
        .controller = "krl",
        .supportsExternalAxes = false,
+       .events = {plan::EventKind::Wait},
        .time = kKrlTime,
        .merge = kKrlMerge,
        // Every line states its flow.
@@ -236,7 +238,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "spel",
        .needsJoints = false,
        .supportsExternalAxes = false,
-       .events = {plan::EventKind::Pause},
+       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
        // A value that all of its arms accept.
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
@@ -259,7 +261,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "melfa",
        .straight = Straight::InBase,
        .supportsExternalAxes = false,
-       .events = {plan::EventKind::Pause},
+       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
        .time = kMelfaTime,
        .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
@@ -282,6 +284,7 @@ const std::vector<Dialect>& dialects() {
        .beadsByJoints = true,
        .straight = Straight::Pieces,
        .supportsExternalAxes = false,
+       .events = {plan::EventKind::Wait},
        // Every row states its time.
        .time = {},
        // Every row states its flow. An extruder stream counts motions, but a row may be only a
@@ -302,6 +305,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "melfa",
        .straight = Straight::InBase,
        .supportsExternalAxes = false,
+       .events = {plan::EventKind::Wait},
        .time = kMelfaTime,
        .merge = kMelfaMerge,
        // Every line states its flow.
@@ -320,6 +324,7 @@ const std::vector<Dialect>& dialects() {
        // A bead's path is a spline through its points.
        .straight = Straight::Pieces,
        .supportsExternalAxes = false,
+       .events = {plan::EventKind::Wait},
        // Points state their times; Line and PTP their ramps. The pace of the motion queue is
        // undocumented.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},

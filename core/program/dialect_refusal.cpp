@@ -34,6 +34,8 @@ base::Text nameOf(plan::EventKind kind) {
     return "a cut of the tape"_text;
   case plan::EventKind::Pause:
     return "a pause for the operator"_text;
+  case plan::EventKind::Wait:
+    return "a wait"_text;
   case plan::EventKind::Feed:
     break;
   }

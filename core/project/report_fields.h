@@ -96,7 +96,9 @@ constexpr auto fieldsOf(std::type_identity<plan::MotionStatistics>) {
                     Field{"sumSquaredJerkBefore", &R::sumSquaredJerkBefore},
                     Field{"minClearanceMm", &R::minClearanceMm, "mm"},
                     Field{"minClearanceAtS", &R::minClearanceAtS, "s", true},
-                    Field{"durationS", &R::durationS, "s"}};
+                    Field{"durationS", &R::durationS, "s"},
+                    Field{"waits", &R::waits, "", true},
+                    Field{"waitS", &R::waitS, "s", true}};
 }
 constexpr auto fieldsOf(std::type_identity<MotionReport>) {
   using R = MotionReport;
@@ -140,6 +142,10 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
                     Field{"maxDeviationMm", &R::maxDeviationMm, "mm"},
                     Field{"controllerDurationS", &R::controllerDurationS, "s", true},
                     Field{"flowErrorFraction", &R::flowErrorFraction, "%", true},
+                    Field{"shortestLayerTimeS", &R::shortestLayerTimeS, "s", true},
+                    Field{"meanLayerTimeS", &R::meanLayerTimeS, "s", true},
+                    Field{"longestLayerTimeS", &R::longestLayerTimeS, "s", true},
+                    Field{"layerTimesMm", &R::layerTimesMm, "mm", true},
                     Field{"thresholds", &R::thresholds},
                     Field{"items", &R::items, "", true}};
 }

@@ -23,6 +23,7 @@ constexpr int kAzimuths = 12;
 // Probes directly below: positions across the width, and depths in heights.
 constexpr int kAcross = 8;
 constexpr std::array<double, 3> kDepths = {1.05, 1.15, 1.25};
+constexpr std::array<double, 3> kMiddleHalf = {-0.25, 0.0, 0.25}; // in widths
 constexpr double kWidestMm = 10.0; // upper limit for the width of a bead
 
 // Returns whether a point is in the rectangle around a piece's section; flow fills that rectangle
@@ -95,6 +96,18 @@ bool Beneath::carriedAt(double asideMm) const {
   const Vector3d at = tip_ + asideMm * side_;
   return std::ranges::any_of(kDepths,
                              [&](double depth) { return holds(at - depth * height_ * up_); });
+}
+
+std::uint32_t Beneath::pieceBelow() const {
+  std::uint32_t last = kNeverFilled;
+  for (const double share : kMiddleHalf)
+    for (const double depth : kDepths) {
+      const Vector3d point = tip_ + share * width_ * side_ - depth * height_ * up_;
+      const std::uint32_t filler = printed_.pieceAt(point, moment_);
+      if (filler != kNeverFilled && !isUnder(pieces_[filler], point))
+        last = last == kNeverFilled ? filler : std::max(last, filler);
+    }
+  return last;
 }
 
 bool Beneath::holds(const Vector3d& point) const {

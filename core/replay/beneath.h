@@ -24,6 +24,10 @@ public:
   // middle.
   bool carriedAt(double asideMm) const;
 
+  // Returns the last piece directly below the middle half of its width; kNeverFilled if there is
+  // none.
+  std::uint32_t pieceBelow() const;
+
   // Returns whether there is ground at the point, or material that was deposited earlier and is no
   // longer soft. Cells resolve the part's surface to half their pitch, which is as much as thin
   // layers yield. If the point's own cell is not filled but the one below it is, the section of the

@@ -39,9 +39,11 @@ class Judge {
 public:
   Judge(const plan::ReadProgram& program, const ExecutedPath& path, const plan::ToolPlan& plan,
         const plan::Trajectory& trajectory, const robot::Cell& cell,
-        const process::Tooling& tooling, std::size_t firstPoint)
+        const process::Tooling& tooling, std::size_t firstPoint,
+        const std::vector<double>& plannedWaitS)
       : program_(program), path_(path), plan_(plan), trajectory_(trajectory), cell_(cell),
-        tooling_(tooling), firstPoint_(firstPoint), firstBead_(firstBeadOf(program)) {}
+        tooling_(tooling), firstPoint_(firstPoint), firstBead_(firstBeadOf(program)),
+        plannedWaitS_(plannedWaitS) {}
 
   std::vector<TextFinding> judge() {
     pauses();
@@ -78,7 +80,7 @@ private:
     for (const plan::ProgramPause& p : program_.pauses) {
       const bool amid = p.before > program_.firstMotion && p.before < program_.motions.size();
       const double over = p.durationS - (1.0 + kPauseShare) * plannedPauseS(p);
-      if (!amid || p.volumeMm3 > kMinMm3 || over <= kPauseS)
+      if (!amid || p.volumeMm3 > kMinMm3 || over <= kPauseS || waitsBefore(p.before))
         continue;
       unplanned.push_back(&p);
       seconds += over;
@@ -88,6 +90,9 @@ private:
     unplanned.resize(std::min(unplanned.size(), kMaxPauses));
     for (const plan::ProgramPause* p : unplanned)
       add(StandsAmidPrint, placeOfPause(*p), {{"time", base::seconds(p->durationS)}});
+  }
+  bool waitsBefore(std::size_t motion) const {
+    return motion < plannedWaitS_.size() && plannedWaitS_[motion] > 0.0;
   }
   // Planned duration of a pause without flow.
   double plannedPauseS(const plan::ProgramPause& p) const {
@@ -187,6 +192,7 @@ private:
   const process::Tooling& tooling_;
   std::size_t firstPoint_;
   std::size_t firstBead_;
+  const std::vector<double>& plannedWaitS_;
   std::vector<TextFinding> found_;
 };
 
@@ -215,8 +221,9 @@ std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
                                            const robot::Cell& cell, const process::Tooling& tooling,
-                                           std::size_t firstPoint) {
-  return Judge(program, path, plan, trajectory, cell, tooling, firstPoint).judge();
+                                           std::size_t firstPoint,
+                                           const std::vector<double>& plannedWaitS) {
+  return Judge(program, path, plan, trajectory, cell, tooling, firstPoint, plannedWaitS).judge();
 }
 
 } // namespace voluta::replay

@@ -46,10 +46,13 @@ double standingMm3(const plan::ReadProgram& program);
 // - a straight motion whose acceleration is more than 1.5 times the process's acceleration or the
 //   one its own speeds require; a joint motion whose acceleration is more than 1.5 times the
 //   joints' limit.
+// `plannedWaitS`: of the planned waits before each motion, which planned_events.h compares; empty:
+// there are none.
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
                                            const robot::Cell& cell, const process::Tooling& tooling,
-                                           std::size_t firstPoint = 0);
+                                           std::size_t firstPoint = 0,
+                                           const std::vector<double>& plannedWaitS = {});
 
 } // namespace voluta::replay

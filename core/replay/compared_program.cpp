@@ -73,6 +73,21 @@ private:
       out_.run.volumeMm3.push_back(motionVolume(in_.program, path(), m));
       out_.run.tool.push_back(in_.program.motions[m].tool);
     }
+    setClock();
+  }
+
+  void setClock() {
+    std::vector<double> pauseS(path().motionCount() + 1, 0.0);
+    for (const plan::ProgramPause& p : in_.program.pauses)
+      pauseS[std::min(p.before, path().motionCount())] += p.durationS;
+    out_.run.firstMotion = in_.program.firstMotion;
+    double now = 0.0;
+    for (std::size_t m = 0; m < path().motionCount(); ++m) {
+      now += pauseS[m];
+      out_.run.beginS.push_back(now);
+      now += seconds()[m];
+      out_.run.endS.push_back(now);
+    }
   }
 
   void addDeviations(std::vector<TextFinding> found) {
@@ -97,7 +112,8 @@ private:
     addFindings(verdict, compareFan(in_.program, in_.plan, in_.trajectory, alignment, in_.tooling));
     addDeviations(compareEvents(in_.program, in_.trajectory, alignment));
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
-                                    in_.tooling, in_.firstPoint));
+                                    in_.tooling, in_.firstPoint,
+                                    plannedWaits(in_.program, in_.trajectory, alignment)));
     const std::optional<WholePath> whole = wholePath(in_.whole, in_.trajectory, in_.cell, ctx_);
     const struct PathDeviation deviation = pathDeviation(
         path(), planned, in_.trajectory, in_.program, alignment, ctx_, whole ? &*whole : nullptr);

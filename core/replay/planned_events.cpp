@@ -27,6 +27,9 @@ std::optional<EventKind> eventOf(FactKind kind) {
   }
 }
 
+// Tolerance of the duration of waits: relative, and absolute [s].
+constexpr double kWaitShare = 0.02, kWaitS = 0.05;
+
 class EventComparer {
 public:
   EventComparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
@@ -50,6 +53,7 @@ public:
     }
     if (begin && begin->tool != 0)
       unplanned(*begin, EventKind::ToolChange);
+    compareWaits();
     for (std::size_t e = 0; e < found_.size(); ++e)
       if (!found_[e])
         missing(trajectory_.events[e]);
@@ -57,6 +61,35 @@ public:
   }
 
 private:
+  void compareWaits() {
+    const std::vector<double> planned = plannedWaits(program_, trajectory_, alignment_);
+    std::vector<double> stated(planned.size(), 0.0);
+    std::vector<const plan::ProgramPause*> pauseAt(planned.size(), nullptr);
+    for (const plan::ProgramPause& pause : program_.pauses)
+      if (pause.before < planned.size() && pause.drawnMm <= 0.0) {
+        stated[pause.before] += pause.durationS;
+        pauseAt[pause.before] = &pause;
+      }
+    for (std::size_t m = program_.firstMotion; m < planned.size(); ++m) {
+      if (planned[m] <= 0.0)
+        continue;
+      const double tolerance = std::max(kWaitS, kWaitShare * planned[m]);
+      if (stated[m] <= tolerance && planned[m] > tolerance)
+        continue; // missing
+      markWaits(alignment_.pointAhead(m));
+      if (std::abs(stated[m] - planned[m]) > tolerance && pauseAt[m])
+        findings_.push_back(textFinding(
+            program_, StatementChanged, {pauseAt[m]->file + 1U, pauseAt[m]->line},
+            {{"statement", program::nameOf(EventKind::Wait)},
+             {"found", base::message("{time:.1f}"_text, base::seconds(stated[m]))},
+             {"planned", base::message("{time:.1f}"_text, base::seconds(planned[m]))}}));
+    }
+  }
+  void markWaits(std::size_t point) {
+    for (const TrajectoryEvent& event : trajectory_.eventsBefore(point))
+      if (event.kind == EventKind::Wait)
+        found_[static_cast<std::size_t>(&event - trajectory_.events.data())] = true;
+  }
   bool isBetweenMotions(const StatedFact& fact) const {
     return fact.before > program_.firstMotion && fact.before < program_.motions.size();
   }
@@ -100,6 +133,20 @@ private:
 };
 
 } // namespace
+
+std::vector<double> plannedWaits(const plan::ReadProgram& program,
+                                 const plan::Trajectory& trajectory, const Alignment& alignment) {
+  std::vector<double> seconds(program.motions.size(), 0.0);
+  std::size_t last = kUnmatched;
+  for (std::size_t m = 0; m < seconds.size(); ++m) {
+    const std::size_t point = alignment.pointAhead(m);
+    // Of the motions that lead to a point, the first one follows its events.
+    if (point != kUnmatched && point != last)
+      seconds[m] = trajectory.waitBefore(point);
+    last = point;
+  }
+  return seconds;
+}
 
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,

@@ -63,12 +63,9 @@ private:
 
   void addBeads() {
     for (const BeadFinding& f : run_.beads)
-      if (f.motion) {
-        atMotion(f.kind, *f.motion, f.values, *f.where, path_.startS[*f.motion], f.count);
-        out_.findings.back().item = f.item;
-      } else {
-        add(f.kind, f.values, f.where, f.count, f.item);
-      }
+      addBead(f);
+    for (const BeadFinding& f : run_.layerTimes)
+      addBead(f);
     if (out_.items.empty())
       addMass(out_.massRatio, -1);
     for (std::size_t i = 0; i < out_.items.size(); ++i)
@@ -78,6 +75,15 @@ private:
   void addMass(double ratio, int item) {
     if (std::abs(ratio - 1.0) > limits_.massTolerance)
       add(Mass, {{"share", base::percent(100.0 * ratio)}}, std::nullopt, 1, item);
+  }
+
+  void addBead(const BeadFinding& f) {
+    if (f.motion) {
+      atMotion(f.kind, *f.motion, f.values, *f.where, path_.startS[*f.motion], f.count);
+      out_.findings.back().item = f.item;
+    } else {
+      add(f.kind, f.values, f.where, f.count, f.item);
+    }
   }
 
   void addClashes() {

@@ -7,6 +7,7 @@
 #include "plan/waypoints.h"
 #include "replay/alignment.h"
 #include "replay/coverage.h"
+#include "replay/covered_beads.h"
 #include "replay/ground.h"
 #include "replay/interior_spans.h"
 #include "replay/item_finder.h"
@@ -43,6 +44,7 @@ public:
       out_.laid = layBeads();
       known.firstPiece = firstPieceOfMotions(out_.laid->pieces, path().motionCount());
     }
+    judgeLayerTimes(known.firstPiece);
     findClashes(known);
     gatherMet();
     base::freeStorage(out_.run.path.armJoints, out_.run.path.armMotion, out_.run.path.armFraction);
@@ -88,6 +90,7 @@ private:
         process::erodedHead(firstProcess().head, firstProcess().contactToleranceMm), pieces,
         options.widthMaxMm);
     judgeBeads(*laid, pieces);
+    laid->below = piecesBelow(pieces, *laid->printed, GroundProbe(in_.platform), ctx_);
     laid->pieces = laidPieces(pieces, 2.0 * maxOf(&process::Process::beadWidthMaxMm));
     // Collision checks need only the filling pieces.
     laid->beads.fill = {};
@@ -293,6 +296,26 @@ private:
     const BeadPiece& first = pieces[unsupported.front()];
     add(Unsupported, {{"length", base::mm(lengthMm)}}, first.to, first.motion, unsupported.size(),
         item);
+  }
+
+  void judgeLayerTimes(const std::vector<std::uint32_t>& firstPiece) {
+    const CoveredBeads covered =
+        coveredBeads(out_.laid->pieces, out_.laid->below, firstPiece, out_.run, in_.layerTimes);
+    out_.figures.layerTimes = covered.figures;
+    if (covered.shortest)
+      out_.figures.worst.layerTime = covered.shortest->where;
+    const auto report = [&](plan::FindingKind kind, const std::optional<CoveredPlace>& place,
+                            double lengthMm, double limitS) {
+      if (lengthMm > 0.0)
+        out_.layerTimes.push_back({kind,
+                                   {{"time", base::seconds(place->timeS)},
+                                    {"limit", base::seconds(limitS)},
+                                    {"length", base::mm(lengthMm)}},
+                                   place->where,
+                                   place->motion});
+    };
+    report(CoolingTime, covered.shortest, covered.youngMm, in_.layerTimes.leastS);
+    report(BondTime, covered.longest, covered.oldMm, in_.layerTimes.greatestS);
   }
 
   void findClashes(const KnownResults& known) {

@@ -32,6 +32,9 @@ struct Run {
   std::vector<std::size_t> commonPoint;
   std::vector<BeadKnowledge> knowledge; // per motion
   std::vector<std::uint8_t> tool;       // per motion: the one that deposits
+  // Per motion: on the controller's clock [s], waits included (controller_time.h)
+  std::vector<double> beginS, endS;
+  std::size_t firstMotion = 0; // as in plan::ReadProgram; motions before it have no clock
 };
 
 // A finding about the beads, at one motion or at none in particular.
@@ -47,7 +50,8 @@ struct BeadFinding {
 // The deposited material of a run.
 struct LaidBeads {
   std::vector<LaidPiece> pieces;
-  BeadGrid beads; // without fill
+  std::vector<std::uint32_t> below; // per piece: the last one directly below it, or kNeverFilled
+  BeadGrid beads;                   // without fill
   std::optional<PrintedPart> printed;
   std::optional<Underside> underside; // of the head, against the pieces
 };
@@ -57,8 +61,9 @@ struct JudgedRun {
   Run run; // without the arm's configurations between targets
   std::shared_ptr<const LaidBeads> laid;
   RunFigures figures; // collisions and collidingWaypoints are those of the clashes below
-  std::vector<BeadFinding> beads; // for the thresholds it was judged with
-  std::vector<Clash> head, arm;   // unordered
+  std::vector<BeadFinding> beads;      // for the thresholds it was judged with
+  std::vector<Clash> head, arm;        // unordered
+  std::vector<BeadFinding> layerTimes; // by the run's own clock
 };
 
 // Results of a run that are known before it is judged, say from another program with the same

@@ -3,11 +3,13 @@
 
 #include "geometry/triangle_mesh.h"
 #include "plan/finding.h"
+#include "plan/layer_times.h"
 #include "plan/program.h"
 #include "plan/tool_plan.h"
 #include "plan/trajectory.h"
 #include "platform/platform_solid.h"
 #include "process/tooling.h"
+#include "replay/layer_times.h"
 #include "replay/worst_places.h"
 #include "robot/cell.h"
 
@@ -46,6 +48,7 @@ struct ReplayInput {
   // First triangle of each item in `part`; empty: the job has one item.
   std::span<const std::size_t> firstTriangle = {};
   WholePlan whole = {}; // the reference of the path's deviation
+  plan::LayerTimes layerTimes = {};
 };
 
 // The limits that a program must keep (docs/design.md, Replay).
@@ -99,7 +102,7 @@ struct RunFigures {
 
   // Of each item of a job of several, which all have to keep the limits; empty: the job has one.
   std::vector<ItemFigures> items;
-
+  LayerTimeFigures layerTimes;
   WorstPlaces worst;
 };
 

@@ -15,6 +15,7 @@ struct WorstPlaces {
   std::optional<Eigen::Vector3d> longestUnsupported; // start of longestUnsupportedMm
   std::optional<Eigen::Vector3d> deviation;          // farthest from the planned path
   std::optional<Eigen::Vector3d> flowError;          // largest section error
+  std::optional<Eigen::Vector3d> layerTime;          // covered after the shortest time
 };
 
 } // namespace voluta::replay

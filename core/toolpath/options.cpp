@@ -92,6 +92,10 @@ base::ParameterTable toolpathParameters() {
                              "bottom layers: one wall, without infill, top layers and supports "
                              "under low overhangs."_text,
                              true),
+      base::numberParameter(
+          "coolingSpeedMmPerS", "mm/s", ToolpathOptions{}.cooling.slowestMmPerS, 0.0, 500.0,
+          "Cooling"_text, "slowest speed for cooling"_text,
+          "Down to this speed beads are printed slower to keep the minimum layer time, before the robot waits. 0: it only waits."_text),
   });
 }
 
@@ -115,6 +119,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.thinWalls = values.text("thinWalls");
   o.orderIslands = values.text("islandOrder") == "travel";
   o.spiral = values.boolean("spiral");
+  o.cooling.slowestMmPerS = values.number("coolingSpeedMmPerS");
   return o;
 }
 

@@ -9,6 +9,12 @@
 
 namespace voluta::toolpath {
 
+// How beads get the time to cool before others cover them.
+struct CoolingOptions {
+  double leastLayerTimeS = 0.0; // plan::LayerTimes
+  double slowestMmPerS = 0.0;   // beads are printed slower for it, down to this; 0: never
+};
+
 struct ToolpathOptions {
   int walls = 2;                 // beads along the boundary of each patch
   std::string infill = "zigzag"; // id in infillKinds()
@@ -36,13 +42,15 @@ struct ToolpathOptions {
   std::string seam = "nearest"; // id in seamKinds()
   bool orderIslands = true;     // short travel between islands of one flat layer (islands.h)
   bool spiral = false;          // one bead with rising height (spiral.h)
+  CoolingOptions cooling;
   // Bodies and rods that exist before the part, work frame; a plate is the cell's.
   platform::PlatformSolid platform;
 };
 
 // Returns the parameters walls, infill, infillDensity, sparsePattern, topLayers, bottomLayers,
 // skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime, primeLengthMm,
-// brimWidthMm, seam, islandOrder, thinWalls and spiral.
+// brimWidthMm, seam, islandOrder, thinWalls, spiral and
+// coolingSpeedMmPerS.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.

@@ -4,6 +4,7 @@
 #include "toolpath/feature_speeds.h"
 #include "toolpath/first_layer.h"
 #include "toolpath/prime_path.h"
+#include "toolpath/slow_to_cool.h"
 
 #include "base/error.h"
 #include "base/run_context.h"
@@ -186,7 +187,8 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   const std::vector<PatchCover>& covers = made.covers;
   if (options.spiral)
     made.fill = keepOuterWalls(stack, options.bottomLayers, made.covers);
-  Assembled assembled = assemble(stack, covers, tooling, {options.seam, options.orderIslands});
+  Assembled assembled = assemble(
+      stack, covers, tooling, {options.seam, options.orderIslands, options.cooling.leastLayerTimeS > 0.0});
   assembled.plan.fill = made.fill;
   r.findings = coverFindings(stack, covers, tooling, options);
   if (options.spiral)
@@ -231,6 +233,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   r.plan = std::move(passed.beads.plan);
   if (!applyFeatures(r.plan, tooling, isFirstLayer, passed.beads.unsupported))
     r.grown = std::move(passed.grown);
+  slowToCool(r.plan, options.cooling);
   for (plan::Findings* findings : {&oriented.findings, &passed.findings, &told})
     std::ranges::move(*findings, std::back_inserter(r.findings));
 

@@ -199,5 +199,24 @@ TEST(IslandRuns, AreOfOneFlatLayer) {
   EXPECT_TRUE(islandRuns({}).empty());
 }
 
+// Whatever the order of the islands in the stack, each layer has that of the first one.
+TEST(OrderAsBelow, IsThatOfTheFirstLayer) {
+  std::mt19937 random(3);
+  for (int seed = 0; seed < 100; ++seed) {
+    layers::LayerStack stack = islands(5, {{0, 0}, {20, 0}, {40, 0}, {0, 20}}, 9.0);
+    for (std::size_t layer = 0; layer < 5; ++layer)
+      std::shuffle(stack.patches.begin() + static_cast<std::ptrdiff_t>(4 * layer),
+                   stack.patches.begin() + static_cast<std::ptrdiff_t>(4 * layer + 4), random);
+    const std::vector<std::size_t> order = orderAsBelow(stack);
+    ASSERT_EQ(order.size(), 20u);
+    for (std::size_t k = 4; k < order.size(); ++k) {
+      const Vector3d below = stack.patches[order[k - 4]].surface.vertices.front(),
+                     above = stack.patches[order[k]].surface.vertices.front();
+      EXPECT_LT((above - below).head<2>().norm(), 1.0);
+      EXPECT_GT(stack.patches[order[k]].layer, stack.patches[order[k - 4]].layer);
+    }
+  }
+}
+
 } // namespace
 } // namespace voluta::toolpath

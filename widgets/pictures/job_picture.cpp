@@ -5,6 +5,7 @@
 #include "curved/peeling_field.h"
 #include "geometry/measures.h"
 #include "modes/planar_modes.h"
+#include "motion/waits.h"
 #include "pipeline/choices.h"
 #include "robot/shape/arm_look.h"
 
@@ -79,9 +80,14 @@ public:
     view_.pieces = true;
     showPlatform();
   }
+  std::shared_ptr<const scene::PathsDrawing> drawPaths(const plan::ToolPlan& plan) const {
+    const plan::Trajectory* trajectory = job_.trajectory.get();
+    return scene::drawPaths(plan, trajectory,
+                            trajectory ? motion::layerTimesOf(plan, *trajectory)
+                                       : std::vector<float>());
+  }
   void showPaths() {
-    const auto drawing =
-        scene::drawPaths(*need(job_.toolPlan, "tool-paths"_text), job_.trajectory.get());
+    const auto drawing = drawPaths(*need(job_.toolPlan, "tool-paths"_text));
     setLastLayer(scene::layerCount(*drawing));
     scene_.setPaths(drawing);
     view_.paths = true;
@@ -92,7 +98,7 @@ public:
     const auto& plan = *need(job_.toolPlan, "tool-paths"_text);
     const robot::Cell cell = robot::loadCell(job_.choices.cell, process(), job_.item().platform);
     scene_.setCell(scene::drawCell(cell, robot::lookOf(cell.robot())));
-    const auto drawing = scene::drawPaths(plan, &trajectory);
+    const auto drawing = drawPaths(plan);
     setLastLayer(scene::layerCount(*drawing));
     scene_.setPaths(drawing);
     view_.paths = view_.cell = true;

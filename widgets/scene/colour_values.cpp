@@ -15,7 +15,8 @@ namespace {
 constexpr int kStops = 5;
 constexpr double kLoneValue = 0.6; // position on the map of a constant value
 constexpr std::array<base::Text, plan::kPathKinds> kKindNames{
-    "Wall"_text, "Infill"_text, "Gap fill"_text, "Skirt"_text, "Support"_text, "Prime"_text, "Sparse infill"_text, "Bridge"_text};
+    "Wall"_text,    "Infill"_text, "Gap fill"_text,      "Skirt"_text,
+    "Support"_text, "Prime"_text,  "Sparse infill"_text, "Bridge"_text};
 
 const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by) {
   switch (by) {
@@ -42,6 +43,8 @@ const std::vector<float>* numbers(const ColourValues& v, ColourBy by) {
     return &v.speed;
   case ColourBy::Time:
     return &v.minutes;
+  case ColourBy::LayerTime:
+    return &v.layerTimeS;
   case ColourBy::Direction:
     return &v.tiltDeg;
   default:

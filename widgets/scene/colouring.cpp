@@ -18,6 +18,7 @@ const std::vector<ColourByRow>& colourByTable() {
       {ColourBy::Width, "width", "Width"_text, "mm", false},
       {ColourBy::Speed, "speed", "Speed"_text, "mm/s", false},
       {ColourBy::Time, "time", "Time"_text, "min", false},
+      {ColourBy::LayerTime, "layerTime", "Layer time"_text, "s", false},
       {ColourBy::Direction, "direction", "Tilt of the nozzle"_text, "deg", false},
       {ColourBy::Spacing, "spacing", "Layer spacing"_text, "mm", false},
       {ColourBy::GrowthStep, "growth", "Growth step"_text, "", false},

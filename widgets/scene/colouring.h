@@ -19,12 +19,13 @@ enum class ColourBy {
   Width,
   Speed,
   Time,
+  LayerTime, // since the bead below was printed
   Direction,
   Spacing,    // layers: thickness relative to the nominal height
   GrowthStep, // voxels: step in which they are printed
   Peeling     // voxels: round of the published peeling that removes them
 };
-inline constexpr int kColourByCount = 11;
+inline constexpr int kColourByCount = 12;
 
 struct ColourByRow {
   ColourBy colourBy;

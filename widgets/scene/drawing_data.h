@@ -61,7 +61,7 @@ Legend reachLegend();
 // Values of the colourings, one per item.
 struct ColourValues {
   std::vector<std::int32_t> layer, group, kind; // empty: no such colouring
-  std::vector<float> height, width, speed, minutes, tiltDeg;
+  std::vector<float> height, width, speed, minutes, layerTimeS, tiltDeg;
   HeightLimits heights; // if known, height is offered as spacing too
 };
 

@@ -87,9 +87,11 @@ std::shared_ptr<const LayersDrawing> drawLayers(const layers::LayerStack& stack,
 int layerCount(const LayersDrawing& drawing);
 
 // Draws beads with their width and height, and the travel moves between them. `trajectory` gives
-// the times for ColourBy::Time, which falls back to the layer without it.
+// the times for ColourBy::Time, which falls back to the layer without it. `layerTimeS`: per
+// waypoint for ColourBy::LayerTime, negative where there is no bead below; empty: not known.
 std::shared_ptr<const PathsDrawing> drawPaths(const plan::ToolPlan& plan,
-                                              const plan::Trajectory* trajectory = nullptr);
+                                              const plan::Trajectory* trajectory = nullptr,
+                                              std::vector<float> layerTimeS = {});
 int layerCount(const PathsDrawing& drawing);
 // Returns the waypoints of one layer in print order, as counted by ViewState::moves; empty for an
 // unknown layer.

@@ -233,7 +233,13 @@ void addValues(const plan::ToolPlan& plan, const plan::Trajectory* trajectory,
 } // namespace
 
 std::shared_ptr<const PathsDrawing> drawPaths(const plan::ToolPlan& plan,
-                                              const plan::Trajectory* trajectory) {
+                                              const plan::Trajectory* trajectory,
+                                              std::vector<float> layerTimeS) {
+  // A bead with none below has no time: it looks like the oldest.
+  const float longest =
+      layerTimeS.empty() ? 0.0F : std::max(0.0F, *std::ranges::max_element(layerTimeS));
+  std::ranges::replace_if(
+      layerTimeS, [](float time) { return time < 0.0F; }, longest);
   auto drawing = std::make_shared<PathsDrawing>();
   drawing->pathOf.resize(plan.waypointCount());
   for (std::size_t p = 0; p < plan.paths.size(); ++p) {
@@ -260,6 +266,7 @@ std::shared_ptr<const PathsDrawing> drawPaths(const plan::ToolPlan& plan,
   addPointArray(drawing->beads, "beadShape", 3, arrays.shape);
   addPointArray(drawing->beads, "beadOpen", 3, arrays.open);
   addTravels(plan, *drawing);
+  drawing->values.layerTimeS = std::move(layerTimeS);
   addValues(plan, trajectory, *drawing);
   return drawing;
 }

@@ -36,6 +36,7 @@ bool offers(LayerSubject subject, scene::ColourBy colourBy) {
   case ColourBy::Width:
   case ColourBy::Speed:
   case ColourBy::Time:
+  case ColourBy::LayerTime:
     return subject == LayerSubject::Paths;
   case ColourBy::Spacing:
     return subject == LayerSubject::Layers;

@@ -100,6 +100,9 @@ private:
       case plan::EventKind::Feed:
         emitter_.extrudeInPlace(event.feedMm, std::abs(event.feedMm) / kDrawBackMmPerS);
         break;
+      case plan::EventKind::Wait:
+        emitter_.wait(event.seconds);
+        break;
       }
   }
 

@@ -41,6 +41,7 @@ private:
   }
 
   void pause() override { text_.out += joined({"M0 ; ", kPauseText, "\n"}); }
+  void wait(double seconds) override { text_.wait(seconds); }
   void remark(std::string_view text) override { text_.remark(text); }
   void fan(double share) override { text_.fan(share); }
   void retract(double filamentMm) override { text_.retract(filamentMm, 60.0 * kDrawnMmPerS); }
@@ -134,6 +135,10 @@ void GcodeText::retract(double filamentMm, double f) {
   word("G1 E", lastMm_ + std::min(0.0, filamentMm), kFilamentDecimals);
   word(" F", f, 3, true);
   out += '\n';
+}
+
+void GcodeText::wait(double seconds) {
+  out += joined({"G4 P", std::to_string(std::lround(1000.0 * seconds)), "\n"});
 }
 
 void GcodeText::remark(std::string_view text) {

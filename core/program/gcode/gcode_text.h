@@ -28,6 +28,7 @@ public:
   // `letters` are written unchanged, with any blanks before them.
   void word(std::string_view letters, double value, int decimals, bool trim = false);
   void line(std::string_view text);
+  void wait(double seconds);
   void remark(std::string_view text);
 
   // Writes remarks, units, the question, home, heat of the bed and of each tool that prints, the

@@ -74,12 +74,14 @@ BeadStops beadStops(const std::vector<PatchCover>& covers,
 }
 
 std::vector<Visit> shortestVisits(const layers::LayerStack& stack, const BeadStops& beads,
-                                  bool orderIslands) {
+                                  const OrderOptions& options) {
+  if (options.keepIslandOrder)
+    return visitShortly(beads.stops, beads.turnsOf(orderAsBelow(stack)), Vector3d::Zero());
   std::vector<std::size_t> inOrder(stack.patches.size());
   for (std::size_t i = 0; i < inOrder.size(); ++i)
     inOrder[i] = i;
   std::vector<Visit> shortest = visitShortly(beads.stops, beads.turnsOf(inOrder), Vector3d::Zero());
-  if (!orderIslands)
+  if (!options.orderIslands)
     return shortest;
   double leastMm = travelMm(beads.stops, shortest);
   for (const std::vector<std::size_t>& order : islandOrders(stack)) {
@@ -129,7 +131,7 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
   base::require(covers.size() == stack.patches.size(), "one cover a patch");
   const auto atSeams = placeSeams(stack, covers, seamKind(options.seam));
   const BeadStops beads = beadStops(covers, atSeams);
-  const std::vector<Visit> visits = shortestVisits(stack, beads, options.orderIslands);
+  const std::vector<Visit> visits = shortestVisits(stack, beads, options);
   Assembled out;
   out.travelMm = travelMm(beads.stops, visits);
   for (const Visit& visit : visits) {

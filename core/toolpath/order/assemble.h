@@ -16,6 +16,9 @@ struct OrderOptions {
   std::string seam = "nearest"; // id in seamKinds()
   // Whether islands of one flat layer are printed in the order of least travel (islands.h).
   bool orderIslands = true;
+  // Whether islands of a flat layer are printed in the order of those below them, so that each has
+  // cooled for about as long as the others.
+  bool keepIslandOrder = false;
 };
 
 // The beads of all patches in one plan, in the stack's order of patches, islands aside. Within a

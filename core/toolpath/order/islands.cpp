@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace voluta::toolpath {
 
@@ -89,6 +90,27 @@ std::vector<std::vector<std::size_t>> islandOrders(const layers::LayerStack& sta
     }
   }
   return {visited(middles, turns), visited(outlines, turns)};
+}
+
+std::vector<std::size_t> orderAsBelow(const layers::LayerStack& stack) {
+  std::vector<std::size_t> order;
+  std::vector<Vector3d> below; // the middles of the islands of the run before, in their order
+  for (const IslandRun& run : islandRuns(stack)) {
+    std::vector<std::pair<std::size_t, std::size_t>> islands; // by the index of the one below
+    for (std::size_t p = run.first; p < run.end; ++p) {
+      const Vector3d middle = middleOf(stack.patches[p]);
+      const auto nearest = std::ranges::min_element(
+          below, {}, [&](const Vector3d& m) { return (m - middle).norm(); });
+      islands.emplace_back(static_cast<std::size_t>(nearest - below.begin()), p);
+    }
+    std::ranges::sort(islands);
+    below.clear();
+    for (const auto& [index, patch] : islands) {
+      order.push_back(patch);
+      below.push_back(middleOf(stack.patches[patch]));
+    }
+  }
+  return order;
 }
 
 } // namespace voluta::toolpath

@@ -23,4 +23,8 @@ std::vector<IslandRun> islandRuns(const layers::LayerStack& stack);
 // patches, the runs in the stack's order.
 std::vector<std::vector<std::size_t>> islandOrders(const layers::LayerStack& stack);
 
+// Returns the order of the stack's patches in which the islands of a run follow each other as those
+// nearest to them in the run before. Islands are then covered after about equal times.
+std::vector<std::size_t> orderAsBelow(const layers::LayerStack& stack);
+
 } // namespace voluta::toolpath

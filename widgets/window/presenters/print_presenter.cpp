@@ -1,5 +1,6 @@
 #include "window/presenters/print_presenter.h"
 
+#include "motion/waits.h"
 #include "window/background.h"
 #include "window/layer_measures.h"
 
@@ -139,8 +140,9 @@ void PrintPresenter::drawMotion() {
   inBackground(
       *drawingPaths_,
       [plan, trajectory] {
-        return std::pair(scene::drawPaths(*plan, trajectory.get()),
-                         std::make_shared<const timeline::Clock>(trajectory, plan));
+        return std::pair(
+            scene::drawPaths(*plan, trajectory.get(), motion::layerTimesOf(*plan, *trajectory)),
+            std::make_shared<const timeline::Clock>(trajectory, plan));
       },
       [this, trajectory](auto&& made) {
         const auto motion = shownMotion(); // the choices may have changed in the meantime
