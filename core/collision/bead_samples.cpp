@@ -14,9 +14,9 @@ constexpr double kSampleMm = 1.0;
 // Depth of the tip of a covered bead below that of the covering one, in heights of the latter.
 constexpr double kLeastDepth = 0.4, kMostDepth = 1.6;
 // Places across a bead that are compared with those below, in widths.
-constexpr std::array<double, 3> kAcross = {-0.25, 0.0, 0.25};
+constexpr std::array<double, 3> kAcross = {-0.2, 0.0, 0.2};
 // Beads spread sideways by up to this share of their width.
-constexpr double kSpread = 0.15;
+constexpr double kSpread = 0.05;
 constexpr double kAlongMm = 0.1; // tolerance along a bead
 
 // Maximum distance of the tips of two beads of which one covers the other.

@@ -33,7 +33,7 @@ public:
   // Samples are numbered from 0 as they are added.
   void add(const BeadSample& sample);
   // Calls visit(number) for each added sample that this one covers: those about a height of bead
-  // below its middle, or below one of two points at a quarter of its width on either side.
+  // below its middle, or below one of two points at a fifth of its width on either side.
   template <typename Visit> void below(const BeadSample& upper, const Visit& visit) const {
     const Eigen::Vector3i middle = cellOf(upper.tip);
     for (int z = -1; z <= 1; ++z)

@@ -23,8 +23,8 @@ constexpr int kAzimuths = 12;
 // Probes directly below: positions across the width, and depths in heights.
 constexpr int kAcross = 8;
 constexpr std::array<double, 3> kDepths = {1.05, 1.15, 1.25};
-constexpr std::array<double, 3> kMiddleHalf = {-0.25, 0.0, 0.25}; // in widths
-constexpr double kWidestMm = 10.0; // upper limit for the width of a bead
+constexpr std::array<double, 3> kMiddle = {-0.15, 0.0, 0.15}; // in widths
+constexpr double kWidestMm = 10.0;                            // upper limit for the width of a bead
 
 // Returns whether a point is in the rectangle around a piece's section; flow fills that rectangle
 // where there are neighbouring beads. The test extends beyondMm past the piece's ends, since a cell
@@ -100,14 +100,29 @@ bool Beneath::carriedAt(double asideMm) const {
 
 std::uint32_t Beneath::pieceBelow() const {
   std::uint32_t last = kNeverFilled;
-  for (const double share : kMiddleHalf)
+  for (const double share : kMiddle)
     for (const double depth : kDepths) {
       const Vector3d point = tip_ + share * width_ * side_ - depth * height_ * up_;
-      const std::uint32_t filler = printed_.pieceAt(point, moment_);
-      if (filler != kNeverFilled && !isUnder(pieces_[filler], point))
-        last = last == kNeverFilled ? filler : std::max(last, filler);
+      const std::uint32_t at = pieceAround(point);
+      if (at != kNeverFilled)
+        last = last == kNeverFilled ? at : std::max(last, at);
     }
   return last;
+}
+
+std::uint32_t Beneath::pieceAround(const Vector3d& point) const {
+  constexpr std::uint32_t kNeighbours = 2;
+  constexpr double kBeyondMm = 0.05;
+  const std::uint32_t filler = printed_.pieceAt(point, moment_);
+  if (filler == kNeverFilled)
+    return kNeverFilled;
+  // A cell may be assigned to a neighbouring piece of the same bead.
+  const std::uint32_t first = filler - std::min(filler, kNeighbours);
+  const auto end = std::min<std::size_t>(filler + kNeighbours + 1, moment_.before);
+  for (std::uint32_t p = first; p < end; ++p)
+    if (pieces_[p].run == pieces_[filler].run && isIn(pieces_[p], point, kBeyondMm))
+      return p;
+  return kNeverFilled;
 }
 
 bool Beneath::holds(const Vector3d& point) const {

@@ -24,8 +24,8 @@ public:
   // middle.
   bool carriedAt(double asideMm) const;
 
-  // Returns the last piece directly below the middle half of its width; kNeverFilled if there is
-  // none.
+  // Returns the last piece whose own section, without displaced material, is directly below the
+  // middle third of this one's width; kNeverFilled if there is none.
   std::uint32_t pieceBelow() const;
 
   // Returns whether there is ground at the point, or material that was deposited earlier and is no
@@ -41,6 +41,10 @@ public:
   double heightMm() const { return height_; }
 
 private:
+  // Returns the piece of the bead that filled the point's cell in whose own section the point is;
+  // kNeverFilled if there is none.
+  std::uint32_t pieceAround(const Eigen::Vector3d& point) const;
+
   const std::vector<BeadPiece>& pieces_;
   const PrintedPart& printed_;
   const GroundProbe& ground_;

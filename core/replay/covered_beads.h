@@ -17,7 +17,7 @@ class RunContext;
 
 namespace voluta::replay {
 
-// Returns for each piece the last earlier one directly below the middle half of its width;
+// Returns for each piece the last earlier one directly below the middle third of its width;
 // kNeverFilled if there is none, and for waste. Throws Cancelled.
 std::vector<std::uint32_t> piecesBelow(const std::vector<BeadPiece>& pieces,
                                        const PrintedPart& printed, const GroundProbe& ground,

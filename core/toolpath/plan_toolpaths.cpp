@@ -14,6 +14,8 @@
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
 #include "toolpath/order/assemble.h"
+#include "toolpath/order/order_to_cool.h"
+#include "toolpath/order/seam.h"
 #include "toolpath/order/spiral.h"
 #include "toolpath/sparse/cover_layers.h"
 #include "toolpath/unsupported/passes.h"
@@ -187,8 +189,11 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   const std::vector<PatchCover>& covers = made.covers;
   if (options.spiral)
     made.fill = keepOuterWalls(stack, options.bottomLayers, made.covers);
-  Assembled assembled = assemble(
-      stack, covers, tooling, {options.seam, options.orderIslands, options.cooling.leastLayerTimeS > 0.0});
+  Assembled assembled =
+      assemble(stack, covers, tooling,
+               {options.seam, options.orderIslands, options.cooling.leastLayerTimeS > 0.0});
+  if (options.cooling.leastLayerTimeS > 0.0 && !options.spiral)
+    orderToCool(assembled, seamKind(options.seam).place == nullptr);
   assembled.plan.fill = made.fill;
   r.findings = coverFindings(stack, covers, tooling, options);
   if (options.spiral)

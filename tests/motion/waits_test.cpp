@@ -83,7 +83,8 @@ double length(const std::vector<Eigen::Vector3d>& points) {
   return sum;
 }
 
-// 12 layers of 40 s that have to cool for 60 s: each of the 11 travels lacks 20 s less its own time.
+// 12 layers of 40 s that have to cool for 60 s: each of the 11 travels lacks 20 s less its own
+// time.
 TEST(Waits, ARingInClosedForm) {
   Stack stack;
   const double speed = length(ring(0.0, 20.0, 0)) / 40.0;

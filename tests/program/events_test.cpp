@@ -35,9 +35,9 @@ TEST_F(Events, everyDialectSaysEachOrRefuses) {
   for (const Dialect& dialect : dialects()) {
     SCOPED_TRACE(dialect.id);
     useArmFor(dialect);
-    for (const plan::EventKind kind : {plan::EventKind::ToolChange, plan::EventKind::Cut,
-                                       plan::EventKind::Pause, plan::EventKind::Feed,
-                                       plan::EventKind::Wait}) {
+    for (const plan::EventKind kind :
+         {plan::EventKind::ToolChange, plan::EventKind::Cut, plan::EventKind::Pause,
+          plan::EventKind::Feed, plan::EventKind::Wait}) {
       trajectory_.events = {
           {.point = travel(), .kind = kind, .tool = 1, .feedMm = 5.0, .seconds = 5.0}};
       const auto refused = refusal(dialect, *cell_, {}, &trajectory_);

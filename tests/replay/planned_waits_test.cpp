@@ -40,14 +40,18 @@ protected:
            dialect.tiltsNozzle;
   }
   test::ProgramText textFor(const program::Dialect& dialect) const {
-    return test::textOf(program::writeProgram(
-        dialect.id,
-        {scene_.plan, scene_.trajectory, scene_.cell, process::Tooling(scene_.process), "box"}));
+    return test::textOf(
+        program::writeProgram(dialect.id, {scene_.plan, scene_.trajectory, scene_.cell,
+                                           process::Tooling(scene_.process), "box"}));
   }
   Verification verify(const plan::ReadProgram& program, double leastS = 0.0) const {
-    ReplayInput input{program,        scene_.plan, scene_.trajectory,
-                      scene_.cell,    process::Tooling(scene_.process),
-                      scene_.part,    scene_.platform};
+    ReplayInput input{program,
+                      scene_.plan,
+                      scene_.trajectory,
+                      scene_.cell,
+                      process::Tooling(scene_.process),
+                      scene_.part,
+                      scene_.platform};
     input.layerTimes.leastS = leastS;
     return replayProgram(std::move(input), ReplayThresholds{}, {});
   }
@@ -130,8 +134,8 @@ TEST_F(PlannedWaits, EveryEditIsRefused) {
       if (std::abs(program.pauses[p].durationS - kWaitS) < 1e-3)
         waits.push_back(p);
     ASSERT_EQ(waits.size(), 3u);
-    const auto at = program.pauses.begin() +
-                    static_cast<std::ptrdiff_t>(waits[random() % waits.size()]);
+    const auto at =
+        program.pauses.begin() + static_cast<std::ptrdiff_t>(waits[random() % waits.size()]);
     const auto kind = static_cast<int>(random() % 4);
     const double share = 0.05 + 0.9 * static_cast<double>(random() % 1000) / 1000.0;
     SCOPED_TRACE(program.format + " edit " + std::to_string(kind));

@@ -44,8 +44,8 @@ double usualSpeed() {
 double secondsOf(const plan::ToolPlan& plan, std::size_t first, std::size_t count) {
   double seconds = 0.0;
   for (std::size_t w = first + 1; w <= first + count; ++w)
-    seconds += (plan.position[w] - plan.position[w - 1]).norm() /
-               static_cast<double>(plan.speedMmPerS[w]);
+    seconds +=
+        (plan.position[w] - plan.position[w - 1]).norm() / static_cast<double>(plan.speedMmPerS[w]);
   return seconds;
 }
 

@@ -1,0 +1,14 @@
+// An order of beads in which those below them have cooled for as long as possible.
+#pragma once
+
+#include "toolpath/order/assemble.h"
+
+namespace voluta::toolpath {
+
+// Reorders the paths of each patch that may change places (print_turn.h): those above the oldest
+// beads come first, otherwise the order stays. Turns round open paths, and begins closed ones
+// elsewhere if `movesSeams`, where that lets what is below them cool for longer. Counts no time for
+// travel.
+void orderToCool(Assembled& assembled, bool movesSeams);
+
+} // namespace voluta::toolpath
