@@ -3,7 +3,7 @@
 #include "motion/waits.h"
 
 #include "base/units.h"
-#include "helpers/shapes.h"
+#include "motion/sample_plans.h"
 #include "plan/waypoints.h"
 #include "process/process.h"
 #include "robot/cell.h"
