@@ -7562,6 +7562,10 @@ previsto</translation>
         <source>Down to this speed beads are printed slower to keep the minimum layer time, before the robot waits. 0: it only waits.</source>
         <translation>Fino a questa velocità i cordoni vengono stampati più lentamente per rispettare il tempo minimo per strato, prima che il robot attenda. 0: attende soltanto.</translation>
     </message>
+    <message>
+        <source>Time between layers: {shortest:.1f} to {longest:.1f} on its controller, {mean:.1f} on average.</source>
+        <translation>Tempo tra gli strati: da {shortest:.1f} a {longest:.1f} sul suo controllore, {mean:.1f} in media.</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

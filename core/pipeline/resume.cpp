@@ -231,6 +231,14 @@ private:
     }
     const double before = resumed->trajectory.timeS[resumed->firstPoint];
     report().motion.durationS = resumed->trajectory.timeS.back() - before;
+    report().motion.waits = 0;
+    report().motion.waitS = 0.0;
+    for (const plan::TrajectoryEvent& event : resumed->trajectory.events)
+      if (event.kind == plan::EventKind::Wait && event.point > resumed->firstPoint) {
+        ++report().motion.waits;
+        report().motion.waitS += event.seconds;
+      }
+    report().motion.durationS += report().motion.waitS;
     job().resumedAt = resumed->firstPoint;
     measure(*resumed, growing, ctx);
     job().trajectory = std::make_shared<plan::Trajectory>(std::move(resumed->trajectory));

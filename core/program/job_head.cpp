@@ -126,6 +126,10 @@ std::string jobHash(const ProgramInput& input) {
     hash.add(t.extrudedMm3[i]);
     hash.add(static_cast<std::uint64_t>(t.move[i]));
   }
+  for (const plan::TrajectoryEvent& event : t.events) {
+    hash.add(static_cast<std::uint64_t>(event.point));
+    hash.add(event.seconds);
+  }
   return hash.hex();
 }
 
@@ -165,6 +169,9 @@ std::vector<std::string> headLines(const ProgramInput& input) {
   const plan::Trajectory& t = input.trajectory;
   const process::Process& p = input.process();
   const double mm3 = t.extrudedMm3.back();
+  double waitS = 0.0;
+  for (const plan::TrajectoryEvent& event : t.events)
+    waitS += event.seconds;
   const JobHead head = jobHead(input);
   std::vector<std::string> lines = {
       joined({kPart, head.part, kJob, head.job}),
@@ -172,7 +179,7 @@ std::vector<std::string> headLines(const ProgramInput& input) {
               plainText(p.material.label), ")"}),
       joined({std::to_string(t.pointCount()), " motions, ", fixedText(mm3, 1), " mm3, ",
               fixedText(mm3 * 1e-3 * p.material.densityGPerCm3, 1), " g, ",
-              fixedText(t.timeS.back(), 1), " s"})};
+              fixedText(t.timeS.back() + waitS, 1), " s"})};
   if (std::string heat = heatLine(input); !heat.empty())
     lines.push_back(std::move(heat));
   if (extruderOf(input).streams)
