@@ -7523,10 +7523,6 @@ previsto</translation>
         <translation>un&apos;attesa</translation>
     </message>
     <message>
-        <source>{time:.1f}</source>
-        <translation>{time:.1f}</translation>
-    </message>
-    <message>
         <source>the bead below is covered after {time:.1f}, before the minimum layer time of {limit:.1f}; so are {length:.0f} of beads</source>
         <translation>il cordone sottostante viene coperto dopo {time:.1f}, prima del tempo minimo per strato di {limit:.1f}; così {length:.0f} di cordoni</translation>
     </message>
