@@ -18,6 +18,7 @@
 #include "planar/slicing/user_planes.h"
 #include "support/supports.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <optional>
 #include <utility>
@@ -43,6 +44,7 @@ SlicePlan slicePlan(const ModeChoices& in) {
   options.heights.cuspMm = in.values.number("cuspMm");
   options.heights.firstMm = firstLayerMm(in);
   options.beadWidthMm = in.process.beadWidthMm;
+  options.edgeMm = std::max(options.edgeMm, in.process.beadWidthMm / 1.2);
   options.supports = support::supportsWanted(in.values);
   options.overhangRad = riskRule(in).overhangRad;
   return {options, {}};

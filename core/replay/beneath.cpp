@@ -24,7 +24,6 @@ constexpr int kAzimuths = 12;
 constexpr int kAcross = 8;
 constexpr std::array<double, 3> kDepths = {1.05, 1.15, 1.25};
 constexpr std::array<double, 3> kMiddle = {-0.15, 0.0, 0.15}; // in widths
-constexpr double kWidestMm = 10.0;                            // upper limit for the width of a bead
 
 // Returns whether a point is in the rectangle around a piece's section; flow fills that rectangle
 // where there are neighbouring beads. The test extends beyondMm past the piece's ends, since a cell
@@ -40,7 +39,7 @@ bool isIn(const BeadPiece& piece, const Vector3d& point, double beyondMm) {
   const double t = std::clamp(along / length, 0.0, 1.0);
   const Vector3d up = ((1.0 - t) * piece.fromDirection + t * piece.toDirection).normalized();
   const Vector3d off = point - (piece.from + t * way);
-  const BeadSection section = sectionOf(piece, kWidestMm);
+  const BeadSection section = sectionOf(piece, widestOf(piece));
   const double planned = (1.0 - t) * static_cast<double>(piece.fromHeightMm) +
                          t * static_cast<double>(piece.toHeightMm);
   const double depth = -off.dot(up);
@@ -67,7 +66,7 @@ Beneath::Beneath(const std::vector<BeadPiece>& pieces, std::uint32_t index,
   side_ = up_.cross(piece.to - piece.from);
   side_ = side_.norm() > 1e-9 ? side_.normalized() : up_.unitOrthogonal();
   height_ = 0.5 * (static_cast<double>(piece.fromHeightMm) + piece.toHeightMm);
-  width_ = sectionOf(piece, kWidestMm).widthMm;
+  width_ = sectionOf(piece, widestOf(piece)).widthMm;
   moment_ = {index, piece.run, piece.runMm, static_cast<float>(std::max(3.0, 2.0 * width_))};
 }
 

@@ -338,6 +338,12 @@ BeadSection sectionOf(const BeadPiece& piece, double widthMaxMm) {
   return {std::min(process::widthOfArea(area, height), std::max(widthMaxMm, height)), height};
 }
 
+double widestOf(const BeadPiece& piece) {
+  constexpr double kWidestMm = 10.0, kWidestHeights = 8.0;
+  return std::max(kWidestMm, kWidestHeights * std::max(static_cast<double>(piece.fromHeightMm),
+                                                       static_cast<double>(piece.toHeightMm)));
+}
+
 BeadGrid depositBeads(const voxel::VoxelGrid& grid, const std::vector<BeadPiece>& pieces,
                       const DepositOptions& options, const base::RunContext& ctx) {
   base::require(grid.cellCount() < kNeverFilled, "depositBeads: fewer than 2^32 - 1 cells");

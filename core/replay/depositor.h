@@ -50,6 +50,8 @@ struct BeadSection {
   double widthMm, heightMm;
 };
 BeadSection sectionOf(const BeadPiece& piece, double widthMaxMm);
+// Returns an upper limit for the width of a piece, where no process limits it [mm].
+double widestOf(const BeadPiece& piece);
 
 struct BeadGrid {
   voxel::VoxelGrid grid;

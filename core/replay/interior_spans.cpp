@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kBelow = 1.15;  // [heights] below the tip
 constexpr double kBeside = 0.65; // [widths] from the middle of the bead
-constexpr double kWidestMm = 10.0;
 
 // Where a piece is, and what holds it.
 enum class Held : std::uint8_t { Below, Beside, InteriorGap, OtherGap };
@@ -36,7 +35,7 @@ public:
     if (!interior_.part.inside(tip - kBelow * height * up))
       return Held::OtherGap;
     const Vector3d side = up.cross(piece.to - piece.from).normalized();
-    const double width = sectionOf(piece, kWidestMm).widthMm;
+    const double width = sectionOf(piece, widestOf(piece)).widthMm;
     const PrintState moment{static_cast<std::uint32_t>(p), piece.run, piece.runMm,
                             static_cast<float>(2.0 * width)};
     const std::array<double, 2> sides{-kBeside * width, kBeside * width};
@@ -78,8 +77,9 @@ public:
     const bool before = !isFirst && isHeld(begin - 1), after = !isLast && isHeld(end);
     if (before && after)
       return interior.bridgeMm(pieces_[begin]);
-    return (isFirst && after) || (before && isLast) ? sectionOf(pieces_[begin], kWidestMm).widthMm
-                                                    : 0.0;
+    return (isFirst && after) || (before && isLast)
+               ? sectionOf(pieces_[begin], widestOf(pieces_[begin])).widthMm
+               : 0.0;
   }
 
 private:

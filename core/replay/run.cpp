@@ -24,8 +24,9 @@ using Eigen::Vector3d;
 using enum plan::FindingKind;
 
 constexpr std::size_t kMaxCells = 48'000'000;
-// Material further than this from part and plan is not tracked; it counts as excess.
-constexpr double kStrayMm = 12.0;
+// Material further than this from part and plan is not tracked; it counts as excess. For beads of
+// up to 2 mm, and in maximum widths of larger ones.
+constexpr double kStrayMm = 12.0, kStrayWidths = 6.0;
 
 class RunJudge {
 public:
@@ -68,9 +69,10 @@ private:
       take(v);
     for (const Vector3d& p : in_.plan.position)
       take(p);
-    const Vector3d mostLow = low - Vector3d::Constant(kStrayMm);
-    const Vector3d mostHigh = high + Vector3d::Constant(kStrayMm);
     const double margin = maxOf(&process::Process::beadWidthMaxMm);
+    const double stray = std::max(kStrayMm, kStrayWidths * margin);
+    const Vector3d mostLow = low - Vector3d::Constant(stray);
+    const Vector3d mostHigh = high + Vector3d::Constant(stray);
     for (const BeadPiece& piece : pieces)
       take(piece.to);
     low = (low - Vector3d::Constant(margin)).cwiseMax(mostLow);

@@ -34,7 +34,8 @@ using plan::PathKind;
 // Maximum distance [mm] from a centreline at which material is assigned to it; for beads of 1.2 mm
 // (bead_scale.h).
 constexpr double kReach = 1.8;
-constexpr double kPlanStep = 0.5; // Point spacing [mm] while centrelines move
+// Point spacing [mm] while centrelines move, for beads of up to 1.2 mm
+constexpr double kPlanStep = 0.5;
 // Lines that close the gaps between them move farther.
 constexpr int kRelaxations = 2, kClosingRelaxations = 3;
 // Resampling step [mm], for beads of 1.2 mm. With kArcPasses, right angles become arcs of radius
@@ -408,8 +409,9 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
                      s, std::clamp(s.areaMm2 / kPlaneEnough, fine, mostMm2 * beadScale * beadScale),
                      leftOut);
   };
+  const double largeBeads = largeBeadScaleOf(process);
   const UniformInterior even(s, lines.uniformSpacingMm, lines.depth, hatch,
-                             std::max(kPlanStep, o.stepMm));
+                             std::max(kPlanStep * largeBeads, o.stepMm));
   // Samples of one density. The grid is made only when the patch is not plane.
   struct Samples {
     std::optional<PlaneSamples> plane;
@@ -425,8 +427,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     return assignToNearestCurve(*of.grid, lines.curves, kReach * beadScale, extras);
   };
   Samples coarse{planeSamples(kPlaneMoveMm2), kMoveMm2};
-  ResampleOptions dense;
-  dense.stepMm = kPlanStep;
+  ResampleOptions dense = ResampleOptions().scaled(largeBeads);
+  dense.stepMm = kPlanStep * largeBeads;
   dense.chordMm = INFINITY;
   for (SurfaceCurve& c : lines.curves) {
     Resampled r = resample(s, c, dense);
@@ -446,7 +448,7 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
   }
   // Round the corners: straight beads that meet at an angle leave a gap at the outside of the
   // corner.
-  ResampleOptions fine = dense, final;
+  ResampleOptions fine = dense, final = ResampleOptions().scaled(largeBeads);
   fine.stepMm = kArcStep * beadScale;
   final.stepMm = o.stepMm;
   for (SurfaceCurve& c : lines.curves) {

@@ -123,7 +123,6 @@ bool chordsHold(const ByLength& c, double s0, double s1, int n, double tolerance
 
 void fillStretch(const ByLength& c, double s0, double s1, const ResampleOptions& o,
                  std::vector<double>& out) {
-  constexpr double kShortest = 0.33; // [mm]: shorter steps would disappear in the robot's blending
   int n = std::max(1, static_cast<int>(std::ceil((s1 - s0) / o.stepMm - 1e-6)));
   if (!chordsHold(c, s0, s1, n, o.chordMm)) {
     if (s1 - s0 > 2 * o.stepMm) {
@@ -132,7 +131,7 @@ void fillStretch(const ByLength& c, double s0, double s1, const ResampleOptions&
       fillStretch(c, middle, s1, o, out);
       return;
     }
-    while ((s1 - s0) / (n + 1) >= kShortest && !chordsHold(c, s0, s1, n, o.chordMm))
+    while ((s1 - s0) / (n + 1) >= o.shortestMm && !chordsHold(c, s0, s1, n, o.chordMm))
       ++n;
   }
   for (int i = 0; i < n; ++i)

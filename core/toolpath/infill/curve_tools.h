@@ -16,6 +16,14 @@ struct ResampleOptions {
   // Corners that turn by more, measured over cornerWindowMm both ways, are kept as points
   double cornerRad = 0.61;
   double cornerWindowMm = 0.4;
+  // No step is divided into shorter ones for the chord tolerance: they would disappear in the
+  // robot's blending
+  double shortestMm = 0.33;
+
+  // Returns the options with all lengths but the step multiplied.
+  ResampleOptions scaled(double factor) const {
+    return {stepMm, chordMm * factor, cornerRad, cornerWindowMm * factor, shortestMm * factor};
+  }
 };
 struct Resampled {
   SurfaceCurve curve;

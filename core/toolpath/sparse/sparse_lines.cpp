@@ -214,7 +214,7 @@ void extendEnds(Bead& bead, double byMm) {
 
 Bead beadAlong(const PatchSurface& s, const SurfaceCurve& curve, const process::Process& process,
                double stepMm) {
-  ResampleOptions options;
+  ResampleOptions options = ResampleOptions().scaled(largeBeadScaleOf(process));
   options.stepMm = stepMm;
   const SurfaceCurve c = resample(s, curve, options).curve;
   Bead bead;
