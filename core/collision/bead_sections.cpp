@@ -8,7 +8,7 @@ namespace voluta::collision {
 using Eigen::Vector3d;
 
 namespace {
-constexpr double kCellMm = 2.0;
+constexpr double kCellMm = 2.0; // or the mean width of wider beads
 
 double pointDistance(const Disc& disc, const Vector3d& point) {
   const Vector3d r = point - disc.centre;
@@ -111,7 +111,11 @@ BeadSections::BeadSections(const plan::ToolPlan& plan, const std::vector<std::ui
     boxes.push_back(boxOf(beads_.back()));
     ++segment;
   }
-  near_ = geometry::BoxGrid(boxes, kCellMm);
+  double widths = 0.0;
+  for (const float width : plan.widthMm)
+    widths += static_cast<double>(width);
+  const double mean = widths / std::max<double>(1.0, static_cast<double>(plan.widthMm.size()));
+  near_ = geometry::BoxGrid(boxes, std::max(kCellMm, mean));
 }
 
 bool BeadSections::isSoft(std::size_t waypoint, std::size_t printing) const {

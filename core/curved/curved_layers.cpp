@@ -37,6 +37,7 @@ constexpr double kBeadsToChange = 2.0;
 constexpr double kVoxelsToChange = 60.0;
 // Scale of the height changes of a last layer, as a share of the bead width.
 constexpr double kFineShare = 1.0 / 6.0;
+constexpr double kTunedWidthMm = 1.2; // bead width that tolerances were tuned for
 
 // Returns the spacing near `wanted` that divides the part's highest level evenly.
 double fittedSpacing(const LevelField& field, const geometry::TriangleMesh& part, double wanted) {
@@ -183,13 +184,18 @@ LayersResult curvedLayers(const Decomposition& d, const geometry::TriangleMesh& 
   const std::vector<int> component = componentsOf(d, ctx);
   std::vector<layers::PatchesOfLevel> patches(levels.size());
   std::vector<double> farthest(levels.size(), 0.0);
+  // Tolerances grow with beads that are wider than those that they were tuned for.
+  const double wider = std::max(1.0, o.beadWidthMm / kTunedWidthMm);
+  layers::TrimOptions trim;
+  trim.chordMm *= wider;
   base::parallelChunks(ctx, levels.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t l = begin; l < end; ++l) {
       layers::CleanOptions clean;
+      clean.boundaryToleranceMm *= wider;
       clean.shortEdgeMm = kShortRaw * d.grid.pitch;
       RawLevel surface = std::move(levels[l].surface);
       layers::cleanSurface(surface, clean, ctx);
-      surface = layers::trimToPart(surface, boundary, {}, ctx);
+      surface = layers::trimToPart(surface, boundary, trim, ctx);
       clean.shortEdgeMm = kShortTrimmed * d.grid.pitch;
       layers::cleanSurface(surface, clean, ctx);
       patches[l] = layers::makePatches(surface, {o.beadWidthMm});

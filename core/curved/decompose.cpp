@@ -165,7 +165,7 @@ const process::HeadShape* headForLosses(const CurvedOptions& options) {
 base::ParameterTable curvedParameters() {
   return base::ParameterTable({
       base::numberParameter(
-          "voxelMm", "mm", 0.8, 0.1, 10.0, "Layers"_text, "Voxel width"_text,
+          "voxelMm", "mm", 0.8, 0.1, 100.0, "Layers"_text, "Voxel width"_text,
           "Voxel width used for growth; the layer height is independent of it."_text, true),
       base::choiceParameter(
           "frontShape", "auto",

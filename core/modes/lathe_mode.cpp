@@ -250,7 +250,8 @@ base::ParameterTable latheParameters() {
                             "Layers at constant radius around the axis, or at constant "
                             "distance from the rod's profile."_text,
                             true),
-      base::numberParameter("firstLayerMm", "mm", 0.0, 0.0, 10.0, "Layers"_text, "first layer"_text,
+      base::numberParameter("firstLayerMm", "mm", 0.0, 0.0, 100.0, "Layers"_text,
+                            "first layer"_text,
                             "Height of the first layer; in all modes except curved. 0: "
                             "same as the other layers."_text),
   });

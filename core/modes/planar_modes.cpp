@@ -297,7 +297,7 @@ base::ParameterTable planarModeParameters() {
       base::booleanParameter("adaptiveLayers", false, "Layers"_text, "adaptive layers"_text,
                              "Modes planar and flat: thinner layers where the surface is "
                              "inclined, within the process's limits."_text),
-      base::numberParameter("cuspMm", "mm", 0.3, 0.05, 2.0, "Layers"_text, "step height"_text,
+      base::numberParameter("cuspMm", "mm", 0.3, 0.05, 20.0, "Layers"_text, "step height"_text,
                             "Adaptive layers: largest distance between the edges of "
                             "layers and the surface."_text),
       base::textParameter(

@@ -34,7 +34,7 @@ base::ParameterTable motionParameters() {
            "liftMm", "mm", d.liftMm, 0.5, 100.0, "Motion"_text, "lift"_text,
            "Minimum distance by which the nozzle lifts off the part before it travels."_text),
        base::numberParameter(
-           "wipeMm", "mm", d.wipeMm, 0.0, 20.0, "Motion"_text, "wipe"_text,
+           "wipeMm", "mm", d.wipeMm, 0.0, 200.0, "Motion"_text, "wipe"_text,
            "How far the nozzle moves back over its bead, or on along a closed one, with the extruder off before it lifts. 0: it lifts at the end of the bead."_text),
        base::choiceParameter(
            kNozzleRotation, "free",

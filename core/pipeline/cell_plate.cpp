@@ -40,6 +40,7 @@ PlateNeeds plateNeeds(const base::ParameterValues& values) {
           .prime = prime != "none",
           .primeIsRing = prime == "skirt",
           .primeLengthMm = values.number("primeLengthMm"),
+          .primeBeadMm = std::max(toolpath::kPrimeFromEdgeMm, values.number("beadWidthMm")),
           .brimMm = values.number("brimWidthMm")};
 }
 
@@ -67,8 +68,8 @@ std::vector<Vector2d> cellPlate(const robot::Cell& cell, const geometry::Triangl
     if (!carries(points))
       continue;
     if (carries(withBrim) &&
-        (!needs.prime ||
-         toolpath::hasRoomForPrime(plate, part.vertices, needs.primeIsRing, needs.primeLengthMm)))
+        (!needs.prime || toolpath::hasRoomForPrime(plate, part.vertices, needs.primeIsRing,
+                                                   needs.primeLengthMm, needs.primeBeadMm)))
       return plate;
     if (carrying.empty())
       carrying = plate;

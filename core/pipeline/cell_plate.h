@@ -22,7 +22,8 @@ struct PlateNeeds {
   bool prime = false;       // A priming bead next to the whole part (toolpath/prime_path.h)
   bool primeIsRing = false; // The priming bead surrounds the part
   double primeLengthMm = 0.0;
-  double brimMm = 0.0; // A brim of this width around the foot (toolpath/brim.h)
+  double primeBeadMm = 0.0; // Width of that bead; 4 for all narrower ones, which need the same room
+  double brimMm = 0.0;      // A brim of this width around the foot (toolpath/brim.h)
 };
 PlateNeeds plateNeeds(const base::ParameterValues& values);
 

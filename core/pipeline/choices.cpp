@@ -32,6 +32,8 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
+constexpr double kTunedWidthMm = 1.2; // of the beads that lengths were tuned for
+
 // `unknown` has a placeholder for the name.
 void checkName(base::Text unknown, const std::string& name, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) == known.end())
@@ -49,9 +51,9 @@ void checkData(base::Text unknown, const std::string& choice,
 // Sets the defaults that depend on the process: its bead sizes, and lengths tuned for beads of 1.2
 // x 0.8 mm. These lengths grow with larger beads and stay unchanged for finer ones.
 void followProcess(std::vector<base::ParameterSpec>& specs, const process::Process& p) {
-  constexpr double kHeightMm = 0.8, kWidthMm = 1.2;
+  constexpr double kHeightMm = 0.8;
   const double higher = std::max(1.0, p.layerHeightMm / kHeightMm);
-  const double wider = std::max(1.0, p.beadWidthMm / kWidthMm);
+  const double wider = std::max(1.0, p.beadWidthMm / kTunedWidthMm);
   const std::map<std::string_view, double> values{{"layerHeightMm", p.layerHeightMm},
                                                   {"beadWidthMm", p.beadWidthMm},
                                                   {"stepMm", p.stepMm},
@@ -70,16 +72,16 @@ void followProcess(std::vector<base::ParameterSpec>& specs, const process::Proce
 
 base::ParameterTable allParameters() {
   base::ParameterTable table({
-      base::numberParameter("layerHeightMm", "mm", 0.8, 0.05, 10.0, "Layers"_text,
+      base::numberParameter("layerHeightMm", "mm", 0.8, 0.05, 100.0, "Layers"_text,
                             "layer height"_text,
                             "Nominal layer height; limited by the process."_text, true),
-      base::numberParameter("beadWidthMm", "mm", 1.2, 0.1, 20.0, "Beads"_text, "bead width"_text,
+      base::numberParameter("beadWidthMm", "mm", 1.2, 0.1, 200.0, "Beads"_text, "bead width"_text,
                             "Nominal bead width; limited by the process."_text, true),
-      base::numberParameter("firstLayerWidthMm", "mm", 0.0, 0.0, 20.0, "Beads"_text,
+      base::numberParameter("firstLayerWidthMm", "mm", 0.0, 0.0, 200.0, "Beads"_text,
                             "first-layer bead width"_text,
                             "Nominal bead width of the first layer and the brim; limited by the "
                             "process. 0: that of the process."_text),
-      base::numberParameter("stepMm", "mm", 1.0, 0.1, 10.0, "Beads"_text, "step"_text,
+      base::numberParameter("stepMm", "mm", 1.0, 0.1, 100.0, "Beads"_text, "step"_text,
                             "Maximum distance between waypoints along a tool-path."_text),
       base::numberParameter(
           "retractMm", "mm", 0.0, 0.0, 8.0, "Beads"_text, "retraction"_text,
@@ -219,7 +221,7 @@ process::Process chosenProcess(const project::Choices& choices,
   };
   put("layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
   put("beadWidthMm", p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
-  put("stepMm", p.stepMm, 0.1, 10.0);
+  put("stepMm", p.stepMm, 0.1, 100.0);
   process::FeatureSettings& first = p.features.of(process::Feature::FirstLayer);
   if (values.number("firstLayerWidthMm") > 0.0)
     put("firstLayerWidthMm", first.widthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
@@ -283,6 +285,8 @@ toolpath::ToolpathOptions toolpathOptionsOf(const base::ParameterValues& values,
 motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int seed) {
   motion::MotionOptions options = motion::motionOptions(values);
   options.seed = static_cast<std::uint64_t>(seed);
+  // As many rungs for each bead of a wide one as for one of 1.2 mm.
+  options.rungMm *= std::max(1.0, values.number("beadWidthMm") / kTunedWidthMm);
   return options;
 }
 

@@ -89,7 +89,7 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
     const PlateNeeds needs = plateNeeds(in.values);
     text += "a plate of\n" + cell +
             base::keyText(needs.supports, needs.prime, needs.primeIsRing, needs.primeLengthMm,
-                          needs.brimMm);
+                          needs.primeBeadMm, needs.brimMm);
   }
   const modes::Mode& mode = modes::findMode(c.item().mode);
   if (mode.place)

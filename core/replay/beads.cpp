@@ -59,21 +59,24 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
 namespace {
 // Pieces shorter than a grid cell would be deposited with few, uneven samples. Therefore collinear
 // samples are merged into one piece. Blends deviate from their chord by less than this sagitta if
-// the program keeps to its blends.
-constexpr double kPieceMm = 1.05, kPieceSagittaMm = 0.03;
+// the program keeps to its blends. For beads of up to kTunedHeightMm; more for higher ones.
+constexpr double kPieceMm = 1.05, kPieceSagittaMm = 0.03, kTunedHeightMm = 1.0;
 
-// Returns the last sample before `end` that a straight piece from sample `start` may reach.
+// Returns the last sample before `end` that a straight piece from sample `start` may reach, of a
+// bead of this height.
 std::size_t straightFrom(const std::vector<Eigen::Vector3d>& tip, std::size_t start,
-                         std::size_t end) {
+                         std::size_t end, double heightMm) {
+  const double scale = std::max(1.0, heightMm / kTunedHeightMm);
+  const double longest = kPieceMm * scale, sagitta = kPieceSagittaMm * scale;
   std::size_t last = start + 1;
   for (std::size_t s = start + 2; s < end; ++s) {
     const Eigen::Vector3d chord = tip[s] - tip[start];
-    if (chord.norm() > kPieceMm)
+    if (chord.norm() > longest)
       break;
     const Eigen::Vector3d along = chord.normalized();
     for (std::size_t k = start + 1; k < s; ++k) {
       const Eigen::Vector3d r = tip[k] - tip[start];
-      if ((r - r.dot(along) * along).norm() > kPieceSagittaMm || r.dot(along) < 0.0)
+      if ((r - r.dot(along) * along).norm() > sagitta || r.dot(along) < 0.0)
         return last;
     }
     last = s;
@@ -131,7 +134,8 @@ private:
     };
     double done = 0.0;
     for (std::size_t s = first; s < end;) {
-      const std::size_t last = straightFrom(path_.tip, s - 1, end);
+      const std::size_t last =
+          straightFrom(path_.tip, s - 1, end, std::min(known.fromHeightMm, known.toHeightMm));
       double step = 0.0;
       for (std::size_t k = s; k <= last; ++k)
         step += (path_.tip[k] - path_.tip[k - 1]).norm();

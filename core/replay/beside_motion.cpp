@@ -130,7 +130,10 @@ private:
                             ? 0.0
                             : trajectory_.extrudedMm3.back() * 1e-6 *
                                   tooling_.first().process.material.densityGPerCm3;
-    const double planned = head ? kHeadKg : kPlateKg + part, kg = program_.load->kg;
+    const double carried = !cell_.carriedIsAssumed() ? cell_.carriedKg()
+                           : head                    ? kHeadKg
+                                                     : kPlateKg;
+    const double planned = carried + (head ? 0.0 : part), kg = program_.load->kg;
     if (std::abs(kg - planned) <= kLoadSlackKg ||
         (kg <= kLoadFactor * planned && planned <= kLoadFactor * kg))
       return;

@@ -7,8 +7,8 @@ namespace voluta::replay {
 using Eigen::Vector3d;
 
 namespace {
-constexpr double kCellMm = 2.0;
-constexpr double kReachMm = 0.01; // smaller overlaps are rounding of programs
+constexpr double kCellMm = 2.0, kWidthsMax = 3.0; // at least; or a third of the maximum width
+constexpr double kReachMm = 0.01;                 // smaller overlaps are rounding of programs
 
 Eigen::AlignedBox3d boxOf(const FlatDisc& disc) {
   const Vector3d across =
@@ -60,7 +60,7 @@ Underside::Underside(const process::HeadShape& head, const std::vector<BeadPiece
     pieces_.push_back({solidOf(piece, widthMaxMm), piece.run, piece.runMm});
     boxes.push_back(boxOf(pieces_.back().solid));
   }
-  near_ = geometry::BoxGrid(boxes, kCellMm);
+  near_ = geometry::BoxGrid(boxes, std::max(kCellMm, widthMaxMm / kWidthsMax));
 }
 
 std::optional<Vector3d> Underside::touched(const Vector3d& tip, const Vector3d& direction,

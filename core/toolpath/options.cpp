@@ -66,10 +66,10 @@ base::ParameterTable toolpathParameters() {
           "Tool-paths"_text, "prime"_text,
           "Fills the nozzle before the part begins: on the plate, or in the air beside "
           "it if there is no room. The material is waste."_text),
-      base::numberParameter("primeLengthMm", "mm", ToolpathOptions{}.primeLengthMm, 10.0, 200.0,
+      base::numberParameter("primeLengthMm", "mm", ToolpathOptions{}.primeLengthMm, 10.0, 1000.0,
                             "Tool-paths"_text, "prime length"_text,
                             "Length of the line beside the part."_text),
-      base::numberParameter("brimWidthMm", "mm", ToolpathOptions{}.brimWidthMm, 0.0, 50.0,
+      base::numberParameter("brimWidthMm", "mm", ToolpathOptions{}.brimWidthMm, 0.0, 500.0,
                             "Tool-paths"_text, "brim width"_text,
                             "Width of the loops on the plate around the first layer, which keep "
                             "it from lifting; break them off after printing. 0: no brim."_text),

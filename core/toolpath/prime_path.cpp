@@ -62,16 +62,22 @@ std::vector<Vector2d> ringAround(const std::vector<Vector3d>& points, double asi
   return corners;
 }
 
+double inAirMm(double beadWidthMm) {
+  return std::max(kPrimeInAirMm, 3.0 * beadWidthMm);
+}
+
 } // namespace
 
 PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vector3d>& positions,
-                      const Vector2d& rest, bool skirt, double lengthMm) {
+                      const Vector2d& rest, bool skirt, double lengthMm, double beadWidthMm) {
+  const double asideMm = std::max(kPrimeAsideMm, 2.0 * beadWidthMm);
+  const double fromEdgeMm = std::max(kPrimeFromEdgeMm, beadWidthMm);
   const auto fits = [&](const std::vector<Vector2d>& corners) {
-    return std::ranges::all_of(
-        corners, [&](const Vector2d& p) { return inside(plate, p, kPrimeFromEdgeMm); });
+    return std::ranges::all_of(corners,
+                               [&](const Vector2d& p) { return inside(plate, p, fromEdgeMm); });
   };
   if (skirt)
-    if (auto ring = ringAround(positions, kPrimeAsideMm); fits(ring))
+    if (auto ring = ringAround(positions, asideMm); fits(ring))
       return {std::move(ring), true};
   Vector2d middle = Vector2d::Zero();
   for (const Vector3d& p : positions)
@@ -97,21 +103,21 @@ PrimePlace primePlace(const std::vector<Vector2d>& plate, const std::vector<Vect
   const Vector2d begin = positions.front().head<2>();
   for (const double length : {lengthMm, 0.5 * lengthMm})
     if (auto line = nearest(begin, false, [&](const Vector2d& out) {
-          auto corners = lineAt(out, reach(positions, out) + kPrimeAsideMm, middle, length);
+          auto corners = lineAt(out, reach(positions, out) + asideMm, middle, length);
           return fits(corners) ? corners : std::vector<Vector2d>();
         }))
       return {*std::move(line), true};
   return {*nearest(rest, true,
                    [&](const Vector2d& out) {
-                     return lineAt(out, reach(plate, out) + kPrimeOutsideMm, Vector2d::Zero(),
-                                   kPrimeInAirMm);
+                     return lineAt(out, reach(plate, out) + std::max(kPrimeOutsideMm, asideMm),
+                                   Vector2d::Zero(), inAirMm(beadWidthMm));
                    }),
           false};
 }
 
 bool hasRoomForPrime(const std::vector<Vector2d>& plate, const std::vector<Vector3d>& positions,
-                     bool skirt, double lengthMm) {
-  return primePlace(plate, positions, Vector2d::Zero(), skirt, lengthMm).onPlate;
+                     bool skirt, double lengthMm, double beadWidthMm) {
+  return primePlace(plate, positions, Vector2d::Zero(), skirt, lengthMm, beadWidthMm).onPlate;
 }
 
 std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cell& cell,
@@ -121,13 +127,13 @@ std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cel
   if (options.prime == "none" || plan.paths.empty() || !plate || options.platform.mesh ||
       options.platform.rod)
     return std::nullopt;
-  const PrimePlace place = primePlace(plate->polygon, plan.position,
-                                      cell.work_T_tool(cell.home()).translation().head<2>(),
-                                      options.prime == "skirt", options.primeLengthMm);
   // It fills the nozzle of the tool that the job begins with.
   const process::Process& process = tooling.first().process;
+  const PrimePlace place = primePlace(
+      plate->polygon, plan.position, cell.work_T_tool(cell.home()).translation().head<2>(),
+      options.prime == "skirt", options.primeLengthMm, process.beadWidthMm);
   const double height = process.layerHeightMm, width = process.beadWidthMm;
-  const double z = place.onPlate ? height : kPrimeAboveMm;
+  const double z = place.onPlate ? height : std::max(kPrimeAboveMm, 2.0 * height);
   std::vector<Vector3d> points;
   for (std::size_t c = 0; c + 1 < place.corners.size(); ++c) {
     const Vector2d step = place.corners[c + 1] - place.corners[c];
@@ -161,7 +167,7 @@ std::optional<plan::Finding> addPrimePath(plan::ToolPlan& plan, const robot::Cel
   plan.paths.insert(plan.paths.begin(), path);
   if (place.onPlate)
     return std::nullopt;
-  return plan::makeFinding(plan::FindingKind::PrimeFalls, {{"length", base::mm(kPrimeInAirMm)}},
+  return plan::makeFinding(plan::FindingKind::PrimeFalls, {{"length", base::mm(inAirMm(width))}},
                            points.front());
 }
 

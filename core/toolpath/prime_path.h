@@ -14,7 +14,8 @@
 
 namespace voluta::toolpath {
 
-// Distance of its centreline from all printed beads, and from the plate's edge [mm].
+// Distance of its centreline from all printed beads, and from the plate's edge [mm]; more for beads
+// wider than 4 mm.
 inline constexpr double kPrimeAsideMm = 10.0, kPrimeFromEdgeMm = 4.0;
 // If the plate has no room, the prime is a short bead in the air, at this distance outside the
 // plate and height above its top. The material falls beside the plate.
@@ -27,14 +28,16 @@ struct PrimePlace {
   std::vector<Eigen::Vector2d> corners;
   bool onPlate = true;
 };
-// `plate`: convex, counter-clockwise. Precondition: at least one position.
+// `plate`: convex, counter-clockwise. beadWidthMm: of the prime. Precondition: at least one
+// position.
 PrimePlace primePlace(const std::vector<Eigen::Vector2d>& plate,
                       const std::vector<Eigen::Vector3d>& positions, const Eigen::Vector2d& rest,
-                      bool skirt, double lengthMm);
+                      bool skirt, double lengthMm, double beadWidthMm);
 
 // Returns whether the plate has room for the bead. Same precondition as primePlace.
 bool hasRoomForPrime(const std::vector<Eigen::Vector2d>& plate,
-                     const std::vector<Eigen::Vector3d>& positions, bool skirt, double lengthMm);
+                     const std::vector<Eigen::Vector3d>& positions, bool skirt, double lengthMm,
+                     double beadWidthMm);
 
 // Puts the bead before all other paths, printed with the first tool: a ring as PathKind::Skirt, a
 // line as PathKind::Prime. Does nothing if options.prime is "none", the plan has no path, or the

@@ -9,8 +9,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 #include <string>
+#include <vector>
 
 namespace {
 using namespace voluta;
@@ -91,6 +94,56 @@ TEST(CoverPatch, BeadsOfOtherWidthsTileToo) {
           2);
       EXPECT_GE(c.coveredMm2 / c.areaMm2, 0.985);
       EXPECT_NEAR(c.beadVolumeMm3 / c.volumeMm3, 1.0, 0.01);
+    }
+  }
+}
+
+// Scaled with its beads, a patch needs as many waypoints, and its beads are scaled: no length is
+// made for beads of one size. Powers of two scale without rounding.
+TEST(CoverPatch, BeadsScaleWithTheirPatch) {
+  std::mt19937 random(41);
+  std::uniform_real_distribution<double> size(6.0, 14.0);
+  std::uniform_int_distribution<int> kind(0, 2);
+  for (int part = 0; part < 12; ++part) {
+    const double a = size(random), b = size(random);
+    const int shape = kind(random);
+    const auto made = [&](double scale) {
+      const test::Loop hole = test::circle(0.4 * a * scale, true);
+      const std::vector<test::Loop> loops =
+          shape == 0   ? std::vector{test::rectangle(2 * a * scale, 2 * b * scale)}
+          : shape == 1 ? std::vector{test::circle(a * scale), hole}
+                       : std::vector{test::star(5, (a + b) * scale, a * scale)};
+      const test::Lift lift = [scale](const Vector2d& p) {
+        return Vector3d(p.x(), p.y(), 0.4 * scale);
+      };
+      process::Process process;
+      for (double* length :
+           {&process.nozzleDiameterMm, &process.layerHeightMm, &process.layerHeightMinMm,
+            &process.layerHeightMaxMm, &process.beadWidthMm, &process.beadWidthMinMm,
+            &process.beadWidthMaxMm, &process.stepMm})
+        *length *= scale;
+      toolpath::ToolpathOptions options;
+      options.stepMm *= scale;
+      options.edgeMm *= scale;
+      return toolpath::coverPatch(test::patchOver(loops, 0.8 * scale, lift,
+                                                  [scale](const Vector3d&) { return 0.8 * scale; }),
+                                  process, options, base::RunContext{});
+    };
+    const toolpath::PatchCover small = made(1.0);
+    for (const double scale : {4.0, 32.0}) {
+      SCOPED_TRACE(testing::Message() << "part " << part << ", scale " << scale);
+      const toolpath::PatchCover large = made(scale);
+      const auto points = [](const toolpath::PatchCover& c) {
+        double count = 0.0;
+        for (const toolpath::Bead& bead : c.beads)
+          count += static_cast<double>(bead.points.size());
+        return count;
+      };
+      EXPECT_EQ(large.beads.size(), small.beads.size());
+      EXPECT_NEAR(points(large) / points(small), 1.0, 0.05);
+      EXPECT_NEAR(large.coveredMm2 / large.areaMm2, small.coveredMm2 / small.areaMm2, 0.005);
+      EXPECT_NEAR(large.beadVolumeMm3 / std::pow(scale, 3), small.beadVolumeMm3,
+                  0.005 * small.beadVolumeMm3);
     }
   }
 }

@@ -34,7 +34,7 @@ double asideOf(double sideMm, const Vector2d& p) {
 
 TEST(PrimePath, aLineLiesBesideThePart) {
   // The first path begins at (-20, -20): the line lies below or to the left, 30 mm from the middle.
-  const PrimePlace place = primePlace(square(200), corners(40), {0, 0}, false, 30.0);
+  const PrimePlace place = primePlace(square(200), corners(40), {0, 0}, false, 30.0, 1.2);
   EXPECT_TRUE(place.onPlate);
   ASSERT_EQ(place.corners.size(), 2u);
   EXPECT_NEAR((place.corners[1] - place.corners[0]).norm(), 30.0, 1e-9);
@@ -48,7 +48,7 @@ TEST(PrimePath, aLineLiesBesideThePart) {
 }
 
 TEST(PrimePath, aRingLiesRoundThePart) {
-  const PrimePlace place = primePlace(square(100), corners(40), {0, 0}, true, 30.0);
+  const PrimePlace place = primePlace(square(100), corners(40), {0, 0}, true, 30.0, 1.2);
   EXPECT_TRUE(place.onPlate);
   EXPECT_LT((place.corners.front() - place.corners.back()).norm(), 1e-9);
   for (std::size_t i = 1; i < place.corners.size(); ++i)
@@ -61,17 +61,17 @@ TEST(PrimePath, aRingLiesRoundThePart) {
 
 // A ring needs more room than a line, a line more than half of it, and a pedestal has none.
 TEST(PrimePath, whereThePlateHasNoRoomItIsInTheAirBesideIt) {
-  EXPECT_FALSE(primePlace(square(67), corners(40), {0, 0}, true, 30.0).onPlate);
-  const PrimePlace half =
-      primePlace({{-22, -13}, {40, -13}, {40, 13}, {-22, 13}}, corners(40), {0, 0}, false, 30.0);
+  EXPECT_FALSE(primePlace(square(67), corners(40), {0, 0}, true, 30.0, 1.2).onPlate);
+  const PrimePlace half = primePlace({{-22, -13}, {40, -13}, {40, 13}, {-22, 13}}, corners(40),
+                                     {0, 0}, false, 30.0, 1.2);
   EXPECT_TRUE(half.onPlate);
   EXPECT_NEAR((half.corners[1] - half.corners[0]).norm(), 15.0, 1e-9);
-  const PrimePlace air = primePlace(square(42), corners(40), {90, 0}, false, 30.0);
+  const PrimePlace air = primePlace(square(42), corners(40), {90, 0}, false, 30.0, 1.2);
   EXPECT_FALSE(air.onPlate);
   for (const Vector2d& p : air.corners)
     EXPECT_GE(asideOf(42, p), kPrimeOutsideMm - 1e-9);
   // On the side where the arm rests.
-  EXPECT_GT(air.corners.front().x(), 30.0);
+  EXPECT_GT(air.corners.front().x(), 30.0, 1.2);
 }
 
 // One path of four waypoints.
@@ -149,4 +149,17 @@ TEST(PrimePath, tellsWhereItFalls) {
 }
 
 } // namespace
+// A bead of 50 mm has room beside the part and at the edge.
+TEST(PrimePath, wideBeadsKeepTheirDistance) {
+  for (const double width : {1.2, 4.0, 7.2, 50.0}) {
+    SCOPED_TRACE(width);
+    const PrimePlace place = primePlace(square(600), corners(200), {0, 0}, false, 100.0, width);
+    ASSERT_TRUE(place.onPlate);
+    for (const Vector2d& p : place.corners) {
+      EXPECT_GE(asideOf(200, p), std::max(kPrimeAsideMm, 2.0 * width) - 1e-9);
+      EXPECT_LE(p.cwiseAbs().maxCoeff(), 600.0 - width);
+    }
+  }
+}
+
 } // namespace voluta::toolpath
