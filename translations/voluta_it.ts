@@ -1547,6 +1547,18 @@ mm³</translation>
         <translation>disco, {sizes} mm</translation>
     </message>
     <message>
+        <source>is {height} by default, more than the default of beadWidthMm, {width}: beads are no higher than wide</source>
+        <translation>di norma è {height}, più del valore normale di beadWidthMm, {width}: un cordone non è più alto che largo</translation>
+    </message>
+    <message>
+        <source>is {tolerance}, not less than the maximum of layerHeightMm, {height}: the head would pass through a layer</source>
+        <translation>è {tolerance}, non meno del massimo di layerHeightMm, {height}: la testa attraverserebbe uno strato</translation>
+    </message>
+    <message>
+        <source>is {most:.3g} mm3/s, less than the smallest bead needs at speedMmPerS, {flow:.3g} mm3/s</source>
+        <translation>è {most:.3g} mm3/s, meno di quanto serve al cordone più piccolo a speedMmPerS, {flow:.3g} mm3/s</translation>
+    </message>
+    <message>
         <source>does not rise from z = 0</source>
         <translation>non sale da z = 0</translation>
     </message>

@@ -3,6 +3,7 @@
 #include "base/data_files.h"
 #include "base/files.h"
 #include "base/json_node.h"
+#include "process/bead_model.h"
 #include "process/chosen_range.h"
 #include "process/material_node.h"
 
@@ -50,6 +51,27 @@ Material readMaterial(const JsonNode& process) {
   if (process.has("densityGPerCm3") || material.densityGPerCm3 == 0.0)
     material.densityGPerCm3 = process.at("densityGPerCm3").positive();
   return material;
+}
+
+// Throws if two limits contradict each other, naming both.
+void checkLimits(const JsonNode& top, const Process& p) {
+  if (p.layerHeightMm > p.beadWidthMm)
+    top.at("layerHeightMm")
+        .fail(
+            base::message("is {height} by default, more than the default of beadWidthMm, {width}: "
+                          "beads are no higher than wide"_text,
+                          base::mm(p.layerHeightMm), base::mm(p.beadWidthMm)));
+  if (p.contactToleranceMm >= p.layerHeightMaxMm)
+    top.at("contactToleranceMm")
+        .fail(base::message("is {tolerance}, not less than the maximum of layerHeightMm, {height}: "
+                            "the head would pass through a layer"_text,
+                            base::mm(p.contactToleranceMm), base::mm(p.layerHeightMaxMm)));
+  if (const double flow = p.speedMmPerS * beadArea(p.beadWidthMinMm, p.layerHeightMinMm);
+      flow > p.maxFlowMm3PerS)
+    top.at("maxFlowMm3PerS")
+        .fail(base::message("is {most:.3g} mm3/s, less than the smallest bead needs at "
+                            "speedMmPerS, {flow:.3g} mm3/s"_text,
+                            base::number(p.maxFlowMm3PerS), base::number(flow)));
 }
 } // namespace
 
@@ -116,6 +138,7 @@ Process readProcessText(const std::string& text, const std::string& name) {
   if (top.has("retractMm"))
     p.retractMm = top.at("retractMm").notNegative();
   p.head = readHead(top.at("head"));
+  checkLimits(top, p);
   if (top.has("features"))
     p.features =
         readFeatures(top.at("features"), {p.beadWidthMinMm, p.beadWidthMm, p.beadWidthMaxMm});

@@ -58,6 +58,17 @@ TEST_F(CellCheck, theShippedCellsHaveNothingWrong) {
   }
 }
 
+// Each process family has a cell that carries its head, at rest clear of the part.
+TEST_F(CellCheck, everyProcessHasACell) {
+  for (const std::string& id : process::processIds()) {
+    const process::Process p = process::loadProcess(id);
+    const bool isSmall = p.head.sections.back().zMm <= 110.0;
+    const robot::Cell cell = robot::loadCell(isSmall ? "irb2400-moving" : "irb6700-moving", p,
+                                             square(isSmall ? 150 : 500));
+    EXPECT_TRUE(cellFaults(cell, p, 0.0, {}).empty()) << id;
+  }
+}
+
 TEST_F(CellCheck, aNozzleInsideTheArm) {
   const CellDraft fixed = robot::draftOfCell("ur5-fixed");
   DraftBody nozzle = body(fixed, DraftBody::Kind::Nozzle);

@@ -21,7 +21,7 @@ protected:
 
 TEST_F(Processes, everyOneKeepsItsContract) {
   const std::vector<std::string> ids = processIds();
-  ASSERT_GE(ids.size(), 2u);
+  ASSERT_GE(ids.size(), 10u);
   for (const std::string& id : ids) {
     SCOPED_TRACE(id);
     const Process p = loadProcess(id);
@@ -33,13 +33,15 @@ TEST_F(Processes, everyOneKeepsItsContract) {
     EXPECT_LE(p.layerHeightMm, p.layerHeightMaxMm);
     EXPECT_LE(p.beadWidthMinMm, p.beadWidthMm);
     EXPECT_LE(p.beadWidthMm, p.beadWidthMaxMm);
-    // A bead is squeezed by the nozzle: no higher than it is wide, nor than the nozzle.
+    // A bead is squeezed by the nozzle: no higher than it is wide, nor than the nozzle. A welded
+    // one is not, and bridges nothing.
+    const bool isWelded = id.starts_with("wire-arc");
     EXPECT_LE(p.layerHeightMaxMm, p.beadWidthMinMm);
-    EXPECT_LE(p.layerHeightMaxMm, p.nozzleDiameterMm);
+    EXPECT_LE(p.layerHeightMaxMm, isWelded ? 2.5 * p.nozzleDiameterMm : p.nozzleDiameterMm);
     EXPECT_GE(p.beadWidthMinMm, p.nozzleDiameterMm);
     EXPECT_GT(p.stepMm, 0.0);
     EXPECT_GT(p.accelerationMmPerS2, 0.0);
-    EXPECT_GE(p.bridgeMm, p.beadWidthMm);
+    EXPECT_GE(p.bridgeMm, isWelded ? 0.0 : p.beadWidthMm);
     EXPECT_LE(p.bridgeSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.travelSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.primeS, 0.0);
@@ -51,6 +53,9 @@ TEST_F(Processes, everyOneKeepsItsContract) {
     EXPECT_LT(p.contactToleranceMm, p.layerHeightMm);
     const std::vector<HeadSection>& head = p.head.sections;
     ASSERT_GE(head.size(), 2u);
+    // A cone up to the clamp: wider with the height.
+    for (std::size_t i = 1; i < head.size(); ++i)
+      EXPECT_GE(head[i].radiusMm, head[i - 1].radiusMm) << i;
     EXPECT_GE(2.0 * head.front().radiusMm, p.nozzleDiameterMm);
     const HeadShape eroded = erodedHead(p.head, p.contactToleranceMm);
     for (std::size_t i = 0; i < head.size(); ++i) {
@@ -119,6 +124,37 @@ TEST_F(Processes, whatMakesNoSenseIsRefusedWithFileAndKey) {
   expectRefused(
       "[[0.0, 0.5], [12.0, 6.0], [12.0, 10.0], [45.0, 10.0], [45.0, 22.0], [110.0, 22.0]]",
       "[[0.0, 0.5], [0.0, 6.0]]", "head");
+}
+
+// Expects a refusal that names both keys.
+void expectContradiction(const std::string& from, const std::string& to, const std::string& key,
+                         const std::string& other) {
+  SCOPED_TRACE(key);
+  std::string text =
+      base::readFile(std::string(VOLUTA_SOURCE_DIR) + "/resources/processes/fdm-1.0.json");
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, from.size(), to);
+  try {
+    readProcessText(text, "own.json");
+    FAIL();
+  } catch (const base::Error& e) {
+    const std::string line = voluta::base::english(e.message());
+    EXPECT_EQ(e.code(), base::ErrorCode::UnusableInput);
+    EXPECT_NE(line.find(key), std::string::npos) << line;
+    EXPECT_NE(line.find(other), std::string::npos) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  }
+}
+
+TEST_F(Processes, contradictingLimitsAreRefusedWithBothKeys) {
+  expectContradiction("\"default\": 0.8, \"min\": 0.4, \"max\": 1.0",
+                      "\"default\": 1.8, \"min\": 0.4, \"max\": 2.0", "layerHeightMm",
+                      "beadWidthMm");
+  expectContradiction("\"contactToleranceMm\": 0.4", "\"contactToleranceMm\": 1.0",
+                      "contactToleranceMm", "layerHeightMm");
+  expectContradiction("\"maxFlowMm3PerS\": 40.0", "\"maxFlowMm3PerS\": 1.0", "maxFlowMm3PerS",
+                      "speedMmPerS");
 }
 
 // The fine process with this block of features.

@@ -72,6 +72,31 @@ TEST_P(WideBeads, ABoxPassesWithoutFurtherSettings) {
   EXPECT_EQ(plan.job.report.item().layers.count, 8);
 }
 
+// A box of ten by eight beads and six layers passes with every process in a cell that carries its
+// head.
+TEST(ProcessFamilies, ABoxOfTheirBeadsPasses) {
+  for (const std::string& id : process::processIds()) {
+    SCOPED_TRACE(id);
+    const process::Process p = process::loadProcess(id);
+    PlanRequest request;
+    request.item().loaded = test::loadedBox(
+        {0, 0, 0}, {10.0 * p.beadWidthMm, 8.0 * p.beadWidthMm, 6.0 * p.layerHeightMm});
+    request.choices.tool().process = id;
+    request.choices.cell =
+        p.head.sections.back().zMm <= 110.0 ? "irb2400-moving" : "irb6700-moving";
+    request.choices.item().mode = "flat";
+    request.choices.formats = {"rapid"};
+    request.choices.item().parameters["output.proof"] = "false";
+    const PlanResult plan = planPart(request, {});
+    for (const plan::Finding& finding : plan.job.report.findings)
+      EXPECT_FALSE(finding.blocking) << plan::englishReason(finding);
+    ASSERT_EQ(plan.checked.size(), 1u);
+    EXPECT_TRUE(plan.checked[0]->passed);
+    EXPECT_EQ(plan.job.report.item().layers.count, 6);
+    EXPECT_LT(plan.job.report.toolpath.waypoints, 2000u);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Widths, WideBeads, testing::Values(3.0, 8.0));
 
 } // namespace
