@@ -103,16 +103,15 @@ TEST(CoverPatch, BeadsOfOtherWidthsTileToo) {
 TEST(CoverPatch, BeadsScaleWithTheirPatch) {
   std::mt19937 random(41);
   std::uniform_real_distribution<double> size(6.0, 14.0);
-  std::uniform_int_distribution<int> kind(0, 2);
+  std::uniform_int_distribution<std::size_t> kind(0, 2);
   for (int part = 0; part < 12; ++part) {
     const double a = size(random), b = size(random);
-    const int shape = kind(random);
+    const std::size_t shape = kind(random);
     const auto made = [&](double scale) {
-      const test::Loop hole = test::circle(0.4 * a * scale, true);
-      const std::vector<test::Loop> loops =
-          shape == 0   ? std::vector{test::rectangle(2 * a * scale, 2 * b * scale)}
-          : shape == 1 ? std::vector{test::circle(a * scale), hole}
-                       : std::vector{test::star(5, (a + b) * scale, a * scale)};
+      const std::vector<std::vector<test::Loop>> shapes = {
+          {test::rectangle(2 * a * scale, 2 * b * scale)},
+          {test::circle(a * scale), test::circle(0.4 * a * scale, true)},
+          {test::star(5, (a + b) * scale, a * scale)}};
       const test::Lift lift = [scale](const Vector2d& p) {
         return Vector3d(p.x(), p.y(), 0.4 * scale);
       };
@@ -125,7 +124,7 @@ TEST(CoverPatch, BeadsScaleWithTheirPatch) {
       toolpath::ToolpathOptions options;
       options.stepMm *= scale;
       options.edgeMm *= scale;
-      return toolpath::coverPatch(test::patchOver(loops, 0.8 * scale, lift,
+      return toolpath::coverPatch(test::patchOver(shapes[shape], 0.8 * scale, lift,
                                                   [scale](const Vector3d&) { return 0.8 * scale; }),
                                   process, options, base::RunContext{});
     };
