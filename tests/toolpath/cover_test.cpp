@@ -104,7 +104,7 @@ TEST(CoverPatch, BeadsScaleWithTheirPatch) {
   std::mt19937 random(41);
   std::uniform_real_distribution<double> size(6.0, 14.0);
   std::uniform_int_distribution<std::size_t> kind(0, 2);
-  for (int part = 0; part < 12; ++part) {
+  for (int part = 0; part < 6; ++part) {
     const double a = size(random), b = size(random);
     const std::size_t shape = kind(random);
     const auto made = [&](double scale) {
