@@ -1,20 +1,30 @@
 #include "document/choices_compare.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace voluta::document {
 
 using project::Choices;
 
+namespace {
+
+bool sameItem(const project::ItemChoices& a, const project::ItemChoices& b) {
+  const auto tied = [](const project::ItemChoices& c) {
+    return std::tie(c.automatic, c.platformStays, c.automaticWay, c.mode, c.growth, c.platform,
+                    c.scale, c.units, c.repair, c.parameters, c.placement.liftMm);
+  };
+  return tied(a) == tied(b) && a.placement.centreMm == b.placement.centreMm &&
+         a.placement.rotation.coeffs() == b.placement.rotation.coeffs();
+}
+
+} // namespace
+
 bool sameChoices(const Choices& a, const Choices& b) {
   const auto tied = [](const Choices& c) {
-    return std::tie(c.item().automatic, c.item().platformStays, c.item().automaticWay,
-                    c.item().mode, c.item().growth, c.item().platform, c.cell, c.tool().process,
-                    c.item().scale, c.item().units, c.item().repair, c.formats, c.item().parameters,
-                    c.seed, c.item().placement.liftMm);
+    return std::tie(c.cell, c.tool().process, c.formats, c.seed, c.printOrder);
   };
-  return tied(a) == tied(b) && a.item().placement.centreMm == b.item().placement.centreMm &&
-         a.item().placement.rotation.coeffs() == b.item().placement.rotation.coeffs();
+  return tied(a) == tied(b) && std::ranges::equal(a.items, b.items, sameItem);
 }
 
 bool losesSettings(const Choices& now, const Choices& next) {

@@ -45,7 +45,7 @@ bool Comparing::sameAsPlanned() const {
   if (!document_.source())
     return false;
   const auto key =
-      base::outcomeOf([&] { return keyOf(document_.request(project::Stage::Replay)); });
+      base::outcomeOf([&] { return keyOf(document_.itemRequest(project::Stage::Replay)); });
   const auto* text = std::get_if<std::string>(&key);
   return text && *text == key_;
 }
@@ -53,7 +53,7 @@ bool Comparing::sameAsPlanned() const {
 void Comparing::run(const ComparedWays& ways) {
   base::require(document_.source() && document_.sourceReady(), "Comparing: a part that is ready");
   pipeline::CompareOptions options;
-  options.plan = document_.request(ways.until);
+  options.plan = document_.itemRequest(ways.until);
   options.modes = ways.modes;
   options.growths = ways.growths;
   options.platforms = ways.platforms;

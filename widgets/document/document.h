@@ -1,4 +1,4 @@
-// The project being edited: a part, its choices, and the last plan.
+// The project being edited: one or more parts, their choices, and the last plan.
 #pragma once
 
 #include "base/error.h"
@@ -35,9 +35,9 @@ struct Failure {
   base::Error error;
 };
 
-// Edits are named commands on undoStack(); undo restores choices and part. Results are cached by
-// key: those of the shown part, and those of the previous part for undo and redo. Lives on the
-// thread of the window.
+// Edits are named commands on undoStack(); undo restores choices and parts. Results are cached by
+// key: those of the shown parts, and those of the previous parts for undo and redo. One part is
+// active: edits and choices() concern it. Lives on the thread of the window.
 class Document : public QObject {
   Q_OBJECT
 
@@ -46,13 +46,20 @@ public:
   ~Document() override;
 
   // ---- the edited data
-  const project::Choices& choices() const { return choices_; }
-  // null: no part is open.
+
+  // Choices of the active part with those of the job, as of a job of one part.
+  const project::Choices& choices() const { return activeChoices_; }
+  const project::Choices& jobChoices() const { return choices_; } // of all parts
+  // The active part; null: no part is open.
   std::shared_ptr<const project::LoadedPart> source() const;
-  // File from which the part was read, or "sample:NAME"; empty if it came with a project.
+  // File from which it was read, or "sample:NAME"; empty if it came with a project.
   QString sourcePath() const;
-  // False while the part is still being repaired; planning waits for it.
+  // False while a part is still being repaired; planning waits for it.
   bool sourceReady() const;
+  std::size_t partCount() const;                 // 0: no part is open
+  std::size_t active() const { return active_; } // index of the active part
+  // In the order of the job's items.
+  std::vector<std::shared_ptr<const project::LoadedPart>> sources() const;
   // Empty: never saved.
   const QString& projectFile() const { return projectFile_; }
   // For the title: the project's file name without folder and ending, otherwise the part's (with
@@ -69,6 +76,7 @@ public:
 
   // ---- edits; `editName` is shown after "Undo" in the Edit menu. A command that changes nothing
   // is not recorded.
+  // `choices`: an edit of choices(). Job-wide choices are set for every part.
   void setChoices(const project::Choices& choices, const QString& editName);
   // To be called when a file named in the choices was written: results that depend on it become out
   // of date.
@@ -87,6 +95,16 @@ public:
   // changed: the part begins a new project, without file and undo. Otherwise this is an edit like
   // any other, and undo restores the previous part with its results.
   void openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path, bool ready);
+  // Adds a part beside the others and makes it active. It is built as the active part is, without
+  // that part's own settings. The first part is opened instead.
+  void addPart(std::shared_ptr<const project::LoadedPart> part, const QString& path, bool ready);
+  // Adds a copy of the active part, with its choices, beside the others and makes it active.
+  void duplicatePart();
+  // Removes the active part. Precondition: there are two or more.
+  void removePart();
+  void setPrintOrder(layers::PrintOrder order);
+  // Makes another part active. Not an edit. Precondition: item < partCount().
+  void setActive(std::size_t item);
   // Replaces `part` by its repaired version in all edits; it is ready now. Not an edit.
   void replaceSource(const std::shared_ptr<const project::LoadedPart>& part,
                      std::shared_ptr<const project::LoadedPart> repaired);
@@ -107,6 +125,9 @@ public:
   // Returns the plan whose data of a stage is shown; null: none. It may not be that of the present
   // choices: see state().
   std::shared_ptr<const pipeline::PlanResult> result(project::Stage stage) const;
+  // Returns that plan as one of the active part only (document/item_result.h); the same plan if
+  // the job has one part.
+  std::shared_ptr<const pipeline::PlanResult> itemResult(project::Stage stage) const;
   // Returns the plan of the furthest stage that has one.
   std::shared_ptr<const pipeline::PlanResult> lastResult() const;
   // Returns the plan whose findings and figures apply: that of the furthest stage after the first
@@ -153,8 +174,10 @@ public:
   void previewDone(std::shared_ptr<const pipeline::PlanResult> result);
   void previewFailed(const base::Error& error);
 
-  // All inputs of a run; the part is identified by its content.
+  // All inputs of a run; the parts are identified by their content.
   pipeline::PlanRequest request(project::Stage until) const;
+  // The same for the active part alone.
+  pipeline::PlanRequest itemRequest(project::Stage until) const;
   // All data to be saved, sharing the large arrays; may be passed to another thread. Results that
   // are out of date are omitted.
   project::Job snapshot() const;
@@ -162,6 +185,8 @@ public:
 signals:
   void choicesChanged();
   void sourceChanged();
+  // Another part is active, or a part was added or removed; after the other signals.
+  void partsChanged();
   void resultChanged(voluta::project::Stage stage);
   void previewChanged();
   void stateChanged();
@@ -174,6 +199,7 @@ signals:
 
 private:
   struct Source;
+  struct Parts;
   class EditCommand;
   // Source of the stage's shown data.
   struct Shown {
@@ -182,11 +208,27 @@ private:
   };
   using ShownStages = std::array<Shown, project::kStageCount>;
 
-  void push(const project::Choices& choices, std::shared_ptr<Source> source,
-            const QString& editName);
-  void apply(const project::Choices& choices, const std::shared_ptr<Source>& source);
-  void replaceAll(const project::Choices& choices, std::shared_ptr<Source> source,
-                  const QString& file, bool unsaved);
+  // What an edit changes.
+  struct State {
+    project::Choices choices;
+    std::shared_ptr<Parts> parts;
+    std::size_t active = 0;
+  };
+  State present() const { return {choices_, parts_, active_}; }
+  void push(State after, const QString& editName);
+  void apply(const State& state);
+  void set(const State& state);
+  void replaceAll(const State& state, const QString& file, bool unsaved);
+  std::shared_ptr<Source> newSource(std::shared_ptr<const project::LoadedPart> part,
+                                    const QString& path, bool ready);
+  std::shared_ptr<Source> activeSource() const { return activeSourceOf(parts_, active_); }
+  static std::shared_ptr<Source> activeSourceOf(const std::shared_ptr<Parts>& parts,
+                                                std::size_t active);
+  static bool haveSameContent(const std::shared_ptr<Parts>& a, const std::shared_ptr<Parts>& b);
+  // Returns the state with one more item, the last of `choices`, beside the others.
+  State withPart(project::Choices choices, const std::shared_ptr<Source>& source) const;
+  // Bounding box on the plate of a part in its place.
+  Eigen::AlignedBox2d footprint(std::size_t item) const;
   // Returns the key of a stage's shown data; for a resumed print that of the choices with which it
   // was opened or run, `keys`.
   static std::string shownKey(const pipeline::PlanResult& result, std::size_t stage,
@@ -194,8 +236,8 @@ private:
   void refreshKeys();
   void dropResults() { showResults({}); }
   void showResults(ShownStages results);
-  // Keeps the shown results of the part that is left, and drops those of any other.
-  void keepResultsOf(const std::shared_ptr<Source>& left);
+  // Keeps the shown results of the parts that are left, and drops those of any others.
+  void keepResultsOf(const std::shared_ptr<Parts>& left);
   project::Choices choicesOfNextPart(const QString& path) const;
   // For automatic choices: adopts the way of building that a plan has chosen. Cannot be undone.
   void takeWay(const project::Choices& planned);
@@ -205,11 +247,13 @@ private:
   bool isOfSource(const pipeline::PlanResult& result) const;
   void tellDirtyAndName();
 
-  project::Choices start_; // of a new project
-  project::Choices choices_;
-  std::shared_ptr<Source> source_;
+  project::Choices start_;         // of a new project
+  project::Choices choices_;       // of all parts
+  project::Choices activeChoices_; // of the active part only
+  std::shared_ptr<Parts> parts_;   // null: no part is open
+  std::size_t active_ = 0;
   std::vector<std::weak_ptr<Source>> sources_; // all that edits may refer to
-  std::weak_ptr<Source> left_;                 // the previous part, with its results
+  std::weak_ptr<Parts> left_;                  // the previous parts, with their results
   QString projectFile_;
   QUndoStack undo_;
   bool unsaved_ = false;         // changed in a way that the undo stack does not record
@@ -220,6 +264,12 @@ private:
 
   project::StageKeys keys_;         // of the choices; empty texts if they have none
   ShownStages shown_, shownBefore_; // now; before the present run
+  // The plan of the active part only, by stage, made from the shown plan.
+  struct ItemShown {
+    std::shared_ptr<const pipeline::PlanResult> of, one;
+    std::size_t item = 0;
+  };
+  mutable std::array<ItemShown, project::kStageCount> itemShown_;
   std::optional<base::Error> unusable_;
   std::optional<Preview> preview_;
   std::optional<Failure> failure_;

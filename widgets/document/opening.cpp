@@ -16,8 +16,6 @@
 namespace voluta::document {
 
 namespace {
-using Part = std::shared_ptr<const project::LoadedPart>;
-
 std::filesystem::path pathOf(const QString& file) {
   return file.toStdString();
 }
@@ -40,15 +38,28 @@ void Opening::open(const QString& path) {
 }
 
 void Opening::openPart(const QString& path) {
+  readPart(path, [this, path](const Part& part, bool ready) {
+    planning_.cancel();
+    document_.openPart(part, path, ready);
+  });
+}
+
+void Opening::addPart(const QString& path) {
+  readPart(path, [this, path](const Part& part, bool ready) {
+    planning_.cancel();
+    document_.addPart(part, path, ready);
+  });
+}
+
+void Opening::readPart(const QString& path, std::function<void(const Part&, bool ready)> take) {
   giveUpRepair();
   runner_.run(
-      [this, path, repair = document_.choices().item().repair](const base::RunContext& ctx,
-                                                               const jobs::Post& post) {
+      [this, path, take = std::move(take), repair = document_.choices().item().repair](
+          const base::RunContext& ctx, const jobs::Post& post) {
         const Part asRead = project::loadPart(path.toStdString(), false, ctx.sub(0.0, 0.3));
         // `this` is used only in posted functions, which run on the thread of the window.
-        post([this, path, asRead, repair] {
-          planning_.cancel();
-          document_.openPart(asRead, path, !repair);
+        post([this, path, take, asRead, repair] {
+          take(asRead, !repair);
           repairing_ = asRead;
           emit opened(path, false);
         });
@@ -99,7 +110,7 @@ void Opening::resume(std::size_t point) {
   giveUpRepair();
   base::require(document_.upToDate(project::Stage::Motion), "Opening: a motion to take up");
   project::Job job = document_.result(project::Stage::Motion)->job;
-  job.choices = document_.choices();
+  job.choices = document_.jobChoices();
   const QString name = tr("the rest of %1").arg(document_.name());
   using Resumed = std::shared_ptr<const pipeline::ResumeResult>;
   runner_.run(
@@ -128,23 +139,31 @@ void Opening::resume(std::size_t point) {
   emit started(name);
 }
 
-// Adapts the part to the choice whether to repair it.
+// Adapts each part to the choice whether to repair it.
 void Opening::repair() {
-  const Part part = document_.source();
-  if (runner_.running() || !part)
+  if (runner_.running())
     return;
-  const bool wanted = document_.choices().item().repair;
-  if (part->repair == wanted)
+  const std::vector<Part> parts = document_.sources();
+  bool allAsWanted = true;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part& part = parts[i];
+    const bool wanted = document_.jobChoices().item(i).repair;
+    if (part->repair == wanted)
+      continue;
+    allAsWanted = false;
+    if (part == refused_)
+      continue;
+    repairing_ = part;
+    runner_.run(
+        [part, wanted](const base::RunContext& ctx) {
+          return project::withRepair(part, wanted, ctx);
+        },
+        [this](const base::Outcome<Part>& outcome) { endRepair(outcome, document_.sourcePath()); });
+    emit started(document_.sourcePath());
+    return;
+  }
+  if (allAsWanted && !parts.empty())
     refused_.reset();
-  if (part->repair == wanted || part == refused_)
-    return;
-  repairing_ = part;
-  runner_.run(
-      [part, wanted](const base::RunContext& ctx) {
-        return project::withRepair(part, wanted, ctx);
-      },
-      [this](const base::Outcome<Part>& outcome) { endRepair(outcome, document_.sourcePath()); });
-  emit started(document_.sourcePath());
 }
 
 void Opening::endRepair(const base::Outcome<Part>& outcome, const QString& path) {

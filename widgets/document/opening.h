@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QString>
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 namespace voluta::document {
@@ -28,6 +29,8 @@ public:
   // Opens a project if the ending is .voluta, otherwise a part; also "sample:NAME".
   void open(const QString& path);
   void openPart(const QString& path);
+  // Adds a part to those that are open; also "sample:NAME".
+  void addPart(const QString& path);
   void openProject(const QString& file);
   // Opens it as an unsaved project, with the file to which it was saved before, if any.
   void openRecovered(const Recovered& recovered);
@@ -53,6 +56,9 @@ signals:
   void failed(const QString& path, const QString& message);
 
 private:
+  using Part = std::shared_ptr<const project::LoadedPart>;
+  // `take`: what to do with the part as read.
+  void readPart(const QString& path, std::function<void(const Part&, bool ready)> take);
   void readProject(const QString& file, const QString& projectFile, const QString& told,
                    bool unsaved);
   void repair();

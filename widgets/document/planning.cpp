@@ -59,7 +59,7 @@ void Planning::plan(Stage until) {
 // Plans the programs only: the choices alone would give the whole print, not its rest.
 void Planning::startRest() {
   project::Job rest = document_.result(Stage::Motion)->job;
-  rest.choices = document_.choices();
+  rest.choices = document_.jobChoices();
   runner_.run(
       [this, rest = std::move(rest)](const base::RunContext& ctx, const jobs::Post& post) {
         const auto result =
@@ -89,11 +89,12 @@ void Planning::start() {
                                                                   const jobs::Post& post) {
         // `this` is used only in posted functions, which run on the thread of the window.
         const auto tell = [&](Stage stage, const pipeline::PlanResult& soFar) {
-          post([this, stage, loaded = request.item().loaded,
+          post([this, stage, given = request.items,
                 snapshot = std::make_shared<const pipeline::PlanResult>(soFar)] {
-            // The plan repairs the part, or takes it as read, if it was not loaded that way.
-            if (snapshot->job.item().loaded != loaded)
-              document_.replaceSource(loaded, snapshot->job.item().loaded);
+            // The plan repairs a part, or takes it as read, if it was not loaded that way.
+            for (std::size_t i = 0; i < given.size(); ++i)
+              if (snapshot->job.item(i).loaded != given[i].loaded)
+                document_.replaceSource(given[i].loaded, snapshot->job.item(i).loaded);
             document_.stageDone(stage, snapshot);
             emit stageDone(stage);
           });

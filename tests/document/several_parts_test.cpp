@@ -1,0 +1,287 @@
+// Several parts in one document: added, copied, removed, edited one by one, saved and planned.
+#include "document/free_place.h"
+#include "document/item_choices.h"
+#include "document/opening.h"
+#include "document/parts.h"
+#include "document/planning.h"
+#include "document/saving.h"
+#include "document/shown_names.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace voluta::document {
+namespace {
+
+using project::Stage;
+
+// Flat layers, since a part of a job of several may not search for its way of building.
+void openFlat(Document& document, double side = 8.0) {
+  document.openPart(test::boxPart(side), {}, true);
+  project::Choices choices = document.choices();
+  choices.item().mode = "flat";
+  document.setChoices(choices, "flat");
+}
+
+double xOf(const Document& document, std::size_t item) {
+  return document.jobChoices().item(item).placement.centreMm.x();
+}
+
+TEST(SeveralParts, AnAddedPartIsActiveBesideTheOthersAndBuiltAlike) {
+  Document document;
+  openFlat(document);
+  document.setParameter("walls", "3");
+  document.setParameter("voxelMm", "1.5");
+  QSignalSpy parts(&document, &Document::partsChanged), source(&document, &Document::sourceChanged);
+  document.addPart(test::boxPart(6.0, "other.stl"), "/tmp/other.stl", true);
+  EXPECT_EQ(document.partCount(), 2u);
+  EXPECT_EQ(document.active(), 1u);
+  EXPECT_EQ(parts.size(), 1);
+  EXPECT_EQ(source.size(), 1);
+  EXPECT_EQ(document.source()->name, "other.stl");
+  EXPECT_EQ(document.name(), "box") << "the project keeps its name";
+  EXPECT_EQ(document.choices().items.size(), 1u);
+  EXPECT_EQ(document.choices().item().mode, "flat");
+  EXPECT_EQ(document.choices().item().parameters.at("walls"), "3") << "of the job";
+  EXPECT_FALSE(document.choices().item().parameters.contains("voxelMm")) << "of the part";
+  EXPECT_DOUBLE_EQ(xOf(document, 0), 0.0);
+  EXPECT_DOUBLE_EQ(xOf(document, 1), 4.0 + 10.0 + 3.0);
+}
+
+TEST(SeveralParts, TheFirstPartAddedIsOpened) {
+  Document document;
+  document.addPart(test::boxPart(), "/tmp/box.stl", true);
+  EXPECT_EQ(document.partCount(), 1u);
+  EXPECT_EQ(document.undoStack()->text(0), "Open box.stl");
+}
+
+TEST(SeveralParts, EditsConcernTheActivePartAndTheJob) {
+  Document document;
+  openFlat(document);
+  document.addPart(test::boxPart(6.0, "other.stl"), {}, true);
+  document.setScale("2");
+  document.setParameter("voxelMm", "1.5");
+  document.setParameter("walls", "4");
+  test::setSeed(document, 7);
+  const project::Choices& job = document.jobChoices();
+  EXPECT_EQ(job.item(0).scale, "1");
+  EXPECT_EQ(job.item(1).scale, "2");
+  EXPECT_FALSE(job.item(0).parameters.contains("voxelMm"));
+  EXPECT_EQ(job.item(0).parameters.at("walls"), "4");
+  EXPECT_EQ(job.item(1).parameters.at("walls"), "4");
+  EXPECT_EQ(job.seed, 7);
+  document.setActive(0);
+  EXPECT_EQ(document.choices().item().scale, "1");
+  document.resetParameters();
+  EXPECT_FALSE(job.item(1).parameters.contains("walls"));
+  EXPECT_EQ(job.item(1).parameters.at("voxelMm"), "1.5");
+}
+
+TEST(SeveralParts, MakingAPartActiveIsNoEdit) {
+  Document document;
+  openFlat(document);
+  document.addPart(test::boxPart(6.0, "other.stl"), {}, true);
+  document.saved("/tmp/a.voluta", document.revision(), document.snapshot());
+  QSignalSpy edited(&document, &Document::edited), source(&document, &Document::sourceChanged),
+      choices(&document, &Document::choicesChanged);
+  document.setActive(0);
+  EXPECT_EQ(document.source()->name, "box.stl");
+  EXPECT_EQ(edited.size(), 0);
+  EXPECT_EQ(source.size(), 1);
+  EXPECT_EQ(choices.size(), 1);
+  EXPECT_FALSE(document.dirty());
+  EXPECT_EQ(document.undoStack()->count(), 3);
+}
+
+TEST(SeveralParts, UndoBringsBackThePartsAndTheActiveOne) {
+  Document document;
+  openFlat(document);
+  document.addPart(test::boxPart(6.0, "other.stl"), {}, true);
+  document.duplicatePart();
+  EXPECT_EQ(document.partCount(), 3u);
+  EXPECT_EQ(document.sources()[2], document.sources()[1]);
+  document.setActive(0);
+  document.removePart();
+  EXPECT_EQ(document.partCount(), 2u);
+  EXPECT_EQ(document.source()->name, "other.stl");
+  document.undoStack()->undo();
+  EXPECT_EQ(document.partCount(), 3u);
+  EXPECT_EQ(document.active(), 0u);
+  EXPECT_EQ(document.source()->name, "box.stl");
+  document.undoStack()->undo();
+  document.undoStack()->undo();
+  EXPECT_EQ(document.partCount(), 1u);
+  document.undoStack()->redo();
+  EXPECT_EQ(document.partCount(), 2u);
+  EXPECT_EQ(document.active(), 1u);
+}
+
+// After any edits, undoing all of them restores every state on the way.
+TEST(SeveralParts, RandomEditsAreUndoneOneByOne) {
+  std::mt19937 random(7);
+  Document document;
+  openFlat(document);
+  const auto stateOf = [&] {
+    std::string text;
+    for (std::size_t i = 0; i < document.partCount(); ++i)
+      text += document.sources()[i]->name + document.jobChoices().item(i).scale + " " +
+              std::to_string(xOf(document, i)) + "\n";
+    return text;
+  };
+  std::vector<std::string> states{stateOf()};
+  const int before = document.undoStack()->count();
+  for (int step = 0; step < 60; ++step) {
+    const int count = document.undoStack()->count();
+    const unsigned kind = random() % 5;
+    if (kind == 0 && document.partCount() < 5)
+      document.addPart(test::boxPart(5.0 + random() % 4, "p.stl"), {}, true);
+    else if (kind == 1 && document.partCount() < 5)
+      document.duplicatePart();
+    else if (kind == 2 && document.partCount() > 1)
+      document.removePart();
+    else if (kind == 3)
+      document.setScale(QString::number(1.0 + 0.01 * step));
+    document.setActive(random() % document.partCount());
+    ASSERT_EQ(document.jobChoices().items.size(), document.partCount());
+    if (document.undoStack()->count() > count)
+      states.push_back(stateOf());
+  }
+  for (std::size_t i = states.size(); i-- > 0;) {
+    EXPECT_EQ(stateOf(), states[i]);
+    if (document.undoStack()->index() > before)
+      document.undoStack()->undo();
+  }
+  EXPECT_EQ(document.partCount(), 1u);
+}
+
+TEST(SeveralParts, ARepairedPartReplacesAllItsCopies) {
+  Document document;
+  const auto asRead = test::boxPart(), repaired = test::boxPart();
+  document.openPart(asRead, {}, false);
+  document.duplicatePart();
+  EXPECT_FALSE(document.sourceReady());
+  document.replaceSource(asRead, repaired);
+  EXPECT_TRUE(document.sourceReady());
+  EXPECT_EQ(document.sources(), (std::vector{repaired, repaired}));
+  project::Choices choices = document.choices();
+  choices.item().repair = false;
+  document.setChoices(choices, "as read");
+  EXPECT_FALSE(document.jobChoices().item(0).repair) << "copies share one mesh";
+}
+
+TEST(SeveralParts, EqualNamesAreNumbered) {
+  const std::vector parts{test::boxPart(5.0, "kitten.stl"), test::boxPart(6.0, "spot.stl"),
+                          test::boxPart(7.0, "kitten.stl"), test::boxPart(8.0, "kitten.obj")};
+  EXPECT_EQ(shownNames(parts), (QStringList{"kitten", "spot", "kitten (2)", "kitten (3)"}));
+}
+
+TEST(SeveralParts, ThePlatformIsThatOfAllPartsThatCanStandOnIt) {
+  project::Choices job;
+  job.items.resize(3);
+  job.item(0).mode = job.item(1).mode = "flat";
+  job.item(2).mode = "lathe";
+  job.item(2).platform = project::Platform("rod:5x200");
+  project::Choices edited = project::onlyItem(job, 1);
+  edited.item().platform = project::Platform("disc:60");
+  const project::Choices next = withItem(job, 1, edited);
+  EXPECT_EQ(next.item(0).platform.text(), "disc:60");
+  EXPECT_EQ(next.item(1).platform.text(), "disc:60");
+  EXPECT_EQ(next.item(2).platform.text(), "rod:5x200");
+}
+
+TEST(SeveralParts, AFreePlaceTouchesNoOther) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-100.0, 100.0), size(1.0, 80.0);
+  EXPECT_EQ(nextFreePlace({}, {5.0, 5.0}), Eigen::Vector2d::Zero());
+  for (int trial = 0; trial < 300; ++trial) {
+    std::vector<Eigen::AlignedBox2d> others(1 + trial % 6);
+    for (Eigen::AlignedBox2d& box : others) {
+      const Eigen::Vector2d low(place(random), place(random));
+      box = {low, low + Eigen::Vector2d(size(random), size(random))};
+    }
+    const Eigen::Vector2d own(size(random), size(random));
+    const Eigen::Vector2d centre = nextFreePlace(others, own);
+    const Eigen::AlignedBox2d box(centre - 0.5 * own, centre + 0.5 * own);
+    for (const Eigen::AlignedBox2d& other : others)
+      EXPECT_GE(box.exteriorDistance(other), 10.0 - 1e-9);
+  }
+}
+
+class SeveralPartsPlan : public testing::Test {
+protected:
+  void SetUp() override {
+    openFlat(document_);
+    document_.addPart(test::boxPart(6.0, "other.stl"), {}, true);
+  }
+  void plan(Stage until) {
+    QSignalSpy finished(&planning_, &Planning::finished);
+    planning_.plan(until);
+    ASSERT_TRUE(finished.wait(120000));
+  }
+
+  Document document_;
+  Planning planning_{document_};
+};
+
+TEST_F(SeveralPartsPlan, AllPartsArePlannedAndEachHasItsResult) {
+  plan(Stage::Toolpath);
+  EXPECT_EQ(document_.state(Stage::Toolpath), StageState::Done);
+  const auto all = document_.result(Stage::Toolpath);
+  ASSERT_EQ(all->job.items.size(), 2u);
+  const auto one = document_.itemResult(Stage::Toolpath);
+  ASSERT_EQ(one->job.items.size(), 1u);
+  EXPECT_EQ(one->job.item().layers, all->job.item(1).layers);
+  EXPECT_EQ(one, document_.itemResult(Stage::Toolpath)) << "made once";
+  document_.setActive(0);
+  EXPECT_EQ(document_.itemResult(Stage::Toolpath)->job.item().layers, all->job.item(0).layers);
+  EXPECT_EQ(document_.state(Stage::Toolpath), StageState::Done);
+  const geometry::Placement moved{Eigen::Quaterniond::Identity(), {0.0, 30.0}, 0.0};
+  document_.place(moved, "move");
+  EXPECT_EQ(document_.state(Stage::Load), StageState::OutOfDate);
+  document_.setPrintOrder(layers::PrintOrder::ByLayer);
+  document_.undoStack()->undo();
+  document_.undoStack()->undo();
+  EXPECT_EQ(document_.state(Stage::Toolpath), StageState::Done);
+}
+
+TEST_F(SeveralPartsPlan, RemovedPartsComeBackWithTheirPlan) {
+  plan(Stage::Toolpath);
+  const auto all = document_.result(Stage::Toolpath);
+  document_.removePart();
+  EXPECT_FALSE(document_.result(Stage::Toolpath));
+  document_.undoStack()->undo();
+  EXPECT_EQ(document_.result(Stage::Toolpath), all);
+  EXPECT_EQ(document_.state(Stage::Toolpath), StageState::Done);
+}
+
+TEST_F(SeveralPartsPlan, AProjectOfSeveralPartsComesBackWithItsResults) {
+  document_.setPrintOrder(layers::PrintOrder::ByLayer);
+  plan(Stage::Toolpath);
+  QTemporaryDir folder;
+  Saving saving(document_);
+  QSignalSpy saved(&saving, &Saving::saved);
+  saving.saveAs(folder.filePath("two"));
+  ASSERT_TRUE(saved.wait(10000));
+  EXPECT_FALSE(document_.dirty());
+
+  Document again;
+  Planning planning(again);
+  Opening opening(again, planning);
+  QSignalSpy opened(&opening, &Opening::opened);
+  opening.open(folder.filePath("two.voluta"));
+  ASSERT_TRUE(opened.wait(10000));
+  EXPECT_EQ(again.partCount(), 2u);
+  EXPECT_EQ(again.active(), 0u);
+  EXPECT_EQ(again.name(), "two");
+  EXPECT_EQ(shownNames(again.sources()), (QStringList{"box", "other"}));
+  EXPECT_EQ(again.jobChoices().printOrder, layers::PrintOrder::ByLayer);
+  EXPECT_DOUBLE_EQ(xOf(again, 1), xOf(document_, 1));
+  EXPECT_FALSE(again.dirty());
+  EXPECT_EQ(again.state(Stage::Toolpath), StageState::Done);
+}
+
+} // namespace
+} // namespace voluta::document

@@ -1,0 +1,208 @@
+// The parts of a document: opened, added, copied and removed.
+#include "document/document_parts.h"
+#include "document/document.h"
+#include "document/free_place.h"
+#include "document/item_choices.h"
+#include "document/mode_switch.h"
+#include "geometry/measures.h"
+#include "modes/mode_table.h"
+#include "pipeline/automatic.h"
+#include "pipeline/choices.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voluta::document {
+
+using project::Stage;
+
+namespace {
+Eigen::AlignedBox2d onPlate(const Eigen::AlignedBox3d& box) {
+  return {box.min().head<2>(), box.max().head<2>()};
+}
+} // namespace
+
+std::shared_ptr<Document::Source> Document::activeSourceOf(const std::shared_ptr<Parts>& parts,
+                                                           std::size_t active) {
+  return parts ? parts->items.at(active) : nullptr;
+}
+
+bool Document::haveSameContent(const std::shared_ptr<Parts>& a, const std::shared_ptr<Parts>& b) {
+  return a && b && std::ranges::equal(a->items, b->items, [](const auto& one, const auto& other) {
+           return one->part->hash == other->part->hash;
+         });
+}
+
+std::shared_ptr<const project::LoadedPart> Document::source() const {
+  return parts_ ? activeSource()->part : nullptr;
+}
+
+QString Document::sourcePath() const {
+  return parts_ ? activeSource()->path : QString();
+}
+
+bool Document::sourceReady() const {
+  return parts_ &&
+         std::ranges::all_of(parts_->items, [](const auto& source) { return source->ready; });
+}
+
+std::size_t Document::partCount() const {
+  return parts_ ? parts_->items.size() : 0;
+}
+
+std::vector<std::shared_ptr<const project::LoadedPart>> Document::sources() const {
+  std::vector<std::shared_ptr<const project::LoadedPart>> all;
+  if (parts_)
+    for (const auto& source : parts_->items)
+      all.push_back(source->part);
+  return all;
+}
+
+std::shared_ptr<Document::Source>
+Document::newSource(std::shared_ptr<const project::LoadedPart> part, const QString& path,
+                    bool ready) {
+  std::erase_if(sources_, [](const std::weak_ptr<Source>& s) { return s.expired(); });
+  const auto opened = std::make_shared<Source>(Source{std::move(part), path, ready});
+  sources_.push_back(opened);
+  return opened;
+}
+
+void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path,
+                        bool ready) {
+  base::require(part != nullptr, "Document: a part to open");
+  const project::Choices choices = choicesOfNextPart(path);
+  const QString editName = tr("Open %1").arg(QString::fromStdString(part->name));
+  const auto opened = std::make_shared<Parts>();
+  opened->items = {newSource(std::move(part), path, ready)};
+  if (!projectFile_.isEmpty()) {
+    replaceAll({choices, opened, 0}, {}, true);
+    emit stateChanged();
+    tellDirtyAndName();
+    emit edited();
+    return;
+  }
+  push({choices, opened, 0}, editName);
+}
+
+Eigen::AlignedBox2d Document::footprint(std::size_t item) const {
+  if (const auto placed = result(Stage::Load); placed && upToDate(Stage::Load))
+    if (const auto& part = placed->job.item(item).part)
+      return onPlate(geometry::bounds(*part));
+  const project::Choices own = project::onlyItem(choices_, item);
+  const project::LoadedPart& loaded = *parts_->items[item]->part;
+  const double scale = project::parsedScale(own.item().scale);
+  return onPlate(geometry::bounds(
+      geometry::place(*loaded.mesh, pipeline::unitMm(loaded, own) * (scale > 0.0 ? scale : 1.0),
+                      own.item().placement)));
+}
+
+Document::State Document::withPart(project::Choices choices,
+                                   const std::shared_ptr<Source>& source) const {
+  std::vector<Eigen::AlignedBox2d> others;
+  for (std::size_t i = 0; i < parts_->items.size(); ++i)
+    others.push_back(footprint(i));
+  const project::Choices own = project::onlyItem(choices, choices.items.size() - 1);
+  const double scale = project::parsedScale(own.item().scale);
+  const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(
+      *source->part->mesh, pipeline::unitMm(*source->part, own) * (scale > 0.0 ? scale : 1.0),
+      own.item().placement));
+  choices.items.back().placement.centreMm = nextFreePlace(others, box.sizes().head<2>());
+  const auto parts = std::make_shared<Parts>();
+  parts->items = parts_->items;
+  parts->items.push_back(source);
+  return {std::move(choices), parts, parts->items.size() - 1};
+}
+
+void Document::addPart(std::shared_ptr<const project::LoadedPart> part, const QString& path,
+                       bool ready) {
+  base::require(part != nullptr, "Document: a part to add");
+  if (!parts_) {
+    openPart(std::move(part), path, ready);
+    return;
+  }
+  const QString editName = tr("Add %1").arg(QString::fromStdString(part->name));
+  push(withPart(withNewItem(choices_, active_, start_.item()),
+                newSource(std::move(part), path, ready)),
+       editName);
+}
+
+void Document::duplicatePart() {
+  base::require(parts_ != nullptr, "Document: a part to duplicate");
+  project::Choices choices = choices_;
+  choices.items.push_back(choices.item(active_));
+  push(withPart(std::move(choices), activeSource()),
+       tr("Duplicate %1").arg(QString::fromStdString(activeSource()->part->name)));
+}
+
+void Document::removePart() {
+  base::require(partCount() > 1, "Document: one of several parts to remove");
+  const auto at = static_cast<std::ptrdiff_t>(active_);
+  project::Choices choices = choices_;
+  choices.items.erase(choices.items.begin() + at);
+  const auto parts = std::make_shared<Parts>();
+  parts->items = parts_->items;
+  parts->items.erase(parts->items.begin() + at);
+  push({std::move(choices), parts, std::min(active_, parts->items.size() - 1)},
+       tr("Remove %1").arg(QString::fromStdString(activeSource()->part->name)));
+}
+
+void Document::setPrintOrder(layers::PrintOrder order) {
+  project::Choices choices = activeChoices_;
+  choices.printOrder = order;
+  setChoices(choices, tr("Change print order"));
+}
+
+void Document::setActive(std::size_t item) {
+  base::require(item < partCount(), "Document: a part to make active");
+  if (item == active_)
+    return;
+  const auto before = activeSource();
+  set({choices_, parts_, item});
+  if (activeSource() != before)
+    emit sourceChanged();
+  emit choicesChanged();
+  emit partsChanged();
+  emit stateChanged();
+}
+
+project::Choices Document::choicesOfNextPart(const QString& path) const {
+  const project::Choices usual;
+  project::Choices same = activeChoices_;
+  same.item().placement = usual.item().placement;
+  same.item().scale = usual.item().scale;
+  if (!parts_ || (!path.isEmpty() && path == sourcePath()))
+    return same;
+  project::Choices next = start_;
+  // A cell and a process that were set by the way of building are reset with it.
+  const modes::Mode* mode =
+      choices().item().automatic ? nullptr : modes::modeNamed(choices().item().mode);
+  if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != start_.cell)
+    return next;
+  next.cell = choices_.cell;
+  next.tool().process = choices_.tool().process;
+  next.formats = choices_.formats;
+  try {
+    return next.item().automatic ? pipeline::automaticChoices(next).front() : fitting(next);
+  } catch (const base::Error&) {
+    return next; // the plan reports the cell's error
+  }
+}
+
+void Document::replaceSource(const std::shared_ptr<const project::LoadedPart>& part,
+                             std::shared_ptr<const project::LoadedPart> repaired) {
+  for (const std::weak_ptr<Source>& held : sources_) {
+    const std::shared_ptr<Source> any = held.lock();
+    if (any && any->part == part) {
+      any->part = repaired;
+      any->ready = true;
+    }
+  }
+  const std::vector<std::shared_ptr<const project::LoadedPart>> open = this->sources();
+  if (std::ranges::find(open, repaired) == open.end())
+    return;
+  refreshKeys();
+  emit sourceChanged();
+  emit stateChanged();
+}
+
+} // namespace voluta::document
