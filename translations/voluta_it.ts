@@ -443,6 +443,30 @@
         <source>Your own robot from its URDF, with a cell</source>
         <translation>Un robot proprio, dal suo URDF, con una cella</translation>
     </message>
+    <message>
+        <source>D&amp;uplicate part</source>
+        <translation>D&amp;uplica pezzo</translation>
+    </message>
+    <message>
+        <source>Adds a copy of the selected part beside the others</source>
+        <translation>Aggiunge una copia del pezzo scelto accanto agli altri</translation>
+    </message>
+    <message>
+        <source>&amp;Remove part</source>
+        <translation>&amp;Rimuovi pezzo</translation>
+    </message>
+    <message>
+        <source>Removes the selected part from the plate</source>
+        <translation>Toglie il pezzo scelto dal piatto</translation>
+    </message>
+    <message>
+        <source>A&amp;dd part…</source>
+        <translation>Aggiungi pe&amp;zzo…</translation>
+    </message>
+    <message>
+        <source>Adds a part beside the others</source>
+        <translation>Aggiunge un pezzo accanto agli altri</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -7669,6 +7693,22 @@ previsto</translation>
         <source>Open %1</source>
         <translation>apertura di %1</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>aggiunta di %1</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>copia di %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>rimozione di %1</translation>
+    </message>
+    <message>
+        <source>Change print order</source>
+        <translation>modifica dell&apos;ordine di stampa</translation>
+    </message>
 </context>
 <context>
     <name>voluta::document::Opening</name>
@@ -8257,6 +8297,61 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Show</source>
         <translation>Mostra</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::PartList</name>
+    <message>
+        <source>Part</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>Way of building</source>
+        <translation>Modo di costruire</translation>
+    </message>
+    <message>
+        <source>Size [mm]</source>
+        <translation>Misure [mm]</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Aggiungi…</translation>
+    </message>
+    <message>
+        <source>Adds a part from a file beside the others</source>
+        <translation>Aggiunge un pezzo da un file accanto agli altri</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplica</translation>
+    </message>
+    <message>
+        <source>Adds a copy of the selected part with its settings</source>
+        <translation>Aggiunge una copia del pezzo scelto con le sue impostazioni</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Removes the selected part; can be undone</source>
+        <translation>Toglie il pezzo scelto; si può annullare</translation>
+    </message>
+    <message>
+        <source>Print order</source>
+        <translation>Ordine di stampa</translation>
+    </message>
+    <message>
+        <source>One after another</source>
+        <translation>Uno dopo l&apos;altro</translation>
+    </message>
+    <message>
+        <source>Layer by layer</source>
+        <translation>Strato per strato</translation>
+    </message>
+    <message>
+        <source>One after another: each part is finished before the next begins. Layer by layer: all parts grow together.</source>
+        <translation>Uno dopo l&apos;altro: ogni pezzo è finito prima che cominci il successivo. Strato per strato: tutti i pezzi crescono insieme.</translation>
     </message>
 </context>
 <context>
@@ -9502,6 +9597,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>Rod</source>
         <translation>Barra</translation>
     </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 pezzi</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::MeasureDialog</name>
@@ -9585,6 +9684,13 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>turn</source>
         <translation>rotazione</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::PartsView</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatico</translation>
     </message>
 </context>
 <context>
@@ -9750,6 +9856,30 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>Imported: cell %1</source>
         <translation>Importata: cella %1</translation>
     </message>
+    <message>
+        <source>Add part</source>
+        <translation>Aggiungi pezzo</translation>
+    </message>
+    <message>
+        <source>Parts (%1);;All files (*)</source>
+        <translation>Pezzi (%1);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Add or replace?</source>
+        <translation>Aggiungere o sostituire?</translation>
+    </message>
+    <message>
+        <source>Add “%1” beside “%2”, or open it instead?</source>
+        <translation>Aggiungere «%1» accanto a «%2», o aprirlo al suo posto?</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Aggiungi</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Sostituisci</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ReachView</name>
@@ -9879,6 +10009,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>time on the controller %1</source>
         <translation>tempo sul controllore %1</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 pezzi</translation>
     </message>
 </context>
 <context>

@@ -64,13 +64,15 @@ TEST_F(PartChangeTest, AMeshOntoAnUnsavedPlanAsksAndUndoBringsThePlanBack) {
   planAll();
   const auto plan = document().result(Stage::Replay);
   const int pathLayers = window().presenter().pathLayers();
+  answerBox("dropBox", QMessageBox::DestructiveRole);
   answerBox("unsavedBox", QMessageBox::RejectRole);
   drop(other());
-  ASSERT_TRUE(waitFor([&] { return answeredBoxes() == 1; }, 5000));
+  ASSERT_TRUE(waitFor([&] { return answeredBoxes() == 2; }, 5000));
   QTest::qWait(500); // what was not cancelled would come now
   EXPECT_EQ(document().name(), "plinth") << "cancelled";
   EXPECT_EQ(document().result(Stage::Replay), plan);
 
+  answerBox("dropBox", QMessageBox::DestructiveRole);
   answerBox("unsavedBox", QMessageBox::DestructiveRole);
   drop(other());
   ASSERT_TRUE(shows("other"));

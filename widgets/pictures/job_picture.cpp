@@ -6,6 +6,7 @@
 #include "geometry/measures.h"
 #include "modes/planar_modes.h"
 #include "motion/waits.h"
+#include "pictures/all_items.h"
 #include "pipeline/choices.h"
 #include "robot/shape/arm_look.h"
 
@@ -52,13 +53,15 @@ public:
   }
 
   void showPart() {
-    scene_.setPart(scene::drawPart(*need(job_.item().part, "placed part"_text)));
+    scene_.setPart(scene::drawPart(*need(partsOf(job_), "placed part"_text)));
     view_.part = true;
     showPlatform();
   }
   void showVoxels() {
-    const auto drawing =
-        scene::drawVoxels(*need(job_.item().decomposition(), "voxels"_text), voxelLook());
+    const std::size_t item = itemWithVoxels(job_).value_or(0);
+    const auto voxels = need(job_.item(item).decomposition(), "voxels"_text);
+    const auto drawing = scene::drawVoxels(*voxels, voxelLook(*voxels));
+    showOthers(item);
     setLastLayer(scene::layerCount(*drawing));
     scene_.setVoxels(drawing);
     view_.voxels = true;
@@ -67,7 +70,7 @@ public:
   void showLayers() {
     const process::Process p = process();
     const auto drawing =
-        scene::drawLayers(*need(job_.item().layers, "layers"_text),
+        scene::drawLayers(*need(layersOf(job_), "layers"_text),
                           {p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm});
     setLastLayer(scene::layerCount(*drawing));
     scene_.setLayers(drawing);
@@ -75,8 +78,10 @@ public:
     showPlatform();
   }
   void showPieces() {
-    scene_.setPieces(scene::drawPieces(need(job_.item().pieces(), "pieces"_text)->pieces,
-                                       pipeline::riskRule(job_.choices)));
+    const std::vector<planar::Piece> pieces = piecesOf(job_);
+    if (pieces.empty())
+      need(job_.item().pieces(), "pieces"_text);
+    scene_.setPieces(scene::drawPieces(pieces, pipeline::riskRule(job_.choices)));
     view_.pieces = true;
     showPlatform();
   }
@@ -117,7 +122,7 @@ public:
   scene::Image pictureOfThePart() {
     return pictureFrom([&] {
       scene_.standardView(scene::StandardView::Isometric);
-      const Eigen::AlignedBox3d box = geometry::bounds(*job_.item().part);
+      const Eigen::AlignedBox3d box = geometry::bounds(*partsOf(job_));
       scene_.lookAt(box.center(), 0.5 * box.diagonal().norm());
     });
   }
@@ -130,7 +135,7 @@ private:
   }
 
   template <typename T>
-  const std::shared_ptr<const T>& need(const std::shared_ptr<const T>& result, base::Text what) {
+  std::shared_ptr<const T> need(const std::shared_ptr<const T>& result, base::Text what) {
     if (!result)
       throw Error(ErrorCode::UnusableInput,
                   base::message("the job contains no {result}"_text, what), options_.where,
@@ -138,13 +143,23 @@ private:
     return result;
   }
 
-  scene::VoxelLook voxelLook() const {
+  // Shows the parts beside the one of which the voxels are shown.
+  void showOthers(std::size_t item) {
+    std::vector<std::shared_ptr<const scene::PartDrawing>> others(job_.items.size());
+    for (std::size_t i = 0; i < others.size(); ++i)
+      if (i != item && job_.item(i).part)
+        others[i] = scene::drawPart(*job_.item(i).part);
+    scene_.setOtherParts(std::move(others));
+    view_.otherParts = true;
+  }
+
+  scene::VoxelLook voxelLook(const curved::Decomposition& voxels) const {
     scene::VoxelLook look;
     look.layerHeightMm = process().layerHeightMm;
     look.colourBy = view_.colourBy;
     if (look.colourBy == scene::ColourBy::Peeling)
-      look.peeling = std::make_shared<const std::vector<std::int32_t>>(
-          curved::peelingField(*job_.item().decomposition(), {}));
+      look.peeling =
+          std::make_shared<const std::vector<std::int32_t>>(curved::peelingField(voxels, {}));
     return look;
   }
 
@@ -154,9 +169,10 @@ private:
 
   void showPlatform() {
     double reach = 0.0;
-    if (job_.item().part)
-      for (const Eigen::Vector3d& v : job_.item().part->vertices)
-        reach = std::max(reach, v.head<2>().norm());
+    for (const project::JobItem& item : job_.items)
+      if (item.part)
+        for (const Eigen::Vector3d& v : item.part->vertices)
+          reach = std::max(reach, v.head<2>().norm());
     scene_.setPlatform(scene::drawPlatform(job_.item().platform, reach + kGroundBeyondPartMm));
   }
 
@@ -233,7 +249,7 @@ scene::Image jobPicture(const project::Job& job, const PictureOptions& options) 
 }
 
 std::vector<std::string> drawProofPictures(const project::Job& job) {
-  if (!job.item().part || !job.toolPlan)
+  if (!partsOf(job) || !job.toolPlan)
     return {};
   PictureOptions options;
   options.width = 1000;
@@ -255,11 +271,11 @@ std::vector<std::string> proofPictures(const project::Job& job) {
 }
 
 std::string furthestPicture(const project::Job& job) {
-  return job.toolPlan                 ? "paths"
-         : job.item().layers          ? "layers"
-         : job.item().decomposition() ? "voxels"
-         : job.item().pieces()        ? "pieces"
-                                      : "part";
+  return job.toolPlan             ? "paths"
+         : layersOf(job)          ? "layers"
+         : itemWithVoxels(job)    ? "voxels"
+         : !piecesOf(job).empty() ? "pieces"
+                                  : "part";
 }
 
 } // namespace voluta::pictures

@@ -26,6 +26,8 @@ const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by
     return &v.group;
   case ColourBy::Kind:
     return &v.kind;
+  case ColourBy::Part:
+    return &v.item;
   default:
     return nullptr;
   }

@@ -23,7 +23,8 @@ enum class ColourBy {
   Direction,
   Spacing,    // layers: thickness relative to the nominal height
   GrowthStep, // voxels: step in which they are printed
-  Peeling     // voxels: round of the published peeling that removes them
+  Peeling,    // voxels: round of the published peeling that removes them
+  Part        // index of the part in a job of several
 };
 inline constexpr int kColourByCount = 12;
 

@@ -45,6 +45,8 @@ std::optional<RayHit> Drawn::nearestPrinted(const Ray& ray, bool solid) const {
   std::optional<RayHit> best;
   if (shows(view.part, part.get()) && view.partOpacity > 0.0 && !(solid && isSeeThrough()))
     keepNearest(best, pickPart(*part, ray, shown));
+  if (view.otherParts && !(solid && view.otherPartsOpacity < kSolidOpacity))
+    keepNearest(best, pickOther(others, ray, shown));
   if (replaysGrowth()) {
     std::optional<RayHit> hit = pickVoxel(*growth, ray, 0, *view.growthStep - 1, shown);
     if (hit)

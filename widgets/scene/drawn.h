@@ -19,6 +19,7 @@ namespace voluta::scene {
 struct Drawn {
   ViewState view;
   std::shared_ptr<const PartDrawing> part;
+  std::vector<std::shared_ptr<const PartDrawing>> others; // by item of the job; null: none
   std::shared_ptr<const PlatformDrawing> platform;
   std::shared_ptr<const VoxelDrawing> voxels, growth;
   std::shared_ptr<const FrontDrawing> front;

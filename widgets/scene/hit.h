@@ -10,7 +10,7 @@
 namespace voluta::scene {
 
 struct Hit {
-  enum class What { Part, Platform, Voxel, Layer, Path, Piece, Cell };
+  enum class What { Part, OtherPart, Platform, Voxel, Layer, Path, Piece, Cell };
   What what = What::Part;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in the work frame [mm]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // unit, of the facet; zero for paths and cell
@@ -18,6 +18,7 @@ struct Hit {
   std::size_t path = 0, waypoint = 0; // Path: indices in the ToolPlan
   std::size_t patch = 0;              // Layer: index in the LayerStack
   std::size_t voxel = 0;              // Voxel: cell of the grid
+  std::size_t item = 0;               // OtherPart: its index in the job
   std::size_t piece = 0;              // Piece: its place in print order; `point` is on the part
   std::size_t body = 0;               // Cell: index in Cell::bodies()
 };

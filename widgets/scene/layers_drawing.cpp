@@ -219,6 +219,7 @@ private:
                         const layers::Patch& patch, std::size_t vertex) {
     values.layer.push_back(patch.layer);
     values.group.push_back(patch.group);
+    values.item.push_back(patch.item);
     values.height.push_back(static_cast<float>(patch.thicknessMm[vertex]));
     values.tiltDeg.push_back(static_cast<float>(
         base::radiansToDegrees(std::acos(std::clamp(patch.direction[vertex].z(), -1.0, 1.0)))));

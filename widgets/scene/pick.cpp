@@ -79,6 +79,20 @@ std::optional<RayHit> pickPart(const PartDrawing& part, const Ray& ray, const Is
   return best;
 }
 
+std::optional<RayHit> pickOther(const std::vector<std::shared_ptr<const PartDrawing>>& parts,
+                                const Ray& ray, const IsShown& shown) {
+  std::optional<RayHit> best;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::optional<RayHit> hit = parts[i] ? pickPart(*parts[i], ray, shown) : std::nullopt;
+    if (!hit)
+      continue;
+    hit->hit.what = Hit::What::OtherPart;
+    hit->hit.item = i;
+    keepNearer(best, hit->t, hit->hit);
+  }
+  return best;
+}
+
 namespace {
 std::optional<RayHit> pickPlate(const PlatformDrawing& platform, const Ray& ray) {
   if (std::abs(ray.direction.z()) < 1e-9)

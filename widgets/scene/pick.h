@@ -25,6 +25,9 @@ struct RayHit {
 using IsShown = std::function<bool(const Eigen::Vector3d&)>;
 
 std::optional<RayHit> pickPart(const PartDrawing& part, const Ray& ray, const IsShown& shown);
+// `parts`: by item of the job; null: none.
+std::optional<RayHit> pickOther(const std::vector<std::shared_ptr<const PartDrawing>>& parts,
+                                const Ray& ray, const IsShown& shown);
 std::optional<RayHit> pickPlatform(const PlatformDrawing& platform, const Ray& ray);
 // Layers first <= layer <= last.
 std::optional<RayHit> pickVoxel(const VoxelDrawing& voxels, const Ray& ray, int first, int last,

@@ -9,6 +9,7 @@
 #include "scene/colour_values.h"
 #include "scene/drawn.h"
 #include "scene/mesh_buffers.h"
+#include "scene/other_parts.h"
 #include "scene/overlay.h"
 #include "scene/piece_actors.h"
 #include "scene/piece_labels.h"
@@ -87,6 +88,7 @@ struct Scene::Impl : Drawn {
   vtkSmartPointer<vtkActor> partSurface, partEdges, chosenPath, frontSurface, frontEdges;
   // Each drawing keeps its buffers: switching between them uploads nothing.
   std::unique_ptr<PlatformActors> platformActors;
+  std::unique_ptr<OtherParts> otherParts;
   std::unique_ptr<CellActors> cellActors;
   std::unique_ptr<VoxelActors> byLayer, bySteps;
   std::unique_ptr<PieceActors> pieceActors;
@@ -108,6 +110,7 @@ struct Scene::Impl : Drawn {
     cellActors = std::make_unique<CellActors>(renderer);
     partSurface = addSolid(renderer);
     partEdges = addLines(renderer);
+    otherParts = std::make_unique<OtherParts>(renderer);
     byLayer = std::make_unique<VoxelActors>(renderer);
     bySteps = std::make_unique<VoxelActors>(renderer);
     pieceActors = std::make_unique<PieceActors>(renderer);
@@ -154,6 +157,7 @@ struct Scene::Impl : Drawn {
     inside->SetDiffuse(0.25);
     partSurface->SetBackfaceProperty(inside);
     setColour(partEdges, theme.partEdges);
+    otherParts->setTheme(theme);
     platformActors->setTheme(theme);
     cellActors->setTheme(theme);
     byLayer->setTheme(theme);
@@ -189,6 +193,7 @@ struct Scene::Impl : Drawn {
       cellActors->pose(world_T_frame);
     }
     platformActors->pose(world_T_work);
+    otherParts->pose(world_T_work);
     for (vtkActor* actor : cutActors())
       setPose(actor, world_T_work);
     for (vtkActor* actor : {partSurface.Get(), partEdges.Get()})
@@ -213,6 +218,7 @@ struct Scene::Impl : Drawn {
     partSurface->GetProperty()->SetOpacity(view.partOpacity);
     // Instead of depth-sorting translucent walls, only those that face the eye are drawn.
     partSurface->GetProperty()->SetBackfaceCulling(view.partOpacity < 1.0);
+    otherParts->show(view.otherParts, view.otherPartsOpacity);
   }
 
   void showVoxels() {
@@ -300,8 +306,8 @@ struct Scene::Impl : Drawn {
     }
     std::vector<vtkActor*> actors = cutActors();
     actors.insert(actors.end(), {partSurface.Get(), partEdges.Get()});
-    for (vtkActor* actor : pieceActors->actors())
-      actors.push_back(actor);
+    for (const auto& more : {pieceActors->actors(), otherParts->actors()})
+      actors.insert(actors.end(), more.begin(), more.end());
     for (vtkActor* actor : actors) {
       vtkMapper* mapper = actor->GetMapper();
       const bool isCut = mapper->GetClippingPlanes() != nullptr;
@@ -377,6 +383,9 @@ struct Scene::Impl : Drawn {
     };
     if (shows(view.part, part.get()))
       extend(part->box);
+    for (const auto& other : others)
+      if (shows(view.otherParts, other.get()))
+        extend(other->box);
     if (const VoxelDrawing* drawing = shownVoxels())
       extend(drawing->box);
     if (shows(view.pieces, pieces.get())) {
@@ -425,6 +434,12 @@ void Scene::setPart(std::shared_ptr<const PartDrawing> part) {
   setData(impl_->partSurface, part ? part->surface.Get() : nullptr);
   setData(impl_->partEdges, part ? part->edges.Get() : nullptr);
   impl_->part = std::move(part);
+  impl_->applyView();
+}
+
+void Scene::setOtherParts(std::vector<std::shared_ptr<const PartDrawing>> parts) {
+  impl_->otherParts->setDrawings(parts);
+  impl_->others = std::move(parts);
   impl_->applyView();
 }
 

@@ -32,6 +32,8 @@ public:
 
   // Null: not present. Whatever a view selects but is not present is not drawn.
   void setPart(std::shared_ptr<const PartDrawing> part);
+  // Draws the other parts of a job, one entry per item; null for the active one.
+  void setOtherParts(std::vector<std::shared_ptr<const PartDrawing>> parts);
   // Draws the part moved, until it is set again: for dragging handles. Picks, sections and framing
   // use the part's original position.
   void setPartPreview(const Eigen::Affine3d& moved_T_part);

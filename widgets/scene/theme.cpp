@@ -13,6 +13,8 @@ Theme lightTheme() {
   t.part = {0.70, 0.77, 0.84};
   t.partEdges = {0.40, 0.47, 0.54};
   t.partInside = {0.86, 0.78, 0.66};
+  t.otherPart = {0.87, 0.88, 0.89};
+  t.otherPartEdges = {0.60, 0.62, 0.65};
   t.partBeyond = {0.95, 0.71, 0.29};
   t.platform = {0.84, 0.85, 0.86};
   t.platformEdges = {0.36, 0.39, 0.43};
@@ -45,6 +47,8 @@ Theme darkTheme() {
   t.part = {0.56, 0.64, 0.72};
   t.partEdges = {0.24, 0.29, 0.34};
   t.partInside = {0.60, 0.53, 0.43};
+  t.otherPart = {0.43, 0.45, 0.47};
+  t.otherPartEdges = {0.27, 0.29, 0.31};
   t.partBeyond = {0.86, 0.61, 0.20};
   t.platform = {0.40, 0.42, 0.44};
   t.platformEdges = {0.66, 0.69, 0.72};

@@ -12,6 +12,7 @@ struct Theme {
   Colour backgroundTop, backgroundBottom;
   Colour text, axisX, axisY, axisZ;
   Colour part, partEdges, partInside; // inside: faces visible in a section
+  Colour otherPart, otherPartEdges;   // beside the active one
   Colour partBeyond;                  // where it is partly out of reach
   Colour platform, platformEdges, grid;
   Colour robotLight, robotDark, head, obstacle; // links alternate between light and dark

@@ -26,6 +26,8 @@ struct ViewState {
   bool travels = false; // of the paths shown
   bool axes = true;     // triad in the lower left corner
   double partOpacity = 1.0;
+  bool otherParts = false; // the parts of the job beside the active one
+  double otherPartsOpacity = 1.0;
   bool reach = false;      // map of reached poses on the plate
   bool partBeyond = false; // draws the part in the colour for parts out of reach
   // of the cell's bodies, if `cell`

@@ -268,6 +268,7 @@ void MainWindow::listen() {
   });
   connect(&files_, &ProjectFiles::cleared, pages_.get(), &PageStack::showFirst);
   connect(pages_.get(), &PageStack::statesShown, this, &MainWindow::showStates);
+  connect(pages_.get(), &PageStack::addPartAsked, &files_, &ProjectFiles::chooseToAdd);
   connect(pages_.get(), &PageStack::resumeAsked, &files_, &ProjectFiles::resume);
   connect(pages_.get(), &PageStack::said, status_, &StatusLine::showIdle);
   connect(pages_.get(), &PageStack::messageRaised, this, &MainWindow::tell);
@@ -294,7 +295,12 @@ void MainWindow::showObjects() {
   const QString size =
       source ? sizeText(box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.sizes().eval())
              : QString();
-  tree_->setText(SceneItem::Part, source ? QString::fromStdString(source->name) : QString(), {});
+  const std::size_t parts = document_.partCount();
+  tree_->setText(SceneItem::Part,
+                 parts > 1 ? tr("%1 parts").arg(parts)
+                 : source  ? QString::fromStdString(source->name)
+                           : QString(),
+                 {});
   tree_->setText(SceneItem::Platform, {}, language::words(c.item().platform.shown()));
   // For a cell given as text, only its id
   const QString cell = QString::fromStdString(base::dataName(c.cell));
@@ -420,7 +426,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
       // Queued: the source program of the file waits for the end of the drop and must not wait for
       // an answer about unsaved work.
       QMetaObject::invokeMethod(
-          this, [this, file = url.toLocalFile()] { open(file); }, Qt::QueuedConnection);
+          this, [this, file = url.toLocalFile()] { files_.drop(file); }, Qt::QueuedConnection);
       return;
     }
 }

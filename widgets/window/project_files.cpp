@@ -22,6 +22,7 @@ using document::Opening;
 
 namespace {
 constexpr const char* kOpenFolder = "open/folder";
+constexpr const char* kParts = "*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.txt *.voxels";
 constexpr const char* kSaveFolder = "save/folder";
 
 QString nameOf(const QString& path) {
@@ -90,6 +91,14 @@ std::vector<Command> ProjectFiles::commands() {
        {},
        "open",
        BarGroup::File},
+      {"addPart",
+       "fileMenu",
+       0,
+       QT_TRANSLATE_NOOP("Commands", "A&dd part…"),
+       QT_TRANSLATE_NOOP("Commands", "Adds a part beside the others"),
+       {QKeySequence("Ctrl+I")},
+       [this] { chooseToAdd(); },
+       [this] { return document_.partCount() > 0; }},
       {"sampleVase",
        "samplesMenu",
        0,
@@ -171,6 +180,42 @@ void ProjectFiles::choose() {
     return;
   QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());
   open(file);
+}
+
+void ProjectFiles::chooseToAdd() {
+  const QString file = QFileDialog::getOpenFileName(
+      &window_, tr("Add part"), QSettings().value(kOpenFolder).toString(),
+      tr("Parts (%1);;All files (*)").arg(QLatin1String(kParts)));
+  if (file.isEmpty())
+    return;
+  QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());
+  add(file);
+}
+
+void ProjectFiles::add(const QString& path) {
+  planning_.cancel();
+  opening_.addPart(path);
+}
+
+void ProjectFiles::drop(const QString& path) {
+  const bool project = path.endsWith(".voluta", Qt::CaseInsensitive);
+  if (project || path.endsWith(".urdf", Qt::CaseInsensitive) || document_.partCount() == 0) {
+    open(path);
+    return;
+  }
+  QMessageBox box(
+      QMessageBox::Question, tr("Add or replace?"),
+      tr("Add “%1” beside “%2”, or open it instead?").arg(nameOf(path), document_.name()),
+      QMessageBox::NoButton, &window_);
+  box.setObjectName("dropBox");
+  const QPushButton* added = box.addButton(tr("Add"), QMessageBox::AcceptRole);
+  const QPushButton* replaced = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+  box.addButton(QMessageBox::Cancel);
+  box.exec();
+  if (box.clickedButton() == added)
+    add(path);
+  else if (box.clickedButton() == replaced)
+    open(path);
 }
 
 void ProjectFiles::chooseArm() {

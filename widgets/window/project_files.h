@@ -39,6 +39,10 @@ public:
   // Opens a part, a project or "sample:NAME".
   void open(const QString& path);
   void choose();
+  // Adds a part to those that are open, or opens the first one: from a file the user chooses.
+  void chooseToAdd();
+  // Opens a file dropped onto the window; for a part, if another is open, the user may add it.
+  void drop(const QString& path);
   // Imports a robot arm from a URDF: asks for the required data, and selects the new cell.
   void importArm(const QString& urdf);
   // Opens the rest of the print from a point of the trajectory on, after confirmation.
@@ -63,6 +67,7 @@ private:
   void chooseArm();
   void save();
   void saveAs();
+  void add(const QString& path);
   void showRecent();
 
   document::Document& document_;

@@ -36,20 +36,43 @@ QString voxelsText(std::size_t voxels, std::size_t missed) {
                            .arg(locale.toString(static_cast<qulonglong>(voxels)), lost);
 }
 
+// Sums over all parts.
+struct ItemTotals {
+  std::size_t voxels = 0, missed = 0;
+  bool cuts = false; // any part is cut into pieces
+  int pieces = 0, layers = 0;
+  double riskyAreaMm2 = 0.0;
+};
+
+ItemTotals totalsOf(const project::Report& report) {
+  ItemTotals all;
+  for (const project::ItemReport& item : report.items) {
+    all.voxels += item.decomposition.voxels;
+    all.missed += item.decomposition.missedAfterSupports;
+    all.layers += item.layers.count;
+    const modes::Mode* mode = modes::modeNamed(item.decomposition.mode);
+    if (!mode || !mode->cuts)
+      continue;
+    all.cuts = true;
+    all.pieces += item.decomposition.pieces;
+    all.riskyAreaMm2 += item.decomposition.riskyAreaMm2;
+  }
+  return all;
+}
+
 QString figuresText(const project::Report& r, Stage reached) {
   const QLocale locale;
   QStringList parts;
-  if (r.item().decomposition.voxels > 0)
-    parts << voxelsText(r.item().decomposition.voxels, r.item().decomposition.missedAfterSupports);
-  if (const modes::Mode* mode = modes::modeNamed(r.item().decomposition.mode); mode && mode->cuts)
-    parts << (r.item().decomposition.pieces == 1
-                  ? Runs::tr("1 piece")
-                  : Runs::tr("%1 pieces").arg(r.item().decomposition.pieces))
-          << Runs::tr("%1 mm² need support")
-                 .arg(locale.toString(r.item().decomposition.riskyAreaMm2, 'f', 0));
-  if (r.item().layers.count > 0)
-    parts << (r.item().layers.count == 1 ? Runs::tr("1 layer")
-                                         : Runs::tr("%1 layers").arg(r.item().layers.count));
+  const ItemTotals all = totalsOf(r);
+  if (r.items.size() > 1)
+    parts << Runs::tr("%1 parts").arg(r.items.size());
+  if (all.voxels > 0)
+    parts << voxelsText(all.voxels, all.missed);
+  if (all.cuts)
+    parts << (all.pieces == 1 ? Runs::tr("1 piece") : Runs::tr("%1 pieces").arg(all.pieces))
+          << Runs::tr("%1 mm² need support").arg(locale.toString(all.riskyAreaMm2, 'f', 0));
+  if (all.layers > 0)
+    parts << (all.layers == 1 ? Runs::tr("1 layer") : Runs::tr("%1 layers").arg(all.layers));
   if (r.toolpath.waypoints > 0)
     parts << (r.toolpath.waypoints == 1
                   ? Runs::tr("1 waypoint")
@@ -98,7 +121,7 @@ QString cancelText(const document::Document& document) {
 }
 
 QString previewEndText(const document::Document& document) {
-  const auto result = document.result(Stage::Decompose);
+  const auto result = document.itemResult(Stage::Decompose);
   return result && result->job.item().pieces()
              ? Runs::tr("Pieces updated. Press Plan for layers and paths.")
          : result && result->job.item().decomposition()

@@ -38,6 +38,8 @@ bool offers(LayerSubject subject, scene::ColourBy colourBy) {
   case ColourBy::Time:
   case ColourBy::LayerTime:
     return subject == LayerSubject::Paths;
+  case ColourBy::Part:
+    return subject != LayerSubject::Voxels;
   case ColourBy::Spacing:
     return subject == LayerSubject::Layers;
   case ColourBy::GrowthStep:
@@ -105,7 +107,8 @@ void ViewOptions::buildSubjects(QGridLayout& grid) {
   colourBy_ = forms::makeCombo(this); // Its entries may be wider than the panel
   colourBy_->setObjectName("colourBy");
   for (const scene::ColourByRow& entry : scene::colourByTable())
-    colourBy_->addItem(QString(), static_cast<int>(entry.colourBy));
+    if (entry.colourBy != scene::ColourBy::Part)
+      colourBy_->addItem(QString(), static_cast<int>(entry.colourBy));
   grid.addWidget(subjectLabel_, 0, 0, 1, 2);
   grid.addLayout(pairs, 1, 0, 1, 2);
   grid.addWidget(colourLabel_, 2, 0);
@@ -156,7 +159,9 @@ void ViewOptions::retranslate() {
   const QSignalBlocker quiet(colourBy_);
   for (int i = 0; i < colourBy_->count(); ++i)
     colourBy_->setItemText(
-        i, language::words(scene::colourByTable()[static_cast<std::size_t>(i)].label));
+        i, language::words(
+               scene::colourByTable()[static_cast<std::size_t>(colourBy_->itemData(i).toInt())]
+                   .label));
   part_->setText(tr("Part surface"));
   travels_->setText(tr("Travel moves"));
   beads_->setText(tr("True bead width"));
@@ -211,6 +216,21 @@ void ViewOptions::setAvailable(bool voxels, bool pieces, bool layers, bool paths
   subjects_->button(static_cast<int>(LayerSubject::Paths))->setEnabled(paths);
 }
 
+void ViewOptions::setSeveralParts(bool several) {
+  const int at = colourBy_->findData(static_cast<int>(scene::ColourBy::Part));
+  if (several == (at >= 0))
+    return;
+  if (several) {
+    colourBy_->addItem(QString(), static_cast<int>(scene::ColourBy::Part));
+    retranslate();
+    showColourings();
+    return;
+  }
+  if (colourBy_->currentIndex() == at)
+    colourBy_->setCurrentIndex(0);
+  colourBy_->removeItem(at);
+}
+
 void ViewOptions::setShown(LayerSubject subject) {
   if (std::exchange(shown_, subject) == subject)
     return;
@@ -220,10 +240,14 @@ void ViewOptions::setShown(LayerSubject subject) {
     box->setVisible(subject == LayerSubject::Paths);
   for (QWidget* widget : {static_cast<QWidget*>(colourLabel_), static_cast<QWidget*>(colourBy_)})
     widget->setVisible(subject != LayerSubject::Pieces);
+  showColourings();
+}
+
+void ViewOptions::showColourings() {
   auto* items = qobject_cast<QStandardItemModel*>(colourBy_->model());
   for (int i = 0; i < colourBy_->count(); ++i)
     items->item(i)->setEnabled(
-        offers(subject, static_cast<scene::ColourBy>(colourBy_->itemData(i).toInt())));
+        offers(shown_, static_cast<scene::ColourBy>(colourBy_->itemData(i).toInt())));
 }
 
 void ViewOptions::read() {

@@ -39,6 +39,8 @@ public:
   void setLook(const Look& look);
   // A mode has either voxels or pieces; only one of them is offered.
   void setAvailable(bool voxels, bool pieces, bool layers, bool paths);
+  // Several: offers the colouring by part. Without it, a choice of it emits changed().
+  void setSeveralParts(bool several);
   // `subject`: the content shown, never Furthest. Only its colourings are offered.
   void setShown(LayerSubject subject);
 
@@ -54,6 +56,7 @@ private:
   void buildPlane(QGridLayout& grid);
   void listen();
   void read();
+  void showColourings();
   void retranslate();
 
   ViewChoices choices_;

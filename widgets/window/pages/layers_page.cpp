@@ -178,14 +178,15 @@ std::shared_ptr<const LayerFacts> LayersPage::facts() const {
   const document::Document& document = work().document;
   const auto layers = document.result(Stage::Layers), paths = document.result(Stage::Toolpath);
   const auto made = document.result(Stage::Decompose);
-  const bool ofThese = layers && layers->job.item().layers == known->of;
+  const bool ofThese = layers && layersOf(layers->job) == known->of;
   switch (subject()) {
   case LayerSubject::Paths:
-    return paths && paths->job.item().layers == known->of ? known : nullptr;
+    return paths && layersOf(paths->job) == known->of ? known : nullptr;
   case LayerSubject::Layers:
     return ofThese ? known : nullptr;
   default:
-    return ofThese && made && !document.voxelsAhead() &&
+    // Only the voxels of the active part are shown.
+    return ofThese && made && known->of.stacks.size() == 1 && !document.voxelsAhead() &&
                    made->job.item().decomposition() == layers->job.item().decomposition()
                ? known
                : nullptr;
@@ -231,6 +232,10 @@ void LayersPage::draw(scene::ViewState& view) {
   const bool planned = view.voxels || view.pieces || view.layers || view.paths;
   view.part = (chosen.part && work().tree.isShown(panels::SceneItem::Part)) || !planned;
   view.partOpacity = planned ? kPartOpacity : 1.0;
+  // Only the active part has its voxels or pieces drawn.
+  const bool ofOnePart = view.voxels || view.pieces;
+  view.otherParts = ofOnePart ? work().tree.isShown(panels::SceneItem::Part) : view.part;
+  view.otherPartsOpacity = ofOnePart ? 1.0 : view.partOpacity;
   view.travels = chosen.travels;
   view.firstLayer = layers.first();
   view.lastLayer = layers.layerCount() > 0 ? layers.last() : scene::kAllLayers;
@@ -310,6 +315,7 @@ void LayersPage::showCount() {
   const auto facts = this->facts();
   const int count = layerCount();
   spacing_->setSpacing(facts ? facts->spacing : LayerSpacing{});
+  options_->setSeveralParts(work().document.partCount() > 1);
   options_->setAvailable(presenter.hasVoxels(), presenter.hasPieces(), presenter.hasLayers(),
                          presenter.hasPaths());
   const bool known = facts && static_cast<int>(facts->topsMm.size()) == count;

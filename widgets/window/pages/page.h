@@ -51,6 +51,8 @@ public:
   virtual void showStates() = 0;
   // Highlights a path in all views, given by one of its waypoints; none: no path.
   virtual void chooseWaypoint(std::optional<std::size_t> waypoint) = 0;
+  // Lets the user choose a part to be added to those that are open.
+  virtual void addPart() = 0;
   // Opens the rest of the print, from a point of the trajectory, as a new project.
   virtual void resume(std::size_t point) = 0;
   virtual void say(const QString& text) = 0;                           // in the status line

@@ -41,6 +41,7 @@ public:
   void chooseWaypoint(std::optional<std::size_t> waypoint) override;
   void showView() override;
   void showStates() override;
+  void addPart() override { emit addPartAsked(); }
   void resume(std::size_t point) override { emit resumeAsked(point); }
   void say(const QString& text) override { emit said(text); }
   void tell(const QString& title, const QString& message) override {
@@ -50,6 +51,7 @@ public:
 
 signals:
   void statesShown(); // also: another page is shown
+  void addPartAsked();
   void resumeAsked(std::size_t point);
   void said(const QString& text);
   void messageRaised(const QString& title, const QString& message);

@@ -91,7 +91,7 @@ std::vector<Command> PartHandles::commands() {
 
 geometry::Placement PartHandles::placed() const {
   const document::Document& document = work_.document;
-  const auto shown = document.result(Stage::Load);
+  const auto shown = document.itemResult(Stage::Load);
   return shown && document.upToDate(Stage::Load)
              ? shown->job.item().placement.value_or(document.choices().item().placement)
              : document.choices().item().placement;
@@ -146,6 +146,10 @@ void PartHandles::layOnTouchedPoints() {
 }
 
 void PartHandles::clicked(const std::optional<scene::Hit>& hit) {
+  if (hit && hit->what == scene::Hit::What::OtherPart && hit->item < work_.document.partCount()) {
+    work_.document.setActive(hit->item);
+    return;
+  }
   if (work_.viewport.tool() != Tool::LayFlat || !hit || hit->what != scene::Hit::What::Part)
     return;
   setTool(Tool::None);
@@ -154,7 +158,7 @@ void PartHandles::clicked(const std::optional<scene::Hit>& hit) {
 
 void PartHandles::gizmoStarted() {
   before_ = placed();
-  const auto placed = work_.document.result(Stage::Load);
+  const auto placed = work_.document.itemResult(Stage::Load);
   scaleBefore_ = placed ? placed->job.item().scale : 1.0;
 }
 

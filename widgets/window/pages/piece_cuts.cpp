@@ -135,7 +135,7 @@ void PieceCuts::draw(scene::ViewState& view) const {
 
 // Updates the list to the drawn pieces; the selection is identified by its cut.
 void PieceCuts::showPieces() {
-  const auto result = work_.document.result(Stage::Decompose);
+  const auto result = work_.document.itemResult(Stage::Decompose);
   const PiecesPresenter& drawn = work_.presenter.pieces();
   std::vector<panels::PieceRow> rows;
   double before = 0.0;
@@ -225,7 +225,7 @@ void PieceCuts::showHandles() {
 }
 
 void PieceCuts::gizmoDragged(const viewer::GizmoChange& change, bool finished) {
-  const auto placed = work_.document.result(Stage::Load);
+  const auto placed = work_.document.itemResult(Stage::Load);
   const auto cut = static_cast<std::size_t>(chosenCut_);
   if (chosenCut_ < 0 || cut >= cuts_.size() || cutsBeforeDrag_.size() != cuts_.size())
     return;
@@ -255,7 +255,7 @@ void PieceCuts::pickRoot(const Eigen::Vector3d& point) {
 }
 
 bool PieceCuts::concerns(const plan::Finding& finding) const {
-  const auto result = work_.document.result(Stage::Decompose);
+  const auto result = work_.document.itemResult(Stage::Decompose);
   return plan::stageOf(finding) == Stage::Decompose && finding.where &&
          work_.presenter.hasPieces() && result && result->job.item().pieces();
 }
@@ -264,7 +264,7 @@ void PieceCuts::lookAt(const plan::Finding& finding) {
   viewer::Viewport& viewport = work_.viewport;
   panel_->setExplodeShare(0.0); // the place is on the part
   select(-1);
-  const auto pieces = work_.document.result(Stage::Decompose)->job.item().pieces();
+  const auto pieces = work_.document.itemResult(Stage::Decompose)->job.item().pieces();
   const Eigen::Vector3d normal = faceNormal(pieces->pieces, *finding.where);
   const Eigen::Vector3d eye = scene::towardsEye(viewport.scene().renderer()).normalized();
   if (normal.dot(eye) < kMinFacing) {

@@ -17,6 +17,7 @@
 #include "window/cell/cell_editor.h"
 #include "window/mesh_summary.h"
 #include "window/pages/cell_view.h"
+#include "window/pages/parts_view.h"
 #include "window/pages/reach_view.h"
 #include "window/pages/stand_chooser.h"
 #include "window/presenters/presenter.h"
@@ -42,7 +43,8 @@ std::string problemText(const base::Error& error) {
 
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
-      handles_(workspace, *this), stands_(new StandChooser(work(), handles_, this)),
+      handles_(workspace, *this), parts_(new PartsView(work(), this)),
+      stands_(new StandChooser(work(), handles_, this)),
       reach_(new ReachView(work(), handles_, this)),
       choices_(new ChoicesEditor(workspace.document, this)) {
   build();
@@ -74,6 +76,12 @@ void PreparePage::build() {
   tabs_->setDocumentMode(true);
   tabs_->addTab(parameters_, QString());
   tabs_->addTab(scrolled(part), QString());
+  side_ = new QWidget;
+  auto* both = new QVBoxLayout(side_);
+  both->setContentsMargins(0, 0, 0, 0);
+  both->setSpacing(0);
+  both->addWidget(parts_->list());
+  both->addWidget(tabs_, 1);
 }
 
 void PreparePage::listen() {
@@ -107,7 +115,7 @@ void PreparePage::listen() {
 }
 
 QWidget* PreparePage::side() {
-  return tabs_;
+  return side_;
 }
 
 std::vector<ViewportInput*> PreparePage::inputs() {
@@ -116,6 +124,8 @@ std::vector<ViewportInput*> PreparePage::inputs() {
 
 std::vector<Command> PreparePage::commands() {
   std::vector<Command> commands = handles_.commands();
+  for (Command& command : parts_->commands())
+    commands.push_back(std::move(command));
   commands.push_back({"resetParameters",
                       "editMenu",
                       2,
@@ -142,7 +152,7 @@ void PreparePage::editCell() {
   try {
     const project::Choices& choices = document.choices();
     const process::Process process = process::loadProcess(choices.tool().process);
-    const auto placed = document.result(Stage::Load);
+    const auto placed = document.itemResult(Stage::Load);
     const double partKg =
         placed && placed->job.item().part
             ? 1e-6 * process.material.densityGPerCm3 * geometry::volume(*placed->job.item().part)
@@ -171,6 +181,7 @@ void PreparePage::retranslate() {
   tabs_->setTabText(0, tr("Settings"));
   tabs_->setTabText(1, tr("Part"));
   choices_->retranslate();
+  parts_->show();
   showChoices();
 }
 
@@ -186,6 +197,7 @@ void PreparePage::draw(scene::ViewState& view) {
   view.voxels = made && work().presenter.hasVoxels();
   view.pieces = made && work().presenter.hasPieces();
   view.part = part && !view.voxels && !view.pieces;
+  view.otherParts = part;
   drawCellAtRest(view, work());
   reach_->draw(view);
 }
@@ -235,7 +247,7 @@ void PreparePage::showPart() {
   showProblems();
   const document::Document& document = work().document;
   const auto source = document.source();
-  const auto placed = document.result(Stage::Load);
+  const auto placed = document.itemResult(Stage::Load);
   placement_->setEnabled(static_cast<bool>(source));
   placement_->setScale(QString::fromStdString(document.choices().item().scale),
                        placed && document.upToDate(Stage::Load) ? placed->job.item().scale : 0.0);

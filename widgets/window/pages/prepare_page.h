@@ -17,6 +17,7 @@ class PlacementPanel;
 
 namespace voluta::window {
 
+class PartsView;
 class ReachView;
 class StandChooser;
 
@@ -50,6 +51,7 @@ private:
   void showPart();
 
   PartHandles handles_;
+  PartsView* parts_;
   StandChooser* stands_;
   ReachView* reach_;
   ChoicesEditor* choices_;
@@ -57,6 +59,7 @@ private:
   panels::MeshPanel* mesh_;
   forms::ParameterForm* parameters_;
   QTabWidget* tabs_;
+  QWidget* side_;
 };
 
 } // namespace voluta::window

@@ -58,7 +58,7 @@ void ReachView::refresh() {
     showReach();
     return;
   }
-  const auto placed = document.result(Stage::Load);
+  const auto placed = document.itemResult(Stage::Load);
   if (!placed || !placed->job.item().part || placed->job.item().part->empty() ||
       !document.upToDate(Stage::Load))
     return;

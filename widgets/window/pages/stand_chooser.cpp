@@ -84,7 +84,7 @@ void StandChooser::refresh() {
     list_->setLooking(false);
     return;
   }
-  const auto placed = document.result(Stage::Load);
+  const auto placed = document.itemResult(Stage::Load);
   if (!placed || !placed->item().placed || !placed->tooling || !document.upToDate(Stage::Load))
     return;
   const std::string key =
@@ -106,7 +106,7 @@ void StandChooser::look(const std::string& key) {
   key_ = key;
   lookedFrom_ = down();
   list_->setLooking(true);
-  const auto plan = work_.document.result(Stage::Load);
+  const auto plan = work_.document.itemResult(Stage::Load);
   inBackground(
       runner_,
       [plan, choices = work_.document.choices()](const base::RunContext& ctx) {

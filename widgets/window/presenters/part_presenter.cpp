@@ -34,10 +34,16 @@ PartPresenter::PartPresenter(document::Document& document, viewer::Viewport& vie
     : document_(document), viewport_(viewport), drawingPart_(std::make_unique<jobs::JobRunner>()),
       drawingPlatform_(std::make_unique<jobs::JobRunner>()),
       drawingCell_(std::make_unique<jobs::JobRunner>()),
-      drawingChosenCell_(std::make_unique<jobs::JobRunner>()) {
+      drawingChosenCell_(std::make_unique<jobs::JobRunner>()), plate_(document, viewport) {
   using document::Document;
   connect(&document, &Document::sourceChanged, this, &PartPresenter::drawSource);
   connect(&document, &Document::resultChanged, this, &PartPresenter::show);
+  connect(&document, &Document::partsChanged, this, &PartPresenter::showActive);
+  connect(&plate_, &PlateParts::drawn, this, [this] {
+    const auto sources = document_.sources();
+    const bool another = std::exchange(drawnSources_, sources) != sources;
+    emit drawn(another && !box_.isEmpty());
+  });
   connect(&document, &Document::choicesChanged, this, &PartPresenter::drawPlannedPlatform);
   connect(&document, &Document::choicesChanged, this, &PartPresenter::drawChosenCell);
   connect(&document, &Document::sourceChanged, this, &PartPresenter::drawChosenCell);
@@ -52,7 +58,18 @@ PartPresenter::~PartPresenter() = default;
 
 bool PartPresenter::busy() const {
   return drawingPart_->running() || drawingPlatform_->running() || drawingCell_->running() ||
-         drawingChosenCell_->running();
+         drawingChosenCell_->running() || plate_.busy();
+}
+
+void PartPresenter::showActive() {
+  plate_.update();
+  if (document_.partCount() < 2)
+    return;
+  const auto placed = document_.itemResult(Stage::Load);
+  if (!placed)
+    drawSource();
+  else
+    drawPart(placed->job.item().part);
 }
 
 void PartPresenter::show(Stage stage) {
@@ -62,7 +79,8 @@ void PartPresenter::show(Stage stage) {
     drawnCell_.reset();
     swapCell(CellOf::Plan, nullptr);
   } else if (stage == Stage::Load) {
-    drawPart(result->job.item().part);
+    plate_.update();
+    drawPart(document_.itemResult(stage)->job.item().part);
     drawPlannedPlatform();
     drawChosenCell();
   } else if (stage == Stage::Decompose) {
@@ -72,7 +90,7 @@ void PartPresenter::show(Stage stage) {
   }
 }
 
-// Shows the part as read until the first stage has placed it.
+// Shows the active part as read until the first stage has placed it.
 void PartPresenter::drawSource() {
   const std::shared_ptr<const project::LoadedPart> source = document_.source();
   if (!source) {
@@ -103,7 +121,7 @@ void PartPresenter::clear() {
   viewport_.scene().setPart(nullptr);
   viewport_.scene().setPlatform(nullptr);
   box_.setEmpty();
-  shownSource_.reset();
+  shownSources_.clear();
   drawnPart_.reset();
   drawnPlatform_ = {};
   drawnCell_.reset();
@@ -116,6 +134,11 @@ void PartPresenter::drawPart(const std::shared_ptr<const geometry::TriangleMesh>
   if (!mesh || drawnPart_ == mesh)
     return;
   drawnPart_ = mesh;
+  if (const auto drawing = plate_.drawingOf(mesh.get())) {
+    drawingPart_->cancel();
+    swapPart(drawing, geometry::bounds(*mesh));
+    return;
+  }
   inBackground(
       *drawingPart_, [mesh] { return std::pair(scene::drawPart(*mesh), geometry::bounds(*mesh)); },
       [this](auto&& made) { swapPart(made.first, made.second); });
@@ -124,8 +147,9 @@ void PartPresenter::drawPart(const std::shared_ptr<const geometry::TriangleMesh>
 void PartPresenter::swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
                              const Eigen::AlignedBox3d& box) {
   viewport_.scene().setPart(drawing);
-  const bool another = box_.isEmpty() || shownSource_ != document_.source();
-  shownSource_ = document_.source();
+  const auto sources = document_.sources();
+  const bool another = box_.isEmpty() || shownSources_ != sources;
+  shownSources_ = sources;
   box_ = box;
   viewport_.requestFrame();
   emit drawn(another);
@@ -142,7 +166,7 @@ void PartPresenter::drawPlannedPlatform() {
   const auto placed = document_.result(Stage::Load);
   if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
     return;
-  const project::Choices& choices = document_.choices();
+  const project::Choices& choices = document_.jobChoices();
   const auto wanted = std::pair(pipeline::plannedPlatformKey(choices), placed->job.item().part);
   if (wanted == drawnPlatform_)
     return;
@@ -175,7 +199,7 @@ void PartPresenter::drawCell(const std::shared_ptr<const robot::Cell>& cell) {
 // while an edit places the part again. Null: nothing was placed in that cell.
 std::shared_ptr<const pipeline::PlanResult> PartPresenter::placedForCell() const {
   const auto placed = document_.result(Stage::Load);
-  const project::Choices& now = document_.choices();
+  const project::Choices& now = document_.jobChoices();
   const bool sameCell = placed && placed->job.choices.cell == now.cell &&
                         placed->job.choices.item().mode == now.item().mode;
   return sameCell || document_.upToDate(Stage::Load) ? placed : nullptr;
@@ -184,7 +208,7 @@ std::shared_ptr<const pipeline::PlanResult> PartPresenter::placedForCell() const
 // Shows the machine before anything is planned. A cell that cannot be read is not drawn; planning
 // reports its error.
 void PartPresenter::drawChosenCell() {
-  const project::Choices& choices = document_.choices();
+  const project::Choices& choices = document_.jobChoices();
   const auto placed = placedForCell();
   std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> wanted;
   try {

@@ -1,15 +1,17 @@
-// The part in the viewport, its platform and the cell around it.
+// The active part in the viewport, the parts beside it, their platform and the cell around them.
 #pragma once
 
 #include "document/document.h"
 #include "jobs/job_runner.h"
 #include "viewer/viewport.h"
+#include "window/presenters/plate_parts.h"
 
 #include <Eigen/Geometry>
 #include <QObject>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace voluta::window {
 
@@ -21,7 +23,7 @@ public:
   PartPresenter(document::Document& document, viewer::Viewport& viewport);
   ~PartPresenter() override;
 
-  // Bounding box of the shown part, work frame; empty: no part.
+  // Bounding box of the active part, work frame; empty: no part.
   const Eigen::AlignedBox3d& box() const { return box_; }
   bool busy() const;
   // The shown cell: the chosen one in its home pose, or that of the shown plan.
@@ -32,11 +34,12 @@ public:
 
 signals:
   void platformDrawn(const Eigen::Vector3d& sizeMm);
-  void drawn(bool another); // another: not the previously shown part in another placement
+  void drawn(bool another); // another: not the previously shown parts in another placement
   void cellDrawn();
 
 private:
   void show(project::Stage stage);
+  void showActive();
   void clear();
   void drawSource();
   void drawPart(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
@@ -54,7 +57,9 @@ private:
   document::Document& document_;
   viewer::Viewport& viewport_;
   std::unique_ptr<jobs::JobRunner> drawingPart_, drawingPlatform_, drawingCell_, drawingChosenCell_;
-  std::shared_ptr<const void> shownSource_;
+  PlateParts plate_;
+  // Of which the active part, and all parts, were drawn last.
+  std::vector<std::shared_ptr<const project::LoadedPart>> shownSources_, drawnSources_;
   // Last drawn, so that the same data are not drawn twice.
   std::shared_ptr<const geometry::TriangleMesh> drawnPart_;
   std::shared_ptr<const robot::Cell> drawnCell_;

@@ -16,6 +16,12 @@ Presenter::Presenter(document::Document& document, viewer::Viewport& viewport, Q
     drawPieces();
   });
   connect(&document, &document::Document::previewChanged, this, &Presenter::drawVoxels);
+  connect(&document, &document::Document::partsChanged, this, [this] {
+    if (document_.partCount() < 2)
+      return;
+    drawVoxels();
+    drawPieces();
+  });
   connect(&part_, &PartPresenter::drawn, this, &Presenter::partDrawn);
   connect(&part_, &PartPresenter::platformDrawn, this, &Presenter::platformDrawn);
   connect(&part_, &PartPresenter::cellDrawn, this, &Presenter::cellDrawn);
@@ -37,7 +43,7 @@ void Presenter::drawVoxels() {
     voxels_.setDecomposition(preview->decomposition, preview->layerHeightMm);
     return;
   }
-  const auto result = document_.result(Stage::Decompose);
+  const auto result = document_.itemResult(Stage::Decompose);
   voxels_.setDecomposition(
       result ? result->job.item().decomposition() : nullptr,
       result && result->tooling ? result->tooling->first().process.layerHeightMm : 0.0);
@@ -45,7 +51,7 @@ void Presenter::drawVoxels() {
 
 // Flat slicing has a single piece, the part, which is not shown as a piece.
 void Presenter::drawPieces() {
-  const auto result = document_.result(Stage::Decompose);
+  const auto result = document_.itemResult(Stage::Decompose);
   const modes::Mode* mode = result ? modes::modeNamed(result->job.choices.item().mode) : nullptr;
   pieces_.setPieces(mode && mode->cuts ? result->job.item().pieces() : nullptr,
                     result ? result->job.choices : project::Choices{});

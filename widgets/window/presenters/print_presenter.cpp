@@ -4,6 +4,7 @@
 #include "window/background.h"
 #include "window/layer_measures.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace voluta::window {
@@ -40,7 +41,7 @@ void PrintPresenter::show(Stage stage) {
   if (!result)
     drop(stage);
   else if (stage == Stage::Layers)
-    drawLayers(result->job.item().layers, result->tooling->first().process);
+    drawLayers(layersOf(result->job), result->tooling->first().process);
   else if (stage == Stage::Toolpath)
     drawPaths(result->job.toolPlan);
   else if (stage == Stage::Motion)
@@ -55,7 +56,7 @@ void PrintPresenter::drop(Stage stage) {
     viewport_.scene().setLayers(nullptr);
     patchLayers_ = 0;
     facts_.reset();
-    drawnLayers_.reset();
+    drawnLayers_ = {};
     emit layersDrawn();
   } else if (stage == Stage::Toolpath) {
     drawingPaths_->cancel();
@@ -71,14 +72,15 @@ void PrintPresenter::drop(Stage stage) {
   viewport_.requestFrame();
 }
 
-void PrintPresenter::drawLayers(const std::shared_ptr<const layers::LayerStack>& stack,
-                                const process::Process& process) {
-  if (!stack || drawnLayers_ == stack)
+void PrintPresenter::drawLayers(const JobLayers& layers, const process::Process& process) {
+  if (!layers.complete() || drawnLayers_ == layers)
     return;
-  drawnLayers_ = stack;
+  drawnLayers_ = layers;
   inBackground(
       *drawingLayers_,
-      [stack, heights = heightLimits(process)] { return scene::drawLayers(*stack, heights); },
+      [layers, heights = heightLimits(process)] {
+        return scene::drawLayers(*layers.joined(), heights);
+      },
       [this](auto&& made) {
         viewport_.scene().setLayers(made);
         patchLayers_ = scene::layerCount(*made);
@@ -155,22 +157,29 @@ void PrintPresenter::drawMotion() {
 
 void PrintPresenter::gatherFacts() {
   const auto result = document_.result(Stage::Layers);
-  if (!result || !result->job.item().layers)
+  const JobLayers layers = result ? layersOf(result->job) : JobLayers{};
+  if (!layers.complete())
     return;
-  const auto stack = result->job.item().layers;
   const auto paths = document_.result(Stage::Toolpath);
   const auto plan = paths ? paths->job.toolPlan : nullptr;
   const auto clock = clock_ && clock_->toolPlan() == plan ? clock_ : nullptr;
-  // The layers of pieces with different directions do not add up to a height.
+  // The layers of pieces with different directions, or of one part after another, do not add up to
+  // a height.
+  const bool rising = layers.stacks.size() < 2 || layers.order == layers::PrintOrder::ByLayer;
   const bool stacked =
-      !result->job.item().pieces() || result->job.item().pieces()->pieces.size() < 2;
+      rising && std::ranges::all_of(result->job.items, [](const project::JobItem& item) {
+        return !item.pieces() || item.pieces()->pieces.size() < 2;
+      });
   inBackground(
       *gathering_,
-      [stack, plan, clock, stacked, heights = heightLimits(result->tooling->first().process)] {
+      [layers, plan, clock, rising, stacked,
+       heights = heightLimits(result->tooling->first().process)] {
         auto facts = std::make_shared<LayerFacts>();
-        facts->of = stack;
+        const auto stack = layers.joined();
+        facts->of = layers;
         facts->measures = layerMeasures(*stack, plan.get(), clock.get());
-        facts->topsMm = layerRadiiMm(*stack);
+        if (rising)
+          facts->topsMm = layerRadiiMm(*stack);
         facts->radii = !facts->topsMm.empty();
         if (stacked && !facts->radii)
           facts->topsMm = layerTopsMm(facts->measures);

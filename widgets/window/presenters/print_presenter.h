@@ -7,6 +7,7 @@
 #include "timeline/clock.h"
 #include "viewer/viewport.h"
 #include "window/layer_spacing.h"
+#include "window/presenters/job_layers.h"
 
 #include <QObject>
 #include <memory>
@@ -16,7 +17,7 @@ namespace voluta::window {
 
 // Facts about the most recent layers, for the Layers page.
 struct LayerFacts {
-  std::shared_ptr<const layers::LayerStack> of;
+  JobLayers of;
   std::vector<panels::LayerMeasures> measures;
   std::vector<double> topsMm; // heights, or radii about an axis
   bool radii = false;
@@ -49,8 +50,7 @@ signals:
 private:
   void show(project::Stage stage);
   void drop(project::Stage stage);
-  void drawLayers(const std::shared_ptr<const layers::LayerStack>& stack,
-                  const process::Process& process);
+  void drawLayers(const JobLayers& layers, const process::Process& process);
   void drawPaths(const std::shared_ptr<const plan::ToolPlan>& plan);
   void swapPaths(const std::shared_ptr<const scene::PathsDrawing>& drawing);
   // Returns the result with the motion of the shown paths, if it is for the chosen cell; a motion
@@ -67,7 +67,7 @@ private:
   std::shared_ptr<const LayerFacts> facts_;
   std::shared_ptr<const scene::PathsDrawing> paths_;
   // Last drawn, so that the same data are not drawn twice.
-  std::shared_ptr<const layers::LayerStack> drawnLayers_;
+  JobLayers drawnLayers_;
   std::shared_ptr<const plan::ToolPlan> drawnPaths_;
   int patchLayers_ = 0, pathLayers_ = 0;
 };

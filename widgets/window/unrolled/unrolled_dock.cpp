@@ -22,9 +22,8 @@ constexpr const char* kWanted = "view/unrolled";
 
 std::shared_ptr<const plan::ToolPlan> planOfLayers(const document::Document& document) {
   const auto layers = document.result(Stage::Layers), paths = document.result(Stage::Toolpath);
-  return layers && paths && layers->job.item().layers == paths->job.item().layers
-             ? paths->job.toolPlan
-             : nullptr;
+  return layers && paths && layersOf(layers->job) == layersOf(paths->job) ? paths->job.toolPlan
+                                                                          : nullptr;
 }
 
 UnrolledDock::UnrolledDock(const document::Document& document, const Presenter& presenter,
@@ -50,7 +49,8 @@ void UnrolledDock::setWanted(bool wanted) {
 
 bool UnrolledDock::offered() const {
   const auto result = document_.result(Stage::Layers);
-  return result && result->job.item().layers && hasChart(*result->job.item().layers) &&
+  return result && result->job.items.size() == 1 && result->job.item().layers &&
+         hasChart(*result->job.item().layers) &&
          !(document_.voxelsAhead() && presenter_.hasVoxels());
 }
 

@@ -1,0 +1,177 @@
+// Several parts on the plate, by mouse and keys: added, selected, moved, copied, removed, planned,
+// saved and reopened.
+#include "gui/window_fixture.h"
+#include "helpers/shapes.h"
+#include "panels/part_list.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QHeaderView>
+#include <QMimeData>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+namespace voluta::test {
+namespace {
+
+using project::Stage;
+
+class SeveralPartsTest : public WindowTest {
+protected:
+  // Flat layers: mode auto would plan several ways.
+  void openFlat() {
+    openPart(writePart("plinth.stl", box({0, 0, 0}, {20.0, 20.0, 6.0})));
+    project::Choices choices = document().choices();
+    choices.item().automatic = false;
+    choices.item().mode = "flat";
+    document().setChoices(choices, "flat");
+    ASSERT_TRUE(planned(Stage::Load));
+  }
+  void addByMenu() {
+    answerFileDialog(writePart("tower.stl", box({0, 0, 0}, {10.0, 10.0, 15.0})));
+    clickMenu("fileMenu", "addPart");
+    ASSERT_TRUE(settled(2));
+  }
+  bool settled(std::size_t parts) {
+    return waitFor([&] {
+      return document().partCount() == parts && document().sourceReady() &&
+             !window().planning().running() && document().upToDate(Stage::Load) &&
+             !window().presenter().busy();
+    });
+  }
+  QTreeWidget& rows() { return *find<QTreeWidget>("partRows"); }
+  bool listShown() { return find<panels::PartList>("partList")->isVisible(); }
+  void click(const char* button) { QTest::mouseClick(find<QToolButton>(button), Qt::LeftButton); }
+  void clickRow(int row) {
+    QTest::mouseClick(rows().viewport(), Qt::LeftButton, {},
+                      rows().visualItemRect(rows().topLevelItem(row)).center());
+  }
+  Eigen::AlignedBox3d boxOf(std::size_t item) {
+    return geometry::bounds(*document().result(Stage::Load)->job.item(item).part);
+  }
+  std::vector<double> xs() {
+    std::vector<double> all;
+    for (const project::ItemChoices& item : document().jobChoices().items)
+      all.push_back(item.placement.centreMm.x());
+    return all;
+  }
+};
+
+TEST_F(SeveralPartsTest, OnePartHasNoList) {
+  openFlat();
+  EXPECT_FALSE(listShown());
+  EXPECT_TRUE(find<QAction>("addPart")->isEnabled());
+  EXPECT_FALSE(find<QAction>("removePart")->isEnabled());
+  keepPicture(window(), "parts_one");
+}
+
+TEST_F(SeveralPartsTest, AddedSelectedMovedCopiedRemovedAndUndone) {
+  openFlat();
+  addByMenu();
+  ASSERT_TRUE(listShown());
+  ASSERT_EQ(rows().topLevelItemCount(), 2);
+  EXPECT_EQ(rows().topLevelItem(0)->text(0), "plinth");
+  EXPECT_EQ(rows().topLevelItem(1)->text(0), "tower");
+  EXPECT_EQ(rows().topLevelItem(1)->text(2), "10 × 10 × 15");
+  EXPECT_EQ(rows().indexOfTopLevelItem(rows().currentItem()), 1);
+  EXPECT_NEAR(boxOf(1).min().x() - boxOf(0).max().x(), 10.0, 1e-6);
+  keepPicture(window(), "parts_two");
+
+  clickRow(0);
+  EXPECT_EQ(document().active(), 0u);
+  EXPECT_NEAR(window().presenter().partBox().sizes().x(), 20.0, 1e-6);
+  keepPicture(window(), "parts_first");
+  clickRow(1);
+  EXPECT_NEAR(window().presenter().partBox().sizes().x(), 10.0, 1e-6);
+
+  window().viewport().setFocus();
+  QTest::keyClick(&window().viewport(), Qt::Key_C); // centres the active part only
+  ASSERT_TRUE(settled(2));
+  EXPECT_EQ(xs(), (std::vector{0.0, 0.0}));
+  document().undoStack()->undo();
+  ASSERT_TRUE(settled(2));
+  EXPECT_EQ(xs(), (std::vector{0.0, 25.0}));
+
+  click("partDuplicate");
+  ASSERT_TRUE(settled(3));
+  EXPECT_EQ(rows().topLevelItem(2)->text(0), "tower (2)");
+  EXPECT_EQ(xs(), (std::vector{0.0, 25.0, 45.0}));
+  keepPicture(window(), "parts_three");
+  clickRow(0);
+  click("partRemove");
+  ASSERT_TRUE(settled(2));
+  EXPECT_EQ(rows().topLevelItem(0)->text(0), "tower");
+  document().undoStack()->undo();
+  ASSERT_TRUE(settled(3));
+  EXPECT_EQ(document().active(), 0u);
+  document().undoStack()->undo();
+  document().undoStack()->undo();
+  ASSERT_TRUE(settled(1));
+  EXPECT_FALSE(listShown());
+}
+
+// Clicks the point of the picture under the middle of a part.
+TEST_F(SeveralPartsTest, AClickInThePictureSelectsAPart) {
+  openFlat();
+  addByMenu();
+  auto& viewport = window().viewport();
+  const auto clickPart = [&](std::size_t item) {
+    viewport.lookAt(boxOf(item).center(), 30.0);
+    QTest::qWait(800); // the camera flies there
+    QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.rect().center());
+  };
+  clickPart(0);
+  EXPECT_TRUE(waitFor([&] { return document().active() == 0; }, 3000));
+  clickPart(1);
+  EXPECT_TRUE(waitFor([&] { return document().active() == 1; }, 3000));
+}
+
+TEST_F(SeveralPartsTest, PlannedSavedAndReopened) {
+  openFlat();
+  addByMenu();
+  QTest::keyClick(find<QComboBox>("printOrder"), Qt::Key_Down);
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Toolpath));
+  ASSERT_TRUE(waitFor([&] { return !window().planning().running(); }));
+  std::vector<bool> printed(2, false);
+  for (const plan::ToolPath& path : document().result(Stage::Toolpath)->job.toolPlan->paths)
+    printed[static_cast<std::size_t>(path.item)] = true;
+  EXPECT_EQ(printed, (std::vector{true, true}));
+  choosePage(Page::Layers);
+  EXPECT_GT(window().presenter().patchLayers(), 0);
+  EXPECT_GE(find<QComboBox>("colourBy")->findText("Part"), 0);
+  keepPicture(window(), "parts_layers");
+  find<QComboBox>("colourBy")->setCurrentIndex(find<QComboBox>("colourBy")->findText("Part"));
+  keepPicture(window(), "parts_coloured");
+
+  answerFileDialog(path("two.voluta"));
+  clickMenu("fileMenu", "save");
+  ASSERT_TRUE(waitFor([&] { return !document().dirty(); }, 20000));
+  openWindow();
+  window().open(path("two.voluta"));
+  ASSERT_TRUE(waitFor([&] { return document().partCount() == 2 && !window().presenter().busy(); }));
+  EXPECT_TRUE(document().upToDate(Stage::Toolpath));
+  choosePage(Page::Prepare);
+  EXPECT_TRUE(listShown());
+  EXPECT_EQ(rows().topLevelItemCount(), 2);
+}
+
+TEST_F(SeveralPartsTest, ADroppedPartIsAdded) {
+  openFlat();
+  const QString file = writePart("tower.stl", box({0, 0, 0}, {10.0, 10.0, 15.0}));
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file)});
+  answerBox("dropBox", QMessageBox::AcceptRole);
+  QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window(), &enter);
+  QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window(), &event);
+  EXPECT_TRUE(settled(2));
+}
+
+} // namespace
+} // namespace voluta::test

@@ -1,0 +1,26 @@
+// The list of parts on the Prepare page, and the commands on parts.
+#pragma once
+
+#include "panels/part_list.h"
+#include "window/pages/page.h"
+
+namespace voluta::window {
+
+class PartsView : public QObject {
+  Q_OBJECT
+
+public:
+  // All of `workspace` must outlive this.
+  PartsView(const Workspace& workspace, QObject* parent);
+
+  // Created here, to be placed by the caller; visible from two parts on.
+  panels::PartList* list() { return list_; }
+  std::vector<Command> commands();
+  void show();
+
+private:
+  Workspace work_;
+  panels::PartList* list_;
+};
+
+} // namespace voluta::window
