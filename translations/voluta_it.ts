@@ -8306,8 +8306,8 @@ Fai clic per sceglierne un altro</translation>
         <translation>Pezzo</translation>
     </message>
     <message>
-        <source>Way of building</source>
-        <translation>Modo di costruire</translation>
+        <source>Mode</source>
+        <translation>Modalità</translation>
     </message>
     <message>
         <source>Size [mm]</source>

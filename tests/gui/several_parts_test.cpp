@@ -125,6 +125,7 @@ TEST_F(SeveralPartsTest, AClickInThePictureSelectsAPart) {
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.rect().center());
   };
   clickPart(0);
+  keepPicture(window(), "parts_close");
   EXPECT_TRUE(waitFor([&] { return document().active() == 0; }, 3000));
   clickPart(1);
   EXPECT_TRUE(waitFor([&] { return document().active() == 1; }, 3000));
@@ -160,17 +161,18 @@ TEST_F(SeveralPartsTest, PlannedSavedAndReopened) {
   EXPECT_EQ(rows().topLevelItemCount(), 2);
 }
 
-TEST_F(SeveralPartsTest, ADroppedPartIsAdded) {
+TEST_F(SeveralPartsTest, DroppedPartsAreAdded) {
   openFlat();
-  const QString file = writePart("tower.stl", box({0, 0, 0}, {10.0, 10.0, 15.0}));
   QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(file)});
+  data.setUrls({QUrl::fromLocalFile(writePart("tower.stl", box({0, 0, 0}, {10.0, 10.0, 15.0}))),
+                QUrl::fromLocalFile(writePart("post.stl", box({0, 0, 0}, {5.0, 5.0, 20.0})))});
   answerBox("dropBox", QMessageBox::AcceptRole);
   QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&window(), &enter);
   QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&window(), &event);
-  EXPECT_TRUE(settled(2));
+  EXPECT_TRUE(settled(3));
+  EXPECT_EQ(rows().topLevelItem(2)->text(0), "post");
 }
 
 } // namespace

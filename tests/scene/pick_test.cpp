@@ -42,6 +42,26 @@ TEST_F(Picking, WhatASectionCutsAwayIsNotMet) {
   EXPECT_NEAR(hit->point.y(), 20.0, 1e-3);
 }
 
+TEST_F(Picking, OtherPartsByTheirItemWhileShown) {
+  scene_.setPart(scene::drawPart(test::box({-10, -20, 0}, {10, 20, 30})));
+  scene_.setOtherParts({nullptr, scene::drawPart(test::box({30, -20, 0}, {50, 20, 30})),
+                        scene::drawPart(test::box({-10, -60, 0}, {10, -40, 30}))});
+  scene::ViewState view;
+  scene_.setView(view);
+  scene_.standardView(scene::StandardView::Front);
+  EXPECT_EQ(middle()->what, scene::Hit::What::Part) << "the others are hidden and not framed";
+  view.otherParts = true;
+  scene_.setView(view);
+  scene_.lookAt({0, 0, 15}, 30.0);
+  const auto hit = middle();
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->what, scene::Hit::What::OtherPart);
+  EXPECT_EQ(hit->item, 2u);
+  EXPECT_NEAR(hit->point.y(), -60.0, 1e-3);
+  scene_.setOtherParts({});
+  EXPECT_EQ(middle()->what, scene::Hit::What::Part);
+}
+
 TEST_F(Picking, VoxelOfTheLayersShown) {
   curved::Decomposition d;
   d.grid.size = {5, 5, 5};

@@ -18,6 +18,7 @@ namespace voluta::panels {
 namespace {
 constexpr int kName = 0, kWay = 1, kSize = 2;
 constexpr int kMaxRows = 5;
+constexpr int kRowSpace = 6; // [px]
 } // namespace
 
 PartList::PartList(QWidget* parent) : QWidget(parent) {
@@ -84,6 +85,7 @@ void PartList::setParts(const std::vector<ListedPart>& parts, std::size_t active
   for (int i = 0; i < count; ++i) {
     const ListedPart& part = parts[static_cast<std::size_t>(i)];
     QTreeWidgetItem* row = rows_->topLevelItem(i);
+    row->setSizeHint(kName, QSize(0, fontMetrics().height() + kRowSpace));
     row->setText(kName, part.name);
     row->setToolTip(kName, part.name);
     row->setText(kWay, part.way);
@@ -102,13 +104,12 @@ void PartList::setPrintOrder(layers::PrintOrder order) {
 
 void PartList::fitHeight() {
   const int rows = std::clamp(rows_->topLevelItemCount(), 1, kMaxRows);
-  const int row = std::max(rows_->sizeHintForRow(0), fontMetrics().height() + 4);
-  rows_->setFixedHeight(rows_->header()->sizeHint().height() + rows * row +
-                        2 * rows_->frameWidth());
+  rows_->setFixedHeight(rows_->header()->sizeHint().height() +
+                        rows * (fontMetrics().height() + kRowSpace) + 2 * rows_->frameWidth());
 }
 
 void PartList::retranslate() {
-  rows_->setHeaderLabels({tr("Part"), tr("Way of building"), tr("Size [mm]")});
+  rows_->setHeaderLabels({tr("Part"), tr("Mode"), tr("Size [mm]")});
   add_->setText(tr("Add…"));
   add_->setToolTip(tr("Adds a part from a file beside the others"));
   duplicate_->setText(tr("Duplicate"));

@@ -420,15 +420,17 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList files;
   for (const QUrl& url : event->mimeData()->urls())
-    if (url.isLocalFile()) {
-      event->acceptProposedAction();
-      // Queued: the source program of the file waits for the end of the drop and must not wait for
-      // an answer about unsaved work.
-      QMetaObject::invokeMethod(
-          this, [this, file = url.toLocalFile()] { files_.drop(file); }, Qt::QueuedConnection);
-      return;
-    }
+    if (url.isLocalFile())
+      files << url.toLocalFile();
+  if (files.isEmpty())
+    return;
+  event->acceptProposedAction();
+  // Queued: the source program of the files waits for the end of the drop and must not wait for an
+  // answer about unsaved work.
+  QMetaObject::invokeMethod(
+      this, [this, files] { files_.drop(files); }, Qt::QueuedConnection);
 }
 
 } // namespace voluta::window

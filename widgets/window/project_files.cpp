@@ -28,6 +28,11 @@ constexpr const char* kSaveFolder = "save/folder";
 QString nameOf(const QString& path) {
   return QFileInfo(path).fileName();
 }
+
+bool isPart(const QString& path) {
+  return !path.endsWith(".voluta", Qt::CaseInsensitive) &&
+         !path.endsWith(".urdf", Qt::CaseInsensitive);
+}
 } // namespace
 
 ProjectFiles::ProjectFiles(document::Document& document, document::Planning& planning,
@@ -46,9 +51,14 @@ void ProjectFiles::listen() {
   connect(&opening_, &Opening::repaired, this, [this] {
     emit said(tr("Ready. Press Plan."));
     planning_.plan(project::Stage::Load);
+    addNext();
   });
-  connect(&opening_, &Opening::cancelled, this, [this] { emit said(tr("Cancelled.")); });
+  connect(&opening_, &Opening::cancelled, this, [this] {
+    toAdd_.clear();
+    emit said(tr("Cancelled."));
+  });
   connect(&opening_, &Opening::failed, this, [this](const QString& path, const QString& message) {
+    toAdd_.clear();
     emit said(message);
     emit messageRaised(tr("%1 cannot be opened").arg(nameOf(path)), message);
   });
@@ -155,13 +165,14 @@ void ProjectFiles::showRecent() {
   recentMenu_->setEnabled(!recentMenu_->isEmpty());
 }
 
-void ProjectFiles::open(const QString& path) {
+void ProjectFiles::open(const QString& path, const QStringList& more) {
   if (path.endsWith(".urdf", Qt::CaseInsensitive)) {
     importArm(path);
     return;
   }
-  const auto start = [this, path] {
+  const auto start = [this, path, more] {
     planning_.cancel();
+    toAdd_ = more;
     opening_.open(path);
   };
   // Undo can restore a replaced part, but opening another project clears the undo stack.
@@ -189,18 +200,31 @@ void ProjectFiles::chooseToAdd() {
   if (file.isEmpty())
     return;
   QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());
-  add(file);
+  add({file});
 }
 
-void ProjectFiles::add(const QString& path) {
+void ProjectFiles::add(const QStringList& paths) {
+  toAdd_ = paths;
+  addNext();
+}
+
+void ProjectFiles::addNext() {
+  if (toAdd_.isEmpty())
+    return;
   planning_.cancel();
-  opening_.addPart(path);
+  opening_.addPart(toAdd_.takeFirst());
 }
 
-void ProjectFiles::drop(const QString& path) {
-  const bool project = path.endsWith(".voluta", Qt::CaseInsensitive);
-  if (project || path.endsWith(".urdf", Qt::CaseInsensitive) || document_.partCount() == 0) {
+void ProjectFiles::drop(const QStringList& paths) {
+  const QString& path = paths.first();
+  if (!isPart(path)) {
     open(path);
+    return;
+  }
+  QStringList more = paths.mid(1);
+  erase_if(more, [](const QString& file) { return !isPart(file); });
+  if (document_.partCount() == 0) {
+    open(path, more);
     return;
   }
   QMessageBox box(
@@ -213,9 +237,9 @@ void ProjectFiles::drop(const QString& path) {
   box.addButton(QMessageBox::Cancel);
   box.exec();
   if (box.clickedButton() == added)
-    add(path);
+    add(QStringList(path) + more);
   else if (box.clickedButton() == replaced)
-    open(path);
+    open(path, more);
 }
 
 void ProjectFiles::chooseArm() {

@@ -9,6 +9,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -36,13 +37,14 @@ public:
   // Fills the menu of recent files, now and whenever they change.
   void setRecentMenu(QMenu* menu);
 
-  // Opens a part, a project or "sample:NAME".
-  void open(const QString& path);
+  // Opens a part, a project or "sample:NAME", and adds the parts `more`.
+  void open(const QString& path, const QStringList& more = {});
   void choose();
   // Adds a part to those that are open, or opens the first one: from a file the user chooses.
   void chooseToAdd();
-  // Opens a file dropped onto the window; for a part, if another is open, the user may add it.
-  void drop(const QString& path);
+  // Opens files dropped onto the window: the first one, and the parts after it are added. If a part
+  // is open, the user may add the first one too.
+  void drop(const QStringList& paths);
   // Imports a robot arm from a URDF: asks for the required data, and selects the new cell.
   void importArm(const QString& urdf);
   // Opens the rest of the print from a point of the trajectory on, after confirmation.
@@ -67,7 +69,8 @@ private:
   void chooseArm();
   void save();
   void saveAs();
-  void add(const QString& path);
+  void add(const QStringList& paths);
+  void addNext();
   void showRecent();
 
   document::Document& document_;
@@ -78,6 +81,7 @@ private:
   document::RecentFiles recent_;
   std::unique_ptr<document::Autosave> autosave_;
   std::function<void()> afterSave_;
+  QStringList toAdd_; // once the part before them is read
   QMenu* recentMenu_ = nullptr;
 };
 

@@ -38,8 +38,8 @@ QString sizeText(const std::shared_ptr<const pipeline::PlanResult>& placed, std:
 
 } // namespace
 
-PartsView::PartsView(const Workspace& workspace, QObject* parent)
-    : QObject(parent), work_(workspace), list_(new panels::PartList) {
+PartsView::PartsView(const Workspace& workspace, Page& page)
+    : QObject(&page), work_(workspace), page_(page), list_(new panels::PartList) {
   list_->setObjectName("partList");
   list_->hide();
   Document* document = &work_.document;
@@ -74,7 +74,7 @@ std::vector<Command> PartsView::commands() {
            QT_TRANSLATE_NOOP("Commands", "Removes the selected part from the plate"),
            {QKeySequence::Delete},
            [&document] { document.removePart(); },
-           [&document] { return document.partCount() > 1; }}};
+           [this] { return page_.isShown() && work_.document.partCount() > 1; }}};
 }
 
 void PartsView::show() {

@@ -10,8 +10,9 @@ class PartsView : public QObject {
   Q_OBJECT
 
 public:
-  // All of `workspace` must outlive this.
-  PartsView(const Workspace& workspace, QObject* parent);
+  // `page`: with the list; only there the key that removes a part has an effect. All of `workspace`
+  // must outlive this.
+  PartsView(const Workspace& workspace, Page& page);
 
   // Created here, to be placed by the caller; visible from two parts on.
   panels::PartList* list() { return list_; }
@@ -20,6 +21,7 @@ public:
 
 private:
   Workspace work_;
+  const Page& page_;
   panels::PartList* list_;
 };
 

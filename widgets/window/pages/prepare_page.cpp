@@ -43,7 +43,7 @@ std::string problemText(const base::Error& error) {
 
 PreparePage::PreparePage(const Workspace& workspace)
     : Page({"prepare", QT_TRANSLATE_NOOP("Commands", "&Prepare")}, workspace),
-      handles_(workspace, *this), parts_(new PartsView(work(), this)),
+      handles_(workspace, *this), parts_(new PartsView(work(), *this)),
       stands_(new StandChooser(work(), handles_, this)),
       reach_(new ReachView(work(), handles_, this)),
       choices_(new ChoicesEditor(workspace.document, this)) {

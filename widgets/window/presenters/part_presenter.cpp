@@ -8,6 +8,8 @@
 #include "robot/shape/arm_look.h"
 #include "window/background.h"
 
+#include <algorithm>
+
 namespace voluta::window {
 
 using project::Stage;
@@ -40,8 +42,7 @@ PartPresenter::PartPresenter(document::Document& document, viewer::Viewport& vie
   connect(&document, &Document::resultChanged, this, &PartPresenter::show);
   connect(&document, &Document::partsChanged, this, &PartPresenter::showActive);
   connect(&plate_, &PlateParts::drawn, this, [this] {
-    const auto sources = document_.sources();
-    const bool another = std::exchange(drawnSources_, sources) != sources;
+    const bool another = framesAnew(std::exchange(drawnSources_, document_.sources()));
     emit drawn(another && !box_.isEmpty());
   });
   connect(&document, &Document::choicesChanged, this, &PartPresenter::drawPlannedPlatform);
@@ -144,12 +145,18 @@ void PartPresenter::drawPart(const std::shared_ptr<const geometry::TriangleMesh>
       [this](auto&& made) { swapPart(made.first, made.second); });
 }
 
+bool PartPresenter::framesAnew(const Sources& before) const {
+  const Sources now = document_.sources();
+  const bool anyLeft = std::ranges::any_of(
+      before, [&](const auto& part) { return std::ranges::find(now, part) != now.end(); });
+  return now != before && (!anyLeft || !viewport_.isCameraTheUsers());
+}
+
 void PartPresenter::swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
                              const Eigen::AlignedBox3d& box) {
   viewport_.scene().setPart(drawing);
-  const auto sources = document_.sources();
-  const bool another = box_.isEmpty() || shownSources_ != sources;
-  shownSources_ = sources;
+  const bool another =
+      framesAnew(std::exchange(shownSources_, document_.sources())) || box_.isEmpty();
   box_ = box;
   viewport_.requestFrame();
   emit drawn(another);

@@ -38,11 +38,15 @@ signals:
   void cellDrawn();
 
 private:
+  using Sources = std::vector<std::shared_ptr<const project::LoadedPart>>;
   void show(project::Stage stage);
   void showActive();
   void clear();
   void drawSource();
   void drawPart(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
+  // Returns whether another set of parts than `before` is open and the camera has to frame it: none
+  // of them is left, or the camera is not the user's.
+  bool framesAnew(const Sources& before) const;
   void swapPart(const std::shared_ptr<const scene::PartDrawing>& drawing,
                 const Eigen::AlignedBox3d& box);
   void drawPlatform(const platform::PlatformSolid& platform);
@@ -59,7 +63,7 @@ private:
   std::unique_ptr<jobs::JobRunner> drawingPart_, drawingPlatform_, drawingCell_, drawingChosenCell_;
   PlateParts plate_;
   // Of which the active part, and all parts, were drawn last.
-  std::vector<std::shared_ptr<const project::LoadedPart>> shownSources_, drawnSources_;
+  Sources shownSources_, drawnSources_;
   // Last drawn, so that the same data are not drawn twice.
   std::shared_ptr<const geometry::TriangleMesh> drawnPart_;
   std::shared_ptr<const robot::Cell> drawnCell_;
