@@ -45,8 +45,8 @@ std::optional<plan::Finding> massOutOfReach(const plan::ToolPlan& toolPlan,
   if (!(volume > 0.0))
     return std::nullopt;
   // Priming before each bead, with the nozzle at rest, adds material too.
-  const double standing =
-      static_cast<double>(toolPlan.paths.size()) * process.primeS * process::flowLimit(process) / volume;
+  const double standing = static_cast<double>(toolPlan.paths.size()) * process.primeS *
+                          process::flowLimit(process) / volume;
   const double ratio = partMaterial(toolPlan) / volume;
   const double slack = replay::ReplayThresholds{}.massTolerance + kLeeway;
   if (ratio <= 1.0 + slack + plan::kBlockingShare && ratio + standing >= 1.0 - slack)

@@ -59,8 +59,8 @@ std::string partWaysKey(const project::LoadedPart& loaded, double scale,
   const base::ParameterValues values = parameterValues(choices);
   return base::keyText(loaded.hash, choices.item().repair, scale * unitMm(loaded, choices),
                        values.number("overhangAngle"), p.layerHeightMm, p.beadWidthMm,
-                       p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2, process::flowLimit(p),
-                       p.primeS) +
+                       p.speedMmPerS, p.travelSpeedMmPerS, p.accelerationMmPerS2,
+                       process::flowLimit(p), p.primeS) +
          openSurfacesKey(choices, values, p);
 }
 

@@ -305,14 +305,9 @@ private:
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
     const auto printed = project::printedOf(job());
     const platform::PlatformSolid platform = project::platformOf(job());
-    ProgramStageInput in{*printed,
-                         platform,
-                         *job().toolPlan,
-                         *job().trajectory,
-                         *result_.cell,
-                         tooling_,
-                         programsName(job()),
-                         program::programOptions(values_)};
+    ProgramStageInput in{
+        *printed,      platform, *job().toolPlan,     *job().trajectory,
+        *result_.cell, tooling_, programsName(job()), program::programOptions(values_)};
     in.firstTriangle = project::firstTriangles(job());
     in.layerTimes = motion::layerTimes(values_);
     result_.checked.clear();

@@ -151,9 +151,9 @@ struct ProgramStageInput {
   std::string job = {};       // as program::ProgramInput::job
   std::vector<std::size_t> commonPoint = {};   // as replay::ReplayInput::commonPoint
   std::vector<std::size_t> firstTriangle = {}; // as replay::ReplayInput::firstTriangle
-  std::span<const program::ArcVia> arcs = {}; // as program::ProgramInput::arcs
-  replay::WholePlan whole = {};               // before its points were merged
-  plan::LayerTimes layerTimes = {};          // as replay::ReplayInput::layerTimes
+  std::span<const program::ArcVia> arcs = {};  // as program::ProgramInput::arcs
+  replay::WholePlan whole = {};                // before its points were merged
+  plan::LayerTimes layerTimes = {};            // as replay::ReplayInput::layerTimes
 };
 // Writes the program, reads it back and replays it. If the dialect has no word for an event of the
 // trajectory, the program has no files and did not pass. Throws as program::requireOwnRobot and

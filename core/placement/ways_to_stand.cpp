@@ -257,8 +257,8 @@ double Way::missedShare() const {
 
 double estimatedSeconds(double volumeMm3, double heightMm, double acrossMm,
                         const process::Process& p) {
-  const double flow =
-      std::min(process::flowLimit(p), process::beadArea(p.beadWidthMm, p.layerHeightMm) * p.speedMmPerS);
+  const double flow = std::min(process::flowLimit(p),
+                               process::beadArea(p.beadWidthMm, p.layerHeightMm) * p.speedMmPerS);
   const double travel =
       acrossMm / p.travelSpeedMmPerS + p.travelSpeedMmPerS / p.accelerationMmPerS2;
   return volumeMm3 / flow + std::ceil(heightMm / p.layerHeightMm - 1e-6) * (p.primeS + travel);

@@ -114,8 +114,8 @@ struct Verification : RunFigures {
   double massRatio = 0.0;
   double depositedMm3 = 0.0, supportMm3 = 0.0;
   std::vector<double> depositedOfItemMm3; // of each item of a job of several
-  std::size_t limitViolations = 0; // counted like collisions
-  std::size_t deviations = 0;      // places where the text differs from the plan
+  std::size_t limitViolations = 0;        // counted like collisions
+  std::size_t deviations = 0;             // places where the text differs from the plan
   double maxDeviationMm = 0.0, maxDeviationRad = 0.0;
 
   bool armChecked = false; // false: the program states only the nozzle's pose, not the arm's

@@ -378,9 +378,10 @@ private:
     under.closed = false;
     for (std::size_t i = 0; i < course.tip.size(); ++i) {
       const double section = sectionOf(course.heightMm[i]);
-      append(to.plan, course.tip[i], course.direction[i], static_cast<float>(course.widthMm),
-             course.heightMm[i],
-             static_cast<float>(std::min(process.speedMmPerS, process::flowLimit(process) / section)));
+      append(
+          to.plan, course.tip[i], course.direction[i], static_cast<float>(course.widthMm),
+          course.heightMm[i],
+          static_cast<float>(std::min(process.speedMmPerS, process::flowLimit(process) / section)));
       to.unsupported.push_back(0);
       to.clearDirection.push_back(was_.clearDirection[course.above[i]]);
       if (i > 0)
