@@ -1,5 +1,6 @@
 #include "program/merged_points.h"
 
+#include "program/common/blend.h"
 #include "program/common/motion_targets.h"
 #include "program/motion_fit.h"
 
@@ -56,12 +57,22 @@ private:
     t.extrudedMm3.push_back(in_.extrudedMm3[to]);
   }
 
+  // An arc in Base takes no time of its own, so that the arm would brake between two of them at a
+  // corner, and the flow would not.
+  bool slowsAtCorner(std::size_t from) const {
+    constexpr double kSharpRad = 0.35;
+    return limits_.inBase && !arcs_.empty() && arcs_.back().point + 1 == out_.pointCount() &&
+           from > 0 && from + 1 < in_.pointCount() &&
+           turnRad(targets_[from].tipMm - targets_[from - 1].tipMm,
+                   targets_[from + 1].tipMm - targets_[from].tipMm) > kSharpRad;
+  }
+
   // Returns a point on an arc that replaces more motions than the line to `to`, and sets `to` to
   // its end.
   std::optional<Eigen::Vector3d> arcInstead(std::size_t from, std::size_t& to) const {
     constexpr std::size_t kLeastMotions = 3;
     std::optional<Eigen::Vector3d> via;
-    if (!(limits_.arcMm > 0.0))
+    if (!(limits_.arcMm > 0.0) || slowsAtCorner(from))
       return via;
     for (std::size_t end = from + 1; end < in_.pointCount() && isPrint(in_, end); ++end) {
       if (end >= from + kLeastMotions) {

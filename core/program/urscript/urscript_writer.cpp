@@ -245,26 +245,18 @@ private:
     return least;
   }
 
-  double centripetalMPerS2(const ArcVia& via, double mPerS) const {
-    const std::optional<Arc> arc =
-        arcThrough(targets_[via.point - 1].tipMm, via.tipMm, targets_[via.point].tipMm);
-    return arc ? mPerS * mPerS * 1000.0 / arc->radiusMm : 0.0;
-  }
-
   void straightMotion(std::size_t i, bool stops) override {
     const double s = motions_.seconds(i), speed = tcpSpeed(i);
     // Enough to change to this speed from that of the last motion within half of this one, and to
-    // blend its corner.
+    // blend its corner. An arc, which takes no time, keeps the planned acceleration at corners.
+    const ArcVia* arc = motions_.arc(i);
     double acceleration =
-        std::max(in_.process().accelerationMmPerS2, motions_.blendMmPerS2(i)) / 1000.0;
+        std::max(in_.process().accelerationMmPerS2, arc ? 0.0 : motions_.blendMmPerS2(i)) / 1000.0;
     if (s > 0.0)
       acceleration = std::max(acceleration, 2.0 * std::abs(speed - tcpSpeed(i - 1)) / s);
     acceleration = std::clamp(acceleration, 0.01, kMaxAccelerationMPerS2);
 
-    const ArcVia* arc = motions_.arc(i);
-    if (arc) { // the centripetal part too; movec takes no time
-      acceleration =
-          std::min(std::max(acceleration, centripetalMPerS2(*arc, speed)), kMaxAccelerationMPerS2);
+    if (arc) {
       out_ += "  movec(";
       const ViaTarget via = viaTarget(in_, targets_, TcpFrame::Base, *arc);
       pose(via.mm, rotationVectorNear(via.turn, rotation_[i]), kPoseDecimals);
