@@ -3,6 +3,7 @@
 
 #include "program/dialect.h"
 #include "program/text_damage.h"
+#include "replay/heat_facts.h"
 #include "replay/stated_facts.h"
 
 #include <algorithm>
@@ -37,9 +38,9 @@ protected:
     const replay::Alignment none{.pointOf = std::vector(program.motions.size(), replay::kUnmatched),
                                  .leadsTo = {},
                                  .deviations = {}};
-    return !replay::compareStatedFacts(program, trajectory_, none, *cell_,
-                                       process::Tooling(process_))
-                .empty();
+    const process::Tooling tooling(process_);
+    return !replay::compareStatedFacts(program, trajectory_, none, *cell_, tooling).empty() ||
+           !replay::compareHeat(program, trajectory_, tooling).empty();
   }
   bool seen(const plan::ReadProgram& whole, const plan::ReadProgram& damaged) const {
     EXPECT_FALSE(misstates(whole)) << whole.format;
