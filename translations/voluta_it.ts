@@ -7598,6 +7598,14 @@ previsto</translation>
         <source>Time between layers: {shortest:.1f} to {longest:.1f} on its controller, {mean:.1f} on average.</source>
         <translation>Tempo tra gli strati: da {shortest:.1f} a {longest:.1f} sul suo controllore, {mean:.1f} in media.</translation>
     </message>
+    <message>
+        <source>minLayerTimeS={least:.0f#} is longer than maxLayerTimeS={greatest:.0f#}</source>
+        <translation>minLayerTimeS={least:.0f#} è più lungo di maxLayerTimeS={greatest:.0f#}</translation>
+    </message>
+    <message>
+        <source>give a shorter minimum, or a longer maximum</source>
+        <translation>indica un minimo più breve, o un massimo più lungo</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -307,6 +307,17 @@ project::Platform usualPlatform(const project::Choices& choices) {
   return modes::cellOnAnyPlatform(named, process).plates().empty() ? named.item().platform : plate;
 }
 
+namespace {
+void checkLayerTimes(const plan::LayerTimes& times) {
+  if (times.greatestS > 0.0 && times.leastS > times.greatestS)
+    throw Error(ErrorCode::Usage,
+                base::message("minLayerTimeS={least:.0f#} is longer than "
+                              "maxLayerTimeS={greatest:.0f#}"_text,
+                              base::seconds(times.leastS), base::seconds(times.greatestS)),
+                {}, "give a shorter minimum, or a longer maximum"_text);
+}
+} // namespace
+
 void checkChoices(const project::Choices& given) {
   const project::Choices choices = given.item().automatic ? automaticChoices(given).front() : given;
   std::vector<std::string> modeIds, formatIds;
@@ -343,6 +354,7 @@ void checkChoices(const project::Choices& given) {
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
       !place.centreMm.allFinite() || !std::isfinite(place.liftMm))
     throw Error(ErrorCode::Usage, "the placement is not a rotation and a position in mm"_text);
+  checkLayerTimes(motion::layerTimes(parameterValues(choices)));
 }
 
 void takeOwnFiles(project::Choices& choices) {
