@@ -72,31 +72,39 @@ TEST_P(WideBeads, ABoxPassesWithoutFurtherSettings) {
   EXPECT_EQ(plan.job.report.item().layers.count, 8);
 }
 
-// A box of ten by eight beads and six layers passes with every process in a cell that carries its
-// head.
-TEST(ProcessFamilies, ABoxOfTheirBeadsPasses) {
-  for (const std::string& id : process::processIds()) {
-    SCOPED_TRACE(id);
-    const process::Process p = process::loadProcess(id);
-    PlanRequest request;
-    request.item().loaded = test::loadedBox(
-        {0, 0, 0}, {10.0 * p.beadWidthMm, 8.0 * p.beadWidthMm, 6.0 * p.layerHeightMm});
-    request.choices.tool().process = id;
-    request.choices.cell =
-        p.head.sections.back().zMm <= 110.0 ? "irb2400-moving" : "irb6700-moving";
-    request.choices.item().mode = "flat";
-    request.choices.formats = {"rapid"};
-    request.choices.item().parameters["output.proof"] = "false";
-    const PlanResult plan = planPart(request, {});
-    for (const plan::Finding& finding : plan.job.report.findings)
-      EXPECT_FALSE(finding.blocking) << plan::englishReason(finding);
-    ASSERT_EQ(plan.checked.size(), 1u);
-    EXPECT_TRUE(plan.checked[0]->passed);
-    EXPECT_EQ(plan.job.report.item().layers.count, 6);
-    EXPECT_LT(plan.job.report.toolpath.waypoints, 2000u);
-  }
+constexpr const char* kFamilies[] = {"clay-6",   "concrete-50", "fdm-0.35", "fdm-0.4",
+                                     "fdm-1.0",  "large-7.6",   "pellet-2", "pellet-4",
+                                     "pellet-6", "wire-arc-1.2"};
+
+TEST(ProcessFamilies, AllAreTested) {
+  EXPECT_THAT(process::processIds(), testing::ElementsAreArray(kFamilies));
 }
 
+// A box of its beads passes with every process in a cell that carries its head, with about as many
+// waypoints as with any other.
+class ProcessFamily : public testing::TestWithParam<const char*> {};
+
+TEST_P(ProcessFamily, ABoxOfItsBeadsPasses) {
+  const process::Process p = process::loadProcess(GetParam());
+  const bool isSmall = p.head.sections.back().zMm <= 110.0;
+  PlanRequest request;
+  request.item().loaded = test::loadedBox(
+      {0, 0, 0}, {20.0 * p.beadWidthMm, 16.0 * p.beadWidthMm, 6.0 * p.layerHeightMm});
+  request.choices.tool().process = p.id;
+  request.choices.cell = isSmall ? "irb2400-moving" : "irb6700-moving";
+  request.choices.item().mode = "flat";
+  request.choices.formats = {"rapid"};
+  request.choices.item().parameters["output.proof"] = "false";
+  const PlanResult plan = planPart(request, {});
+  for (const plan::Finding& finding : plan.job.report.findings)
+    EXPECT_FALSE(finding.blocking) << plan::englishReason(finding);
+  ASSERT_EQ(plan.checked.size(), 1u);
+  EXPECT_TRUE(plan.checked[0]->passed);
+  EXPECT_EQ(plan.job.report.item().layers.count, 6);
+  EXPECT_LT(plan.job.report.toolpath.waypoints, 6000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ProcessFamily, testing::ValuesIn(kFamilies));
 INSTANTIATE_TEST_SUITE_P(Widths, WideBeads, testing::Values(3.0, 8.0));
 
 } // namespace
