@@ -58,9 +58,18 @@ private:
     base::require(in_.platform.known(), "replay: the platform is known");
   }
 
+  // Returns the distance of samples: as many per width of the narrowest bead as for 1.2 mm.
+  double printSampleMm() const {
+    constexpr double kTunedWidthMm = 1.2;
+    double narrowest = in_.tooling.first().process.beadWidthMm;
+    for (const process::Tool& tool : in_.tooling.tools())
+      narrowest = std::min(narrowest, tool.process.beadWidthMm);
+    return kPrintSampleMm * std::max(1.0, narrowest / kTunedWidthMm);
+  }
+
   void execute() {
     ctx_.report(0.0, "running the program"_text);
-    out_.run.path = executeProgram(in_.program, in_.cell, ctx_);
+    out_.run.path = executeProgram(in_.program, in_.cell, ctx_, printSampleMm());
     Verification& verdict = out_.verdict;
     verdict.armChecked = path().arm;
     verdict.motionS = controllerTimes(in_.program, path(), TurnLaw::Text);

@@ -19,9 +19,8 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using robot::JointVector;
 
-constexpr double kPrintSampleMm = 0.5, kTravelSampleMm = 1.0;
-constexpr double kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0);
-constexpr double kArmStepJointRad = 0.03, kArmStepExternalRad = 0.1;
+constexpr double kTravelSampleMm = 1.0, kArmStepMm = 2.0, kArmStepRad = base::degreesToRadians(2.0),
+                 kArmStepJointRad = 0.03, kArmStepExternalRad = 0.1;
 constexpr double kNextRad = 0.2;         // a larger step between samples is a change of branch
 constexpr double kMaxArmSteps = 20000.0; // bounds the run time for absurd numbers in a program
 constexpr double kRangeSlackRad = 1e-4;  // rounding of joints in a program's text
@@ -31,9 +30,10 @@ using Target = MotionTarget;
 
 class Runner {
 public:
-  Runner(const plan::ReadProgram& program, const robot::Cell* cell, const base::RunContext& ctx)
+  Runner(const plan::ReadProgram& program, const robot::Cell* cell, const base::RunContext& ctx,
+         double printSampleMm)
       : program_(program), motions_(program.motions), cell_(cell), ctx_(ctx),
-        tcp_T_flange_(program.flange_T_tcp.inverse()) {}
+        printSampleMm_(printSampleMm), tcp_T_flange_(program.flange_T_tcp.inverse()) {}
 
   ExecutedPath run() {
     const std::size_t n = motions_.size();
@@ -540,7 +540,7 @@ private:
 
   // Estimated from eight chords, because tip and TCP may move very differently.
   std::uint32_t sampleCount(std::size_t m) const {
-    const double step = motions_[m].extruding ? kPrintSampleMm : kTravelSampleMm;
+    const double step = motions_[m].extruding ? printSampleMm_ : kTravelSampleMm;
     Vector3d last = path_.targetTip[m - 1], direction;
     double longest = 0.0;
     constexpr int kChords = 8;
@@ -568,8 +568,7 @@ private:
           longest, step / kChords *
                        chordsOfArc(path_.commandedMm[m], chord(m, 0), chord(m, way_[m].size())));
     // Chords are shorter than the curve.
-    const double slack = plain ? 1.0 : 0.98;
-    const double count = std::ceil(longest * kChords / (slack * step) - 1e-3);
+    const double count = std::ceil(longest * kChords / (plain ? step : 0.98 * step) - 1e-3);
     return static_cast<std::uint32_t>(std::clamp(count, 1.0, 20000.0));
   }
 
@@ -577,6 +576,7 @@ private:
   const std::vector<plan::ProgramMotion>& motions_;
   const robot::Cell* cell_;
   const base::RunContext& ctx_;
+  double printSampleMm_;
   Isometry3d tcp_T_flange_;
   bool inWork_ = false; // targets are poses of the nozzle in the work frame, not of the TCP in Base
   int externals_ = 0;   // number of axes
@@ -589,12 +589,12 @@ private:
 } // namespace
 
 ExecutedPath executeProgram(const plan::ReadProgram& program, const robot::Cell& cell,
-                            const base::RunContext& ctx) {
-  return Runner(program, &cell, ctx).run();
+                            const base::RunContext& ctx, double printSampleMm) {
+  return Runner(program, &cell, ctx, printSampleMm).run();
 }
 
 ExecutedPath executeToolPoints(const plan::ReadProgram& program, const base::RunContext& ctx) {
-  return Runner(program, nullptr, ctx).run();
+  return Runner(program, nullptr, ctx, kPrintSampleMm).run();
 }
 
 } // namespace voluta::replay

@@ -84,10 +84,13 @@ struct ExecutedPath {
   double totalS() const { return startS.empty() ? 0.0 : startS.back() + durationS.back(); }
 };
 
+// Distance of samples along the printed beads, of up to 1.2 mm width [mm].
+inline constexpr double kPrintSampleMm = 0.5;
+
 // Throws Cancelled. Targets with another number of joints or external axes than the cell has are
 // out of reach.
 ExecutedPath executeProgram(const plan::ReadProgram& program, const robot::Cell& cell,
-                            const base::RunContext& ctx);
+                            const base::RunContext& ctx, double printSampleMm = kPrintSampleMm);
 
 // Executes a program of ToolPoint motions only, without a cell; for tests of motions.
 ExecutedPath executeToolPoints(const plan::ReadProgram& program, const base::RunContext& ctx);
