@@ -1,4 +1,5 @@
 // Several parts in one document: added, copied, removed, edited one by one, saved and planned.
+#include "document/autosave.h"
 #include "document/free_place.h"
 #include "document/item_choices.h"
 #include "document/opening.h"
@@ -281,6 +282,35 @@ TEST_F(SeveralPartsPlan, AProjectOfSeveralPartsComesBackWithItsResults) {
   EXPECT_DOUBLE_EQ(xOf(again, 1), xOf(document_, 1));
   EXPECT_FALSE(again.dirty());
   EXPECT_EQ(again.state(Stage::Toolpath), StageState::Done);
+}
+
+TEST_F(SeveralPartsPlan, AReadPartIsAddedRepaired) {
+  Opening opening(document_, planning_);
+  QSignalSpy repaired(&opening, &Opening::repaired);
+  opening.addPart("sample:vase");
+  ASSERT_TRUE(repaired.wait(20000));
+  EXPECT_EQ(document_.partCount(), 3u);
+  EXPECT_EQ(document_.active(), 2u);
+  EXPECT_EQ(document_.sourcePath(), "sample:vase");
+  EXPECT_TRUE(document_.sourceReady());
+  opening.addPart("/nowhere/none.stl");
+  QSignalSpy failed(&opening, &Opening::failed);
+  ASSERT_TRUE(failed.wait(20000));
+  EXPECT_EQ(document_.partCount(), 3u) << "an unreadable file changes nothing";
+}
+
+TEST_F(SeveralPartsPlan, TheRecoveryCopyHasAllParts) {
+  QTemporaryDir folder;
+  AutosaveOptions options;
+  options.folder = folder.path();
+  options.pauseMs = 60;
+  Autosave autosave(document_, options);
+  QSignalSpy written(&autosave, &Autosave::written);
+  document_.duplicatePart();
+  ASSERT_TRUE(written.wait(5000));
+  const project::Job copy = project::readJob(autosave.file().toStdString());
+  ASSERT_EQ(copy.items.size(), 3u);
+  EXPECT_EQ(copy.item(2).loaded->hash, copy.item(1).loaded->hash);
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 // Several parts on the plate, by mouse and keys: added, selected, moved, copied, removed, planned,
 // saved and reopened.
+#include "base/files.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
 #include "panels/part_list.h"
+#include "pictures/job_picture.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -14,6 +16,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QUndoStack>
+#include <future>
 
 namespace voluta::test {
 namespace {
@@ -159,6 +162,53 @@ TEST_F(SeveralPartsTest, PlannedSavedAndReopened) {
   choosePage(Page::Prepare);
   EXPECT_TRUE(listShown());
   EXPECT_EQ(rows().topLevelItemCount(), 2);
+}
+
+// Voxels are those of the active part; the others stay as solids.
+TEST_F(SeveralPartsTest, VoxelsFollowTheActivePart) {
+  openPart("sample:vase");
+  document().setScale("0.5");
+  document().duplicatePart();
+  document().setScale("0.4");
+  ASSERT_TRUE(settled(2));
+  window().planning().plan(Stage::Decompose);
+  ASSERT_TRUE(planned(Stage::Decompose));
+  const int layersOfSmall = window().presenter().voxelLayers();
+  EXPECT_GT(layersOfSmall, 0);
+  choosePage(Page::Layers);
+  window().viewport().frameAll();
+  keepPicture(window(), "parts_voxels");
+  document().setActive(0);
+  ASSERT_TRUE(planned(Stage::Decompose));
+  EXPECT_GT(window().presenter().voxelLayers(), layersOfSmall);
+  keepPicture(window(), "parts_voxels_first");
+}
+
+// Pictures of a job show all its parts.
+TEST_F(SeveralPartsTest, PicturesOfAJobShowAllParts) {
+  openFlat();
+  document().duplicatePart();
+  ASSERT_TRUE(settled(2));
+  window().planning().plan(Stage::Toolpath);
+  ASSERT_TRUE(planned(Stage::Toolpath));
+  project::Job both = document().result(Stage::Toolpath)->job;
+  project::Job one = both;
+  one.items.resize(1);
+  one.choices.items.resize(1);
+  pictures::PictureOptions look;
+  look.width = 400;
+  look.height = 250;
+  // The window's thread has a context of its own.
+  const auto drawn = [&](const project::Job& job) {
+    return std::async(std::launch::async, [&] { return pictures::jobPicture(job, look); }).get();
+  };
+  for (const char* show : {"part", "pieces", "layers"}) {
+    look.show = show;
+    const scene::Image all = drawn(both);
+    EXPECT_NE(all.rgb, drawn(one).rgb) << show;
+    if (const QString folder = qEnvironmentVariable("VOLUTA_TEST_PICTURES"); !folder.isEmpty())
+      base::writeFile((folder + "/job_" + show + ".png").toStdString(), scene::pngBytes(all));
+  }
 }
 
 TEST_F(SeveralPartsTest, DroppedPartsAreAdded) {
