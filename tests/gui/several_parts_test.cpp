@@ -117,6 +117,31 @@ TEST_F(SeveralPartsTest, AddedSelectedMovedCopiedRemovedAndUndone) {
   EXPECT_FALSE(listShown());
 }
 
+// Each part has its own mode; a choice for the job is one for all.
+TEST_F(SeveralPartsTest, TheFormIsThatOfTheActivePart) {
+  openFlat();
+  addByMenu();
+  auto* mode = find<QComboBox>("mode");
+  ASSERT_NE(mode, nullptr);
+  const int flat = mode->currentIndex();
+  mode->setFocus();
+  mode->setCurrentIndex(mode->findData("auto"));
+  EXPECT_TRUE(document().jobChoices().item(1).automatic);
+  EXPECT_FALSE(document().jobChoices().item(0).automatic);
+  EXPECT_EQ(rows().topLevelItem(1)->text(1), "Automatic");
+  EXPECT_EQ(rows().topLevelItem(0)->text(1), "Flat layers");
+  keepPicture(window(), "parts_automatic");
+  clickRow(0);
+  EXPECT_EQ(mode->currentIndex(), flat);
+  document().undoStack()->undo();
+  EXPECT_EQ(document().active(), 1u) << "the part of the edit that was undone";
+  EXPECT_EQ(mode->currentIndex(), flat);
+  auto* process = find<QComboBox>("process");
+  process->setFocus();
+  process->setCurrentIndex(process->findData("fdm-0.35"));
+  EXPECT_EQ(document().jobChoices().tool().process, "fdm-0.35");
+}
+
 // Clicks the point of the picture under the middle of a part.
 TEST_F(SeveralPartsTest, AClickInThePictureSelectsAPart) {
   openFlat();
@@ -178,7 +203,10 @@ TEST_F(SeveralPartsTest, VoxelsFollowTheActivePart) {
   choosePage(Page::Layers);
   window().viewport().frameAll();
   keepPicture(window(), "parts_voxels");
-  document().setActive(0);
+  window().viewport().lookAt(boxOf(0).center(), 30.0);
+  QTest::qWait(800); // the camera flies there
+  QTest::mouseClick(&window().viewport(), Qt::LeftButton, {}, window().viewport().rect().center());
+  ASSERT_TRUE(waitFor([&] { return document().active() == 0; }, 3000));
   ASSERT_TRUE(planned(Stage::Decompose));
   EXPECT_GT(window().presenter().voxelLayers(), layersOfSmall);
   keepPicture(window(), "parts_voxels_first");

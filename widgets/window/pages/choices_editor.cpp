@@ -231,6 +231,10 @@ void ChoicesEditor::showNotice() {
                      : changes.isEmpty()    ? QString()
                                             : tr("Use %1").arg(changes),
                      true);
+  } else if (const base::Error* error = document_.unusable();
+             error && document_.partCount() > 1 &&
+             !std::holds_alternative<std::string>(error->context().data())) {
+    form_->setNotice(language::words(error->whole()), {}, true); // Of parts that do not go together
   } else if (choices.item().automatic) {
     form_->setNotice(wayChosen(), {}, false);
   } else if (wantsBody(choices)) {
@@ -245,10 +249,13 @@ void ChoicesEditor::showNotice() {
 
 QString ChoicesEditor::wayChosen() const {
   const auto result = document_.lastResult();
-  if (!result || result->job.report.item().tried.empty())
+  if (!result)
     return {};
-  QStringList lines{language::words(pipeline::chosenText(result->job.report.item())) + u'.'};
-  for (const base::Message& rejected : pipeline::rejectedTexts(result->job.report.item()))
+  const project::ItemReport& item = result->job.report.item(document_.active());
+  if (item.tried.empty())
+    return {};
+  QStringList lines{language::words(pipeline::chosenText(item)) + u'.'};
+  for (const base::Message& rejected : pipeline::rejectedTexts(item))
     lines << tr("Rejected: %1.").arg(language::words(rejected));
   return lines.join(u'\n');
 }

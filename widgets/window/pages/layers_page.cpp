@@ -300,6 +300,10 @@ bool LayersPage::lookAtMissed(const plan::Finding& finding) {
 }
 
 void LayersPage::clicked(const std::optional<scene::Hit>& hit) {
+  if (hit && hit->what == scene::Hit::What::OtherPart && hit->item < work().document.partCount()) {
+    work().document.setActive(hit->item);
+    return;
+  }
   if (work().viewport.tool() == viewer::Tool::PickPoint || subject() == LayerSubject::Pieces)
     return; // pieces_ handles the click
   work().shell.chooseWaypoint(
