@@ -467,6 +467,14 @@
         <source>Adds a part beside the others</source>
         <translation>Aggiunge un pezzo accanto agli altri</translation>
     </message>
+    <message>
+        <source>&amp;Arrange parts</source>
+        <translation>&amp;Disponi i pezzi</translation>
+    </message>
+    <message>
+        <source>Moves all parts beside each other, with room for the print head</source>
+        <translation>Mette tutti i pezzi uno accanto all&apos;altro, con spazio per la testa di stampa</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -7717,6 +7725,10 @@ previsto</translation>
         <source>Change print order</source>
         <translation>modifica dell&apos;ordine di stampa</translation>
     </message>
+    <message>
+        <source>Arrange parts</source>
+        <translation>Disponi i pezzi</translation>
+    </message>
 </context>
 <context>
     <name>voluta::document::Opening</name>
@@ -8360,6 +8372,14 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>One after another: each part is finished before the next begins. Layer by layer: all parts grow together.</source>
         <translation>Uno dopo l&apos;altro: ogni pezzo è finito prima che cominci il successivo. Strato per strato: tutti i pezzi crescono insieme.</translation>
+    </message>
+    <message>
+        <source>Arrange</source>
+        <translation>Disponi</translation>
+    </message>
+    <message>
+        <source>Moves all parts beside each other, with room for the print head</source>
+        <translation>Mette tutti i pezzi uno accanto all&apos;altro, con spazio per la testa di stampa</translation>
     </message>
 </context>
 <context>
@@ -9699,6 +9719,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Automatic</source>
         <translation>Automatico</translation>
+    </message>
+    <message>
+        <source>Arrange parts</source>
+        <translation>Disponi i pezzi</translation>
     </message>
 </context>
 <context>

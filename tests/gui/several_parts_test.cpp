@@ -142,6 +142,24 @@ TEST_F(SeveralPartsTest, TheFormIsThatOfTheActivePart) {
   EXPECT_EQ(document().jobChoices().tool().process, "fdm-0.35");
 }
 
+TEST_F(SeveralPartsTest, ArrangedPartsLeaveRoomForTheHead) {
+  openFlat();
+  addByMenu();
+  addByMenu();
+  const auto placeOf = [&](std::size_t i) {
+    return document().jobChoices().item(i).placement.centreMm;
+  };
+  const Eigen::Vector2d before = placeOf(2);
+  auto* arrange = find<QToolButton>("partArrange");
+  ASSERT_NE(arrange, nullptr);
+  QTest::mouseClick(arrange, Qt::LeftButton);
+  EXPECT_NE(placeOf(2), before);
+  EXPECT_GT((placeOf(2) - placeOf(1)).norm(), 1.0);
+  keepPicture(window(), "parts_arranged");
+  document().undoStack()->undo();
+  EXPECT_EQ(placeOf(2), before);
+}
+
 // Clicks the point of the picture under the middle of a part.
 TEST_F(SeveralPartsTest, AClickInThePictureSelectsAPart) {
   openFlat();

@@ -102,6 +102,9 @@ public:
   void duplicatePart();
   // Removes the active part. Precondition: there are two or more.
   void removePart();
+  // Moves all parts beside each other (pipeline::withArrangedParts()). Throws Error{UnusableInput}
+  // if the plate has no room for them, Error{Usage} for choices that cannot be planned.
+  void arrangeParts();
   void setPrintOrder(layers::PrintOrder order);
   // Makes another part active. Not an edit. Precondition: item < partCount().
   void setActive(std::size_t item);

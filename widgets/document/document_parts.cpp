@@ -8,6 +8,7 @@
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
+#include "pipeline/items/plate_parts.h"
 
 #include <algorithm>
 #include <utility>
@@ -144,6 +145,17 @@ void Document::removePart() {
   parts->items.erase(parts->items.begin() + at);
   push({std::move(choices), parts, std::min(active_, parts->items.size() - 1)},
        tr("Remove %1").arg(QString::fromStdString(activeSource()->part->name)));
+}
+
+void Document::arrangeParts() {
+  base::require(parts_ != nullptr, "Document: parts to arrange");
+  pipeline::PlanRequest request;
+  request.items.clear();
+  for (const auto& source : parts_->items)
+    request.items.push_back({{}, source->part});
+  request.choices = choices_;
+  push({pipeline::withArrangedParts(std::move(request), {}).choices, parts_, active_},
+       tr("Arrange parts"));
 }
 
 void Document::setPrintOrder(layers::PrintOrder order) {

@@ -54,6 +54,7 @@ void PartList::build() {
   add_ = button("partAdd", &PartList::addRequested);
   duplicate_ = button("partDuplicate", &PartList::duplicateRequested);
   remove_ = button("partRemove", &PartList::removeRequested);
+  arrange_ = button("partArrange", &PartList::arrangeRequested);
   buttons->addStretch(1);
   orderLabel_ = new QLabel(this);
   order_ = new QComboBox(this);
@@ -116,6 +117,8 @@ void PartList::retranslate() {
   duplicate_->setToolTip(tr("Adds a copy of the selected part with its settings"));
   remove_->setText(tr("Remove"));
   remove_->setToolTip(tr("Removes the selected part; can be undone"));
+  arrange_->setText(tr("Arrange"));
+  arrange_->setToolTip(tr("Moves all parts beside each other, with room for the print head"));
   orderLabel_->setText(tr("Print order"));
   order_->setItemText(0, tr("One after another"));
   order_->setItemText(1, tr("Layer by layer"));

@@ -34,6 +34,7 @@ signals:
   void addRequested();
   void duplicateRequested();
   void removeRequested();
+  void arrangeRequested();
   void printOrderChosen(voluta::layers::PrintOrder order);
 
 protected:
@@ -45,7 +46,7 @@ private:
   void fitHeight();
 
   QTreeWidget* rows_;
-  QToolButton *add_, *duplicate_, *remove_;
+  QToolButton *add_, *duplicate_, *remove_, *arrange_;
   QLabel* orderLabel_;
   QComboBox* order_;
 };

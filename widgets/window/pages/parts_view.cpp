@@ -1,5 +1,6 @@
 #include "window/pages/parts_view.h"
 
+#include "base/error.h"
 #include "document/document.h"
 #include "document/shown_names.h"
 #include "geometry/measures.h"
@@ -54,6 +55,7 @@ PartsView::PartsView(const Workspace& workspace, Page& page)
   connect(list_, &PartList::addRequested, this, [this] { work_.shell.addPart(); });
   connect(list_, &PartList::duplicateRequested, document, &Document::duplicatePart);
   connect(list_, &PartList::removeRequested, document, &Document::removePart);
+  connect(list_, &PartList::arrangeRequested, this, &PartsView::arrange);
   connect(list_, &PartList::printOrderChosen, document, &Document::setPrintOrder);
 }
 
@@ -74,7 +76,24 @@ std::vector<Command> PartsView::commands() {
            QT_TRANSLATE_NOOP("Commands", "Removes the selected part from the plate"),
            {QKeySequence::Delete},
            [&document] { document.removePart(); },
-           [this] { return page_.isShown() && work_.document.partCount() > 1; }}};
+           [this] { return page_.isShown() && work_.document.partCount() > 1; }},
+          {"arrangeParts",
+           "editMenu",
+           3,
+           QT_TRANSLATE_NOOP("Commands", "&Arrange parts"),
+           QT_TRANSLATE_NOOP("Commands",
+                             "Moves all parts beside each other, with room for the print head"),
+           {QKeySequence("Ctrl+Shift+A")},
+           [this] { arrange(); },
+           [&document] { return document.partCount() > 1; }}};
+}
+
+void PartsView::arrange() {
+  try {
+    work_.document.arrangeParts();
+  } catch (const base::Error& error) {
+    work_.shell.tell(tr("Arrange parts"), language::words(error.whole()));
+  }
 }
 
 void PartsView::show() {

@@ -20,6 +20,8 @@ public:
   void show();
 
 private:
+  void arrange();
+
   Workspace work_;
   const Page& page_;
   panels::PartList* list_;
