@@ -110,7 +110,7 @@ public:
     view_.materialColour = options_.colour == "layer";
     view_.world = scene::World::Base;
     setTime(trajectory);
-    scene_.setPlatform(scene::drawPlatform(job_.item().platform, 0.0));
+    scene_.setPlatform(scene::drawPlatform(project::platformOf(job_), 0.0));
   }
 
   void inMaterialColour() { view_.materialColour = true; }
@@ -173,7 +173,7 @@ private:
       if (item.part)
         for (const Eigen::Vector3d& v : item.part->vertices)
           reach = std::max(reach, v.head<2>().norm());
-    scene_.setPlatform(scene::drawPlatform(job_.item().platform, reach + kGroundBeyondPartMm));
+    scene_.setPlatform(scene::drawPlatform(project::platformOf(job_), reach + kGroundBeyondPartMm));
   }
 
   void setLastLayer(int count) {

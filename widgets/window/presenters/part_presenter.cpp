@@ -86,7 +86,7 @@ void PartPresenter::show(Stage stage) {
     drawChosenCell();
   } else if (stage == Stage::Decompose) {
     drawnPlatform_ = {pipeline::plannedPlatformKey(result->job.choices), result->job.item().part};
-    drawPlatform(result->job.item().platform);
+    drawPlatform(project::platformOf(result->job));
     drawCell(result->cell);
   }
 }
