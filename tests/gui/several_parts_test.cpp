@@ -10,7 +10,7 @@
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QHeaderView>
+#include <QLabel>
 #include <QMimeData>
 #include <QTest>
 #include <QToolButton>
@@ -130,6 +130,8 @@ TEST_F(SeveralPartsTest, TheFormIsThatOfTheActivePart) {
   EXPECT_FALSE(document().jobChoices().item(0).automatic);
   EXPECT_EQ(rows().topLevelItem(1)->text(1), "Automatic");
   EXPECT_EQ(rows().topLevelItem(0)->text(1), "Flat layers");
+  const bool explained = !document().unusable() || find<QLabel>("notice")->isVisible();
+  EXPECT_TRUE(explained) << "why they cannot be planned together";
   keepPicture(window(), "parts_automatic");
   clickRow(0);
   EXPECT_EQ(mode->currentIndex(), flat);

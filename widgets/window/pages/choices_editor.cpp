@@ -27,6 +27,12 @@ forms::ChoiceItem item(std::string_view id, base::Text label = {}, base::Text he
   return {name, label.empty() ? name : language::words(label), language::words(help)};
 }
 
+// Returns whether an error is about parts that do not go together; one of a parameter names it.
+bool concernsTheJob(const base::Error* error) {
+  const auto* parameter = error ? std::get_if<std::string>(&error->context().data()) : nullptr;
+  return error && (!parameter || parameter->empty());
+}
+
 // Returns the name of a choice for undo.
 QString editNameOf(const QString& field) {
   if (field == "growth")
@@ -231,10 +237,8 @@ void ChoicesEditor::showNotice() {
                      : changes.isEmpty()    ? QString()
                                             : tr("Use %1").arg(changes),
                      true);
-  } else if (const base::Error* error = document_.unusable();
-             error && document_.partCount() > 1 &&
-             !std::holds_alternative<std::string>(error->context().data())) {
-    form_->setNotice(language::words(error->whole()), {}, true); // Of parts that do not go together
+  } else if (document_.partCount() > 1 && concernsTheJob(document_.unusable())) {
+    form_->setNotice(language::words(document_.unusable()->whole()), {}, true);
   } else if (choices.item().automatic) {
     form_->setNotice(wayChosen(), {}, false);
   } else if (wantsBody(choices)) {
