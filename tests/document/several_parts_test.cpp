@@ -34,7 +34,7 @@ double xOf(const Document& document, std::size_t item) {
 TEST(SeveralParts, AnAddedPartIsActiveBesideTheOthersAndBuiltAlike) {
   Document document;
   openFlat(document);
-  document.setParameter("walls", "3");
+  document.setParameter("brimWidthMm", "3");
   document.setParameter("voxelMm", "1.5");
   QSignalSpy parts(&document, &Document::partsChanged), source(&document, &Document::sourceChanged);
   document.addPart(test::boxPart(6.0, "other.stl"), "/tmp/other.stl", true);
@@ -46,7 +46,7 @@ TEST(SeveralParts, AnAddedPartIsActiveBesideTheOthersAndBuiltAlike) {
   EXPECT_EQ(document.name(), "box") << "the project keeps its name";
   EXPECT_EQ(document.choices().items.size(), 1u);
   EXPECT_EQ(document.choices().item().mode, "flat");
-  EXPECT_EQ(document.choices().item().parameters.at("walls"), "3") << "of the job";
+  EXPECT_EQ(document.choices().item().parameters.at("brimWidthMm"), "3") << "of the job";
   EXPECT_FALSE(document.choices().item().parameters.contains("voxelMm")) << "of the part";
   EXPECT_DOUBLE_EQ(xOf(document, 0), 0.0);
   EXPECT_DOUBLE_EQ(xOf(document, 1), 4.0 + 10.0 + 3.0);
@@ -65,19 +65,24 @@ TEST(SeveralParts, EditsConcernTheActivePartAndTheJob) {
   document.addPart(test::boxPart(6.0, "other.stl"), {}, true);
   document.setScale("2");
   document.setParameter("voxelMm", "1.5");
-  document.setParameter("walls", "4");
+  document.setParameter("brimWidthMm", "4");
   test::setSeed(document, 7);
   const project::Choices& job = document.jobChoices();
   EXPECT_EQ(job.item(0).scale, "1");
   EXPECT_EQ(job.item(1).scale, "2");
   EXPECT_FALSE(job.item(0).parameters.contains("voxelMm"));
-  EXPECT_EQ(job.item(0).parameters.at("walls"), "4");
-  EXPECT_EQ(job.item(1).parameters.at("walls"), "4");
+  EXPECT_EQ(job.item(0).parameters.at("brimWidthMm"), "4");
+  EXPECT_EQ(job.item(1).parameters.at("brimWidthMm"), "4");
+  document.setParameter("infillDensity", "0.2");
+  const std::size_t other = 1 - document.active();
+  EXPECT_FALSE(document.jobChoices().item(other).parameters.contains("infillDensity"))
+      << "each part has its own infill";
+  document.undoStack()->undo();
   EXPECT_EQ(job.seed, 7);
   document.setActive(0);
   EXPECT_EQ(document.choices().item().scale, "1");
   document.resetParameters();
-  EXPECT_FALSE(job.item(1).parameters.contains("walls"));
+  EXPECT_FALSE(job.item(1).parameters.contains("brimWidthMm"));
   EXPECT_EQ(job.item(1).parameters.at("voxelMm"), "1.5");
 }
 

@@ -44,7 +44,11 @@ bool isOfJob(const std::string& parameter) {
     table.append(placement::orientParameters());
     return table;
   }();
-  return parameter != "givenToolPaths" && !ofItem.find(parameter);
+  // How the layers of a part are covered (toolpath::ItemLayers)
+  static const std::set<std::string> ofCover = {
+      "layerHeightMm", "beadWidthMm", "walls",        "infill", "infillDensity",
+      "sparsePattern", "topLayers",   "bottomLayers", "skinMm", "thinWalls"};
+  return parameter != "givenToolPaths" && !ofItem.find(parameter) && !ofCover.contains(parameter);
 }
 
 Choices withItem(const Choices& job, std::size_t item, const Choices& edited) {

@@ -8,8 +8,8 @@
 
 namespace voluta::document {
 
-// Returns whether a parameter holds for all parts of a job: one of the process, tool-paths, motion
-// or programs.
+// Returns whether a parameter holds for all parts of a job: one of the order of tool-paths, of
+// motion or of programs.
 bool isOfJob(const std::string& parameter);
 
 // Returns `job` with the choices of one item replaced by `edited`, an edit of

@@ -1,5 +1,6 @@
 #include "scene/offscreen_target.h"
 
+#include "scene/draw_lock.h"
 #include "scene/vtk_modules.h"
 
 #include "base/error.h"
@@ -41,7 +42,8 @@ public:
     if (Initialized)
       return;
     ContextCreationTime.Modified();
-    glewInit();
+    if (glGenVertexArrays == nullptr) // Otherwise another window has filled the table
+      glewInit();
     if (glGenVertexArrays == nullptr || glMultiDrawElements == nullptr)
       noOpenGl("its functions were not found"_text);
     GlewInitValid = true;
@@ -195,6 +197,7 @@ OffscreenTarget::Session::~Session() {
 }
 
 void OffscreenTarget::Session::draw() {
+  const auto lock = drawLock();
   target_.impl_->context.makeCurrent();
   target_.impl_->window->Render();
   glFinish();

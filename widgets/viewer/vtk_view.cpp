@@ -1,5 +1,7 @@
 #include "viewer/vtk_view.h"
 
+#include "scene/draw_lock.h"
+
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -110,7 +112,10 @@ void VtkView::initializeGL() {
   // The context is destroyed before the widget if the widget moves to another window.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkView::releaseGl,
           Qt::DirectConnection);
-  window_->OpenGLInit();
+  {
+    const auto lock = scene::drawLock();
+    window_->OpenGLInit();
+  }
   emit openGlReady(QStringLiteral("VTK %1, %2")
                        .arg(QLatin1String(vtkVersion::GetVTKVersion()), describe(*context())));
 }
@@ -118,6 +123,18 @@ void VtkView::initializeGL() {
 void VtkView::resizeGL(int, int) {
   const QSize size = deviceSize();
   window_->SetSize(size.width(), size.height());
+}
+
+void VtkView::renderWindow() {
+  const auto lock = scene::drawLock();
+  // Qt has used the context since VTK's last frame, so VTK's cached state is out of date.
+  vtkOpenGLState* state = window_->GetState();
+  state->Reset();
+  state->Push();
+  window_->SetReadyForRendering(true);
+  window_->Render();
+  window_->SetReadyForRendering(false);
+  state->Pop();
 }
 
 void VtkView::paintGL() {
@@ -129,14 +146,7 @@ void VtkView::paintGL() {
   if (window_->GetSize()[0] != size.width() || window_->GetSize()[1] != size.height())
     window_->SetSize(size.width(), size.height());
   beforeFrame();
-  // Qt has used the context since VTK's last frame, so VTK's cached state is out of date.
-  vtkOpenGLState* state = window_->GetState();
-  state->Reset();
-  state->Push();
-  window_->SetReadyForRendering(true);
-  window_->Render();
-  window_->SetReadyForRendering(false);
-  state->Pop();
+  renderWindow();
   // The alpha channel left by VTK would let the desktop show through.
   QOpenGLFunctions* gl = context()->functions();
   gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);

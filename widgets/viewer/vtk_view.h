@@ -47,6 +47,7 @@ protected:
   virtual void beforeFrame() {}
 
 private:
+  void renderWindow();
   void releaseGl();
   QSize deviceSize() const;
 
