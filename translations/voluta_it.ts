@@ -7499,14 +7499,6 @@ previsto</translation>
         <translation>togli gli altri pezzi, oppure ignora i suoi percorsi (givenToolPaths=false)</translation>
     </message>
     <message>
-        <source>{option} {text}: not of the form {form}</source>
-        <translation>{option} {text}: non ha la forma {form}</translation>
-    </message>
-    <message>
-        <source>{option} {text}: no such part, the last one is {parts}</source>
-        <translation>{option} {text}: pezzo inesistente, l&apos;ultimo è {parts}</translation>
-    </message>
-    <message>
         <source>different for each part</source>
         <translation>diverso per ogni pezzo</translation>
     </message>

@@ -147,7 +147,8 @@ TEST_F(SeveralPartsTest, TheFormIsThatOfTheActivePart) {
 TEST_F(SeveralPartsTest, ArrangedPartsLeaveRoomForTheHead) {
   openFlat();
   addByMenu();
-  addByMenu();
+  click("partDuplicate");
+  ASSERT_TRUE(settled(3));
   const auto placeOf = [&](std::size_t i) {
     return document().jobChoices().item(i).placement.centreMm;
   };

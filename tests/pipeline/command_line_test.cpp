@@ -109,7 +109,7 @@ TEST_F(CommandLine, WrongRequestsNameTheNearest) {
   const std::string out = (folder_ / "out").string();
   expectOneLine(run({"plan", part, "-o", out, "--mode", "curvd"}), 2, {"curvd", "curved"});
   expectOneLine(run({"plan", part, "-o", out, "--cell", "ur5-fixd"}), 2, {"ur5-fixed"});
-  expectOneLine(run({"plan", part, "-o", out, "--process", "fdm"}), 2, {"fdm-1.0"});
+  expectOneLine(run({"plan", part, "-o", out, "--process", "fdm-10"}), 2, {"fdm-1.0"});
   expectOneLine(run({"plan", part, "-o", out, "--growth", "gready"}), 2, {"greedy"});
   expectOneLine(run({"plan", part, "-o", out, "--format", "urscrip"}), 2, {"urscript"});
   expectOneLine(run({"plan", part, "-o", out, "--set", "voxelmm=1"}), 2, {"voxelMm"});

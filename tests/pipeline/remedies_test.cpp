@@ -270,7 +270,7 @@ TEST(Remedies, ALargerCellHasALargerPlate) {
   Choices choices; // discs up to 250 mm under a nozzle that stands
   const Eigen::Vector2d any(0.0, 0.0);
   EXPECT_TRUE(cellWithLargerPlate(choices, any));
-  EXPECT_FALSE(cellWithLargerPlate(choices, {900.0, 900.0})) << "no plate is as wide";
+  EXPECT_FALSE(cellWithLargerPlate(choices, {9000.0, 9000.0})) << "no plate is as wide";
   choices.cell = "ur5-moving";
   EXPECT_NE(cellWithLargerPlate(choices, any), choices.cell);
   choices.cell = "kr10-r1100-track"; // the longest

@@ -75,6 +75,8 @@ std::string ofHeight(double mm) {
       base::readFile(base::resourceFolder() / "processes" / "fdm-1.0.json"));
   json["id"] = "high";
   json["layerHeightMm"] = {{"default", mm}, {"min", 0.5 * mm}, {"max", 1.25 * mm}};
+  json["beadWidthMm"] = {{"default", 1.5 * mm}, {"min", 1.25 * mm}, {"max", 2.5 * mm}};
+  json["maxFlowMm3PerS"] = 1000.0;
   return json.dump();
 }
 

@@ -389,7 +389,8 @@ TEST_F(Eki, NamesWhatStandsBeside) {
   EXPECT_EQ(names[0], "print_part_1_eki.src");
   EXPECT_NE(p.files[1].text.find("\r\nDEF print_part_1_eki ( )\r\n"), std::string::npos);
   EXPECT_NE(p.files[1].text.find("EKI_Init(\"print_part_1_eki\")"), std::string::npos);
-  EXPECT_EQ(p.files[1].text.find('%'), std::string::npos);
+  for (const char* place : {"%s", "%d", "%f", "%%"})
+    EXPECT_EQ(p.files[1].text.find(place), std::string::npos) << "not filled in";
   EXPECT_LE(names[0].size(), 28u) << "KRL's names hold 24 characters";
 }
 

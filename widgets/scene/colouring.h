@@ -26,7 +26,7 @@ enum class ColourBy {
   Peeling,    // voxels: round of the published peeling that removes them
   Part        // index of the part in a job of several
 };
-inline constexpr int kColourByCount = 12;
+inline constexpr int kColourByCount = 13;
 
 struct ColourByRow {
   ColourBy colourBy;
