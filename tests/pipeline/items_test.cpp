@@ -188,6 +188,10 @@ TEST(Items, ComeBackFromAProject) {
   EXPECT_TRUE(std::ranges::equal(back.toolPlan->paths, result.job.toolPlan->paths, {},
                                  &plan::ToolPath::item, &plan::ToolPath::item));
   EXPECT_EQ(back.keys(), result.job.keys());
+  pipeline::PlanRequest again = twoBoxes(layers::PrintOrder::ByLayer);
+  const project::StageKeys wanted = pipeline::stageKeys(again);
+  for (std::size_t s = 0; s <= project::indexOf(Stage::Toolpath); ++s)
+    EXPECT_EQ(back.keys()[s], wanted[s]) << "not out of date, stage " << s;
 }
 
 } // namespace

@@ -73,6 +73,14 @@ void PartPresenter::showActive() {
     drawPart(placed->job.item().part);
 }
 
+PartPresenter::PlatformKey PartPresenter::platformKeyOf(const project::Choices& choices,
+                                                        const project::Job& job) {
+  PlatformKey key;
+  for (std::size_t i = 0; i < job.items.size(); ++i)
+    key.emplace_back(pipeline::plannedPlatformKey(project::onlyItem(choices, i)), job.item(i).part);
+  return key;
+}
+
 void PartPresenter::show(Stage stage) {
   const auto result = document_.result(stage);
   if (!result) {
@@ -85,7 +93,7 @@ void PartPresenter::show(Stage stage) {
     drawPlannedPlatform();
     drawChosenCell();
   } else if (stage == Stage::Decompose) {
-    drawnPlatform_ = {pipeline::plannedPlatformKey(result->job.choices), result->job.item().part};
+    drawnPlatform_ = platformKeyOf(result->job.choices, result->job);
     drawPlatform(project::platformOf(result->job));
     drawCell(result->cell);
   }
@@ -174,14 +182,18 @@ void PartPresenter::drawPlannedPlatform() {
   if (!placed || !document_.upToDate(Stage::Load) || document_.upToDate(Stage::Decompose))
     return;
   const project::Choices& choices = document_.jobChoices();
-  const auto wanted = std::pair(pipeline::plannedPlatformKey(choices), placed->job.item().part);
+  const PlatformKey wanted = platformKeyOf(choices, placed->job);
   if (wanted == drawnPlatform_)
     return;
   drawnPlatform_ = wanted;
   inBackground(
       *drawingPlatform_,
-      [choices, stage = placed->item().placed] {
-        return drawingOf(pipeline::plannedPlatform(*stage, choices));
+      [choices, placed] {
+        project::Job job = placed->job;
+        for (std::size_t i = 0; i < job.items.size(); ++i)
+          job.item(i).platform =
+              pipeline::plannedPlatform(*placed->item(i).placed, project::onlyItem(choices, i));
+        return drawingOf(project::platformOf(job));
       },
       [this](auto&& made) { swapPlatform(made.first, made.second); });
 }

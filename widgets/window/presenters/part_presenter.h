@@ -38,6 +38,11 @@ signals:
   void cellDrawn();
 
 private:
+  // The choices and the placed part of each item that determine the platform
+  using PlatformKey =
+      std::vector<std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>>>;
+  static PlatformKey platformKeyOf(const project::Choices& choices, const project::Job& job);
+
   using Sources = std::vector<std::shared_ptr<const project::LoadedPart>>;
   void show(project::Stage stage);
   void showActive();
@@ -72,7 +77,7 @@ private:
   std::array<std::shared_ptr<const scene::CellDrawing>, 2> cells_; // by CellOf
   CellOf shownCell_ = CellOf::Choices;
   // Inputs of the drawn platform: a key of the choices, the part.
-  std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>> drawnPlatform_;
+  PlatformKey drawnPlatform_;
   Eigen::AlignedBox3d box_;
 };
 
