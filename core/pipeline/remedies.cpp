@@ -480,6 +480,8 @@ std::vector<RemedyAction> remediesFor(const plan::Finding& finding,
                                       const project::Choices& choices) {
   const std::span<const plan::RemedyId> wanted = plan::rowOf(finding.kind).remedies;
   std::vector<RemedyAction> offers;
+  if (finding.item >= static_cast<int>(choices.items.size()))
+    return offers; // Its item was removed
   for (const Remedy& remedy : remedies()) {
     if (std::ranges::find(wanted, remedy.id) == wanted.end())
       continue;

@@ -3,6 +3,8 @@
 #include "base/files.h"
 #include "gui/window_fixture.h"
 #include "helpers/shapes.h"
+#include "panels/findings_model.h"
+#include "panels/findings_panel.h"
 #include "panels/part_list.h"
 #include "pictures/job_picture.h"
 
@@ -11,7 +13,9 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLabel>
+#include <QListView>
 #include <QMimeData>
+#include <QPushButton>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -161,6 +165,28 @@ TEST_F(SeveralPartsTest, ArrangedPartsLeaveRoomForTheHead) {
   keepPicture(window(), "parts_arranged");
   document().undoStack()->undo();
   EXPECT_EQ(placeOf(2), before);
+}
+
+// A remedy changes the part that its finding concerns.
+TEST_F(SeveralPartsTest, AFindingNamesItsPartAndItsRemedyChangesIt) {
+  openFlat();
+  answerFileDialog(writePart("tiny.stl", box({0, 0, 0}, {0.02, 0.02, 0.02})));
+  clickMenu("fileMenu", "addPart");
+  ASSERT_TRUE(settled(2));
+  document().setActive(0);
+  auto* list = find<panels::FindingsPanel>("findings")->findChild<QListView*>("list");
+  ASSERT_NE(list, nullptr);
+  ASSERT_TRUE(waitFor([&] { return list->model()->rowCount() > 0; }, 5000));
+  const QString detail =
+      list->model()->index(0, 0).data(panels::FindingsModel::DetailRole).toString();
+  EXPECT_TRUE(detail.startsWith("tiny")) << qPrintable(detail);
+  list->setCurrentIndex(list->model()->index(0, 0));
+  auto* metres = find<QPushButton>("remedy_unitsMetres");
+  ASSERT_NE(metres, nullptr);
+  QTest::mouseClick(metres, Qt::LeftButton);
+  EXPECT_EQ(document().jobChoices().item(1).units, "m");
+  EXPECT_EQ(document().jobChoices().item(0).units, "mm");
+  EXPECT_EQ(document().active(), 1u);
 }
 
 // Clicks the point of the picture under the middle of a part.

@@ -49,9 +49,13 @@ TEST(FindingsModel, DetailNamesStageCountPlaceAndTime) {
   plan::Finding f = finding("motion", "", true);
   f.count = 12;
   f.whenS = 754.2;
-  const QString detail = panels::FindingsModel::detail(f);
+  panels::FindingsModel model;
+  const QString detail = model.detail(f);
   for (const char* expected : {"Motion", "× 12", "1.0, 2.0, 3.0 mm", "12:34"})
     EXPECT_TRUE(detail.contains(QString::fromUtf8(expected))) << qPrintable(detail);
+  model.setParts({"kitten", "spot"});
+  f.item = 1;
+  EXPECT_TRUE(model.detail(f).startsWith("spot"));
 }
 
 TEST(FindingsPanel, RemediesAreButtonsOfTheChosenFinding) {

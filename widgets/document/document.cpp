@@ -154,6 +154,11 @@ void Document::setChoices(const project::Choices& choices, const QString& editNa
   push({std::move(next), parts_, active_}, editName);
 }
 
+void Document::setJobChoices(const project::Choices& choices, const QString& editName) {
+  base::require(choices.items.size() == choices_.items.size(), "Document: choices of all parts");
+  push({choices, parts_, active_}, editName);
+}
+
 void Document::filesChanged() {
   ++revision_;
   refreshKeys();

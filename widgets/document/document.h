@@ -78,6 +78,8 @@ public:
   // is not recorded.
   // `choices`: an edit of choices(). Job-wide choices are set for every part.
   void setChoices(const project::Choices& choices, const QString& editName);
+  // `choices`: an edit of jobChoices(). Precondition: it has as many items.
+  void setJobChoices(const project::Choices& choices, const QString& editName);
   // To be called when a file named in the choices was written: results that depend on it become out
   // of date.
   void filesChanged();

@@ -91,9 +91,12 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-QString FindingsModel::detail(const plan::Finding& finding) {
+QString FindingsModel::detail(const plan::Finding& finding) const {
   const QLocale locale;
-  QStringList parts{language::words(plan::stageLabel(plan::stageOf(finding)))};
+  QStringList parts;
+  if (finding.item >= 0 && finding.item < parts_.size())
+    parts << parts_[finding.item];
+  parts << language::words(plan::stageLabel(plan::stageOf(finding)));
   if (finding.count > 1)
     parts << QStringLiteral("× ") + locale.toString(static_cast<qulonglong>(finding.count));
   if (finding.where) {

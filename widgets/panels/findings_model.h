@@ -21,6 +21,8 @@ public:
   // `before`: findings from before the last change of the choices; they come last.
   void setFindings(const plan::Findings& findings, const plan::Findings& before = {});
   void setBlockedOnly(bool only);
+  // Names of the parts that findings concern; empty: the job has one part.
+  void setParts(const QStringList& names) { parts_ = names; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -30,8 +32,8 @@ public:
   QString reason(int row) const;
   // Formats of the programs that a finding concerns.
   QStringList formats(int row) const;
-  // Stage, count, place and time in one line.
-  static QString detail(const plan::Finding& finding);
+  // Part, stage, count, place and time in one line.
+  QString detail(const plan::Finding& finding) const;
 
   bool isOutOfDate(int row) const { return static_cast<std::size_t>(row) >= current_; }
   // Without those from before the change.
@@ -45,6 +47,7 @@ private:
   std::vector<ListedFinding> rows_;
   std::size_t current_ = 0, blocking_ = 0;
   bool blockedOnly_ = false;
+  QStringList parts_;
 };
 
 } // namespace voluta::panels

@@ -295,6 +295,10 @@ QString FindingsPanel::uncheckedText() const {
   return names.isEmpty() ? QString() : tr("Not checked: %1.").arg(names.join(QStringLiteral(", ")));
 }
 
+void FindingsPanel::setParts(const QStringList& names) {
+  model_->setParts(names);
+}
+
 void FindingsPanel::setBlockedOnly(bool only) {
   blockedOnly_->setChecked(only);
 }
@@ -317,7 +321,7 @@ void FindingsPanel::showCurrent() {
   }
   const plan::Finding& finding = model_->finding(current.row());
   reason_->setText(model_->reason(current.row()));
-  where_->setText((QStringList{FindingsModel::detail(finding)} + model_->formats(current.row()))
+  where_->setText((QStringList{model_->detail(finding)} + model_->formats(current.row()))
                       .join(QStringLiteral(" · ")));
   const QString remedy = language::words(plan::remedyOf(finding));
   remedy_->setText(tr("What would help: %1").arg(remedy));

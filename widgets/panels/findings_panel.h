@@ -41,6 +41,8 @@ public:
   // Stages that have not checked the present choices.
   void setUnchecked(const std::vector<plan::Stage>& stages);
   void setBlockedOnly(bool only);
+  // As FindingsModel::setParts(). To be called before setFindings().
+  void setParts(const QStringList& names);
   // Sets the source of remedies for a finding; initially none. It is called again after each
   // setFindings(), because the result may depend on more than the finding.
   void setRemedies(RemedySource remedies);

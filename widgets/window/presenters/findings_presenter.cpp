@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "document/live_preview.h"
 #include "document/planning.h"
+#include "document/shown_names.h"
 #include "language/words.h"
 #include "pipeline/remedies.h"
 #include "plan/finding_kinds.h"
@@ -37,6 +38,8 @@ void FindingsPresenter::show() {
   plan::Findings now = stopped(), before;
   for (document::DatedFinding& dated : document::datedFindings(document_))
     (dated.outOfDate ? before : now).push_back(std::move(dated.finding));
+  const auto parts = document_.sources();
+  panel_.setParts(parts.size() > 1 ? document::shownNames(parts) : QStringList());
   panel_.setFindings(now, before);
   std::vector<timeline::Mark> marks;
   if (result)
@@ -55,11 +58,21 @@ plan::Findings FindingsPresenter::stopped() const {
   return findings;
 }
 
+// For a finding about one of several parts, as if that part were alone.
+std::vector<pipeline::RemedyAction> FindingsPresenter::offersAnew(plan::Finding finding) const {
+  const project::Choices& job = document_.jobChoices();
+  if (finding.item < 0 || finding.item >= static_cast<int>(job.items.size()))
+    return pipeline::remediesFor(finding, job);
+  const project::Choices own = project::onlyItem(job, static_cast<std::size_t>(finding.item));
+  finding.item = -1;
+  return pipeline::remediesFor(finding, own);
+}
+
 const std::vector<pipeline::RemedyAction>&
 FindingsPresenter::offersFor(const plan::Finding& finding) {
-  if (!offered_ || offered_->kind != finding.kind || offered_->values != finding.values)
-    offered_ =
-        Offered{finding.kind, finding.values, pipeline::remediesFor(finding, document_.choices())};
+  if (!offered_ || offered_->kind != finding.kind || offered_->values != finding.values ||
+      offered_->item != finding.item)
+    offered_ = Offered{finding.kind, finding.values, finding.item, offersAnew(finding)};
   return offered_->offers;
 }
 
@@ -79,7 +92,12 @@ void FindingsPresenter::apply(const plan::Finding& finding, const QString& remed
   for (const pipeline::RemedyAction& offer : offers) {
     if (remedy.toStdString() != offer.remedy->name)
       continue;
-    document_.setChoices(offer.choices, language::words(offer.label));
+    if (finding.item >= 0)
+      document_.setActive(static_cast<std::size_t>(finding.item));
+    if (finding.item >= 0 || document_.partCount() < 2)
+      document_.setChoices(offer.choices, language::words(offer.label));
+    else
+      document_.setJobChoices(offer.choices, language::words(offer.label));
     const auto before = document_.lastResult();
     if (live_.enabled() && document_.result(Stage::Decompose))
       live_.refresh();

@@ -43,9 +43,11 @@ private:
   document::LivePreview& live_;
   panels::FindingsPanel& panel_;
   timeline::TimelineBar& timeline_;
+  std::vector<pipeline::RemedyAction> offersAnew(plan::Finding finding) const;
   struct Offered {
     plan::FindingKind kind{};
     std::vector<plan::NamedValue> values;
+    int item = -1;
     std::vector<pipeline::RemedyAction> offers;
   };
   std::optional<Offered> offered_; // the last ones, for the present choices
