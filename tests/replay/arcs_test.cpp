@@ -1,5 +1,6 @@
 // Programs with fewer points and with arcs: their deviation from the whole plan, and edits of their
 // arcs.
+#include "geometry/triangle_queries.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "replay/scene.h"
@@ -204,12 +205,14 @@ bool isSamePath(const Written& w, const std::vector<plan::ProgramFile>& text) {
   double most = 0.0;
   for (std::size_t m = 0; m < before.motions.size(); ++m)
     for (const plan::NozzlePoint& p : after.motions[m].way) {
-      double least = 1e9;
-      for (const plan::NozzlePoint& q : before.motions[m].way)
-        least = std::min(least, (p.position - q.position).norm());
+      const std::vector<plan::NozzlePoint>& old = before.motions[m].way;
+      double least = old.empty() ? 1e9 : (p.position - old.front().position).norm();
+      for (std::size_t i = 1; i < old.size(); ++i)
+        least = std::min(
+            least, geometry::distanceToSegment(p.position, old[i - 1].position, old[i].position));
       most = std::max(most, least);
     }
-  return most < 0.25; // the points of a way are that far apart
+  return most < ReplayThresholds{}.deviationMaxMm + 0.01; // with the chords' sagitta
 }
 
 TEST_P(ArcPrograms, fortyEditsOfArcsAreRefused) {
