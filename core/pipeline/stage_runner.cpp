@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace voluta::pipeline {
@@ -89,6 +90,9 @@ private:
     const bool whole = !context_.isRejected(); // False: the stage ended early
     record = {whole ? keys_[project::indexOf(stage)] : std::string(), findings.size(), timings};
     report().findings.insert(report().findings.end(), findings.begin(), findings.end());
+    if (items_.size() > 1 && stage > project::Stage::Load)
+      nameItems(std::span(report().findings).last(findings.size()), job().items,
+                process().beadWidthMaxMm);
     report().timings += timings;
     report().timings.total = whole_.seconds();
     job().reached = stage;

@@ -1,6 +1,7 @@
 // A job of two items: each is planned by itself up to its layers, which are then printed in order.
 #include "base/error.h"
 #include "pipeline/box_request.h"
+#include "pipeline/items/plate_parts.h"
 #include "pipeline/road.h"
 #include "pipeline/stage_cache.h"
 #include "plan/finding_kinds.h"
@@ -162,6 +163,19 @@ TEST(Items, FindingsNameTheirPart) {
   const pipeline::PlanResult result = pipeline::planPart(request, {});
   ASSERT_FALSE(result.job.report.findings.empty());
   EXPECT_EQ(result.job.report.findings.front().item, 1);
+}
+
+TEST(Items, FindingsOfPathsAndMotionNameThePartAtTheirPlace) {
+  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
+  const pipeline::PlanResult result = pipeline::planPart(request, {});
+  plan::Findings findings{
+      plan::makeFinding(plan::FindingKind::PatchWithoutBead, {}, Eigen::Vector3d(20, 0, 3)),
+      plan::makeFinding(plan::FindingKind::PatchWithoutBead, {}, Eigen::Vector3d(0, 0, 3)),
+      plan::makeFinding(plan::FindingKind::PatchWithoutBead)};
+  pipeline::nameItems(findings, result.job.items, 1.0);
+  EXPECT_EQ(findings[0].item, 1);
+  EXPECT_EQ(findings[1].item, -1) << "between them";
+  EXPECT_EQ(findings[2].item, -1) << "no place";
 }
 
 TEST(Items, SeveralToolsAreRefused) {

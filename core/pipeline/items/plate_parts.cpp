@@ -1,6 +1,7 @@
 #include "pipeline/items/plate_parts.h"
 
 #include "base/error.h"
+#include "geometry/measures.h"
 #include "geometry/meshes_meet.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
@@ -56,6 +57,24 @@ PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx) 
   for (std::size_t i = 0; i < parts.size(); ++i)
     request.choices.item(i).placement.centreMm = centres[i] + (*moves)[i];
   return request;
+}
+
+void nameItems(std::span<plan::Finding> findings, const std::vector<project::JobItem>& items,
+               double marginMm) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const project::JobItem& item : items) {
+    Eigen::AlignedBox3d box = geometry::bounds(*item.part);
+    box.min().array() -= marginMm;
+    box.max().array() += marginMm;
+    boxes.push_back(box);
+  }
+  for (plan::Finding& finding : findings) {
+    const auto isThere = [&](const Eigen::AlignedBox3d& box) {
+      return box.contains(*finding.where);
+    };
+    if (finding.item < 0 && finding.where && std::ranges::count_if(boxes, isThere) == 1)
+      finding.item = static_cast<int>(std::ranges::find_if(boxes, isThere) - boxes.begin());
+  }
 }
 
 plan::Findings

@@ -6,6 +6,9 @@
 #include "pipeline/plan_result.h"
 #include "plan/finding.h"
 
+#include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace voluta::pipeline {
@@ -18,6 +21,11 @@ PlanRequest withArrangedParts(PlanRequest request, const base::RunContext& ctx);
 
 // Returns whether the layers of the item may tilt the head.
 bool mayLean(const project::ItemChoices& item);
+
+// Sets the item of findings without one to the item whose part has their place alone in its box,
+// widened by `marginMm`. Precondition: all items are placed.
+void nameItems(std::span<plan::Finding> findings, const std::vector<project::JobItem>& items,
+               double marginMm);
 
 // Returns blocking findings for parts that intersect, and findings for parts of which neither can
 // be printed beside the other. `parts`: the placed meshes, as the items of `choices`.
