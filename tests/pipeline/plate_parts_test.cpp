@@ -41,6 +41,12 @@ TEST(Footprint, ATallNeighbourMeetsTheWidePartOfTheHead) {
   EXPECT_EQ(pipeline::headNeedsMm(kHead, square(0, 0, 1, 10, true), square(0, 0, 1, 1)), 30.0);
 }
 
+TEST(Footprint, ALowNeighbourMeetsThePartOfAConeUpToItsHeight) {
+  const process::HeadShape cone{{{0.0, 1.0}, {10.0, 11.0}}};
+  EXPECT_DOUBLE_EQ(pipeline::headNeedsMm(cone, square(0, 0, 1, 50), square(0, 0, 1, 5)), 6.0);
+  EXPECT_DOUBLE_EQ(pipeline::headNeedsMm(cone, square(0, 0, 1, 50), square(0, 0, 1, 20)), 11.0);
+}
+
 TEST(PrintSequence, PrintsALowPartBeforeATallOneBesideIt) {
   const std::vector<Footprint> parts{square(0, 0, 10, 50), square(20, 0, 10, 10)};
   const pipeline::PrintSequence found = pipeline::printSequence(parts, kHead);

@@ -63,9 +63,19 @@ double gapBetween(const Footprint& a, const Footprint& b) {
 double headNeedsMm(const process::HeadShape& head, const Footprint& printed,
                    const Footprint& other) {
   double radius = 0.0;
-  for (const process::HeadSection& section : head.sections)
-    if (printed.leans || section.zMm <= other.heightMm)
+  for (std::size_t i = 0; i < head.sections.size(); ++i) {
+    const process::HeadSection& section = head.sections[i];
+    if (printed.leans || section.zMm <= other.heightMm) {
       radius = std::max(radius, section.radiusMm);
+      continue;
+    }
+    // The first section above the neighbour: of the cone to it, the part up to the neighbour.
+    const process::HeadSection& below = head.sections[std::max<std::size_t>(i, 1) - 1];
+    const double share = (other.heightMm - below.zMm) / std::max(section.zMm - below.zMm, 1e-9);
+    if (share > 0.0 && share < 1.0)
+      radius = std::max(radius, below.radiusMm + share * (section.radiusMm - below.radiusMm));
+    break;
+  }
   return radius;
 }
 
