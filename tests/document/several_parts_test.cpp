@@ -201,7 +201,7 @@ TEST(SeveralParts, ThePlatformIsThatOfAllPartsThatCanStandOnIt) {
 TEST(SeveralParts, AFreePlaceTouchesNoOther) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-100.0, 100.0), size(1.0, 80.0);
-  EXPECT_EQ(nextFreePlace({}, {5.0, 5.0}), Eigen::Vector2d::Zero());
+  EXPECT_EQ(nextFreePlace({}, {5.0, 5.0}, 10.0), Eigen::Vector2d::Zero());
   for (int trial = 0; trial < 300; ++trial) {
     std::vector<Eigen::AlignedBox2d> others(1 + trial % 6);
     for (Eigen::AlignedBox2d& box : others) {
@@ -209,7 +209,7 @@ TEST(SeveralParts, AFreePlaceTouchesNoOther) {
       box = {low, low + Eigen::Vector2d(size(random), size(random))};
     }
     const Eigen::Vector2d own(size(random), size(random));
-    const Eigen::Vector2d centre = nextFreePlace(others, own);
+    const Eigen::Vector2d centre = nextFreePlace(others, own, 10.0);
     const Eigen::AlignedBox2d box(centre - 0.5 * own, centre + 0.5 * own);
     for (const Eigen::AlignedBox2d& other : others)
       EXPECT_GE(box.exteriorDistance(other), 10.0 - 1e-9);

@@ -106,7 +106,7 @@ TEST_F(SeveralPartsTest, AddedSelectedMovedCopiedRemovedAndUndone) {
   click("partDuplicate");
   ASSERT_TRUE(settled(3));
   EXPECT_EQ(rows().topLevelItem(2)->text(0), "tower (2)");
-  EXPECT_EQ(xs(), (std::vector{0.0, 25.0, 45.0}));
+  EXPECT_EQ(xs(), (std::vector{0.0, 25.0, 49.0}));
   keepPicture(window(), "parts_three");
   clickRow(0);
   click("partRemove");

@@ -233,7 +233,7 @@ private:
   // Returns the state with one more item, the last of `choices`, beside the others.
   State withPart(project::Choices choices, const std::shared_ptr<Source>& source) const;
   // Bounding box on the plate of a part in its place.
-  Eigen::AlignedBox2d footprint(std::size_t item) const;
+  Eigen::AlignedBox3d placedBox(std::size_t item) const;
   // Returns the key of a stage's shown data; for a resumed print that of the choices with which it
   // was opened or run, `keys`.
   static std::string shownKey(const pipeline::PlanResult& result, std::size_t stage,

@@ -21,6 +21,21 @@ namespace {
 Eigen::AlignedBox2d onPlate(const Eigen::AlignedBox3d& box) {
   return {box.min().head<2>(), box.max().head<2>()};
 }
+// Returns the distance [mm] at which the head clears the added part and the others, whichever of
+// two is printed first. The outlines are not used.
+double gapFor(const pipeline::Footprint& added, const std::vector<pipeline::Footprint>& others,
+              const project::Choices& choices) {
+  constexpr double kLeastMm = 10.0, kSpareMm = 4.0;
+  double gap = kLeastMm;
+  try {
+    const process::HeadShape head = process::loadProcess(choices.tool().process).head;
+    for (const pipeline::Footprint& other : others)
+      gap = std::max(gap, kSpareMm + std::min(pipeline::headNeedsMm(head, added, other),
+                                              pipeline::headNeedsMm(head, other, added)));
+  } catch (const base::Error&) { // The plan reports the process's error
+  }
+  return gap;
+}
 } // namespace
 
 std::shared_ptr<Document::Source> Document::activeSourceOf(const std::shared_ptr<Parts>& parts,
@@ -85,29 +100,35 @@ void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const Q
   push({choices, opened, 0}, editName);
 }
 
-Eigen::AlignedBox2d Document::footprint(std::size_t item) const {
+Eigen::AlignedBox3d Document::placedBox(std::size_t item) const {
   if (const auto placed = result(Stage::Load); placed && upToDate(Stage::Load))
     if (const auto& part = placed->job.item(item).part)
-      return onPlate(geometry::bounds(*part));
+      return geometry::bounds(*part);
   const project::Choices own = project::onlyItem(choices_, item);
   const project::LoadedPart& loaded = *parts_->items[item]->part;
   const double scale = project::parsedScale(own.item().scale);
-  return onPlate(geometry::bounds(
+  return geometry::bounds(
       geometry::place(*loaded.mesh, pipeline::unitMm(loaded, own) * (scale > 0.0 ? scale : 1.0),
-                      own.item().placement)));
+                      own.item().placement));
 }
 
 Document::State Document::withPart(project::Choices choices,
                                    const std::shared_ptr<Source>& source) const {
   std::vector<Eigen::AlignedBox2d> others;
-  for (std::size_t i = 0; i < parts_->items.size(); ++i)
-    others.push_back(footprint(i));
+  std::vector<pipeline::Footprint> heights;
+  for (std::size_t i = 0; i < parts_->items.size(); ++i) {
+    const Eigen::AlignedBox3d box = placedBox(i);
+    others.push_back(onPlate(box));
+    heights.push_back({{}, box.max().z(), pipeline::mayLean(choices.item(i))});
+  }
   const project::Choices own = project::onlyItem(choices, choices.items.size() - 1);
   const double scale = project::parsedScale(own.item().scale);
   const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(
       *source->part->mesh, pipeline::unitMm(*source->part, own) * (scale > 0.0 ? scale : 1.0),
       own.item().placement));
-  choices.items.back().placement.centreMm = nextFreePlace(others, box.sizes().head<2>());
+  const pipeline::Footprint added{{}, box.max().z(), pipeline::mayLean(own.item())};
+  choices.items.back().placement.centreMm =
+      nextFreePlace(others, box.sizes().head<2>(), gapFor(added, heights, choices));
   const auto parts = std::make_shared<Parts>();
   parts->items = parts_->items;
   parts->items.push_back(source);
