@@ -19,15 +19,14 @@ constexpr std::array<double, 3> kAcross = {-0.2, 0.0, 0.2};
 constexpr double kSpread = 0.05;
 constexpr double kAlongMm = 0.1; // tolerance along a bead
 
-// Maximum distance of the tips of two beads of which one covers the other.
+// Returns the maximum distance between the tips of a bead and of one that covers it [mm].
 double reachMm(const plan::ToolPlan& plan) {
   float width = kSampleMm, height = kSampleMm;
   for (std::size_t w = 0; w < plan.waypointCount(); ++w) {
     width = std::max(width, plan.widthMm[w]);
     height = std::max(height, plan.heightMm[w]);
   }
-  return std::hypot(std::max(kSampleMm, static_cast<double>(width)),
-                    kMostDepth * static_cast<double>(height));
+  return std::hypot(static_cast<double>(width), kMostDepth * static_cast<double>(height));
 }
 } // namespace
 

@@ -91,6 +91,19 @@ std::string programsName(const project::Job& job) {
          (job.resumedAt > 0 ? "-rest" : "");
 }
 
+ProgramStageInput programStageInput(const project::Job& job, const geometry::TriangleMesh& printed,
+                                    const platform::PlatformSolid& platform,
+                                    const robot::Cell& cell, const process::Tooling& tooling,
+                                    const base::ParameterValues& values) {
+  ProgramStageInput in{printed, platform, *job.toolPlan,    *job.trajectory,
+                       cell,    tooling,  programsName(job)};
+  in.options = program::programOptions(values);
+  in.firstPoint = job.resumedAt;
+  in.firstTriangle = project::firstTriangles(job);
+  in.layerTimes = motion::layerTimes(values);
+  return in;
+}
+
 program::JobHead headOf(const ProgramStageInput& said) {
   return withInput(said, [](const program::ProgramInput& in) { return program::jobHead(in); });
 }

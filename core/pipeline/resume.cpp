@@ -143,12 +143,8 @@ void writePrograms(PlanResult& result, const base::RunContext& ctx) {
   const auto printed = project::printedOf(job);
   const platform::PlatformSolid platform = project::platformOf(job);
   const base::ParameterValues values = parameterValues(job.choices);
-  ProgramStageInput in{
-      *printed,     platform,        *job.toolPlan,     *job.trajectory,
-      *result.cell, *result.tooling, programsName(job), program::programOptions(values),
-      job.resumedAt};
-  in.firstTriangle = project::firstTriangles(job);
-  in.layerTimes = motion::layerTimes(values);
+  const ProgramStageInput in =
+      programStageInput(job, *printed, platform, *result.cell, *result.tooling, values);
   SharedRuns shared;
   plan::Findings findings;
   project::Timings timings;

@@ -10,7 +10,6 @@
 #include "pipeline/given_paths.h"
 #include "pipeline/item_stages.h"
 #include "pipeline/items/plate_parts.h"
-#include "pipeline/items/print_sequence.h"
 #include "pipeline/part_motion.h"
 #include "pipeline/part_size.h"
 #include "pipeline/pedestal.h"
@@ -126,13 +125,10 @@ private:
   }
 
   void addFindingsBetween(ItemOutcome& all) {
-    std::vector<std::shared_ptr<const geometry::TriangleMesh>> parts;
     std::vector<std::string> names;
-    for (const project::JobItem& item : job().items) {
-      parts.push_back(item.part);
+    for (const project::JobItem& item : job().items)
       names.push_back(item.partName);
-    }
-    plan::Findings found = findingsBetween(parts, job().choices, process(), names);
+    plan::Findings found = findingsBetween(placedParts(), job().choices, process(), names);
     all.goesOn = std::ranges::none_of(found, &plan::Finding::blocking);
     std::ranges::move(found, std::back_inserter(all.findings));
   }
@@ -162,18 +158,21 @@ private:
     return done(project::Stage::Layers, all.findings, all.timings);
   }
 
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> placedParts() {
+    std::vector<std::shared_ptr<const geometry::TriangleMesh>> parts;
+    for (const project::JobItem& item : job().items)
+      parts.push_back(item.part);
+    return parts;
+  }
+
   std::shared_ptr<const layers::LayerStack> joinedLayers() {
+    if (items_.size() == 1)
+      return job().item().layers;
     std::vector<std::shared_ptr<const layers::LayerStack>> stacks;
-    std::vector<Footprint> footprints;
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-      stacks.push_back(job().item(i).layers);
-      footprints.push_back(footprintOf(*job().item(i).part, mayLean(job().choices.item(i))));
-    }
-    if (stacks.size() == 1)
-      return stacks.front();
-    const process::HeadShape head =
-        process::erodedHead(process().head, process().contactToleranceMm);
-    return layers::joinStacks(stacks, choices_.printOrder, printSequence(footprints, head).order);
+    for (const project::JobItem& item : job().items)
+      stacks.push_back(item.layers);
+    return layers::joinStacks(stacks, choices_.printOrder,
+                              printSequence(placedParts(), job().choices, process()).order);
   }
 
   bool toolpath() {
@@ -309,11 +308,8 @@ private:
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
     const auto printed = project::printedOf(job());
     const platform::PlatformSolid platform = project::platformOf(job());
-    ProgramStageInput in{
-        *printed,      platform, *job().toolPlan,     *job().trajectory,
-        *result_.cell, tooling_, programsName(job()), program::programOptions(values_)};
-    in.firstTriangle = project::firstTriangles(job());
-    in.layerTimes = motion::layerTimes(values_);
+    const ProgramStageInput in =
+        programStageInput(job(), *printed, platform, *result_.cell, tooling_, values_);
     result_.checked.clear();
     SharedRuns shared;
     for (std::size_t i = 0; i < formats.size(); ++i) {

@@ -67,12 +67,8 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   const platform::PlatformSolid platform = project::platformOf(planned);
   const robot::Cell cell = robot::loadCell(planned.choices.cell, tooling.first().process, platform);
   const auto printed = project::printedOf(planned);
-  ProgramStageInput in{*printed, platform, *planned.toolPlan,    *planned.trajectory,
-                       cell,     tooling,  programsName(planned)};
-  in.options = program::programOptions(values);
-  in.firstPoint = planned.resumedAt;
-  in.firstTriangle = project::firstTriangles(planned);
-  in.layerTimes = motion::layerTimes(values);
+  const ProgramStageInput in =
+      programStageInput(planned, *printed, platform, cell, tooling, values);
   const program::MergedPoints points = program::pointsFor(
       format, {in.toolPlan, in.trajectory, in.cell, in.tooling, in.name, in.options}, ctx);
   const ProgramStageInput said = saying(in, points);

@@ -33,26 +33,23 @@ MotionFit::MotionFit(const ProgramInput& input, const MergeLimits& limits,
     : in_(input.trajectory), cell_(input.cell), limits_(limits), targets_(targets),
       heldInBase_(limits.inBase && input.cell.nozzleMount() == robot::Mount::World) {}
 
-bool MotionFit::hasSection(std::size_t from, std::size_t to, double lengthMm) const {
-  const double section = (in_.extrudedMm3[to] - in_.extrudedMm3[from]) / lengthMm;
+bool MotionFit::growsEvenly(const std::vector<double>& amount, double share, std::size_t from,
+                            std::size_t to, double lengthMm) const {
+  const double perMm = (amount[to] - amount[from]) / lengthMm;
   for (std::size_t i = from + 1; i <= to; ++i) {
     const double step = (targets_[i].tipMm - targets_[i - 1].tipMm).norm();
-    const double volume = in_.extrudedMm3[i] - in_.extrudedMm3[i - 1];
-    if (std::abs(volume - section * step) > limits_.sectionShare * section * step)
+    if (std::abs(amount[i] - amount[i - 1] - perMm * step) > share * perMm * step)
       return false;
   }
   return true;
 }
 
+bool MotionFit::hasSection(std::size_t from, std::size_t to, double lengthMm) const {
+  return growsEvenly(in_.extrudedMm3, limits_.sectionShare, from, to, lengthMm);
+}
+
 bool MotionFit::hasSpeed(std::size_t from, std::size_t to, double lengthMm) const {
-  const double perMm = (in_.timeS[to] - in_.timeS[from]) / lengthMm;
-  for (std::size_t i = from + 1; i <= to; ++i) {
-    const double step = (targets_[i].tipMm - targets_[i - 1].tipMm).norm();
-    const double seconds = in_.timeS[i] - in_.timeS[i - 1];
-    if (std::abs(seconds - perMm * step) > limits_.speedShare * perMm * step)
-      return false;
-  }
-  return true;
+  return growsEvenly(in_.timeS, limits_.speedShare, from, to, lengthMm);
 }
 
 bool MotionFit::hasDirection(std::size_t from, std::size_t to, std::size_t point,

@@ -27,6 +27,9 @@ public:
   std::optional<Eigen::Vector3d> arcVia(std::size_t from, std::size_t to) const;
 
 private:
+  // Returns whether an amount, given at each point, grows with the length to within this share.
+  bool growsEvenly(const std::vector<double>& amount, double share, std::size_t from,
+                   std::size_t to, double lengthMm) const;
   bool hasSection(std::size_t from, std::size_t to, double lengthMm) const;
   bool hasSpeed(std::size_t from, std::size_t to, double lengthMm) const;
   bool hasDirection(std::size_t from, std::size_t to, std::size_t point, double share) const;

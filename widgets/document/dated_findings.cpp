@@ -1,6 +1,7 @@
 #include "document/dated_findings.h"
 
 #include "document/document.h"
+#include "document/stage_at.h"
 
 namespace voluta::document {
 
@@ -8,10 +9,6 @@ using project::indexOf;
 using project::Stage;
 
 namespace {
-Stage stageAt(std::size_t index) {
-  return static_cast<Stage>(index);
-}
-
 // Returns the findings of one stage among those of the whole plan.
 plan::Findings findingsOf(const pipeline::PlanResult& result, Stage stage) {
   std::size_t before = 0;

@@ -4,6 +4,7 @@
 #include "document/document_parts.h"
 #include "document/item_choices.h"
 #include "document/mode_switch.h"
+#include "document/stage_at.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
@@ -20,12 +21,6 @@ namespace voluta::document {
 using project::indexOf;
 using project::kStageCount;
 using project::Stage;
-
-namespace {
-Stage stageAt(std::size_t index) {
-  return static_cast<Stage>(index);
-}
-} // namespace
 
 class Document::EditCommand : public QUndoCommand {
 public:

@@ -2,6 +2,7 @@
 #include "document/document.h"
 #include "document/document_parts.h"
 #include "document/item_result.h"
+#include "document/stage_at.h"
 #include "plan/finding_kinds.h"
 
 #include <algorithm>
@@ -12,12 +13,6 @@ namespace voluta::document {
 using project::indexOf;
 using project::kStageCount;
 using project::Stage;
-
-namespace {
-Stage stageAt(std::size_t index) {
-  return static_cast<Stage>(index);
-}
-} // namespace
 
 void Document::refreshKeys() {
   keys_ = {};

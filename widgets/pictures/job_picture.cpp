@@ -143,7 +143,7 @@ private:
     return result;
   }
 
-  // Shows the parts beside the one of which the voxels are shown.
+  // Shows the parts beside the one whose voxels are shown.
   void showOthers(std::size_t item) {
     std::vector<std::shared_ptr<const scene::PartDrawing>> others(job_.items.size());
     for (std::size_t i = 0; i < others.size(); ++i)

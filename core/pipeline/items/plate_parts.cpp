@@ -8,7 +8,6 @@
 #include "pipeline/cell_plate.h"
 #include "pipeline/choices.h"
 #include "pipeline/items/arrangement.h"
-#include "pipeline/items/print_sequence.h"
 #include "pipeline/stages.h"
 #include "plan/finding_kinds.h"
 
@@ -77,6 +76,14 @@ void nameItems(std::span<plan::Finding> findings, const std::vector<project::Job
   }
 }
 
+PrintSequence printSequence(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& parts,
+                            const project::Choices& choices, const process::Process& process) {
+  std::vector<Footprint> footprints;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    footprints.push_back(footprintOf(*parts[i], mayLean(choices.item(i))));
+  return printSequence(footprints, process::erodedHead(process.head, process.contactToleranceMm));
+}
+
 plan::Findings
 findingsBetween(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& parts,
                 const project::Choices& choices, const process::Process& process,
@@ -89,12 +96,7 @@ findingsBetween(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>
                                              {{"first", names[a]}, {"second", names[b]}}, *where));
   if (!findings.empty() || choices.printOrder != layers::PrintOrder::OneAfterAnother)
     return findings;
-  std::vector<Footprint> footprints;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    footprints.push_back(footprintOf(*parts[i], mayLean(choices.item(i))));
-  if (const auto blocked =
-          printSequence(footprints, process::erodedHead(process.head, process.contactToleranceMm))
-              .blocked)
+  if (const auto blocked = printSequence(parts, choices, process).blocked)
     findings.push_back(plan::makeFinding(plan::FindingKind::PartsBlock,
                                          {{"first", names[blocked->first]},
                                           {"second", names[blocked->second]},

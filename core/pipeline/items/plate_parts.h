@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run_context.h"
-#include "pipeline/items/footprint.h"
+#include "pipeline/items/print_sequence.h"
 #include "pipeline/plan_result.h"
 #include "plan/finding.h"
 
@@ -27,8 +27,13 @@ bool mayLean(const project::ItemChoices& item);
 void nameItems(std::span<plan::Finding> findings, const std::vector<project::JobItem>& items,
                double marginMm);
 
-// Returns blocking findings for parts that intersect, and findings for parts of which neither can
-// be printed beside the other. `parts`: the placed meshes, as the items of `choices`.
+// Returns the order in which parts are printed one after another. `parts`: the placed meshes, as
+// the items of `choices`.
+PrintSequence printSequence(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& parts,
+                            const project::Choices& choices, const process::Process& process);
+
+// Returns a blocking finding for each pair of parts that overlap; if there is none, a finding for
+// the pair that blocks printSequence(). `parts`: as there.
 plan::Findings
 findingsBetween(const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& parts,
                 const project::Choices& choices, const process::Process& process,

@@ -10,7 +10,7 @@
 
 namespace voluta::pipeline {
 
-// Two parts of which neither can be printed while the other one is there.
+// Two parts: whichever is printed first is in the way of the other one.
 struct BlockedPair {
   std::size_t first = 0, second = 0;
   double gapMm = 0.0, neededMm = 0.0;

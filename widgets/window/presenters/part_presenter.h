@@ -67,7 +67,7 @@ private:
   viewer::Viewport& viewport_;
   std::unique_ptr<jobs::JobRunner> drawingPart_, drawingPlatform_, drawingCell_, drawingChosenCell_;
   PlateParts plate_;
-  // Of which the active part, and all parts, were drawn last.
+  // The parts when the active part, and when all parts were drawn last
   Sources shownSources_, drawnSources_;
   // Last drawn, so that the same data are not drawn twice.
   std::shared_ptr<const geometry::TriangleMesh> drawnPart_;

@@ -1,0 +1,15 @@
+// The inverse of project::indexOf().
+#pragma once
+
+#include "project/stage.h"
+
+#include <cstddef>
+
+namespace voluta::document {
+
+// Precondition: index < project::kStageCount.
+inline project::Stage stageAt(std::size_t index) {
+  return static_cast<project::Stage>(index);
+}
+
+} // namespace voluta::document
