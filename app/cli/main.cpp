@@ -1,4 +1,5 @@
 // voluta-cli: all functions of the window on the command line (docs/design.md, Command line).
+#include "base/data_files.h"
 #include "cli/commands.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
@@ -73,7 +74,7 @@ struct Parsed {
 struct PlanValues {
   std::string until = "replay", progress = "bar";
   std::string material; // empty: the process's
-  std::vector<std::string> sets;
+  std::vector<std::string> sets, tools;
 };
 
 // The cell, the process and the part's placement.
@@ -124,6 +125,12 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
   addPlacingOptions(command, request);
   command.add_option("--material", values.material,
                      "material instead of the process's (see: list materials)");
+  command
+      .add_option(
+          "--tool", values.tools,
+          "PROCESS or PROCESS:MATERIAL of a further tool; tools are numbered from 1, which is "
+          "--process (see parameters tool, supportTool, infillTool, pieceTools)")
+      ->allow_extra_args(false);
   command.add_option("--set", values.sets, "key=value of a parameter (see: list parameters)")
       ->allow_extra_args(false);
   command.add_option("--until", values.until, "stop after this stage");
@@ -132,9 +139,19 @@ void addPlanOptions(CLI::App& command, pipeline::PlanRequest& request, PlanValue
   command.add_option("--seed", request.choices.seed, "seed of the random samplers");
 }
 
+// PROCESS or PROCESS:MATERIAL; a file's name may contain a colon.
+project::ToolChoice toolChoice(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || base::isDataFileName(text))
+    return {text};
+  return {process::processTextWith(text.substr(0, colon), text.substr(colon + 1))};
+}
+
 void takePlanOptions(pipeline::PlanRequest& request, const PlanValues& values) {
   request.until = project::stageOf(values.until);
   project::Choices& choices = request.choices;
+  for (const std::string& tool : values.tools)
+    choices.tools.push_back(toolChoice(tool));
   pipeline::takeOwnFiles(choices);
   if (!values.material.empty())
     choices.tool().process = process::processTextWith(choices.tool().process, values.material);

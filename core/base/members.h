@@ -20,7 +20,7 @@ template <typename T, std::size_t... I> constexpr bool takes(std::index_sequence
   };
 }
 
-inline constexpr std::size_t kMaxMembers = 24;
+inline constexpr std::size_t kMaxMembers = 26;
 
 template <typename T, std::size_t N = kMaxMembers> constexpr std::size_t countMembers() {
   if constexpr (takes<T>(std::make_index_sequence<N>()))
@@ -33,7 +33,7 @@ template <typename T, std::size_t N = kMaxMembers> constexpr std::size_t countMe
 
 } // namespace detail
 
-// Returns references to the members of an aggregate without base classes; at most 24 members, none
+// Returns references to the members of an aggregate without base classes; at most 26 members, none
 // of them an array or an optional.
 template <typename T> auto members(const T& t) {
   static_assert(std::is_aggregate_v<T>);
@@ -108,9 +108,16 @@ template <typename T> auto members(const T& t) {
   } else if constexpr (n == 23) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y] = t;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y);
-  } else {
+  } else if constexpr (n == 24) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y, z] = t;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y, z);
+  } else if constexpr (n == 25) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y, z, aa] = t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y, z, aa);
+  } else {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y, z, aa, ab] =
+        t;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, u, v, w, x, y, z, aa, ab);
   }
 }
 

@@ -334,9 +334,13 @@ private:
     double time = 0.0, volume = 0.0;
     append(home_.q, 0.0, plan::MoveKind::Joint, plan::kNoWaypoint, 0.0);
     plan::MotionStatistics& s = result_.statistics;
+    int selected = 0; // A job begins with its first tool
     const auto appendWay = [&](std::size_t i) {
       const Transfer& way = sequence.ways[i];
+      const int tool = i < runs ? toolOf(sequence.runs[i]) : selected;
       for (std::size_t k = 0; k < way.points.size(); ++k) {
+        if (k == way.fromRest.value_or(0) && std::exchange(selected, tool) != tool)
+          changeTool(tool);
         const bool arrives = i < runs && k + 1 == way.points.size();
         append(way.points[k].at.q, time + wayTimes[i][k + 1], way.points[k].move,
                arrives ? sequence.runs[i].points.front().waypoint : plan::kNoWaypoint, volume);
@@ -347,12 +351,7 @@ private:
       s.jointTransfers += way.kind == TransferKind::Joint;
       s.treeTransfers += way.kind == TransferKind::Tree;
     };
-    int selected = 0; // A job begins with its first tool
     for (std::size_t i = 0; i < runs; ++i) {
-      if (const int tool = toolOf(sequence.runs[i]); std::exchange(selected, tool) != tool)
-        result_.trajectory.events.push_back({.point = result_.trajectory.pointCount(),
-                                             .kind = plan::EventKind::ToolChange,
-                                             .tool = tool});
       appendWay(i);
       const auto& points = sequence.runs[i].points;
       for (std::size_t k = 1; k < points.size(); ++k) {
@@ -369,6 +368,23 @@ private:
     if (ways > runs)
       appendWay(runs);
     s.durationS = time;
+    for (const plan::TrajectoryEvent& event : result_.trajectory.events)
+      s.durationS += event.seconds;
+  }
+
+  // Changes to the tool before the motion to the next point.
+  void changeTool(int tool) {
+    std::vector<plan::TrajectoryEvent>& events = result_.trajectory.events;
+    const std::size_t point = result_.trajectory.pointCount();
+    events.push_back({.point = point, .kind = plan::EventKind::ToolChange, .tool = tool});
+    ++result_.statistics.toolChanges;
+    events.push_back({.point = point, .kind = plan::EventKind::Pause});
+    if (options_.purgeMm3 > 0.0)
+      events.push_back(
+          {.point = point,
+           .kind = plan::EventKind::Purge,
+           .seconds = options_.purgeMm3 / process::primeFlow(tooling_.at(tool).process),
+           .volumeMm3 = options_.purgeMm3});
   }
 
   void append(const robot::JointVector& q, double time, plan::MoveKind move, std::size_t waypoint,

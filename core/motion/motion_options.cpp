@@ -61,7 +61,10 @@ base::ParameterTable motionParameters() {
            "Minimum time before a bead is covered by the next layer, at every place. The robot waits above the part where the order of the beads does not give them this time. 0: no limit."_text),
        base::numberParameter(
            kMaxLayerTime, "s", 0.0, 0.0, 36000.0, "Cooling"_text, "maximum layer time"_text,
-           "Age up to which a bead still bonds with the one above it. Older places are reported. 0: no limit."_text)});
+           "Age up to which a bead still bonds with the one above it. Older places are reported. 0: no limit."_text),
+       base::numberParameter(
+           "purgeMm3", "mm3", d.purgeMm3, 0.0, 100000.0, "Tools"_text, "purge"_text,
+           "Material that flows out at the place of the tool change after each change of the tool."_text)});
 }
 
 MotionOptions motionOptions(const base::ParameterValues& values) {
@@ -79,6 +82,7 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
       values.text(kRotationSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
   o.leanRad = base::degreesToRadians(values.number("tiltToleranceDeg"));
   o.leastLayerTimeS = layerTimes(values).leastS;
+  o.purgeMm3 = values.number("purgeMm3");
   return o;
 }
 

@@ -53,12 +53,13 @@ struct MotionOptions {
   double nearCost = 1.0;        // Cost [rad] of a rung of the ladder graph at the clearance limit
   double wipeMm = 0.0;          // Along the bead before the lift, extruder off
   double leastLayerTimeS = 0.0; // plan::LayerTimes
+  double purgeMm3 = 100.0;      // flows out after each tool change
 
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,
-// rotationSmoothing, tiltToleranceDeg, minLayerTimeS, maxLayerTimeS.
+// rotationSmoothing, tiltToleranceDeg, minLayerTimeS, maxLayerTimeS, purgeMm3.
 base::ParameterTable motionParameters();
 // Does not throw if `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);

@@ -98,6 +98,8 @@ private:
   std::optional<Transfer> between(const Run& a, const Run& b) const {
     const RunPoint &last = a.points.back(), &first = b.points.front();
     const plan::ToolPath &pathA = scene_.plan.paths[a.path], &pathB = scene_.plan.paths[b.path];
+    if (pathA.tool != pathB.tool) // The tool is changed at rest
+      return std::nullopt;
     const bool hop = pathA.layer == pathB.layer && pathA.patch == pathB.patch &&
                      (last.at.tip - first.at.tip).norm() <= scene_.options.hopMm;
     const bool high = a.points.front().next / kHighEvery != first.next / kHighEvery ||
@@ -204,6 +206,7 @@ private:
 
   // Prepends the way home after the last kept run, if there is one.
   void setOut(Transfer& way) {
+    way.fromRest = wayHome_ ? wayHome_->points.size() : 0;
     if (!wayHome_)
       return;
     way.points.insert(way.points.begin(), wayHome_->points.begin(), wayHome_->points.end());

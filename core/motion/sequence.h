@@ -42,7 +42,8 @@ std::vector<PrintedBounds> printedBoundsOf(const plan::ToolPlan& plan);
 // Returns the robot state with these joints.
 RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 
-// Finds the transfers. If none leads from a run to the next, the arm goes via home. If that fails
+// Finds the transfers. Between runs of different tools the arm goes home, where the tool is
+// changed. If no transfer leads from a run to the next, the arm goes via home too. If that fails
 // too, the run is planned again from home in another branch of the arm, and later runs are planned
 // again from its end.
 //

@@ -110,6 +110,7 @@ base::ParameterTable allParameters() {
   table.append(placement::orientParameters());
   table.append(process::featureParameters());
   table.append(toolpath::toolpathParameters());
+  table.append(layers::toolParameters());
   table.append(motion::motionParameters());
   table.append(program::programParameters());
   return table;
@@ -149,10 +150,16 @@ base::ParameterTable parametersOf(std::string_view id) {
   return base::ParameterTable(std::move(specs));
 }
 
+std::size_t ownTool(const project::Choices& choices) {
+  const auto& parameters = choices.item().parameters;
+  const auto tool = parameters.find("tool");
+  return tool == parameters.end() ? 0 : layers::partTool(tool->second, choices.tools.size());
+}
+
 base::ParameterTable parametersOf(const project::Choices& choices) {
   std::vector<base::ParameterSpec> specs = parametersOf(choices.item().mode).specs();
   try {
-    followProcess(specs, process::loadProcess(choices.tool().process));
+    followProcess(specs, process::loadProcess(choices.tool(ownTool(choices)).process));
   } catch (const base::Error&) {
     // The stage that loads the process reports its error.
   }
@@ -207,7 +214,7 @@ void requireOptionsApply(const project::Choices& choices,
 
 process::Process chosenProcess(const project::Choices& choices,
                                const base::ParameterValues& values) {
-  process::Process p = process::loadProcess(choices.tool().process);
+  process::Process p = process::loadProcess(choices.tool(ownTool(choices)).process);
   const auto put = [&](const char* key, double& field, double least, double most) {
     if (!values.changed(key))
       return;
@@ -234,10 +241,38 @@ process::Process chosenProcess(const project::Choices& choices,
 
 process::Tooling chosenTooling(const project::Choices& choices,
                                const base::ParameterValues& values) {
-  std::vector<process::Tool> tools = {{chosenProcess(choices, values)}};
-  for (std::size_t i = 1; i < choices.tools.size(); ++i)
-    tools.push_back({process::loadProcess(choices.tool(i).process)});
+  std::vector<process::Tool> tools;
+  const std::size_t own = ownTool(choices);
+  const process::Process process = chosenProcess(choices, values);
+  for (std::size_t i = 0; i < choices.tools.size(); ++i) {
+    if (i == own) {
+      tools.push_back({process});
+      continue;
+    }
+    process::Process other = process::loadProcess(choices.tool(i).process);
+    // The layers are those of the part's own tool.
+    other.layerHeightMm =
+        std::clamp(process.layerHeightMm, other.layerHeightMinMm, other.layerHeightMaxMm);
+    tools.push_back({std::move(other)});
+  }
   return process::Tooling(std::move(tools));
+}
+
+layers::ToolAssignment chosenTools(const base::ParameterValues& values,
+                                   const process::Tooling& tooling) {
+  const layers::ToolAssignment assignment = layers::toolAssignment(values, tooling.tools().size());
+  const double height = tooling.at(assignment.part).process.layerHeightMm;
+  for (const int tool : assignment.used()) {
+    const process::Process& p = tooling.at(tool).process;
+    if (height < p.layerHeightMinMm || height > p.layerHeightMaxMm)
+      throw Error(ErrorCode::Usage,
+                  base::message("tool {number} cannot print layers of {height}"_text, tool + 1,
+                                base::mm(height)),
+                  std::string("layerHeightMm"),
+                  base::message("give {least#} to {most}"_text, base::mm(p.layerHeightMinMm),
+                                base::mm(p.layerHeightMaxMm)));
+  }
+  return assignment;
 }
 
 double unitMm(const project::LoadedPart& loaded, const project::Choices& choices) {

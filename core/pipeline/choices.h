@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "layers/tool_assignment.h"
 #include "motion/motion_options.h"
 #include "planar/pieces.h"
 #include "process/tooling.h"
@@ -40,16 +41,25 @@ std::vector<std::string> chosenFormats(const project::Choices& choices, const ro
 void requireOptionsApply(const project::Choices& choices,
                          const std::vector<std::string>& assignments);
 
-// Returns the process of the choices with the parameters layerHeightMm, beadWidthMm and stepMm
+// Returns the process of the part's tool with the parameters layerHeightMm, beadWidthMm and stepMm
 // applied. Throws Error{Usage} for an unknown process, and for a value outside the process's limits
 // (names the limits).
 process::Process chosenProcess(const project::Choices& choices,
                                const base::ParameterValues& values);
 
-// Returns the tools of the choices: the first with chosenProcess(), the others with their processes
-// as they are. Throws as chosenProcess().
+// Returns the index of the tool that prints the part of the choices (parameter `tool`).
+std::size_t ownTool(const project::Choices& choices);
+
+// Returns the tools of the choices: that of the part with chosenProcess(), the others with their
+// processes and the part's layer height, as far as they can print it. Throws as chosenProcess().
 process::Tooling chosenTooling(const project::Choices& choices,
                                const base::ParameterValues& values);
+
+// Returns the tools that print the part, its supports, its interior and its pieces. `tooling`: as
+// chosenTooling(). Throws as layers::toolAssignment(); Error{Usage} if one of them cannot print the
+// part's layer height.
+layers::ToolAssignment chosenTools(const base::ParameterValues& values,
+                                   const process::Tooling& tooling);
 
 // Returns the length [mm] of one unit of the loaded part's mesh at scale 1. For a voxel object this
 // is the user's voxelMm, or else the parameter's default regardless of mode and process. Throws

@@ -30,6 +30,18 @@ bool isOfOtherUnits(const SizeStage& size) {
   });
 }
 
+// Returns the stage with the tools of its patches; itself if they are all the first one.
+std::shared_ptr<const modes::LayersStage> withTools(std::shared_ptr<const modes::LayersStage> stage,
+                                                    const layers::ToolAssignment& tools) {
+  if (tools.used() == std::vector<int>{0} || !stage->layers)
+    return stage;
+  layers::LayerStack stack = *stage->layers;
+  layers::assignTools(stack, tools);
+  auto assigned = std::make_shared<modes::LayersStage>(*stage);
+  assigned->layers = layers::kept(std::move(stack));
+  return assigned;
+}
+
 void append(plan::Findings& to, const plan::Findings& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
@@ -39,8 +51,8 @@ ItemStages::ItemStages(const StageContext& context, const project::Choices& give
                        std::size_t index, const RequestedItem& part, PlanResult& result)
     : context_(context), given_(project::onlyItem(given, index)), choices_(resolved(given_)),
       index_(index), values_(parameterValues(choices_)), tooling_(chosenTooling(choices_, values_)),
-      process_(tooling_.first().process), result_(result),
-      mode_(modes::findMode(choices_.item().mode)) {
+      tools_(chosenTools(values_, tooling_)), process_(tooling_.at(tools_.part).process),
+      result_(result), mode_(modes::findMode(choices_.item().mode)) {
   report().decomposition.mode = choices_.item().mode;
   report().chosen = chosenReport();
   loaded_ = loadedOf(part, choices_.item().repair, context_.span(Stage::Load));
@@ -158,8 +170,9 @@ ItemOutcome ItemStages::layers() {
   const auto stage = context_.cachedOrMade<modes::LayersStage>(keyOf(Stage::Layers), slot({}), [&] {
     if (hasGivenPaths_)
       return layersOfGiven(*loaded_->toolPaths);
-    return mode_.layers(modeChoices(), *decomposed_, item().printed(),
-                        context_.span(Stage::Layers));
+    return withTools(
+        mode_.layers(modeChoices(), *decomposed_, item().printed(), context_.span(Stage::Layers)),
+        tools_);
   });
   item().layers = stage->layers;
   report().layers = stage->report;
@@ -169,7 +182,10 @@ ItemOutcome ItemStages::layers() {
 }
 
 toolpath::ItemLayers ItemStages::forToolpaths() const {
-  return {result_.job.item(index_).layers, toolpathOptionsOf(values_, process_), tooling_};
+  toolpath::ToolpathOptions options = toolpathOptionsOf(values_, process_);
+  if (tools_.infill != tools_.part)
+    options.infillTool = tools_.infill;
+  return {result_.job.item(index_).layers, std::move(options), tooling_};
 }
 
 } // namespace voluta::pipeline

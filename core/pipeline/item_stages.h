@@ -1,6 +1,7 @@
 // The stages of one item, Load to Layers, each taken from the cache or made.
 #pragma once
 
+#include "layers/tool_assignment.h"
 #include "pipeline/stage_context.h"
 #include "pipeline/stages.h"
 #include "project/job.h"
@@ -59,8 +60,9 @@ private:
   const project::Choices choices_;
   std::size_t index_;
   base::ParameterValues values_;
-  const process::Tooling tooling_;  // with this item's layer height, bead width and step
-  const process::Process& process_; // of the first tool
+  const process::Tooling tooling_; // with this item's layer height, bead width and step
+  const layers::ToolAssignment tools_;
+  const process::Process& process_; // of the part's tool
   PlanResult& result_;
   const modes::Mode& mode_;
   std::shared_ptr<const project::LoadedPart> loaded_;

@@ -229,7 +229,9 @@ private:
         ++report().motion.waits;
         report().motion.waitS += event.seconds;
       }
-    report().motion.durationS += report().motion.waitS;
+    for (const plan::TrajectoryEvent& event : resumed->trajectory.events)
+      if (event.point > resumed->firstPoint)
+        report().motion.durationS += event.seconds;
     job().resumedAt = resumed->firstPoint;
     measure(*resumed, growing, ctx);
     job().trajectory = std::make_shared<plan::Trajectory>(std::move(resumed->trajectory));

@@ -38,12 +38,14 @@ void requirePlate(const project::ItemChoices& item) {
                       "remove the other parts, or choose a way of building on a plate"_text);
 }
 
-// Throws Error{Usage} if the job has several tools, too many items, or invalid choices of an item.
+// Throws Error{Usage} if the job has too many items or tools, or invalid choices of an item.
 void checkItems(const project::Choices& choices) {
   constexpr std::size_t kMostItems = 255; // replay::BeadPiece::item
-  if (choices.tools.size() > 1)
-    throw base::Error(base::ErrorCode::Usage, "jobs with several tools cannot be planned yet"_text,
-                      {}, "choose one process"_text);
+  if (choices.tools.size() > layers::kMostTools)
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("{tools} tools are too many for a job"_text, choices.tools.size()), {},
+        base::message("give up to {most}"_text, layers::kMostTools));
   if (choices.items.size() > kMostItems)
     throw base::Error(
         base::ErrorCode::Usage,

@@ -111,6 +111,16 @@ std::string optionsText(const std::string& format, const program::ProgramOptions
       program::optionsAmong(program::optionsOf(program::findDialect(format)), options));
 }
 
+// Empty if the first tool prints everything.
+std::string assignedToolsKey(const base::ParameterValues& values) {
+  std::string key;
+  const base::ParameterTable table = layers::toolParameters();
+  for (const auto& [name, value] : values.changes())
+    if (table.find(name))
+      key += base::keyText(name, base::formatParameter(value));
+  return key;
+}
+
 std::string next(const std::string& before, project::Stage stage, const std::string& own) {
   return fmt::format("{}[{}]\n{}", before, project::stageName(stage), own);
 }
@@ -119,8 +129,10 @@ std::string next(const std::string& before, project::Stage stage, const std::str
 
 project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choices& choices,
                           const base::ParameterValues& values, const process::Tooling& tooling) {
-  const process::Process& process = tooling.first().process; // of stages that see one part
-  const robot::Cell cell = fittingCell(choices, process);    // The platform has its own text.
+  const process::Process& process =
+      tooling.at(static_cast<int>(ownTool(choices))).process; // of stages that see one part
+  const std::string tools = assignedToolsKey(values);
+  const robot::Cell cell = fittingCell(choices, process); // The platform has its own text.
   const modes::Mode& mode = modes::findMode(choices.item().mode);
   const modes::ModeChoices in{choices, values, process};
   const std::string cellKey = cellText(cell, choices.cell);
@@ -133,7 +145,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   };
   put(project::Stage::Load, loadText(loaded, in, cellKey));
   put(project::Stage::Decompose, base::keyText(mode.id) + mode.decompose.key(in));
-  put(project::Stage::Layers, mode.layers.key(in));
+  put(project::Stage::Layers, mode.layers.key(in) + tools);
   const ProcessKeys processKeys = keysOf(tooling);
   put(project::Stage::Toolpath, cellKey + base::keyText(toolpathOptionsOf(values, process)) +
                                     processKeys.bead + processKeys.head);

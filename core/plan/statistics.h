@@ -61,7 +61,8 @@ struct MotionStatistics {
   // Share of the plan's material; includes all waypoints that are not printed
   double leftOutFraction = 0.0;
   double durationS = 0.0; // Waits included
-  std::size_t waits = 0;  // For beads to cool
+  std::size_t toolChanges = 0;
+  std::size_t waits = 0; // For beads to cool
   double waitS = 0.0;
 };
 

@@ -25,16 +25,18 @@ enum class EventKind : std::uint8_t {
   Cut,        // the tape is cut
   Pause,      // until the operator continues
   Feed,       // `feedMm` of filament or tape is fed in place
-  Wait        // `seconds` pass
+  Wait,       // `seconds` pass
+  Purge       // `volumeMm3` of material flows out in `seconds`
 };
 
 // Happens in place, after the arm has arrived at the point before and before it moves to `point`.
 struct TrajectoryEvent {
   std::size_t point = 1; // 1 .. pointCount() - 1
   EventKind kind = EventKind::Pause;
-  int tool = 0;         // ToolChange: index in the job's tooling
-  double feedMm = 0.0;  // Feed
-  double seconds = 0.0; // Wait
+  int tool = 0;           // ToolChange: index in the job's tooling
+  double feedMm = 0.0;    // Feed
+  double seconds = 0.0;   // Wait, Purge
+  double volumeMm3 = 0.0; // Purge
 };
 
 struct Trajectory {
@@ -52,12 +54,19 @@ struct Trajectory {
     const auto range = std::ranges::equal_range(events, point, {}, &TrajectoryEvent::point);
     return {range.begin(), range.end()};
   }
-  // Returns the duration of the waits before the motion to that point [s].
+  // Returns the duration of the waits and purges before the motion to that point [s].
   double waitBefore(std::size_t point) const {
     double seconds = 0.0;
     for (const TrajectoryEvent& event : eventsBefore(point))
       seconds += event.seconds;
     return seconds;
+  }
+  // Returns the volume that flows out in place before the motion to that point [mm3].
+  double purgeBefore(std::size_t point) const {
+    double mm3 = 0.0;
+    for (const TrajectoryEvent& event : eventsBefore(point))
+      mm3 += event.volumeMm3;
+    return mm3;
   }
   // Returns whether another tool deposits from a later point than `after` on.
   bool changesTool(std::size_t after = 0) const {

@@ -89,6 +89,11 @@ double flowLimit(const Process& process) {
                   process.material.maxFlowMm3PerS.value_or(process.maxFlowMm3PerS));
 }
 
+double primeFlow(const Process& process) {
+  return std::min(flowLimit(process),
+                  beadArea(process.beadWidthMm, process.layerHeightMm) * process.speedMmPerS);
+}
+
 Process readProcess(const std::filesystem::path& file) {
   return readProcessText(base::readFile(file), file.string());
 }

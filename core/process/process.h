@@ -46,6 +46,9 @@ struct Process {
 // Returns the largest flow that may be planned [mm3/s]: that of the head or, if less, that of the
 // material.
 double flowLimit(const Process& process);
+// Returns the flow with which a nozzle at rest primes or purges [mm3/s]: that of a bead of the
+// default section at the default speed, limited by flowLimit().
+double primeFlow(const Process& process);
 
 // Throws Error{UnreadableFile} if the file is missing or not JSON; Error{UnusableInput} naming file
 // and key for a missing or unknown key, a size, speed or density that is not positive, limits that

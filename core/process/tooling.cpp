@@ -1,5 +1,7 @@
 #include "process/tooling.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 
 #include <utility>
@@ -21,6 +23,13 @@ const Tool& Tooling::at(int tool) const {
 std::span<const Tool> Tooling::usedAfter(const plan::Trajectory& trajectory,
                                          std::size_t point) const {
   return tools().first(trajectory.changesTool(point) ? tools_->size() : 1);
+}
+
+double Tooling::fullFlowMm3PerS() const {
+  double full = 0.0;
+  for (const Tool& tool : *tools_)
+    full = std::max(full, tool.process.maxFlowMm3PerS);
+  return full;
 }
 
 } // namespace voluta::process

@@ -31,6 +31,8 @@ public:
   const Tool& at(int tool) const;
   // The tool that the job begins with.
   const Tool& first() const { return tools_->front(); }
+  // The flow that outputs state as full [mm3/s]: that of the tool with the largest one.
+  double fullFlowMm3PerS() const;
   // The tools that print after a point of the trajectory: all of them if it changes the tool there,
   // else the first.
   std::span<const Tool> usedAfter(const plan::Trajectory& trajectory, std::size_t point) const;

@@ -48,6 +48,12 @@ constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMostMmPerS2,
 constexpr MergeLimits kKrlMerge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad};
 constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad};
 
+// Of languages that can select a tool, let its nozzle purge, and wait for the operator.
+std::vector<plan::EventKind> eventsOfTools() {
+  using enum plan::EventKind;
+  return {Pause, Wait, ToolChange, Purge};
+}
+
 using enum plan::FactKind;
 std::vector<plan::FactKind> gcodeStates() {
   return {OperatorStop, NozzleHeat,  NozzleHeatWait,    BedHeat,      BedHeatWait,
@@ -80,7 +86,7 @@ const std::vector<Dialect>& dialects() {
        .straight = Straight::InBase,
        .hasArcs = true,
        .supportsExternalAxes = false,
-       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
+       .events = eventsOfTools(),
        // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
@@ -122,7 +128,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "gcode-extended",
        .needsJoints = false,
        .saysJointMotions = false,
-       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
+       .events = eventsOfTools(),
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
@@ -160,7 +166,7 @@ const std::vector<Dialect>& dialects() {
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        .tiltsNozzle = false,
-       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
+       .events = eventsOfTools(),
        // Same as extended G-code.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .states = gcodeStates(),
@@ -175,7 +181,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "rapid",
        .needsJoints = false,
        .hasArcs = true,
-       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
+       .events = eventsOfTools(),
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Controllers report events 50024 and 50078 below about 20 to 30 ms or 0.5 to 1 mm.
@@ -200,7 +206,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "krl",
        .needsJoints = false,
        .hasArcs = true,
-       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
+       .events = eventsOfTools(),
        .time = kKrlTime,
        .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
@@ -238,7 +244,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "spel",
        .needsJoints = false,
        .supportsExternalAxes = false,
-       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
+       .events = eventsOfTools(),
        // A value that all of its arms accept.
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
@@ -261,7 +267,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "melfa",
        .straight = Straight::InBase,
        .supportsExternalAxes = false,
-       .events = {plan::EventKind::Pause, plan::EventKind::Wait},
+       .events = eventsOfTools(),
        .time = kMelfaTime,
        .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
@@ -324,7 +330,7 @@ const std::vector<Dialect>& dialects() {
        // A bead's path is a spline through its points.
        .straight = Straight::Pieces,
        .supportsExternalAxes = false,
-       .events = {plan::EventKind::Wait},
+       .events = eventsOfTools(),
        // Points state their times; Line and PTP their ramps. The pace of the motion queue is
        // undocumented.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},
@@ -480,6 +486,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   own.options = optionsAmong(optionsOf(dialect), input.options);
   if (dialect.extruders.empty())
     own.options.own[std::string(kExtruderOption)] = std::string(kOutputsExtruder);
+  requireSelectable(own);
   if (!dialect.tiltsNozzle) {
     std::vector<Eigen::Vector3d> directions;
     const std::vector<MotionTarget> targets = motionTargets(input, ctx);

@@ -36,6 +36,8 @@ base::Text nameOf(plan::EventKind kind) {
     return "a pause for the operator"_text;
   case plan::EventKind::Wait:
     return "a wait"_text;
+  case plan::EventKind::Purge:
+    return "a purge of the nozzle"_text;
   case plan::EventKind::Feed:
     break;
   }

@@ -106,4 +106,14 @@ std::string extruderNote(const ProgramInput& input, std::string_view outputs) {
       {row.note, "; it is assumed to follow within ", fixedText(1000.0 * row.lagS, 0), " ms"});
 }
 
+void requireSelectable(const ProgramInput& input) {
+  const Extruder& extruder = extruderOf(input);
+  if (!input.trajectory.changesTool() || !(extruder.byAxis || extruder.text || extruder.streams))
+    return;
+  throw base::Error(
+      base::ErrorCode::Usage,
+      base::message("the extruder {extruder} prints with one tool"_text, std::string(extruder.id)),
+      {}, base::message("choose the extruder {outputs}"_text, std::string(kOutputsExtruder)));
+}
+
 } // namespace voluta::program

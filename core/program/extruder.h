@@ -58,6 +58,10 @@ base::ParameterSpec extruderOption(std::span<const std::string_view> ids);
 
 // Returns the extruder that a program is written for.
 const Extruder& extruderOf(const ProgramInput& input);
+
+// Throws Error{Usage} if the trajectory changes the tool and no outputs can select it, because the
+// extruder takes texts, is an axis or has a stream of its own.
+void requireSelectable(const ProgramInput& input);
 // Throws Error{Usage} if the chosen extruder, or the cell's, is not among `ids`, those that a
 // format supports. If `ids` is empty, the format states amounts and supports any extruder.
 void requireExtruder(std::string_view format, std::span<const std::string_view> ids,

@@ -33,8 +33,8 @@ std::optional<plan::StatedFact> factIn(std::string_view text) {
 
 } // namespace
 
-std::string fullFlowText(std::string_view atFull, const process::Process& process) {
-  return joined({atFull, kEquals, fixedText(process.maxFlowMm3PerS, 3), kUnit});
+std::string fullFlowText(std::string_view atFull, const process::Tooling& tooling) {
+  return joined({atFull, kEquals, fixedText(tooling.fullFlowMm3PerS(), 3), kUnit});
 }
 
 std::vector<plan::StatedFact> statedFullFlow(const std::vector<plan::ProgramFile>& files) {

@@ -4,7 +4,7 @@
 
 #include "plan/program.h"
 #include "plan/stated_facts.h"
-#include "process/process.h"
+#include "process/tooling.h"
 
 #include <string>
 #include <string_view>
@@ -16,7 +16,7 @@ namespace voluta::program {
 inline constexpr std::string_view k0To10V = "0 to 10 V";
 
 // Returns a text such as "1 = 40 mm3/s"; `atFull`: the output's maximum (Dialect::fullFlowAt).
-std::string fullFlowText(std::string_view atFull, const process::Process& process);
+std::string fullFlowText(std::string_view atFull, const process::Tooling& tooling);
 
 // Returns the statements in the heads of the files: comments that begin with "extruder" and contain
 // "flow: " followed by " = ". Number 0: not understood.

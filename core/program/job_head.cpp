@@ -97,6 +97,31 @@ std::string heatLine(const ProgramInput& input) {
 }
 } // namespace
 
+namespace {
+std::string toolName(const process::Tooling& tooling, int tool) {
+  const process::Process& process = tooling.at(tool).process;
+  std::string text = joined({"tool ", std::to_string(tool + 1), " (", plainText(process.id), ", ",
+                             plainText(process.material.label)});
+  if (process.material.nozzleC)
+    text += joined({", ", std::to_string(*process.material.nozzleC), " C"});
+  return text + ")";
+}
+} // namespace
+
+std::string changeText(const process::Tooling& tooling, int tool) {
+  return joined({"Fit ", toolName(tooling, tool), ", then continue"});
+}
+
+std::vector<std::string> toolNotes(const ProgramInput& input,
+                                   const std::function<std::string(int)>& output) {
+  std::vector<std::string> notes;
+  if (!input.trajectory.changesTool())
+    return notes;
+  for (int tool = 1; tool < static_cast<int>(input.tooling.tools().size()); ++tool)
+    notes.push_back(joined({toolName(input.tooling, tool), ": ", output(tool)}));
+  return notes;
+}
+
 std::optional<std::string_view> behindMark(std::string_view line, std::string_view word) {
   const std::size_t at = line.find(word);
   const auto isMark = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) == 0; };
@@ -129,6 +154,8 @@ std::string jobHash(const ProgramInput& input) {
   for (const plan::TrajectoryEvent& event : t.events) {
     hash.add(static_cast<std::uint64_t>(event.point));
     hash.add(event.seconds);
+    if (event.kind == plan::EventKind::ToolChange)
+      hash.add(static_cast<std::uint64_t>(event.tool));
   }
   return hash.hex();
 }

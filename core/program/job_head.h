@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,14 @@ std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files);
 
 // Shown at a planned pause.
 inline constexpr std::string_view kPauseText = "Paused. Continue?";
+// Message for the operator at a tool change by hand, e.g. "Fit tool 2 (petg-1.0, PETG, 240 C),
+// then continue".
+std::string changeText(const process::Tooling& tooling, int tool);
+// What the program's outputs select, e.g. "tool 2 (petg-1.0, PETG, 240 C): digital output 1", one
+// line for each tool but the first, all of whose outputs are off; none if the program changes no
+// tool. `output`: the name of the output of a tool's index.
+std::vector<std::string> toolNotes(const ProgramInput& input,
+                                   const std::function<std::string(int)>& output);
 // Question to the operator before anything moves.
 inline constexpr std::string_view kStartQuestion =
     "The arm goes slowly and straight to its start. Is the way clear?";

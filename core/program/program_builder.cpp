@@ -101,6 +101,7 @@ void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
 }
 
 void ProgramBuilder::motion(plan::ProgramMotion m) {
+  settleTool();
   m.file = static_cast<std::uint32_t>(file);
   m.line = static_cast<std::uint32_t>(line);
   m.tool = static_cast<std::uint8_t>(selected_);
@@ -151,6 +152,7 @@ void ProgramBuilder::pauseByAxis(double seconds, double mm) {
 }
 
 void ProgramBuilder::pause(double seconds, double volumeMm3, double drawnMm) {
+  settleTool();
   if (volumeMm3 > 0.0)
     places_.material();
   program_.pauses.push_back(
@@ -164,6 +166,7 @@ void ProgramBuilder::need(plan::FactKind kind) {
 }
 
 void ProgramBuilder::state(plan::FactKind kind, double number, std::string_view word) {
+  settleTool();
   program_.facts.push_back({kind, static_cast<std::uint32_t>(file),
                             static_cast<std::uint32_t>(line), program_.motions.size(),
                             program_.pauses.size(), number, std::string(word), selected_});
@@ -181,6 +184,28 @@ void ProgramBuilder::selectTool(int tool) {
   }
   selected_ = tool;
   state(plan::FactKind::ToolSelected);
+}
+
+bool ProgramBuilder::toolOutput(int tool, bool on) {
+  if (tool < 1 || static_cast<std::size_t>(tool) >= toolOutputs_.size())
+    return false;
+  const char before = std::exchange(toolOutputs_[static_cast<std::size_t>(tool)], on ? 1 : 0);
+  if (before != toolOutputs_[static_cast<std::size_t>(tool)] || !outputLine_)
+    outputLine_ = line;
+  return true;
+}
+
+void ProgramBuilder::settleTool() {
+  if (!outputLine_)
+    return;
+  const std::size_t here = std::exchange(line, *std::exchange(outputLine_, std::nullopt));
+  const auto on = std::ranges::count(toolOutputs_, 1);
+  if (on > 1)
+    defect("the outputs of several tools are on"_text);
+  else
+    selectTool(
+        on == 0 ? 0 : static_cast<int>(std::ranges::find(toolOutputs_, 1) - toolOutputs_.begin()));
+  line = here;
 }
 
 void ProgramBuilder::statePassingOutput() {

@@ -72,6 +72,10 @@ public:
   // defect, and no selection, if the job has no such tool.
   void selectTool(int tool);
   int selectedTool() const { return selected_; }
+  // Sets the output of a tool but the first. The tool whose output alone is on deposits from the
+  // next motion, pause or statement on; the first one if all are off. Returns false if the job has
+  // no such tool: then the output is another one.
+  bool toolOutput(int tool, bool on);
 
   // Sets the arm's payload. A different payload during the print is a defect.
   void load(std::string_view word, double kg);
@@ -86,15 +90,19 @@ public:
   plan::ReadProgram take(bool complete);
 
 private:
+  // Selects the tool by the outputs that were set.
+  void settleTool();
   // Adds a defect if too much filament is retracted.
   void tellDrawn(double mm);
 
   // The full flow of outputs is that of the first tool.
-  double fullFlowMm3PerS() const { return tooling_.first().process.maxFlowMm3PerS; }
+  double fullFlowMm3PerS() const { return tooling_.fullFlowMm3PerS(); }
   const process::Material& material() const { return tooling_.at(selected_).process.material; }
 
   const process::Tooling tooling_;
   int selected_ = 0;
+  std::vector<char> toolOutputs_ = std::vector<char>(tooling_.tools().size(), 0);
+  std::optional<std::size_t> outputLine_; // of the last tool output that is not settled
   plan::ReadProgram program_;
   Defects defects_;
   WordPlaces places_;

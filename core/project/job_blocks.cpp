@@ -94,8 +94,9 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
          std::ranges::all_of(t.events,
                              [&](const plan::TrajectoryEvent& e) {
                                return e.point > 0 && e.point < n && e.tool >= 0 &&
-                                      std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Wait &&
-                                      std::isfinite(e.seconds) && e.seconds >= 0.0;
+                                      std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Purge &&
+                                      std::isfinite(e.seconds) && e.seconds >= 0.0 &&
+                                      std::isfinite(e.volumeMm3) && e.volumeMm3 >= 0.0;
                              }) &&
          std::all_of(t.waypoint.begin(), t.waypoint.end(), [&](std::size_t w) {
            return w == plan::kNoWaypoint || (toolPlan && w < toolPlan->waypointCount());
@@ -436,19 +437,21 @@ void addTrajectory(BlockWriter& out, const plan::Trajectory& t) {
   std::vector<std::uint64_t> points;
   std::vector<std::uint8_t> kinds;
   std::vector<std::int32_t> tools;
-  std::vector<double> feeds, seconds;
+  std::vector<double> feeds, seconds, volumes;
   for (const plan::TrajectoryEvent& e : t.events) {
     points.push_back(e.point);
     kinds.push_back(static_cast<std::uint8_t>(e.kind));
     tools.push_back(e.tool);
     feeds.push_back(e.feedMm);
     seconds.push_back(e.seconds);
+    volumes.push_back(e.volumeMm3);
   }
   out.addOwned("trajectory.events.point", points);
   out.addOwned("trajectory.events.kind", kinds);
   out.addOwned("trajectory.events.tool", tools);
   out.addOwned("trajectory.events.feed", feeds);
   out.addOwned("trajectory.events.seconds", seconds);
+  out.addOwned("trajectory.events.volume", volumes);
 }
 
 plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
@@ -467,19 +470,23 @@ plan::Trajectory getTrajectory(const BlockReader& in, int dof) {
   const auto kinds = in.get<std::uint8_t>("trajectory.events.kind");
   const auto tools = in.get<std::int32_t>("trajectory.events.tool");
   const auto feeds = in.get<double>("trajectory.events.feed");
-  // Older projects have no waits.
-  const auto seconds = in.has("trajectory.events.seconds")
-                           ? in.get<double>("trajectory.events.seconds")
-                           : std::vector<double>(points.size(), 0.0);
+  // Older projects have no waits and purges.
+  const auto orZeros = [&](const char* name) {
+    return in.has(name) ? in.get<double>(name) : std::vector<double>(points.size(), 0.0);
+  };
+  const auto seconds = orZeros("trajectory.events.seconds");
+  const auto volumes = orZeros("trajectory.events.volume");
   if (kinds.size() != points.size() || tools.size() != points.size() ||
-      feeds.size() != points.size() || seconds.size() != points.size())
+      feeds.size() != points.size() || seconds.size() != points.size() ||
+      volumes.size() != points.size())
     contradiction("events of unequal number"_text);
   for (std::size_t i = 0; i < points.size(); ++i)
     t.events.push_back({.point = static_cast<std::size_t>(points[i]),
                         .kind = static_cast<plan::EventKind>(kinds[i]),
                         .tool = tools[i],
                         .feedMm = feeds[i],
-                        .seconds = seconds[i]});
+                        .seconds = seconds[i],
+                        .volumeMm3 = volumes[i]});
   return t;
 }
 

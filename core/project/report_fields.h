@@ -97,6 +97,7 @@ constexpr auto fieldsOf(std::type_identity<plan::MotionStatistics>) {
                     Field{"minClearanceMm", &R::minClearanceMm, "mm"},
                     Field{"minClearanceAtS", &R::minClearanceAtS, "s", true},
                     Field{"durationS", &R::durationS, "s"},
+                    Field{"toolChanges", &R::toolChanges, "", true},
                     Field{"waits", &R::waits, "", true},
                     Field{"waitS", &R::waitS, "s", true}};
 }

@@ -39,11 +39,10 @@ class Judge {
 public:
   Judge(const plan::ReadProgram& program, const ExecutedPath& path, const plan::ToolPlan& plan,
         const plan::Trajectory& trajectory, const robot::Cell& cell,
-        const process::Tooling& tooling, std::size_t firstPoint,
-        const std::vector<double>& plannedWaitS)
+        const process::Tooling& tooling, std::size_t firstPoint, const PlannedStops& planned)
       : program_(program), path_(path), plan_(plan), trajectory_(trajectory), cell_(cell),
         tooling_(tooling), firstPoint_(firstPoint), firstBead_(firstBeadOf(program)),
-        plannedWaitS_(plannedWaitS) {}
+        planned_(planned) {}
 
   std::vector<TextFinding> judge() {
     pauses();
@@ -67,7 +66,7 @@ private:
     for (const plan::ProgramPause& p : program_.pauses) {
       if (p.before <= firstBead_ || p.before > program_.motions.size())
         continue;
-      if (p.volumeMm3 > kMinMm3)
+      if (p.volumeMm3 > kMinMm3 && planned_.purgeAt(p.before) <= 0.0)
         add(FlowsWhileStanding, placeOfPause(p),
             {{"volume", base::mm3(p.volumeMm3)}, {"time", base::seconds(p.durationS)}});
     }
@@ -91,9 +90,7 @@ private:
     for (const plan::ProgramPause* p : unplanned)
       add(StandsAmidPrint, placeOfPause(*p), {{"time", base::seconds(p->durationS)}});
   }
-  bool waitsBefore(std::size_t motion) const {
-    return motion < plannedWaitS_.size() && plannedWaitS_[motion] > 0.0;
-  }
+  bool waitsBefore(std::size_t motion) const { return planned_.secondsAt(motion) > 0.0; }
   // Planned duration of a pause without flow.
   double plannedPauseS(const plan::ProgramPause& p) const {
     return std::min(p.drawnMm, tooling_.at(p.tool).process.retractMm) / program::kDrawBackMmPerS;
@@ -107,7 +104,7 @@ private:
     double volume = 0.0;
     const plan::ProgramPause* most = nullptr;
     for (const plan::ProgramPause& p : program_.pauses) {
-      if (p.before > firstBead_)
+      if (p.before > firstBead_ || planned_.purgeAt(p.before) > 0.0)
         continue;
       volume += p.volumeMm3;
       if (!most || p.volumeMm3 > most->volumeMm3)
@@ -195,7 +192,7 @@ private:
   const process::Tooling& tooling_;
   std::size_t firstPoint_;
   std::size_t firstBead_;
-  const std::vector<double>& plannedWaitS_;
+  const PlannedStops& planned_;
   std::vector<TextFinding> found_;
 };
 
@@ -211,11 +208,11 @@ double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& traje
   return std::min(process::flowLimit(process), flow) * process.primeS;
 }
 
-double standingMm3(const plan::ReadProgram& program) {
+double standingMm3(const plan::ReadProgram& program, const PlannedStops& planned) {
   const std::size_t firstBead = firstBeadOf(program);
   double volume = 0.0;
   for (const plan::ProgramPause& p : program.pauses)
-    if (p.before > firstBead)
+    if (p.before > firstBead && planned.purgeAt(p.before) <= 0.0)
       volume += p.volumeMm3;
   return volume;
 }
@@ -224,9 +221,8 @@ std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
                                            const robot::Cell& cell, const process::Tooling& tooling,
-                                           std::size_t firstPoint,
-                                           const std::vector<double>& plannedWaitS) {
-  return Judge(program, path, plan, trajectory, cell, tooling, firstPoint, plannedWaitS).judge();
+                                           std::size_t firstPoint, const PlannedStops& planned) {
+  return Judge(program, path, plan, trajectory, cell, tooling, firstPoint, planned).judge();
 }
 
 } // namespace voluta::replay

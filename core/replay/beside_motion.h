@@ -7,6 +7,7 @@
 #include "process/tooling.h"
 #include "replay/comparison.h"
 #include "replay/executed_path.h"
+#include "replay/planned_events.h"
 #include "robot/cell.h"
 
 #include <cstddef>
@@ -25,9 +26,9 @@ std::size_t firstBeadOf(const plan::ReadProgram& program);
 double plannedPrimeMm3(const plan::ToolPlan& plan, const plan::Trajectory& trajectory,
                        const process::Process& process, std::size_t firstPoint = 0);
 
-// Returns the material extruded during pauses between the first bead and the last [mm3]; it is part
-// of no bead.
-double standingMm3(const plan::ReadProgram& program);
+// Returns the material extruded during pauses between the first bead and the last [mm3], without
+// planned purges; it is part of no bead.
+double standingMm3(const plan::ReadProgram& program, const PlannedStops& planned);
 
 // Returns findings about pauses, prime, load, nozzle, the first motion's speed and accelerations,
 // each with its line:
@@ -46,13 +47,12 @@ double standingMm3(const plan::ReadProgram& program);
 // - a straight motion whose acceleration is more than 1.5 times the process's acceleration or the
 //   one its own speeds require; a joint motion whose acceleration is more than 1.5 times the
 //   joints' limit.
-// `plannedWaitS`: of the planned waits before each motion, which planned_events.h compares; empty:
-// there are none.
+// `planned`: waits and purges, which planned_events.h compares.
 std::vector<TextFinding> judgeBesideMotion(const plan::ReadProgram& program,
                                            const ExecutedPath& path, const plan::ToolPlan& plan,
                                            const plan::Trajectory& trajectory,
                                            const robot::Cell& cell, const process::Tooling& tooling,
                                            std::size_t firstPoint = 0,
-                                           const std::vector<double>& plannedWaitS = {});
+                                           const PlannedStops& planned = {});
 
 } // namespace voluta::replay

@@ -120,9 +120,9 @@ private:
     addDeviations(compareHeat(in_.program, in_.trajectory, in_.tooling, in_.firstPoint));
     addFindings(verdict, compareFan(in_.program, in_.plan, in_.trajectory, alignment, in_.tooling));
     addDeviations(compareEvents(in_.program, in_.trajectory, alignment));
+    stops_ = plannedStops(in_.program, in_.trajectory, alignment);
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
-                                    in_.tooling, in_.firstPoint,
-                                    plannedWaits(in_.program, in_.trajectory, alignment)));
+                                    in_.tooling, in_.firstPoint, stops_));
     const std::optional<WholePath> whole = wholePath(in_.whole, in_.trajectory, in_.cell, ctx_);
     const struct PathDeviation deviation = pathDeviation(
         path(), planned, in_.trajectory, in_.program, alignment, ctx_, whole ? &*whole : nullptr);
@@ -158,7 +158,7 @@ private:
       if (known.ofPart && known.item < verdict.depositedOfItemMm3.size())
         verdict.depositedOfItemMm3[known.item] += volume[m];
     }
-    out_.standingMm3 = standingMm3(in_.program);
+    out_.standingMm3 = standingMm3(in_.program, stops_);
     verdict.depositedMm3 += out_.standingMm3;
   }
 
@@ -254,6 +254,7 @@ private:
   const ReplayInput& in_;
   const ReplayThresholds& limits_;
   const base::RunContext& ctx_;
+  PlannedStops stops_;
   ComparedProgram out_;
 };
 

@@ -29,6 +29,7 @@ std::optional<EventKind> eventOf(FactKind kind) {
 
 // Tolerance of the duration of waits: relative, and absolute [s].
 constexpr double kWaitShare = 0.02, kWaitS = 0.05;
+constexpr double kPurgeShare = 0.02; // Tolerance of the volume of purges
 
 class EventComparer {
 public:
@@ -53,7 +54,9 @@ public:
     }
     if (begin && begin->tool != 0)
       unplanned(*begin, EventKind::ToolChange);
-    compareWaits();
+    const PlannedStops planned = plannedStops(program_, trajectory_, alignment_);
+    compareWaits(planned.seconds);
+    comparePurges(planned.purgeMm3);
     for (std::size_t e = 0; e < found_.size(); ++e)
       if (!found_[e])
         missing(trajectory_.events[e]);
@@ -61,8 +64,7 @@ public:
   }
 
 private:
-  void compareWaits() {
-    const std::vector<double> planned = plannedWaits(program_, trajectory_, alignment_);
+  void compareWaits(const std::vector<double>& planned) {
     std::vector<double> stated(planned.size(), 0.0);
     std::vector<const plan::ProgramPause*> pauseAt(planned.size(), nullptr);
     for (const plan::ProgramPause& pause : program_.pauses)
@@ -76,7 +78,7 @@ private:
       const double tolerance = std::max(kWaitS, kWaitShare * planned[m]);
       if (stated[m] <= tolerance && planned[m] > tolerance)
         continue; // missing
-      markWaits(alignment_.pointAhead(m));
+      mark(EventKind::Wait, alignment_.pointAhead(m));
       if (std::abs(stated[m] - planned[m]) > tolerance && pauseAt[m])
         findings_.push_back(textFinding(
             program_, StatementChanged, {pauseAt[m]->file + 1U, pauseAt[m]->line},
@@ -85,9 +87,30 @@ private:
              {"planned", base::message("{time:.1f}"_text, base::seconds(planned[m]))}}));
     }
   }
-  void markWaits(std::size_t point) {
+  void comparePurges(const std::vector<double>& planned) {
+    for (std::size_t m = program_.firstMotion; m < planned.size(); ++m) {
+      if (planned[m] <= 0.0)
+        continue;
+      double stated = 0.0;
+      const plan::ProgramPause* at = nullptr;
+      for (const plan::ProgramPause& pause : program_.pauses)
+        if (pause.before == m && pause.volumeMm3 > 0.0) {
+          stated += pause.volumeMm3;
+          at = &pause;
+        }
+      if (!at)
+        continue; // missing
+      mark(EventKind::Purge, alignment_.pointAhead(m));
+      if (std::abs(stated - planned[m]) > kPurgeShare * planned[m])
+        findings_.push_back(textFinding(program_, StatementChanged, {at->file + 1U, at->line},
+                                        {{"statement", program::nameOf(EventKind::Purge)},
+                                         {"found", base::mm3(stated)},
+                                         {"planned", base::mm3(planned[m])}}));
+    }
+  }
+  void mark(EventKind kind, std::size_t point) {
     for (const TrajectoryEvent& event : trajectory_.eventsBefore(point))
-      if (event.kind == EventKind::Wait)
+      if (event.kind == kind)
         found_[static_cast<std::size_t>(&event - trajectory_.events.data())] = true;
   }
   bool isBetweenMotions(const StatedFact& fact) const {
@@ -134,18 +157,21 @@ private:
 
 } // namespace
 
-std::vector<double> plannedWaits(const plan::ReadProgram& program,
-                                 const plan::Trajectory& trajectory, const Alignment& alignment) {
-  std::vector<double> seconds(program.motions.size(), 0.0);
+PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
+                          const Alignment& alignment) {
+  PlannedStops stops{std::vector<double>(program.motions.size(), 0.0),
+                     std::vector<double>(program.motions.size(), 0.0)};
   std::size_t last = kUnmatched;
-  for (std::size_t m = 0; m < seconds.size(); ++m) {
+  for (std::size_t m = 0; m < program.motions.size(); ++m) {
     const std::size_t point = alignment.pointAhead(m);
     // Of the motions that lead to a point, the first one follows its events.
-    if (point != kUnmatched && point != last)
-      seconds[m] = trajectory.waitBefore(point);
+    if (point != kUnmatched && point != last) {
+      stops.seconds[m] = trajectory.waitBefore(point);
+      stops.purgeMm3[m] = trajectory.purgeBefore(point);
+    }
     last = point;
   }
-  return seconds;
+  return stops;
 }
 
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,

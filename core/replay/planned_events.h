@@ -14,13 +14,25 @@ namespace voluta::replay {
 // or states with another tool, and for each stop, tool change or cut between the first and the last
 // motion that is not planned. Selecting a tool is no tool change if that tool is selected already.
 // Before the first motion only the last selection counts: a program begins with tool 0.
-// The pauses at a planned wait may differ from it in all by 2 % or 0.05 s.
+// The pauses at a planned wait may differ from it in all by 2 % or 0.05 s, the volume of a purge by
+// 2 %.
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
                                        const Alignment& alignment);
 
-// Returns the duration of the planned waits before each motion [s].
-std::vector<double> plannedWaits(const plan::ReadProgram& program,
-                                 const plan::Trajectory& trajectory, const Alignment& alignment);
+// What is planned while the arm is at rest before each motion; empty: nothing.
+struct PlannedStops {
+  std::vector<double> seconds;  // of waits and purges
+  std::vector<double> purgeMm3; // volume that flows out
+
+  double secondsAt(std::size_t motion) const {
+    return motion < seconds.size() ? seconds[motion] : 0.0;
+  }
+  double purgeAt(std::size_t motion) const {
+    return motion < purgeMm3.size() ? purgeMm3[motion] : 0.0;
+  }
+};
+PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
+                          const Alignment& alignment);
 
 } // namespace voluta::replay

@@ -60,7 +60,7 @@ public:
   Comparer(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
            const Alignment& alignment, const robot::Cell& cell, const process::Tooling& tooling)
       : program_(program), trajectory_(trajectory), alignment_(alignment), cell_(cell),
-        fullFlowMm3PerS_(tooling.first().process.maxFlowMm3PerS) {
+        fullFlowMm3PerS_(tooling.fullFlowMm3PerS()) {
     const auto flows = std::ranges::find_if(
         program.pauses, [](const plan::ProgramPause& p) { return p.volumeMm3 > 0.0; });
     firstFlow_ = static_cast<std::size_t>(flows - program.pauses.begin());

@@ -43,6 +43,10 @@ struct ToolpathOptions {
   bool orderIslands = true;     // short travel between islands of one flat layer (islands.h)
   bool spiral = false;          // one bead with rising height (spiral.h)
   CoolingOptions cooling;
+  // Index in the job's tooling of the tool that fills the interior within walls and skins;
+  // negative: the tool of the patch. That interior is `walls` beads and `topLayers`, `bottomLayers`
+  // inside.
+  int infillTool = -1;
   // Bodies and rods that exist before the part, work frame; a plate is the cell's.
   platform::PlatformSolid platform;
 };

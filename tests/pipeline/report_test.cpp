@@ -30,7 +30,7 @@ const std::map<std::string, std::vector<std::string>> kKeys = {
     {"motion",
      {"robot", "cell", "waypoints", "unreachable", "collisions", "splits", "maxJerk",
       "sumSquaredJerk", "sumSquaredJerkBefore", "minClearanceMm", "minClearanceAtS", "durationS",
-      "waits", "waitS"}},
+      "toolChanges", "waits", "waitS"}},
     {"replay",
      {"passed", "coveredFraction", "unsupportedFraction", "halfCarriedFraction",
       "longestUnsupportedMm", "overfillFraction", "massRatio", "collisions", "limitViolations",

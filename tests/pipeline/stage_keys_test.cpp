@@ -76,6 +76,11 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"windingAngle", {"30", 3}},
     {"infillAngle", {"0", 3}},
     {"infillRotation", {"0", 3}},
+    {"tool", {"1", kStageCount}}, // of jobs with several tools, see several_tools_test
+    {"supportTool", {"0", kStageCount}},
+    {"infillTool", {"0", kStageCount}},
+    {"pieceTools", {"", kStageCount}},
+    {"purgeMm3", {"50", 4}},
     {"bodyClearanceMm", {"3", 4}},
     {"partClearanceMm", {"3", 4}},
     {"liftMm", {"3", 4}},

@@ -94,8 +94,8 @@ TEST_F(Extruders, giveEachMotionItsMaterial) {
       double primed = 0.0;
       for (const plan::ProgramPause& pause : back.pauses)
         primed += pause.volumeMm3;
-      EXPECT_NEAR(primed, primeFlowMm3PerS(process_) * process_.primeS,
-                  5e-3 * primeFlowMm3PerS(process_));
+      EXPECT_NEAR(primed, process::primeFlow(process_) * process_.primeS,
+                  5e-3 * process::primeFlow(process_));
       for (std::size_t i = 1; i < back.motions.size(); ++i) {
         const double volume = motionVolumeMm3(trajectory_, i);
         const plan::ProgramMotion& m = back.motions[i];

@@ -91,6 +91,10 @@ ProgramText textOf(const plan::Program& program) {
 }
 
 ReadProgram read(const ProgramText& text, const process::Process& process) {
+  return read(text, process::Tooling(process));
+}
+
+ReadProgram read(const ProgramText& text, const process::Tooling& tooling) {
   std::string joined;
   std::size_t id = 0;
   for (const std::string& line : text.lines)
@@ -98,7 +102,7 @@ ReadProgram read(const ProgramText& text, const process::Process& process) {
                   ? program::tmFrame(std::to_string(++id),
                                      line.substr(0, line.size() - (line.ends_with('\r') ? 1 : 0)))
                   : line + "\n";
-  return program::readProgram(text.format, {{text.name, joined}}, process::Tooling(process));
+  return program::readProgram(text.format, {{text.name, joined}}, tooling);
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> numbersIn(std::string_view line) {

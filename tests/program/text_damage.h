@@ -3,7 +3,7 @@
 #pragma once
 
 #include "plan/program.h"
-#include "process/process.h"
+#include "process/tooling.h"
 
 #include <cstddef>
 #include <functional>
@@ -24,6 +24,7 @@ struct ProgramText {
 };
 ProgramText textOf(const plan::Program& program);
 plan::ReadProgram read(const ProgramText& text, const process::Process& process);
+plan::ReadProgram read(const ProgramText& text, const process::Tooling& tooling);
 
 // Where numbers stand in a line: first character, and the one behind the last.
 std::vector<std::pair<std::size_t, std::size_t>> numbersIn(std::string_view line);

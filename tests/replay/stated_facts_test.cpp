@@ -186,7 +186,7 @@ TEST(StatedFacts, AFullFlowMayBeRounded) {
       EXPECT_EQ(read.facts.size(), 1U);
       return compareStatedFacts(read, s.trajectory, {}, s.cell, process::Tooling(s.process));
     };
-    EXPECT_TRUE(findings(program::fullFlowText("1", s.process)).empty()) << flow;
+    EXPECT_TRUE(findings(program::fullFlowText("1", process::Tooling(s.process))).empty()) << flow;
     EXPECT_FALSE(findings("1 = " + std::to_string(1.01 * flow + 0.001) + " mm3/s").empty()) << flow;
     EXPECT_FALSE(findings("1 = 7 mm3/min").empty());
   }

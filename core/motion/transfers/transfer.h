@@ -4,6 +4,7 @@
 #include "motion/motion_scene.h"
 #include "motion/run.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -23,6 +24,8 @@ enum class TransferKind : std::uint8_t { Straight, Arc, Joint, Tree };
 struct Transfer {
   std::vector<TransferPoint> points; // without `from`; the last one is `to`
   TransferKind kind = TransferKind::Straight;
+  // Index of the first point after the rest pose, if the transfer passes it or begins there.
+  std::optional<std::size_t> fromRest = {};
 };
 
 // How far a transfer lifts the nozzle.

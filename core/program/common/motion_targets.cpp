@@ -111,12 +111,6 @@ bool standsClear(const plan::Trajectory& trajectory, std::size_t point) {
          trajectory.move[point - 1] != plan::MoveKind::Wipe;
 }
 
-double primeFlowMm3PerS(const process::Process& process) {
-  return std::min(process::flowLimit(process),
-                  process::beadArea(process.beadWidthMm, process.layerHeightMm) *
-                      process.speedMmPerS);
-}
-
 bool primesStanding(const ProgramInput& input) {
   return input.process().primeS > 0.0 && input.trajectory.extrudedMm3.back() > 0.0 &&
          !plan::primesOnPath(input.toolPlan, input.trajectory);

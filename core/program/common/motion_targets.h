@@ -46,9 +46,6 @@ bool isPrint(const plan::Trajectory& trajectory, std::size_t point);
 // Returns whether the arm has lifted off its last bead before the motion to `point`.
 bool standsClear(const plan::Trajectory& trajectory, std::size_t point);
 
-// Flow of the prime: a bead of the process's default section at its default speed, limited to the
-// extruder's full flow.
-double primeFlowMm3PerS(const process::Process& process);
 // Returns whether the extruder primes with the arm at rest at its start; false if a path primes.
 bool primesStanding(const ProgramInput& input);
 

@@ -52,7 +52,7 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
                        double (*written)(double share), TcpFrame frame)
     : in_(input), targets_(targets), frame_(frame), seconds_(targets.size(), 0.0),
       flow_(targets.size(), 0.0) {
-  const double full = in_.process().maxFlowMm3PerS;
+  const double full = in_.tooling.fullFlowMm3PerS();
   const Extruder& extruder = extruderOf(in_);
   double held = 0.0;
   for (std::size_t i = 1; i < targets.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "program/extruder.h"
 #include "program/filament.h"
 #include "program/gcode/extruder_axis.h"
+#include "program/job_head.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,8 @@ public:
       outputs_.off();
       said_.clear();
       emitter_.beginFile(file);
+      if (file == 0 && in_.trajectory.changesTool())
+        emitter_.selectTool(tool_);
       for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
         if (i % 4096 == 0)
           ctx_.report(static_cast<double>(i) / static_cast<double>(walk_.cuts.back()),
@@ -83,6 +86,7 @@ private:
   }
 
   void events(std::size_t i) {
+    bool isChanged = false; // a pause after a change is for the change
     for (const plan::TrajectoryEvent& event : in_.trajectory.eventsBefore(i))
       switch (event.kind) {
       case plan::EventKind::ToolChange:
@@ -90,12 +94,13 @@ private:
           draw(false);
         tool_ = event.tool;
         emitter_.selectTool(tool_);
+        isChanged = true;
         break;
       case plan::EventKind::Cut:
         emitter_.cut();
         break;
       case plan::EventKind::Pause:
-        emitter_.pause();
+        emitter_.pause(isChanged ? changeText(in_.tooling, tool_) : std::string(kPauseText));
         break;
       case plan::EventKind::Feed:
         emitter_.extrudeInPlace(event.feedMm, std::abs(event.feedMm) / kDrawBackMmPerS);
@@ -103,7 +108,22 @@ private:
       case plan::EventKind::Wait:
         emitter_.wait(event.seconds);
         break;
+      case plan::EventKind::Purge:
+        purge(event);
+        break;
       }
+  }
+
+  void purge(const plan::TrajectoryEvent& event) {
+    emitter_.remark("purge");
+    if (walk_.outputs == nullptr) {
+      emitter_.purge(event.volumeMm3 / filamentArea(), event.seconds);
+      return;
+    }
+    flow(event.volumeMm3 / event.seconds);
+    extruder(true);
+    emitter_.wait(event.seconds);
+    extruder(false);
   }
 
   // Runs the fan as the path of that waypoint needs it.
@@ -172,9 +192,10 @@ private:
     emitter_.remark("prime");
     const double seconds = in_.process().primeS;
     if (extruder_.byAxis) {
-      emitter_.extrudeInPlace(primeFlowMm3PerS(in_.process()) * seconds / filamentArea(), seconds);
+      emitter_.extrudeInPlace(process::primeFlow(in_.process()) * seconds / filamentArea(),
+                              seconds);
     } else {
-      flow(primeFlowMm3PerS(in_.process()));
+      flow(process::primeFlow(in_.process()));
       extruder(true);
       emitter_.wait(seconds);
       extruder(false);
@@ -187,7 +208,7 @@ private:
   ProgramEmitter& emitter_;
   const base::RunContext& ctx_;
   PathNames paths_;
-  WrittenOutputs outputs_{in_.process().maxFlowMm3PerS};
+  WrittenOutputs outputs_{in_.tooling.fullFlowMm3PerS()};
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;

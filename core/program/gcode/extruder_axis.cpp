@@ -21,7 +21,7 @@ AxisCount axisCount(const ProgramInput& input) {
   const double most = numberOf(extruderAxisMm(), input.options) * filamentArea();
   // The prime before the first bead, and the retraction within the range.
   const double spare =
-      (primesStanding(input) ? primeFlowMm3PerS(input.process()) : 0.0) * input.process().primeS +
+      (primesStanding(input) ? process::primeFlow(input.process()) : 0.0) * input.process().primeS +
       input.process().retractMm * filamentArea();
   AxisCount count{{0}};
   std::size_t lifted = 0; // the last point at which the axis may be reset

@@ -92,7 +92,7 @@ plan::ProgramFile rapidRunner(const ProgramInput& input, std::string_view gcodeF
   line(joined({"],", kRapidNoAxes, "];"}));
   line(joined({kByJoints, own ? "TRUE;" : "FALSE;"}));
   line(joined({kFile, gcodeFile, "\";"}));
-  line(joined({kFull, fixedText(input.process().maxFlowMm3PerS, kFlowDecimals), ";"}));
+  line(joined({kFull, fixedText(input.tooling.fullFlowMm3PerS(), kFlowDecimals), ";"}));
   out += rapidGcodeSame();
   return {rapidRunnerName(input), withCrLf(out)};
 }
@@ -113,7 +113,7 @@ void readRapidRunner(std::string_view text, const process::Tooling& tooling, Pro
   // Lines that the RAPID reader does not know.
   constexpr std::string_view kOwn[] = {kFull, kFile, kByJoints, kJoints};
   int found[std::size(kOwn)] = {};
-  const double fullFlow = tooling.first().process.maxFlowMm3PerS;
+  const double fullFlow = tooling.fullFlowMm3PerS();
   std::string head;
   LineReader lines(text.substr(0, body));
   for (std::string_view line; lines.next(line);) {

@@ -112,8 +112,14 @@ void GcodeReader::execute(GcodeWords& w) {
     defect("a line without a command"_text);
   // With M201 to M205, T sets limits of travels; with M104 and M109, it is the heated tool.
   const bool isOther = w['M'] && ((*w['M'] > 200.0 && *w['M'] < 206.0) || heats(*w['M']));
-  if (w['T'] && *w['T'] != 0.0 && !isOther)
+  if (!w['T'] || isOther)
+    return;
+  if (w['G'] || w['M'])
+    defect("a tool is selected together with a command"_text);
+  else if (*w['T'] != std::floor(*w['T']))
     defect("a tool other than the printing one"_text);
+  else
+    out_.selectTool(static_cast<int>(std::clamp(*w['T'], -1.0, 255.0)));
 }
 
 void GcodeReader::executeG(double g, GcodeWords& w) {
@@ -254,8 +260,8 @@ void GcodeReader::motion(double g, GcodeWords& w) {
                            base::mm(e_.drawnBackMm())));
   }
   const bool moves = w.any("XYZ") || isArc || movesBeside(w);
-  // Before the first target, material is extruded at home (prime); later it would form a blob.
-  if (!moves && (pushedMm == 0.0 || out_.program().motions.empty())) {
+  // Material that is extruded at rest: a prime, a purge, or a blob.
+  if (!moves) {
     out_.pause(secondsOf(w, filamentMm), pushedMm * filamentMm2_, filamentMm - pushedMm);
     return;
   }

@@ -40,7 +40,9 @@ private:
         {joined({identifierOf(in_.name), ".", kind_.extension}), std::move(text_.out)});
   }
 
-  void pause() override { text_.out += joined({"M0 ; ", kPauseText, "\n"}); }
+  void selectTool(int tool) override { text_.line(joined({"T", std::to_string(tool)})); }
+  void pause(std::string_view message) override { text_.out += joined({"M0 ; ", message, "\n"}); }
+  void purge(double filamentMm, double seconds) override { text_.purge(filamentMm, seconds); }
   void wait(double seconds) override { text_.wait(seconds); }
   void remark(std::string_view text) override { text_.remark(text); }
   void fan(double share) override { text_.fan(share); }
@@ -137,6 +139,15 @@ void GcodeText::retract(double filamentMm, double f) {
   out += '\n';
 }
 
+void GcodeText::purge(double filamentMm, double seconds) {
+  line("G92 E0");
+  word("G1 E", filamentMm, kFilamentDecimals, true);
+  word(" F", filamentMm / seconds * 60.0, 3, true);
+  out += '\n';
+  word("G92 E", lastMm_, kFilamentDecimals, true);
+  out += '\n';
+}
+
 void GcodeText::wait(double seconds) {
   out += joined({"G4 P", std::to_string(std::lround(1000.0 * seconds)), "\n"});
 }
@@ -182,7 +193,7 @@ void GcodeText::head(const ProgramInput& input, std::string_view title, std::str
       out += joined({heating("M109", tool), std::to_string(*celsius), "\n"});
   out += "M107\nG92 E0\n";
   if (primesStanding(input)) {
-    const double mmPerS = primeFlowMm3PerS(p) / filamentArea();
+    const double mmPerS = process::primeFlow(p) / filamentArea();
     word("G1 E", mmPerS * p.primeS, kFilamentDecimals, true);
     word(" F", mmPerS * 60.0, 3, true);
     out += " ; prime\nG92 E0\n";

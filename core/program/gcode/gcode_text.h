@@ -29,6 +29,8 @@ public:
   void word(std::string_view letters, double value, int decimals, bool trim = false);
   void line(std::string_view text);
   void wait(double seconds);
+  // Lets that length of filament flow out while the nozzle is at rest.
+  void purge(double filamentMm, double seconds);
   void remark(std::string_view text);
 
   // Writes remarks, units, the question, home, heat of the bed and of each tool that prints, the

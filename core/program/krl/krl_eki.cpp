@@ -101,7 +101,7 @@ std::vector<std::string> remarksFor(const ProgramInput& in) {
   std::vector<std::string> remarks = {"Takes lines by EthernetKRL"};
   std::ranges::copy(headLines(in), std::back_inserter(remarks));
   remarks.push_back(joined(
-      {"extruder on: $OUT[1]; flow: $ANOUT[1], ", fullFlowText("1", in.process()), ", 0 to 10 V"}));
+      {"extruder on: $OUT[1]; flow: $ANOUT[1], ", fullFlowText("1", in.tooling), ", 0 to 10 V"}));
   remarks.push_back(joined({"carries, assumed: ", assumedLoadText(in)}));
   if (in.cell.nozzleMount() == robot::Mount::World)
     remarks.emplace_back("fixed nozzle: $BASE is the nozzle, $TOOL the work frame on the flange");

@@ -299,10 +299,19 @@ private:
       if (!(value >= 0.0 && value <= 1.0))
         return fail("an analogue output outside 0..1"_text);
       out_.flow(value);
-    } else {
+    } else if (const int tool = toolOf(path); tool < 1 || !out_.toolOutput(tool, value == 1.0)) {
       out_.wordAt(path, kAside);
     }
     return true;
+  }
+  // $OUT[n]: returns the index of the tool that it selects; 0 if the path is another one.
+  static int toolOf(std::string_view path) {
+    constexpr std::string_view kOutput = "$out[";
+    double number = 0.0;
+    if (!path.starts_with(kOutput) || !path.ends_with("]") ||
+        !parseNumber(path.substr(kOutput.size(), path.size() - kOutput.size() - 1), number))
+      return 0;
+    return number >= 2.0 && number <= 255.0 ? static_cast<int>(number) - 1 : 0;
   }
 
   // TRIGGER WHEN DISTANCE=0 DELAY=0 DO output=value: takes effect at the start of the next motion.

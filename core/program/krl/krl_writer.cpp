@@ -150,8 +150,12 @@ private:
                    "; 100 percent of its speed is taken as ", fixedText(kKrlExtruderMmPerS, 0),
                    " mm/s"}));
     else
-      line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], ", fullFlowText("1", in_.process()),
+      line(joined({"; extruder on: $OUT[1]; flow: $ANOUT[1], ", fullFlowText("1", in_.tooling),
                    ", 0 to 10 V"}));
+    for (const std::string& note : toolNotes(in_, [](int k) {
+           return joined({"$OUT[", std::to_string(k + 1), "]"});
+         }))
+      line(joined({"; ", note}));
     if (motions_.turnLimit() > kMaxTurnDegPerS)
       line(joined({"; the tool turns by up to ", fixedText(motions_.turnLimit(), 0),
                    " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));
@@ -229,8 +233,12 @@ private:
     line("$OUT[1]=FALSE");
     line("$ANOUT[1]=0");
   }
-  void pause() override {
-    line(joined({"; ", kPauseText}));
+  void selectTool(int tool) override {
+    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
+      line(joined({"$OUT[", std::to_string(k + 1), k == tool ? "]=TRUE" : "]=FALSE"}));
+  }
+  void pause(std::string_view message) override {
+    line(joined({"; ", message}));
     line("HALT");
   }
   void prompt() override {

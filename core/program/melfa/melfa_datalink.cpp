@@ -156,14 +156,14 @@ std::vector<std::string> stepsFor(const Link& link) {
   return steps;
 }
 
-std::string outputsNote(const process::Process& process) {
+std::string outputsNote(const process::Tooling& tooling) {
   return joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
                  std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
-                 " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), process)});
+                 " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), tooling)});
 }
 
 std::string programText(const ProgramInput& in, const Link& link) {
-  std::vector<std::string> notes{outputsNote(in.process())};
+  std::vector<std::string> notes{outputsNote(in.tooling)};
   if (link.nozzle)
     notes.emplace_back("fixed nozzle: Ex-T control, work coordinates 1 are the nozzle's");
   notes.emplace_back(
@@ -208,7 +208,7 @@ plan::Program writeMelfaDatalink(const ProgramInput& input, const base::RunConte
     head.remarks.emplace_back(
         "FOREIGN: not the language of the cell's controller; Cartesian targets only");
   std::ranges::copy(headLines(input), std::back_inserter(head.remarks));
-  head.remarks.push_back(outputsNote(input.process()));
+  head.remarks.push_back(outputsNote(input.tooling));
   head.frames.tool = frameOf(input.cell.flange_T_moved());
   if (motions.holdsWork())
     head.frames.nozzle = frameOf(input.cell.base_T_fixed());

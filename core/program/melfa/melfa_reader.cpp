@@ -230,7 +230,8 @@ private:
         out_.flow(value / kMelfaFullFlow);
     } else if (touches(kMelfaExtruder, 1) || touches(kMelfaFlow, kOutputsOfWord)) {
       defect("an output of the extruder is set together with other outputs"_text);
-    } else {
+    } else if (name != "m_out" ||
+               !out_.toolOutput(static_cast<int>(first) - kMelfaExtruder, value > 0.0)) {
       out_.wordAt(name, kAside);
     }
   }

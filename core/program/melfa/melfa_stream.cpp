@@ -76,10 +76,10 @@ if __name__ == "__main__":
 )";
 
 // Packets set all 16 outputs. Uses the numbers of the melfa dialect that no other output has.
-std::string outputsNote(const process::Process& process) {
+std::string outputsNote(const process::Tooling& tooling) {
   return joined({"extruder on: output ", std::to_string(kMxtFirstOutput + 15), "; flow: outputs ",
                  std::to_string(kMxtFirstOutput), " to ", std::to_string(kMxtFirstOutput + 14),
-                 " as a number, ", fullFlowText(fixedText(kMxtFullFlow, 0), process)});
+                 " as a number, ", fullFlowText(fixedText(kMxtFullFlow, 0), tooling)});
 }
 
 // Returns the steps of the program that receives the stream; "" is a placeholder for the address.
@@ -96,7 +96,7 @@ std::vector<std::string> stepsFor(const JointRow& start) {
 
 std::string programText(const ProgramInput& in, const JointRow& start) {
   return melfaTakingText(in, kTaking,
-                         {outputsNote(in.process()),
+                         {outputsNote(in.tooling),
                           "the address behind ENET is the computer's that sends, to be set",
                           std::string(kStartQuestion)},
                          stepsFor(start));
@@ -158,7 +158,7 @@ plan::Program writeMelfaStream(const ProgramInput& input, const base::RunContext
       joined({kProgramNote.substr(2), taking}), joined({kSenderNote.substr(2), sender}),
       joined({kCycleNote.substr(2), fixedText(1000.0 * cycleS, 3), " ms"})};
   std::ranges::copy(headLines(input), std::back_inserter(head));
-  head.push_back(outputsNote(input.process()));
+  head.push_back(outputsNote(input.tooling));
   WrittenRows rows = writeRows(input, kId, head, mxtShare, ctx);
   if (const std::size_t count = mxtPacketCount(rows.rows, cycleS); count > kMaxPackets)
     throw base::Error(

@@ -116,7 +116,11 @@ private:
     }
     say(joined({"extruder on: output ", std::to_string(kMelfaExtruder), "; flow: outputs ",
                 std::to_string(kMelfaFlow), " to ", std::to_string(kMelfaFlow + 15),
-                " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), in_.process())}));
+                " as a number, ", fullFlowText(fixedText(kMelfaFullFlow, 0), in_.tooling)}));
+    for (const std::string& note : toolNotes(in_, [](int k) {
+           return joined({"output ", std::to_string(kMelfaExtruder + k)});
+         }))
+      say(note);
     say(joined({"load assumed: ", fixedText(assumedLoadKg(in_), 3), " kg, to be set in HNDDAT1"}));
   }
 
@@ -131,8 +135,12 @@ private:
     step(joined({"M_Out(", std::to_string(kMelfaExtruder), ")=0"}));
     step(joined({"M_Outw(", std::to_string(kMelfaFlow), ")=0"}));
   }
-  void pause() override {
-    remark(kPauseText);
+  void selectTool(int tool) override {
+    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
+      step(joined({"M_Out(", std::to_string(kMelfaExtruder + k), k == tool ? ")=1" : ")=0"}));
+  }
+  void pause(std::string_view message) override {
+    remark(message);
     step("Hlt");
   }
   void prompt() override {

@@ -27,8 +27,7 @@ constexpr double kMaxPerMm = 1e3, kShareSlack = 1e-3;
 class RapidReader : private RapidValues {
 public:
   RapidReader(const process::Tooling& tooling, const base::RunContext& ctx)
-      : ctx_(ctx), out_("rapid", tooling),
-        fullFlowMm3PerS_(tooling.first().process.maxFlowMm3PerS) {}
+      : ctx_(ctx), out_("rapid", tooling), fullFlowMm3PerS_(tooling.fullFlowMm3PerS()) {}
 
   plan::ReadProgram read(const std::vector<plan::ProgramFile>& files) {
     out_.expectMotionsOf(files);
@@ -305,6 +304,12 @@ private:
       return false;
     if (name == signal)
       return take(value);
+    constexpr std::string_view kToolSignal = "dotool";
+    double tool = 0.0;
+    if (name.starts_with(kToolSignal) &&
+        parseNumber(std::string_view(name).substr(kToolSignal.size()), tool) && tool <= 255.0 &&
+        out_.toolOutput(static_cast<int>(tool) - 1, value == 1.0))
+      return true;
     out_.wordAt(name, kAside);
     return true;
   }

@@ -43,6 +43,10 @@ std::string rapidFrame(const Eigen::Isometry3d& pose) {
   return out + "]";
 }
 
+std::string rapidToolSignal(int tool) {
+  return joined({"doTool", std::to_string(tool + 1)});
+}
+
 std::string rapidToolLine(const ProgramInput& input) {
   const bool held = heldPlate(input);
   std::string out =

@@ -21,6 +21,8 @@ std::string rapidFrame(const Eigen::Isometry3d& pose);
 
 // Return the declarations, without line ends: the nozzle, held or stationary, with the assumed
 // load; and the work object, stationary or held by the flange.
+// Returns the name of the signal that selects a tool but the first, by its index.
+std::string rapidToolSignal(int tool);
 std::string rapidToolLine(const ProgramInput& input);
 std::string rapidObjectLine(const ProgramInput& input, std::string_view name);
 

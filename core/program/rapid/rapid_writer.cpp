@@ -199,7 +199,9 @@ private:
   }
 
   void aboutSignals() {
-    line(joined({"  ! extruder on: doExtruder; flow: aoFlow, ", fullFlowText("1", in_.process())}));
+    line(joined({"  ! extruder on: doExtruder; flow: aoFlow, ", fullFlowText("1", in_.tooling)}));
+    for (const std::string& note : toolNotes(in_, rapidToolSignal))
+      line(joined({"  ! ", note}));
     if (bySpeed_)
       line("  ! in beads aoFlow is the TCP's real speed in mm/s times TriggSpeed's last number");
     line(joined({"  ! expects the signals doExtruder and aoFlow, which goes from 0 to 1: ", name_,
@@ -280,7 +282,13 @@ private:
     share_.clear();
     perMm_ = 0.0;
   }
-  void pause() override { line(joined({"    UIMsgBox \"", kPauseText, "\";"})); }
+  void selectTool(int tool) override {
+    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
+      line(joined({"    SetDO ", rapidToolSignal(k), k == tool ? ",1;" : ",0;"}));
+  }
+  void pause(std::string_view message) override {
+    line(joined({"    UIMsgBox \"", message, "\";"}));
+  }
   void prompt() override { line(joined({"    UIMsgBox \"", startQuestion(in_), "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
   // Between motions that do not stop, an assignment would run ahead of the arm, so the flow is an
@@ -302,7 +310,7 @@ private:
   // any path has no speed to scale with.
   void flowBySpeed(std::size_t i) {
     constexpr double kMinWayMm = 0.01;
-    const double full = in_.process().maxFlowMm3PerS;
+    const double full = in_.tooling.fullFlowMm3PerS();
     const double way = i > 0 ? motions_.tcpMm(i) : 0.0;
     if (i == 0 || in_.trajectory.move[i - 1] == plan::MoveKind::Joint || way < kMinWayMm) {
       if (const std::string share = shareText(motions_.flowMm3PerS(i) / full);

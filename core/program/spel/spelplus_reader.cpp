@@ -163,7 +163,12 @@ private:
   bool digital(bool on, LineCursor& line) {
     double port = 0.0;
     std::string label;
-    if (line.takeName(label) || (variables_.takeNumber(line, port) && port != 1.0))
+    const bool isNamed = line.takeName(label);
+    const bool isPort = !isNamed && variables_.takeNumber(line, port);
+    if (isPort && port >= 2.0 && port <= 255.0 && line.ended() &&
+        out_.toolOutput(static_cast<int>(port) - 1, on))
+      return true;
+    if (isNamed || (isPort && port != 1.0))
       return out_.wordAt("output", kAside), takeRest(line);
     if (port != 1.0)
       return false;

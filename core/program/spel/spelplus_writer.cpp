@@ -91,7 +91,11 @@ private:
             : "  ' moving nozzle: poses are tool 1's in Base, the nozzle's tip");
     line(joined(
         {"  ' ", extruderNote(in_, joined({"extruder on: output 1; flow: analogue output 1, ",
-                                           fullFlowText("10 V", in_.process())}))}));
+                                           fullFlowText("10 V", in_.tooling)}))}));
+    for (const std::string& note : toolNotes(in_, [](int k) {
+           return joined({"output ", std::to_string(k + 1)});
+         }))
+      line(joined({"  ' ", note}));
     line("  ' to be added to a project of RC+, and called or chosen to be run");
   }
 
@@ -172,8 +176,12 @@ private:
     line("  Off 1");
     line("  AIO_Out 1, 0");
   }
-  void pause() override {
-    line(joined({"  Print \"", kPauseText, "\""}));
+  void selectTool(int tool) override {
+    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
+      line(joined({k == tool ? "  On " : "  Off ", std::to_string(k + 1)}));
+  }
+  void pause(std::string_view message) override {
+    line(joined({"  Print \"", message, "\""}));
     line("  Pause");
   }
   void prompt() override {

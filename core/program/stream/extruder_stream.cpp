@@ -199,7 +199,7 @@ plan::ProgramFile streamFile(const ProgramInput& input, const base::RunContext& 
   };
   if (const double s = input.process().primeS; primesStanding(input)) {
     mark("on", 1);
-    step(1, s, primeFlowMm3PerS(input.process()) * s);
+    step(1, s, process::primeFlow(input.process()) * s);
     mark("off", 1);
   }
   const double drawMm = input.process().retractMm;

@@ -79,8 +79,8 @@ plan::Program writeUrscriptStream(const ProgramInput& input, const base::RunCont
                                    joined({kReceiverNote.substr(2), receiverName(input)}),
                                    joined({kSenderNote.substr(2), senderName(input)})};
   std::ranges::copy(headLines(input), std::back_inserter(head));
-  head.push_back(joined({"extruder: digital output 0; flow: analogue output 0, ",
-                         fullFlowText("1", input.process())}));
+  head.push_back(joined(
+      {"extruder: digital output 0; flow: analogue output 0, ", fullFlowText("1", input.tooling)}));
   plan::Program program;
   program.format = kId;
   program.files = {

@@ -159,7 +159,17 @@ private:
     else if (!out_.word(tmscriptWords(), word))
       defect(base::message("'{name}' is not known to the reader"_text, word.substr(0, 40)));
     else if (word == "Pause")
-      out_.state(plan::FactKind::OperatorStop, 1.0);
+      pause();
+    else if (word == "WaitQueueTag" ||
+             (word == "QueueTag" && !arguments.numbers.empty() && arguments.numbers.back() == 1.0))
+      isQueueDone_ = true;
+  }
+
+  // Unlike motions and outputs, a pause is not queued.
+  void pause() {
+    if (!isQueueDone_ && !out_.program().motions.empty())
+      defect("'Pause' does not wait for the motions before it (QueueTag)"_text);
+    out_.state(plan::FactKind::OperatorStop, 1.0);
   }
 
   void leave() {
@@ -221,6 +231,10 @@ private:
       notUnderstood(code);
       return;
     }
+    const bool isTool = module == "ControlBox" && kind == "DO" &&
+                        out_.toolOutput(static_cast<int>(channel), value > 0.0);
+    if (isTool)
+      return;
     if (module != "ControlBox" || channel != 0.0)
       out_.wordAt(kind, kAside);
     else if (kind.starts_with("Instant") && !out_.program().motions.empty())
@@ -410,6 +424,7 @@ private:
       tcpSet_ = true; // Report only once
     }
     last_ = Last{joints, numbers};
+    isQueueDone_ = false;
     out_.motionByOutputs(std::move(m));
   }
 
@@ -504,6 +519,7 @@ private:
   std::optional<Passed> passed_;           // The last point, if it is on a bead
   bool first_ = false;                     // The next point is the first of the block
   bool left_ = false, tcpSet_ = false, everSet_ = false;
+  bool isQueueDone_ = false; // the arm has reached its last target
 };
 
 } // namespace

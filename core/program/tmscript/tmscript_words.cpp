@@ -9,7 +9,7 @@ std::span<const KnownWord> tmscriptWords() {
   static constexpr std::array kTable = {
       KnownWord{"QueueTag", kAnywhere, "a mark in the queue, told when it is reached"},
       KnownWord{"WaitQueueTag", kAtRest, "waits until the queue is there"},
-      KnownWord{"Pause", kAside, "waits for the operator"},
+      KnownWord{"Pause", kAtRest, "waits for the operator"},
       KnownWord{"Resume", kAside, "goes on"},
   };
   return kTable;

@@ -86,8 +86,12 @@ private:
     remark(in_.cell.nozzleMount() == robot::Mount::World
                ? "fixed nozzle: the TCP is the plate's centre, poses are the plate's in RobotBase"
                : "moving nozzle: the TCP is the nozzle's tip, poses are in RobotBase");
-    remark(joined({"extruder on: DO 0 of the control box; flow: AO 0, ",
-                   fullFlowText("10 V", in_.process())}));
+    remark(joined(
+        {"extruder on: DO 0 of the control box; flow: AO 0, ", fullFlowText("10 V", in_.tooling)}));
+    for (const std::string& note : toolNotes(in_, [](int k) {
+           return joined({"DO ", std::to_string(k)});
+         }))
+      remark(note);
   }
 
   void endFile(std::size_t) override {
@@ -101,6 +105,17 @@ private:
   void outputsOff() {
     frame("IO[\"ControlBox\"].DO[0]=0");
     frame("IO[\"ControlBox\"].AO[0]=0");
+  }
+  void selectTool(int tool) override {
+    leave();
+    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
+      frame(joined({"IO[\"ControlBox\"].DO[", std::to_string(k), k == tool ? "]=1" : "]=0"}));
+  }
+  void pause(std::string_view message) override {
+    leave();
+    remark(message);
+    frame("QueueTag(1,1)");
+    frame("Pause()");
   }
   void prompt() override {
     remark(startQuestion(in_));

@@ -489,7 +489,7 @@ private:
       return;
     if (channel == 0)
       out_.turn(value > 0.0);
-    else
+    else if (!out_.toolOutput(channel, value > 0.0))
       out_.wordAt(call.name, kAside);
   }
   void analogOut(const Call& call) {

@@ -176,11 +176,20 @@ private:
     line(joined(
         {"  # ",
          extruderNote(in_, joined({"extruder on: digital output 0; flow: analogue output 0, ",
-                                   fullFlowText("1", in_.process())}))}));
+                                   fullFlowText("1", in_.tooling)}))}));
+    for (const std::string& note : toolNotes(in_, [](int k) {
+           return joined({"digital output ", std::to_string(k)});
+         }))
+      line(joined({"  # ", note}));
   }
 
-  void pause() override {
-    line(joined({"  popup(\"", kPauseText, "\",title=\"Voluta\",blocking=True)"}));
+  void selectTool(int tool) override {
+    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
+      line(joined(
+          {"  set_standard_digital_out(", std::to_string(k), k == tool ? ",True)" : ",False)"}));
+  }
+  void pause(std::string_view message) override {
+    line(joined({"  popup(\"", message, "\",title=\"Voluta\",blocking=True)"}));
   }
   void prompt() override {
     line(joined({"  popup(\"", startQuestion(in_), "\",title=\"Voluta\",blocking=True)"}));

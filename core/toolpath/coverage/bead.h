@@ -20,6 +20,7 @@ struct Bead {
   plan::PathKind kind = plan::PathKind::Wall;
   int ring = 0; // Walls: 0 is the outermost
   bool closed = false;
+  int tool = -1; // index in the job's tooling; negative: that of the patch
 };
 
 } // namespace voluta::toolpath

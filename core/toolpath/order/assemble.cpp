@@ -6,6 +6,7 @@
 #include "toolpath/order/place_seams.h"
 #include "toolpath/order/print_turn.h"
 #include "toolpath/order/seam.h"
+#include "toolpath/order/tool_order.h"
 #include "toolpath/order/travel.h"
 #include "toolpath/unsupported/bead_tip.h"
 
@@ -13,6 +14,8 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
 
 namespace voluta::toolpath {
@@ -26,16 +29,50 @@ struct PlacedBead {
   const Bead* bead = nullptr;
 };
 
+// Beads of one tool and one turn of a patch.
+struct ToolTurn {
+  int tool = 0;
+  StopTurn stops;
+};
+
 // The beads of all patches as stops of the head, by index.
 struct BeadStops {
   std::vector<PlacedBead> beads;
   std::vector<Stop> stops;
-  std::vector<std::vector<StopTurn>> turnsOfPatch;
+  std::vector<std::vector<ToolTurn>> turnsOfPatch;
 
-  std::vector<StopTurn> turnsOf(const std::vector<std::size_t>& patches) const {
-    std::vector<StopTurn> turns;
+  // The tools of these patches, ascending, each once.
+  std::vector<int> toolsOf(std::span<const std::size_t> patches) const {
+    std::set<int> tools;
     for (const std::size_t patch : patches)
-      turns.insert(turns.end(), turnsOfPatch[patch].begin(), turnsOfPatch[patch].end());
+      for (const ToolTurn& turn : turnsOfPatch[patch])
+        tools.insert(turn.tool);
+    return {tools.begin(), tools.end()};
+  }
+
+  // The turns of these patches in that order; within a layer, tool after tool, so that the fewest
+  // changes are needed. Beads of one layer do not support each other.
+  std::vector<StopTurn> turnsOf(const layers::LayerStack& stack,
+                                const std::vector<std::size_t>& patches) const {
+    const auto isOtherLayer = [&](std::size_t a, std::size_t b) {
+      return stack.patches[a].layer != stack.patches[b].layer;
+    };
+    std::vector<std::span<const std::size_t>> layers;
+    std::vector<std::vector<int>> tools;
+    for (auto begin = patches.begin(); begin != patches.end();) {
+      auto end = std::adjacent_find(begin, patches.end(), isOtherLayer);
+      end = end == patches.end() ? end : end + 1;
+      tools.push_back(toolsOf(layers.emplace_back(begin, end)));
+      begin = end;
+    }
+    const std::vector<std::vector<int>> order = toolOrder(tools);
+    std::vector<StopTurn> turns;
+    for (std::size_t l = 0; l < layers.size(); ++l)
+      for (const int tool : order[l])
+        for (const std::size_t patch : layers[l])
+          for (const ToolTurn& turn : turnsOfPatch[patch])
+            if (turn.tool == tool)
+              turns.push_back(turn.stops);
     return turns;
   }
 };
@@ -54,21 +91,25 @@ Stop stopOf(const Bead& bead, bool beginsAtSeam) {
   return stop;
 }
 
-BeadStops beadStops(const std::vector<PatchCover>& covers,
+int toolOf(const layers::Patch& patch, const Bead& bead) {
+  return bead.tool < 0 ? patch.tool : bead.tool;
+}
+
+BeadStops beadStops(const layers::LayerStack& stack, const std::vector<PatchCover>& covers,
                     const std::vector<std::vector<std::optional<Bead>>>& atSeams) {
   BeadStops out;
   for (std::size_t i = 0; i < covers.size(); ++i) {
-    std::map<int, StopTurn> turns;
+    std::map<std::pair<int, int>, StopTurn> turns; // by turn and tool
     for (std::size_t k = 0; k < covers[i].beads.size(); ++k) {
       const std::optional<Bead>& atSeam = atSeams[i][k];
       const Bead& bead = atSeam ? *atSeam : covers[i].beads[k];
-      turns[printTurn(bead)].push_back(out.stops.size());
+      turns[{printTurn(bead), toolOf(stack.patches[i], bead)}].push_back(out.stops.size());
       out.stops.push_back(stopOf(bead, atSeam.has_value()));
       out.beads.push_back({i, &bead});
     }
-    std::vector<StopTurn>& ofPatch = out.turnsOfPatch.emplace_back();
+    std::vector<ToolTurn>& ofPatch = out.turnsOfPatch.emplace_back();
     for (auto& [turn, stops] : turns)
-      ofPatch.push_back(std::move(stops));
+      ofPatch.push_back({turn.second, std::move(stops)});
   }
   return out;
 }
@@ -76,16 +117,18 @@ BeadStops beadStops(const std::vector<PatchCover>& covers,
 std::vector<Visit> shortestVisits(const layers::LayerStack& stack, const BeadStops& beads,
                                   const OrderOptions& options) {
   if (options.keepIslandOrder)
-    return visitShortly(beads.stops, beads.turnsOf(orderAsBelow(stack)), Vector3d::Zero());
+    return visitShortly(beads.stops, beads.turnsOf(stack, orderAsBelow(stack)), Vector3d::Zero());
   std::vector<std::size_t> inOrder(stack.patches.size());
   for (std::size_t i = 0; i < inOrder.size(); ++i)
     inOrder[i] = i;
-  std::vector<Visit> shortest = visitShortly(beads.stops, beads.turnsOf(inOrder), Vector3d::Zero());
+  std::vector<Visit> shortest =
+      visitShortly(beads.stops, beads.turnsOf(stack, inOrder), Vector3d::Zero());
   if (!options.orderIslands)
     return shortest;
   double leastMm = travelMm(beads.stops, shortest);
   for (const std::vector<std::size_t>& order : islandOrders(stack)) {
-    std::vector<Visit> visits = visitShortly(beads.stops, beads.turnsOf(order), Vector3d::Zero());
+    std::vector<Visit> visits =
+        visitShortly(beads.stops, beads.turnsOf(stack, order), Vector3d::Zero());
     if (const double mm = travelMm(beads.stops, visits); mm < leastMm) {
       leastMm = mm;
       shortest = std::move(visits);
@@ -130,7 +173,7 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
                    const process::Tooling& tooling, const OrderOptions& options) {
   base::require(covers.size() == stack.patches.size(), "one cover a patch");
   const auto atSeams = placeSeams(stack, covers, seamKind(options.seam));
-  const BeadStops beads = beadStops(covers, atSeams);
+  const BeadStops beads = beadStops(stack, covers, atSeams);
   const std::vector<Visit> visits = shortestVisits(stack, beads, options);
   Assembled out;
   out.travelMm = travelMm(beads.stops, visits);
@@ -147,9 +190,9 @@ Assembled assemble(const layers::LayerStack& stack, const std::vector<PatchCover
     path.group = patch.group;
     path.closed = bead->closed;
     path.item = patch.item;
-    path.tool = patch.tool;
+    path.tool = toolOf(patch, *bead);
     path.ring = bead->ring;
-    append(out, points, tooling.at(patch.tool).process);
+    append(out, points, tooling.at(path.tool).process);
     out.plan.paths.push_back(path);
   }
   return out;

@@ -82,13 +82,54 @@ double shellOf(const process::Tooling& tooling, const ToolpathOptions& o) {
   }
   return std::max(0.0, shell);
 }
+
+void append(PatchCover& to, PatchCover more) {
+  std::ranges::move(more.beads, std::back_inserter(to.beads));
+  std::ranges::move(more.thinWalls, std::back_inserter(to.thinWalls));
+  to.areaMm2 += more.areaMm2;
+  to.volumeMm3 += more.volumeMm3;
+  to.beadVolumeMm3 += more.beadVolumeMm3;
+  to.coveredMm2 += more.coveredMm2;
+  to.overlapMm2 += more.overlapMm2;
+}
+
+// Covers solid layers whose interior another tool fills: its beads follow those of the skin in the
+// cover of the patch.
+std::vector<PatchCover> coverSolidCore(const layers::LayerStack& stack, const process::Tooling& tooling,
+                           const ToolpathOptions& options, double share,
+                           const base::RunContext& ctx) {
+  constexpr double kSkinShare = 0.5; // of the progress
+  const base::RunContext silent = ctx.quiet();
+  SplitLayers split = splitLayers(stack, LayerCount(stack, silent), tooling, options, silent);
+  std::vector<PatchCover> all = coverSolid(split.solid, tooling, options, kSkinShare * share, ctx);
+  layers::LayerStack core;
+  core.layerCount = stack.layerCount;
+  std::vector<std::size_t> of; // patch of the stack
+  for (std::size_t i = 0; i < split.sparse.size(); ++i)
+    if (split.sparse[i]) {
+      core.patches.push_back(std::move(*split.sparse[i]));
+      core.patches.back().tool = options.infillTool;
+      of.push_back(i);
+    }
+  ToolpathOptions own = options;
+  own.walls = 0;
+  std::vector<PatchCover> covers = coverSolid(core, tooling, own, share, ctx);
+  for (std::size_t i = 0; i < covers.size(); ++i) {
+    for (Bead& bead : covers[i].beads)
+      bead.tool = options.infillTool;
+    append(all[of[i]], std::move(covers[i]));
+  }
+  return all;
+}
 } // namespace
 
 LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling& tooling,
                         const ToolpathOptions& options, double share, const base::RunContext& ctx) {
   LayerCovers out;
   if (options.infillDensity >= 1.0) {
-    out.covers = coverSolid(stack, tooling, options, share, ctx);
+    out.covers = options.infillTool < 0
+                     ? coverSolid(stack, tooling, options, share, ctx)
+                     : coverSolidCore(stack, tooling, options, share, ctx);
     return out;
   }
   const base::RunContext silent = ctx.quiet();
@@ -100,9 +141,13 @@ LayerCovers coverLayers(const layers::LayerStack& stack, const process::Tooling&
   std::vector<std::vector<Bead>> sparse(stack.patches.size());
   base::parallelChunks(silent, stack.patches.size(), 1, [&](std::size_t i, std::size_t) {
     markBridges(i, whole, solid, out.covers[i].beads);
-    if (split.sparse[i])
-      sparse[i] = sparseBeads(*split.sparse[i], {stack, i, whole, frames[i]},
-                              tooling.at(stack.patches[i].tool).process, options, silent);
+    if (!split.sparse[i])
+      return;
+    const int tool = options.infillTool < 0 ? stack.patches[i].tool : options.infillTool;
+    sparse[i] = sparseBeads(*split.sparse[i], {stack, i, whole, frames[i]},
+                            tooling.at(tool).process, options, silent);
+    for (Bead& bead : sparse[i])
+      bead.tool = tool;
   });
   for (std::size_t i = 0; i < sparse.size(); ++i) {
     if (split.sparse[i])
