@@ -14,6 +14,7 @@
 #include "pipeline/open_part.h"
 #include "placement/orient.h"
 #include "process/feature_parameters.h"
+#include "process/joined_heads.h"
 #include "program/dialect.h"
 #include "program/program_options.h"
 #include "project/length_unit.h"
@@ -239,6 +240,25 @@ process::Process chosenProcess(const project::Choices& choices,
   return p;
 }
 
+namespace {
+// Gives all tools one head that contains theirs: collision checks hold for each of them.
+void joinHeads(std::vector<process::Tool>& tools) {
+  if (tools.size() == 1)
+    return;
+  std::vector<process::HeadShape> heads;
+  double toleranceMm = tools.front().process.contactToleranceMm;
+  for (const process::Tool& tool : tools) {
+    heads.push_back(tool.process.head);
+    toleranceMm = std::min(toleranceMm, tool.process.contactToleranceMm);
+  }
+  const process::HeadShape joined = process::joinedHeads(heads);
+  for (process::Tool& tool : tools) {
+    tool.process.head = joined;
+    tool.process.contactToleranceMm = toleranceMm;
+  }
+}
+} // namespace
+
 process::Tooling chosenTooling(const project::Choices& choices,
                                const base::ParameterValues& values) {
   std::vector<process::Tool> tools;
@@ -255,6 +275,7 @@ process::Tooling chosenTooling(const project::Choices& choices,
         std::clamp(process.layerHeightMm, other.layerHeightMinMm, other.layerHeightMaxMm);
     tools.push_back({std::move(other)});
   }
+  joinHeads(tools);
   return process::Tooling(std::move(tools));
 }
 

@@ -51,7 +51,8 @@ process::Process chosenProcess(const project::Choices& choices,
 std::size_t ownTool(const project::Choices& choices);
 
 // Returns the tools of the choices: that of the part with chosenProcess(), the others with their
-// processes and the part's layer height, as far as they can print it. Throws as chosenProcess().
+// processes and the part's layer height, as far as they can print it. All have one head that
+// contains those of all. Throws as chosenProcess().
 process::Tooling chosenTooling(const project::Choices& choices,
                                const base::ParameterValues& values);
 

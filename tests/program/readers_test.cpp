@@ -1,6 +1,7 @@
 // Programs as people write them, and what the readers must not swallow.
 #include "base/units.h"
 #include "process/process.h"
+#include "program/filament.h"
 #include "program/dialect.h"
 #include "program_defects.h"
 
@@ -250,12 +251,13 @@ TEST(GcodeReader, usesTheStatedFilament) {
   EXPECT_NEAR(program.motions[1].volumeMm3, base::kPi / 4 * 2.85 * 2.85, 1e-12);
 }
 
-TEST(GcodeReader, countsABlobAsAMotion) {
+TEST(GcodeReader, countsABlobAsAPauseWithMaterial) {
   const auto program = read("gcode-extended", "G1 E5 F300\nG92 E0\nG0 X0 Y0 Z0 F600\nG1 E3\n"
                                               "M104 S0\nM84\n; end\n");
-  ASSERT_EQ(program.motions.size(), 2u); // the prime before the first target is none
-  EXPECT_EQ(program.motions[1].position, program.motions[0].position);
-  EXPECT_TRUE(program.motions[1].extruding);
+  EXPECT_EQ(program.motions.size(), 1u);
+  ASSERT_EQ(program.pauses.size(), 2u); // the first one is the prime
+  EXPECT_EQ(program.pauses[1].before, 1u);
+  EXPECT_NEAR(program.pauses[1].volumeMm3, 3.0 * program::filamentArea(), 1e-9);
 }
 
 TEST(GcodeReader, namesWhatItCannotTake) {

@@ -168,7 +168,7 @@ private:
   // Unlike motions and outputs, a pause is not queued.
   void pause() {
     if (!isQueueDone_ && !out_.program().motions.empty())
-      defect("'Pause' does not wait for the motions before it (QueueTag)"_text);
+      earlyPause_ = out_.line;
     out_.state(plan::FactKind::OperatorStop, 1.0);
   }
 
@@ -425,6 +425,11 @@ private:
     }
     last_ = Last{joints, numbers};
     isQueueDone_ = false;
+    if (earlyPause_) {
+      const std::size_t here = std::exchange(out_.line, *std::exchange(earlyPause_, std::nullopt));
+      defect("'Pause' does not wait for the motions before it (QueueTag)"_text);
+      out_.line = here;
+    }
     out_.motionByOutputs(std::move(m));
   }
 
@@ -519,7 +524,8 @@ private:
   std::optional<Passed> passed_;           // The last point, if it is on a bead
   bool first_ = false;                     // The next point is the first of the block
   bool left_ = false, tcpSet_ = false, everSet_ = false;
-  bool isQueueDone_ = false; // the arm has reached its last target
+  bool isQueueDone_ = false;              // the arm has reached its last target
+  std::optional<std::size_t> earlyPause_; // line of a pause before it has
 };
 
 } // namespace
