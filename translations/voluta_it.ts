@@ -475,6 +475,14 @@
         <source>Moves all parts beside each other, with room for the print head</source>
         <translation>Mette tutti i pezzi uno accanto all&apos;altro, con spazio per la testa di stampa</translation>
     </message>
+    <message>
+        <source>Processes and &amp;materials…</source>
+        <translation>Processi e &amp;materiali…</translation>
+    </message>
+    <message>
+        <source>Nozzle, bead sizes, speeds, head; own processes and materials</source>
+        <translation>Ugello, misure dei cordoni, velocità, testina; processi e materiali propri</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -1880,14 +1888,6 @@ mm³</translation>
         <translation>è una cartella, non un file</translation>
     </message>
     <message>
-        <source>is above &apos;max&apos;</source>
-        <translation>è superiore a &apos;max&apos;</translation>
-    </message>
-    <message>
-        <source>is below &apos;min&apos;</source>
-        <translation>è inferiore a &apos;min&apos;</translation>
-    </message>
-    <message>
         <source>is truncated</source>
         <translation>è troncato</translation>
     </message>
@@ -2630,10 +2630,6 @@ mm³</translation>
         <translation>barra</translation>
     </message>
     <message>
-        <source>rod profile</source>
-        <translation>profilo della barra</translation>
-    </message>
-    <message>
         <source>rod, {sizes} mm</source>
         <translation>barra, {sizes} mm</translation>
     </message>
@@ -2998,10 +2994,6 @@ mm³</translation>
     <message>
         <source>nozzle axis {angle:.2f} off the planned direction</source>
         <translation>asse dell&apos;ugello a {angle:.2f} dalla direzione pianificata</translation>
-    </message>
-    <message>
-        <source>nozzle {distance:.3f} off the planned path</source>
-        <translation>ugello a {distance:.3f} dal percorso pianificato</translation>
     </message>
     <message>
         <source>the numbers of vertices and faces are expected here</source>
@@ -7606,6 +7598,438 @@ previsto</translation>
         <source>give a shorter minimum, or a longer maximum</source>
         <translation>indica un minimo più breve, o un massimo più lungo</translation>
     </message>
+    <message>
+        <source>#RRGGBB, for the view.</source>
+        <translation>#RRGGBB, per la vista.</translation>
+    </message>
+    <message>
+        <source>&apos;{id}&apos; cannot be a process&apos;s id</source>
+        <translation>«{id}» non può essere l&apos;identificativo di un processo</translation>
+    </message>
+    <message>
+        <source>0: as in the process.</source>
+        <translation>0: come nel processo.</translation>
+    </message>
+    <message>
+        <source>Beads are nowhere narrower.</source>
+        <translation>Nessun cordone è più stretto.</translation>
+    </message>
+    <message>
+        <source>Beads are nowhere wider.</source>
+        <translation>Nessun cordone è più largo.</translation>
+    </message>
+    <message>
+        <source>Bridges</source>
+        <translation>Ponti</translation>
+    </message>
+    <message>
+        <source>Colder nozzles do not print it.</source>
+        <translation>Un ugello più freddo non lo stampa.</translation>
+    </message>
+    <message>
+        <source>Curved layers are nowhere thicker.</source>
+        <translation>Gli strati curvi non sono mai più spessi.</translation>
+    </message>
+    <message>
+        <source>Curved layers are nowhere thinner.</source>
+        <translation>Gli strati curvi non sono mai più sottili.</translation>
+    </message>
+    <message>
+        <source>Density of the printed material.</source>
+        <translation>Densità del materiale stampato.</translation>
+    </message>
+    <message>
+        <source>Diameter of the nozzle&apos;s opening.</source>
+        <translation>Diametro del foro dell&apos;ugello.</translation>
+    </message>
+    <message>
+        <source>Distance of waypoints along a tool-path.</source>
+        <translation>Distanza dei punti lungo un percorso utensile.</translation>
+    </message>
+    <message>
+        <source>Extruder</source>
+        <translation>Estrusore</translation>
+    </message>
+    <message>
+        <source>Factor of the bead&apos;s section.</source>
+        <translation>Fattore della sezione del cordone.</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Elementi</translation>
+    </message>
+    <message>
+        <source>Flow at full scale of the analogue output.</source>
+        <translation>Portata al fondo scala dell&apos;uscita analogica.</translation>
+    </message>
+    <message>
+        <source>For people, for example how to dry it.</source>
+        <translation>Per chi legge, per esempio come asciugarlo.</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Testina</translation>
+    </message>
+    <message>
+        <source>Height and radius of its sections, in mm.</source>
+        <translation>Altezza e raggio delle sue sezioni, in mm.</translation>
+    </message>
+    <message>
+        <source>Hotter nozzles damage it.</source>
+        <translation>Un ugello più caldo lo rovina.</translation>
+    </message>
+    <message>
+        <source>How deep the head may enter soft beads before it is a collision.</source>
+        <translation>Quanto la testina può entrare nei cordoni molli prima che sia una collisione.</translation>
+    </message>
+    <message>
+        <source>In your currency. 0: unknown.</source>
+        <translation>Nella propria valuta. 0: sconosciuto.</translation>
+    </message>
+    <message>
+        <source>Length of filament that is retracted for a travel. 0: none.</source>
+        <translation>Filamento ritratto per uno spostamento. 0: nessuno.</translation>
+    </message>
+    <message>
+        <source>Length that a bead bridges, unless the process states it.</source>
+        <translation>Lunghezza che un cordone supera a ponte, se il processo non la indica.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limiti</translation>
+    </message>
+    <message>
+        <source>Material that the process prints.</source>
+        <translation>Materiale stampato dal processo.</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration of the nozzle.</source>
+        <translation>Accelerazione massima dell&apos;ugello.</translation>
+    </message>
+    <message>
+        <source>Maximum length of an unsupported bridge.</source>
+        <translation>Lunghezza massima di un ponte senza sostegno.</translation>
+    </message>
+    <message>
+        <source>Maximum speed on a bridge.</source>
+        <translation>Velocità massima su un ponte.</translation>
+    </message>
+    <message>
+        <source>Melted at most, whatever the process allows.</source>
+        <translation>Quanto se ne fonde al massimo, qualunque cosa consenta il processo.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Altro</translation>
+    </message>
+    <message>
+        <source>Part cooling from the second layer on, 0 to 1.</source>
+        <translation>Raffreddamento del pezzo dal secondo strato in poi, da 0 a 1.</translation>
+    </message>
+    <message>
+        <source>Part cooling of bridges, 0 to 1.</source>
+        <translation>Raffreddamento dei ponti, da 0 a 1.</translation>
+    </message>
+    <message>
+        <source>Shown in lists and reports.</source>
+        <translation>Mostrato in elenchi e rapporti.</translation>
+    </message>
+    <message>
+        <source>Speed of the nozzle between tool-paths.</source>
+        <translation>Velocità dell&apos;ugello fra i percorsi.</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Velocità</translation>
+    </message>
+    <message>
+        <source>Temperatures</source>
+        <translation>Temperature</translation>
+    </message>
+    <message>
+        <source>The extruder runs this long before a tool-path begins.</source>
+        <translation>L&apos;estrusore gira per questo tempo prima che un percorso cominci.</translation>
+    </message>
+    <message>
+        <source>Usual height of a layer, and of a bead.</source>
+        <translation>Altezza abituale di uno strato e di un cordone.</translation>
+    </message>
+    <message>
+        <source>Usual speed of the nozzle while it prints.</source>
+        <translation>Velocità abituale dell&apos;ugello mentre stampa.</translation>
+    </message>
+    <message>
+        <source>Usual temperature of the nozzle.</source>
+        <translation>Temperatura abituale dell&apos;ugello.</translation>
+    </message>
+    <message>
+        <source>Usual temperature of the plate.</source>
+        <translation>Temperatura abituale del piatto.</translation>
+    </message>
+    <message>
+        <source>Usual width of a bead.</source>
+        <translation>Larghezza abituale di un cordone.</translation>
+    </message>
+    <message>
+        <source>Whatever the process allows.</source>
+        <translation>Qualunque cosa consenta il processo.</translation>
+    </message>
+    <message>
+        <source>a process &apos;{id}&apos; comes with the program</source>
+        <translation>un processo «{id}» è già fornito con il programma</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accelerazione</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>qualsiasi</translation>
+    </message>
+    <message>
+        <source>as elsewhere</source>
+        <translation>come altrove</translation>
+    </message>
+    <message>
+        <source>as in the process</source>
+        <translation>come nel processo</translation>
+    </message>
+    <message>
+        <source>block height</source>
+        <translation>altezza del blocco</translation>
+    </message>
+    <message>
+        <source>block width</source>
+        <translation>larghezza del blocco</translation>
+    </message>
+    <message>
+        <source>bridge flow</source>
+        <translation>flusso dei ponti</translation>
+    </message>
+    <message>
+        <source>bridge length in bead widths</source>
+        <translation>lunghezza dei ponti in larghezze di cordone</translation>
+    </message>
+    <message>
+        <source>bridge speed</source>
+        <translation>velocità dei ponti</translation>
+    </message>
+    <message>
+        <source>cannot be deleted</source>
+        <translation>non può essere cancellato</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>colore</translation>
+    </message>
+    <message>
+        <source>cone angle</source>
+        <translation>angolo del cono</translation>
+    </message>
+    <message>
+        <source>cone angle must be below 180°</source>
+        <translation>l&apos;angolo del cono deve essere minore di 180°</translation>
+    </message>
+    <message>
+        <source>cone height</source>
+        <translation>altezza del cono</translation>
+    </message>
+    <message>
+        <source>contact tolerance</source>
+        <translation>tolleranza di contatto</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>densità</translation>
+    </message>
+    <message>
+        <source>export the head with its nozzle pointing down</source>
+        <translation>esporta la testina con l&apos;ugello verso il basso</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>ventola</translation>
+    </message>
+    <message>
+        <source>fan on bridges</source>
+        <translation>ventola sui ponti</translation>
+    </message>
+    <message>
+        <source>first-layer flow</source>
+        <translation>flusso del primo strato</translation>
+    </message>
+    <message>
+        <source>first-layer width</source>
+        <translation>larghezza del primo strato</translation>
+    </message>
+    <message>
+        <source>infill flow</source>
+        <translation>flusso del riempimento</translation>
+    </message>
+    <message>
+        <source>inner-wall flow</source>
+        <translation>flusso delle pareti interne</translation>
+    </message>
+    <message>
+        <source>is above 1000</source>
+        <translation>è oltre 1000</translation>
+    </message>
+    <message>
+        <source>is above 30 g/cm3: check the unit</source>
+        <translation>è oltre 30 g/cm3: controlla l&apos;unità</translation>
+    </message>
+    <message>
+        <source>is above {most} {unit}: check the unit</source>
+        <translation>è oltre {most} {unit}: controlla l&apos;unità</translation>
+    </message>
+    <message>
+        <source>is below 1</source>
+        <translation>è minore di 1</translation>
+    </message>
+    <message>
+        <source>is {usual}, above &apos;max&apos;, which is {most}</source>
+        <translation>è {usual}, oltre &apos;max&apos;, che è {most}</translation>
+    </message>
+    <message>
+        <source>is {usual}, below &apos;min&apos;, which is {least}</source>
+        <translation>è {usual}, sotto &apos;min&apos;, che è {least}</translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation>etichetta</translation>
+    </message>
+    <message>
+        <source>longest bridge</source>
+        <translation>ponte più lungo</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>materiale</translation>
+    </message>
+    <message>
+        <source>maximum bead width</source>
+        <translation>larghezza massima del cordone</translation>
+    </message>
+    <message>
+        <source>maximum flow</source>
+        <translation>portata massima</translation>
+    </message>
+    <message>
+        <source>maximum layer height</source>
+        <translation>altezza massima dello strato</translation>
+    </message>
+    <message>
+        <source>maximum nozzle temperature</source>
+        <translation>temperatura massima dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>minimum bead width</source>
+        <translation>larghezza minima del cordone</translation>
+    </message>
+    <message>
+        <source>minimum layer height</source>
+        <translation>altezza minima dello strato</translation>
+    </message>
+    <message>
+        <source>minimum nozzle temperature</source>
+        <translation>temperatura minima dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>non deve essere vuoto</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>note</translation>
+    </message>
+    <message>
+        <source>nozzle diameter</source>
+        <translation>diametro dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>nozzle temperature</source>
+        <translation>temperatura dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>nozzle tip radius</source>
+        <translation>raggio della punta dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>outer-wall flow</source>
+        <translation>flusso della parete esterna</translation>
+    </message>
+    <message>
+        <source>outer-wall width</source>
+        <translation>larghezza della parete esterna</translation>
+    </message>
+    <message>
+        <source>plate temperature</source>
+        <translation>temperatura del piatto</translation>
+    </message>
+    <message>
+        <source>price per kg</source>
+        <translation>prezzo al kg</translation>
+    </message>
+    <message>
+        <source>prime time</source>
+        <translation>tempo di innesco</translation>
+    </message>
+    <message>
+        <source>print speed</source>
+        <translation>velocità di stampa</translation>
+    </message>
+    <message>
+        <source>reduce angle or height of the cone</source>
+        <translation>riduci l&apos;angolo o l&apos;altezza del cono</translation>
+    </message>
+    <message>
+        <source>retraction length</source>
+        <translation>lunghezza di ritrazione</translation>
+    </message>
+    <message>
+        <source>sparse-infill flow</source>
+        <translation>flusso del riempimento rado</translation>
+    </message>
+    <message>
+        <source>sparse-infill speed</source>
+        <translation>velocità del riempimento rado</translation>
+    </message>
+    <message>
+        <source>support flow</source>
+        <translation>flusso dei supporti</translation>
+    </message>
+    <message>
+        <source>support width</source>
+        <translation>larghezza dei supporti</translation>
+    </message>
+    <message>
+        <source>the cone is {cone} wide at its top, more than the block&apos;s corners, {block}</source>
+        <translation>in cima il cono è largo {cone}, più degli spigoli del blocco, {block}</translation>
+    </message>
+    <message>
+        <source>the mesh is flat: it has no height along z</source>
+        <translation>la mesh è piatta: non ha altezza lungo z</translation>
+    </message>
+    <message>
+        <source>travel speed</source>
+        <translation>velocità di spostamento</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>sconosciuto</translation>
+    </message>
+    <message>
+        <source>waypoint distance</source>
+        <translation>distanza dei punti</translation>
+    </message>
+    <message>
+        <source>{name} must be greater than 0</source>
+        <translation>{name}: deve essere maggiore di 0</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -7616,6 +8040,29 @@ previsto</translation>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>HeadNumbersDialog</name>
+    <message>
+        <source>Nozzle tip radius</source>
+        <translation>Raggio della punta dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>Cone angle</source>
+        <translation>Angolo del cono</translation>
+    </message>
+    <message>
+        <source>Cone height</source>
+        <translation>Altezza del cono</translation>
+    </message>
+    <message>
+        <source>Block width</source>
+        <translation>Larghezza del blocco</translation>
+    </message>
+    <message>
+        <source>Block height</source>
+        <translation>Altezza del blocco</translation>
     </message>
 </context>
 <context>
@@ -7788,6 +8235,14 @@ previsto</translation>
     <message>
         <source>Your own materials are JSON files in %1</source>
         <translation>I tuoi materiali sono file JSON in %1</translation>
+    </message>
+    <message>
+        <source>Edit processes</source>
+        <translation>Modifica i processi</translation>
+    </message>
+    <message>
+        <source>Edit materials</source>
+        <translation>Modifica i materiali</translation>
     </message>
 </context>
 <context>
@@ -8192,6 +8647,64 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Edges</source>
         <translation>Lati</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::HeadDrawing</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Head, %1 × ⌀ %2 mm</source>
+        <translation>Testina, %1 × ⌀ %2 mm</translation>
+    </message>
+    <message>
+        <source>Bead, %1 × %2 mm</source>
+        <translation>Cordone, %1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>Head, nozzle and bead, to scale</source>
+        <translation>Testina, ugello e cordone, in scala</translation>
+    </message>
+    <message>
+        <source>Left: profile of the head, used for collision checks. Right: its tip with a bead of the usual width and height.</source>
+        <translation>A sinistra: profilo della testina, usato per le collisioni. A destra: la sua punta con un cordone di larghezza e altezza abituali.</translation>
+    </message>
+    <message>
+        <source>The head&apos;s sections do not rise from the tip.</source>
+        <translation>Le sezioni della testina non salgono dalla punta.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::HeadTable</name>
+    <message>
+        <source>Height [mm]</source>
+        <translation>Altezza [mm]</translation>
+    </message>
+    <message>
+        <source>Radius [mm]</source>
+        <translation>Raggio [mm]</translation>
+    </message>
+    <message>
+        <source>Sections of the head from the tip up. Two rows of the same height are a step.</source>
+        <translation>Sezioni della testina dalla punta in su. Due righe con la stessa altezza sono un gradino.</translation>
+    </message>
+    <message>
+        <source>Sections of the head</source>
+        <translation>Sezioni della testina</translation>
+    </message>
+    <message>
+        <source>Add row</source>
+        <translation>Aggiungi riga</translation>
+    </message>
+    <message>
+        <source>Remove row</source>
+        <translation>Togli riga</translation>
+    </message>
+    <message>
+        <source>Reset head</source>
+        <translation>Ripristina</translation>
     </message>
 </context>
 <context>
@@ -9372,6 +9885,25 @@ circa %6, stimato da volume e altezza senza supporti</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::CompareItemsDialog</name>
+    <message>
+        <source>Compare</source>
+        <translation>Confronta</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Campo</translation>
+    </message>
+    <message>
+        <source>No differences.</source>
+        <translation>Nessuna differenza.</translation>
+    </message>
+    <message>
+        <source>Differing fields: %1</source>
+        <translation>Campi diversi: %1</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::ComparePage</name>
     <message>
         <source>Nothing can be compared</source>
@@ -9566,6 +10098,21 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     </message>
 </context>
 <context>
+    <name>voluta::window::HeadNumbersDialog</name>
+    <message>
+        <source>Head from a few numbers</source>
+        <translation>Testina da pochi numeri</translation>
+    </message>
+    <message>
+        <source>The head contains the corners of the square block.</source>
+        <translation>La testina contiene gli spigoli del blocco quadrato.</translation>
+    </message>
+    <message>
+        <source>Use this head</source>
+        <translation>Usa questa testina</translation>
+    </message>
+</context>
+<context>
     <name>voluta::window::LayersPage</name>
     <message>
         <source>Replaying growth: all layers shown</source>
@@ -9574,6 +10121,169 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Pieces are always shown whole</source>
         <translation>I pezzi sono mostrati interi</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::LibraryDialog</name>
+    <message>
+        <source>Processes and materials</source>
+        <translation>Processi e materiali</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salva</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Annulla modifiche</translation>
+    </message>
+    <message>
+        <source>Use in this job</source>
+        <translation>Usa in questo lavoro</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Confronta…</translation>
+    </message>
+    <message>
+        <source>Processes</source>
+        <translation>Processi</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materiali</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplica</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Rinomina…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Elimina…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Esporta…</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importa…</translation>
+    </message>
+    <message>
+        <source>From a few numbers…</source>
+        <translation>Da pochi numeri…</translation>
+    </message>
+    <message>
+        <source>From a mesh…</source>
+        <translation>Da una mesh…</translation>
+    </message>
+    <message>
+        <source>A drawing of the head with its nozzle pointing down: the largest radius at each height</source>
+        <translation>Un disegno della testina con l&apos;ugello verso il basso: il raggio maggiore a ogni altezza</translation>
+    </message>
+    <message>
+        <source>%1 (in this job)</source>
+        <translation>%1 (in questo lavoro)</translation>
+    </message>
+    <message>
+        <source>Comes with the program</source>
+        <translation>Fornito con il programma</translation>
+    </message>
+    <message>
+        <source>Stored in this job</source>
+        <translation>Contenuto in questo lavoro</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Proprio</translation>
+    </message>
+    <message>
+        <source>Comes with the program. Duplicate it to change it.</source>
+        <translation>Fornito con il programma. Duplicalo per modificarlo.</translation>
+    </message>
+    <message>
+        <source>Stored in this job, not in your library. Duplicate it to keep it.</source>
+        <translation>Contenuto in questo lavoro, non nella libreria. Duplicalo per conservarlo.</translation>
+    </message>
+    <message>
+        <source>Your own.</source>
+        <translation>Proprio.</translation>
+    </message>
+    <message>
+        <source>Your own, based on %1; fields that differ are marked.</source>
+        <translation>Proprio, basato su %1; i campi diversi sono segnati.</translation>
+    </message>
+    <message>
+        <source>Cannot be saved: %1 %2</source>
+        <translation>Non si può salvare: %1 %2</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Testina</translation>
+    </message>
+    <message>
+        <source>Not saved yet.</source>
+        <translation>Non ancora salvato.</translation>
+    </message>
+    <message>
+        <source>Save and use in this job</source>
+        <translation>Salva e usa in questo lavoro</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Rinomina</translation>
+    </message>
+    <message>
+        <source>Small letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;:</source>
+        <translation>Lettere minuscole, cifre, «-», «_» e «.»:</translation>
+    </message>
+    <message>
+        <source>There is another &apos;%1&apos;.</source>
+        <translation>C&apos;è già un altro «%1».</translation>
+    </message>
+    <message>
+        <source>Delete %1 and its file?</source>
+        <translation>Eliminare %1 e il suo file?</translation>
+    </message>
+    <message>
+        <source>Import a process</source>
+        <translation>Importa un processo</translation>
+    </message>
+    <message>
+        <source>Import a material</source>
+        <translation>Importa un materiale</translation>
+    </message>
+    <message>
+        <source>JSON files (*.json);;All files (*)</source>
+        <translation>File JSON (*.json);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Replace your own %1?</source>
+        <translation>Sostituire il proprio %1?</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>Esporta %1</translation>
+    </message>
+    <message>
+        <source>JSON files (*.json)</source>
+        <translation>File JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Head from a mesh</source>
+        <translation>Testina da una mesh</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj *.ply *.off *.3mf);;All files (*)</source>
+        <translation>Mesh (*.stl *.obj *.ply *.off *.3mf);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Save the changes?</source>
+        <translation>Salvare le modifiche?</translation>
     </message>
 </context>
 <context>

@@ -123,6 +123,16 @@ ExitCode materialCheckCommand(const MaterialOptions& options);  // whether it ca
 ExitCode materialImportCommand(const MaterialOptions& options); // copies it to the user's own
 ExitCode materialExportCommand(const MaterialOptions& options);
 
+struct ProcessOptions {
+  std::string process;        // id, or a process's file
+  std::filesystem::path file; // to write
+};
+ExitCode processShowCommand(const ProcessOptions& options);   // its file's text
+ExitCode processCheckCommand(const ProcessOptions& options);  // whether it can be used
+ExitCode processImportCommand(const ProcessOptions& options); // copies it to the user's own
+ExitCode processExportCommand(const ProcessOptions& options);
+ExitCode processListCommand(const ProcessOptions& options); // all, and which are the user's own
+
 struct CheckCellOptions {
   std::string cell; // Id, or a file
   std::string process = "fdm-1.0";

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "modes/mode_table.h"
 #include "pipeline/choices.h"
+#include "process/library.h"
 #include "program/dialect.h"
 #include "robot/cell.h"
 
@@ -62,8 +63,11 @@ Json listFormats() {
 
 Json listProcesses() {
   Json rows = Json::array();
-  for (const std::string& id : process::processIds())
-    rows.push_back(Json{{"id", id}, {"label", process::loadProcess(id).label}});
+  for (const std::string& id : process::processIds()) {
+    const bool own = !process::comesWithProgram(process::Shelf::Processes, id);
+    const std::string label = process::labelOrProblem(process::Shelf::Processes, id);
+    rows.push_back(Json{{"id", id}, {"label", label}, {"own", own}});
+  }
   return rows;
 }
 

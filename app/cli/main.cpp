@@ -460,6 +460,28 @@ void addMaterial(CLI::App& app, Parsed& parsed) {
       ->required();
 }
 
+void addProcess(CLI::App& app, Parsed& parsed) {
+  CLI::App* process = app.add_subcommand("process", "set up your own processes");
+  process->require_subcommand(1);
+  auto options = std::make_shared<ProcessOptions>();
+  const auto add = [&](const char* name, const char* help, const char* what,
+                       ExitCode (*run)(const ProcessOptions&)) {
+    CLI::App* command = process->add_subcommand(name, help);
+    if (what)
+      command->add_option("PROCESS", options->process, what)->required();
+    command->callback([options, run, &parsed] { parsed.run = [=] { return run(*options); }; });
+    return command;
+  };
+  const char* any = "process (see: process list), or FILE.json";
+  add("list", "list all processes, marking your own", nullptr, processListCommand);
+  add("show", "print a process's file", any, processShowCommand);
+  add("check", "check a process's file", any, processCheckCommand);
+  add("import", "copy a file to your own processes", "FILE.json", processImportCommand);
+  add("export", "write a process to a file", "process (see: process list)", processExportCommand)
+      ->add_option("-o", options->file, "FILE.json to write")
+      ->required();
+}
+
 void addList(CLI::App& app, Parsed& parsed) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* list = app.add_subcommand("list", "list the available choices");
@@ -519,6 +541,7 @@ int run(int argc, char** argv) {
   addRobot(app, parsed, threads);
   addCell(app, parsed, threads);
   addMaterial(app, parsed);
+  addProcess(app, parsed);
   addList(app, parsed);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());

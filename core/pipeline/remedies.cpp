@@ -7,6 +7,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/larger_cell.h"
 #include "plan/finding_kinds.h"
+#include "process/library.h"
 #include "project/turn_text.h"
 
 #include <algorithm>
@@ -248,6 +249,8 @@ std::optional<project::Choices> finerProcess(const plan::Finding& finding,
   std::optional<process::Process> best;
   const double now = process::loadProcess(choices.tool().process).beadWidthMinMm;
   for (const std::string& id : process::processIds()) {
+    if (!process::comesWithProgram(process::Shelf::Processes, id))
+      continue; // One of the user's own may be unreadable, or for another machine
     process::Process p = process::loadProcess(id);
     if ((!usual || p.beadWidthMinMm <= *usual) && p.beadWidthMinMm < now &&
         (!best || p.beadWidthMinMm > best->beadWidthMinMm))

@@ -17,9 +17,11 @@ inline ChosenRange readRange(const base::JsonNode& node) {
   range.usual = node.at("default").positive();
   range.most = node.at("max").positive();
   if (range.usual < range.least)
-    node.at("default").fail("is below 'min'"_text);
+    node.at("default").fail(base::message("is {usual}, below 'min', which is {least}"_text,
+                                          base::number(range.usual), base::number(range.least)));
   if (range.usual > range.most)
-    node.at("default").fail("is above 'max'"_text);
+    node.at("default").fail(base::message("is {usual}, above 'max', which is {most}"_text,
+                                          base::number(range.usual), base::number(range.most)));
   return range;
 }
 

@@ -2,13 +2,12 @@
 
 #include "base/json_node.h"
 #include "base/units.h"
+#include "process/feature_flow.h"
 
 namespace voluta::process {
 
 namespace {
 using base::JsonNode;
-
-constexpr double kLeastFlow = 0.5, kMostFlow = 2.0;
 
 constexpr std::array<FeatureRow, kFeatures> kRows{{
     {.feature = Feature::OuterWall, .key = "outerWall", .hasWidth = true},

@@ -17,8 +17,9 @@ namespace voluta::process {
 namespace {
 using base::JsonNode;
 
-constexpr const char* kFolder = "materials";                // of base::dataFile()
-constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450; // that print heads withstand
+constexpr const char* kFolder = "materials";                 // of base::dataFile()
+constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450;  // that print heads withstand
+constexpr double kLeastNozzleC = 1.0, kMostNozzleC = 1000.0; // Of any material
 constexpr double kHottestBedC = 250.0;
 
 bool isColour(const std::string& text) {
@@ -29,6 +30,10 @@ bool isColour(const std::string& text) {
 
 void readNozzle(const JsonNode& node, Material& m) {
   const ChosenRange range = readRange(node);
+  if (range.least < kLeastNozzleC)
+    node.at("min").fail("is below 1"_text);
+  if (range.most > kMostNozzleC)
+    node.at("max").fail("is above 1000"_text);
   m.nozzleC = static_cast<int>(range.usual);
   m.nozzleMinC = static_cast<int>(range.least);
   m.nozzleMaxC = static_cast<int>(range.most);
@@ -89,6 +94,14 @@ Material loadFile(const std::filesystem::path& file) {
 }
 } // namespace
 
+double readDensity(const JsonNode& node) {
+  constexpr double kMostGPerCm3 = 30.0; // Above all metals
+  const double density = node.positive();
+  if (density > kMostGPerCm3)
+    node.fail("is above 30 g/cm3: check the unit"_text);
+  return density;
+}
+
 bool prints(const Material& material, double nozzleC) {
   return nozzleC >= material.nozzleMinC && nozzleC <= material.nozzleMaxC;
 }
@@ -99,11 +112,14 @@ Material readMaterialText(const std::string& text, const std::string& name) {
 
 Material readMaterialNode(const JsonNode& top) {
   top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeFan",
-                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "pricePerKg", "colour", "notes"});
+                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "pricePerKg", "colour", "notes",
+                 "basedOn"});
   Material m;
   m.id = top.at("id").text();
   m.label = top.at("label").text();
-  m.densityGPerCm3 = top.at("densityGPerCm3").positive();
+  if (m.label.empty())
+    top.at("label").fail("must not be empty"_text);
+  m.densityGPerCm3 = readDensity(top.at("densityGPerCm3"));
   readTemperatures(top, m);
   readLimits(top, m);
   readLooks(top, m);

@@ -10,4 +10,7 @@ namespace voluta::process {
 // readMaterialText().
 Material readMaterialNode(const base::JsonNode& node);
 
+// Returns a density [g/cm3]. Throws Error{UnusableInput} naming the key if it is none.
+double readDensity(const base::JsonNode& node);
+
 } // namespace voluta::process

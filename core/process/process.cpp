@@ -6,6 +6,7 @@
 #include "process/bead_model.h"
 #include "process/chosen_range.h"
 #include "process/material_node.h"
+#include "process/process_numbers.h"
 
 #include <algorithm>
 #include <vector>
@@ -18,11 +19,40 @@ using base::JsonNode;
 // Default for processes without a bridge speed, as a share of the usual speed
 constexpr double kBridgeSpeed = 0.5;
 
-void readSize(const JsonNode& node, double& usual, double& least, double& most) {
-  const ChosenRange range = readRange(node);
+bool isInRange(const ProcessNumber& row) {
+  return row.key.find('.') != std::string_view::npos;
+}
+
+// Throws if a number is so large that its unit must be another.
+void checkMost(const JsonNode& node, double value, const ProcessNumber& row) {
+  if (value > row.maximum)
+    node.fail(base::message("is above {most} {unit}: check the unit"_text,
+                            base::number(row.maximum), row.unit));
+}
+
+void readSize(const JsonNode& top, std::string_view key, double& usual, double& least,
+              double& most) {
+  const ChosenRange range = readRange(top.at(key));
   usual = range.usual;
   least = range.least;
   most = range.most;
+}
+
+void readNumbers(const JsonNode& top, Process& p) {
+  readSize(top, "layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
+  readSize(top, "beadWidthMm", p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
+  for (const ProcessNumber& row : processNumbers()) {
+    if (isInRange(row)) {
+      const std::size_t dot = row.key.find('.');
+      checkMost(top.at(row.key.substr(0, dot)).at(row.key.substr(dot + 1)), p.*row.value, row);
+      continue;
+    }
+    if (row.optional && !top.has(row.key))
+      continue;
+    const JsonNode node = top.at(row.key);
+    p.*row.value = row.mayBeZero ? node.notNegative() : node.positive();
+    checkMost(node, p.*row.value, row);
+  }
 }
 
 HeadShape readHead(const JsonNode& list) {
@@ -49,7 +79,7 @@ Material readMaterial(const JsonNode& process) {
     return readMaterialNode(process.at("ownMaterial"));
   Material material = materialNamed(process.at("material").text());
   if (process.has("densityGPerCm3") || material.densityGPerCm3 == 0.0)
-    material.densityGPerCm3 = process.at("densityGPerCm3").positive();
+    material.densityGPerCm3 = readDensity(process.at("densityGPerCm3"));
   return material;
 }
 
@@ -119,29 +149,21 @@ Process readProcessText(const std::string& text, const std::string& name) {
                  "ownMaterial",
                  "densityGPerCm3",
                  "head",
-                 "features"});
+                 "features",
+                 "basedOn"});
   Process p;
   p.id = top.at("id").text();
   p.label = top.at("label").text();
-  p.nozzleDiameterMm = top.at("nozzleDiameterMm").positive();
-  readSize(top.at("layerHeightMm"), p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
-  readSize(top.at("beadWidthMm"), p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
-  p.stepMm = top.at("stepMm").positive();
-  p.speedMmPerS = top.at("speedMmPerS").positive();
-  p.travelSpeedMmPerS = top.at("travelSpeedMmPerS").positive();
-  p.accelerationMmPerS2 = top.at("accelerationMmPerS2").positive();
-  p.contactToleranceMm = top.at("contactToleranceMm").notNegative();
+  if (p.label.empty())
+    top.at("label").fail("must not be empty"_text);
+  readNumbers(top, p);
   p.material = readMaterial(top);
-  p.bridgeMm = top.has("bridgeMm") ? top.at("bridgeMm").notNegative()
-                                   : p.material.bridgeWidths * p.beadWidthMm;
+  if (!top.has("bridgeMm"))
+    p.bridgeMm = p.material.bridgeWidths * p.beadWidthMm;
   if (p.material.bridgeMm)
     p.bridgeMm = std::min(p.bridgeMm, *p.material.bridgeMm);
-  p.bridgeSpeedMmPerS = top.has("bridgeSpeedMmPerS") ? top.at("bridgeSpeedMmPerS").positive()
-                                                     : kBridgeSpeed * p.speedMmPerS;
-  p.maxFlowMm3PerS = top.at("maxFlowMm3PerS").positive();
-  p.primeS = top.at("primeS").notNegative();
-  if (top.has("retractMm"))
-    p.retractMm = top.at("retractMm").notNegative();
+  if (!top.has("bridgeSpeedMmPerS"))
+    p.bridgeSpeedMmPerS = kBridgeSpeed * p.speedMmPerS;
   p.head = readHead(top.at("head"));
   checkLimits(top, p);
   if (top.has("features"))

@@ -3,6 +3,7 @@
 
 #include "base/files.h"
 #include "process/process.h"
+#include "process/process_text.h"
 #include "robot/cell.h"
 #include "robot/cell_draft.h"
 
@@ -61,6 +62,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   read("fdm-1.0.json", text, [](const std::filesystem::path& file) {
     const process::Process process = process::readProcess(file);
     fuzz::expect(process.head.sections.size() >= 2, "a head has a shape");
+    const std::string written = process::processText(process);
+    fuzz::expect(process::sameProcess(process::readProcessText(written, "written"), process),
+                 "a process comes back from its text");
   });
   return 0;
 }

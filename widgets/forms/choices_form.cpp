@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QToolButton>
 #include <limits>
 
 namespace voluta::forms {
@@ -55,10 +56,12 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   addCombo(cell_, QStringLiteral("cell"), 3);
   addCombo(process_, QStringLiteral("process"), 4);
   addCombo(material_, QStringLiteral("material"), 5);
+  addLibrary(process_, QStringLiteral("process"), 4);
+  addLibrary(material_, QStringLiteral("material"), 5);
   materialFacts_ = new QLabel(this);
   materialFacts_->setObjectName(QStringLiteral("materialFacts"));
   materialFacts_->setWordWrap(true);
-  grid->addWidget(materialFacts_, 6, 1);
+  grid->addWidget(materialFacts_, 6, 1, 1, 2);
 
   platformLabel_ = new QLabel(this);
   platform_ = new PlatformEditor(this);
@@ -66,7 +69,7 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   // Aligned with the first line of its editor, which may have several.
   platformLabel_->setMinimumHeight(mode_.combo->sizeHint().height());
   grid->addWidget(platformLabel_, 2, 0, Qt::AlignTop);
-  grid->addWidget(platform_, 2, 1);
+  grid->addWidget(platform_, 2, 1, 1, 2);
   connect(platform_, &PlatformEditor::changed, this,
           [this](const QString& text) { emit changed(QStringLiteral("platform"), text); });
 
@@ -79,7 +82,7 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   seed_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   seedLabel_->setBuddy(seed_);
   grid->addWidget(seedLabel_, 7, 0);
-  grid->addWidget(seed_, 7, 1);
+  grid->addWidget(seed_, 7, 1, 1, 2);
   connect(seed_, &QSpinBox::valueChanged, this,
           [this](int value) { emit changed(QStringLiteral("seed"), QString::number(value)); });
 
@@ -95,8 +98,8 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   noticeLine->addWidget(notice_, 1);
   noticeButton_ = new QPushButton(this);
   noticeButton_->setObjectName(QStringLiteral("noticeButton"));
-  grid->addWidget(noticeRow_, 8, 0, 1, 2);
-  grid->addWidget(noticeButton_, 9, 0, 1, 2);
+  grid->addWidget(noticeRow_, 8, 0, 1, 3);
+  grid->addWidget(noticeButton_, 9, 0, 1, 3);
   connect(noticeButton_, &QPushButton::clicked, this, &ChoicesForm::noticePressed);
   setNotice({}, {}, false);
   retranslate();
@@ -128,11 +131,22 @@ void ChoicesForm::addCombo(Row& row, const QString& field, int at) {
   row.label->setBuddy(row.combo);
   auto* grid = static_cast<QGridLayout*>(layout());
   grid->addWidget(row.label, at, 0);
-  grid->addWidget(row.combo, at, 1);
+  grid->addWidget(row.combo, at, 1, 1, 2);
   connect(row.combo, &QComboBox::currentIndexChanged, this, [this, field, &row] {
     showTip(row);
     emit changed(field, row.combo->currentData().toString());
   });
+}
+
+void ChoicesForm::addLibrary(Row& row, const QString& field, int at) {
+  row.library = new QToolButton(this);
+  row.library->setObjectName(field + QStringLiteral("Library"));
+  row.library->setText(QStringLiteral("…"));
+  auto* grid = static_cast<QGridLayout*>(layout());
+  grid->addWidget(row.combo, at, 1);
+  grid->addWidget(row.library, at, 2);
+  connect(row.library, &QToolButton::clicked, this,
+          [this, field] { emit libraryRequested(field); });
 }
 
 void ChoicesForm::showTip(const Row& row) {
@@ -194,6 +208,10 @@ void ChoicesForm::retranslate() {
   material_.tip = tr("Your own materials are JSON files in %1").arg(own("materials"));
   for (const Row* row : {&mode_, &growth_, &cell_, &process_, &material_})
     showTip(*row);
+  process_.library->setToolTip(tr("Edit processes"));
+  material_.library->setToolTip(tr("Edit materials"));
+  for (const Row* row : {&process_, &material_})
+    row->library->setAccessibleName(row->library->toolTip());
   seedLabel_->setText(tr("Seed"));
   seed_->setToolTip(
       tr("Another seed may find other travel paths; the same seed always gives the same result."));

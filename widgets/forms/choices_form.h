@@ -13,6 +13,7 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QSpinBox;
+class QToolButton;
 
 namespace voluta::forms {
 
@@ -55,6 +56,8 @@ public:
 
 signals:
   void noticePressed();
+  // `field` is "process" or "material": its library is wanted.
+  void libraryRequested(const QString& field);
   void rodProfileChanged(const voluta::forms::RodProfile& profile);
   // `field` is "mode", "growth", "platform", "cell", "process", "material" or
   // "seed".
@@ -67,9 +70,11 @@ private:
   struct Row {
     QLabel* label = nullptr;
     QComboBox* combo = nullptr;
-    QString tip; // Used if the selected entry has none
+    QToolButton* library = nullptr; // Only of processes and materials
+    QString tip;                    // Used if the selected entry has none
   };
   void addCombo(Row& row, const QString& field, int at);
+  void addLibrary(Row& row, const QString& field, int at);
   static void showTip(const Row& row);
   void retranslate();
 

@@ -9,9 +9,11 @@
 #include "process/own_materials.h"
 #include "process/process.h"
 #include "robot/cell.h"
+#include "window/library/library_dialog.h"
 
 #include <QFileInfo>
 #include <QLocale>
+#include <algorithm>
 
 namespace voluta::window {
 
@@ -114,6 +116,28 @@ std::string withMaterial(const std::string& process, const std::string& material
   }
 }
 
+// Returns what the job stores for a process of the list: the text of an own one, so that the
+// project needs no file of the user's; unchanged if it cannot be read.
+std::string storedProcess(const std::string& id) {
+  try {
+    return base::isDataText(id)
+               ? id
+               : process::jobChoice(process::loadItem(process::Shelf::Processes, id));
+  } catch (const base::Error&) {
+    return id;
+  }
+}
+
+// Returns the entry of the list that a job's process is: the id of an own one that is still the
+// same, else unchanged.
+std::string listedProcess(const std::string& choice) {
+  if (!base::isDataText(choice))
+    return choice;
+  const std::string id = base::dataName(choice);
+  const std::vector<std::string> ids = process::processIds();
+  return std::ranges::find(ids, id) != ids.end() && storedProcess(id) == choice ? id : choice;
+}
+
 // As typed; the run reports values that cannot be parsed.
 forms::RodProfile rodProfileOf(const project::Choices& choices) {
   const auto text = [&](const char* key) {
@@ -151,6 +175,9 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
   });
   connect(form_, &forms::ChoicesForm::noticePressed, this, &ChoicesEditor::pressNotice);
   connect(form_, &forms::ChoicesForm::rodProfileChanged, this, &ChoicesEditor::changeRod);
+  connect(form_, &forms::ChoicesForm::libraryRequested, this, [this](const QString& field) {
+    openLibrary(field == "process" ? process::Shelf::Processes : process::Shelf::Materials);
+  });
 }
 
 void ChoicesEditor::retranslate() {
@@ -172,7 +199,7 @@ void ChoicesEditor::show() {
                            named(c.item().growth.id()),
                            named(c.item().platform.text()),
                            named(c.cell),
-                           named(c.tool().process),
+                           named(listedProcess(c.tool().process)),
                            c.seed,
                            rodProfileOf(c)};
   showMaterial(c.tool().process, texts);
@@ -199,13 +226,25 @@ void ChoicesEditor::change(const QString& field, const QString& text) {
   } else if (field == "cell") {
     c.cell = value;
   } else if (field == "process") {
-    c.tool().process = value;
+    c.tool().process = storedProcess(value);
   } else if (field == "material") {
     c.tool().process = withMaterial(c.tool().process, value);
   } else if (field == "seed") {
     c.seed = text.toInt();
   }
   document_.setChoices(c, editNameOf(field));
+}
+
+void ChoicesEditor::openLibrary(process::Shelf shelf) {
+  LibraryDialog dialog(document_.choices().tool().process, shelf, form_->window());
+  connect(&dialog, &LibraryDialog::useRequested, this,
+          [this, &dialog](process::Shelf of, const QString& choice) {
+            change(of == process::Shelf::Processes ? "process" : "material", choice);
+            dialog.setJobProcess(document_.choices().tool().process);
+          });
+  dialog.exec();
+  if (dialog.libraryChanged())
+    retranslate(); // there are other entries to choose
 }
 
 void ChoicesEditor::changeRod(const forms::RodProfile& profile) {

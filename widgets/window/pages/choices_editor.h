@@ -4,6 +4,7 @@
 
 #include "document/mode_switch.h"
 #include "forms/choices_form.h"
+#include "process/library.h"
 
 #include <QObject>
 #include <QString>
@@ -30,6 +31,8 @@ public:
   forms::ChoicesForm* form() { return form_; }
   void show();
   void retranslate();
+  // Opens the library of processes and materials.
+  void openLibrary(process::Shelf shelf);
 
 private:
   void change(const QString& field, const QString& text);

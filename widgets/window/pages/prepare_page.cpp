@@ -144,6 +144,15 @@ std::vector<Command> PreparePage::commands() {
        QT_TRANSLATE_NOOP("Commands", "Robot, and positions of nozzle, plate and obstacles"),
        {},
        [this] { editCell(); }});
+  commands.push_back(
+      {"editLibrary",
+       "editMenu",
+       3,
+       QT_TRANSLATE_NOOP("Commands", "Processes and &materials…"),
+       QT_TRANSLATE_NOOP("Commands", "Nozzle, bead sizes, speeds, head; own processes and "
+                                     "materials"),
+       {},
+       [this] { choices_->openLibrary(process::Shelf::Processes); }});
   return commands;
 }
 

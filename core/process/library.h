@@ -1,0 +1,62 @@
+// The library of processes and materials: those that come with the program, and the user's own, one
+// JSON file each in userDataFolder().
+#pragma once
+
+#include "process/process.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace voluta::process {
+
+enum class Shelf { Processes, Materials }; // As the alternatives of LibraryItem::data
+
+struct LibraryItem {
+  std::variant<Process, Material> data;
+  std::string basedOn; // id of the item that it was duplicated from; empty: none
+
+  Shelf shelf() const { return static_cast<Shelf>(data.index()); }
+  const std::string& id() const;
+  const std::string& label() const;
+  const Process* process() const { return std::get_if<Process>(&data); }
+  LibraryItem named(const std::string& id, const std::string& label) const;
+};
+bool operator==(const LibraryItem& a, const LibraryItem& b);
+
+// Returns the ids of a shelf, sorted.
+std::vector<std::string> libraryIds(Shelf shelf);
+bool comesWithProgram(Shelf shelf, const std::string& id);
+
+// Throws as readProcessText() and readMaterialText(). `name` names the text in errors.
+LibraryItem readItem(Shelf shelf, const std::string& text, const std::string& name);
+std::string itemText(const LibraryItem& item);
+// `choice`: an id, a file that ends with ".json", or the text of one. Throws Error{Usage} for an
+// unknown id, naming the nearest; else as readItem().
+LibraryItem loadItem(Shelf shelf, const std::string& choice);
+
+// Returns the label for a list of items: of one that cannot be read, the reason.
+std::string labelOrProblem(Shelf shelf, const std::string& id);
+
+// Writes an own item, replacing one with the same id, and returns its file. Throws
+// Error{UnusableInput} if the id is no file name or that of an item that comes with the program, or
+// if the item cannot be read back; Error{CannotWrite}.
+std::filesystem::path saveOwn(const LibraryItem& item);
+// Checks a file and saves it as own item. Throws as readItem() and saveOwn().
+std::filesystem::path importItem(Shelf shelf, const std::filesystem::path& file);
+// Deletes the file of an own item. Throws Error{UnusableInput} for one that comes with the program,
+// Error{CannotWrite} if it cannot be deleted.
+void removeOwn(Shelf shelf, const std::string& id);
+// Throws Error{UnusableInput} if saveOwn() would refuse the id. `where` names its place in errors.
+void checkOwnId(Shelf shelf, const std::string& id, const std::string& where);
+
+// Returns a copy with an id that is free, based on the item.
+LibraryItem duplicateOf(const LibraryItem& item);
+
+// Returns what a job has to store to use a process: the id of one that comes with the program, the
+// text of an own one, so that projects need no file of the user's.
+std::string jobChoice(const LibraryItem& process);
+
+} // namespace voluta::process

@@ -1,0 +1,34 @@
+// The numbers of a process's file, one row each: the reader checks them, the window's editor shows
+// them.
+#pragma once
+
+#include "base/text.h"
+#include "process/process.h"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace voluta::process {
+
+struct ProcessNumber {
+  std::string_view key; // In the file; "layerHeightMm.min" is a member of "layerHeightMm"
+  std::string_view unit;
+  double Process::*value;
+  double maximum = 0.0; // Inclusive; more is a wrong unit
+  base::Text group, label, help;
+  bool mayBeZero = false, optional = false;
+};
+std::span<const ProcessNumber> processNumbers();
+
+// A setting of a feature: the key of its feature, and its own.
+struct FeatureNumber {
+  Feature feature;
+  std::string_view featureKey, key, unit;
+  double FeatureSettings::*value;
+  double minimum = 0.0, maximum = 0.0;
+  base::Text label;
+};
+std::span<const FeatureNumber> featureNumbers();
+
+} // namespace voluta::process

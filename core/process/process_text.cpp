@@ -1,0 +1,85 @@
+#include "process/process_text.h"
+
+#include "process/process_numbers.h"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace voluta::process {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+void writeNumbers(const Process& p, Json& json) {
+  for (const ProcessNumber& row : processNumbers()) {
+    const std::size_t dot = row.key.find('.');
+    Json& node =
+        dot == std::string_view::npos
+            ? json[std::string(row.key)]
+            : json[std::string(row.key.substr(0, dot))][std::string(row.key.substr(dot + 1))];
+    node = p.*row.value;
+  }
+}
+
+// Returns whether the process's file can state the material by its name and density alone.
+bool isNamed(const Material& material) {
+  if (material.comesWithProgram)
+    return true;
+  Material named = materialNamed(material.label);
+  const bool hasFile = named.densityGPerCm3 > 0.0;
+  named.densityGPerCm3 = material.densityGPerCm3;
+  return !hasFile && named == material;
+}
+
+void writeMaterial(const Material& material, Json& json) {
+  json["material"] = material.comesWithProgram ? material.id : material.label;
+  if (isNamed(material))
+    json["densityGPerCm3"] = material.densityGPerCm3;
+  else
+    json["ownMaterial"] = Json::parse(materialText(material));
+}
+
+void writeFeatures(const FeatureTable& features, Json& json) {
+  const FeatureSettings neutral;
+  for (const FeatureNumber& row : featureNumbers())
+    if (const double value = features.of(row.feature).*row.value; value != neutral.*row.value)
+      json["features"][std::string(row.featureKey)][std::string(row.key)] = value;
+}
+
+// Returns the text with the head in one line, as in the files that come with the program.
+std::string dumped(Json json, const HeadShape& head) {
+  constexpr std::string_view kPlace = "\n  \"head\": null";
+  Json list = Json::array();
+  for (const HeadSection& section : head.sections)
+    list.push_back({section.zMm, section.radiusMm});
+  json["head"] = nullptr;
+  std::string text = json.dump(2) + "\n";
+  const std::size_t at = text.find(kPlace); // No other: texts have no line breaks of their own
+  return text.replace(at, kPlace.size(), "\n  \"head\": " + list.dump());
+}
+} // namespace
+
+std::string processText(const Process& process) {
+  Json json = {{"id", process.id}, {"label", process.label}};
+  writeNumbers(process, json);
+  writeMaterial(process.material, json);
+  writeFeatures(process.features, json);
+  return dumped(std::move(json), process.head);
+}
+
+bool sameProcess(const Process& a, const Process& b) {
+  if (a.id != b.id || a.label != b.label || !(a.material == b.material))
+    return false;
+  for (const ProcessNumber& row : processNumbers())
+    if (a.*row.value != b.*row.value)
+      return false;
+  for (const FeatureNumber& row : featureNumbers())
+    if (a.features.of(row.feature).*row.value != b.features.of(row.feature).*row.value)
+      return false;
+  return std::ranges::equal(a.head.sections, b.head.sections,
+                            [](const HeadSection& one, const HeadSection& other) {
+                              return one.zMm == other.zMm && one.radiusMm == other.radiusMm;
+                            });
+}
+
+} // namespace voluta::process

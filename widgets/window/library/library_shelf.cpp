@@ -1,0 +1,107 @@
+#include "window/library/library_shelf.h"
+
+#include "base/data_files.h"
+#include "base/error.h"
+#include "language/words.h"
+
+#include <algorithm>
+
+namespace voluta::window {
+
+using process::LibraryItem;
+using process::Shelf;
+
+namespace {
+ShelfEntry entryOf(Shelf shelf, const std::string& id) {
+  ShelfEntry entry;
+  entry.origin = process::comesWithProgram(shelf, id) ? ItemOrigin::Program : ItemOrigin::Own;
+  try {
+    entry.saved = process::loadItem(shelf, id);
+  } catch (const base::Error& error) {
+    LibraryItem empty;
+    if (shelf == Shelf::Materials)
+      empty.data = process::Material();
+    entry.saved = empty.named(id, id);
+    entry.unreadable = language::words(error.whole());
+  }
+  entry.draft = entry.saved;
+  return entry;
+}
+} // namespace
+
+LibraryShelf::LibraryShelf(Shelf shelf, std::string jobText)
+    : shelf_(shelf), jobText_(std::move(jobText)) {
+  reload();
+}
+
+void LibraryShelf::reload() {
+  const std::vector<ShelfEntry> before = std::exchange(entries_, {});
+  for (const std::string& id : process::libraryIds(shelf_)) {
+    ShelfEntry entry = entryOf(shelf_, id);
+    for (const ShelfEntry& old : before)
+      if (old.origin == ItemOrigin::Own && old.saved.id() == id && old.isChanged())
+        entry.draft = old.draft;
+    entries_.push_back(std::move(entry));
+  }
+  // Own ones first: they are what one edits.
+  std::ranges::stable_partition(
+      entries_, [](const ShelfEntry& entry) { return entry.origin == ItemOrigin::Own; });
+  if (!base::isDataText(jobText_))
+    return;
+  try {
+    ShelfEntry job;
+    job.saved = job.draft = process::readItem(shelf_, jobText_, base::dataName(jobText_));
+    job.origin = ItemOrigin::Job;
+    if (std::ranges::none_of(entries_, [&](const ShelfEntry& e) { return e.saved == job.saved; }))
+      entries_.insert(entries_.begin(), std::move(job));
+  } catch (const base::Error&) {
+    // The run reports why the job's process is unusable.
+  }
+}
+
+int LibraryShelf::indexOf(const std::string& id) const {
+  const auto at = std::ranges::find_if(
+      entries_, [&](const ShelfEntry& entry) { return entry.saved.id() == id; });
+  return at == entries_.end() ? -1 : static_cast<int>(at - entries_.begin());
+}
+
+bool LibraryShelf::anyChanged() const {
+  return std::ranges::any_of(entries_, &ShelfEntry::isChanged);
+}
+
+void LibraryShelf::setDraft(int index, const LibraryItem& draft) {
+  entries_[static_cast<std::size_t>(index)].draft = draft;
+}
+
+void LibraryShelf::save(int index) {
+  process::saveOwn(at(index).draft);
+  entries_[static_cast<std::size_t>(index)].saved = at(index).draft;
+}
+
+std::string LibraryShelf::duplicate(int index) const {
+  const LibraryItem copy = process::duplicateOf(at(index).draft);
+  process::saveOwn(copy);
+  return copy.id();
+}
+
+void LibraryShelf::rename(int index, const std::string& id) {
+  ShelfEntry& entry = entries_[static_cast<std::size_t>(index)];
+  const std::string old = entry.saved.id();
+  process::saveOwn(entry.saved.named(id, entry.saved.label()));
+  process::removeOwn(shelf_, old);
+  entry.saved = entry.saved.named(id, entry.saved.label());
+  entry.draft = entry.draft.named(id, entry.draft.label());
+}
+
+void LibraryShelf::remove(int index) const {
+  process::removeOwn(shelf_, at(index).saved.id());
+}
+
+LibraryItem LibraryShelf::referenceOf(int index) const {
+  const ShelfEntry& entry = at(index);
+  const int base = indexOf(entry.saved.basedOn);
+  return entry.saved.basedOn.empty() || base < 0 || !at(base).unreadable.isEmpty() ? entry.saved
+                                                                                   : at(base).saved;
+}
+
+} // namespace voluta::window
