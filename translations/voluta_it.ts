@@ -7028,6 +7028,21 @@ previsto</translation>
         </translation>
     </message>
     <message numerus="yes">
+        <source>skipped: {count} objects without a mesh</source>
+        <translation>
+            <numerusform>saltato: {count} oggetto senza mesh</numerusform>
+            <numerusform>saltati: {count} oggetti senza mesh</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>contains {parts} parts, of which {limit} can be printed</source>
+        <translation>contiene {parts} pezzi, di cui se ne possono stampare {limit}</translation>
+    </message>
+    <message>
+        <source>open it as one part</source>
+        <translation>aprilo come un solo pezzo</translation>
+    </message>
+    <message numerus="yes">
         <source>skipped: {count} support objects</source>
         <translation>
             <numerusform>saltato: {count} oggetto di supporto</numerusform>

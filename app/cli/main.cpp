@@ -102,6 +102,9 @@ void addPartOption(CLI::App& command, pipeline::PlanRequest& request) {
 void addPlateOptions(CLI::App& command, project::Choices& choices, PlateOptions& options) {
   command.add_option("PART", options.parts, "mesh files, or sample:NAME")->required();
   command.add_option("--copies", options.copies, "number of each part")->check(CLI::Range(1, 255));
+  command.add_flag("--as-one", options.asOne,
+                   "a 3MF of several objects is one part; default: a part for each object, in its "
+                   "place in the file");
   command
       .add_option("--place", options.places,
                   "NUMBER:X,Y,TURN: place of a part in mm, and its rotation about z in degrees; "

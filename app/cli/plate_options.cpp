@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "pipeline/choices.h"
 #include "pipeline/items/plate_parts.h"
+#include "project/file_parts.h"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -67,6 +68,44 @@ void setOwn(pipeline::PlanRequest& request, std::size_t number, const std::strin
   }
 }
 
+// Prints a note if parts of a file touch: the plan refuses parts that overlap.
+void noteTouching(const std::string& file, const std::vector<project::PartInFile>& parts) {
+  if (const auto pair = project::touchingParts(parts))
+    fmt::print(stderr, "note: {}: parts {} ({}) and {} ({}) touch; --as-one makes them one part\n",
+               file, pair->first + 1, parts[pair->first].part->name, pair->second + 1,
+               parts[pair->second].part->name);
+}
+
+// Adds an item for each part of the file.
+void addFile(pipeline::PlanRequest& request, const std::string& file,
+             const project::ItemChoices& choices, const PlateOptions& options,
+             const base::RunContext& ctx) {
+  std::vector<project::PartInFile> parts;
+  if (!options.asOne && project::mayHoldSeveral(file))
+    parts = project::loadParts(file, choices.repair, ctx);
+  if (parts.size() < 2) {
+    for (int copy = 0; copy < options.copies; ++copy) {
+      request.items.push_back({file, nullptr});
+      request.choices.items.push_back(choices);
+    }
+    return;
+  }
+  if (options.parts.size() == 1 && options.copies == 1)
+    noteTouching(file, parts);
+  project::Choices one = request.choices;
+  one.items = {choices};
+  const double scale = project::parsedScale(choices.scale);
+  const std::vector<geometry::Placement> places = project::placesInFile(
+      parts, pipeline::unitMm(*parts.front().part, one) * (scale > 0.0 ? scale : 1.0),
+      choices.placement.rotation);
+  for (int copy = 0; copy < options.copies; ++copy)
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      request.items.push_back({file, parts[i].part});
+      request.choices.items.push_back(choices);
+      request.choices.items.back().placement = places[i];
+    }
+}
+
 } // namespace
 
 pipeline::PlanRequest withParts(pipeline::PlanRequest request, const PlateOptions& options,
@@ -75,10 +114,7 @@ pipeline::PlanRequest withParts(pipeline::PlanRequest request, const PlateOption
   request.items.clear();
   request.choices.items.clear();
   for (const std::string& part : options.parts)
-    for (int copy = 0; copy < options.copies; ++copy) {
-      request.items.push_back({part, nullptr});
-      request.choices.items.push_back(choices);
-    }
+    addFile(request, part, choices, options, ctx);
   const std::size_t count = request.items.size();
   for (const std::string& text : options.own) {
     const auto [number, rest] = numbered("--part", text, "NUMBER:KEY=VALUE", count);
@@ -93,7 +129,8 @@ pipeline::PlanRequest withParts(pipeline::PlanRequest request, const PlateOption
     if (!item.automatic && !item.platformStays)
       item.platform = pipeline::usualPlatform(project::onlyItem(request.choices, i));
   }
-  if (count == 1 || !options.places.empty())
+  const bool areOfOneFile = options.parts.size() == 1 && options.copies == 1;
+  if (areOfOneFile || !options.places.empty())
     return request;
   return pipeline::withArrangedParts(std::move(request), ctx);
 }

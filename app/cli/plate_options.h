@@ -11,12 +11,14 @@ namespace voluta::cli {
 struct PlateOptions {
   std::vector<std::string> parts;  // mesh files, or sample:NAME
   int copies = 1;                  // of each part
+  bool asOne = false;              // a file of several parts is one part
   std::vector<std::string> places; // "NUMBER:X,Y" or "NUMBER:X,Y,TURN" [mm, degrees]
   std::vector<std::string> own;    // "NUMBER:KEY=VALUE": mode, scale or a parameter of one part
 };
 
 // Returns the request with an item for each copy of each part, numbered from 1 in this order, all
-// with the choices of the request's item but for their own ones. Parts without a place are arranged
+// with the choices of the request's item but for their own ones. The parts of one file keep their
+// places (project::placesInFile()) unless there are other parts. Parts without a place are arranged
 // (pipeline::withArrangedParts()) unless one has a place. Throws Error{Usage} for a text that does
 // not have this form or names no part; as withArrangedParts().
 pipeline::PlanRequest withParts(pipeline::PlanRequest request, const PlateOptions& options,

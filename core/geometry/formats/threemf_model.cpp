@@ -132,6 +132,7 @@ private:
 
   void beginObject(const XmlAttributes& attributes) {
     object_ = &model_.objects[std::string(attributes.text("id"))];
+    object_->name = attributes.text("name");
     if (const std::string_view word = attributes.text("type"); !word.empty()) {
       const auto* known =
           std::ranges::find(kTypes, word, [](const auto& row) { return row.first; });
@@ -224,6 +225,11 @@ private:
 };
 
 } // namespace
+
+std::string ThreemfModel::nameOf(const std::string& id) const {
+  const auto found = objects.find(id);
+  return found == objects.end() ? std::string() : found->second.name;
+}
 
 ThreemfModel parseThreemfModel(std::string_view text, const std::string& where) {
   return ModelParser().parse(text, where);

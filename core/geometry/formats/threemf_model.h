@@ -28,6 +28,7 @@ struct ThreemfBeam {
 };
 
 struct ThreemfObject {
+  std::string name; // empty: none
   ThreemfObjectType type = ThreemfObjectType::Model;
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<long long, 3>> triangles; // indices in range
@@ -43,6 +44,9 @@ struct ThreemfModel {
   std::string unit = "millimeter";
   std::map<std::string, ThreemfObject> objects;
   std::vector<ThreemfUse> build;
+
+  // Returns the name of the object; empty if it has none or does not exist.
+  std::string nameOf(const std::string& id) const;
 };
 
 // `where` names the model part in errors. Throws Error{UnreadableFile} with the line if the text is

@@ -1,0 +1,138 @@
+#include "geometry/formats/threemf_parts.h"
+
+#include "base/error.h"
+#include "geometry/formats/threemf_build.h"
+#include "geometry/measures.h"
+#include "geometry/meshes_meet.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace voluta::geometry {
+
+namespace {
+using Eigen::Vector3d;
+
+constexpr double kTouchMm = 0.01;
+constexpr std::size_t kMaxParts = 255;
+
+// Pieces that form one part, by index.
+using Group = std::vector<std::size_t>;
+
+TriangleMesh moved(TriangleMesh mesh, const Vector3d& shift) {
+  for (Vector3d& v : mesh.vertices)
+    v += shift;
+  return mesh;
+}
+
+TriangleMesh placedMesh(const ThreemfPiece& piece) {
+  std::vector<Facet> facets;
+  appendPlaced(piece, piece.mm_T_object, facets);
+  return shareVertices(facets);
+}
+
+// Returns the first piece of the group of each piece: pieces that touch are in one group.
+std::vector<std::size_t> touching(const std::vector<TriangleMesh>& meshes) {
+  std::vector<std::size_t> first(meshes.size());
+  std::iota(first.begin(), first.end(), 0);
+  for (std::size_t a = 0; a < meshes.size(); ++a)
+    for (std::size_t b = a + 1; b < meshes.size(); ++b)
+      if (first[a] != first[b] && touch(meshes[a], meshes[b])) {
+        const auto [low, high] = std::minmax({first[a], first[b]});
+        std::ranges::replace(first, high, low);
+      }
+  return first;
+}
+
+// Divides the pieces of one build item, all of `item`, into parts.
+std::vector<Group> partsOf(const std::vector<ThreemfPiece>& pieces, const Group& item) {
+  if (item.size() == 1 || item.size() > kMaxParts)
+    return {item};
+  std::vector<TriangleMesh> meshes;
+  for (const std::size_t piece : item)
+    meshes.push_back(placedMesh(pieces[piece]));
+  const std::vector<std::size_t> first = touching(meshes);
+  std::vector<Group> groups(item.size());
+  std::vector<Eigen::AlignedBox3d> boxes(item.size());
+  for (std::size_t i = 0; i < item.size(); ++i) {
+    groups[first[i]].push_back(item[i]);
+    boxes[first[i]].extend(bounds(meshes[i]));
+  }
+  std::erase_if(groups, [](const Group& group) { return group.empty(); });
+  std::erase_if(boxes, [](const Eigen::AlignedBox3d& box) { return box.isEmpty(); });
+  const bool isLevel = std::ranges::all_of(boxes, [&](const Eigen::AlignedBox3d& box) {
+    return std::abs(box.min().z() - boxes.front().min().z()) <= kTouchMm;
+  });
+  return isLevel ? groups : std::vector<Group>{item};
+}
+
+std::vector<Group> partsOf(const std::vector<ThreemfPiece>& pieces) {
+  std::vector<Group> parts;
+  for (std::size_t i = 0; i < pieces.size();) {
+    Group item;
+    for (const std::size_t of = pieces[i].item; i < pieces.size() && pieces[i].item == of; ++i)
+      item.push_back(i);
+    for (Group& part : partsOf(pieces, item))
+      parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+// `isWholeItem`: the group has all pieces of its build item.
+ThreemfPart partOf(const std::vector<ThreemfPiece>& pieces, const Group& group, bool isWholeItem,
+                   const std::string& name) {
+  const ThreemfPiece& first = pieces[group.front()];
+  ThreemfPart part;
+  part.name = isWholeItem && !first.itemName.empty() ? first.itemName : first.name;
+  part.placeMm = first.mm_T_object.translation();
+  FacetSoup soup;
+  soup.format = "3MF";
+  for (const std::size_t i : group) {
+    Eigen::Affine3d part_T_object = pieces[i].mm_T_object;
+    part_T_object.translation() -= part.placeMm;
+    appendPlaced(pieces[i], part_T_object, soup.facets);
+  }
+  part.file = meshOf(std::move(soup), part.name.empty() ? name : name + ", " + part.name);
+  return part;
+}
+} // namespace
+
+bool touch(const TriangleMesh& a, const TriangleMesh& b) {
+  Eigen::AlignedBox3d wide = bounds(a);
+  wide.min().array() -= kTouchMm;
+  wide.max().array() += kTouchMm;
+  if (!wide.intersects(bounds(b)))
+    return false;
+  // Faces that lie on each other do not cross until they are pressed together. The direction is in
+  // no plane that a drawing is likely to have.
+  const Vector3d press = kTouchMm * Vector3d(0.36, 0.48, 0.8);
+  return meetingPoint(a, b) || meetingPoint(moved(a, press), b) ||
+         meetingPoint(moved(a, -press), b);
+}
+
+std::vector<ThreemfPart> read3mfParts(std::string_view bytes, const std::string& name) {
+  const ThreemfBuild build = read3mfBuild(bytes, name);
+  const std::vector<Group> groups = partsOf(build.pieces);
+  if (groups.size() < 2)
+    return {{{}, readMesh(bytes, name), Vector3d::Zero()}};
+  if (groups.size() > kMaxParts)
+    throw base::Error(base::ErrorCode::UnusableInput,
+                      base::message("contains {parts} parts, of which {limit} can be printed"_text,
+                                    groups.size(), kMaxParts),
+                      name, "open it as one part"_text);
+  std::vector<ThreemfPart> parts;
+  for (const Group& group : groups) {
+    const std::size_t item = build.pieces[group.front()].item;
+    const bool isWholeItem =
+        group.size() == static_cast<std::size_t>(std::ranges::count(
+                            build.pieces, item, [](const ThreemfPiece& p) { return p.item; }));
+    parts.push_back(partOf(build.pieces, group, isWholeItem, name));
+  }
+  auto& notes = parts.front().file.repairs;
+  notes.insert(notes.begin(), build.notes.begin(), build.notes.end());
+  return parts;
+}
+
+} // namespace voluta::geometry

@@ -1,0 +1,99 @@
+#include "project/file_parts.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/lower_case.h"
+#include "build3mf/build_reader.h"
+#include "geometry/formats/threemf_parts.h"
+#include "geometry/measures.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace voluta::project {
+
+namespace {
+using Eigen::Vector3d;
+
+// Returns a name that can be part of a file name; empty if nothing is left of it.
+std::string fileNameOf(std::string name) {
+  std::ranges::replace_if(
+      name, [](char c) { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' '; },
+      '-');
+  return name.find_first_not_of(". -") == std::string::npos ? std::string() : name;
+}
+
+std::vector<PartInFile> loadedParts(std::vector<geometry::ThreemfPart> parts,
+                                    const std::string& file, bool repair,
+                                    const base::RunContext& ctx) {
+  std::vector<PartInFile> loaded;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    geometry::ThreemfPart& part = parts[i];
+    const std::string own = fileNameOf(part.name);
+    const double from = static_cast<double>(i) / static_cast<double>(parts.size());
+    const double to = static_cast<double>(i + 1) / static_cast<double>(parts.size());
+    loaded.push_back(
+        {loadedFrom(own.empty() ? file : own,
+                    std::make_shared<const geometry::TriangleMesh>(std::move(part.file.mesh)),
+                    std::move(part.file.repairs), repair, ctx.sub(from, to)),
+         part.placeMm});
+  }
+  return loaded;
+}
+} // namespace
+
+bool mayHoldSeveral(const std::string& file) {
+  return base::lowerCase(std::filesystem::path(file).extension().string()) == ".3mf";
+}
+
+std::vector<PartInFile> loadParts(const std::string& part, bool repair,
+                                  const base::RunContext& ctx) {
+  if (mayHoldSeveral(part)) {
+    const std::string bytes = base::readFile(part);
+    if (!build3mf::holdsToolpaths(bytes)) {
+      std::vector<geometry::ThreemfPart> parts = geometry::read3mfParts(bytes, part);
+      if (parts.size() > 1)
+        return loadedParts(std::move(parts), std::filesystem::path(part).filename().string(),
+                           repair, ctx);
+    }
+  }
+  return {{loadPart(part, repair, ctx), Vector3d::Zero()}};
+}
+
+std::vector<geometry::Placement> placesInFile(std::span<const PartInFile> parts, double scale,
+                                              const Eigen::Quaterniond& rotation) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  Eigen::AlignedBox3d whole;
+  for (const PartInFile& part : parts) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& v : part.part->mesh->vertices)
+      box.extend(scale * (rotation * (v + part.placeMm)));
+    boxes.push_back(box);
+    whole.extend(box);
+  }
+  constexpr double kOnPlateMm = 0.01; // programs round the heights of parts on the plate
+  std::vector<geometry::Placement> places;
+  for (const Eigen::AlignedBox3d& box : boxes) {
+    const double lift = box.min().z() - whole.min().z();
+    places.push_back(
+        {rotation, (box.center() - whole.center()).head<2>(), lift < kOnPlateMm ? 0.0 : lift});
+  }
+  return places;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>>
+touchingParts(std::span<const PartInFile> parts) {
+  std::vector<geometry::TriangleMesh> meshes;
+  for (const PartInFile& part : parts) {
+    meshes.push_back(*part.part->mesh);
+    for (Vector3d& v : meshes.back().vertices)
+      v += part.placeMm;
+  }
+  for (std::size_t a = 0; a < meshes.size(); ++a)
+    for (std::size_t b = a + 1; b < meshes.size(); ++b)
+      if (geometry::touch(meshes[a], meshes[b]))
+        return std::pair(a, b);
+  return std::nullopt;
+}
+
+} // namespace voluta::project
