@@ -1,4 +1,5 @@
 // Several parts in one document: added, copied, removed, edited one by one, saved and planned.
+#include "base/files.h"
 #include "document/autosave.h"
 #include "document/free_place.h"
 #include "document/item_choices.h"
@@ -7,6 +8,8 @@
 #include "document/planning.h"
 #include "document/saving.h"
 #include "document/shown_names.h"
+#include "helpers/boxes_3mf.h"
+#include "helpers/package_3mf.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -302,6 +305,73 @@ TEST_F(SeveralPartsPlan, AReadPartIsAddedRepaired) {
   QSignalSpy failed(&opening, &Opening::failed);
   ASSERT_TRUE(failed.wait(20000));
   EXPECT_EQ(document_.partCount(), 3u) << "an unreadable file changes nothing";
+}
+
+// A 3MF of two boxes, `gap` apart.
+QString twoBoxes(const QTemporaryDir& folder, double gap) {
+  const std::string model =
+      test::model3mf(test::object3mf(1, "plinth", test::boxMesh({20, 10, 4})) +
+                         test::object3mf(2, "post", test::boxMesh({6, 6, 12})),
+                     test::use3mf("item", 1, test::moved(100, 100)) +
+                         test::use3mf("item", 2, test::moved(120 + gap, 102)));
+  const QString file = folder.filePath("two.3mf");
+  base::writeFile(file.toStdString(), test::package3mf(model));
+  return file;
+}
+
+class PartsOfAFile : public ::testing::Test {
+protected:
+  // Returns whether the file was opened or added and repaired.
+  bool read(double gap, bool added = false) {
+    const QString file = twoBoxes(folder_, gap);
+    QSignalSpy repaired(&opening_, &Opening::repaired);
+    added ? opening_.addPart(file) : opening_.open(file);
+    return repaired.wait(20000) && document_.sourceReady();
+  }
+  QTemporaryDir folder_;
+  Document document_;
+  Planning planning_{document_};
+  Opening opening_{document_, planning_};
+};
+
+TEST_F(PartsOfAFile, AreOpenedInTheirPlaces) {
+  ASSERT_TRUE(read(14.0));
+  EXPECT_EQ(shownNames(document_.sources()), (QStringList{"plinth", "post"}));
+  EXPECT_EQ(document_.active(), 0u);
+  // The whole is 40 mm long.
+  EXPECT_NEAR(xOf(document_, 0), -10.0, 1e-9);
+  EXPECT_NEAR(xOf(document_, 1), 17.0, 1e-9);
+  EXPECT_EQ(document_.undoStack()->count(), 1);
+  document_.undoStack()->undo();
+  EXPECT_EQ(document_.partCount(), 0u);
+}
+
+TEST_F(PartsOfAFile, AreAddedTogetherBesideTheOthers) {
+  openFlat(document_);
+  ASSERT_TRUE(read(14.0, true));
+  EXPECT_EQ(document_.partCount(), 3u);
+  EXPECT_EQ(document_.active(), 2u);
+  EXPECT_NEAR(xOf(document_, 2) - xOf(document_, 1), 27.0, 1e-9);
+  EXPECT_GE(xOf(document_, 1) - 10.0, 4.0 + 10.0 - 1e-9) << "clear of the first part";
+  EXPECT_EQ(document_.jobChoices().item(2).mode, "flat");
+}
+
+TEST_F(PartsOfAFile, ThatTouchMayBecomeOne) {
+  QString asked;
+  bool asOne = true;
+  opening_.setAsOneQuestion([&](const QString& path, const QString& first, const QString& second) {
+    asked = first + "+" + second + (path.endsWith("two.3mf") ? " of two.3mf" : "");
+    return asOne;
+  });
+  ASSERT_TRUE(read(14.0));
+  EXPECT_TRUE(asked.isEmpty()) << "they are apart";
+  ASSERT_TRUE(read(0.0));
+  EXPECT_EQ(asked, "plinth+post of two.3mf");
+  EXPECT_EQ(document_.partCount(), 1u);
+  EXPECT_EQ(document_.source()->name, "two.3mf");
+  asOne = false;
+  ASSERT_TRUE(read(0.0));
+  EXPECT_EQ(document_.partCount(), 2u);
 }
 
 TEST_F(SeveralPartsPlan, TheRecoveryCopyHasAllParts) {

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
+#include "helpers/boxes_3mf.h"
 #include "helpers/package_3mf.h"
 #include "project/file_parts.h"
 
@@ -17,56 +18,12 @@ namespace voluta::geometry {
 namespace {
 
 using Eigen::Vector3d;
-using test::package3mf;
+using test::boxMesh, test::model3mf, test::moved, test::object3mf, test::package3mf, test::use3mf;
 using ::testing::HasSubstr;
-
-std::string boxMesh(const Vector3d& size) {
-  std::string xml = "<mesh><vertices>";
-  for (int i = 0; i < 8; ++i)
-    xml += fmt::format(R"(<vertex x="{}" y="{}" z="{}"/>)", i & 1 ? size.x() : 0.0,
-                       i & 2 ? size.y() : 0.0, i & 4 ? size.z() : 0.0);
-  xml += "</vertices><triangles>";
-  for (const auto& t : std::vector<std::array<int, 3>>{{0, 2, 1},
-                                                       {1, 2, 3},
-                                                       {4, 5, 6},
-                                                       {5, 7, 6},
-                                                       {0, 1, 4},
-                                                       {1, 5, 4},
-                                                       {2, 6, 3},
-                                                       {3, 6, 7},
-                                                       {0, 4, 2},
-                                                       {2, 4, 6},
-                                                       {1, 3, 5},
-                                                       {3, 7, 5}})
-    xml += fmt::format(R"(<triangle v1="{}" v2="{}" v3="{}"/>)", t[0], t[1], t[2]);
-  return xml + "</triangles></mesh>";
-}
-
-std::string object(int id, const std::string& name, const std::string& content) {
-  return fmt::format(R"(<object id="{}" name="{}">{}</object>)", id, name, content);
-}
-
-std::string use(const char* element, int id, const Eigen::Affine3d& at) {
-  std::string numbers;
-  for (Eigen::Index i = 0; i < 12; ++i)
-    numbers += fmt::format("{} ", at.matrix()(i % 3, i / 3));
-  return fmt::format(R"(<{} objectid="{}" transform="{}"/>)", element, id, numbers);
-}
-
-Eigen::Affine3d moved(double x, double y, double z = 0.0) {
-  return Eigen::Affine3d(Eigen::Translation3d(x, y, z));
-}
-
-std::string modelOf(const std::string& resources, const std::string& build,
-                    const std::string& unit = "millimeter") {
-  return "<model unit=\"" + unit +
-         "\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources>" +
-         resources + "</resources><build>" + build + "</build></model>";
-}
 
 std::vector<ThreemfPart> partsOf(const std::string& resources, const std::string& build,
                                  const std::string& unit = "millimeter") {
-  return read3mfParts(package3mf(modelOf(resources, build, unit)), "job.3mf");
+  return read3mfParts(package3mf(model3mf(resources, build, unit)), "job.3mf");
 }
 
 Eigen::AlignedBox3d boxInFile(const ThreemfPart& part) {
@@ -74,10 +31,11 @@ Eigen::AlignedBox3d boxInFile(const ThreemfPart& part) {
 }
 
 const std::string kTwo =
-    object(1, "bracket", boxMesh({20, 12, 5})) + object(2, "post", boxMesh({10, 8, 40}));
+    object3mf(1, "bracket", boxMesh({20, 12, 5})) + object3mf(2, "post", boxMesh({10, 8, 40}));
 
 TEST(ThreeMfParts, EachBuildItemIsAPartInItsPlace) {
-  const auto parts = partsOf(kTwo, use("item", 1, moved(100, 50)) + use("item", 2, moved(-7, 3)));
+  const auto parts =
+      partsOf(kTwo, use3mf("item", 1, moved(100, 50)) + use3mf("item", 2, moved(-7, 3)));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].name, "bracket");
   EXPECT_EQ(parts[1].name, "post");
@@ -86,14 +44,15 @@ TEST(ThreeMfParts, EachBuildItemIsAPartInItsPlace) {
 }
 
 TEST(ThreeMfParts, CopiesOfAnObjectHaveEqualMeshes) {
-  const auto parts = partsOf(kTwo, use("item", 1, moved(0.1, 0.7)) + use("item", 1, moved(33, 0)));
+  const auto parts =
+      partsOf(kTwo, use3mf("item", 1, moved(0.1, 0.7)) + use3mf("item", 1, moved(33, 0)));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].file.mesh.vertices, parts[1].file.mesh.vertices);
   EXPECT_EQ(parts[1].placeMm, Vector3d(33, 0, 0));
 }
 
 TEST(ThreeMfParts, AFileOfOnePartIsReadAsBefore) {
-  const std::string package = package3mf(modelOf(kTwo, use("item", 2, moved(0.1, 0.2))));
+  const std::string package = package3mf(model3mf(kTwo, use3mf("item", 2, moved(0.1, 0.2))));
   const auto parts = read3mfParts(package, "job.3mf");
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0].file.mesh.vertices, readMesh(package, "job.3mf").mesh.vertices);
@@ -101,34 +60,34 @@ TEST(ThreeMfParts, AFileOfOnePartIsReadAsBefore) {
 }
 
 std::string assemblyOf(const Eigen::Affine3d& second) {
-  return kTwo + object(3, "assembly",
-                       "<components>" + use("component", 1, moved(0, 0)) +
-                           use("component", 2, second) + "</components>");
+  return kTwo + object3mf(3, "assembly",
+                          "<components>" + use3mf("component", 1, moved(0, 0)) +
+                              use3mf("component", 2, second) + "</components>");
 }
 
 TEST(ThreeMfParts, ComponentsApartOnOneHeightAreParts) {
-  const auto parts = partsOf(assemblyOf(moved(60, 0)), use("item", 3, moved(5, 5)));
+  const auto parts = partsOf(assemblyOf(moved(60, 0)), use3mf("item", 3, moved(5, 5)));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].name, "bracket");
   EXPECT_TRUE(boxInFile(parts[1]).min().isApprox(Vector3d(65, 5, 0)));
 }
 
 TEST(ThreeMfParts, ComponentsThatTouchOrBeginAtOtherHeightsAreOnePart) {
-  const auto touching = partsOf(assemblyOf(moved(20, 2)), use("item", 3, moved(0, 0)));
+  const auto touching = partsOf(assemblyOf(moved(20, 2)), use3mf("item", 3, moved(0, 0)));
   ASSERT_EQ(touching.size(), 1u);
   EXPECT_EQ(touching[0].file.mesh.triangles.size(), 24u);
-  EXPECT_EQ(partsOf(assemblyOf(moved(60, 0, 4)), use("item", 3, moved(0, 0))).size(), 1u);
+  EXPECT_EQ(partsOf(assemblyOf(moved(60, 0, 4)), use3mf("item", 3, moved(0, 0))).size(), 1u);
   // An assembly of its own beside a part keeps its name.
-  const auto beside =
-      partsOf(assemblyOf(moved(20, 2)), use("item", 3, moved(0, 0)) + use("item", 2, moved(90, 0)));
+  const auto beside = partsOf(assemblyOf(moved(20, 2)),
+                              use3mf("item", 3, moved(0, 0)) + use3mf("item", 2, moved(90, 0)));
   ASSERT_EQ(beside.size(), 2u);
   EXPECT_EQ(beside[0].name, "assembly");
 }
 
 TEST(ThreeMfParts, AnObjectWithoutAMeshIsNoted) {
-  const auto parts = partsOf(kTwo + object(4, "empty", ""), use("item", 4, moved(0, 0)) +
-                                                                use("item", 1, moved(0, 0)) +
-                                                                use("item", 2, moved(50, 0)));
+  const auto parts = partsOf(kTwo + object3mf(4, "empty", ""), use3mf("item", 4, moved(0, 0)) +
+                                                                   use3mf("item", 1, moved(0, 0)) +
+                                                                   use3mf("item", 2, moved(50, 0)));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].name, "bracket");
   EXPECT_THAT(base::english(parts[0].file.repairs.at(0)), HasSubstr("1 object without a mesh"));
@@ -143,8 +102,8 @@ TEST(ThreeMfParts, DamageNamesItsPlace) {
     }
     return std::string("no error");
   };
-  const std::string items = use("item", 1, moved(0, 0)) + use("item", 2, moved(50, 0));
-  EXPECT_THAT(messageOf(kTwo, items + use("item", 7, moved(0, 0))),
+  const std::string items = use3mf("item", 1, moved(0, 0)) + use3mf("item", 2, moved(50, 0));
+  EXPECT_THAT(messageOf(kTwo, items + use3mf("item", 7, moved(0, 0))),
               HasSubstr("object '7' is missing"));
   std::string broken = kTwo;
   broken.replace(broken.find("v1=\"0\""), 6, "v1=\"8\"");
@@ -153,7 +112,7 @@ TEST(ThreeMfParts, DamageNamesItsPlace) {
               HasSubstr("twelve numbers"));
   std::string many;
   for (int i = 0; i < 256; ++i)
-    many += use("item", 1, moved(30.0 * i, 0));
+    many += use3mf("item", 1, moved(30.0 * i, 0));
   EXPECT_THAT(messageOf(kTwo, many), HasSubstr("256 parts"));
 }
 
@@ -165,8 +124,8 @@ TEST(ThreeMfParts, NamesOfSlicersAreRead) {
           "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
           "</Relationships>");
   zip.add("3D/3dmodel.model",
-          modelOf(object(1, "", boxMesh({9, 9, 9})) + object(2, "", boxMesh({5, 5, 5})),
-                  use("item", 1, moved(0, 0)) + use("item", 2, moved(50, 0))));
+          model3mf(object3mf(1, "", boxMesh({9, 9, 9})) + object3mf(2, "", boxMesh({5, 5, 5})),
+                   use3mf("item", 1, moved(0, 0)) + use3mf("item", 2, moved(50, 0))));
   zip.add("Metadata/Slic3r_PE_model.config",
           R"(<config><object id="1"><metadata type="object" key="name" value="hook.stl"/>)"
           R"(<volume firstid="0"><metadata type="volume" key="name" value="no"/></volume></object>)"
@@ -201,7 +160,7 @@ TEST(ThreeMfParts, PlacedBoxesAreThoseOfTheFile) {
     const int count = 2 + run % 4;
     for (int i = 0; i < count; ++i) {
       const Eigen::Affine3d at = randomUse(random, 300.0 * i);
-      build += use("item", 1 + i % 2, at);
+      build += use3mf("item", 1 + i % 2, at);
       Eigen::AlignedBox3d box;
       for (int corner = 0; corner < 8; ++corner)
         box.extend(at * sizes[static_cast<std::size_t>(i % 2)].cwiseProduct(
@@ -209,7 +168,7 @@ TEST(ThreeMfParts, PlacedBoxesAreThoseOfTheFile) {
       boxes.push_back(box);
       whole.extend(box);
     }
-    std::ofstream(file, std::ios::binary) << package3mf(modelOf(kTwo, build));
+    std::ofstream(file, std::ios::binary) << package3mf(model3mf(kTwo, build));
     const auto parts = project::loadParts(file.string(), true, {});
     ASSERT_EQ(parts.size(), boxes.size());
     const double scale = run % 3 == 0 ? 0.5 : 1.0;
@@ -226,8 +185,8 @@ TEST(ThreeMfParts, PlacedBoxesAreThoseOfTheFile) {
 
 TEST(ThreeMfParts, ATurnOfTheWholeTurnsThePlaces) {
   const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "turned.3mf";
-  std::ofstream(file, std::ios::binary)
-      << package3mf(modelOf(kTwo, use("item", 1, moved(0, 0)) + use("item", 2, moved(100, 0))));
+  std::ofstream(file, std::ios::binary) << package3mf(
+      model3mf(kTwo, use3mf("item", 1, moved(0, 0)) + use3mf("item", 2, moved(100, 0))));
   const auto parts = project::loadParts(file.string(), true, {});
   const Eigen::Quaterniond quarter(Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitZ()));
   const auto places = project::placesInFile(parts, 1.0, quarter);

@@ -4,8 +4,8 @@
 #include "base/error.h"
 #include "document/preview.h"
 #include "pipeline/road.h"
+#include "project/file_parts.h"
 #include "project/job.h"
-#include "project/loaded_part.h"
 #include "project/stage.h"
 
 #include <QObject>
@@ -97,9 +97,15 @@ public:
   // changed: the part begins a new project, without file and undo. Otherwise this is an edit like
   // any other, and undo restores the previous part with its results.
   void openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path, bool ready);
+  // Opens all parts of a file, as above, in their places to each other; the first one is active.
+  // Precondition: there is one at least.
+  void openParts(const std::vector<project::PartInFile>& parts, const QString& path, bool ready);
   // Adds a part beside the others and makes it active. It is built as the active part is, without
   // that part's own settings. The first part is opened instead.
   void addPart(std::shared_ptr<const project::LoadedPart> part, const QString& path, bool ready);
+  // Adds all parts of a file, as above, in their places to each other; the last one is active.
+  // Precondition: there is one at least.
+  void addParts(const std::vector<project::PartInFile>& parts, const QString& path, bool ready);
   // Adds a copy of the active part, with its choices, beside the others and makes it active.
   void duplicatePart();
   // Removes the active part. Precondition: there are two or more.
@@ -230,8 +236,12 @@ private:
   static std::shared_ptr<Source> activeSourceOf(const std::shared_ptr<Parts>& parts,
                                                 std::size_t active);
   static bool haveSameContent(const std::shared_ptr<Parts>& a, const std::shared_ptr<Parts>& b);
-  // Returns the state with one more item, the last of `choices`, beside the others.
-  State withPart(project::Choices choices, const std::shared_ptr<Source>& source) const;
+  // Returns the state with more items, the last ones of `choices`, moved together beside the
+  // others.
+  State withSources(project::Choices choices,
+                    const std::vector<std::shared_ptr<Source>>& sources) const;
+  std::vector<std::shared_ptr<Source>> newSources(const std::vector<project::PartInFile>& parts,
+                                                  const QString& path, bool ready);
   // Bounding box on the plate of a part in its place.
   Eigen::AlignedBox3d placedBox(std::size_t item) const;
   // Returns the key of a stage's shown data; for a resumed print that of the choices with which it

@@ -10,6 +10,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/items/plate_parts.h"
 
+#include <QFileInfo>
 #include <algorithm>
 #include <utility>
 
@@ -35,6 +36,26 @@ double gapFor(const pipeline::Footprint& added, const std::vector<pipeline::Foot
   } catch (const base::Error&) { // The plan reports the process's error
   }
   return gap;
+}
+// Returns the factor from the part's file to mm on the plate; that of scale "fit" is not known yet.
+double ownScale(const project::LoadedPart& part, const project::Choices& own) {
+  const double scale = project::parsedScale(own.item().scale);
+  return pipeline::unitMm(part, own) * (scale > 0.0 ? scale : 1.0);
+}
+// Gives the last items of `choices` the places of their file, if there are several.
+void takePlaces(project::Choices& choices, const std::vector<project::PartInFile>& parts) {
+  if (parts.size() < 2)
+    return;
+  const std::size_t first = choices.items.size() - parts.size();
+  const project::Choices own = project::onlyItem(choices, first);
+  const std::vector<geometry::Placement> places = project::placesInFile(
+      parts, ownScale(*parts.front().part, own), own.item().placement.rotation);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    choices.item(first + i).placement = places[i];
+}
+QString shownName(const std::vector<project::PartInFile>& parts, const QString& path) {
+  return parts.size() == 1 ? QString::fromStdString(parts.front().part->name)
+                           : QFileInfo(path).fileName();
 }
 } // namespace
 
@@ -83,13 +104,29 @@ Document::newSource(std::shared_ptr<const project::LoadedPart> part, const QStri
   return opened;
 }
 
+std::vector<std::shared_ptr<Document::Source>>
+Document::newSources(const std::vector<project::PartInFile>& parts, const QString& path,
+                     bool ready) {
+  std::vector<std::shared_ptr<Source>> sources;
+  for (const project::PartInFile& part : parts)
+    sources.push_back(newSource(part.part, path, ready));
+  return sources;
+}
+
 void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const QString& path,
                         bool ready) {
   base::require(part != nullptr, "Document: a part to open");
-  const project::Choices choices = choicesOfNextPart(path);
-  const QString editName = tr("Open %1").arg(QString::fromStdString(part->name));
+  openParts({{std::move(part)}}, path, ready);
+}
+
+void Document::openParts(const std::vector<project::PartInFile>& parts, const QString& path,
+                         bool ready) {
+  base::require(!parts.empty(), "Document: parts to open");
+  project::Choices choices = choicesOfNextPart(path);
+  choices.items.resize(parts.size(), choices.item());
+  takePlaces(choices, parts);
   const auto opened = std::make_shared<Parts>();
-  opened->items = {newSource(std::move(part), path, ready)};
+  opened->items = newSources(parts, path, ready);
   if (!projectFile_.isEmpty()) {
     replaceAll({choices, opened, 0}, {}, true);
     emit stateChanged();
@@ -97,7 +134,7 @@ void Document::openPart(std::shared_ptr<const project::LoadedPart> part, const Q
     emit edited();
     return;
   }
-  push({choices, opened, 0}, editName);
+  push({choices, opened, 0}, tr("Open %1").arg(shownName(parts, path)));
 }
 
 Eigen::AlignedBox3d Document::placedBox(std::size_t item) const {
@@ -106,14 +143,12 @@ Eigen::AlignedBox3d Document::placedBox(std::size_t item) const {
       return geometry::bounds(*part);
   const project::Choices own = project::onlyItem(choices_, item);
   const project::LoadedPart& loaded = *parts_->items[item]->part;
-  const double scale = project::parsedScale(own.item().scale);
   return geometry::bounds(
-      geometry::place(*loaded.mesh, pipeline::unitMm(loaded, own) * (scale > 0.0 ? scale : 1.0),
-                      own.item().placement));
+      geometry::place(*loaded.mesh, ownScale(loaded, own), own.item().placement));
 }
 
-Document::State Document::withPart(project::Choices choices,
-                                   const std::shared_ptr<Source>& source) const {
+Document::State Document::withSources(project::Choices choices,
+                                      const std::vector<std::shared_ptr<Source>>& sources) const {
   std::vector<Eigen::AlignedBox2d> others;
   std::vector<pipeline::Footprint> heights;
   for (std::size_t i = 0; i < parts_->items.size(); ++i) {
@@ -121,38 +156,55 @@ Document::State Document::withPart(project::Choices choices,
     others.push_back(onPlate(box));
     heights.push_back({{}, box.max().z(), pipeline::mayLean(choices.item(i))});
   }
-  const project::Choices own = project::onlyItem(choices, choices.items.size() - 1);
-  const double scale = project::parsedScale(own.item().scale);
-  const Eigen::AlignedBox3d box = geometry::bounds(geometry::place(
-      *source->part->mesh, pipeline::unitMm(*source->part, own) * (scale > 0.0 ? scale : 1.0),
-      own.item().placement));
-  const pipeline::Footprint added{{}, box.max().z(), pipeline::mayLean(own.item())};
-  choices.items.back().placement.centreMm =
-      nextFreePlace(others, box.sizes().head<2>(), gapFor(added, heights, choices));
+  const std::size_t first = choices.items.size() - sources.size();
+  Eigen::AlignedBox3d whole;
+  pipeline::Footprint added;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const project::Choices own = project::onlyItem(choices, first + i);
+    whole.extend(geometry::bounds(geometry::place(
+        *sources[i]->part->mesh, ownScale(*sources[i]->part, own), own.item().placement)));
+    added.leans = added.leans || pipeline::mayLean(own.item());
+  }
+  added.heightMm = whole.max().z();
+  const Eigen::Vector2d centre =
+      nextFreePlace(others, whole.sizes().head<2>(), gapFor(added, heights, choices));
+  if (sources.size() == 1)
+    choices.items.back().placement.centreMm = centre;
+  else
+    for (std::size_t i = first; i < choices.items.size(); ++i)
+      choices.item(i).placement.centreMm += centre - whole.center().head<2>();
   const auto parts = std::make_shared<Parts>();
   parts->items = parts_->items;
-  parts->items.push_back(source);
+  parts->items.insert(parts->items.end(), sources.begin(), sources.end());
   return {std::move(choices), parts, parts->items.size() - 1};
 }
 
 void Document::addPart(std::shared_ptr<const project::LoadedPart> part, const QString& path,
                        bool ready) {
   base::require(part != nullptr, "Document: a part to add");
+  addParts({{std::move(part)}}, path, ready);
+}
+
+void Document::addParts(const std::vector<project::PartInFile>& parts, const QString& path,
+                        bool ready) {
+  base::require(!parts.empty(), "Document: parts to add");
   if (!parts_) {
-    openPart(std::move(part), path, ready);
+    openParts(parts, path, ready);
     return;
   }
-  const QString editName = tr("Add %1").arg(QString::fromStdString(part->name));
-  push(withPart(withNewItem(choices_, active_, start_.item()),
-                newSource(std::move(part), path, ready)),
-       editName);
+  project::Choices choices = choices_;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    choices = withNewItem(choices, active_, start_.item());
+  takePlaces(choices, parts);
+  push(withSources(std::move(choices), newSources(parts, path, ready)),
+       tr("Add %1").arg(shownName(parts, path)));
 }
 
 void Document::duplicatePart() {
   base::require(parts_ != nullptr, "Document: a part to duplicate");
   project::Choices choices = choices_;
   choices.items.push_back(choices.item(active_));
-  push(withPart(std::move(choices), activeSource()),
+  push(withSources(std::move(choices), {activeSource()}),
        tr("Duplicate %1").arg(QString::fromStdString(activeSource()->part->name)));
 }
 

@@ -38,35 +38,85 @@ void Opening::open(const QString& path) {
 }
 
 void Opening::openPart(const QString& path) {
-  readPart(path, [this, path](const Part& part, bool ready) {
+  readPart(path, [this, path](const Parts& parts, bool ready) {
     planning_.cancel();
-    document_.openPart(part, path, ready);
+    document_.openParts(parts, path, ready);
   });
 }
 
 void Opening::addPart(const QString& path) {
-  readPart(path, [this, path](const Part& part, bool ready) {
+  readPart(path, [this, path](const Parts& parts, bool ready) {
     planning_.cancel();
-    document_.addPart(part, path, ready);
+    document_.addParts(parts, path, ready);
   });
 }
 
-void Opening::readPart(const QString& path, std::function<void(const Part&, bool ready)> take) {
+Opening::Read Opening::readSeveral(const QString& path, Parts parts, const base::RunContext& ctx) {
+  Read read;
+  read.touching = project::touchingParts(parts);
+  if (read.touching)
+    read.asOne = project::loadPart(path.toStdString(), false, ctx);
+  read.parts = std::move(parts);
+  return read;
+}
+
+void Opening::readPart(const QString& path, Take take) {
   giveUpRepair();
   runner_.run(
-      [this, path, take = std::move(take), repair = document_.choices().item().repair](
-          const base::RunContext& ctx, const jobs::Post& post) {
-        const Part asRead = project::loadPart(path.toStdString(), false, ctx.sub(0.0, 0.3));
+      [this, path, take, repair = document_.choices().item().repair](const base::RunContext& ctx,
+                                                                     const jobs::Post& post) {
+        Parts parts = project::loadParts(path.toStdString(), false, ctx.sub(0.0, 0.3));
+        if (parts.size() > 1)
+          return readSeveral(path, std::move(parts), ctx.sub(0.3, 1.0));
         // `this` is used only in posted functions, which run on the thread of the window.
-        post([this, path, take, asRead, repair] {
-          take(asRead, !repair);
+        const Part asRead = parts.front().part;
+        post([this, path, take, parts, asRead, repair] {
+          take(parts, !repair);
           repairing_ = asRead;
           emit opened(path, false);
         });
-        return project::withRepair(asRead, repair, ctx.sub(0.3, 1.0));
+        return Read{project::withRepair(asRead, repair, ctx.sub(0.3, 1.0)), {}, {}, {}};
       },
-      [this, path](const base::Outcome<Part>& outcome) { endRepair(outcome, path); });
+      [this, path, take](const base::Outcome<Read>& outcome) { endReading(outcome, path, take); });
   emit started(path);
+}
+
+void Opening::endReading(const base::Outcome<Read>& outcome, const QString& path,
+                         const Take& take) {
+  if (const auto* read = std::get_if<Read>(&outcome)) {
+    if (read->repaired)
+      endRepair(read->repaired, path);
+    else
+      takeSeveral(*read, path, take);
+  } else if (const auto* error = std::get_if<base::Error>(&outcome)) {
+    endRepair(*error, path);
+  } else {
+    endRepair(base::Cancelled{}, path);
+  }
+}
+
+// repair() follows, since no run is left.
+void Opening::takeSeveral(const Read& read, const QString& path, const Take& take) {
+  const bool repair = document_.choices().item().repair;
+  const auto nameOf = [&](std::size_t part) {
+    return QString::fromStdString(read.parts[part].part->name);
+  };
+  if (read.touching && asksAsOne_ &&
+      asksAsOne_(path, nameOf(read.touching->first), nameOf(read.touching->second)))
+    take({{read.asOne}}, !repair);
+  else
+    take(read.parts, !repair);
+  emit opened(path, false);
+  if (isRepairedAsWanted())
+    emit repaired();
+}
+
+bool Opening::isRepairedAsWanted() const {
+  const std::vector<Part> parts = document_.sources();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i]->repair != document_.jobChoices().item(i).repair && parts[i] != refused_)
+      return false;
+  return true;
 }
 
 void Opening::openProject(const QString& file) {
@@ -169,7 +219,8 @@ void Opening::repair() {
 void Opening::endRepair(const base::Outcome<Part>& outcome, const QString& path) {
   if (const auto* part = std::get_if<Part>(&outcome)) {
     document_.replaceSource(std::exchange(repairing_, nullptr), *part);
-    emit repaired();
+    if (isRepairedAsWanted())
+      emit repaired();
     return;
   }
   giveUpRepair();

@@ -3,13 +3,16 @@
 
 #include "document/recovery.h"
 #include "jobs/job_runner.h"
-#include "project/loaded_part.h"
+#include "project/file_parts.h"
 
 #include <QObject>
 #include <QString>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace voluta::document {
 
@@ -31,6 +34,11 @@ public:
   void openPart(const QString& path);
   // Adds a part to those that are open; also "sample:NAME".
   void addPart(const QString& path);
+  // Sets the question whether a file of which two parts touch is opened as one part; without it, it
+  // is opened as several. Called with the file and the names of the two parts.
+  using AsOneQuestion =
+      std::function<bool(const QString& path, const QString& first, const QString& second)>;
+  void setAsOneQuestion(AsOneQuestion asks) { asksAsOne_ = std::move(asks); }
   void openProject(const QString& file);
   // Opens it as an unsaved project, with the file to which it was saved before, if any.
   void openRecovered(const Recovered& recovered);
@@ -57,8 +65,20 @@ signals:
 
 private:
   using Part = std::shared_ptr<const project::LoadedPart>;
-  // `take`: what to do with the part as read.
-  void readPart(const QString& path, std::function<void(const Part&, bool ready)> take);
+  using Parts = std::vector<project::PartInFile>;
+  // `take`: what to do with the parts as read.
+  using Take = std::function<void(const Parts&, bool ready)>;
+  struct Read {
+    Part repaired; // the only part; null: there are several
+    Parts parts;   // several, as read
+    std::optional<std::pair<std::size_t, std::size_t>> touching; // two of them
+    Part asOne;                                                  // if two touch
+  };
+  static Read readSeveral(const QString& path, Parts parts, const base::RunContext& ctx);
+  void readPart(const QString& path, Take take);
+  void endReading(const base::Outcome<Read>& outcome, const QString& path, const Take& take);
+  void takeSeveral(const Read& read, const QString& path, const Take& take);
+  bool isRepairedAsWanted() const;
   void readProject(const QString& file, const QString& projectFile, const QString& told,
                    bool unsaved);
   void repair();
@@ -69,6 +89,7 @@ private:
   Document& document_;
   Planning& planning_;
   jobs::JobRunner runner_;
+  AsOneQuestion asksAsOne_;
   std::shared_ptr<const project::LoadedPart> repairing_; // as it was before
   // Part whose repair was aborted or failed: not retried until the choice or the part changes.
   std::shared_ptr<const project::LoadedPart> refused_;

@@ -48,6 +48,8 @@ void ProjectFiles::listen() {
   connect(&opening_, &Opening::started, this,
           [this](const QString& path) { emit said(tr("Opening %1").arg(nameOf(path))); });
   connect(&opening_, &Opening::opened, this, &ProjectFiles::noteOpened);
+  opening_.setAsOneQuestion([this](const QString& path, const QString& first,
+                                   const QString& second) { return asOne(path, first, second); });
   connect(&opening_, &Opening::repaired, this, [this] {
     emit said(tr("Ready. Press Plan."));
     planning_.plan(project::Stage::Load);
@@ -240,6 +242,18 @@ void ProjectFiles::drop(const QStringList& paths) {
     add(QStringList(path) + more);
   else if (box.clickedButton() == replaced)
     open(path, more);
+}
+
+bool ProjectFiles::asOne(const QString& path, const QString& first, const QString& second) {
+  QMessageBox box(QMessageBox::Question, tr("One part?"),
+                  tr("“%1” and “%2” in “%3” touch. Open the file as one part?")
+                      .arg(first, second, nameOf(path)),
+                  QMessageBox::NoButton, &window_);
+  box.setObjectName("asOneBox");
+  const QPushButton* one = box.addButton(tr("One part"), QMessageBox::AcceptRole);
+  box.addButton(tr("Several parts"), QMessageBox::RejectRole);
+  box.exec();
+  return box.clickedButton() == one;
 }
 
 void ProjectFiles::chooseArm() {

@@ -67,6 +67,7 @@ private:
   void noteOpened(const QString& path, bool project);
   void newProject();
   void chooseArm();
+  bool asOne(const QString& path, const QString& first, const QString& second);
   void save();
   void saveAs();
   void add(const QStringList& paths);
