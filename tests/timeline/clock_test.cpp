@@ -77,6 +77,39 @@ TEST(Clock, AWaypointThatWasLeftOutHasNoTime) {
   EXPECT_EQ(clock.printedWaypoints(3.0), 3u); // passed over
 }
 
+// A wait of 3 s before point 5, in two events, and one of 2 s before point 10.
+Clock waitingClock() {
+  const test::SampleProgram p = sampleProgram(3, 4);
+  for (const auto& [point, seconds] : {std::pair<std::size_t, double>{5, 1.0}, {5, 2.0}, {10, 2.0}})
+    p.trajectory->events.push_back(
+        {.point = point, .kind = plan::EventKind::Wait, .seconds = seconds});
+  return Clock(p.trajectory, p.toolPlan);
+}
+
+TEST(Clock, TimesIncludeWaits) {
+  const Clock clock = waitingClock();
+  EXPECT_DOUBLE_EQ(clock.durationS(), 19.0);
+  EXPECT_DOUBLE_EQ(clock.timeOfPoint(4), 4.0);
+  EXPECT_DOUBLE_EQ(clock.timeOfPoint(5), 8.0);
+  EXPECT_DOUBLE_EQ(clock.timeOfPoint(10), 15.0);
+  EXPECT_EQ(clock.pointAt(7.9), 4u);
+  EXPECT_EQ(clock.printedWaypoints(7.9), 4u);
+  ASSERT_EQ(clock.waits().size(), 2u);
+  EXPECT_DOUBLE_EQ(clock.waits()[0].fromS, 4.0);
+  EXPECT_DOUBLE_EQ(clock.waits()[0].toS, 7.0);
+  EXPECT_DOUBLE_EQ(clock.waits()[1].fromS, 12.0);
+  EXPECT_DOUBLE_EQ(clock.waits()[1].toS, 14.0);
+}
+
+TEST(Clock, TheArmRestsWhileItWaits) {
+  const Clock clock = waitingClock(), without = smallClock();
+  for (const double t : {4.0, 4.5, 7.0})
+    EXPECT_EQ(clock.jointsAt(t), without.jointsAt(4.0)) << t;
+  for (const double share : {0.25, 0.5, 1.0})
+    EXPECT_TRUE(clock.jointsAt(7.0 + share).isApprox(without.jointsAt(4.0 + share), 1e-12));
+  EXPECT_TRUE(clock.jointsAt(19.0).isApprox(without.jointsAt(14.0), 1e-12));
+}
+
 TEST(Clock, KnowsTheLayer) {
   const Clock clock = smallClock();
   EXPECT_EQ(clock.layerAt(0.0), 0);

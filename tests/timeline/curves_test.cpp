@@ -41,6 +41,24 @@ TEST(JointCurves, AFewPointsAreShownAsTheyAre) {
   }
 }
 
+TEST(JointCurves, JointsRestDuringAWait) {
+  const test::SampleProgram p = test::sampleProgram(1, 4);
+  p.trajectory->events.push_back({.point = 3, .kind = plan::EventKind::Wait, .seconds = 10.0});
+  const JointCurves curves(p.trajectory, {}, {});
+  EXPECT_DOUBLE_EQ(curves.durationS(), 14.0);
+  const QList<QPointF> angle = curves.angle(2, 0.0, 14.0, 100);
+  ASSERT_EQ(angle.size(), 6);
+  EXPECT_DOUBLE_EQ(angle[2].x(), 2.0);
+  EXPECT_DOUBLE_EQ(angle[3].x(), 12.0);
+  EXPECT_EQ(angle[2].y(), angle[3].y());
+  EXPECT_DOUBLE_EQ(angle[4].x(), 13.0);
+  const QList<QPointF> speed = curves.speed(2, 2.0, 12.0, 100);
+  for (const QPointF& point : speed)
+    if (point.x() > 2.0 && point.x() < 12.0) {
+      EXPECT_EQ(point.y(), 0.0);
+    }
+}
+
 TEST(JointCurves, SpeedIsThatOfTheMoveAndDrawnAsSteps) {
   const test::SampleProgram p = test::sampleProgram(1, 4, 0.5);
   const JointCurves curves(p.trajectory, {}, {});

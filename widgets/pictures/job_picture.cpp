@@ -8,6 +8,7 @@
 #include "motion/waits.h"
 #include "pictures/all_items.h"
 #include "pipeline/choices.h"
+#include "plan/arrival_times.h"
 #include "robot/shape/arm_look.h"
 
 #include <algorithm>
@@ -190,18 +191,21 @@ private:
     if (t.pointCount() == 0)
       throw Error(ErrorCode::UnusableInput, "the robot motion is empty"_text, options_.where,
                   "plan the part again"_text);
-    const double end = t.timeS.back();
+    const std::vector<double> times = plan::arrivalTimes(t);
+    const double end = times.back();
     const double time = options_.timeS.value_or(end);
     if (!(time >= 0.0 && time <= end))
       throw Error(ErrorCode::Usage,
                   base::message("there is no time {time}"_text, base::seconds(time)),
                   options_.where,
                   base::message("the program runs from 0 to {end:.1f}"_text, base::seconds(end)));
-    const auto after = std::upper_bound(t.timeS.begin(), t.timeS.end(), time) - t.timeS.begin();
+    const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
     const std::size_t last = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1)) - 1;
     const std::size_t next = std::min(last + 1, t.pointCount() - 1);
     const double step = t.timeS[next] - t.timeS[last];
-    const double share = step > 0.0 ? (time - t.timeS[last]) / step : 0.0;
+    // The arm waits first, then moves for the step's time.
+    const double moved = time - (times[next] - step);
+    const double share = step > 0.0 ? std::clamp(moved / step, 0.0, 1.0) : 0.0;
     view_.joints.resize(t.dof);
     for (int j = 0; j < t.dof; ++j)
       view_.joints[j] = t.at(last)[j] + share * (t.at(next)[j] - t.at(last)[j]);

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "plan/arrival_times.h"
 
 #include <algorithm>
 #include <cmath>
@@ -227,9 +228,10 @@ void addValues(const plan::ToolPlan& plan, const plan::Trajectory* trajectory,
   if (!trajectory)
     return;
   values.minutes.assign(n, 0.0f);
+  const std::vector<double> times = plan::arrivalTimes(*trajectory);
   for (std::size_t i = 0; i < trajectory->pointCount(); ++i)
     if (const std::size_t w = trajectory->waypoint[i]; w < n)
-      values.minutes[w] = static_cast<float>(trajectory->timeS[i] / 60.0);
+      values.minutes[w] = static_cast<float>(times[i] / 60.0);
 }
 
 } // namespace

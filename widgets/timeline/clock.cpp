@@ -1,6 +1,7 @@
 #include "timeline/clock.h"
 
 #include "base/error.h"
+#include "plan/arrival_times.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,6 +26,10 @@ Clock::Clock(std::shared_ptr<const plan::Trajectory> trajectory,
   base::require(trajectory_ && toolPlan_, "Clock: a trajectory and its plan");
   const plan::Trajectory& t = *trajectory_;
   base::require(std::is_sorted(t.timeS.begin(), t.timeS.end()), "Clock: times do not decrease");
+  timeS_ = plan::arrivalTimes(t);
+  for (const plan::TrajectoryEvent& event : t.events)
+    if (event.seconds > 0.0 && event.point > 0 && event.point < t.pointCount())
+      addWait(event.point);
   const std::vector<int> layer = layersOf(*toolPlan_);
   printedAt_.reserve(t.pointCount());
   waypointPoint_.assign(toolPlan_->waypointCount(), kNoPoint);
@@ -37,34 +42,44 @@ Clock::Clock(std::shared_ptr<const plan::Trajectory> trajectory,
       if (waypointPoint_[waypoint] == kNoPoint)
         waypointPoint_[waypoint] = point;
       if (layerStarts_.empty() || layerStarts_.back().layer != layer[waypoint])
-        layerStarts_.push_back({t.timeS[point], layer[waypoint]});
+        layerStarts_.push_back({timeS_[point], layer[waypoint]});
     }
     printedAt_.push_back(printed);
   }
 }
 
+// The wait before the motion to a point; several events there are one wait.
+void Clock::addWait(std::size_t point) {
+  const double from = timeS_[point - 1], to = departureS(point);
+  if (waits_.empty() || waits_.back().toS < to)
+    waits_.push_back({from, to});
+}
+
+double Clock::departureS(std::size_t point) const {
+  return timeS_[point] - (trajectory_->timeS[point] - trajectory_->timeS[point - 1]);
+}
+
 double Clock::durationS() const {
-  return empty() ? 0.0 : trajectory_->timeS.back();
+  return empty() ? 0.0 : timeS_.back();
 }
 
 std::size_t Clock::pointAt(double timeS) const {
   base::require(!empty(), "Clock: not empty");
-  const std::vector<double>& times = trajectory_->timeS;
-  const auto after = std::upper_bound(times.begin(), times.end(), timeS);
-  return after == times.begin() ? 0 : static_cast<std::size_t>(after - times.begin()) - 1;
+  const auto after = std::upper_bound(timeS_.begin(), timeS_.end(), timeS);
+  return after == timeS_.begin() ? 0 : static_cast<std::size_t>(after - timeS_.begin()) - 1;
 }
 
 double Clock::timeOfPoint(std::size_t point) const {
   base::require(point < pointCount(), "Clock: the point exists");
-  return trajectory_->timeS[point];
+  return timeS_[point];
 }
 
 robot::JointVector Clock::jointsAt(double timeS) const {
   const std::size_t point = pointAt(timeS);
   const plan::Trajectory& t = *trajectory_;
   robot::JointVector q = Eigen::Map<const Eigen::VectorXd>(t.at(point), t.dof);
-  if (point + 1 < t.pointCount() && timeS > t.timeS[point]) {
-    const double share = (timeS - t.timeS[point]) / (t.timeS[point + 1] - t.timeS[point]);
+  if (point + 1 < t.pointCount() && timeS > timeS_[point] && timeS > departureS(point + 1)) {
+    const double share = (timeS - departureS(point + 1)) / (t.timeS[point + 1] - t.timeS[point]);
     q += share * (Eigen::Map<const Eigen::VectorXd>(t.at(point + 1), t.dof) - q);
   }
   return q;
@@ -77,7 +92,7 @@ std::size_t Clock::printedWaypoints(double timeS) const {
 std::optional<double> Clock::timeOfWaypoint(std::size_t waypoint) const {
   if (waypoint >= waypointPoint_.size() || waypointPoint_[waypoint] == kNoPoint)
     return std::nullopt;
-  return trajectory_->timeS[waypointPoint_[waypoint]];
+  return timeS_[waypointPoint_[waypoint]];
 }
 
 int Clock::layerAt(double timeS) const {
@@ -90,15 +105,13 @@ int Clock::layerAt(double timeS) const {
 }
 
 double Clock::nextMoveS(double timeS) const {
-  const std::vector<double>& times = trajectory_->timeS;
-  const auto after = std::upper_bound(times.begin(), times.end(), timeS);
-  return after == times.end() ? durationS() : *after;
+  const auto after = std::upper_bound(timeS_.begin(), timeS_.end(), timeS);
+  return after == timeS_.end() ? durationS() : *after;
 }
 
 double Clock::previousMoveS(double timeS) const {
-  const std::vector<double>& times = trajectory_->timeS;
-  const auto here = std::lower_bound(times.begin(), times.end(), timeS);
-  return here == times.begin() ? 0.0 : *std::prev(here);
+  const auto here = std::lower_bound(timeS_.begin(), timeS_.end(), timeS);
+  return here == timeS_.begin() ? 0.0 : *std::prev(here);
 }
 
 double Clock::nextLayerS(double timeS) const {

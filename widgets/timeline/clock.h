@@ -13,7 +13,8 @@
 namespace voluta::timeline {
 
 // Immutable; every query takes O(log N). Construction takes O(N) (milliseconds for a million
-// points) and is possible on any thread. Times outside [0, durationS()] are clamped.
+// points) and is possible on any thread. Times include waits, during which the arm stays where it
+// is; those outside [0, durationS()] are clamped.
 class Clock {
 public:
   // No motion: duration 0.
@@ -44,6 +45,12 @@ public:
   // first bead the first bead's.
   int layerAt(double timeS) const;
 
+  struct Wait {
+    double fromS, toS;
+  };
+  // Ascending.
+  const std::vector<Wait>& waits() const { return waits_; }
+
   // Next and previous motion; clamped at the ends.
   double nextMoveS(double timeS) const;
   double previousMoveS(double timeS) const;
@@ -53,6 +60,10 @@ public:
   double previousLayerS(double timeS) const;
 
 private:
+  void addWait(std::size_t point);
+  // Returns the time at which the motion to a point > 0 begins.
+  double departureS(std::size_t point) const;
+
   struct LayerStart {
     double timeS;
     int layer;
@@ -60,6 +71,8 @@ private:
 
   std::shared_ptr<const plan::Trajectory> trajectory_;
   std::shared_ptr<const plan::ToolPlan> toolPlan_;
+  std::vector<double> timeS_; // per point, waits included
+  std::vector<Wait> waits_;
   std::vector<std::size_t> printedAt_;     // per point
   std::vector<std::size_t> waypointPoint_; // per waypoint: its point, or npos
   std::vector<LayerStart> layerStarts_;    // by time

@@ -1,6 +1,7 @@
 #include "timeline/joint_curves.h"
 
 #include "base/error.h"
+#include "plan/arrival_times.h"
 
 #include <algorithm>
 
@@ -13,17 +14,19 @@ JointCurves::JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
   const plan::Trajectory& t = *trajectory_;
   base::require(std::is_sorted(t.timeS.begin(), t.timeS.end()),
                 "JointCurves: times do not decrease");
-  const std::size_t count = t.pointCount(), dof = static_cast<std::size_t>(t.dof);
+  const std::vector<std::size_t> pointOf = addTimes();
+  const std::size_t count = timeS_.size(), dof = static_cast<std::size_t>(t.dof);
   for (std::size_t joint = 0; joint < dof; ++joint) {
     ctx.checkpoint();
     std::vector<float> angles(count), speeds(count, 0.0f);
     const robot::JointKind kind = joint < kinds.size() ? kinds[joint] : robot::JointKind::Turning;
+    const auto value = [&](std::size_t i) { return t.joints[pointOf[i] * dof + joint]; };
     for (std::size_t i = 0; i < count; ++i) {
-      angles[i] = static_cast<float>(robot::shownValue(kind, t.joints[i * dof + joint]));
+      angles[i] = static_cast<float>(robot::shownValue(kind, value(i)));
       if (i + 1 == count)
         break;
-      const double step = t.joints[(i + 1) * dof + joint] - t.joints[i * dof + joint];
-      const double seconds = t.timeS[i + 1] - t.timeS[i];
+      const double step = value(i + 1) - value(i);
+      const double seconds = timeS_[i + 1] - timeS_[i];
       // Two points at the same time have no duration, so the previous speed continues.
       speeds[i] = seconds > 0.0 ? static_cast<float>(robot::shownValue(kind, step / seconds))
                                 : (i > 0 ? speeds[i - 1] : 0.0f);
@@ -31,6 +34,23 @@ JointCurves::JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
     angle_.emplace_back(std::move(angles));
     speed_.emplace_back(std::move(speeds));
   }
+}
+
+// Returns the point at each of the times.
+std::vector<std::size_t> JointCurves::addTimes() {
+  const plan::Trajectory& t = *trajectory_;
+  const std::vector<double> arrival = plan::arrivalTimes(t);
+  std::vector<std::size_t> pointOf;
+  for (std::size_t i = 0; i < arrival.size(); ++i) {
+    const double departure = i == 0 ? 0.0 : arrival[i] - (t.timeS[i] - t.timeS[i - 1]);
+    if (i > 0 && t.waitBefore(i) > 0.0) {
+      timeS_.push_back(departure);
+      pointOf.push_back(i - 1);
+    }
+    timeS_.push_back(arrival[i]);
+    pointOf.push_back(i);
+  }
+  return pointOf;
 }
 
 QList<QPointF> JointCurves::angle(int joint, double fromS, double toS, int columns) const {
@@ -53,7 +73,7 @@ ValueRange JointCurves::speedRange(int joint) const {
 
 QList<QPointF> JointCurves::reduced(const CurvePyramid& curve, double fromS, double toS,
                                     int columns, bool steps) const {
-  const std::vector<double>& times = trajectory_->timeS;
+  const std::vector<double>& times = timeS_;
   const auto indexOf = [&](auto at) { return static_cast<std::size_t>(at - times.begin()); };
   // One point beyond each end, so that the curve continues to the edge of the picture.
   std::size_t begin = indexOf(std::lower_bound(times.begin(), times.end(), fromS));

@@ -13,8 +13,8 @@
 
 namespace voluta::timeline {
 
-// Immutable; degrees and degrees per second over seconds, mm and mm/s for sliding joints.
-// Construction takes O(dof N), on a worker thread.
+// Immutable; times include waits, at which the joints rest. Degrees and degrees per second over
+// seconds, mm and mm/s for sliding joints. Construction takes O(dof N), on a worker thread.
 class JointCurves {
 public:
   // Joints beyond those of `kinds` are turning ones. Precondition (Error{Internal}): a trajectory
@@ -23,7 +23,7 @@ public:
               const std::vector<robot::JointKind>& kinds, const base::RunContext& ctx);
 
   int dof() const { return trajectory_->dof; }
-  double durationS() const { return trajectory_->timeS.back(); }
+  double durationS() const { return timeS_.back(); }
 
   // Returns the curve over [fromS, toS] for the given number of pixel columns: at most four points
   // per column, whose minimum and maximum are those of the curve there. columns >= 1.
@@ -34,11 +34,13 @@ public:
   ValueRange speedRange(int joint) const;
 
 private:
+  std::vector<std::size_t> addTimes();
   QList<QPointF> reduced(const CurvePyramid& curve, double fromS, double toS, int columns,
                          bool steps) const;
 
   std::shared_ptr<const plan::Trajectory> trajectory_;
-  // One per joint; a value per point, speeds up to the next
+  std::vector<double> timeS_; // Of each point, and of the end of each wait
+  // One per joint; a value per time, speeds up to the next
   std::vector<CurvePyramid> angle_, speed_;
 };
 

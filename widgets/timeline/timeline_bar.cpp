@@ -180,6 +180,7 @@ void TimelineBar::setClock(std::shared_ptr<const Clock> clock) {
   } else {
     timeS_ = std::min(timeS_, clock_ ? clock_->durationS() : 0.0);
   }
+  showMarks();
 }
 
 void TimelineBar::setMoveCount(int moves) {
@@ -228,6 +229,10 @@ void TimelineBar::showMarks() {
   if (mode_ == BarMode::Time)
     for (const Span& span : spans_)
       spans.push_back({span.fromS, span.toS, span.text});
+  if (mode_ == BarMode::Time && clock_)
+    for (const Clock::Wait& wait : clock_->waits())
+      spans.push_back({wait.fromS, wait.toS,
+                       tr("Wait: %1 s").arg(QLocale().toString(wait.toS - wait.fromS, 'f', 1))});
   slider_->setSpans(std::move(spans));
 }
 
