@@ -89,6 +89,25 @@ std::size_t partTool(const std::string& text, std::size_t tools) {
   return isTool ? static_cast<std::size_t>(number) - 1 : 0;
 }
 
+void forgetTool(std::map<std::string, std::string>& parameters, int number) {
+  const auto without = [number](int tool) {
+    return tool == number ? 1 : tool > number ? tool - 1 : tool;
+  };
+  for (const char* key : {kTool, kSupportTool, kInfillTool, kPieceTools}) {
+    const auto found = parameters.find(key);
+    if (found == parameters.end())
+      continue;
+    std::string text;
+    for (std::size_t from = 0; from < found->second.size();) {
+      const std::size_t to = std::min(found->second.find(',', from), found->second.size());
+      const int tool = numberOf(std::string_view(found->second).substr(from, to - from));
+      text += (text.empty() ? "" : ",") + std::to_string(without(tool));
+      from = to + 1;
+    }
+    found->second = text;
+  }
+}
+
 void assignTools(LayerStack& stack, const ToolAssignment& assignment) {
   for (Patch& patch : stack.patches)
     if (patch.group == kSupportGroup)

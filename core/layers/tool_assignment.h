@@ -5,6 +5,7 @@
 #include "layers/layer_stack.h"
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ ToolAssignment toolAssignment(const base::ParameterValues& values, std::size_t t
 // Returns the tool of the text of parameter `tool` (empty: the first), as an index; the first if it
 // is no number from 1 to `tools`, which toolAssignment() reports.
 std::size_t partTool(const std::string& text, std::size_t tools);
+
+// Changes the assignments (texts by key, as project files store them) for a job from which the tool
+// of that number is removed: the first tool prints its patches, later tools get the number before.
+void forgetTool(std::map<std::string, std::string>& parameters, int number);
 
 // Sets the tool of every patch.
 void assignTools(LayerStack& stack, const ToolAssignment& assignment);

@@ -157,6 +157,12 @@ std::size_t ownTool(const project::Choices& choices) {
   return tool == parameters.end() ? 0 : layers::partTool(tool->second, choices.tools.size());
 }
 
+void removeTool(project::Choices& choices, std::size_t tool) {
+  choices.tools.erase(choices.tools.begin() + static_cast<std::ptrdiff_t>(tool));
+  for (project::ItemChoices& item : choices.items)
+    layers::forgetTool(item.parameters, static_cast<int>(tool) + 1);
+}
+
 base::ParameterTable parametersOf(const project::Choices& choices) {
   std::vector<base::ParameterSpec> specs = parametersOf(choices.item().mode).specs();
   try {

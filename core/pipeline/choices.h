@@ -50,6 +50,10 @@ process::Process chosenProcess(const project::Choices& choices,
 // Returns the index of the tool that prints the part of the choices (parameter `tool`).
 std::size_t ownTool(const project::Choices& choices);
 
+// Removes a tool but the first. What it prints is printed by the first one; later tools keep their
+// assignments. Precondition: 0 < tool < choices.tools.size().
+void removeTool(project::Choices& choices, std::size_t tool);
+
 // Returns the tools of the choices: that of the part with chosenProcess(), the others with their
 // processes and the part's layer height, as far as they can print it. All have one head that
 // contains those of all. Throws as chosenProcess().

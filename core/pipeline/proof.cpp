@@ -174,6 +174,21 @@ int layersOf(const project::Report& report) {
   return layers;
 }
 
+void putTools(Proof& proof, const process::Tooling& tooling, const plan::Trajectory& trajectory) {
+  proof.massG = tooling.printedG(trajectory);
+  if (tooling.tools().size() == 1)
+    return;
+  const std::vector<process::ToolUse> uses = tooling.usesOf(trajectory);
+  for (std::size_t tool = 0; tool < uses.size(); ++tool) {
+    const process::Process& process = tooling.tools()[tool].process;
+    const double gPerMm3 = 1e-3 * process.material.densityGPerCm3;
+    proof.tools.push_back({process.id, process.material.label, gPerMm3 * uses[tool].printedMm3,
+                           gPerMm3 * uses[tool].purgedMm3});
+  }
+  proof.toolChanges = static_cast<std::size_t>(std::ranges::count(
+      trajectory.events, plan::EventKind::ToolChange, &plan::TrajectoryEvent::kind));
+}
+
 Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Measured& measured) {
   Proof proof;
   proof.part = partNames(result.job);
@@ -196,6 +211,7 @@ Proof proofOf(const CheckedProgram& checked, const PlanResult& result, const Mea
   proof.plannedS = result.job.report.motion.durationS;
   proof.programS = checked.verdict.controllerDurationS;
   proof.materialMm3 = measured.trajectory.extrudedMm3.back();
+  putTools(proof, *result.tooling, measured.trajectory);
   const Places places(result, checked);
   proof.armChecked = checked.armChecked;
   if (proof.armChecked)
@@ -316,6 +332,12 @@ std::string proofJson(const Proof& proof) {
     speed["joint"] = joint.name;
     speeds.push_back(std::move(speed));
   }
+  Json tools = Json::array();
+  for (const Proof::Tool& tool : proof.tools)
+    tools.push_back({{"process", tool.process},
+                     {"material", tool.material},
+                     {"printedG", tool.printedG},
+                     {"purgedG", tool.purgedG}});
   Json json{{"part", proof.part},
             {"format", proof.format},
             {"foreign", proof.foreign},
@@ -328,7 +350,7 @@ std::string proofJson(const Proof& proof) {
             {"durationS", {{"planned", proof.plannedS}, {"program", proof.programS}}},
             {"material", proof.process.material.label},
             {"materialMm3", proof.materialMm3},
-            {"massG", proof.massG()},
+            {"massG", proof.massG},
             {"replay", replayJson(proof)},
             {"armChecked", proof.armChecked},
             {"worst",
@@ -347,6 +369,10 @@ std::string proofJson(const Proof& proof) {
             {"singularity", valueJson(proof.isotropy, "isotropy")},
             {"fillMap", fillJson(proof.fill)},
             {"printedMesh", proof.printed}};
+  if (!proof.tools.empty()) {
+    json["tools"] = std::move(tools);
+    json["toolChanges"] = proof.toolChanges;
+  }
   if (!proof.armChecked)
     for (const char* key : {"leastClearance", "jointLimits", "jointSpeeds", "singularity"})
       json.erase(key);

@@ -51,6 +51,14 @@ struct Proof {
   std::size_t deviations = 0;            // places where the program differs from the plan
   double plannedS = 0.0, programS = 0.0; // durations by the plan and as the program runs
   double materialMm3 = 0.0;
+  double massG = 0.0;
+  // Of a job with several tools, one row each; else empty
+  struct Tool {
+    std::string process, material;
+    double printedG = 0.0, purgedG = 0.0;
+  };
+  std::vector<Tool> tools;
+  std::size_t toolChanges = 0;
   // Programs of nozzle positions without joint values are checked without the arm: clearance,
   // joints and isotropy are then empty.
   bool armChecked = false;
@@ -68,8 +76,6 @@ struct Proof {
       layerTime;
   double leastLayerTimeS = 0.0; // required; 0: none
   FillMap fill;
-
-  double massG() const { return 1e-3 * materialMm3 * process.material.densityGPerCm3; }
 };
 
 // Returns the name of a program's first file as written, with ".proof" appended.

@@ -146,10 +146,27 @@ private:
          message("nozzle {nozzle}, bead {width#} x {height}"_text, base::mm(p.nozzleDiameterMm),
                  base::mm(p.beadWidthMm), base::mm(p.layerHeightMm)));
     fact("Mass"_text,
-         message("{mass:.1f} g, supports and waste included"_text, base::number(proof_.massG())));
+         message("{mass:.1f} g, supports and waste included"_text, base::number(proof_.massG)));
+    if (!proof_.tools.empty()) {
+      tools();
+      return;
+    }
     fact("Material"_text,
          message("{material}, {volume:.1f} cm3 at {density:.2f} g/cm3"_text, p.material.label,
                  base::number(1e-3 * proof_.materialMm3), base::number(p.material.densityGPerCm3)));
+  }
+
+  void tools() {
+    double purgedG = 0.0;
+    for (std::size_t i = 0; i < proof_.tools.size(); ++i) {
+      const Proof::Tool& tool = proof_.tools[i];
+      purgedG += tool.purgedG;
+      fact("Material"_text,
+           message("tool {number}: {material}, {process}, {mass:.1f} g"_text, i + 1, tool.material,
+                   tool.process, base::number(tool.printedG)));
+    }
+    fact("Tool changes"_text,
+         message("{changes}, {mass:.1f} g purged"_text, proof_.toolChanges, base::number(purgedG)));
   }
 
   void beadChecks() {

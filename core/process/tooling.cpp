@@ -1,9 +1,8 @@
 #include "process/tooling.h"
 
-#include <algorithm>
-
 #include "base/error.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace voluta::process {
@@ -23,6 +22,35 @@ const Tool& Tooling::at(int tool) const {
 std::span<const Tool> Tooling::usedAfter(const plan::Trajectory& trajectory,
                                          std::size_t point) const {
   return tools().first(trajectory.changesTool(point) ? tools_->size() : 1);
+}
+
+std::vector<ToolUse> Tooling::usesOf(const plan::Trajectory& trajectory) const {
+  std::vector<ToolUse> uses(tools_->size());
+  std::size_t tool = 0;
+  double before = 0.0;
+  const auto printTo = [&](double mm3) {
+    uses[tool].printedMm3 += mm3 - std::exchange(before, mm3);
+  };
+  for (const plan::TrajectoryEvent& event : trajectory.events) {
+    if (event.kind == plan::EventKind::ToolChange) {
+      printTo(trajectory.extrudedMm3[event.point - 1]);
+      base::require(event.tool >= 0 && static_cast<std::size_t>(event.tool) < uses.size(),
+                    "a change to a tool of the job");
+      tool = static_cast<std::size_t>(event.tool);
+    }
+    uses[tool].purgedMm3 += event.volumeMm3;
+  }
+  if (!trajectory.extrudedMm3.empty())
+    printTo(trajectory.extrudedMm3.back());
+  return uses;
+}
+
+double Tooling::printedG(const plan::Trajectory& trajectory) const {
+  const std::vector<ToolUse> uses = usesOf(trajectory);
+  double g = 0.0;
+  for (std::size_t tool = 0; tool < uses.size(); ++tool)
+    g += 1e-3 * uses[tool].printedMm3 * (*tools_)[tool].process.material.densityGPerCm3;
+  return g;
 }
 
 double Tooling::fullFlowMm3PerS() const {

@@ -17,6 +17,11 @@ struct Tool {
   Process process; // with material and head body
 };
 
+// Material that a tool deposits [mm3].
+struct ToolUse {
+  double printedMm3 = 0.0, purgedMm3 = 0.0; // purged: after tool changes
+};
+
 // One or more tools; a copy shares them.
 class Tooling {
 public:
@@ -31,6 +36,10 @@ public:
   const Tool& at(int tool) const;
   // The tool that the job begins with.
   const Tool& first() const { return tools_->front(); }
+  // The use of each tool.
+  std::vector<ToolUse> usesOf(const plan::Trajectory& trajectory) const;
+  // The mass of all that is printed, without purges [g].
+  double printedG(const plan::Trajectory& trajectory) const;
   // The flow that outputs state as full [mm3/s]: that of the tool with the largest one.
   double fullFlowMm3PerS() const;
   // The tools that print after a point of the trajectory: all of them if it changes the tool there,

@@ -205,8 +205,8 @@ std::vector<std::string> headLines(const ProgramInput& input) {
       joined({kCell, head.cell, kRobot, head.robot, kProcess, head.process, " (",
               plainText(p.material.label), ")"}),
       joined({std::to_string(t.pointCount()), " motions, ", fixedText(mm3, 1), " mm3, ",
-              fixedText(mm3 * 1e-3 * p.material.densityGPerCm3, 1), " g, ",
-              fixedText(t.timeS.back() + waitS, 1), " s"})};
+              fixedText(input.tooling.printedG(t), 1), " g, ", fixedText(t.timeS.back() + waitS, 1),
+              " s"})};
   if (std::string heat = heatLine(input); !heat.empty())
     lines.push_back(std::move(heat));
   if (extruderOf(input).streams)

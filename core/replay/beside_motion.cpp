@@ -123,10 +123,7 @@ private:
     if (!program_.load)
       return;
     const bool head = cell_.nozzleMount() != robot::Mount::World;
-    const double part = trajectory_.extrudedMm3.empty()
-                            ? 0.0
-                            : trajectory_.extrudedMm3.back() * 1e-6 *
-                                  tooling_.first().process.material.densityGPerCm3;
+    const double part = 1e-3 * tooling_.printedG(trajectory_);
     const double carried = !cell_.carriedIsAssumed() ? cell_.carriedKg()
                            : head                    ? kHeadKg
                                                      : kPlateKg;

@@ -1,6 +1,7 @@
 #include "forms/choices_form.h"
 
 #include "base/data_files.h"
+#include "forms/choice_combo.h"
 #include "forms/icons.h"
 #include "forms/platform_editor.h"
 #include "forms/value_boxes.h"
@@ -20,30 +21,6 @@
 #include <limits>
 
 namespace voluta::forms {
-
-namespace {
-void fillCombo(QComboBox* combo, const std::vector<ChoiceItem>& items) {
-  const QSignalBlocker quiet(combo);
-  const QString chosen = combo->currentData().toString();
-  combo->clear();
-  for (const ChoiceItem& item : items) {
-    combo->addItem(item.label.isEmpty() ? item.id : item.label, item.id);
-    combo->setItemData(combo->count() - 1, item.help, Qt::ToolTipRole);
-  }
-  if (const int at = combo->findData(chosen); at >= 0)
-    combo->setCurrentIndex(at);
-}
-
-void choose(QComboBox* combo, const QString& id) {
-  const QSignalBlocker quiet(combo);
-  int at = combo->findData(id);
-  if (at < 0 && !id.isEmpty()) {
-    combo->addItem(QString::fromStdString(base::dataName(id.toStdString())), id);
-    at = combo->count() - 1;
-  }
-  combo->setCurrentIndex(at);
-}
-} // namespace
 
 ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
@@ -81,8 +58,10 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   seed_->setRange(0, std::numeric_limits<int>::max());
   seed_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   seedLabel_->setBuddy(seed_);
-  grid->addWidget(seedLabel_, 7, 0);
-  grid->addWidget(seed_, 7, 1, 1, 2);
+  tools_ = new ToolRows(this);
+  grid->addWidget(tools_, 7, 0, 1, 3);
+  grid->addWidget(seedLabel_, 8, 0);
+  grid->addWidget(seed_, 8, 1, 1, 2);
   connect(seed_, &QSpinBox::valueChanged, this,
           [this](int value) { emit changed(QStringLiteral("seed"), QString::number(value)); });
 
@@ -98,8 +77,8 @@ ChoicesForm::ChoicesForm(QWidget* parent) : QWidget(parent) {
   noticeLine->addWidget(notice_, 1);
   noticeButton_ = new QPushButton(this);
   noticeButton_->setObjectName(QStringLiteral("noticeButton"));
-  grid->addWidget(noticeRow_, 8, 0, 1, 3);
-  grid->addWidget(noticeButton_, 9, 0, 1, 3);
+  grid->addWidget(noticeRow_, 9, 0, 1, 3);
+  grid->addWidget(noticeButton_, 10, 0, 1, 3);
   connect(noticeButton_, &QPushButton::clicked, this, &ChoicesForm::noticePressed);
   setNotice({}, {}, false);
   retranslate();
@@ -160,15 +139,17 @@ void ChoicesForm::setLists(const ChoiceLists& lists) {
   fillCombo(cell_.combo, lists.cells);
   fillCombo(process_.combo, lists.processes);
   fillCombo(material_.combo, lists.materials);
+  tools_->setLists(lists.processes, lists.materials);
   platforms_ = lists.platforms;
 }
 
 void ChoicesForm::setTexts(const ChoiceTexts& texts) {
-  choose(mode_.combo, texts.mode);
-  choose(growth_.combo, texts.growth);
-  choose(cell_.combo, texts.cell);
-  choose(process_.combo, texts.process);
+  chooseId(mode_.combo, texts.mode);
+  chooseId(growth_.combo, texts.growth);
+  chooseId(cell_.combo, texts.cell);
+  chooseId(process_.combo, texts.process);
   showMaterial(texts);
+  tools_->setTools(texts.moreTools);
   for (const Row* row : {&mode_, &growth_, &cell_, &process_, &material_})
     showTip(*row);
   if (const auto at = platforms_.find(texts.mode); at != platforms_.end())
@@ -180,15 +161,12 @@ void ChoicesForm::setTexts(const ChoiceTexts& texts) {
 }
 
 void ChoicesForm::showMaterial(const ChoiceTexts& texts) {
-  choose(material_.combo, texts.material);
+  chooseId(material_.combo, texts.material);
   materialFacts_->setText(texts.materialFacts);
   materialFacts_->setVisible(!texts.materialFacts.isEmpty());
   const int at = material_.combo->currentIndex();
   if (const QColor colour(texts.materialColour); at >= 0 && colour.isValid()) {
-    const int side = fontMetrics().height();
-    QPixmap swatch(side, side);
-    swatch.fill(colour);
-    material_.combo->setItemIcon(at, swatch);
+    material_.combo->setItemIcon(at, swatchOf(colour, fontMetrics().height()));
   }
 }
 

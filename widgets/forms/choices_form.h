@@ -2,7 +2,9 @@
 // seed.
 #pragma once
 
+#include "forms/choice_combo.h"
 #include "forms/platform_editor.h"
+#include "forms/tool_rows.h"
 
 #include <QString>
 #include <QWidget>
@@ -17,11 +19,6 @@ class QToolButton;
 
 namespace voluta::forms {
 
-// One entry of a list: its id, its label, and its tool tip (may be empty).
-struct ChoiceItem {
-  QString id, label, help;
-};
-
 struct ChoiceLists {
   std::vector<ChoiceItem> modes, growths, cells, processes, materials;
   std::map<QString, std::vector<project::PlatformUse>> platforms; // Supported by a mode
@@ -32,7 +29,8 @@ struct ChoiceTexts {
   int seed = 1;
   RodProfile rod = {};
   QString material = {}, materialFacts = {};
-  QString materialColour = {}; // #RRGGBB
+  QString materialColour = {};           // #RRGGBB
+  std::vector<ToolTexts> moreTools = {}; // beside the first, which has the process above
 };
 
 class ChoicesForm : public QWidget {
@@ -53,6 +51,7 @@ public:
   // button is a message. `blocking`: planning is not possible in this state.
   void setNotice(const QString& line, const QString& button, bool blocking);
   void choosePlatformFile();
+  ToolRows* tools() { return tools_; }
 
 signals:
   void noticePressed();
@@ -82,6 +81,7 @@ private:
 
   Row mode_, growth_, cell_, process_, material_;
   QLabel* materialFacts_ = nullptr;
+  ToolRows* tools_ = nullptr;
   QLabel* platformLabel_ = nullptr;
   PlatformEditor* platform_ = nullptr;
   QLabel* seedLabel_ = nullptr;

@@ -28,6 +28,8 @@ const std::vector<std::int32_t>* wholeNumbers(const ColourValues& v, ColourBy by
     return &v.kind;
   case ColourBy::Part:
     return &v.item;
+  case ColourBy::Tool:
+    return &v.tool;
   default:
     return nullptr;
   }

@@ -23,6 +23,7 @@ const std::vector<ColourByRow>& colourByTable() {
       {ColourBy::Spacing, "spacing", "Layer spacing"_text, "mm", false},
       {ColourBy::GrowthStep, "growth", "Growth step"_text, "", false},
       {ColourBy::Peeling, "peeling", "Peeling rank"_text, "", false},
+      {ColourBy::Tool, "tool", "Tool"_text, "", true},
       {ColourBy::Part, "part", "Part"_text, "", true},
   };
   return table;

@@ -24,9 +24,10 @@ enum class ColourBy {
   Spacing,    // layers: thickness relative to the nominal height
   GrowthStep, // voxels: step in which they are printed
   Peeling,    // voxels: round of the published peeling that removes them
+  Tool,       // paths: number of the tool in a job of several
   Part        // index of the part in a job of several
 };
-inline constexpr int kColourByCount = 13;
+inline constexpr int kColourByCount = 14;
 
 struct ColourByRow {
   ColourBy colourBy;

@@ -60,7 +60,7 @@ Legend reachLegend();
 
 // Values of the colourings, one per item.
 struct ColourValues {
-  std::vector<std::int32_t> layer, group, kind, item; // empty: no such colouring
+  std::vector<std::int32_t> layer, group, kind, item, tool; // empty: no such colouring
   std::vector<float> height, width, speed, minutes, layerTimeS, tiltDeg;
   HeightLimits heights; // if known, height is offered as spacing too
 };

@@ -211,12 +211,14 @@ void addValues(const plan::ToolPlan& plan, const plan::Trajectory* trajectory,
   values.layer.resize(n);
   values.group.resize(n);
   values.item.resize(n);
+  values.tool.resize(n);
   values.kind.resize(n);
   for (const plan::ToolPath& path : plan.paths)
     for (std::size_t i = path.first; i < path.first + path.count; ++i) {
       values.layer[i] = path.layer;
       values.group[i] = path.group;
       values.item[i] = path.item;
+      values.tool[i] = path.tool;
       values.kind[i] = static_cast<std::int32_t>(path.kind);
     }
   values.height = plan.heightMm;

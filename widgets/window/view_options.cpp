@@ -33,6 +33,7 @@ bool offers(LayerSubject subject, scene::ColourBy colourBy) {
   case ColourBy::Direction:
     return subject != LayerSubject::Voxels;
   case ColourBy::Kind:
+  case ColourBy::Tool:
   case ColourBy::Width:
   case ColourBy::Speed:
   case ColourBy::Time:
@@ -107,7 +108,7 @@ void ViewOptions::buildSubjects(QGridLayout& grid) {
   colourBy_ = forms::makeCombo(this); // Its entries may be wider than the panel
   colourBy_->setObjectName("colourBy");
   for (const scene::ColourByRow& entry : scene::colourByTable())
-    if (entry.colourBy != scene::ColourBy::Part)
+    if (entry.colourBy != scene::ColourBy::Part && entry.colourBy != scene::ColourBy::Tool)
       colourBy_->addItem(QString(), static_cast<int>(entry.colourBy));
   grid.addWidget(subjectLabel_, 0, 0, 1, 2);
   grid.addLayout(pairs, 1, 0, 1, 2);
@@ -216,12 +217,17 @@ void ViewOptions::setAvailable(bool voxels, bool pieces, bool layers, bool paths
   subjects_->button(static_cast<int>(LayerSubject::Paths))->setEnabled(paths);
 }
 
-void ViewOptions::setSeveralParts(bool several) {
-  const int at = colourBy_->findData(static_cast<int>(scene::ColourBy::Part));
-  if (several == (at >= 0))
+void ViewOptions::setSeveral(bool parts, bool tools) {
+  offer(scene::ColourBy::Tool, tools);
+  offer(scene::ColourBy::Part, parts);
+}
+
+void ViewOptions::offer(scene::ColourBy colourBy, bool offered) {
+  const int at = colourBy_->findData(static_cast<int>(colourBy));
+  if (offered == (at >= 0))
     return;
-  if (several) {
-    colourBy_->addItem(QString(), static_cast<int>(scene::ColourBy::Part));
+  if (offered) {
+    colourBy_->addItem(QString(), static_cast<int>(colourBy));
     retranslate();
     showColourings();
     return;

@@ -40,7 +40,7 @@ public:
   // A mode has either voxels or pieces; only one of them is offered.
   void setAvailable(bool voxels, bool pieces, bool layers, bool paths);
   // Several: offers the colouring by part. Without it, a choice of it emits changed().
-  void setSeveralParts(bool several);
+  void setSeveral(bool parts, bool tools);
   // `subject`: the content shown, never Furthest. Only its colourings are offered.
   void setShown(LayerSubject subject);
 
@@ -52,6 +52,7 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  void offer(scene::ColourBy colourBy, bool offered);
   void buildSubjects(QGridLayout& grid);
   void buildPlane(QGridLayout& grid);
   void listen();

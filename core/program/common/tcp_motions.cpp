@@ -22,8 +22,7 @@ constexpr double kFirstOrderShare = 0.85;
 double assumedLoadKg(const ProgramInput& input) {
   if (input.cell.nozzleMount() != robot::Mount::World)
     return input.cell.carriedKg();
-  return input.cell.carriedKg() +
-         input.trajectory.extrudedMm3.back() * 1e-6 * input.process().material.densityGPerCm3;
+  return input.cell.carriedKg() + 1e-3 * input.tooling.printedG(input.trajectory);
 }
 
 std::string_view assumedLoadText(const ProgramInput& input) {

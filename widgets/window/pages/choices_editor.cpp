@@ -5,6 +5,7 @@
 #include "document/document.h"
 #include "language/words.h"
 #include "modes/mode_table.h"
+#include "pipeline/choices.h"
 #include "pipeline/search_texts.h"
 #include "process/own_materials.h"
 #include "process/process.h"
@@ -107,6 +108,18 @@ void showMaterial(const std::string& process, forms::ChoiceTexts& texts) {
   }
 }
 
+forms::ToolTexts toolTexts(const std::string& process) {
+  forms::ToolTexts texts{named(process), {}};
+  try {
+    const process::Material m = process::loadProcess(process).material;
+    texts.material = named(m.id);
+    texts.colour = named(m.colour);
+  } catch (const base::Error&) {
+    return texts; // The run reports what is wrong with it
+  }
+  return texts;
+}
+
 // Returns the process unchanged if it or the material cannot be read.
 std::string withMaterial(const std::string& process, const std::string& material) {
   try {
@@ -169,6 +182,7 @@ ChoicesEditor::ChoicesEditor(document::Document& document, QObject* parent)
     : QObject(parent), document_(document), form_(new forms::ChoicesForm) {
   form_->setObjectName("choices");
   connect(form_, &forms::ChoicesForm::changed, this, &ChoicesEditor::change);
+  connectTools();
   connect(&document_, &document::Document::stateChanged, this, [this] {
     if (document_.choices().item().automatic && !document_.unusable())
       form_->setNotice(wayChosen(), {}, false); // Called often, so no file is read here
@@ -203,6 +217,8 @@ void ChoicesEditor::show() {
                            c.seed,
                            rodProfileOf(c)};
   showMaterial(c.tool().process, texts);
+  for (std::size_t i = 1; i < c.tools.size(); ++i)
+    texts.moreTools.push_back(toolTexts(c.tool(i).process));
   form_->setTexts(texts);
   form_->setGrows(modes::findMode(c.item().mode).grows);
   showNotice();
@@ -245,6 +261,33 @@ void ChoicesEditor::openLibrary(process::Shelf shelf) {
   dialog.exec();
   if (dialog.libraryChanged())
     retranslate(); // there are other entries to choose
+}
+
+void ChoicesEditor::connectTools() {
+  const forms::ToolRows* rows = form_->tools();
+  const auto edit = [this](const QString& name, auto&& change) {
+    project::Choices c = document_.choices();
+    change(c);
+    document_.setChoices(c, name);
+  };
+  connect(rows, &forms::ToolRows::addRequested, this, [edit] {
+    edit(tr("tool added"), [](project::Choices& c) { c.tools.push_back(c.tools.back()); });
+  });
+  connect(rows, &forms::ToolRows::removeRequested, this, [edit](int tool) {
+    edit(tr("tool removed"),
+         [tool](project::Choices& c) { pipeline::removeTool(c, static_cast<std::size_t>(tool)); });
+  });
+  connect(rows, &forms::ToolRows::processChosen, this, [edit](int tool, const QString& id) {
+    edit(tr("process"), [&](project::Choices& c) {
+      c.tool(static_cast<std::size_t>(tool)).process = id.toStdString();
+    });
+  });
+  connect(rows, &forms::ToolRows::materialChosen, this, [edit](int tool, const QString& id) {
+    edit(tr("material"), [&](project::Choices& c) {
+      std::string& process = c.tool(static_cast<std::size_t>(tool)).process;
+      process = withMaterial(process, id.toStdString());
+    });
+  });
 }
 
 void ChoicesEditor::changeRod(const forms::RodProfile& profile) {

@@ -35,6 +35,7 @@ public:
   void openLibrary(process::Shelf shelf);
 
 private:
+  void connectTools();
   void change(const QString& field, const QString& text);
   void changeRod(const forms::RodProfile& profile);
   void switchMode(const std::string& mode);

@@ -319,7 +319,7 @@ void LayersPage::showCount() {
   const auto facts = this->facts();
   const int count = layerCount();
   spacing_->setSpacing(facts ? facts->spacing : LayerSpacing{});
-  options_->setSeveralParts(work().document.partCount() > 1);
+  options_->setSeveral(work().document.partCount() > 1, work().document.choices().tools.size() > 1);
   options_->setAvailable(presenter.hasVoxels(), presenter.hasPieces(), presenter.hasLayers(),
                          presenter.hasPaths());
   const bool known = facts && static_cast<int>(facts->topsMm.size()) == count;

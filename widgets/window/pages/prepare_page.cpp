@@ -5,6 +5,7 @@
 #include "forms/parameter_form.h"
 #include "geometry/measures.h"
 #include "language/words.h"
+#include "layers/tool_assignment.h"
 #include "modes/file_parameters.h"
 #include "modes/mode_table.h"
 #include "panels/mesh_panel.h"
@@ -223,6 +224,13 @@ void PreparePage::setParameter(const QString& key, const QString& text) {
   }
 }
 
+namespace {
+// Returns whether the parameter matters only to jobs with several tools.
+bool ofTools(const std::string& key) {
+  return key == "purgeMm3" || layers::toolParameters().find(key);
+}
+} // namespace
+
 void PreparePage::showChoices() {
   const project::Choices& c = work().document.choices();
   choices_->show();
@@ -232,7 +240,7 @@ void PreparePage::showChoices() {
   std::set<std::string> applying;
   for (const base::ParameterSpec& spec : table.specs())
     if (modes::takesParameter(modes::findMode(c.item().mode), spec.key) &&
-        !ofPrograms.find(spec.key))
+        !ofPrograms.find(spec.key) && (c.tools.size() > 1 || !ofTools(spec.key)))
       applying.insert(spec.key);
   parameters_->setApplying(applying);
   parameters_->setValues(c.item().parameters);
