@@ -222,6 +222,10 @@ void requireOptionsApply(const project::Choices& choices,
 process::Process chosenProcess(const project::Choices& choices,
                                const base::ParameterValues& values) {
   process::Process p = process::loadProcess(choices.tool(ownTool(choices)).process);
+  if (p.tape)
+    throw Error(ErrorCode::Usage,
+                base::message("process {process} lays tape and prints no beads"_text, p.id), {},
+                "choose it for a further tool, and another one for the part"_text);
   const auto put = [&](const char* key, double& field, double least, double most) {
     if (!values.changed(key))
       return;

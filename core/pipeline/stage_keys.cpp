@@ -46,11 +46,11 @@ std::string ownFlowKey(const process::Process& p) {
 ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
                speed, travelSpeed, acceleration, tolerance, bridge, bridgeSpeed, maxFlow, prime,
-               retract, material, head, features] = process;
+               retract, material, head, features, tape] = process;
   static_cast<void>(label); // The label affects no result.
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
                         bridge, bridgeSpeed, maxFlow, features.all()) +
-              ownFlowKey(process),
+              ownFlowKey(process) + (tape ? base::keyText(*tape) : std::string()),
           base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
           base::keyText(id, nozzle, prime, retract, material.label, material.densityGPerCm3) +
               ownMaterialKey(material)};

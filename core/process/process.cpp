@@ -39,9 +39,13 @@ void readSize(const JsonNode& top, std::string_view key, double& usual, double& 
 }
 
 void readNumbers(const JsonNode& top, Process& p) {
-  readSize(top, "layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
-  readSize(top, "beadWidthMm", p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
+  if (!p.tape) {
+    readSize(top, "layerHeightMm", p.layerHeightMm, p.layerHeightMinMm, p.layerHeightMaxMm);
+    readSize(top, "beadWidthMm", p.beadWidthMm, p.beadWidthMinMm, p.beadWidthMaxMm);
+  }
   for (const ProcessNumber& row : processNumbers()) {
+    if (p.tape && isOfTape(row))
+      continue;
     if (isInRange(row)) {
       const std::size_t dot = row.key.find('.');
       checkMost(top.at(row.key.substr(0, dot)).at(row.key.substr(dot + 1)), p.*row.value, row);
@@ -53,6 +57,33 @@ void readNumbers(const JsonNode& top, Process& p) {
     p.*row.value = row.mayBeZero ? node.notNegative() : node.positive();
     checkMost(node, p.*row.value, row);
   }
+}
+
+Tape readTape(const JsonNode& node) {
+  node.allowOnly({"widthMm", "thicknessMm", "leastLengthMm", "leastBendRadiusMm", "cutAheadMm",
+                  "ironSpeedMmPerS", "densityGPerCm3"});
+  const Tape tape{.widthMm = node.at("widthMm").positive(),
+                  .thicknessMm = node.at("thicknessMm").positive(),
+                  .leastLengthMm = node.at("leastLengthMm").positive(),
+                  .leastBendRadiusMm = node.at("leastBendRadiusMm").positive(),
+                  .cutAheadMm = node.at("cutAheadMm").positive()};
+  if (tape.thicknessMm >= tape.widthMm)
+    node.at("thicknessMm").fail("is not less than 'widthMm'"_text);
+  if (tape.leastBendRadiusMm < 0.5 * tape.widthMm)
+    node.at("leastBendRadiusMm").fail("is less than half of 'widthMm'"_text);
+  if (tape.cutAheadMm >= tape.leastLengthMm)
+    node.at("cutAheadMm").fail("is not less than 'leastLengthMm'"_text);
+  return tape;
+}
+// The sizes and the speed of the tape's paths, which have no limits of their own.
+void takeTape(const JsonNode& node, Process& p) {
+  p.tape = readTape(node);
+  const Tape& tape = *p.tape;
+  p.layerHeightMm = p.layerHeightMinMm = p.layerHeightMaxMm = tape.thicknessMm;
+  p.beadWidthMm = p.beadWidthMinMm = p.beadWidthMaxMm =
+      widthOfArea(tape.widthMm * tape.thicknessMm, tape.thicknessMm);
+  p.speedMmPerS = p.bridgeSpeedMmPerS = node.at("ironSpeedMmPerS").positive();
+  p.bridgeMm = 0.0;
 }
 
 HeadShape readHead(const JsonNode& list) {
@@ -78,6 +109,10 @@ Material readMaterial(const JsonNode& process) {
   if (process.has("ownMaterial"))
     return readMaterialNode(process.at("ownMaterial"));
   Material material = materialNamed(process.at("material").text());
+  if (process.has("tape")) {
+    material.densityGPerCm3 = readDensity(process.at("tape").at("densityGPerCm3"));
+    return material;
+  }
   if (process.has("densityGPerCm3") || material.densityGPerCm3 == 0.0)
     material.densityGPerCm3 = readDensity(process.at("densityGPerCm3"));
   return material;
@@ -150,19 +185,22 @@ Process readProcessText(const std::string& text, const std::string& name) {
                  "densityGPerCm3",
                  "head",
                  "features",
+                 "tape",
                  "basedOn"});
   Process p;
   p.id = top.at("id").text();
   p.label = top.at("label").text();
   if (p.label.empty())
     top.at("label").fail("must not be empty"_text);
+  if (top.has("tape"))
+    takeTape(top.at("tape"), p);
   readNumbers(top, p);
   p.material = readMaterial(top);
-  if (!top.has("bridgeMm"))
+  if (!p.tape && !top.has("bridgeMm"))
     p.bridgeMm = p.material.bridgeWidths * p.beadWidthMm;
   if (p.material.bridgeMm)
     p.bridgeMm = std::min(p.bridgeMm, *p.material.bridgeMm);
-  if (!top.has("bridgeSpeedMmPerS"))
+  if (!p.tape && !top.has("bridgeSpeedMmPerS"))
     p.bridgeSpeedMmPerS = kBridgeSpeed * p.speedMmPerS;
   p.head = readHead(top.at("head"));
   checkLimits(top, p);

@@ -5,6 +5,7 @@
 #include "process/material.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,16 @@ struct HeadShape {
 // Returns the head shrunk by `toleranceMm`: its radii are reduced (not below 0) and it is raised by
 // it. Planner and replay both report a collision if this solid intersects printed material.
 HeadShape erodedHead(const HeadShape& head, double toleranceMm);
+
+// A tape of continuous fibre, ironed onto a layer.
+struct Tape {
+  double widthMm = 5.0, thicknessMm = 0.08;
+  double leastLengthMm = 20.0;     // Shorter pieces cannot be fed
+  double leastBendRadiusMm = 30.0; // Bends within the surface that are narrower fold the tape
+  double cutAheadMm = 10.0;        // Length between the cutter and the place that is ironed on
+
+  bool operator==(const Tape&) const = default;
+};
 
 struct Process {
   std::string id, label;
@@ -41,6 +52,9 @@ struct Process {
   Material material;               // With the density that the process's file states, if any
   HeadShape head;
   FeatureTable features; // Optional in the file
+  // Of a tool that lays tape. The section of its paths is then the tape's: bead width and layer
+  // height give a bead of width x thickness, and the speed is that of ironing.
+  std::optional<Tape> tape;
 };
 
 // Returns the largest flow that may be planned [mm3/s]: that of the head or, if less, that of the

@@ -85,6 +85,11 @@ std::span<const ProcessNumber> processNumbers() {
   return kNumbers;
 }
 
+bool isOfTape(const ProcessNumber& row) {
+  return row.key.starts_with("layerHeightMm") || row.key.starts_with("beadWidthMm") ||
+         row.key == "speedMmPerS" || row.key.starts_with("bridge");
+}
+
 std::span<const FeatureNumber> featureNumbers() {
   return kFeatureNumbers;
 }

@@ -20,6 +20,9 @@ struct ProcessNumber {
   bool mayBeZero = false, optional = false;
 };
 std::span<const ProcessNumber> processNumbers();
+// Returns whether the number of a process that lays tape follows from its tape and is not in its
+// file.
+bool isOfTape(const ProcessNumber& row);
 
 // A setting of a feature: the key of its feature, and its own.
 struct FeatureNumber {

@@ -12,6 +12,8 @@ using Json = nlohmann::ordered_json;
 
 void writeNumbers(const Process& p, Json& json) {
   for (const ProcessNumber& row : processNumbers()) {
+    if (p.tape && isOfTape(row))
+      continue;
     const std::size_t dot = row.key.find('.');
     Json& node =
         dot == std::string_view::npos
@@ -39,6 +41,18 @@ void writeMaterial(const Material& material, Json& json) {
     json["ownMaterial"] = Json::parse(materialText(material));
 }
 
+void writeTape(const Process& p, Json& json) {
+  const Tape& tape = *p.tape;
+  json["material"] = p.material.label;
+  json["tape"] = {{"widthMm", tape.widthMm},
+                  {"thicknessMm", tape.thicknessMm},
+                  {"leastLengthMm", tape.leastLengthMm},
+                  {"leastBendRadiusMm", tape.leastBendRadiusMm},
+                  {"cutAheadMm", tape.cutAheadMm},
+                  {"ironSpeedMmPerS", p.speedMmPerS},
+                  {"densityGPerCm3", p.material.densityGPerCm3}};
+}
+
 void writeFeatures(const FeatureTable& features, Json& json) {
   const FeatureSettings neutral;
   for (const FeatureNumber& row : featureNumbers())
@@ -62,13 +76,16 @@ std::string dumped(Json json, const HeadShape& head) {
 std::string processText(const Process& process) {
   Json json = {{"id", process.id}, {"label", process.label}};
   writeNumbers(process, json);
-  writeMaterial(process.material, json);
+  if (process.tape)
+    writeTape(process, json);
+  else
+    writeMaterial(process.material, json);
   writeFeatures(process.features, json);
   return dumped(std::move(json), process.head);
 }
 
 bool sameProcess(const Process& a, const Process& b) {
-  if (a.id != b.id || a.label != b.label || !(a.material == b.material))
+  if (a.id != b.id || a.label != b.label || !(a.material == b.material) || a.tape != b.tape)
     return false;
   for (const ProcessNumber& row : processNumbers())
     if (a.*row.value != b.*row.value)

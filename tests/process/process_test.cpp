@@ -41,7 +41,7 @@ TEST_F(Processes, everyOneKeepsItsContract) {
     EXPECT_GE(p.beadWidthMinMm, p.nozzleDiameterMm);
     EXPECT_GT(p.stepMm, 0.0);
     EXPECT_GT(p.accelerationMmPerS2, 0.0);
-    EXPECT_GE(p.bridgeMm, isWelded ? 0.0 : p.beadWidthMm);
+    EXPECT_GE(p.bridgeMm, isWelded || p.tape ? 0.0 : p.beadWidthMm);
     EXPECT_LE(p.bridgeSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.travelSpeedMmPerS, p.speedMmPerS);
     EXPECT_GE(p.primeS, 0.0);
@@ -86,6 +86,36 @@ TEST_F(Processes, anUnknownIdNamesTheNearest) {
   } catch (const base::Error& e) {
     EXPECT_EQ(e.code(), base::ErrorCode::Usage);
     EXPECT_NE(std::string(e.what()).find("fdm-0.35"), std::string::npos);
+  }
+}
+
+TEST_F(Processes, aTapeGivesItsPathsItsSection) {
+  const Process p = loadProcess("tape-5");
+  ASSERT_TRUE(p.tape);
+  EXPECT_NEAR(beadArea(p.beadWidthMm, p.layerHeightMm), 5.0 * 0.08, 1e-12);
+  EXPECT_EQ(p.layerHeightMinMm, p.layerHeightMaxMm);
+  EXPECT_EQ(p.speedMmPerS, 10.0);
+  EXPECT_FALSE(p.material.nozzleC);
+  EXPECT_FALSE(loadProcess("fdm-1.0").tape);
+}
+
+TEST_F(Processes, aTapeOfContradictingLengthsIsRefused) {
+  const std::string text =
+      base::readFile(std::string(VOLUTA_SOURCE_DIR) + "/resources/processes/tape-5.json");
+  const std::pair<const char*, const char*> cases[] = {
+      {"\"thicknessMm\": 0.08", "\"thicknessMm\": 6"},
+      {"\"cutAheadMm\": 15.0", "\"cutAheadMm\": 30"},
+      {"\"leastBendRadiusMm\": 40.0", "\"leastBendRadiusMm\": 2"},
+      {"\"widthMm\": 5.0", "\"widthMm\": 0"},
+      {"\"leastLengthMm\": 30.0,", ""},
+      {"\"ironSpeedMmPerS\": 10.0", "\"ironSpeedMmPerS\": -1"},
+      {"\"ironSpeedMmPerS\": 10.0", "\"ironSpeedMmPerS\": 10, \"heat\": 1"}};
+  for (const auto& [from, to] : cases) {
+    std::string changed = text;
+    const std::size_t at = changed.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    changed.replace(at, std::string(from).size(), to);
+    EXPECT_THROW(readProcessText(changed, "own.json"), base::Error) << to;
   }
 }
 

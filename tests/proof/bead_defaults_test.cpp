@@ -77,7 +77,11 @@ constexpr const char* kFamilies[] = {"clay-6",   "concrete-50", "fdm-0.35", "fdm
                                      "pellet-6", "wire-arc-1.2"};
 
 TEST(ProcessFamilies, AllAreTested) {
-  EXPECT_THAT(process::processIds(), testing::ElementsAreArray(kFamilies));
+  std::vector<std::string> ofBeads;
+  for (const std::string& id : process::processIds())
+    if (!process::loadProcess(id).tape)
+      ofBeads.push_back(id);
+  EXPECT_THAT(ofBeads, testing::ElementsAreArray(kFamilies));
 }
 
 // A box of its beads passes with every process in a cell that carries its head, with about as many
