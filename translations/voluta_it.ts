@@ -7375,6 +7375,154 @@ previsto</translation>
         <source>Bridge</source>
         <translation>Ponte</translation>
     </message>
+    <message>
+        <source>Tape</source>
+        <translation>Nastro</translation>
+    </message>
+    <message>
+        <source>tapes after every n-th layer</source>
+        <translation>nastri dopo ogni n-esimo strato</translation>
+    </message>
+    <message>
+        <source>Irons tapes of continuous fibre onto every n-th layer but the last; needs a tool for tape. 0: no tapes.</source>
+        <translation>Stira nastri di fibra continua su ogni n-esimo strato tranne l&apos;ultimo; richiede un utensile per nastro. 0: nessun nastro.</translation>
+    </message>
+    <message>
+        <source>first layer with tapes</source>
+        <translation>primo strato con nastri</translation>
+    </message>
+    <message>
+        <source>Layers are counted from 1, on the platform.</source>
+        <translation>Gli strati si contano da 1, sulla piattaforma.</translation>
+    </message>
+    <message>
+        <source>tapes on a layer</source>
+        <translation>nastri per strato</translation>
+    </message>
+    <message>
+        <source>Only the longest tapes of each layer are laid. 0: as many as fit.</source>
+        <translation>Si posano solo i nastri più lunghi di ogni strato. 0: quanti ne entrano.</translation>
+    </message>
+    <message>
+        <source>paths of tapes</source>
+        <translation>percorsi dei nastri</translation>
+    </message>
+    <message>
+        <source>Tapes lie beside each other, one width apart.</source>
+        <translation>I nastri sono affiancati, alla distanza di una larghezza.</translation>
+    </message>
+    <message>
+        <source>direction of tapes</source>
+        <translation>direzione dei nastri</translation>
+    </message>
+    <message>
+        <source>Direction of tapes on the first layer with tapes, measured from x to y.</source>
+        <translation>Direzione dei nastri sul primo strato con nastri, misurata da x verso y.</translation>
+    </message>
+    <message>
+        <source>rotation of tapes per layer</source>
+        <translation>rotazione dei nastri per strato</translation>
+    </message>
+    <message>
+        <source>Rotation from one layer with tapes to the next.</source>
+        <translation>Rotazione da uno strato con nastri al successivo.</translation>
+    </message>
+    <message>
+        <source>distance of tape ends</source>
+        <translation>distanza delle estremità dei nastri</translation>
+    </message>
+    <message>
+        <source>Least distance of the ends of tapes from the outline, so that plastic encloses them. The sides are inside the outline.</source>
+        <translation>Distanza minima delle estremità dei nastri dal contorno, affinché la plastica le racchiuda. I lati sono dentro il contorno.</translation>
+    </message>
+    <message>
+        <source>curves for tapes</source>
+        <translation>curve per i nastri</translation>
+    </message>
+    <message>
+        <source>For tapes along given curves: points x,y or x,y,z in mm on the plate, separated by spaces, and semicolons between curves.</source>
+        <translation>Per nastri lungo curve date: punti x,y oppure x,y,z in mm sul piano, separati da spazi, e punto e virgola tra le curve.</translation>
+    </message>
+    <message>
+        <source>Fibre</source>
+        <translation>Fibra</translation>
+    </message>
+    <message>
+        <source>in one direction</source>
+        <translation>in una direzione</translation>
+    </message>
+    <message>
+        <source>along the outline</source>
+        <translation>lungo il contorno</translation>
+    </message>
+    <message>
+        <source>along given curves</source>
+        <translation>lungo curve date</translation>
+    </message>
+    <message>
+        <source>unknown paths of tapes &apos;{id}&apos;</source>
+        <translation>percorsi dei nastri &apos;{id}&apos; sconosciuti</translation>
+    </message>
+    <message>
+        <source>&apos;{part}&apos; is no point of a curve for tapes</source>
+        <translation>&apos;{part}&apos; non è un punto di una curva per nastri</translation>
+    </message>
+    <message>
+        <source>give points in mm: x,y or x,y,z, separated by spaces, at least two for each curve, and semicolons between curves</source>
+        <translation>indica punti in mm: x,y oppure x,y,z, separati da spazi, almeno due per curva, e punto e virgola tra le curve</translation>
+    </message>
+    <message>
+        <source>no tool of the job lays tape</source>
+        <translation>nessun utensile del lavoro posa nastro</translation>
+    </message>
+    <message>
+        <source>add a tool with a process for tape, such as tape-5, or set fibreLayers=0</source>
+        <translation>aggiungi un utensile con un processo per nastro, come tape-5, oppure imposta fibreLayers=0</translation>
+    </message>
+    <message>
+        <source>process {process} lays tape and prints no beads</source>
+        <translation>il processo {process} posa nastro e non stampa cordoni</translation>
+    </message>
+    <message>
+        <source>choose it for a further tool, and another one for the part</source>
+        <translation>sceglilo per un altro utensile, e un altro processo per il pezzo</translation>
+    </message>
+    <message>
+        <source>no tape fits into the layers chosen for tapes: {width} wide and at least {length:.0f} long</source>
+        <translation>nessun nastro entra negli strati scelti per i nastri: largo {width} e lungo almeno {length:.0f}</translation>
+    </message>
+    <message>
+        <source>choose another direction (fibreAngle), other paths (fibrePaths), or a narrower tape</source>
+        <translation>scegli un&apos;altra direzione (fibreAngle), altri percorsi (fibrePaths) o un nastro più stretto</translation>
+    </message>
+    <message>
+        <source>{bent:.0f} of tape is left out because it bends more than a radius of {radius:.0f} allows, {short:.0f} because its pieces are shorter than {length:.0f}</source>
+        <translation>{bent:.0f} di nastro sono omessi perché piegano più di quanto consenta un raggio di {radius:.0f}, {short:.0f} perché i pezzi sono più corti di {length:.0f}</translation>
+    </message>
+    <message>
+        <source>choose another direction (fibreAngle) or other paths (fibrePaths)</source>
+        <translation>scegli un&apos;altra direzione (fibreAngle) o altri percorsi (fibrePaths)</translation>
+    </message>
+    <message>
+        <source>plastic does not cover the tape: {length:.0f} on layer {layer}, from this place on</source>
+        <translation>la plastica non copre il nastro: {length:.0f} sullo strato {layer}, da questo punto in poi</translation>
+    </message>
+    <message>
+        <source>increase fibreEndMm, or choose layers that others cover (fibreLayers, fibreFirstLayer)</source>
+        <translation>aumenta fibreEndMm, oppure scegli strati che altri coprono (fibreLayers, fibreFirstLayer)</translation>
+    </message>
+    <message>
+        <source>is not less than &apos;widthMm&apos;</source>
+        <translation>non è minore di &apos;widthMm&apos;</translation>
+    </message>
+    <message>
+        <source>is less than half of &apos;widthMm&apos;</source>
+        <translation>è minore della metà di &apos;widthMm&apos;</translation>
+    </message>
+    <message>
+        <source>is not less than &apos;leastLengthMm&apos;</source>
+        <translation>non è minore di &apos;leastLengthMm&apos;</translation>
+    </message>
     <message numerus="yes">
         <source>the skins above a hollow interior have nothing to rest on: {paths} beads, from this place on</source>
         <translation>
@@ -10965,6 +11113,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Bridge</source>
         <translation>Ponte</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation>Nastro</translation>
     </message>
 </context>
 <context>

@@ -169,9 +169,11 @@ double growingPitch(const plan::ToolPlan& plan, const process::Tooling& tooling)
     finest = std::min({finest, 0.25 * process.beadWidthMm, 0.5 * process.layerHeightMm});
     widest = std::max(widest, process.beadWidthMaxMm);
   };
+  // Tape is thinner than any clearance.
   for (const plan::ToolPath& path : plan.paths)
-    include(tooling.of(path).process);
-  if (plan.paths.empty())
+    if (path.kind != plan::PathKind::Tape)
+      include(tooling.of(path).process);
+  if (std::isinf(finest))
     include(tooling.first().process); // No path that names a tool
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : plan.position)

@@ -25,7 +25,8 @@ double partMaterial(const plan::ToolPlan& toolPlan) {
   };
   double mm3 = 0.0;
   for (const plan::ToolPath& path : toolPlan.paths) {
-    if (path.kind == plan::PathKind::Support || plan::isWaste(path.kind))
+    if (path.kind == plan::PathKind::Support || path.kind == plan::PathKind::Tape ||
+        plan::isWaste(path.kind))
       continue;
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
       mm3 += process::beadVolume(section(i - 1), section(i),

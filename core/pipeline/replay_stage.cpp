@@ -158,6 +158,7 @@ project::ReplayReport replayReport(const replay::Verification& verdict) {
   r.meanLayerTimeS = verdict.layerTimes.meanS;
   r.longestLayerTimeS = verdict.layerTimes.longestS;
   r.layerTimesMm = verdict.layerTimes.lengthMm;
+  r.tapeMm3 = verdict.tapeMm3;
   const replay::ReplayThresholds limits;
   r.thresholds.covered = limits.coveredMin;
   r.thresholds.unsupported = limits.unsupportedMax;

@@ -257,6 +257,16 @@ constexpr auto kRows =
          "the print head would cut into printed material, however it is tilted"_text,
          "use a slimmer print head, turn the part, or print it larger"_text, kForGouge},
 
+        {NoTape, "noTape", "noTape", Toolpath, Info,
+         "no tape fits into the layers chosen for tapes: {width} wide and at least {length:.0f} long"_text,
+         "choose another direction (fibreAngle), other paths (fibrePaths), or a narrower tape"_text},
+        {TapesLeftOut, "tapesLeftOut", "tapesLeftOut", Toolpath, Info,
+         "{bent:.0f} of tape is left out because it bends more than a radius of {radius:.0f} allows, {short:.0f} because its pieces are shorter than {length:.0f}"_text,
+         "choose another direction (fibreAngle) or other paths (fibrePaths)"_text},
+        {TapesBare, "tapesBare", "tapesBare", Toolpath, Info,
+         "plastic does not cover the tape: {length:.0f} on layer {layer}, from this place on"_text,
+         "increase fibreEndMm, or choose layers that others cover (fibreLayers, fibreFirstLayer)"_text},
+
         {NothingToPrint, "nothingToPrint", "nothingToPrint", Motion, Error,
          "no tool-paths left"_text, "choose a smaller voxelMm or beadWidthMm"_text, kForNothing},
         {TooLarge, "tooLarge", "unreachable", Motion, Error,

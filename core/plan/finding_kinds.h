@@ -91,6 +91,9 @@ enum class FindingKind : std::uint8_t {
   BrimCut,
   Braced,
   Gouge,
+  NoTape,
+  TapesLeftOut,
+  TapesBare,
   // motion
   NothingToPrint,
   TooLarge,

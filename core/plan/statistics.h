@@ -39,6 +39,12 @@ struct ToolpathStatistics {
   // Of the parts that sparse infill fills: area x thickness, and its beads. The target of
   // materialMm3 is the sum of layerVolumeMm3 and sparseBeadMm3.
   double sparseMm3 = 0.0, sparseBeadMm3 = 0.0;
+  // Tapes of continuous fibre: their number, length and mass.
+  std::size_t tapes = 0;
+  double tapeMm = 0.0, tapeG = 0.0;
+  // Shares of the region that tapes can cover in the chosen layers: covered, and covered twice.
+  double tapeCoveredFraction = 0.0, tapeOverlapFraction = 0.0;
+  double tapeBareMm = 0.0;          // length of tape that no plastic covers
   std::vector<ItemToolpaths> items; // empty: the job has one item
 };
 

@@ -20,9 +20,10 @@ enum class PathKind : std::uint8_t {
   Support,
   Prime,
   SparseInfill,
-  Bridge // Solid infill on top of sparse infill
+  Bridge, // Solid infill on top of sparse infill
+  Tape    // Continuous fibre, ironed onto a layer
 };
-inline constexpr std::size_t kPathKinds = 8;
+inline constexpr std::size_t kPathKinds = 9;
 
 // Returns whether the bead is discarded and not part of the printed object, so that it needs no
 // support.

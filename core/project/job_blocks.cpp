@@ -521,7 +521,7 @@ bool isSound(const plan::ToolPlan& p) {
       }))
     return false;
   return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
-    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Bridge &&
+    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Tape &&
            path.item >= 0 && path.tool >= 0 && path.ring >= 0;
   });
 }

@@ -78,6 +78,12 @@ constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
                     Field{"materialMm3", &R::materialMm3, "mm³"},
                     Field{"sparseMm3", &R::sparseMm3, "mm³", true},
                     Field{"sparseBeadMm3", &R::sparseBeadMm3, "mm³", true},
+                    Field{"tapes", &R::tapes, "", true},
+                    Field{"tapeMm", &R::tapeMm, "mm", true},
+                    Field{"tapeG", &R::tapeG, "g", true},
+                    Field{"tapeCoveredFraction", &R::tapeCoveredFraction, "%", true},
+                    Field{"tapeOverlapFraction", &R::tapeOverlapFraction, "%", true},
+                    Field{"tapeBareMm", &R::tapeBareMm, "mm", true},
                     Field{"items", &R::items, "", true}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::ItemToolpaths>) {
@@ -147,6 +153,7 @@ constexpr auto fieldsOf(std::type_identity<ReplayReport>) {
                     Field{"meanLayerTimeS", &R::meanLayerTimeS, "s", true},
                     Field{"longestLayerTimeS", &R::longestLayerTimeS, "s", true},
                     Field{"layerTimesMm", &R::layerTimesMm, "mm", true},
+                    Field{"tapeMm3", &R::tapeMm3, "mm³", true},
                     Field{"thresholds", &R::thresholds},
                     Field{"items", &R::items, "", true}};
 }

@@ -1,5 +1,6 @@
 #include "toolpath/options.h"
 
+#include "toolpath/fibre/tape_paths.h"
 #include "toolpath/infill/infill.h"
 #include "toolpath/order/seam.h"
 #include "toolpath/sparse/patterns.h"
@@ -16,6 +17,9 @@ base::ParameterTable toolpathParameters() {
   std::vector<base::Choice> seams;
   for (const SeamKind& kind : seamKinds())
     seams.push_back({std::string(kind.id), kind.label});
+  std::vector<base::Choice> tapes;
+  for (const TapeKind& kind : tapeKinds())
+    tapes.push_back({std::string(kind.id), kind.label});
   return base::ParameterTable({
       base::integerParameter("walls", ToolpathOptions{}.walls, 0, 20, "Tool-paths"_text,
                              "walls"_text, "Number of beads along the outline of each layer."_text,
@@ -96,6 +100,34 @@ base::ParameterTable toolpathParameters() {
           "coolingSpeedMmPerS", "mm/s", ToolpathOptions{}.cooling.slowestMmPerS, 0.0, 500.0,
           "Cooling"_text, "slowest speed for cooling"_text,
           "Down to this speed beads are printed slower to keep the minimum layer time, before the robot waits. 0: it only waits."_text),
+      base::integerParameter("fibreLayers", FibreOptions{}.everyLayers, 0, 1000, "Fibre"_text,
+                             "tapes after every n-th layer"_text,
+                             "Irons tapes of continuous fibre onto every n-th layer but the last; "
+                             "needs a tool for tape. 0: no tapes."_text),
+      base::integerParameter("fibreFirstLayer", FibreOptions{}.firstLayer, 1, 100000, "Fibre"_text,
+                             "first layer with tapes"_text,
+                             "Layers are counted from 1, on the platform."_text),
+      base::integerParameter(
+          "fibreCount", FibreOptions{}.mostPerLayer, 0, 10000, "Fibre"_text,
+          "tapes on a layer"_text,
+          "Only the longest tapes of each layer are laid. 0: as many as fit."_text),
+      base::choiceParameter("fibrePaths", FibreOptions{}.paths, tapes, "Fibre"_text,
+                            "paths of tapes"_text,
+                            "Tapes lie beside each other, one width apart."_text),
+      base::numberParameter(
+          "fibreAngle", "deg", FibreOptions{}.angleDeg, -180.0, 180.0, "Fibre"_text,
+          "direction of tapes"_text,
+          "Direction of tapes on the first layer with tapes, measured from x to y."_text),
+      base::numberParameter("fibreRotation", "deg", FibreOptions{}.turnDeg, -180.0, 180.0,
+                            "Fibre"_text, "rotation of tapes per layer"_text,
+                            "Rotation from one layer with tapes to the next."_text),
+      base::numberParameter("fibreEndMm", "mm", FibreOptions{}.endMm, 0.0, 10000.0, "Fibre"_text,
+                            "distance of tape ends"_text,
+                            "Least distance of the ends of tapes from the outline, so that plastic "
+                            "encloses them. The sides are inside the outline."_text),
+      base::textParameter("fibreCurves", "Fibre"_text, "curves for tapes"_text,
+                          "For tapes along given curves: points x,y or x,y,z in mm on the plate, "
+                          "separated by spaces, and semicolons between curves."_text),
   });
 }
 
@@ -120,6 +152,14 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.orderIslands = values.text("islandOrder") == "travel";
   o.spiral = values.boolean("spiral");
   o.cooling.slowestMmPerS = values.number("coolingSpeedMmPerS");
+  o.fibre.everyLayers = static_cast<int>(values.integer("fibreLayers"));
+  o.fibre.firstLayer = static_cast<int>(values.integer("fibreFirstLayer"));
+  o.fibre.mostPerLayer = static_cast<int>(values.integer("fibreCount"));
+  o.fibre.paths = values.text("fibrePaths");
+  o.fibre.angleDeg = values.number("fibreAngle");
+  o.fibre.turnDeg = values.number("fibreRotation");
+  o.fibre.endMm = values.number("fibreEndMm");
+  o.fibre.curves = values.text("fibreCurves");
   return o;
 }
 

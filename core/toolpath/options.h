@@ -15,6 +15,18 @@ struct CoolingOptions {
   double slowestMmPerS = 0.0;   // beads are printed slower for it, down to this; 0: never
 };
 
+// Which layers get tapes of continuous fibre, and along which paths.
+struct FibreOptions {
+  int everyLayers = 0;             // after every n-th layer but the last; 0: none
+  int firstLayer = 1;              // from this layer on, counted from 1
+  int mostPerLayer = 0;            // the longest ones in the middle; 0: as many as fit
+  std::string paths = "direction"; // id in tapeKinds()
+  double angleDeg = 0.0;           // direction, from x towards y
+  double turnDeg = 0.0;            // rotation per layer with tapes
+  double endMm = 0.0;              // least distance of the ends of tapes from the outline
+  std::string curves = {};         // points of the paths `curves`
+};
+
 struct ToolpathOptions {
   int walls = 2;                 // beads along the boundary of each patch
   std::string infill = "zigzag"; // id in infillKinds()
@@ -43,6 +55,7 @@ struct ToolpathOptions {
   bool orderIslands = true;     // short travel between islands of one flat layer (islands.h)
   bool spiral = false;          // one bead with rising height (spiral.h)
   CoolingOptions cooling;
+  FibreOptions fibre;
   // Index in the job's tooling of the tool that fills the interior within walls and skins;
   // negative: the tool of the patch. That interior is `walls` beads and `topLayers`, `bottomLayers`
   // inside.

@@ -13,6 +13,7 @@
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "toolpath/directions.h"
+#include "toolpath/fibre/add_tapes.h"
 #include "toolpath/order/assemble.h"
 #include "toolpath/order/order_to_cool.h"
 #include "toolpath/order/seam.h"
@@ -106,6 +107,10 @@ void addPathFigures(const plan::ToolPlan& plan, std::size_t items, plan::Toolpat
   s.waypoints = plan.waypointCount();
   for (std::size_t k = 0; k < plan.paths.size(); ++k) {
     const plan::ToolPath& path = plan.paths[k];
+    if (k > 0)
+      s.travelMm += (plan.position[path.first] - plan.position[path.first - 1]).norm();
+    if (path.kind == PathKind::Tape)
+      continue;
     plan::ItemToolpaths& own = items > 1 ? s.items.at(static_cast<std::size_t>(path.item)) : ofOne;
     own.paths += plan::isWaste(path.kind) ? 0 : 1;
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
@@ -122,8 +127,6 @@ void addPathFigures(const plan::ToolPlan& plan, std::size_t items, plan::Toolpat
       own.lengthMm += length;
       own.materialMm3 += mm3;
     }
-    if (k > 0)
-      s.travelMm += (plan.position[path.first] - plan.position[path.first - 1]).norm();
   }
 }
 
@@ -239,6 +242,11 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   if (!applyFeatures(r.plan, tooling, isFirstLayer, passed.beads.unsupported))
     r.grown = std::move(passed.grown);
   slowToCool(r.plan, options.cooling);
+  if (options.fibre.everyLayers > 0) {
+    std::ranges::move(addTapes(r.plan, stack, tooling, options.fibre, r.statistics, silent),
+                      std::back_inserter(told));
+    r.grown.reset(); // without the tapes
+  }
   for (plan::Findings* findings : {&oriented.findings, &passed.findings, &told})
     std::ranges::move(*findings, std::back_inserter(r.findings));
 

@@ -31,6 +31,8 @@ const char* nameOf(plan::PathKind kind) {
     return "sparse infill";
   case plan::PathKind::Bridge:
     return "bridge";
+  case plan::PathKind::Tape:
+    return "tape";
   }
   return "path";
 }

@@ -29,6 +29,8 @@ QString kindName(plan::PathKind kind) {
     return UnrolledView::tr("Sparse infill");
   case plan::PathKind::Bridge:
     return UnrolledView::tr("Bridge");
+  case plan::PathKind::Tape:
+    return UnrolledView::tr("Tape");
   case plan::PathKind::Prime:
     break;
   }

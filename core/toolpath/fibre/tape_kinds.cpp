@@ -1,0 +1,127 @@
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/run_context.h"
+#include "toolpath/fibre/tape_paths.h"
+#include "toolpath/infill/across_lines.h"
+#include "toolpath/surface_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+
+// Families that are shifted by a share of the width against each other
+constexpr int kShifts = 8;
+constexpr double kSourceStepMm = 1.0; // of curves that are given
+
+// Returns the isolines at `middle` + (k + shift) widths for all k within [low, high].
+TapeFamily linesAt(const PatchSurface& s, const std::vector<double>& values, double widthMm,
+                   double middle, double shift, double low, double high) {
+  TapeFamily family;
+  for (double k = std::ceil((low - middle) / widthMm - shift);
+       middle + (k + shift) * widthMm <= high; k += 1.0) {
+    const double aside = (k + shift) * widthMm;
+    for (SurfaceCurve& curve : isolines(s, values, middle + aside))
+      family.push_back({std::move(curve), aside});
+  }
+  return family;
+}
+
+std::vector<TapeFamily> alongDirection(const PatchSurface& s, const process::Tape& tape,
+                                       const TapeChoice& choice, const base::RunContext& ctx) {
+  // Isolines need values that differ from those of vertices.
+  constexpr double kBesideVertices = 1e-6;
+  const std::vector<double> across = acrossLines(s, choice.directionRad);
+  const auto [low, high] = std::ranges::minmax(across);
+  std::vector<TapeFamily> families;
+  for (int i = 0; i < kShifts; ++i) {
+    ctx.checkpoint();
+    families.push_back(linesAt(s, across, tape.widthMm, 0.5 * (low + high) + kBesideVertices,
+                               static_cast<double>(i) / kShifts, low, high));
+  }
+  return families;
+}
+
+std::vector<TapeFamily> alongContour(const PatchSurface& s, const process::Tape& tape,
+                                     const TapeChoice&, const base::RunContext& ctx) {
+  // The outermost tape lies along the boundary: a little farther in, so that it is inside by half
+  // its width in spite of rounding.
+  const double first = (0.5 + 2e-3) * tape.widthMm;
+  const std::vector<double> depth =
+      distanceToSegments(s, boundarySegments(s), std::numeric_limits<double>::infinity());
+  const double deepest = *std::ranges::max_element(depth);
+  std::vector<TapeFamily> families;
+  for (int i = 0; i < kShifts; ++i) {
+    ctx.checkpoint();
+    families.push_back(
+        linesAt(s, depth, tape.widthMm, first, static_cast<double>(i) / kShifts, first, deepest));
+  }
+  return families;
+}
+
+// Returns the point of the surface nearest to p.
+SurfacePoint nearestPoint(const PatchSurface& s, const Vector3d& p) {
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    Vector3d middle = Vector3d::Zero();
+    for (const int v : s.triangles[t])
+      middle += s.position[static_cast<std::size_t>(v)] / 3.0;
+    if (const double d = (middle - p).squaredNorm(); d < least) {
+      least = d;
+      nearest = static_cast<int>(t);
+    }
+  }
+  return s.project(p, nearest);
+}
+
+// Returns the projection of a polyline. Points whose foot is on the boundary, because the polyline
+// continues beyond the patch, are left to the clipping.
+SurfaceCurve projected(const PatchSurface& s, const std::vector<Vector3d>& line) {
+  SurfaceCurve curve;
+  curve.points.push_back(nearestPoint(s, line.front()));
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vector3d step = line[i] - line[i - 1];
+    const int n = std::max(1, static_cast<int>(std::ceil(step.norm() / kSourceStepMm)));
+    for (int k = 1; k <= n; ++k) {
+      const SurfacePoint next = s.project(line[i - 1] + step * (static_cast<double>(k) / n),
+                                          curve.points.back().triangle);
+      if ((next.position - curve.points.back().position).norm() > 1e-6)
+        curve.points.push_back(next);
+    }
+  }
+  return curve;
+}
+
+std::vector<TapeFamily> alongCurves(const PatchSurface& s, const process::Tape&,
+                                    const TapeChoice& choice, const base::RunContext& ctx) {
+  TapeFamily family;
+  for (const std::vector<Vector3d>& line : choice.curves) {
+    ctx.checkpoint();
+    if (SurfaceCurve curve = projected(s, line); curve.points.size() >= 2)
+      family.push_back({std::move(curve), 0.0});
+  }
+  return {family};
+}
+
+constexpr std::array<TapeKind, 3> kKinds{{
+    {"direction", "in one direction"_text, alongDirection},
+    {"contour", "along the outline"_text, alongContour, true},
+    {"curves", "along given curves"_text, alongCurves, true, true},
+}};
+} // namespace
+
+std::span<const TapeKind> tapeKinds() {
+  return kKinds;
+}
+
+const TapeKind& tapeKind(std::string_view id) {
+  return base::rowWithId(tapeKinds(), id, "unknown paths of tapes '{id}'"_text, "fibrePaths"_name);
+}
+
+} // namespace voluta::toolpath
