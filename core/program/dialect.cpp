@@ -53,6 +53,12 @@ std::vector<plan::EventKind> eventsOfTools() {
   using enum plan::EventKind;
   return {Pause, Wait, ToolChange, Purge};
 }
+// Of those that also have a word for an output of the tape's cutter.
+std::vector<plan::EventKind> eventsOfTape() {
+  std::vector<plan::EventKind> events = eventsOfTools();
+  events.push_back(plan::EventKind::Cut);
+  return events;
+}
 
 using enum plan::FactKind;
 std::vector<plan::FactKind> gcodeStates() {
@@ -86,7 +92,7 @@ const std::vector<Dialect>& dialects() {
        .straight = Straight::InBase,
        .hasArcs = true,
        .supportsExternalAxes = false,
-       .events = eventsOfTools(),
+       .events = eventsOfTape(),
        // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
@@ -128,7 +134,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "gcode-extended",
        .needsJoints = false,
        .saysJointMotions = false,
-       .events = eventsOfTools(),
+       .events = eventsOfTape(),
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
@@ -166,7 +172,7 @@ const std::vector<Dialect>& dialects() {
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        .tiltsNozzle = false,
-       .events = eventsOfTools(),
+       .events = eventsOfTape(),
        // Same as extended G-code.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .states = gcodeStates(),
@@ -181,7 +187,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "rapid",
        .needsJoints = false,
        .hasArcs = true,
-       .events = eventsOfTools(),
+       .events = eventsOfTape(),
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Controllers report events 50024 and 50078 below about 20 to 30 ms or 0.5 to 1 mm.
@@ -206,7 +212,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "krl",
        .needsJoints = false,
        .hasArcs = true,
-       .events = eventsOfTools(),
+       .events = eventsOfTape(),
        .time = kKrlTime,
        .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},

@@ -262,4 +262,9 @@ std::vector<std::string> headLines(const ProgramInput& input, std::size_t most) 
   return lines;
 }
 
+bool cutsTape(const ProgramInput& input) {
+  return std::ranges::find(input.trajectory.events, plan::EventKind::Cut,
+                           &plan::TrajectoryEvent::kind) != input.trajectory.events.end();
+}
+
 } // namespace voluta::program

@@ -46,6 +46,9 @@ std::optional<std::string_view> behindMark(std::string_view line, std::string_vi
 // from another source, or with its comments removed.
 std::optional<JobHead> readJobHead(const std::vector<plan::ProgramFile>& files);
 
+// Returns whether the program cuts tape, for which a head names the output.
+bool cutsTape(const ProgramInput& input);
+
 // Shown at a planned pause.
 inline constexpr std::string_view kPauseText = "Paused. Continue?";
 // Message for the operator at a tool change by hand, e.g. "Fit tool 2 (petg-1.0, PETG, 240 C),

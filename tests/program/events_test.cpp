@@ -106,6 +106,40 @@ TEST_F(Events, aPauseBesideABeadStopsTheExtruder) {
   }
 }
 
+// Amid a bead, as tape is cut before the end of its path.
+TEST_F(Events, aCutIsReadBackBeforeItsMotion) {
+  std::size_t first = 1, said = 0;
+  while (trajectory_.move[first] != plan::MoveKind::Print)
+    ++first;
+  for (const Dialect& dialect : dialects()) {
+    if (!says(dialect, plan::EventKind::Cut))
+      continue;
+    ++said;
+    useArmFor(dialect);
+    if (!dialect.tiltsNozzle)
+      continue;
+    for (const std::size_t point : {first + 1, first + 4}) {
+      SCOPED_TRACE(std::string(dialect.id) + " point " + std::to_string(point));
+      const auto cutsBefore = [&] {
+        const plan::ReadProgram read = readProgram(
+            dialect.id, writeProgram(dialect.id, input()).files, process::Tooling(process_));
+        EXPECT_TRUE(read.defects.empty())
+            << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
+        std::vector<std::size_t> before;
+        for (const plan::StatedFact& fact : read.facts)
+          if (fact.kind == plan::FactKind::TapeCut)
+            before.push_back(fact.before);
+        return before;
+      };
+      trajectory_.events.clear();
+      EXPECT_TRUE(cutsBefore().empty());
+      trajectory_.events = {{.point = point, .kind = plan::EventKind::Cut}};
+      EXPECT_EQ(cutsBefore(), std::vector<std::size_t>{point});
+    }
+  }
+  EXPECT_GE(said, 4u);
+}
+
 TEST_F(Events, aJoinedTrajectoryKeepsThem) {
   trajectory_.events = {{.point = 20, .kind = plan::EventKind::Pause},
                         {.point = 20, .kind = plan::EventKind::Cut},

@@ -12,6 +12,8 @@ namespace voluta::program {
 using enum plan::FactKind;
 
 namespace {
+constexpr double kSwitchPin = 42.0; // M42
+
 bool heats(double m) {
   return m == 104.0 || m == 109.0;
 }
@@ -149,6 +151,9 @@ void GcodeReader::executeM(double m, GcodeWords& w) {
     out_.state(FilamentCount);
   } else if (heats(m)) {
     heat(m, w);
+  } else if (m == kSwitchPin && w['P'] == static_cast<double>(kGcodeCutPin)) {
+    if (w['S'].value_or(0.0) > 0.0)
+      out_.state(TapeCut);
   } else if (!inTable('M', m)) {
     defect("unknown M command"_text);
   }

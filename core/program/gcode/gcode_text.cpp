@@ -43,6 +43,10 @@ private:
   void selectTool(int tool) override { text_.line(joined({"T", std::to_string(tool)})); }
   void pause(std::string_view message) override { text_.out += joined({"M0 ; ", message, "\n"}); }
   void purge(double filamentMm, double seconds) override { text_.purge(filamentMm, seconds); }
+  void cut() override {
+    text_.line(joined({"M42 P", std::to_string(kGcodeCutPin), " S255 ; cuts the tape"}));
+    text_.line(joined({"M42 P", std::to_string(kGcodeCutPin), " S0"}));
+  }
   void wait(double seconds) override { text_.wait(seconds); }
   void remark(std::string_view text) override { text_.remark(text); }
   void fan(double share) override { text_.fan(share); }

@@ -5,6 +5,7 @@
 #include "program/krl/krl.h"
 #include "program/krl/krl_externals.h"
 #include "program/krl/krl_speeds.h"
+#include "program/krl/krl_text.h"
 #include "program/krl/krl_values.h"
 #include "program/program_builder.h"
 #include "program/rapid/rapid_tokens.h"
@@ -143,6 +144,8 @@ private:
     if (line.isMark('(') && LineCursor(line.rest().substr(1), kKrlSyntax).isMark(')'))
       return missing_ = true,
              fail(base::message("the module with {procedure} is missing"_text, word.substr(0, 40)));
+    if (word == "pulse")
+      return pulse(line);
     if (word == "halt" && zeroing_)
       return line.ended();
     if (!out_.word(krlWords(), word))
@@ -151,6 +154,18 @@ private:
       out_.state(plan::FactKind::OperatorStop, 1.0);
       return line.ended();
     }
+    return takeRest(line);
+  }
+
+  // PULSE($OUT[n],TRUE,seconds)
+  bool pulse(LineCursor& line) {
+    std::string path;
+    if (!line.takeMark('(') || !takeKrlPath(line, path))
+      return false;
+    if (path != inSmallLetters(kKrlCutOutput))
+      out_.wordAt("PULSE", kAside);
+    else if (line.takeMark(',') && line.takeWord("true"))
+      out_.state(plan::FactKind::TapeCut);
     return takeRest(line);
   }
 

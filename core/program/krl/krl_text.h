@@ -11,6 +11,9 @@ namespace voluta::program {
 // A controller stores numbers with 24 bits: 180 degrees to 0.00002.
 inline constexpr int kKrlMmDecimals = 4, kKrlDegDecimals = 5, kKrlFrameDecimals = 6;
 
+// Of the tape's cutter, which cuts when it turns on.
+inline constexpr std::string_view kKrlCutOutput = "$OUT[16]";
+
 // The first lines of every program.
 inline constexpr std::array<std::string_view, 5> kKrlInit = {
     ";FOLD INI", "GLOBAL INTERRUPT DECL 3 WHEN $STOPMESS==TRUE DO IR_STOPM ( )", "INTERRUPT ON 3",

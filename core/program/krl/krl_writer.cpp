@@ -156,6 +156,8 @@ private:
            return joined({"$OUT[", std::to_string(k + 1), "]"});
          }))
       line(joined({"; ", note}));
+    if (cutsTape(in_))
+      line(joined({"; cutter of the tape: ", kKrlCutOutput, ", cuts when it turns on"}));
     if (motions_.turnLimit() > kMaxTurnDegPerS)
       line(joined({"; the tool turns by up to ", fixedText(motions_.turnLimit(), 0),
                    " degrees/s: machine data ($VEL_MA.ORI1) may hold it to less"}));
@@ -241,6 +243,7 @@ private:
     line(joined({"; ", message}));
     line("HALT");
   }
+  void cut() override { line(joined({"PULSE(", kKrlCutOutput, ",TRUE,0.2) ; cuts the tape"})); }
   void prompt() override {
     line(joined({"; ", startQuestion(in_)}));
     line("HALT");

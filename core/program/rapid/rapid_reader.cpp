@@ -5,6 +5,7 @@
 #include "program/rapid/rapid_data.h"
 #include "program/rapid/rapid_files.h"
 #include "program/rapid/rapid_motions.h"
+#include "program/rapid/rapid_text.h"
 #include "program/rapid/rapid_tokens.h"
 #include "program/rapid/rapid_values.h"
 
@@ -243,6 +244,8 @@ private:
       return moveExtruder();
     if (word == "uimsgbox" && zeroing_)
       return skipStatement();
+    if (word == "pulsedo")
+      return pulse();
     double number = 0.0;
     if (word == "waittime")
       return wait();
@@ -258,6 +261,18 @@ private:
     return word == "uimsgbox" || word == "tpreadfk" || word == "tpreadnum" || word == "stop"
                ? operatorStop()
                : skipStatement();
+  }
+
+  // PulseDO [\High] [\PLength:=seconds,] signal
+  bool pulse() {
+    bool cuts = false;
+    for (; token_.kind != RapidTokenKind::End && !isMark(';'); advance())
+      cuts = cuts || isWord(inSmallLetters(kRapidCutSignal));
+    if (cuts)
+      out_.state(plan::FactKind::TapeCut);
+    else
+      out_.wordAt("PulseDO", kAside);
+    return skipStatement();
   }
 
   bool operatorStop() {

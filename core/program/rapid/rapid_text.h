@@ -10,6 +10,8 @@
 namespace voluta::program {
 
 inline constexpr std::string_view kRapidTool = "tNozzle";
+// Of the tape's cutter.
+inline constexpr std::string_view kRapidCutSignal = "doCut";
 // No external axes.
 inline constexpr std::string_view kRapidNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 // Of the first motion, which may start far from its target.

@@ -76,16 +76,20 @@ public:
       endModule(0);
     }
     walkTrajectory(in_, {"rapid", cuts_, &motions_}, *this, ctx_);
-    if (!byAxis_)
-      program_.files.push_back({name_ + "_EIO.cfg", signalListText(movesPart()    ? unit()
-                                                                   : movesRobot() ? robotUnit()
-                                                                                  : std::string(),
-                                                                   omniCore_)});
+    if (!byAxis_ || cutsTape(in_))
+      program_.files.push_back({name_ + "_EIO.cfg", signals()});
     program_.files.push_back({name_ + ".pgf", moduleListText(fileName(0))});
     return std::move(program_);
   }
 
 private:
+  std::string signals() const {
+    return signalListText(movesPart()    ? unit()
+                          : movesRobot() ? robotUnit()
+                                         : std::string(),
+                          omniCore_, !byAxis_, cutsTape(in_));
+  }
+
   // Main contains the motions itself.
   bool oneModule() const { return cuts_.size() == 2; }
   bool heldPlate() const { return in_.cell.nozzleMount() == robot::Mount::World; }
@@ -189,6 +193,9 @@ private:
       aboutExtruderAxis();
     else
       aboutSignals();
+    if (cutsTape(in_))
+      line(joined(
+          {"  ! cutter of the tape: the signal ", kRapidCutSignal, ", cuts when it turns on"}));
     if (movesRobot())
       line(joined({"  ! expects the mechanical unit ", robotUnit()}));
     if (movesPart())
@@ -289,6 +296,7 @@ private:
   void pause(std::string_view message) override {
     line(joined({"    UIMsgBox \"", message, "\";"}));
   }
+  void cut() override { line(joined({"    PulseDO\\PLength:=0.2,", kRapidCutSignal, ";"})); }
   void prompt() override { line(joined({"    UIMsgBox \"", startQuestion(in_), "\";"})); }
   void remark(std::string_view text) override { line(joined({"    ! ", text})); }
   // Between motions that do not stop, an assignment would run ahead of the arm, so the flow is an

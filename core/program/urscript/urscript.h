@@ -36,6 +36,8 @@
 namespace voluta::program {
 
 inline constexpr double kStartRadPerS = 0.25;
+// Standard digital output of the tape's cutter, which cuts when it turns on.
+inline constexpr int kCutOutput = 7;
 // Default for file nodes. No limit is published; controllers slow down from some thousand lines on.
 inline constexpr std::size_t kMotionsPerScript = 5000;
 // Marks a program whose function is called after its end, so that a missing call is detected.

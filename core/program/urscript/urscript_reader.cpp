@@ -489,8 +489,15 @@ private:
       return;
     if (channel == 0)
       out_.turn(value > 0.0);
+    else if (channel == kCutOutput)
+      cut(value > 0.0);
     else if (!out_.toolOutput(channel, value > 0.0))
       out_.wordAt(call.name, kAside);
+  }
+  // The cutter works when its output turns on.
+  void cut(bool on) {
+    if (on)
+      out_.state(plan::FactKind::TapeCut);
   }
   void analogOut(const Call& call) {
     int channel = 0;

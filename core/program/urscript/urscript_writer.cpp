@@ -181,6 +181,13 @@ private:
            return joined({"digital output ", std::to_string(k)});
          }))
       line(joined({"  # ", note}));
+    aboutCutter();
+  }
+
+  void aboutCutter() {
+    if (cutsTape(in_))
+      line(joined({"  # cutter of the tape: digital output ", std::to_string(kCutOutput),
+                   ", cuts when it turns on"}));
   }
 
   void selectTool(int tool) override {
@@ -190,6 +197,10 @@ private:
   }
   void pause(std::string_view message) override {
     line(joined({"  popup(\"", message, "\",title=\"Voluta\",blocking=True)"}));
+  }
+  void cut() override {
+    line(joined({"  set_standard_digital_out(", std::to_string(kCutOutput), ",True) # cuts"}));
+    line(joined({"  set_standard_digital_out(", std::to_string(kCutOutput), ",False)"}));
   }
   void prompt() override {
     line(joined({"  popup(\"", startQuestion(in_), "\",title=\"Voluta\",blocking=True)"}));
