@@ -14,6 +14,7 @@
 #include "motion/nozzle_frame.h"
 #include "motion/refusal_findings.h"
 #include "motion/sequence.h"
+#include "motion/tape_events.h"
 #include "motion/timed_points.h"
 #include "motion/timing.h"
 #include "motion/waits.h"
@@ -257,6 +258,7 @@ private:
 
     watch = base::Stopwatch();
     assemble(connected.sequence, ctx.sub(0.5, 0.6));
+    addCuts(result_.trajectory, plan_, tooling_);
     result_.times.jerk += watch.seconds();
   }
 
