@@ -42,13 +42,15 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
   BeadKnowledge last{static_cast<float>(defaultHeightMm), static_cast<float>(defaultHeightMm), true,
                      false};
   for (std::size_t m = 0; m < pointOf.size(); ++m) {
-    BeadKnowledge here{last.toHeightMm, last.toHeightMm, last.ofPart, last.waste, last.item};
+    BeadKnowledge here{last.toHeightMm, last.toHeightMm, last.ofPart,
+                       last.waste,      last.item,       last.tape};
     const std::size_t w =
         pointOf[m] < waypointAt.size() ? waypointAt[pointOf[m]] : plan::kNoWaypoint;
     if (w < plan.waypointCount()) {
       here.toHeightMm = plan.heightMm[w];
       here.waste = plan::isWaste(pathOf[w]->kind);
-      here.ofPart = !here.waste && pathOf[w]->kind != plan::PathKind::Support;
+      here.tape = pathOf[w]->kind == plan::PathKind::Tape;
+      here.ofPart = !here.waste && !here.tape && pathOf[w]->kind != plan::PathKind::Support;
       here.item = static_cast<std::uint8_t>(pathOf[w]->item);
     }
     result[m] = last = here;
@@ -171,7 +173,7 @@ std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const Ex
                 "beadPieces: volume and knowledge per motion");
   PieceCutter cutter(path);
   for (std::size_t m = 0; m < path.motionCount(); ++m)
-    if (volumeMm3[m] <= 0.0)
+    if (volumeMm3[m] <= 0.0 || knowledge[m].tape)
       cutter.stop();
     else
       cutter.cut(m, volumeMm3[m], knowledge[m]);

@@ -23,9 +23,10 @@ namespace voluta::replay {
 // Properties of a motion's bead that the plan contains but the program text does not.
 struct BeadKnowledge {
   float fromHeightMm = 0.0f, toHeightMm = 0.0f;
-  bool ofPart = true; // false: support, skirt or prime
+  bool ofPart = true; // false: support, skirt, prime or tape
   bool waste = false; // skirt or prime: its support is not checked
   std::uint8_t item = 0;
+  bool tape = false; // of no plastic: thinner than the grid resolves, and not deposited
 };
 
 // Returns the material of a motion that takes `seconds` [mm3]: the amount given in the text,
@@ -42,8 +43,9 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
                                          const plan::ToolPlan& plan, double defaultHeightMm);
 
 // Splits the samples of every extruding motion into straight pieces of about 1 mm and distributes
-// the volume by length. A motion that extrudes without moving gives a piece of zero length, which
-// the depositor counts as excess. Precondition: volume (motionVolume) and knowledge per motion.
+// the volume by length. Tape gives no pieces. A motion that extrudes without moving gives a piece
+// of zero length, which the depositor counts as excess. Precondition: volume (motionVolume) and
+// knowledge per motion.
 std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const ExecutedPath& path,
                                   const std::vector<BeadKnowledge>& knowledge);
 

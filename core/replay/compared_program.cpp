@@ -154,7 +154,9 @@ private:
                                       0.0);
     for (std::size_t m = 0; m < volume.size(); ++m) {
       const BeadKnowledge& known = out_.run.knowledge[m];
-      (known.ofPart ? verdict.depositedMm3 : verdict.supportMm3) += volume[m];
+      (known.ofPart ? verdict.depositedMm3
+       : known.tape ? verdict.tapeMm3
+                    : verdict.supportMm3) += volume[m];
       if (known.ofPart && known.item < verdict.depositedOfItemMm3.size())
         verdict.depositedOfItemMm3[known.item] += volume[m];
     }

@@ -102,17 +102,19 @@ private:
     return laid;
   }
 
-  // The smallest and the largest value among the tools' processes.
+  // The smallest and the largest value among the processes of the tools that print beads.
   double minOf(double process::Process::*value) const {
     double smallest = in_.tooling.first().process.*value;
     for (const process::Tool& tool : in_.tooling.tools())
-      smallest = std::min(smallest, tool.process.*value);
+      if (!tool.process.tape)
+        smallest = std::min(smallest, tool.process.*value);
     return smallest;
   }
   double maxOf(double process::Process::*value) const {
     double largest = in_.tooling.first().process.*value;
     for (const process::Tool& tool : in_.tooling.tools())
-      largest = std::max(largest, tool.process.*value);
+      if (!tool.process.tape)
+        largest = std::max(largest, tool.process.*value);
     return largest;
   }
   double bridgeMm(const BeadPiece& piece) const {

@@ -112,7 +112,7 @@ struct Verification : RunFigures {
   // Deposited material (without supports and skirts) by intended volume, at the controller's own
   // speeds.
   double massRatio = 0.0;
-  double depositedMm3 = 0.0, supportMm3 = 0.0;
+  double depositedMm3 = 0.0, supportMm3 = 0.0, tapeMm3 = 0.0;
   std::vector<double> depositedOfItemMm3; // of each item of a job of several
   std::size_t limitViolations = 0;        // counted like collisions
   std::size_t deviations = 0;             // places where the text differs from the plan

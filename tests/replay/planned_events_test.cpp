@@ -1,6 +1,7 @@
 // Planned pauses in programs: a missing one, an added one and a moved one are each refused at
 // their line.
 #include "plan/finding_kinds.h"
+#include "process/bead_model.h"
 #include "program/dialect.h"
 #include "program/text_damage.h"
 #include "replay/scene.h"
@@ -117,6 +118,83 @@ TEST_F(PlannedEvents, EachToolHasItsOwnFlow) {
   for (plan::ProgramMotion& motion : program.motions)
     motion.tool = 1;
   EXPECT_GT(limited(tools), 0u);
+}
+
+// A path of the box as tape, which is cut 10 mm before its end.
+class PlannedCuts : public ::testing::Test {
+protected:
+  void SetUp() override {
+    plan::Trajectory& t = scene_.trajectory;
+    plan::ToolPath& path = scene_.plan.paths.at(scene_.plan.paths.size() / 2);
+    path.kind = plan::PathKind::Tape;
+    for (std::size_t w = path.first + 1; w < path.first + path.count; ++w)
+      planned_ += process::beadVolume(
+          areaAt(w - 1), areaAt(w), (scene_.plan.position[w] - scene_.plan.position[w - 1]).norm());
+    std::size_t point = 0;
+    while (t.waypoint[point] != path.first + path.count / 2)
+      ++point;
+    ASSERT_EQ(t.move[point + 1], plan::MoveKind::Print);
+    t.events = {{.point = point + 1, .kind = plan::EventKind::Cut}};
+  }
+  double areaAt(std::size_t w) const {
+    return process::beadArea(scene_.plan.widthMm[w], scene_.plan.heightMm[w]);
+  }
+  test::ProgramText textOf(const char* dialect) const {
+    return test::textOf(program::writeProgram(dialect, {scene_.plan, scene_.trajectory, scene_.cell,
+                                                        process::Tooling(scene_.process), "box"}));
+  }
+  Verification verify(const test::ProgramText& text) const {
+    return replayProgram({test::read(text, scene_.process), scene_.plan, scene_.trajectory,
+                          scene_.cell, process::Tooling(scene_.process), scene_.part,
+                          scene_.platform},
+                         ReplayThresholds{}, {});
+  }
+  static std::size_t events(const Verification& v) {
+    return static_cast<std::size_t>(std::ranges::count_if(v.findings, [](const plan::Finding& f) {
+      return f.kind == plan::FindingKind::StatementMissing ||
+             f.kind == plan::FindingKind::StatementChanged;
+    }));
+  }
+
+  test::Scene scene_ = test::boxScene();
+  double planned_ = 0.0; // [mm3]
+};
+
+TEST_F(PlannedCuts, AreFoundAndTapeIsCountedApart) {
+  const Verification v = verify(textOf("urscript"));
+  EXPECT_EQ(events(v), 0u) << told(v);
+  EXPECT_EQ(v.deviations, 0u) << told(v);
+  EXPECT_NEAR(v.tapeMm3, planned_, 0.002 * planned_);
+  EXPECT_EQ(v.supportMm3, 0.0);
+}
+
+TEST_F(PlannedCuts, AMissingOrMovedOneIsRefused) {
+  constexpr const char* kCut = "  set_standard_digital_out(7,True)";
+  const test::ProgramText text = textOf("urscript");
+  const auto cut = std::ranges::find_if(
+      text.lines, [](const std::string& line) { return line.starts_with(kCut); });
+  ASSERT_NE(cut, text.lines.end());
+  const auto at = cut - text.lines.begin();
+
+  test::ProgramText missing = text;
+  missing.lines.erase(missing.lines.begin() + at);
+  EXPECT_FALSE(verify(missing).passed);
+  EXPECT_EQ(events(verify(missing)), 1u);
+
+  for (const int by : {-3, 3}) {
+    test::ProgramText moved = missing;
+    const auto moves = [&](const std::string& line) { return line.starts_with("  movel("); };
+    auto to = at;
+    for (int left = std::abs(by); left > 0; to += by > 0 ? 1 : -1)
+      left -= moves(moved.lines[static_cast<std::size_t>(to)]) ? 1 : 0;
+    moved.lines.insert(moved.lines.begin() + to, *cut);
+    const Verification v = verify(moved);
+    EXPECT_FALSE(v.passed) << by;
+    EXPECT_EQ(events(v), 2u) << "missing there, not planned here: " << by;
+  }
+  test::ProgramText twice = text;
+  twice.lines.insert(twice.lines.begin() + at, *cut);
+  EXPECT_EQ(events(verify(twice)), 1u);
 }
 
 } // namespace
