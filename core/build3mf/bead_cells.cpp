@@ -19,7 +19,8 @@ namespace {
 constexpr double kMaxCells = 1 << 27;
 
 bool isOfPart(const plan::ToolPath& path) {
-  return path.kind != plan::PathKind::Support && !plan::isWaste(path.kind);
+  return path.kind != plan::PathKind::Support && path.kind != plan::PathKind::Tape &&
+         !plan::isWaste(path.kind);
 }
 
 // The volume of one segment: flat where its path begins and ends, rounded where it continues.
