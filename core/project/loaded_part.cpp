@@ -11,9 +11,11 @@
 #include "geometry/formats/mesh_reader.h"
 #include "project/content_hash.h"
 #include "project/sample_part.h"
+#include "project/specimens.h"
 #include "voxel/voxel_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 
@@ -88,6 +90,17 @@ void readBuild(const std::string& bytes, const std::string& name, LoadedPart& pa
   part.inWorkFrame = build.workFrame;
   part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(build.plan));
 }
+
+struct SampleRow {
+  std::string_view name;
+  geometry::TriangleMesh (*mesh)();
+};
+constexpr std::array<SampleRow, 6> kSamples{{{"vase", samplePart},
+                                             {"bar", barSpecimen},
+                                             {"dumbbell", dumbbellSpecimen},
+                                             {"plate", plateSpecimen},
+                                             {"curved-bar", curvedSpecimen},
+                                             {"curved-mould", mouldOfCurvedSpecimen}}};
 } // namespace
 
 std::string hashOf(const LoadedPart& part) {
@@ -101,7 +114,10 @@ bool isVoxelText(const std::string& name, std::string_view bytes) {
 }
 
 std::vector<std::string> sampleNames() {
-  return {"vase"};
+  std::vector<std::string> names;
+  for (const SampleRow& row : kSamples)
+    names.emplace_back(row.name);
+  return names;
 }
 
 std::shared_ptr<const LoadedPart> loadedFrom(std::string name, Mesh source,
@@ -137,11 +153,12 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
   loaded.repair = repair;
   if (part.starts_with(kSamplePrefix)) {
     const std::string name = part.substr(kSamplePrefix.size());
-    if (name != sampleNames().front())
+    const auto sample = std::ranges::find(kSamples, name, &SampleRow::name);
+    if (sample == kSamples.end())
       throw base::Error(base::ErrorCode::Usage, base::message("unknown sample '{name}'"_text, name),
                         {}, base::didYouMean(name, sampleNames()));
     loaded.name = name + ".stl";
-    loaded.source = std::make_shared<geometry::TriangleMesh>(project::samplePart());
+    loaded.source = std::make_shared<geometry::TriangleMesh>(sample->mesh());
   } else if (geometry::isForeign(part)) {
     loaded.name = std::filesystem::path(part).filename().string();
     geometry::MeshFile file = geometry::readForeign(part, geometry::ForeignFrame::Upright);
