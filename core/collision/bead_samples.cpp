@@ -10,14 +10,15 @@ namespace voluta::collision {
 namespace {
 using Eigen::Vector3d;
 
-constexpr double kSampleMm = 1.0;
+// Length of samples of beads up to 2 mm wide, and in widths of wider ones.
+constexpr double kSampleMm = 1.0, kSampleWidths = 0.5;
 // Depth of the tip of a covered bead below that of the covering one, in heights of the latter.
 constexpr double kLeastDepth = 0.4, kMostDepth = 1.6;
 // Places across a bead that are compared with those below, in widths.
 constexpr std::array<double, 3> kAcross = {-0.2, 0.0, 0.2};
 // Beads spread sideways by up to this share of their width.
 constexpr double kSpread = 0.05;
-constexpr double kAlongMm = 0.1; // tolerance along a bead
+constexpr double kAlongShare = 0.1; // tolerance along a bead, in lengths of a sample
 
 // Returns the maximum distance between the tips of a bead and of one that covers it [mm].
 double reachMm(const plan::ToolPlan& plan) {
@@ -28,12 +29,17 @@ double reachMm(const plan::ToolPlan& plan) {
   }
   return std::hypot(static_cast<double>(width), kMostDepth * static_cast<double>(height));
 }
+
+double sampleMm(double widthMm) {
+  return std::max(kSampleMm, kSampleWidths * widthMm);
+}
 } // namespace
 
 void appendSamples(const plan::ToolPlan& plan, std::size_t a, std::size_t b,
                    std::vector<BeadSample>& samples) {
   const Vector3d way = plan.position[b] - plan.position[a];
-  const int pieces = std::max(1, static_cast<int>(std::ceil(way.norm() / kSampleMm)));
+  const double lengthMm = sampleMm(std::min(plan.widthMm[a], plan.widthMm[b]));
+  const int pieces = std::max(1, static_cast<int>(std::ceil(way.norm() / lengthMm)));
   for (int k = 0; k < pieces; ++k) {
     BeadSample sample;
     sample.from = static_cast<double>(k) / pieces;
@@ -64,7 +70,8 @@ bool BeadSampleGrid::covers(const BeadSample& upper, const BeadSample& lower) {
     return false;
   const Vector3d side = upper.direction.cross(upper.along).normalized();
   const Vector3d axis = lower.along.normalized();
-  const double halfMm = lower.along.norm() + kAlongMm, asideMm = (0.5 + kSpread) * lower.widthMm;
+  const double halfMm = lower.along.norm() + kAlongShare * sampleMm(lower.widthMm),
+               asideMm = (0.5 + kSpread) * lower.widthMm;
   return std::ranges::any_of(kAcross, [&](double share) {
     const Vector3d at = share * upper.widthMm * side - off - depthMm * upper.direction;
     const double along = at.dot(axis);

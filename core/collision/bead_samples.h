@@ -11,7 +11,7 @@
 
 namespace voluta::collision {
 
-// A piece of a bead, about a millimetre long.
+// A piece of a bead, about a millimetre or half its width long.
 struct BeadSample {
   Eigen::Vector3d tip, direction;                  // at its middle; work frame [mm]
   Eigen::Vector3d along = Eigen::Vector3d::Zero(); // from its middle to its end [mm]
