@@ -196,7 +196,8 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
       assemble(stack, covers, tooling,
                {options.seam, options.orderIslands, options.cooling.leastLayerTimeS > 0.0});
   if (options.cooling.leastLayerTimeS > 0.0 && !options.spiral)
-    orderToCool(assembled, seamKind(options.seam).place == nullptr);
+    orderToCool(assembled, seamKind(options.seam).place == nullptr,
+                options.cooling.leastLayerTimeS);
   assembled.plan.fill = made.fill;
   r.findings = coverFindings(stack, covers, tooling, options);
   if (options.spiral)

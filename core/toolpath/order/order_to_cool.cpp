@@ -18,6 +18,8 @@ using collision::BeadSample, collision::BeadSampleGrid;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 // A path is turned round, or begun elsewhere, only if that gains more [s].
 constexpr double kWorthS = 0.05;
+// The turns of a patch's beads are given up only if that saves more, in shares of the least time.
+constexpr double kWorthTurns = 0.05;
 
 int turnOf(const plan::ToolPath& path) {
   Bead bead;
@@ -26,9 +28,9 @@ int turnOf(const plan::ToolPath& path) {
   return printTurn(bead);
 }
 
-bool mayChangePlaces(const plan::ToolPath& a, const plan::ToolPath& b) {
+bool ofOnePatch(const plan::ToolPath& a, const plan::ToolPath& b) {
   return a.layer == b.layer && a.patch == b.patch && a.group == b.group && a.item == b.item &&
-         a.tool == b.tool && turnOf(a) == turnOf(b);
+         a.tool == b.tool;
 }
 
 // A way of printing a path: from the waypoint `begin` of its first one on, or backwards.
@@ -39,17 +41,23 @@ struct Course {
   // covered: the maximum over the path [s].
   double readyS = kNever;
 };
+// A path of the patch with its course; paths of one turn that follow each other have equal turns.
+struct Planned {
+  std::size_t path = 0;
+  Course course;
+  std::size_t turn = 0;
+};
 
 class Cooler {
 public:
-  Cooler(Assembled& assembled, bool movesSeams)
-      : in_(assembled), movesSeams_(movesSeams), grid_(assembled.plan) {}
+  Cooler(Assembled& assembled, bool movesSeams, double leastS)
+      : in_(assembled), movesSeams_(movesSeams), leastS_(leastS), grid_(assembled.plan) {}
 
   void run() {
     const std::vector<plan::ToolPath>& paths = in_.plan.paths;
     for (std::size_t first = 0, end = 0; first < paths.size(); first = end) {
       end = first + 1;
-      while (end < paths.size() && mayChangePlaces(paths[first], paths[end]))
+      while (end < paths.size() && ofOnePatch(paths[first], paths[end]))
         ++end;
       order(first, end);
     }
@@ -65,12 +73,34 @@ private:
   }
 
   void order(std::size_t first, std::size_t end) {
-    std::vector<std::pair<std::size_t, Course>> courses;
-    for (std::size_t p = first; p < end; ++p)
-      courses.emplace_back(p, bestCourse(in_.plan.paths[p]));
-    std::ranges::stable_sort(courses, {}, [](const auto& c) { return c.second.readyS; });
-    for (const auto& [path, course] : courses)
-      append(in_.plan.paths[path], course);
+    std::vector<Planned> planned;
+    std::size_t turn = 0;
+    for (std::size_t p = first; p < end; ++p) {
+      turn += p > first && turnOf(in_.plan.paths[p]) != turnOf(in_.plan.paths[p - 1]);
+      planned.push_back({p, bestCourse(in_.plan.paths[p]), turn});
+    }
+    std::ranges::stable_sort(planned, {},
+                             [](const Planned& p) { return std::pair(p.turn, p.course.readyS); });
+    if (leastS_ > 0.0) {
+      std::vector<Planned> free = planned;
+      std::ranges::stable_sort(free, {}, [](const Planned& p) { return p.course.readyS; });
+      if (waitBefore(planned) - waitBefore(free) > kWorthTurns * leastS_)
+        planned = std::move(free);
+    }
+    for (const Planned& p : planned)
+      append(in_.plan.paths[p.path], p.course);
+  }
+
+  // Returns the wait before paths in this order with which all beads below have cooled.
+  double waitBefore(const std::vector<Planned>& planned) const {
+    double wait = 0.0, beginS = nowS_;
+    for (const Planned& p : planned) {
+      wait = std::max(wait, p.course.readyS + leastS_ - beginS);
+      const plan::ToolPath& path = in_.plan.paths[p.path];
+      for (std::size_t k = 1; k < path.count; ++k)
+        beginS += secondsTo(path.first + k);
+    }
+    return wait;
   }
 
   // When the beads below were printed, at each segment of the path: the last of them.
@@ -165,14 +195,15 @@ private:
   Assembled& in_;
   Assembled out_;
   bool movesSeams_;
+  double leastS_;
   BeadSampleGrid grid_;
   std::vector<double> endS_; // per sample in the grid
   double nowS_ = 0.0;
 };
 } // namespace
 
-void orderToCool(Assembled& assembled, bool movesSeams) {
-  Cooler(assembled, movesSeams).run();
+void orderToCool(Assembled& assembled, bool movesSeams, double leastS) {
+  Cooler(assembled, movesSeams, leastS).run();
 }
 
 } // namespace voluta::toolpath
