@@ -7666,6 +7666,46 @@ previsto</translation>
         <translation>un&apos;attesa finché il piatto è caldo</translation>
     </message>
     <message>
+        <source>must be at most {most}</source>
+        <translation>deve essere al massimo {most}</translation>
+    </message>
+    <message>
+        <source>must be one line that is not empty</source>
+        <translation>deve essere una sola riga non vuota</translation>
+    </message>
+    <message>
+        <source>has no statements</source>
+        <translation>non ha istruzioni</translation>
+    </message>
+    <message>
+        <source>has its statements already</source>
+        <translation>ha già le sue istruzioni</translation>
+    </message>
+    <message>
+        <source>must be between {least} and 1</source>
+        <translation>deve essere tra {least} e 1</translation>
+    </message>
+    <message>
+        <source>a wait for the extruder&apos;s start lag</source>
+        <translation>un&apos;attesa per il ritardo d&apos;avvio dell&apos;estrusore</translation>
+    </message>
+    <message>
+        <source>stopping the extruder ahead of a bead&apos;s end</source>
+        <translation>l&apos;arresto dell&apos;estrusore prima della fine di un cordone</translation>
+    </message>
+    <message>
+        <source>extruder {extruder} cannot keep the start and stop lag of process {process}</source>
+        <translation>l&apos;estrusore {extruder} non può rispettare i ritardi d&apos;avvio e d&apos;arresto del processo {process}</translation>
+    </message>
+    <message>
+        <source>turning off the nozzle&apos;s heating</source>
+        <translation>lo spegnimento del riscaldamento dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>turning off the bed&apos;s heating</source>
+        <translation>lo spegnimento del riscaldamento del piatto</translation>
+    </message>
+    <message>
         <source>part cooling {found} % from this line on, {planned} % planned</source>
         <translation>raffreddamento del pezzo {found} % da questa riga in poi, previsto {planned} %</translation>
     </message>

@@ -11,6 +11,7 @@
 #include "motion/jerk.h"
 #include "motion/ladder/path_planner.h"
 #include "motion/ladder/size_in_reach.h"
+#include "motion/lags.h"
 #include "motion/nozzle_frame.h"
 #include "motion/refusal_findings.h"
 #include "motion/sequence.h"
@@ -356,11 +357,15 @@ private:
     for (std::size_t i = 0; i < runs; ++i) {
       appendWay(i);
       const auto& points = sequence.runs[i].points;
+      const std::size_t first = result_.trajectory.pointCount();
       for (std::size_t k = 1; k < points.size(); ++k) {
         volume += points[k].volumeMm3;
         append(points[k].at.q, time + runTimes[i][k], plan::MoveKind::Print, points[k].waypoint,
                volume);
       }
+      if (points.size() > 1)
+        addLags(result_.trajectory, first, result_.trajectory.pointCount(),
+                tooling_.at(toolOf(sequence.runs[i])).process.lag);
       time += runTimes[i].back();
       s.sumSquaredJerk += jerks[i].sumSquared;
       s.sumSquaredJerkBefore += jerksBefore[i].sumSquared;
@@ -369,9 +374,10 @@ private:
     }
     if (ways > runs)
       appendWay(runs);
-    s.durationS = time;
+    s.durationS = time + startLagsS(result_.trajectory);
     for (const plan::TrajectoryEvent& event : result_.trajectory.events)
-      s.durationS += event.seconds;
+      if (event.kind == plan::EventKind::Purge)
+        s.durationS += event.seconds;
   }
 
   // Changes to the tool before the motion to the next point.

@@ -192,8 +192,12 @@ std::optional<Resumed> resumeAt(const plan::Trajectory& t, std::size_t point,
     if (inCut)
       shift = time - t.timeS[i];
   }
-  // The points behind `point` keep their events.
+  // The points behind `point` keep their events. The extruder lags again where a bead goes on.
   const std::size_t offset = all.pointCount() - t.pointCount();
+  const double lagS = tooling.of(plan.paths[path]).process.lag.startS;
+  if (lagS > 0.0 && t.move[point] == MoveKind::Print)
+    all.events.push_back(
+        {.point = point + 1 + offset, .kind = plan::EventKind::StartLag, .seconds = lagS});
   for (plan::TrajectoryEvent event : t.events)
     if (event.point > point) {
       event.point += offset;

@@ -43,17 +43,36 @@ std::string ownFlowKey(const process::Process& p) {
   return p.material.comesWithProgram ? std::string() : base::keyText(process::flowLimit(p));
 }
 
+// Empty without lags or statements, as in older projects.
+std::string lagKey(const process::ExtruderLag& lag) {
+  return lag.startS == 0.0 && lag.stopS == 0.0 ? std::string()
+                                               : base::keyText(lag.startS, lag.stopS);
+}
+std::string wordsKey(const std::vector<process::BeadWords>& words) {
+  std::string key;
+  for (const process::BeadWords& w : words) {
+    key += base::keyText(w.format);
+    for (const auto* statements : {&w.start, &w.end}) {
+      key += base::keyText(statements->size());
+      for (const std::string& statement : *statements)
+        key += base::keyText(statement);
+    }
+  }
+  return key;
+}
+
 ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
                speed, travelSpeed, acceleration, tolerance, bridge, bridgeSpeed, maxFlow, prime,
-               retract, material, head, features, tape] = process;
-  static_cast<void>(label); // The label affects no result.
+               retract, material, head, features, tape, lag, overlap, words] = process;
+  static_cast<void>(label);   // The label affects no result.
+  static_cast<void>(overlap); // Contained in the widths
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
                         bridge, bridgeSpeed, maxFlow, features.all()) +
               ownFlowKey(process) + (tape ? base::keyText(*tape) : std::string()),
-          base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration),
+          base::keyText(tolerance, head), base::keyText(travelSpeed, acceleration) + lagKey(lag),
           base::keyText(id, nozzle, prime, retract, material.label, material.densityGPerCm3) +
-              ownMaterialKey(material)};
+              ownMaterialKey(material) + wordsKey(words)};
 }
 
 // The same of all tools.

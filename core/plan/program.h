@@ -57,7 +57,8 @@ struct ProgramMotion {
   // Part of a detour that returns to its start for the machine's own sake (unwinding a table). It
   // corresponds to no point of the plan.
   bool aside = false;
-  bool extruding = false;     // The extruder is on during this motion
+  bool extruding = false;     // Material flows during this motion
+  bool trailing = false;      // The extruder is off already, and its stop lag feeds this motion
   std::uint8_t tool = 0;      // That deposits
   std::vector<double> joints; // Joints
   // WorkPose, UnitPose, FlangePose [rad]; values of sliding axes [mm] are converted as if they were

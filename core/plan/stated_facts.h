@@ -29,7 +29,9 @@ enum class FactKind : std::uint8_t {
   TapeCut,         // Cuts the tape
   BedHeat,         // Number: degrees C, 0: off
   BedHeatWait,     // Waits until the bed is that hot
-  FanSpeed         // Number: part cooling, 0..1
+  FanSpeed,        // Number: part cooling, 0..1
+  BeadStartWord,   // Word: a statement of the process at the start of a bead
+  BeadEndWord      // Word: a statement of the process at the end of a bead
 };
 
 struct StatedFact {

@@ -26,8 +26,14 @@ enum class EventKind : std::uint8_t {
   Pause,      // until the operator continues
   Feed,       // `feedMm` of filament or tape is fed in place
   Wait,       // `seconds` pass
+  StartLag,   // the extruder runs for `seconds` until its material comes
+  StopLag,    // the extruder is switched off; the material that follows ends the bead
   Purge       // `volumeMm3` of material flows out in `seconds`
 };
+// Returns whether the arm is at rest meanwhile.
+inline bool stopsArm(EventKind kind) {
+  return kind != EventKind::StopLag;
+}
 
 // Happens in place, after the arm has arrived at the point before and before it moves to `point`.
 struct TrajectoryEvent {
@@ -35,7 +41,7 @@ struct TrajectoryEvent {
   EventKind kind = EventKind::Pause;
   int tool = 0;           // ToolChange: index in the job's tooling
   double feedMm = 0.0;    // Feed
-  double seconds = 0.0;   // Wait, Purge
+  double seconds = 0.0;   // Wait, StartLag, Purge
   double volumeMm3 = 0.0; // Purge
 };
 
@@ -53,6 +59,11 @@ struct Trajectory {
   std::span<const TrajectoryEvent> eventsBefore(std::size_t point) const {
     const auto range = std::ranges::equal_range(events, point, {}, &TrajectoryEvent::point);
     return {range.begin(), range.end()};
+  }
+  // Returns whether the arm stops before the motion to that point for an event.
+  bool stopsBefore(std::size_t point) const {
+    return std::ranges::any_of(eventsBefore(point),
+                               [](const TrajectoryEvent& event) { return stopsArm(event.kind); });
   }
   // Returns the duration of the waits and purges before the motion to that point [s].
   double waitBefore(std::size_t point) const {

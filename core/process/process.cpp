@@ -5,6 +5,7 @@
 #include "base/json_node.h"
 #include "process/bead_model.h"
 #include "process/chosen_range.h"
+#include "process/machine_laws.h"
 #include "process/material_node.h"
 #include "process/process_numbers.h"
 
@@ -183,6 +184,10 @@ Process readProcessText(const std::string& text, const std::string& name) {
                  "material",
                  "ownMaterial",
                  "densityGPerCm3",
+                 "startLagS",
+                 "stopLagS",
+                 "overlapFactor",
+                 "beadWords",
                  "head",
                  "features",
                  "tape",
@@ -195,6 +200,7 @@ Process readProcessText(const std::string& text, const std::string& name) {
   if (top.has("tape"))
     takeTape(top.at("tape"), p);
   readNumbers(top, p);
+  readMachineLaws(top, p);
   p.material = readMaterial(top);
   if (!p.tape && !top.has("bridgeMm"))
     p.bridgeMm = p.material.bridgeWidths * p.beadWidthMm;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace voluta::process {
@@ -34,6 +35,19 @@ struct Tape {
   bool operator==(const Tape&) const = default;
 };
 
+// Delays of an extruder, such as one with a screw [s]. Programs switch it on so long before a bead
+// moves, and off so long before its end.
+struct ExtruderLag {
+  double startS = 0.0, stopS = 0.0;
+};
+
+// Statements of one program format, copied to programs line by line where a bead starts and ends,
+// e.g. those that strike and end an arc.
+struct BeadWords {
+  std::string format; // Id in the dialect registry
+  std::vector<std::string> start, end;
+};
+
 struct Process {
   std::string id, label;
   double nozzleDiameterMm = 1.0;
@@ -55,6 +69,14 @@ struct Process {
   // Of a tool that lays tape. The section of its paths is then the tape's: bead width and layer
   // height give a bead of width x thickness, and the speed is that of ironing.
   std::optional<Tape> tape;
+  ExtruderLag lag; // Optional
+  // Distance of neighbouring beads as a share of the width of a single one; 1: side by side.
+  // Optional
+  double overlapFactor = 1.0;
+  std::vector<BeadWords> beadWords; // Optional
+
+  // Returns the statements for a format; nullptr if there are none.
+  const BeadWords* wordsFor(std::string_view format) const;
 };
 
 // Returns the largest flow that may be planned [mm3/s]: that of the head or, if less, that of the

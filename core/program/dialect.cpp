@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "program/bead_words.h"
 #include "program/common/language_words.h"
 #include "program/common/motion_targets.h"
 #include "program/common/text.h"
@@ -501,7 +502,9 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
         directions.push_back(targets[i].direction);
     requireUpright(dialect, directions);
   }
+  requireLagsSaid(own);
   plan::Program program = dialect.write(own, ctx);
+  uncoverBeadWords(program.files, dialect.remark);
   if (!dialect.extruders.empty() && extruderOf(own).streams)
     program.files.push_back(streamFile(own, ctx));
   return program;
@@ -555,7 +558,9 @@ plan::ReadProgram readProgram(std::string_view id, const std::vector<plan::Progr
   plan::ReadProgram program;
   program.format = dialect.id;
   if (!tellNoTexts(files, program.defects, dialect.isBinary)) {
-    program = readWithStream(dialect, files, tooling, ctx);
+    ReadBeadWords words = takeBeadWords(files, id, dialect.remark, tooling);
+    program = readWithStream(dialect, words.files.empty() ? files : words.files, tooling, ctx);
+    addBeadWords(std::move(words.facts), program);
     if (program.defects.empty())
       tellMixedLineEnds(files, program.defects, dialect.isBinary);
     if (program.defects.empty())

@@ -18,6 +18,9 @@ template <typename CanSay> std::string formatsThat(const CanSay& canSay) {
 }
 
 bool hasWordFor(const Dialect& dialect, plan::EventKind kind) {
+  // Said by the extruder's outputs, if motions do not state amounts instead.
+  if (kind == plan::EventKind::StartLag || kind == plan::EventKind::StopLag)
+    return !dialect.extruders.empty();
   return std::ranges::find(dialect.events, kind) != dialect.events.end();
 }
 
@@ -38,6 +41,10 @@ base::Text nameOf(plan::EventKind kind) {
     return "a wait"_text;
   case plan::EventKind::Purge:
     return "a purge of the nozzle"_text;
+  case plan::EventKind::StartLag:
+    return "a wait for the extruder's start lag"_text;
+  case plan::EventKind::StopLag:
+    return "stopping the extruder ahead of a bead's end"_text;
   case plan::EventKind::Feed:
     break;
   }

@@ -92,6 +92,20 @@ void requireExtruder(std::string_view format, std::span<const std::string_view> 
       {}, base::message("use extruder {extruders}"_text, own));
 }
 
+void requireLagsSaid(const ProgramInput& input) {
+  const Extruder& extruder = extruderOf(input);
+  const auto isLag = [](const plan::TrajectoryEvent& event) {
+    return event.kind == plan::EventKind::StartLag || event.kind == plan::EventKind::StopLag;
+  };
+  if ((extruder.byAxis || extruder.streams) && std::ranges::any_of(input.trajectory.events, isLag))
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("extruder {extruder} cannot keep the start and stop lag of process "
+                      "{process}"_text,
+                      extruder.id, input.process().id),
+        {}, base::message("use extruder {extruders}"_text, kOutputsExtruder));
+}
+
 double writtenBy(const Extruder& extruder, const process::Process& process, double share,
                  double (*outputs)(double share)) {
   const double full = process.maxFlowMm3PerS;

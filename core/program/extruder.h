@@ -67,6 +67,10 @@ void requireSelectable(const ProgramInput& input);
 void requireExtruder(std::string_view format, std::span<const std::string_view> ids,
                      const robot::Cell& cell, const ProgramOptions& options);
 
+// Throws Error{Usage} if the trajectory has the events of an extruder's lags and the program is for
+// an extruder that is fed amounts, which cannot run while the arm waits for them.
+void requireLagsSaid(const ProgramInput& input);
+
 // Returns the written flow for a wanted flow, both as shares of the full flow. `outputs`:
 // conversion of the dialect's own outputs.
 double writtenBy(const Extruder& extruder, const process::Process& process, double share,

@@ -3,10 +3,12 @@
 #include "base/run_context.h"
 #include "plan/finding_kinds.h"
 #include "replay/alignment.h"
+#include "replay/bead_words.h"
 #include "replay/beads.h"
 #include "replay/beside_motion.h"
 #include "replay/controller_time.h"
 #include "replay/executed_path.h"
+#include "replay/extruder_lag.h"
 #include "replay/heat_facts.h"
 #include "replay/limit_findings.h"
 #include "replay/planned_events.h"
@@ -16,6 +18,8 @@
 #include "replay/verdict_findings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -27,7 +31,7 @@ using enum plan::FindingKind;
 
 class TextJudge {
 public:
-  TextJudge(const ReplayInput& in, const ReplayThresholds& limits, const base::RunContext& ctx)
+  TextJudge(ReplayInput& in, const ReplayThresholds& limits, const base::RunContext& ctx)
       : in_(in), limits_(limits), ctx_(ctx) {}
 
   ComparedProgram judge() {
@@ -58,6 +62,15 @@ private:
     base::require(in_.platform.known(), "replay: the platform is known");
   }
 
+  // Returns the least acceleration of the arm's turning joints.
+  double armRadPerS2() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const robot::JointLimits& limits : in_.cell.robot().limits)
+      if (limits.kind == robot::JointKind::Turning)
+        least = std::min(least, limits.acceleration);
+    return std::isfinite(least) ? least : 0.0;
+  }
+
   // Returns the distance of samples: as many per width of the narrowest bead as for 1.2 mm.
   double printSampleMm() const {
     constexpr double kTunedWidthMm = 1.2;
@@ -70,6 +83,9 @@ private:
   void execute() {
     ctx_.report(0.0, "running the program"_text);
     out_.run.path = executeProgram(in_.program, in_.cell, ctx_, printSampleMm());
+    planned_ = plannedNozzle(in_.trajectory, in_.cell, ctx_);
+    alignment_ = alignProgram(in_.program, path(), planned_, in_.trajectory, in_.cell, ctx_);
+    followLags(in_.program, path(), in_.trajectory, alignment_, in_.tooling);
     Verification& verdict = out_.verdict;
     verdict.armChecked = path().arm;
     verdict.motionS = controllerTimes(in_.program, path(), TurnLaw::Text);
@@ -110,28 +126,29 @@ private:
     verdict.motionPlaces.reserve(in_.program.motions.size());
     for (std::size_t m = 0; m < in_.program.motions.size(); ++m)
       verdict.motionPlaces.push_back(placeOf(in_.program, m));
-    const PlannedNozzle planned = plannedNozzle(in_.trajectory, in_.cell, ctx_);
-    Alignment alignment =
-        alignProgram(in_.program, path(), planned, in_.trajectory, in_.cell, ctx_);
-    addDeviations(compareWithPlan(in_.program, path(), planned, in_.trajectory, alignment,
-                                  ComparisonOptions{}));
+    ComparisonOptions options;
+    options.armRadPerS2 = armRadPerS2();
     addDeviations(
-        compareStatedFacts(in_.program, in_.trajectory, alignment, in_.cell, in_.tooling));
+        compareWithPlan(in_.program, path(), planned_, in_.trajectory, alignment_, options));
+    addDeviations(
+        compareStatedFacts(in_.program, in_.trajectory, alignment_, in_.cell, in_.tooling));
     addDeviations(compareHeat(in_.program, in_.trajectory, in_.tooling, in_.firstPoint));
-    addFindings(verdict, compareFan(in_.program, in_.plan, in_.trajectory, alignment, in_.tooling));
-    addDeviations(compareEvents(in_.program, in_.trajectory, alignment));
-    stops_ = plannedStops(in_.program, in_.trajectory, alignment);
+    addFindings(verdict,
+                compareFan(in_.program, in_.plan, in_.trajectory, alignment_, in_.tooling));
+    addDeviations(compareEvents(in_.program, in_.trajectory, alignment_));
+    addDeviations(compareBeadWords(in_.program, in_.trajectory, alignment_, in_.tooling));
+    stops_ = plannedStops(in_.program, in_.trajectory, alignment_);
     addDeviations(judgeBesideMotion(in_.program, path(), in_.plan, in_.trajectory, in_.cell,
                                     in_.tooling, in_.firstPoint, stops_));
     const std::optional<WholePath> whole = wholePath(in_.whole, in_.trajectory, in_.cell, ctx_);
     const struct PathDeviation deviation = pathDeviation(
-        path(), planned, in_.trajectory, in_.program, alignment, ctx_, whole ? &*whole : nullptr);
+        path(), planned_, in_.trajectory, in_.program, alignment_, ctx_, whole ? &*whole : nullptr);
     verdict.maxDeviationMm = deviation.mm;
     verdict.maxDeviationRad = deviation.rad;
     out_.deviationMotion = deviation.motion;
     if (deviation.mm > 0.0)
       verdict.worst.deviation = path().targetTip[deviation.motion];
-    numberPoints(std::move(alignment.pointOf));
+    numberPoints(std::move(alignment_.pointOf));
   }
 
   void numberPoints(std::vector<std::size_t> pointOf) {
@@ -253,9 +270,11 @@ private:
           {plan::makeMoreFinding(further, {}, std::nullopt, listed - kMaxListed), {}});
   }
 
-  const ReplayInput& in_;
+  ReplayInput& in_;
   const ReplayThresholds& limits_;
   const base::RunContext& ctx_;
+  PlannedNozzle planned_;
+  Alignment alignment_;
   PlannedStops stops_;
   ComparedProgram out_;
 };

@@ -345,6 +345,19 @@ private:
     return inPlace(before) && alignment_.pointOf[before] + 1 == pair.point;
   }
 
+  // Returns the shortest time of a joint motion from rest to rest; 0 for others.
+  double rampsS(std::size_t m) const {
+    const plan::ProgramMotion& motion = program_.motions[m];
+    if (m == 0 || !path_.arm || !motion.jointInterpolated || options_.armRadPerS2 <= 0.0 ||
+        motion.jointAccelerationRadPerS2 <= 0.0)
+      return 0.0;
+    double turn = 0.0;
+    for (int k = 0; k < path_.armDof; ++k)
+      turn = std::max(turn,
+                      std::abs(path_.turnOf(k, path_.jointsAt(m)[k] - path_.jointsAt(m - 1)[k])));
+    return 2.0 * std::sqrt(turn / options_.armRadPerS2);
+  }
+
   // A motion's duration is length divided by speed; a bead may be slower where the extruder reaches
   // its limit.
   void compareRates(const Pair& pair) {
@@ -352,14 +365,17 @@ private:
     const double planned = trajectory_.timeS[pair.point] - trajectory_.timeS[pair.point - 1];
     const double time = pair.whole.durationS;
     const bool known = !(program_.time.jointsInPercent && motion.jointInterpolated);
-    const bool slow =
-        known && planned > 0.0 && time > 0.0 &&
-        std::abs(time - planned) > std::max(options_.leastS, options_.rateTolerance * planned);
+    const auto tolerance = [&](double s) {
+      return std::max(options_.leastS, options_.rateTolerance * s);
+    };
+    const double most = std::max(planned, rampsS(pair.motion));
+    const bool slow = known && planned > 0.0 && time > 0.0 &&
+                      (time < planned - tolerance(planned) || time > most + tolerance(most));
     if (slow)
       report_.atMotion(plan::FindingKind::SpeedChanged, pair.motion,
                        {{"time", base::seconds(time)}, {"planned", base::seconds(planned)}});
     const double volume = pair.whole.volumeMm3, expected = pair.expectedMm3;
-    if (pair.print && pair.extruding && !(slow && motion.volumeMm3 < 0.0) &&
+    if (pair.print && pair.extruding && !motion.trailing && !(slow && motion.volumeMm3 < 0.0) &&
         std::abs(volume - expected) >
             std::max(options_.leastMm3, options_.rateTolerance * expected))
       report_.atMotion(plan::FindingKind::FlowChanged, pair.motion,

@@ -62,6 +62,9 @@ struct ComparisonOptions {
   // an external axis that differs by more is misplaced: the nozzle's path on the part may be the
   // same, but the arm's is not
   double externalRad = 2e-4;
+  // acceleration of the arm's joints: a joint motion that is a piece of a planned one stops at its
+  // ends, and may take the time of its ramps; 0: unknown
+  double armRadPerS2 = 0.0;
 };
 
 // Returns findings about deviations of the alignment, defects found by the reader and a missing

@@ -25,7 +25,7 @@ struct Heater {
   FactKind heat, wait;
   int tool = 0; // of nozzles
   double usualC = 0.0, leastC = 0.0;
-  base::Message name, waitName;
+  base::Message name, waitName, offName;
 
   bool isNozzle() const { return heat == FactKind::NozzleHeat; }
 };
@@ -36,11 +36,12 @@ std::vector<Heater> heatersOf(std::span<const process::Tool> tools) {
     if (const process::Material& m = tools[t].process.material; m.nozzleC)
       heaters.push_back({FactKind::NozzleHeat, FactKind::NozzleHeatWait, static_cast<int>(t),
                          static_cast<double>(*m.nozzleC), static_cast<double>(m.nozzleMinC),
-                         "the nozzle temperature, °C"_text, "a wait until the nozzle is hot"_text});
+                         "the nozzle temperature, °C"_text, "a wait until the nozzle is hot"_text,
+                         "turning off the nozzle's heating"_text});
   if (const double bed = tools.front().process.material.bedC.value_or(0); bed > 0.0)
     heaters.push_back({FactKind::BedHeat, FactKind::BedHeatWait, 0, bed,
                        std::max(1.0, bed - kBedToleranceC), "the bed temperature, °C"_text,
-                       "a wait until the bed is hot"_text});
+                       "a wait until the bed is hot"_text, "turning off the bed's heating"_text});
   return heaters;
 }
 
@@ -59,6 +60,10 @@ public:
         take(fact);
       }
     extrudeUntil(program_.motions.size(), program_.pauses.size());
+    if (celsius_ > 0.0 && program_.complete)
+      found_.push_back(textFinding(program_, StatementMissing,
+                                   placeOf(program_, program_.motions.size() - 1),
+                                   {{"statement", heater_.offName}}));
   }
 
 private:
@@ -69,6 +74,7 @@ private:
       isWaited_ = isOn_;
       return;
     }
+    celsius_ = fact.number;
     isOn_ = fact.number >= heater_.leastC;
     isWaited_ = isWaited_ && isOn_;
     if (isOn_)
@@ -116,6 +122,7 @@ private:
   std::size_t motion_ = 0, pause_ = 0;
   const bool isWaitNeeded_;
   bool isOn_ = false, isWaited_ = false, isTold_ = false, isFirst_ = true;
+  double celsius_ = 0.0;            // commanded last
   const StatedFact* off_ = nullptr; // that turned it off
 };
 

@@ -19,7 +19,9 @@ namespace voluta::replay {
 //   material or, if the language has a word for it, before the program has waited for that;
 // - a nozzle is turned off or set below that temperature, and its tool extrudes later;
 // - the same for the bed, if the first tool's material needs one: within kBedToleranceC of the
-//   material's temperature. `firstPoint`: of the trajectory, where the text begins.
+//   material's temperature;
+// - a complete program ends with one of them heated.
+// `firstPoint`: of the trajectory, where the text begins.
 inline constexpr double kBedToleranceC = 30.0;
 std::vector<TextFinding> compareHeat(const plan::ReadProgram& program,
                                      const plan::Trajectory& trajectory,

@@ -78,7 +78,8 @@ private:
       const double tolerance = std::max(kWaitS, kWaitShare * planned[m]);
       if (stated[m] <= tolerance && planned[m] > tolerance)
         continue; // missing
-      mark(EventKind::Wait, alignment_.pointAhead(m));
+      for (const EventKind kind : {EventKind::Wait, EventKind::StartLag})
+        mark(kind, alignment_.pointAhead(m));
       if (std::abs(stated[m] - planned[m]) > tolerance && pauseAt[m])
         findings_.push_back(textFinding(
             program_, StatementChanged, {pauseAt[m]->file + 1U, pauseAt[m]->line},
@@ -136,7 +137,7 @@ private:
                                      {"planned", base::Message("not planned here"_text)}}));
   }
   void missing(const TrajectoryEvent& event) {
-    if (event.kind == EventKind::Feed) // compared as material
+    if (event.kind == EventKind::Feed || event.kind == EventKind::StopLag) // compared as material
       return;
     const auto at = std::ranges::find(alignment_.pointOf, event.point);
     const auto motion = static_cast<std::size_t>(at - alignment_.pointOf.begin());

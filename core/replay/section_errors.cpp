@@ -27,7 +27,7 @@ SectionErrors sectionErrors(const plan::ReadProgram& program, const ExecutedPath
   SectionErrors result;
   double printed = 0.0, wrong = 0.0, worst = 0.0;
   for (std::size_t m = 1; m < volume.size(); ++m) {
-    if (!program.motions[m].extruding)
+    if (!program.motions[m].extruding || program.motions[m].trailing)
       continue;
     const double length = (path.targetTip[m] - path.targetTip[m - 1]).norm();
     const std::size_t j = pointOf[m];

@@ -25,7 +25,8 @@ struct SectionErrors {
 };
 // Compares with the plan if a motion leads from one of its points to the next, else with the amount
 // of the text without ramps. `pointOf`: per motion, as in alignment.h. Sections are compared by
-// volume, since both have the same length.
+// volume, since both have the same length. Motions that a stop lag feeds are left out: no program
+// can vary their flow.
 SectionErrors sectionErrors(const plan::ReadProgram& program, const ExecutedPath& path,
                             const plan::Trajectory& trajectory,
                             const std::vector<std::size_t>& pointOf,

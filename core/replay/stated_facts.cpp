@@ -50,6 +50,8 @@ base::Message nameOf(FactKind kind) {
   case FactKind::BedHeat:
   case FactKind::BedHeatWait:
   case FactKind::FanSpeed:
+  case FactKind::BeadStartWord: // bead_words.h
+  case FactKind::BeadEndWord:
     break;
   }
   return "a trigger for the output"_text;

@@ -383,6 +383,11 @@ TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {
       {"\"bridgeSpeedMmPerS\": 10.0", "\"bridgeSpeedMmPerS\": 9.0", 3},
       {"\"bridgeMm\": 6.0", "\"bridgeMm\": 9.0", 1},
       {"\"head\"", "\"features\": {\"infill\": {\"speedMmPerS\": 30}}, \"head\"", 3},
+      {"\"head\"", "\"startLagS\": 0.3, \"head\"", 4},
+      {"\"head\"", "\"stopLagS\": 0.3, \"head\"", 4},
+      {"\"head\"", "\"overlapFactor\": 0.738, \"head\"", 2},
+      {"\"head\"", "\"beadWords\": [{\"format\": \"krl\", \"start\": [\"ARC_ON()\"]}], \"head\"",
+       5},
       {"\"primeS\": 0.2", "\"primeS\": 0.3", 5},
       {"\"material\": \"PLA\"", "\"material\": \"PETG\"", 5}};
   for (const auto& [was, is, first] : rows) {

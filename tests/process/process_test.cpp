@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <gtest/gtest.h>
 
 namespace voluta::process {
@@ -250,6 +251,49 @@ TEST_F(Processes, featuresThatMakeNoSenseAreRefusedWithTheirKey) {
           << e.what();
     }
   }
+}
+
+// A file of wire-arc-1.2 with one more member.
+std::string wireArcWith(const std::string& member) {
+  const std::filesystem::path file = VOLUTA_SOURCE_DIR "/resources/processes/wire-arc-1.2.json";
+  std::string text = base::readFile(file);
+  return text.insert(text.rfind('}'), ", " + member);
+}
+
+TEST_F(Processes, machinesMayHaveLawsOfTheirOwn) {
+  const Process plain = loadProcess("wire-arc-1.2");
+  EXPECT_EQ(plain.lag.startS, 0.0);
+  EXPECT_EQ(plain.lag.stopS, 0.0);
+  EXPECT_TRUE(plain.beadWords.empty());
+  const Process p = readProcessText(
+      wireArcWith(
+          R"("startLagS": 0.3, "stopLagS": 0.2, "beadWords": [)"
+          R"({"format": "rapid", "start": ["SetDO doArc,1;"], "end": ["SetDO doArc,0;"]}])"),
+      "x");
+  EXPECT_EQ(p.lag.startS, 0.3);
+  EXPECT_EQ(p.lag.stopS, 0.2);
+  ASSERT_NE(p.wordsFor("rapid"), nullptr);
+  EXPECT_EQ(p.wordsFor("rapid")->start, std::vector<std::string>{"SetDO doArc,1;"});
+  EXPECT_EQ(p.wordsFor("krl"), nullptr);
+  for (const char* bad :
+       {R"("startLagS": -1)", R"("stopLagS": 11)", R"("overlapFactor": 0.4)",
+        R"("overlapFactor": 1.1)", R"("beadWords": [{"format": "rapid"}])",
+        R"("beadWords": [{"format": "rapid", "start": ["a\nb"]}])",
+        R"("beadWords": [{"format": "krl", "end": [" "]}])", R"("beadWords": [{"start": ["a"]}])",
+        R"("beadWords": [{"format": "krl", "end": ["a"]}, {"format": "krl", "end": ["b"]}])"})
+    EXPECT_THROW(readProcessText(wireArcWith(bad), "x"), base::Error) << bad;
+}
+
+// Tangent overlapping of parabolic beads (Ding et al. 2015): their distance is 0.738 widths.
+TEST_F(Processes, beadsOverlapByTheFactor) {
+  const Process plain = loadProcess("wire-arc-1.2"),
+                p = readProcessText(wireArcWith(R"("overlapFactor": 0.738)"), "x");
+  EXPECT_NEAR(hatchOf(p.beadWidthMm, p.layerHeightMm), 0.738 * plain.beadWidthMm, 1e-9);
+  EXPECT_NEAR(beadArea(p.beadWidthMm, p.layerHeightMm), 0.738 * plain.beadWidthMm * p.layerHeightMm,
+              1e-9)
+      << "a layer is filled";
+  EXPECT_LT(p.beadWidthMinMm, p.beadWidthMm);
+  EXPECT_GT(p.beadWidthMaxMm, p.beadWidthMm);
 }
 
 } // namespace

@@ -54,14 +54,21 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
   const double full = in_.tooling.fullFlowMm3PerS();
   const Extruder& extruder = extruderOf(in_);
   double held = 0.0;
+  bool trails = false; // the extruder is off and its stop lag ends the bead
   for (std::size_t i = 1; i < targets.size(); ++i) {
     double s = motionSeconds(in_.trajectory, i);
+    trails = isPrint(in_.trajectory, i) &&
+             (trails || std::ranges::any_of(in_.trajectory.eventsBefore(i), [](const auto& event) {
+                return event.kind == plan::EventKind::StopLag;
+              }));
     if (isPrint(in_.trajectory, i)) {
       const double volume = motionVolumeMm3(in_.trajectory, i);
       s = std::max(s, volume / full);
       const double wanted = s > 0.0 ? volume / s : 0.0;
       // an extruder axis is given amounts, so that its flow need not be stepped
-      if (extruder.byAxis) {
+      if (trails) {
+        flow_[i] = 0.0;
+      } else if (extruder.byAxis) {
         flow_[i] = wanted;
       } else if (wanted > 0.0) {
         if (std::abs(wanted - held) > kFlowBand * held)

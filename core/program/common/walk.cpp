@@ -1,6 +1,7 @@
 #include "program/common/walk.h"
 
 #include "process/cooling.h"
+#include "program/bead_words.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
 #include "program/extruder.h"
@@ -15,6 +16,11 @@
 namespace voluta::program {
 
 namespace {
+
+// Returns whether the event stops the extruder if it happens at a bead.
+bool isAmidBead(const plan::TrajectoryEvent& event) {
+  return event.kind != plan::EventKind::StartLag && event.kind != plan::EventKind::StopLag;
+}
 
 class Walker {
 public:
@@ -57,11 +63,13 @@ private:
     if (const std::string path = paths_.at(t.waypoint[i]); !path.empty())
       emitter_.remark(path);
     // Amid a bead too, the extruder is off while the arm waits.
-    const bool amidBead = isPrint(t, i) && !t.eventsBefore(i).empty();
+    const bool amidBead = isPrint(t, i) && std::ranges::any_of(t.eventsBefore(i), isAmidBead);
     if (amidBead) {
       extruder(false);
       events(i);
     }
+    if (isPrint(t, i) && !isPrint(t, i - 1))
+      words(&process::BeadWords::start);
     if (isPrint(t, i) && drawn_)
       draw(false);
     if (isPrint(t, i))
@@ -69,6 +77,8 @@ private:
     if (walk_.outputs != nullptr && isPrint(t, i))
       flow(walk_.outputs->flowMm3PerS(i));
     extruder(isPrint(t, i));
+    if (i > 0 && isPrint(t, i - 1) && !isPrint(t, i))
+      words(&process::BeadWords::end);
     if (i > 0 && isPrint(t, i - 1) && !isPrint(t, i) && i < lastPrint_ && process().retractMm > 0.0)
       draw(true);
     if (i == 0)
@@ -80,7 +90,7 @@ private:
     if (i == 0 || t.move[i] == plan::MoveKind::Joint)
       emitter_.jointMotion(i);
     else
-      emitter_.straightMotion(i, last || zeroesAt(i + 1) || !t.eventsBefore(i + 1).empty());
+      emitter_.straightMotion(i, last || zeroesAt(i + 1) || t.stopsBefore(i + 1));
     if (i == 0)
       prime();
   }
@@ -111,6 +121,11 @@ private:
       case plan::EventKind::Purge:
         purge(event);
         break;
+      case plan::EventKind::StartLag:
+        startLag(i, event.seconds);
+        break;
+      case plan::EventKind::StopLag: // said by the flow (TcpMotions)
+        break;
       }
   }
 
@@ -124,6 +139,36 @@ private:
     extruder(true);
     emitter_.wait(event.seconds);
     extruder(false);
+  }
+
+  // The extruder runs meanwhile. Before a bead shorter than the stop lag it is switched off as much
+  // earlier.
+  void startLag(std::size_t first, double seconds) {
+    const plan::Trajectory& t = in_.trajectory;
+    if (walk_.outputs == nullptr || walk_.outputs->flowMm3PerS(first) > 0.0)
+      return emitter_.wait(seconds);
+    std::size_t last = first;
+    while (last + 1 < t.pointCount() && isPrint(t, last + 1))
+      ++last;
+    const double beadS = t.timeS[last] - t.timeS[first - 1],
+                 volume = t.extrudedMm3[last] - t.extrudedMm3[first - 1],
+                 early = std::clamp(process().lag.stopS - beadS, 0.0, seconds);
+    if (beadS > 0.0 && early < seconds) {
+      flow(std::min(volume / beadS, process().maxFlowMm3PerS));
+      extruder(true);
+      emitter_.wait(seconds - early);
+      flow(0.0);
+      extruder(true);
+    }
+    if (early > 0.0)
+      emitter_.wait(early);
+  }
+
+  // Marks the places of the process's statements (bead_words.h).
+  void words(std::vector<std::string> process::BeadWords::*part) {
+    if (const process::BeadWords* words = process().wordsFor(walk_.format))
+      for (const std::string& statement : words->*part)
+        emitter_.remark(beadWordRemark(statement));
   }
 
   // Runs the fan as the path of that waypoint needs it.

@@ -20,6 +20,10 @@ public:
 
 private:
   bool isTargetWord(char letter) const override { return letter == 'B' || letter == 'C'; }
+  // P counts seconds on the controllers that know G93 (LinuxCNC), not milliseconds as in Marlin.
+  double dwellS(GcodeWords& w) const override {
+    return w['S'].value_or(0.0) + w['P'].value_or(0.0);
+  }
   bool movesBeside(GcodeWords& w) const override { return w.any("BC"); }
 
   // Accepts a change of C's count by whole turns.

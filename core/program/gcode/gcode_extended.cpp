@@ -103,10 +103,10 @@ bool mayBeMissingInExtendedGcode(const std::vector<std::string>& lines, std::siz
   if (lines[i] == "G92 E0")
     return lines[i - 1].find("prime") == std::string::npos;
   // M109 and M190 heat too.
-  const bool heatsEarly = lines[i].starts_with("M104 S") && lines[i] != "M104 S0";
+  const bool heatsEarly = (lines[i].starts_with("M104 S") && lines[i] != "M104 S0") ||
+                          (lines[i].starts_with("M140 S") && lines[i] != "M140 S0");
   const bool cools = lines[i].starts_with("M106") || lines[i] == "M107";
-  return heatsEarly || cools || lines[i].starts_with("M140 S") || lines[i].starts_with("M117") ||
-         primes(lines, i);
+  return heatsEarly || cools || lines[i].starts_with("M117") || primes(lines, i);
 }
 
 } // namespace voluta::program

@@ -124,11 +124,15 @@ void GcodeReader::execute(GcodeWords& w) {
     out_.selectTool(static_cast<int>(std::clamp(*w['T'], -1.0, 255.0)));
 }
 
+double GcodeReader::dwellS(GcodeWords& w) const {
+  return w['S'].value_or(0.0) + 1e-3 * w['P'].value_or(0.0);
+}
+
 void GcodeReader::executeG(double g, GcodeWords& w) {
   if (g == 0.0 || g == 1.0 || (hasArcs() && (g == 2.0 || g == 3.0)))
     motion(g, w);
   else if (g == 4.0)
-    out_.pause(std::max(0.0, w['S'].value_or(0.0) + 1e-3 * w['P'].value_or(0.0)), 0.0);
+    out_.pause(std::max(0.0, dwellS(w)), 0.0);
   else if (g == 92.0)
     setPosition(w);
   else if (g == 20.0)

@@ -165,6 +165,8 @@ private:
   void endFile(std::size_t file) override {
     line("  ' end");
     outputsOff();
+    if (sends() && in_.process().material.nozzleC && file + 2 == cuts_.size())
+      send(castelliHeatText(0));
     line("Fend");
     program_.files.push_back({fileName(oneFile() ? 0 : file + 1), std::move(out_)});
   }

@@ -205,9 +205,11 @@ private:
   void prompt() override {
     line(joined({"  popup(\"", startQuestion(in_), "\",title=\"Voluta\",blocking=True)"}));
   }
-  void endFile(std::size_t) override {
+  void endFile(std::size_t file) override {
     line("  # end");
     outputsOff();
+    if (sends() && in_.process().material.nozzleC && file + 1 == parts_)
+      send(castelliHeatText(0));
     if (sends())
       line(joined({"  socket_close(\"", kSocket, "\")"}));
     line("end");
