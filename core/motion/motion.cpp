@@ -337,13 +337,13 @@ private:
     double time = 0.0, volume = 0.0;
     append(home_.q, 0.0, plan::MoveKind::Joint, plan::kNoWaypoint, 0.0);
     plan::MotionStatistics& s = result_.statistics;
-    int selected = 0; // A job begins with its first tool
     const auto appendWay = [&](std::size_t i) {
       const Transfer& way = sequence.ways[i];
-      const int tool = i < runs ? toolOf(sequence.runs[i]) : selected;
+      const int tool = i < runs ? toolOf(sequence.runs[i]) : 0;
       for (std::size_t k = 0; k < way.points.size(); ++k) {
-        if (k == way.fromRest.value_or(0) && std::exchange(selected, tool) != tool)
-          changeTool(tool);
+        for (const ToolStep& step : way.toolSteps)
+          if (step.point == k)
+            changeTool(step.kind, tool);
         const bool arrives = i < runs && k + 1 == way.points.size();
         append(way.points[k].at.q, time + wayTimes[i][k + 1], way.points[k].move,
                arrives ? sequence.runs[i].points.front().waypoint : plan::kNoWaypoint, volume);
@@ -374,25 +374,37 @@ private:
     }
     if (ways > runs)
       appendWay(runs);
-    s.durationS = time + startLagsS(result_.trajectory);
-    for (const plan::TrajectoryEvent& event : result_.trajectory.events)
-      if (event.kind == plan::EventKind::Purge)
-        s.durationS += event.seconds;
+    s.durationS += time + startLagsS(result_.trajectory);
   }
 
-  // Changes to the tool before the motion to the next point.
-  void changeTool(int tool) {
-    std::vector<plan::TrajectoryEvent>& events = result_.trajectory.events;
-    const std::size_t point = result_.trajectory.pointCount();
-    events.push_back({.point = point, .kind = plan::EventKind::ToolChange, .tool = tool});
-    ++result_.statistics.toolChanges;
-    events.push_back({.point = point, .kind = plan::EventKind::Pause});
-    if (options_.purgeMm3 > 0.0)
-      events.push_back(
-          {.point = point,
-           .kind = plan::EventKind::Purge,
-           .seconds = options_.purgeMm3 / process::primeFlow(tooling_.at(tool).process),
-           .volumeMm3 = options_.purgeMm3});
+  // Adds the events of a step of the change to the tool, before the motion to the next point.
+  void changeTool(ToolStep::Kind step, int tool) {
+    using By = robot::ToolChange::By;
+    constexpr double kChangerS = 1.0; // Time that a tool changer needs to lock or release
+    const By by = cell_.toolChange().by;
+    const auto add = [&](plan::TrajectoryEvent event) {
+      event.point = result_.trajectory.pointCount();
+      result_.trajectory.events.push_back(event);
+      result_.statistics.durationS += event.seconds;
+    };
+    switch (step) {
+    case ToolStep::Kind::Release:
+      add({.kind = plan::EventKind::Release, .seconds = kChangerS});
+      break;
+    case ToolStep::Kind::Take:
+      add({.kind = plan::EventKind::ToolChange, .tool = tool});
+      ++result_.statistics.toolChanges;
+      if (by == By::Hand)
+        add({.kind = plan::EventKind::Pause});
+      if (by == By::Changer)
+        add({.kind = plan::EventKind::Lock, .seconds = kChangerS});
+      break;
+    case ToolStep::Kind::Purge:
+      if (options_.purgeMm3 > 0.0 && !tooling_.at(tool).process.tape)
+        add({.kind = plan::EventKind::Purge,
+             .seconds = options_.purgeMm3 / process::primeFlow(tooling_.at(tool).process),
+             .volumeMm3 = options_.purgeMm3});
+    }
   }
 
   void append(const robot::JointVector& q, double time, plan::MoveKind move, std::size_t waypoint,

@@ -1,5 +1,6 @@
 #include "motion/sequence.h"
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
 #include "motion/external_axes.h"
@@ -80,7 +81,7 @@ private:
       }
     }
     if (!way && (way = approach(usual_, run, 0, surround)))
-      setOut(*way);
+      setOut(*way, run);
     if (!way && inAnotherBranch(run, surround))
       return;
     if (!way)
@@ -204,13 +205,75 @@ private:
                      });
   }
 
-  // Prepends the way home after the last kept run, if there is one.
-  void setOut(Transfer& way) {
-    way.fromRest = wayHome_ ? wayHome_->points.size() : 0;
-    if (!wayHome_)
-      return;
-    way.points.insert(way.points.begin(), wayHome_->points.begin(), wayHome_->points.end());
+  // Prepends the way home after the last kept run, if there is one, and the change to the run's
+  // tool, if another one is mounted.
+  void setOut(Transfer& way, const Run& run) {
+    const int mounted = kept().empty() ? 0 : toolOf(kept().back()), wanted = toolOf(run);
+    if (mounted != wanted)
+      prepend(toolChange(mounted, wanted, run.points.front().next), way);
+    if (wayHome_)
+      prepend(*wayHome_, way);
     wayHome_.reset();
+  }
+
+  int toolOf(const Run& run) const { return scene_.plan.paths[run.path].tool; }
+
+  static void prepend(const Transfer& first, Transfer& way) {
+    for (ToolStep& step : way.toolSteps)
+      step.point += first.points.size();
+    way.toolSteps.insert(way.toolSteps.begin(), first.toolSteps.begin(), first.toolSteps.end());
+    way.points.insert(way.points.begin(), first.points.begin(), first.points.end());
+  }
+
+  // Returns the change from tool to tool, which begins and ends at rest. Throws
+  // Error{UnusableInput} if the arm does not reach a dock.
+  Transfer toolChange(int mounted, int wanted, std::size_t before) {
+    using Kind = ToolStep::Kind;
+    const robot::ToolChange& change = scene_.cell.toolChange();
+    Transfer all;
+    if (change.by == robot::ToolChange::By::Changer) {
+      putTool(all, mounted, before, Kind::Release);
+      putTool(all, wanted, before, Kind::Take);
+      goTo(all, rest(), wanted, before, false);
+    } else {
+      all.toolSteps.push_back({0, Kind::Take});
+    }
+    all.toolSteps.push_back({all.points.size(), Kind::Purge});
+    return all;
+  }
+
+  // Goes into the tool's dock, releases or takes it there, and comes out again.
+  void putTool(Transfer& all, int tool, std::size_t before, ToolStep::Kind kind) {
+    const auto& docks = scene_.cell.toolChange().docks;
+    base::require(static_cast<std::size_t>(tool) < docks.size(), "a dock for each tool");
+    const robot::ToolDock& dock = docks[static_cast<std::size_t>(tool)];
+    const RobotState outside = dockState(dock.before), inside = dockState(dock.in);
+    goTo(all, outside, tool, before, false);
+    goTo(all, inside, tool, before, true);
+    all.toolSteps.push_back({all.points.size(), kind});
+    goTo(all, outside, tool, before, true);
+  }
+
+  RobotState dockState(const robot::JointVector& arm) {
+    robot::JointVector q = rest().q;
+    q.head(arm.size()) = arm;
+    return stateAt(scene_.cell, q);
+  }
+
+  // Appends the motion from where the change has come so far. `tool`: whose dock it is about.
+  void goTo(Transfer& all, const RobotState& to, int tool, std::size_t before, bool isStraight) {
+    const RobotState from = all.points.empty() ? rest() : all.points.back().at;
+    const auto way = known_.of(KnownTransfers::Way::Dock, from, to, before, before, {}, [&] {
+      return isStraight ? usual_.straight(from, to, before)
+                        : usual_.between(from, to, before, scene_.options.seed + before, ctx_);
+    });
+    if (!way)
+      throw base::Error(base::ErrorCode::UnusableInput,
+                        base::message("the arm does not get to the dock of tool {number} without "
+                                      "a collision"_text,
+                                      tool + 1),
+                        {}, "move the dock or the part"_text);
+    all.points.insert(all.points.end(), way->points.begin(), way->points.end());
   }
 
   // Plans the run's waypoints again, starting from `from`.
@@ -228,7 +291,7 @@ private:
     std::vector<Run> runs = planned(run, rest());
     if (!runs.empty())
       if (auto way = approach(usual_, runs.front(), 0, surround)) {
-        setOut(*way);
+        setOut(*way, runs.front());
         result_.sequence.ways.push_back(std::move(*way));
         kept().push_back(std::move(runs.front()));
         otherBranch_ = true;
@@ -261,7 +324,7 @@ private:
       run.points.erase(run.points.begin(), run.points.begin() + static_cast<std::ptrdiff_t>(first));
       run.ladder = jointsOf(run.points);
     }
-    setOut(*way);
+    setOut(*way, run);
     return way;
   }
 

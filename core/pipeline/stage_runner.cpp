@@ -34,6 +34,17 @@ namespace {
 // Rounds of replanning the motion without the waypoints that replay found colliding
 constexpr int kRounds = 6;
 
+// Throws Error{Usage} if the cell's tool changer has fewer docks than the job has tools.
+void requireDocks(const robot::Cell& cell, std::size_t tools) {
+  const robot::ToolChange& change = cell.toolChange();
+  if (tools == 1 || change.by != robot::ToolChange::By::Changer || change.docks.size() >= tools)
+    return;
+  throw base::Error(base::ErrorCode::Usage,
+                    base::message("cell {cell} has no dock for tool {tool}"_text, cell.id(),
+                                  change.docks.size() + 1),
+                    {}, "remove a tool, or choose another cell"_text);
+}
+
 // One plan: its stages in order, each taken from the cache or made.
 class StageRunner {
 public:
@@ -137,6 +148,7 @@ private:
     ItemOutcome all = ofEachItem([](ItemStages& item) { return item.decompose(); });
     result_.cell = std::make_shared<robot::Cell>(
         robot::loadCell(choices_.cell, process(), project::platformOf(job())));
+    requireDocks(*result_.cell, tooling_.tools().size());
     for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
       program::requireOwnRobot(program::findDialect(format), *result_.cell);
       program::requireRodTurns(program::findDialect(format), *result_.cell);

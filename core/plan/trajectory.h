@@ -28,7 +28,9 @@ enum class EventKind : std::uint8_t {
   Wait,       // `seconds` pass
   StartLag,   // the extruder runs for `seconds` until its material comes
   StopLag,    // the extruder is switched off; the material that follows ends the bead
-  Purge       // `volumeMm3` of material flows out in `seconds`
+  Purge,      // `volumeMm3` of material flows out in `seconds`
+  Release,    // the tool changer releases the tool, which takes `seconds`
+  Lock        // the tool changer locks the tool, which takes `seconds`
 };
 // Returns whether the arm is at rest meanwhile.
 inline bool stopsArm(EventKind kind) {
@@ -41,7 +43,7 @@ struct TrajectoryEvent {
   EventKind kind = EventKind::Pause;
   int tool = 0;           // ToolChange: index in the job's tooling
   double feedMm = 0.0;    // Feed
-  double seconds = 0.0;   // Wait, StartLag, Purge
+  double seconds = 0.0;   // Wait, StartLag, Purge, Release, Lock
   double volumeMm3 = 0.0; // Purge
 };
 

@@ -39,6 +39,8 @@ struct Tape {
 // moves, and off so long before its end.
 struct ExtruderLag {
   double startS = 0.0, stopS = 0.0;
+
+  bool operator==(const ExtruderLag&) const = default;
 };
 
 // Statements of one program format, copied to programs line by line where a bead starts and ends,
@@ -46,6 +48,8 @@ struct ExtruderLag {
 struct BeadWords {
   std::string format; // Id in the dialect registry
   std::vector<std::string> start, end;
+
+  bool operator==(const BeadWords&) const = default;
 };
 
 struct Process {

@@ -1,7 +1,9 @@
 #include "process/process_text.h"
 
+#include "process/bead_model.h"
 #include "process/process_numbers.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -53,6 +55,27 @@ void writeTape(const Process& p, Json& json) {
                   {"densityGPerCm3", p.material.densityGPerCm3}};
 }
 
+// The file states the widths of single beads.
+void writeOverlap(const Process& p, Json& json) {
+  constexpr double kDigits = 1e9; // As many as a file has, so that it is read back unchanged
+  json["overlapFactor"] = p.overlapFactor;
+  for (auto& [key, width] : json["beadWidthMm"].items())
+    width = std::round(kDigits * hatchOf(width.get<double>(), p.layerHeightMm) / p.overlapFactor) /
+            kDigits;
+}
+
+void writeMachineLaws(const Process& p, Json& json) {
+  if (p.lag.startS > 0.0)
+    json["startLagS"] = p.lag.startS;
+  if (p.lag.stopS > 0.0)
+    json["stopLagS"] = p.lag.stopS;
+  if (p.overlapFactor != 1.0)
+    writeOverlap(p, json);
+  for (const BeadWords& words : p.beadWords)
+    json["beadWords"].push_back(
+        {{"format", words.format}, {"start", words.start}, {"end", words.end}});
+}
+
 void writeFeatures(const FeatureTable& features, Json& json) {
   const FeatureSettings neutral;
   for (const FeatureNumber& row : featureNumbers())
@@ -80,12 +103,14 @@ std::string processText(const Process& process) {
     writeTape(process, json);
   else
     writeMaterial(process.material, json);
+  writeMachineLaws(process, json);
   writeFeatures(process.features, json);
   return dumped(std::move(json), process.head);
 }
 
 bool sameProcess(const Process& a, const Process& b) {
-  if (a.id != b.id || a.label != b.label || !(a.material == b.material) || a.tape != b.tape)
+  if (a.id != b.id || a.label != b.label || !(a.material == b.material) || a.tape != b.tape ||
+      a.lag != b.lag || a.overlapFactor != b.overlapFactor || a.beadWords != b.beadWords)
     return false;
   for (const ProcessNumber& row : processNumbers())
     if (a.*row.value != b.*row.value)

@@ -49,17 +49,16 @@ constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMostMmPerS2,
 constexpr MergeLimits kKrlMerge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad};
 constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad};
 
-// Of languages that can select a tool, let its nozzle purge, and wait for the operator.
-std::vector<plan::EventKind> eventsOfTools() {
+// Of languages that can select a tool, let its nozzle purge, and wait for the operator; and those
+// for which they have outputs.
+std::vector<plan::EventKind> eventsOfTools(std::initializer_list<plan::EventKind> outputs) {
   using enum plan::EventKind;
-  return {Pause, Wait, ToolChange, Purge};
-}
-// Of those that also have a word for an output of the tape's cutter.
-std::vector<plan::EventKind> eventsOfTape() {
-  std::vector<plan::EventKind> events = eventsOfTools();
-  events.push_back(plan::EventKind::Cut);
+  std::vector<plan::EventKind> events = {Pause, Wait, ToolChange, Purge};
+  events.insert(events.end(), outputs);
   return events;
 }
+constexpr plan::EventKind kCut = plan::EventKind::Cut, kRelease = plan::EventKind::Release,
+                          kLock = plan::EventKind::Lock;
 
 using enum plan::FactKind;
 std::vector<plan::FactKind> gcodeStates() {
@@ -93,7 +92,7 @@ const std::vector<Dialect>& dialects() {
        .straight = Straight::InBase,
        .hasArcs = true,
        .supportsExternalAxes = false,
-       .events = eventsOfTape(),
+       .events = eventsOfTools({kCut, kRelease, kLock}),
        // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
@@ -135,7 +134,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "gcode-extended",
        .needsJoints = false,
        .saysJointMotions = false,
-       .events = eventsOfTape(),
+       .events = eventsOfTools({kCut}),
        // Marlin's own figures.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .forAnyCell = true,
@@ -173,7 +172,7 @@ const std::vector<Dialect>& dialects() {
        .saysJointMotions = false,
        .supportsExternalAxes = false,
        .tiltsNozzle = false,
-       .events = eventsOfTape(),
+       .events = eventsOfTools({kCut}),
        // Same as extended G-code.
        .time = {.accelerationMmPerS2 = 3000.0, .junctionMm = 0.013},
        .states = gcodeStates(),
@@ -188,7 +187,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "rapid",
        .needsJoints = false,
        .hasArcs = true,
-       .events = eventsOfTape(),
+       .events = eventsOfTools({kCut, kRelease, kLock}),
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Controllers report events 50024 and 50078 below about 20 to 30 ms or 0.5 to 1 mm.
@@ -213,7 +212,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "krl",
        .needsJoints = false,
        .hasArcs = true,
-       .events = eventsOfTape(),
+       .events = eventsOfTools({kCut, kRelease, kLock}),
        .time = kKrlTime,
        .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
@@ -251,7 +250,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "spel",
        .needsJoints = false,
        .supportsExternalAxes = false,
-       .events = eventsOfTools(),
+       .events = eventsOfTools({kRelease, kLock}),
        // A value that all of its arms accept.
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
@@ -274,7 +273,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "melfa",
        .straight = Straight::InBase,
        .supportsExternalAxes = false,
-       .events = eventsOfTools(),
+       .events = eventsOfTools({kRelease, kLock}),
        .time = kMelfaTime,
        .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
@@ -337,7 +336,7 @@ const std::vector<Dialect>& dialects() {
        // A bead's path is a spline through its points.
        .straight = Straight::Pieces,
        .supportsExternalAxes = false,
-       .events = eventsOfTools(),
+       .events = eventsOfTools({kRelease, kLock}),
        // Points state their times; Line and PTP their ramps. The pace of the motion queue is
        // undocumented.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},

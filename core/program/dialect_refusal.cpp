@@ -39,6 +39,10 @@ base::Text nameOf(plan::EventKind kind) {
     return "a pause for the operator"_text;
   case plan::EventKind::Wait:
     return "a wait"_text;
+  case plan::EventKind::Release:
+    return "releasing the tool"_text;
+  case plan::EventKind::Lock:
+    return "locking the tool"_text;
   case plan::EventKind::Purge:
     return "a purge of the nozzle"_text;
   case plan::EventKind::StartLag:

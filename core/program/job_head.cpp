@@ -119,6 +119,10 @@ std::vector<std::string> toolNotes(const ProgramInput& input,
     return notes;
   for (int tool = 1; tool < static_cast<int>(input.tooling.tools().size()); ++tool)
     notes.push_back(joined({toolName(input.tooling, tool), ": ", output(tool)}));
+  const auto& events = input.trajectory.events;
+  if (std::ranges::find(events, plan::EventKind::Lock, &plan::TrajectoryEvent::kind) !=
+      events.end())
+    notes.push_back(joined({"tool changer locked: ", output(kChangerOutput)}));
   return notes;
 }
 

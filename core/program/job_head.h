@@ -6,8 +6,8 @@
 #include "program/program_input.h"
 
 #include <cstddef>
-#include <optional>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +54,8 @@ inline constexpr std::string_view kPauseText = "Paused. Continue?";
 // Message for the operator at a tool change by hand, e.g. "Fit tool 2 (petg-1.0, PETG, 240 C),
 // then continue".
 std::string changeText(const process::Tooling& tooling, int tool);
+// The output that locks the tool of a tool changer, counted like those of the tools.
+inline constexpr int kChangerOutput = 4;
 // What the program's outputs select, e.g. "tool 2 (petg-1.0, PETG, 240 C): digital output 1", one
 // line for each tool but the first, all of whose outputs are off; none if the program changes no
 // tool. `output`: the name of the output of a tool's index.

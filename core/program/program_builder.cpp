@@ -1,5 +1,7 @@
 #include "program/program_builder.h"
 
+#include "program/job_head.h"
+
 #include "program/filament.h"
 #include "program/gcode/castelli_serial.h"
 
@@ -187,6 +189,10 @@ void ProgramBuilder::selectTool(int tool) {
 }
 
 bool ProgramBuilder::toolOutput(int tool, bool on) {
+  if (tool == kChangerOutput && toolOutputs_.size() > 1) {
+    state(plan::FactKind::ToolLocked, on ? 1.0 : 0.0);
+    return true;
+  }
   if (tool < 1 || static_cast<std::size_t>(tool) >= toolOutputs_.size())
     return false;
   const char before = std::exchange(toolOutputs_[static_cast<std::size_t>(tool)], on ? 1 : 0);

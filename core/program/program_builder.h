@@ -72,9 +72,9 @@ public:
   // defect, and no selection, if the job has no such tool.
   void selectTool(int tool);
   int selectedTool() const { return selected_; }
-  // Sets the output of a tool but the first. The tool whose output alone is on deposits from the
-  // next motion, pause or statement on; the first one if all are off. Returns false if the job has
-  // no such tool: then the output is another one.
+  // Sets the output of a tool but the first, or that of the tool changer (kChangerOutput). The tool
+  // whose output alone is on deposits from the next motion, pause or statement on; the first one if
+  // all are off. Returns false if the job has no such tool: then the output is another one.
   bool toolOutput(int tool, bool on);
 
   // Sets the arm's payload. A different payload during the print is a defect.

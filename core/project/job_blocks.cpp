@@ -94,7 +94,7 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
          std::ranges::all_of(t.events,
                              [&](const plan::TrajectoryEvent& e) {
                                return e.point > 0 && e.point < n && e.tool >= 0 &&
-                                      std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Purge &&
+                                      std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Lock &&
                                       std::isfinite(e.seconds) && e.seconds >= 0.0 &&
                                       std::isfinite(e.volumeMm3) && e.volumeMm3 >= 0.0;
                              }) &&

@@ -14,14 +14,16 @@ using enum plan::FindingKind;
 using plan::EventKind, plan::FactKind, plan::StatedFact, plan::TrajectoryEvent;
 
 // Returns the event that a statement stands for; nullopt for statements that are no events.
-std::optional<EventKind> eventOf(FactKind kind) {
-  switch (kind) {
+std::optional<EventKind> eventOf(const StatedFact& fact) {
+  switch (fact.kind) {
   case FactKind::OperatorStop:
     return EventKind::Pause;
   case FactKind::ToolSelected:
     return EventKind::ToolChange;
   case FactKind::TapeCut:
     return EventKind::Cut;
+  case FactKind::ToolLocked:
+    return fact.number > 0.0 ? EventKind::Lock : EventKind::Release;
   default:
     return std::nullopt;
   }
@@ -42,10 +44,12 @@ public:
     const StatedFact* begin = nullptr; // selects the tool of the first motion
     int selected = 0;
     for (const StatedFact& fact : program_.facts) {
-      const auto kind = eventOf(fact.kind);
+      const auto kind = eventOf(fact);
       const bool selects = kind == EventKind::ToolChange;
       if (kind && isBetweenMotions(fact) && !(selects && fact.tool == selected))
         stated(fact, *kind);
+      if (kind == EventKind::Release && !isBetweenMotions(fact))
+        unplanned(fact, EventKind::Release);
       if (!selects)
         continue;
       selected = fact.tool;

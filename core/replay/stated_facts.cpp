@@ -43,6 +43,7 @@ base::Message nameOf(FactKind kind) {
   case FactKind::OpenRounding:
     return "the rounding distances of corners"_text;
   case FactKind::ToolSelected: // events: planned_events.h
+  case FactKind::ToolLocked:
   case FactKind::TapeCut:
   case FactKind::PassingOutput:
   case FactKind::NozzleHeat: // heat_facts.h

@@ -13,6 +13,7 @@
 #include "robot/arm.h"
 #include "robot/cell/external_axis.h"
 #include "robot/robot_model.h"
+#include "robot/tool_change.h"
 
 #include <Eigen/Geometry>
 #include <filesystem>
@@ -130,6 +131,7 @@ public:
   // Returns whether the cell can orient the nozzle in more than one direction, by its arm or by a
   // turning external axis.
   bool tilts() const;
+  const ToolChange& toolChange() const { return toolChange_; }
   // Acceleration of the arm's joints in travels with its load [rad/s²]; of a sliding joint by
   // asTurn().
   double travelAcceleration() const { return travelAcceleration_; }
@@ -172,6 +174,7 @@ private:
   double travelAcceleration_ = 0.0, carriedKg_ = 0.0;
   bool carriedIsAssumed_ = true;
   int lastJointTurnsNozzle_ = 0;
+  ToolChange toolChange_;
   std::vector<Body> bodies_;
   std::vector<std::pair<int, int>> checkedPairs_;
   std::vector<int> bodiesAgainstPart_;

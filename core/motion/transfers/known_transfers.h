@@ -16,7 +16,15 @@ namespace voluta::motion {
 // take longest. Thread-safe.
 class KnownTransfers {
 public:
-  enum class Way { Between, BetweenHigh, Leave, LeaveThoroughly, Approach, ApproachThoroughly };
+  enum class Way {
+    Between,
+    BetweenHigh,
+    Leave,
+    LeaveThoroughly,
+    Approach,
+    ApproachThoroughly,
+    Dock
+  };
 
   // Returns the cached result or that of `find()`. The latter must depend only on the kind of
   // transfer, the states at its ends, the waypoints there (which determine the printed material and

@@ -375,4 +375,25 @@ std::optional<Transfer> TransferPlanner::leave(const RobotState& end, const Robo
   return transfer;
 }
 
+std::optional<Transfer> TransferPlanner::between(const RobotState& from, const RobotState& to,
+                                                 std::size_t before, std::uint64_t seed,
+                                                 const base::RunContext& ctx) const {
+  Transfer transfer;
+  const auto kind = swing(from, to, before, seed, ctx, transfer.points);
+  if (!kind)
+    return std::nullopt;
+  transfer.kind = *kind;
+  return transfer;
+}
+
+std::optional<Transfer> TransferPlanner::straight(const RobotState& from, const RobotState& to,
+                                                  std::size_t before) const {
+  if (!jointSegmentFree(from.q, to.q, before, scene_.options.travelling, kCloseJointCheck))
+    return std::nullopt;
+  Transfer transfer;
+  appendJointWay({from.q, to.q}, to, transfer.points);
+  transfer.kind = TransferKind::Joint;
+  return transfer;
+}
+
 } // namespace voluta::motion

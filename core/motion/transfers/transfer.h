@@ -21,11 +21,21 @@ struct TransferPoint {
 
 // Kind of the transfer found, simplest first.
 enum class TransferKind : std::uint8_t { Straight, Arc, Joint, Tree };
+// A part of a tool change, before the motion to a point of a transfer.
+struct ToolStep {
+  enum class Kind {
+    Release, // the mounted tool
+    Take,    // the tool of the next run
+    Purge    // its nozzle
+  };
+  std::size_t point = 0;
+  Kind kind = Kind::Take;
+};
+
 struct Transfer {
   std::vector<TransferPoint> points; // without `from`; the last one is `to`
   TransferKind kind = TransferKind::Straight;
-  // Index of the first point after the rest pose, if the transfer passes it or begins there.
-  std::optional<std::size_t> fromRest = {};
+  std::vector<ToolStep> toolSteps = {}; // ascending by point
 };
 
 // How far a transfer lifts the nozzle.
@@ -75,6 +85,13 @@ public:
   std::optional<Transfer> leave(const RobotState& end, const RobotState& home, std::size_t before,
                                 const PrintedBounds& surround, std::uint64_t seed,
                                 const base::RunContext& ctx) const;
+
+  // Between two states away from the part: joint moves only. `before` and the seed as in plan().
+  std::optional<Transfer> between(const RobotState& from, const RobotState& to, std::size_t before,
+                                  std::uint64_t seed, const base::RunContext& ctx) const;
+  // The same along a straight line in joint space, there and back for docks of tools.
+  std::optional<Transfer> straight(const RobotState& from, const RobotState& to,
+                                   std::size_t before) const;
 
 private:
   using Points = std::vector<TransferPoint>;

@@ -121,6 +121,11 @@ private:
       case plan::EventKind::Purge:
         purge(event);
         break;
+      case plan::EventKind::Release:
+      case plan::EventKind::Lock:
+        emitter_.lockTool(event.kind == plan::EventKind::Lock);
+        emitter_.wait(event.seconds);
+        break;
       case plan::EventKind::StartLag:
         startLag(i, event.seconds);
         break;

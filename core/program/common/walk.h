@@ -34,6 +34,7 @@ public:
   // Events of the trajectory, in place; for dialects that have words for them (Dialect::events).
   virtual void selectTool(int /*tool*/) {}
   virtual void cut() {}
+  virtual void lockTool(bool /*locked*/) {} // of a tool changer
   virtual void pause(std::string_view /*message*/) {} // until the operator continues
   // Lets material flow out while the arm is at rest, for dialects whose motions contain amounts.
   virtual void purge(double /*filamentMm*/, double /*seconds*/) {}

@@ -239,6 +239,9 @@ private:
     for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
       line(joined({"$OUT[", std::to_string(k + 1), k == tool ? "]=TRUE" : "]=FALSE"}));
   }
+  void lockTool(bool locked) override {
+    line(joined({"$OUT[", std::to_string(kChangerOutput + 1), locked ? "]=TRUE" : "]=FALSE"}));
+  }
   void pause(std::string_view message) override {
     line(joined({"; ", message}));
     line("HALT");

@@ -139,6 +139,10 @@ private:
     for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
       step(joined({"M_Out(", std::to_string(kMelfaExtruder + k), k == tool ? ")=1" : ")=0"}));
   }
+  void lockTool(bool locked) override {
+    step(joined(
+        {"M_Out(", std::to_string(kMelfaExtruder + kChangerOutput), locked ? ")=1" : ")=0"}));
+  }
   void pause(std::string_view message) override {
     remark(message);
     step("Hlt");

@@ -1,5 +1,6 @@
 #include "base/units.h"
 #include "program/common/text.h"
+#include "program/job_head.h"
 #include "program/program_builder.h"
 #include "program/rapid/rapid.h"
 #include "program/rapid/rapid_data.h"
@@ -319,6 +320,8 @@ private:
       return false;
     if (name == signal)
       return take(value);
+    if (name == "dotoollocked" && out_.toolOutput(kChangerOutput, value == 1.0))
+      return true;
     constexpr std::string_view kToolSignal = "dotool";
     double tool = 0.0;
     if (name.starts_with(kToolSignal) &&

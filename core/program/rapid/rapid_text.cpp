@@ -1,5 +1,7 @@
 #include "program/rapid/rapid_text.h"
 
+#include "program/job_head.h"
+
 #include "program/common/tcp_motions.h"
 #include "program/common/text.h"
 
@@ -44,7 +46,8 @@ std::string rapidFrame(const Eigen::Isometry3d& pose) {
 }
 
 std::string rapidToolSignal(int tool) {
-  return joined({"doTool", std::to_string(tool + 1)});
+  return tool == kChangerOutput ? std::string("doToolLocked")
+                                : joined({"doTool", std::to_string(tool + 1)});
 }
 
 std::string rapidToolLine(const ProgramInput& input) {

@@ -293,6 +293,9 @@ private:
     for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
       line(joined({"    SetDO ", rapidToolSignal(k), k == tool ? ",1;" : ",0;"}));
   }
+  void lockTool(bool locked) override {
+    line(locked ? "    SetDO doToolLocked,1;" : "    SetDO doToolLocked,0;");
+  }
   void pause(std::string_view message) override {
     line(joined({"    UIMsgBox \"", message, "\";"}));
   }

@@ -182,6 +182,9 @@ private:
     for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
       line(joined({k == tool ? "  On " : "  Off ", std::to_string(k + 1)}));
   }
+  void lockTool(bool locked) override {
+    line(joined({locked ? "  On " : "  Off ", std::to_string(kChangerOutput + 1)}));
+  }
   void pause(std::string_view message) override {
     line(joined({"  Print \"", message, "\""}));
     line("  Pause");

@@ -111,6 +111,11 @@ private:
     for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
       frame(joined({"IO[\"ControlBox\"].DO[", std::to_string(k), k == tool ? "]=1" : "]=0"}));
   }
+  void lockTool(bool locked) override {
+    leave();
+    frame(
+        joined({"IO[\"ControlBox\"].DO[", std::to_string(kChangerOutput), locked ? "]=1" : "]=0"}));
+  }
   void pause(std::string_view message) override {
     leave();
     remark(message);

@@ -195,6 +195,10 @@ private:
       line(joined(
           {"  set_standard_digital_out(", std::to_string(k), k == tool ? ",True)" : ",False)"}));
   }
+  void lockTool(bool locked) override {
+    line(joined({"  set_standard_digital_out(", std::to_string(kChangerOutput),
+                 locked ? ",True)" : ",False)"}));
+  }
   void pause(std::string_view message) override {
     line(joined({"  popup(\"", message, "\",title=\"Voluta\",blocking=True)"}));
   }

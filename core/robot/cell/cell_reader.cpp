@@ -21,6 +21,9 @@
 //                         the frame of the shapes
 //   carriedKg             optional: mass on the flange before printing, kg; default: half a
 //                         kilogram for a plate, one for a head
+//   toolChange            how the tool is changed, optional: {"by": "hand"} (default), "feeder", or
+//                         "changer" with "docks", a list of {"beforeDeg", "inDeg"}: the robot's
+//                         joints before the dock of each tool and in it
 //   homeDeg               list: the robot's joints in the home pose (sliding ones in mm), with the
 //                         plate clear of the nozzle; external axes are then at 0
 //   travelAccelerationDegPerS2  optional: of the arm's joints in travels with their load (of a
@@ -129,7 +132,7 @@ public:
   Cell read(const std::string& id, RobotModel robot, platform::PlatformSolid solid) {
     top_.allowOnly({"id", "label", "note", "robot", "nozzle", "platform", "obstacles", "homeDeg",
                     "travelAccelerationDegPerS2", "neverMeet", "externalAxes", "externalUnit",
-                    "extruder", "carriedKg"});
+                    "extruder", "carriedKg", "toolChange"});
     readTexts(id);
     addArm(std::move(robot));
     readAxes();
@@ -146,6 +149,7 @@ public:
     addAxisBodies();
     addObstacles();
     readHome();
+    readToolChange();
     if (!plateMoves())
       cell_.lastJointTurnsNozzle_ = turnOfNozzle(cell_.arms_.front(), cell_.flange_T_moved_);
     readTravelAcceleration();
@@ -301,19 +305,50 @@ private:
     }
   }
 
-  void readHome() {
-    Arm& arm = cell_.arms_.front();
-    const std::vector<base::JsonNode> home = top_.at("homeDeg").items();
-    if (static_cast<int>(home.size()) != arm.jointCount())
-      top_.at("homeDeg").fail(base::message("must have {wanted} joints, has {found}"_text,
-                                            arm.jointCount(), home.size()));
-    arm.home = JointVector::Zero(arm.jointCount());
-    for (std::size_t i = 0; i < home.size(); ++i) {
+  // The joints of the first arm, within their limits.
+  JointVector readJoints(const base::JsonNode& list) const {
+    const Arm& arm = cell_.arms_.front();
+    const std::vector<base::JsonNode> values = list.items();
+    if (static_cast<int>(values.size()) != arm.jointCount())
+      list.fail(base::message("must have {wanted} joints, has {found}"_text, arm.jointCount(),
+                              values.size()));
+    JointVector joints = JointVector::Zero(arm.jointCount());
+    for (std::size_t i = 0; i < values.size(); ++i) {
       const JointLimits& limit = arm.robot.limits[i];
-      const double q = ofShownValue(limit.kind, home[i].number());
+      const double q = ofShownValue(limit.kind, values[i].number());
       if (q < limit.min || q > limit.max)
-        home[i].fail("is outside the joint's limits"_text);
-      arm.home[static_cast<Eigen::Index>(i)] = q;
+        values[i].fail("is outside the joint's limits"_text);
+      joints[static_cast<Eigen::Index>(i)] = q;
+    }
+    return joints;
+  }
+
+  void readHome() { cell_.arms_.front().home = readJoints(top_.at("homeDeg")); }
+
+  void readToolChange() {
+    if (!top_.has("toolChange"))
+      return;
+    const base::JsonNode change = top_.at("toolChange");
+    change.allowOnly({"by", "docks"});
+    const std::string by = change.at("by").text();
+    using By = ToolChange::By;
+    ToolChange& out = cell_.toolChange_;
+    if (by == "hand" || by == "feeder")
+      out.by = by == "hand" ? By::Hand : By::Feeder;
+    else if (by == "changer")
+      out.by = By::Changer;
+    else
+      change.at("by").fail("must be hand, feeder or changer"_text);
+    if (out.by != By::Changer) {
+      if (change.has("docks"))
+        change.at("docks").fail("are those of a changer"_text);
+      return;
+    }
+    if (plateMoves())
+      change.at("by").fail("cannot be changer: the nozzle does not move"_text);
+    for (const base::JsonNode& dock : change.at("docks").items()) {
+      dock.allowOnly({"beforeDeg", "inDeg"});
+      out.docks.push_back({readJoints(dock.at("beforeDeg")), readJoints(dock.at("inDeg"))});
     }
   }
 
