@@ -7272,16 +7272,16 @@ previsto</translation>
         <translation>deve essere #RRGGBB</translation>
     </message>
     <message>
-        <source>not planned here</source>
-        <translation>non prevista qui</translation>
+        <source>none</source>
+        <translation>nessuno</translation>
     </message>
     <message>
         <source>nothing in this file is executed</source>
         <translation>nulla di questo file viene eseguito</translation>
     </message>
     <message>
-        <source>stated here</source>
-        <translation>scritta qui</translation>
+        <source>one</source>
+        <translation>uno</translation>
     </message>
     <message>
         <source>the report has no item</source>

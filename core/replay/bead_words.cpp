@@ -68,8 +68,8 @@ private:
   void unplanned(const StatedFact& fact) {
     findings_.push_back(textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
                                     {{"statement", fact.word},
-                                     {"found", base::Message("stated here"_text)},
-                                     {"planned", base::Message("not planned here"_text)}}));
+                                     {"found", base::Message("one"_text)},
+                                     {"planned", base::Message("none"_text)}}));
   }
 
   const plan::ReadProgram& program_;

@@ -137,8 +137,8 @@ private:
   void unplanned(const StatedFact& fact, EventKind kind) {
     findings_.push_back(textFinding(program_, StatementChanged, {fact.file + 1U, fact.line},
                                     {{"statement", program::nameOf(kind)},
-                                     {"found", base::Message("stated here"_text)},
-                                     {"planned", base::Message("not planned here"_text)}}));
+                                     {"found", base::Message("one"_text)},
+                                     {"planned", base::Message("none"_text)}}));
   }
   void missing(const TrajectoryEvent& event) {
     if (event.kind == EventKind::Feed || event.kind == EventKind::StopLag) // compared as material

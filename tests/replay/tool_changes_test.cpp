@@ -203,6 +203,43 @@ TEST_F(ToolChanges, OutputsOfSeveralToolsAreRefused) {
   EXPECT_FALSE(read(damaged).defects.empty());
 }
 
+// The output of a tool changer: each line left out is refused, and so is a tool that is released at
+// the start of the program.
+TEST_F(ToolChanges, AChangerReleasesAndLocksWhereItIsPlanned) {
+  std::vector<plan::TrajectoryEvent> events;
+  for (const plan::TrajectoryEvent& event : scene_.trajectory.events)
+    if (event.kind == plan::EventKind::ToolChange) {
+      events.push_back({.point = event.point, .kind = plan::EventKind::Release, .seconds = 1.0});
+      events.push_back(event);
+      events.push_back({.point = event.point, .kind = plan::EventKind::Lock, .seconds = 1.0});
+    }
+  scene_.trajectory.events = events;
+  std::size_t lines = 0;
+  for (const std::string_view format : formats()) {
+    if (std::ranges::find(program::findDialect(format).events, plan::EventKind::Lock) ==
+        program::findDialect(format).events.end())
+      continue;
+    SCOPED_TRACE(format);
+    const test::ProgramText text = test::textOf(programFor(format));
+    const plan::ReadProgram whole = read(text);
+    EXPECT_TRUE(verify(whole).passed) << told(verify(whole));
+    for (const plan::StatedFact& fact : whole.facts) {
+      if (fact.kind != plan::FactKind::ToolLocked)
+        continue;
+      test::ProgramText damaged = text;
+      damaged.lines.erase(damaged.lines.begin() + static_cast<std::ptrdiff_t>(fact.line) - 1);
+      EXPECT_FALSE(verify(read(damaged)).passed) << fact.line;
+      ++lines;
+    }
+    plan::ReadProgram released = whole;
+    plan::StatedFact atStart;
+    atStart.kind = plan::FactKind::ToolLocked;
+    released.facts.insert(released.facts.begin(), atStart);
+    EXPECT_FALSE(verify(std::move(released)).passed);
+  }
+  EXPECT_GE(lines, 12u);
+}
+
 TEST_F(ToolChanges, AnExtruderThatTakesTextsPrintsWithOneTool) {
   program::ProgramInput input{scene_.plan, scene_.trajectory, scene_.cell, tooling_, "box"};
   input.options.own["extruder"] = "castelli-serial";
