@@ -2,11 +2,16 @@
 #include "pipeline/road.h"
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/run_context.h"
+#include "geometry/formats/mesh_reader.h"
+#include "helpers/temporary_folder.h"
 #include "plan/finding_kinds.h"
-#include "project/loaded_part.h"
+#include "project/specimens.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
 
@@ -71,6 +76,46 @@ TEST(FibrePlans, ABarWithNineTapes) {
                             {{"layerHeightMm", "0.5"}, {"fibreCount", "1"}, {"fibreEndMm", "5"}}),
                {}),
       9, 240.0);
+}
+
+TEST(FibrePlans, APlateWithAHole) {
+  const PlanResult plan =
+      planPart(fibreRequest("sample:plate", "flat", {{"layerHeightMm", "0.6"}}), {});
+  const plan::ToolpathStatistics& s = plan.job.report.toolpath;
+  EXPECT_GT(s.tapes, 4u * 12u) << "those beside the hole are whole, the others in two pieces";
+  EXPECT_GE(s.tapeCoveredFraction, 0.9);
+  EXPECT_TRUE(plan.checked.at(0)->passed) << reasons(plan);
+  EXPECT_NEAR(plan.checked[0]->verdict.tapeMm3, s.tapeMm * 5.0 * 0.08, 0.002 * s.tapeMm * 0.4);
+}
+
+// Seven layers on a mould, with six tapes between.
+TEST(FibrePlans, ACurvedBarOnItsMould) {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "mould.stl", geometry::writeStl(project::mouldOfCurvedSpecimen()));
+  PlanRequest request =
+      fibreRequest("sample:curved-bar", "substrate",
+                   {{"layerHeightMm", "0.6"}, {"fibreCount", "1"}, {"fibreEndMm", "5.3"}});
+  request.choices.item().platform = project::Platform("mesh:" + (folder / "mould.stl").string());
+  const PlanResult plan = planPart(request, {});
+  const plan::ToolpathStatistics& s = plan.job.report.toolpath;
+  EXPECT_EQ(plan.job.report.item().layers.count, 7);
+  EXPECT_EQ(s.tapes, 6u);
+  EXPECT_GE(s.tapeMm, 6 * 68.0);
+  EXPECT_LE(s.tapeMm, 6 * 73.0) << "longer on the outer layers";
+  EXPECT_EQ(s.tapeBareMm, 0.0);
+  EXPECT_TRUE(plan.checked.at(0)->passed) << reasons(plan);
+  // Normal to the surface: the axis of its cylinder is y, as in the sample's frame, raised.
+  const plan::ToolPlan& toolPlan = *plan.job.toolPlan;
+  for (const plan::ToolPath& path : toolPlan.paths)
+    if (path.kind == plan::PathKind::Tape) {
+      const std::size_t last = path.first + path.count - 1;
+      const double turn = std::acos(toolPlan.direction[path.first].dot(toolPlan.direction[last]));
+      double length = 0.0;
+      for (std::size_t w = path.first + 1; w <= last; ++w)
+        length += (toolPlan.position[w] - toolPlan.position[w - 1]).norm();
+      const double radius = 60.0 + 0.6 * (path.layer + 1) + 0.08;
+      EXPECT_NEAR(length / turn, radius, 0.02 * radius);
+    }
 }
 
 TEST(FibrePlans, ATapeToolPrintsNoPart) {

@@ -1,0 +1,56 @@
+// The samples for tapes: closed, outward, and of the published sizes.
+#include "project/specimens.h"
+
+#include "base/units.h"
+#include "geometry/boundary.h"
+#include "geometry/measures.h"
+#include "project/loaded_part.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace voluta::project {
+namespace {
+
+Eigen::Vector3d sizesOf(const geometry::TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& v : mesh.vertices)
+    box.extend(v);
+  return box.sizes();
+}
+
+TEST(Specimens, AreClosedAndOfTheirVolume) {
+  // The fillets of the dumb-bell: between y = 6.5 and 9.5, of radius 76.
+  const double run = std::sqrt(76.0 * 76 - 73.0 * 73);
+  const double underArc =
+      6.5 * run + 76.0 * run - 0.5 * (run * 73.0 + 76.0 * 76.0 * std::asin(run / 76.0));
+  const double dumbbell =
+      3.0 * 2.0 * (57.0 * 6.5 + 2.0 * underArc + (165.0 - 57.0 - 2.0 * run) * 9.5);
+  const double arc = base::degreesToRadians(75.0);
+  const struct {
+    geometry::TriangleMesh mesh;
+    double mm3;
+  } cases[] = {{barSpecimen(), 250.0 * 10 * 5},
+               {dumbbellSpecimen(), dumbbell},
+               {plateSpecimen(), 3.0 * (120.0 * 60 - base::kPi * 100)},
+               {curvedSpecimen(), 10.0 * 0.5 * arc * (64.2 * 64.2 - 60.0 * 60.0)}};
+  for (const auto& c : cases) {
+    EXPECT_TRUE(geometry::boundaryLoops(c.mesh).empty());
+    EXPECT_NEAR(geometry::volume(c.mesh), c.mm3, 1e-3 * c.mm3);
+  }
+  EXPECT_NEAR((sizesOf(dumbbellSpecimen()) - Eigen::Vector3d(165, 19, 3)).norm(), 0.0, 1e-9);
+  EXPECT_GT(geometry::volume(mouldOfCurvedSpecimen()), 0.0);
+  EXPECT_TRUE(geometry::boundaryLoops(mouldOfCurvedSpecimen()).empty());
+}
+
+TEST(Specimens, AreLoadedByTheirNames) {
+  for (const std::string& name : sampleNames()) {
+    const auto part = loadPart("sample:" + name, true, {});
+    EXPECT_EQ(part->name, name + ".stl");
+    EXPECT_FALSE(part->source->triangles.empty());
+  }
+}
+
+} // namespace
+} // namespace voluta::project
