@@ -7440,12 +7440,36 @@ previsto</translation>
         <translation>curve per i nastri</translation>
     </message>
     <message>
-        <source>For tapes along given curves: points x,y or x,y,z in mm on the plate, separated by spaces, and semicolons between curves.</source>
-        <translation>Per nastri lungo curve date: punti x,y oppure x,y,z in mm sul piano, separati da spazi, e punto e virgola tra le curve.</translation>
+        <source>For tapes along given curves: points x,y or x,y,z in mm on the plate, separated by spaces, and semicolons between curves; or a file of them.</source>
+        <translation>Per nastri lungo curve date: punti x,y oppure x,y,z in mm sul piano, separati da spazi, e punto e virgola tra le curve; o un file.</translation>
     </message>
     <message>
         <source>Fibre</source>
         <translation>Fibra</translation>
+    </message>
+    <message>
+        <source>along a field of directions</source>
+        <translation>lungo un campo di direzioni</translation>
+    </message>
+    <message>
+        <source>there is no field of directions for tapes</source>
+        <translation>manca un campo di direzioni per i nastri</translation>
+    </message>
+    <message>
+        <source>give place and direction as x,y,z,dx,dy,dz, separated by spaces or lines</source>
+        <translation>indica posizione e direzione come x,y,z,dx,dy,dz, separati da spazi o righe</translation>
+    </message>
+    <message>
+        <source>&apos;{part}&apos; is no direction at a place</source>
+        <translation>&apos;{part}&apos; non è una direzione in un punto</translation>
+    </message>
+    <message>
+        <source>field of tape directions</source>
+        <translation>campo di direzioni dei nastri</translation>
+    </message>
+    <message>
+        <source>For tapes along a field: x,y,z,dx,dy,dz in mm on the plate, separated by spaces or lines, or a file of them.</source>
+        <translation>Per nastri lungo un campo: x,y,z,dx,dy,dz in mm sul piano, separati da spazi o righe, o un file.</translation>
     </message>
     <message>
         <source>in one direction</source>

@@ -20,6 +20,7 @@
 #include "project/length_unit.h"
 #include "project/platform_kinds.h"
 #include "robot/cell.h"
+#include "toolpath/fibre/tape_curves.h"
 #include "toolpath/options.h"
 
 #include <algorithm>
@@ -135,6 +136,10 @@ std::vector<base::Message> setParameters(project::Choices& choices,
     if (const auto planes = choices.item().parameters.find(key);
         planes != choices.item().parameters.end() && !planes->second.empty())
       planes->second = modes::planesText(planes->second);
+  for (const char* key : {"fibreCurves", "fibreField"})
+    if (const auto given = choices.item().parameters.find(key);
+        given != choices.item().parameters.end())
+      given->second = toolpath::tapeText(given->second);
   if (const auto profile = choices.item().parameters.find("rodProfile");
       profile != choices.item().parameters.end())
     profile->second = modes::rodProfileText(profile->second);

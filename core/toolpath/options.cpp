@@ -125,9 +125,14 @@ base::ParameterTable toolpathParameters() {
                             "distance of tape ends"_text,
                             "Least distance of the ends of tapes from the outline, so that plastic "
                             "encloses them. The sides are inside the outline."_text),
-      base::textParameter("fibreCurves", "Fibre"_text, "curves for tapes"_text,
-                          "For tapes along given curves: points x,y or x,y,z in mm on the plate, "
-                          "separated by spaces, and semicolons between curves."_text),
+      base::textParameter(
+          "fibreCurves", "Fibre"_text, "curves for tapes"_text,
+          "For tapes along given curves: points x,y or x,y,z in mm on the plate, "
+          "separated by spaces, and semicolons between curves; or a file of them."_text),
+      base::textParameter(
+          "fibreField", "Fibre"_text, "field of tape directions"_text,
+          "For tapes along a field: x,y,z,dx,dy,dz in mm on the plate, separated by "
+          "spaces or lines, or a file of them."_text),
   });
 }
 
@@ -160,6 +165,7 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.fibre.turnDeg = values.number("fibreRotation");
   o.fibre.endMm = values.number("fibreEndMm");
   o.fibre.curves = values.text("fibreCurves");
+  o.fibre.field = values.text("fibreField");
   return o;
 }
 

@@ -25,6 +25,7 @@ struct FibreOptions {
   double turnDeg = 0.0;            // rotation per layer with tapes
   double endMm = 0.0;              // least distance of the ends of tapes from the outline
   std::string curves = {};         // points of the paths `curves`
+  std::string field = {};          // samples of the paths `field`
 };
 
 struct ToolpathOptions {

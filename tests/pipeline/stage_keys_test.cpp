@@ -122,6 +122,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"fibreRotation", {"90", 3}},
     {"fibreEndMm", {"5", 3}},
     {"fibreCurves", {"0,0 50,0", 3}},
+    {"fibreField", {"0,0,0,1,0,0", 3}},
     {"islandOrder", {"layers", 3}},
     {"spiral", {"true", 3}},
     {"extruder", {"e-stream", 5}},

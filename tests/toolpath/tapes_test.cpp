@@ -184,6 +184,51 @@ TEST(Tapes, CurvesAreReadOrRefused) {
   EXPECT_THROW(tapeKind("spiral"), base::Error);
 }
 
+// ---- fields
+
+TEST(Tapes, OfAUniformFieldAreThoseOfItsDirection) {
+  TapeChoice choice{.paths = "field"};
+  choice.field = tapeField("0,0,0,2,0,0"); // of any length
+  const TapePaths tapes = tapesOn(evenPatch(120, 30), choice);
+  ASSERT_EQ(tapes.paths.size(), 6u);
+  EXPECT_NEAR(lengthOfAll(tapes), 6 * 115.0, 1.0);
+  for (const SurfaceCurve& path : tapes.paths)
+    for (const SurfacePoint& p : path.points)
+      EXPECT_NEAR(p.position.y(), path.points.front().position.y(), 1e-3);
+}
+
+TEST(Tapes, FollowAFieldAroundAHole) {
+  TapeChoice choice{.paths = "field"};
+  for (int i = 0; i < 48; ++i) {
+    const double a = 2 * base::kPi * i / 48;
+    for (const double r : {30.0, 45.0, 60.0})
+      choice.field.push_back({Vector3d(r * std::cos(a), r * std::sin(a), 0.4),
+                              Vector3d(-std::sin(a), std::cos(a), 0)});
+  }
+  const layers::Patch ring = test::patchOver({test::circle(60), test::circle(30, true)}, 1.0);
+  process::Tape soft = kTape;
+  soft.leastBendRadiusMm = 20.0;
+  const TapePaths tapes = tapesOn(ring, choice, soft);
+  ASSERT_GE(tapes.paths.size(), 4u);
+  EXPECT_GT(tapes.coveredMm2, 0.8 * tapes.regionMm2);
+  EXPECT_LT(tapes.overlapMm2, 0.01 * tapes.regionMm2);
+  for (const SurfaceCurve& path : tapes.paths) {
+    const double radius = path.points.front().position.head<2>().norm();
+    for (const SurfacePoint& p : path.points)
+      EXPECT_NEAR(p.position.head<2>().norm(), radius, 1.5);
+  }
+}
+
+TEST(Tapes, FieldsAreReadOrRefused) {
+  const auto field = tapeField("0,0,0,2,0,0\n1,2,3,0,0,-4; 5,5,5,1,1,1\n");
+  ASSERT_EQ(field.size(), 3u);
+  EXPECT_EQ(field[1].place, Vector3d(1, 2, 3));
+  EXPECT_EQ(field[1].direction, Vector3d(0, 0, -1));
+  for (const char* bad : {"0,0,0,1,0", "0,0,0,0,0,0", "0,0,0,1,0,x", "0,0,0,1,0,0,1"})
+    EXPECT_THROW(tapeField(bad), base::Error) << bad;
+  EXPECT_THROW(tapesOn(evenPatch(60, 30), {.paths = "field"}), base::Error);
+}
+
 // ---- any outline
 
 // Returns a closed outline of `corners` corners about the origin; round or with corners.

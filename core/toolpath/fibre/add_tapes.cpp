@@ -126,7 +126,8 @@ private:
             .directionRad = base::degreesToRadians(options_.angleDeg + turns * options_.turnDeg),
             .most = options_.mostPerLayer,
             .endMm = options_.endMm,
-            .curves = tapeCurves(options_.curves)};
+            .curves = tapeCurves(options_.curves),
+            .field = tapeField(options_.field)};
         PatchSurface surface = PatchSurface::refine(patch, kEdge * tape_.widthMm);
         TapePaths tapes = tapePaths(surface, tape_, choice, process_.stepMm, ctx.quiet());
         made_[i] = PatchTapes{std::move(surface), std::move(tapes)};

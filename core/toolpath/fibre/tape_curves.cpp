@@ -1,8 +1,11 @@
 #include "toolpath/fibre/tape_curves.h"
 
 #include "base/error.h"
+#include "base/files.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 namespace voluta::toolpath {
@@ -18,23 +21,30 @@ using Eigen::Vector3d;
                     "curve, and semicolons between curves"_text);
 }
 
-Vector3d pointOf(const std::string& word) {
-  Vector3d point = Vector3d::Zero();
-  int count = 0;
+// Returns up to six numbers separated by commas; none if the word has anything else.
+std::vector<double> numbersOf(const std::string& word) {
+  constexpr std::size_t kMost = 6;
+  std::vector<double> numbers;
   const char *at = word.data(), *end = word.data() + word.size();
-  while (count < 3) {
-    const auto [next, error] = std::from_chars(at, end, point[count]);
-    if (error != std::errc{} || !std::isfinite(point[count]))
-      refuse(word);
-    ++count;
-    at = next;
-    if (at == end || *at != ',')
-      break;
-    ++at;
+  while (true) {
+    double number = 0.0;
+    const auto [next, error] = std::from_chars(at, end, number);
+    if (error != std::errc{} || !std::isfinite(number) || numbers.size() == kMost)
+      return {};
+    numbers.push_back(number);
+    if (next == end)
+      return numbers;
+    if (*next != ',')
+      return {};
+    at = next + 1;
   }
-  if (at != end || count < 2)
+}
+
+Vector3d pointOf(const std::string& word) {
+  const std::vector<double> n = numbersOf(word);
+  if (n.size() != 2 && n.size() != 3)
     refuse(word);
-  return point;
+  return {n[0], n[1], n.size() == 3 ? n[2] : 0.0};
 }
 } // namespace
 
@@ -52,6 +62,30 @@ std::vector<std::vector<Vector3d>> tapeCurves(const std::string& text) {
       curves.push_back(std::move(curve));
   }
   return curves;
+}
+
+std::vector<FieldSample> tapeField(const std::string& text) {
+  std::string blanks = text;
+  std::ranges::replace(blanks, ';', ' ');
+  std::vector<FieldSample> samples;
+  std::istringstream words(blanks);
+  for (std::string word; words >> word;) {
+    const std::vector<double> n = numbersOf(word);
+    const bool isSample = n.size() == 6;
+    const Vector3d direction = isSample ? Vector3d(n[3], n[4], n[5]) : Vector3d::Zero();
+    if (!(direction.norm() > 0.0))
+      throw base::Error(
+          base::ErrorCode::Usage, base::message("'{part}' is no direction at a place"_text, word),
+          "fibreField"_name,
+          "give place and direction as x,y,z,dx,dy,dz, separated by spaces or lines"_text);
+    samples.push_back({Vector3d(n[0], n[1], n[2]), direction.normalized()});
+  }
+  return samples;
+}
+
+std::string tapeText(const std::string& text) {
+  const bool isData = text.empty() || text.find(',') != std::string::npos;
+  return isData ? text : base::readFile(text);
 }
 
 } // namespace voluta::toolpath

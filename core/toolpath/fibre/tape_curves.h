@@ -1,4 +1,4 @@
-// Curves along which tapes are laid, as text.
+// Curves along which tapes are laid, and fields of their direction, as text.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,5 +11,18 @@ namespace voluta::toolpath {
 // work frame [mm], separated by spaces, curves by semicolons. Throws Error{Usage} for anything else
 // and for a curve of fewer than two points.
 std::vector<std::vector<Eigen::Vector3d>> tapeCurves(const std::string& text);
+
+struct FieldSample {
+  Eigen::Vector3d place;     // work frame [mm]
+  Eigen::Vector3d direction; // unit; its sign does not matter
+};
+// Returns the samples in a text like "0,0,0,1,0,0 50,0,0,1,0.2,0": x,y,z,dx,dy,dz, separated by
+// blanks, semicolons or lines. Throws Error{Usage} for anything else and for directions without a
+// length.
+std::vector<FieldSample> tapeField(const std::string& text);
+
+// Returns the content of the file if the text is a file's name, else the text. Throws
+// Error{UnreadableFile}.
+std::string tapeText(const std::string& text);
 
 } // namespace voluta::toolpath

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/run_context.h"
+#include "toolpath/fibre/streamlines.h"
 #include "toolpath/fibre/tape_paths.h"
 #include "toolpath/infill/across_lines.h"
 #include "toolpath/surface_fields.h"
@@ -109,9 +110,28 @@ std::vector<TapeFamily> alongCurves(const PatchSurface& s, const process::Tape&,
   return {family};
 }
 
-constexpr std::array<TapeKind, 3> kKinds{{
+std::vector<TapeFamily> alongField(const PatchSurface& s, const process::Tape& tape,
+                                   const TapeChoice& choice, const base::RunContext& ctx) {
+  if (choice.field.empty())
+    throw base::Error(
+        base::ErrorCode::Usage, "there is no field of directions for tapes"_text, "fibreField"_name,
+        "give place and direction as x,y,z,dx,dy,dz, separated by spaces or lines"_text);
+  const DirectionField field(choice.field);
+  std::vector<TapeFamily> families;
+  for (int i = 0; i < kShifts; ++i) {
+    const double first = tape.widthMm * i / kShifts;
+    TapeFamily family;
+    for (SurfaceCurve& curve : evenStreamlines(s, field, tape.widthMm, first, ctx))
+      family.push_back({std::move(curve), 0.0});
+    families.push_back(std::move(family));
+  }
+  return families;
+}
+
+constexpr std::array<TapeKind, 4> kKinds{{
     {"direction", "in one direction"_text, alongDirection},
     {"contour", "along the outline"_text, alongContour, true},
+    {"field", "along a field of directions"_text, alongField, false, true},
     {"curves", "along given curves"_text, alongCurves, true, true},
 }};
 } // namespace

@@ -5,6 +5,7 @@
 #include "base/run_context.h"
 #include "base/text.h"
 #include "process/process.h"
+#include "toolpath/fibre/tape_curves.h"
 #include "toolpath/patch_surface.h"
 
 #include <span>
@@ -20,6 +21,7 @@ struct TapeChoice {
   int most = 0;                    // the longest ones are kept; 0: as many as fit
   double endMm = 0.0;              // least distance of a tape's ends from the outline
   std::vector<std::vector<Eigen::Vector3d>> curves = {}; // of the kind `curves`; work frame [mm]
+  std::vector<FieldSample> field = {};                   // of the kind `field`
 };
 
 // Tapes on one patch. Their centrelines neither cross nor touch each other, are at least half a

@@ -1,0 +1,181 @@
+#include "toolpath/fibre/streamlines.h"
+
+#include "toolpath/coverage/segment_grid.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <deque>
+#include <limits>
+
+namespace voluta::toolpath {
+
+namespace {
+using Eigen::Vector3d;
+
+constexpr double kStepMm = 0.5;
+constexpr std::size_t kMostSteps = 20000;
+// A step that gets less far than this share of it has met the boundary.
+constexpr double kStuck = 0.5;
+// Streamlines end at this share of the distance from others.
+constexpr double kCloser = 0.99;
+// A streamline that comes back to its begin is closed: within this share of the distance, after
+// this many of it.
+constexpr double kSame = 0.5, kLoop = 4.0;
+
+class Tracer {
+public:
+  Tracer(const PatchSurface& s, const DirectionField& field, double apartMm)
+      : s_(s), field_(field), apartMm_(apartMm), grid_(segments_, apartMm) {}
+
+  std::vector<SurfaceCurve> trace(const SurfacePoint& first, const base::RunContext& ctx) {
+    std::deque<SurfacePoint> seeds = {first};
+    while (!seeds.empty()) {
+      ctx.checkpoint();
+      const SurfacePoint seed = seeds.front();
+      seeds.pop_front();
+      if (!isFree(seed.position))
+        continue;
+      SurfaceCurve line = lineThrough(seed);
+      if (line.points.size() < 2)
+        continue;
+      addSeeds(line, seeds);
+      add(line);
+      lines_.push_back(std::move(line));
+    }
+    return std::move(lines_);
+  }
+
+private:
+  bool isFree(const Vector3d& p) const {
+    const SegmentGrid::Hit hit = grid_.nearest(p);
+    return hit.segment < 0 || hit.distanceMm >= kCloser * apartMm_;
+  }
+
+  SurfaceCurve lineThrough(const SurfacePoint& seed) const {
+    const Vector3d ahead = field_.at(s_, seed, Vector3d::UnitX());
+    if (ahead.isZero())
+      return {};
+    SurfaceCurve line;
+    bool closed = false;
+    line.points = from(seed, ahead, closed);
+    if (!closed) {
+      std::vector<SurfacePoint> back = from(seed, -ahead, closed);
+      std::ranges::reverse(back);
+      back.pop_back(); // the seed
+      line.points.insert(line.points.begin(), back.begin(), back.end());
+    }
+    line.closed = closed;
+    return line;
+  }
+
+  // Returns the points from the seed on in a direction.
+  std::vector<SurfacePoint> from(const SurfacePoint& seed, Vector3d ahead, bool& closed) const {
+    std::vector<SurfacePoint> points = {seed};
+    for (std::size_t i = 0; i < kMostSteps; ++i) {
+      const SurfacePoint& here = points.back();
+      // The direction at half a step: second order.
+      const SurfacePoint half = s_.project(here.position + 0.5 * kStepMm * ahead, here.triangle);
+      const Vector3d along = field_.at(s_, half, ahead);
+      if (along.isZero())
+        break;
+      const SurfacePoint next = s_.project(here.position + kStepMm * along, half.triangle);
+      if ((next.position - here.position).dot(along) < kStuck * kStepMm || !isFree(next.position))
+        break;
+      ahead = along;
+      points.push_back(next);
+      closed = static_cast<double>(i) * kStepMm > kLoop * apartMm_ &&
+               (next.position - seed.position).norm() < kSame * apartMm_;
+      if (closed)
+        break;
+    }
+    return points;
+  }
+
+  // Adds places beside a line, on both sides.
+  void addSeeds(const SurfaceCurve& line, std::deque<SurfacePoint>& seeds) const {
+    const auto every = std::max<std::size_t>(1, static_cast<std::size_t>(apartMm_ / kStepMm));
+    const std::size_t middle = line.points.size() / 2;
+    for (std::size_t k = 0; k < line.points.size(); k += every) {
+      // From the middle outwards
+      const std::size_t i = (middle + k) % line.points.size();
+      const SurfacePoint& p = line.points[i];
+      const Vector3d along = field_.at(s_, p, Vector3d::UnitX());
+      const Vector3d aside = s_.interpolate(s_.normal, p).cross(along);
+      for (const double side : {-1.0, 1.0}) {
+        const SurfacePoint seed = s_.project(p.position + side * apartMm_ * aside, p.triangle);
+        if ((seed.position - p.position).norm() > kCloser * apartMm_)
+          seeds.push_back(seed);
+      }
+    }
+  }
+
+  void add(const SurfaceCurve& line) {
+    for (std::size_t i = 1; i < line.points.size() + (line.closed ? 1 : 0); ++i)
+      segments_.push_back(
+          {line.points[i - 1].position, line.points[i % line.points.size()].position});
+    grid_ = SegmentGrid(segments_, apartMm_);
+  }
+
+  const PatchSurface& s_;
+  const DirectionField& field_;
+  double apartMm_;
+  std::vector<SegmentGrid::Segment> segments_;
+  SegmentGrid grid_;
+  std::vector<SurfaceCurve> lines_;
+};
+
+// Returns the place of the surface that is nearest to the middle of its area.
+SurfacePoint middleOf(const PatchSurface& s) {
+  Vector3d middle = Vector3d::Zero();
+  const auto centreOf = [&](std::size_t t) {
+    Vector3d centre = Vector3d::Zero();
+    for (const int v : s.triangles[t])
+      centre += s.position[static_cast<std::size_t>(v)] / 3.0;
+    return centre;
+  };
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+    middle += s.triangleArea[t] / s.areaMm2 * centreOf(t);
+  SurfacePoint nearest{centreOf(0), 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+    if (const double d = (centreOf(t) - middle).squaredNorm(); d < least) {
+      least = d;
+      nearest = {centreOf(t), static_cast<int>(t)};
+    }
+  return s.project(middle, nearest.triangle);
+}
+
+} // namespace
+
+Vector3d DirectionField::at(const PatchSurface& surface, const SurfacePoint& point,
+                            const Vector3d& ahead) const {
+  constexpr double kNearMm2 = 1e-6;
+  Eigen::Matrix3d dyads = Eigen::Matrix3d::Zero();
+  for (const FieldSample& sample : samples_) {
+    const double weight = 1.0 / ((sample.place - point.position).squaredNorm() + kNearMm2);
+    dyads += weight * sample.direction * sample.direction.transpose();
+  }
+  const Vector3d normal = surface.interpolate(surface.normal, point);
+  const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(flat * dyads * flat);
+  constexpr double kNone = 1e-9;
+  if (solver.eigenvalues()[2] <= kNone * dyads.trace())
+    return Vector3d::Zero();
+  const Vector3d along = (flat * solver.eigenvectors().col(2)).normalized();
+  return along.dot(ahead) < 0.0 ? Vector3d(-along) : along;
+}
+
+std::vector<SurfaceCurve> evenStreamlines(const PatchSurface& surface, const DirectionField& field,
+                                          double apartMm, double firstMm,
+                                          const base::RunContext& ctx) {
+  if (surface.triangles.empty())
+    return {};
+  const SurfacePoint middle = middleOf(surface);
+  const Vector3d along = field.at(surface, middle, Vector3d::UnitX());
+  const Vector3d aside = surface.interpolate(surface.normal, middle).cross(along);
+  const SurfacePoint first = surface.project(middle.position + firstMm * aside, middle.triangle);
+  return Tracer(surface, field, apartMm).trace(first, ctx);
+}
+
+} // namespace voluta::toolpath
