@@ -27,6 +27,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
 
 namespace voluta::pipeline {
 
@@ -261,10 +262,12 @@ void joinHeads(std::vector<process::Tool>& tools) {
   if (tools.size() == 1)
     return;
   std::vector<process::HeadShape> heads;
-  double toleranceMm = tools.front().process.contactToleranceMm;
+  double toleranceMm = std::numeric_limits<double>::infinity();
   for (const process::Tool& tool : tools) {
     heads.push_back(tool.process.head);
-    toleranceMm = std::min(toleranceMm, tool.process.contactToleranceMm);
+    // Heads for tape are pressed onto the layer; their own tolerance is below the tape's thickness.
+    if (!tool.process.tape)
+      toleranceMm = std::min(toleranceMm, tool.process.contactToleranceMm);
   }
   const process::HeadShape joined = process::joinedHeads(heads);
   for (process::Tool& tool : tools) {
