@@ -7626,6 +7626,42 @@ previsto</translation>
         <translation>né {first} né {second} può essere stampato accanto all&apos;altro: distano {gap:.1f}, alla testa serve {needed:.1f}</translation>
     </message>
     <message>
+        <source>{share:.2g} of {first} cannot be printed layer by layer: its layers tilt the head into {second}</source>
+        <translation>{share:.2g} di {first} non si può stampare strato per strato: i suoi strati inclinano la testa contro {second}</translation>
+    </message>
+    <message>
+        <source>move one of the parts on the Prepare page, or print one after another</source>
+        <translation>sposta uno dei pezzi nella pagina Prepara, o stampali uno dopo l'altro</translation>
+    </message>
+    <message>
+        <source>print one after another, or move {second} by {move:.0f}</source>
+        <translation>stampa i pezzi uno dopo l'altro, o sposta {second} di {move:.0f}</translation>
+    </message>
+    <message>
+        <source>print one after another</source>
+        <translation>stampa i pezzi uno dopo l'altro</translation>
+    </message>
+    <message>
+        <source>move {second} by {move:.0f}</source>
+        <translation>sposta {second} di {move:.0f}</translation>
+    </message>
+    <message>
+        <source>print them as separate jobs</source>
+        <translation>stampali in lavori separati</translation>
+    </message>
+    <message>
+        <source>the flange carries {carried:.3g} kg, {material:.3g} kg of it printed material; the robot is rated for {most:.3g} kg</source>
+        <translation>la flangia porta {carried:.3g} kg, di cui {material:.3g} kg di materiale stampato; il robot ha una portata di {most:.3g} kg</translation>
+    </message>
+    <message>
+        <source>print a smaller part, or with less infill, or use a stronger robot</source>
+        <translation>stampa un pezzo più piccolo o con meno riempimento, o usa un robot più forte</translation>
+    </message>
+    <message>
+        <source>choose a cell with a stronger robot on the Prepare page</source>
+        <translation>scegli una cella con un robot più forte nella pagina Prepara</translation>
+    </message>
+    <message>
         <source>arrange the parts, or print them layer by layer</source>
         <translation>disponi i pezzi, oppure stampali strato per strato</translation>
     </message>
@@ -9640,6 +9676,10 @@ circa %6, stimato da volume e altezza senza supporti</translation>
 <context>
     <name>voluta::timeline::TimelineBar</name>
     <message>
+        <source>Wait: %1 s</source>
+        <translation>Attesa: %1 s</translation>
+    </message>
+    <message>
         <source>move %1</source>
         <translation>movimento %1</translation>
     </message>
@@ -10824,6 +10864,22 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Parts (%1);;All files (*)</source>
         <translation>Pezzi (%1);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>One part?</source>
+        <translation>Un solo pezzo?</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” in “%3” touch. Open the file as one part?</source>
+        <translation>“%1” e “%2” in “%3” si toccano. Aprire il file come un solo pezzo?</translation>
+    </message>
+    <message>
+        <source>One part</source>
+        <translation>Un solo pezzo</translation>
+    </message>
+    <message>
+        <source>Several parts</source>
+        <translation>Più pezzi</translation>
     </message>
     <message>
         <source>Add or replace?</source>

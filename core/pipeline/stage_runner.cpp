@@ -9,9 +9,11 @@
 #include "pipeline/early_verdict.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/item_stages.h"
+#include "pipeline/items/layer_hindrance.h"
 #include "pipeline/items/plate_parts.h"
 #include "pipeline/part_motion.h"
 #include "pipeline/part_size.h"
+#include "pipeline/payload.h"
 #include "pipeline/pedestal.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/replayed/shared_runs.h"
@@ -136,10 +138,7 @@ private:
   }
 
   void addFindingsBetween(ItemOutcome& all) {
-    std::vector<std::string> names;
-    for (const project::JobItem& item : job().items)
-      names.push_back(item.partName);
-    plan::Findings found = findingsBetween(placedParts(), job().choices, process(), names);
+    plan::Findings found = findingsBetween(placedParts(), job().choices, process(), partNames());
     all.goesOn = std::ranges::none_of(found, &plan::Finding::blocking);
     std::ranges::move(found, std::back_inserter(all.findings));
   }
@@ -166,8 +165,32 @@ private:
   }
 
   bool layers() {
-    const ItemOutcome all = ofEachItem([](ItemStages& item) { return item.layers(); });
-    return done(project::Stage::Layers, all.findings, all.timings);
+    ItemOutcome all = ofEachItem([](ItemStages& item) { return item.layers(); });
+    const bool isByLayer = items_.size() > 1 && choices_.printOrder == layers::PrintOrder::ByLayer;
+    if (isByLayer && std::ranges::any_of(job().items, [](const project::JobItem& item) {
+          return tiltsHead(*item.layers);
+        }))
+      addHindrance(all);
+    return done(project::Stage::Layers, all.findings, all.timings) && all.goesOn;
+  }
+
+  void addHindrance(ItemOutcome& all) {
+    const auto stage = context_.cachedOrMade<HindranceStage>(
+        keys_[project::indexOf(project::Stage::Layers)], "hindrance", [&] {
+          return std::make_shared<const HindranceStage>(hindranceStage(
+              layerHindrance(*joinedLayers(), *result_.cell, process(),
+                             span(project::Stage::Layers).quiet()),
+              partNames(), !printSequence(placedParts(), job().choices, process()).blocked));
+        });
+    all.goesOn = all.goesOn && stage->findings.empty();
+    std::ranges::copy(stage->findings, std::back_inserter(all.findings));
+  }
+
+  std::vector<std::string> partNames() {
+    std::vector<std::string> names;
+    for (const project::JobItem& item : job().items)
+      names.push_back(item.partName);
+    return names;
   }
 
   std::vector<std::shared_ptr<const geometry::TriangleMesh>> placedParts() {
@@ -207,7 +230,11 @@ private:
     report().toolpath = stage->report;
     for (const std::string& format : chosenFormats(choices_, *result_.cell))
       program::requireUpright(program::findDialect(format), stage->toolPlan->direction);
-    const bool goesOn = done(project::Stage::Toolpath, stage->findings, stage->timings);
+    plan::Findings findings = stage->findings;
+    if (const auto load =
+            overload(*result_.cell, stage->report.materialMm3, process().material.densityGPerCm3))
+      findings.push_back(*load);
+    const bool goesOn = done(project::Stage::Toolpath, findings, stage->timings);
     if (goesOn && context_.isTrial() && !given && report().item().model.watertight)
       if (const auto mass = massOutOfReach(*stage->toolPlan, *project::printedOf(job()), process()))
         return !context_.reject(project::Stage::Toolpath, {*mass});

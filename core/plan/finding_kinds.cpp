@@ -216,6 +216,10 @@ constexpr auto kRows =
         {HeightBeyondLimits, "heightBeyondLimits", "heightBeyondLimits", Layers, Info,
          "{share:.0f} of the layers' area is thinner than {least} or thicker than {most}"_text,
          "move the planes, or add planes between them"_text},
+        {PartsHinder, "partsHinder", "partsHinder", Layers, Error,
+         "{share:.2g} of {first} cannot be printed layer by layer: its layers tilt the head into {second}"_text,
+         "{help}"_text, kNoRemedies,
+         "move one of the parts on the Prepare page, or print one after another"_text},
 
         {GivenWithoutSection, "givenWithoutSection", "givenWithoutSection", Toolpath, Info,
          "the file gives no width, height or speed for {points} point of its tool-paths: taken from process {process}|the file gives no width, height or speed for {points} points of its tool-paths: taken from process {process}"_plural,
@@ -256,6 +260,10 @@ constexpr auto kRows =
         {Gouge, "gouge", "gouge", Toolpath, ByAmount,
          "the print head would cut into printed material, however it is tilted"_text,
          "use a slimmer print head, turn the part, or print it larger"_text, kForGouge},
+        {Overload, "overload", "overload", Toolpath, ByAmount,
+         "the flange carries {carried:.3g} kg, {material:.3g} kg of it printed material; the robot is rated for {most:.3g} kg"_text,
+         "print a smaller part, or with less infill, or use a stronger robot"_text, kNoRemedies,
+         "choose a cell with a stronger robot on the Prepare page"_text},
 
         {NoTape, "noTape", "noTape", Toolpath, Info,
          "no tape fits into the layers chosen for tapes: {width} wide and at least {length:.0f} long"_text,

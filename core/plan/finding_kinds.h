@@ -77,6 +77,7 @@ enum class FindingKind : std::uint8_t {
   UnheldOverhang,
   PlaneMisses,
   HeightBeyondLimits,
+  PartsHinder,
   // toolpath
   GivenWithoutSection,
   GivenTooFast,
@@ -94,6 +95,7 @@ enum class FindingKind : std::uint8_t {
   NoTape,
   TapesLeftOut,
   TapesBare,
+  Overload,
   // motion
   NothingToPrint,
   TooLarge,
