@@ -92,10 +92,10 @@ enum class FindingKind : std::uint8_t {
   BrimCut,
   Braced,
   Gouge,
+  Overload,
   NoTape,
   TapesLeftOut,
   TapesBare,
-  Overload,
   // motion
   NothingToPrint,
   TooLarge,

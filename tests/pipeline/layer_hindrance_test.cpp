@@ -32,14 +32,14 @@ layers::Patch square(const Vector3d& middle, const Vector3d& direction, int item
 // A tower of flat layers at the origin, then a stub that grows towards it, level with its middle.
 layers::LayerStack towerAndStub(double gapMm, double tiltDeg) {
   layers::LayerStack stack;
-  for (int i = 0; i < 100; ++i)
+  for (int i = 0; i < 60; ++i)
     stack.patches.push_back(square({0, 0, 0.4 + 0.8 * i}, Vector3d::UnitZ(), 0, i));
   const double tilt = base::degreesToRadians(tiltDeg);
   const Vector3d towards(-std::sin(tilt), 0.0, std::cos(tilt));
-  for (int i = 0; i < 12; ++i)
+  for (int i = 0; i < 5; ++i)
     stack.patches.push_back(
-        square(Vector3d(15.0 + gapMm, 0, 40) + 0.8 * i * towards, towards, 1, 100 + i));
-  stack.layerCount = 112;
+        square(Vector3d(15.0 + gapMm, 0, 24) + 0.8 * i * towards, towards, 1, 60 + i));
+  stack.layerCount = 65;
   return stack;
 }
 

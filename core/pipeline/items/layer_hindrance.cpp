@@ -21,8 +21,10 @@ constexpr double kTiltedDeg = 3.0;
 constexpr double kMaxSamples = 120'000; // of all items
 constexpr std::size_t kMaxTips = 1'500; // of one item
 constexpr double kFarthestMm = 400.0;
+constexpr std::size_t kMaxMovedTips = 60; // for which a distance is sought
 // Stands for what samples lack: the beads between them, and the way from one to the next.
 constexpr double kMarginMm = 0.3;
+constexpr double kPitch = 0.4;          // of the grid, in sides of a sample
 constexpr std::size_t kSoftSamples = 4; // of the same layer, printed just before
 
 // A piece of a layer, about as long as wide.
@@ -153,7 +155,7 @@ private:
         plan.speedMmPerS.push_back(1.0F);
       }
     }
-    return {collision::GrowingPart(plan, 0.25 * sideMm_, ctx_), std::move(firstOfPatch)};
+    return {collision::GrowingPart(plan, kPitch * sideMm_, ctx_), std::move(firstOfPatch)};
   }
 
   // Returns the samples of an item that are tested, ascending.
@@ -225,7 +227,11 @@ private:
   }
 
   std::optional<double> moveFor(const LayerHindrance& pair,
-                                const std::vector<std::size_t>& hindered) const {
+                                std::vector<std::size_t> hindered) const {
+    const std::size_t step = (hindered.size() + kMaxMovedTips - 1) / kMaxMovedTips;
+    for (std::size_t k = 0; k * step < hindered.size(); ++k)
+      hindered[k] = hindered[k * step];
+    hindered.resize((hindered.size() + step - 1) / step);
     Vector3d away = centres_[pair.neighbour].center() - centres_[pair.item].center();
     away.z() = 0.0;
     if (away.norm() < 1e-6)
