@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="it_IT" sourcelanguage="en">
 <context>
+    <name>voluta::forms::ToolRows</name>
+    <message>
+        <source>Add tool</source>
+        <translation>Aggiungi utensile</translation>
+    </message>
+    <message>
+        <source>Adds a second nozzle or material, for some parts, supports, pieces or the interior. The program stops for each change.</source>
+        <translation>Aggiunge un secondo ugello o materiale, per alcuni pezzi, i supporti, le parti o l&apos;interno. Il programma si ferma a ogni cambio.</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Utensile %1</translation>
+    </message>
+    <message>
+        <source>Process of tool %1</source>
+        <translation>Processo dell&apos;utensile %1</translation>
+    </message>
+    <message>
+        <source>Material of tool %1</source>
+        <translation>Materiale dell&apos;utensile %1</translation>
+    </message>
+    <message>
+        <source>Remove tool %1</source>
+        <translation>Togli l&apos;utensile %1</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>&amp;Quit</source>
@@ -7292,14 +7319,6 @@ previsto</translation>
         <translation>materiale &apos;{id}&apos; sconosciuto</translation>
     </message>
     <message>
-        <source>jobs with several tools cannot be planned yet</source>
-        <translation>i lavori con più utensili non si possono ancora pianificare</translation>
-    </message>
-    <message>
-        <source>choose one process</source>
-        <translation>scegli un solo processo</translation>
-    </message>
-    <message>
         <source>events of unequal number</source>
         <translation>eventi in numero diverso</translation>
     </message>
@@ -8292,6 +8311,150 @@ previsto</translation>
     <message>
         <source>{name} must be greater than 0</source>
         <translation>{name}: deve essere maggiore di 0</translation>
+    </message>
+    <message>
+        <source>&apos;Pause&apos; does not wait for the motions before it (QueueTag)</source>
+        <translation>&apos;Pause&apos; non aspetta i movimenti che la precedono (QueueTag)</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not a list of tools</source>
+        <translation>&apos;{text}&apos; non è un elenco di utensili</translation>
+    </message>
+    <message>
+        <source>Material that flows out at the place of the tool change after each change of the tool.</source>
+        <translation>Materiale che fuoriesce nel punto del cambio utensile dopo ogni cambio.</translation>
+    </message>
+    <message>
+        <source>Mode planar: numbers of the tools that print the pieces, separated by commas. The list starts over if there are more pieces. Empty: the tool of the part.</source>
+        <translation>Modo planar: numeri degli utensili che stampano i pezzi, separati da virgole. Si ricomincia dal primo se i pezzi sono di più. Vuoto: l&apos;utensile del pezzo.</translation>
+    </message>
+    <message>
+        <source>Number of the tool that fills the interior within walls and skins; 0: that of the part.</source>
+        <translation>Numero dell&apos;utensile che riempie l&apos;interno fra pareti e superfici; 0: quello del pezzo.</translation>
+    </message>
+    <message>
+        <source>Number of the tool that prints supports; 0: that of the part.</source>
+        <translation>Numero dell&apos;utensile che stampa i supporti; 0: quello del pezzo.</translation>
+    </message>
+    <message>
+        <source>Number of the tool that prints the part.</source>
+        <translation>Numero dell&apos;utensile che stampa il pezzo.</translation>
+    </message>
+    <message>
+        <source>Tool changes</source>
+        <translation>Cambi utensile</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Utensili</translation>
+    </message>
+    <message>
+        <source>a purge of the nozzle</source>
+        <translation>uno spurgo dell&apos;ugello</translation>
+    </message>
+    <message>
+        <source>a tool is selected together with a command</source>
+        <translation>un utensile è scelto insieme a un comando</translation>
+    </message>
+    <message>
+        <source>add a tool, or give the number of one</source>
+        <translation>aggiungi un utensile, o indica il numero di uno esistente</translation>
+    </message>
+    <message>
+        <source>are those of a changer</source>
+        <translation>sono quelli di un cambio utensile</translation>
+    </message>
+    <message>
+        <source>cannot be changer: the nozzle does not move</source>
+        <translation>non può essere changer: l&apos;ugello non si muove</translation>
+    </message>
+    <message>
+        <source>cell {cell} has no dock for tool {tool}</source>
+        <translation>la cella {cell} non ha una stazione per l&apos;utensile {tool}</translation>
+    </message>
+    <message>
+        <source>choose the extruder {outputs}</source>
+        <translation>scegli l&apos;estrusore {outputs}</translation>
+    </message>
+    <message>
+        <source>give numbers, such as 1,2</source>
+        <translation>indica dei numeri, come 1,2</translation>
+    </message>
+    <message>
+        <source>give up to {most}</source>
+        <translation>indicane al massimo {most}</translation>
+    </message>
+    <message>
+        <source>locking the tool</source>
+        <translation>il blocco dell&apos;utensile</translation>
+    </message>
+    <message>
+        <source>move the dock or the part</source>
+        <translation>sposta la stazione o il pezzo</translation>
+    </message>
+    <message>
+        <source>must be hand, feeder or changer</source>
+        <translation>deve essere hand, feeder o changer</translation>
+    </message>
+    <message>
+        <source>purge</source>
+        <translation>spurgo</translation>
+    </message>
+    <message>
+        <source>releasing the tool</source>
+        <translation>il rilascio dell&apos;utensile</translation>
+    </message>
+    <message>
+        <source>remove a tool, or choose another cell</source>
+        <translation>togli un utensile, o scegli un&apos;altra cella</translation>
+    </message>
+    <message>
+        <source>the arm does not get to the dock of tool {number} without a collision</source>
+        <translation>il braccio non arriva alla stazione dell&apos;utensile {number} senza collisioni</translation>
+    </message>
+    <message>
+        <source>the extruder {extruder} prints with one tool</source>
+        <translation>l&apos;estrusore {extruder} stampa con un solo utensile</translation>
+    </message>
+    <message>
+        <source>the job has no tool {number}, it has {tools}</source>
+        <translation>il lavoro non ha l&apos;utensile {number}, ne ha {tools}</translation>
+    </message>
+    <message>
+        <source>the outputs of several tools are on</source>
+        <translation>le uscite di più utensili sono attive</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>utensile</translation>
+    </message>
+    <message>
+        <source>tool of supports</source>
+        <translation>utensile dei supporti</translation>
+    </message>
+    <message>
+        <source>tool of the interior</source>
+        <translation>utensile dell&apos;interno</translation>
+    </message>
+    <message>
+        <source>tool {number} cannot print layers of {height}</source>
+        <translation>l&apos;utensile {number} non può stampare strati di {height}</translation>
+    </message>
+    <message>
+        <source>tool {number}: {material}, {process}, {mass:.1f} g</source>
+        <translation>utensile {number}: {material}, {process}, {mass:.1f} g</translation>
+    </message>
+    <message>
+        <source>tools of the pieces</source>
+        <translation>utensili dei pezzi</translation>
+    </message>
+    <message>
+        <source>{changes}, {mass:.1f} g purged</source>
+        <translation>{changes}, {mass:.1f} g di spurgo</translation>
+    </message>
+    <message>
+        <source>{tools} tools are too many for a job</source>
+        <translation>{tools} utensili sono troppi per un lavoro</translation>
     </message>
 </context>
 <context>
@@ -10149,6 +10312,14 @@ circa %6, stimato da volume e altezza senza supporti</translation>
     <message>
         <source>%1 per kg</source>
         <translation>%1 al kg</translation>
+    </message>
+    <message>
+        <source>tool added</source>
+        <translation>utensile aggiunto</translation>
+    </message>
+    <message>
+        <source>tool removed</source>
+        <translation>utensile tolto</translation>
     </message>
 </context>
 <context>

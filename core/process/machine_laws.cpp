@@ -1,6 +1,6 @@
 #include "process/machine_laws.h"
 
-#include "process/bead_model.h"
+#include "base/json_node.h"
 
 #include <algorithm>
 
@@ -52,25 +52,19 @@ std::vector<BeadWords> readBeadWords(const JsonNode& list) {
 }
 } // namespace
 
-const BeadWords* Process::wordsFor(std::string_view format) const {
-  const auto at = std::ranges::find(beadWords, format, &BeadWords::format);
-  return at == beadWords.end() ? nullptr : &*at;
-}
-
-void readMachineLaws(const JsonNode& top, Process& process) {
-  process.lag = {readLag(top, "startLagS"), readLag(top, "stopLagS")};
+MachineLaws readMachineLaws(const JsonNode& top) {
+  MachineLaws laws;
+  laws.lag = {readLag(top, "startLagS"), readLag(top, "stopLagS")};
   if (top.has("overlapFactor")) {
     const JsonNode node = top.at("overlapFactor");
-    process.overlapFactor = node.number();
-    if (!(process.overlapFactor >= kMinOverlapFactor && process.overlapFactor <= 1.0))
+    laws.overlapFactor = node.number();
+    if (!(laws.overlapFactor >= kMinOverlapFactor && laws.overlapFactor <= 1.0))
       node.fail(
           base::message("must be between {least} and 1"_text, base::number(kMinOverlapFactor)));
-    // Everything plans with the width of beads that fill a layer at this distance.
-    for (double* width : {&process.beadWidthMm, &process.beadWidthMinMm, &process.beadWidthMaxMm})
-      *width = widthOfHatch(process.overlapFactor * *width, process.layerHeightMm);
   }
   if (top.has("beadWords"))
-    process.beadWords = readBeadWords(top.at("beadWords"));
+    laws.beadWords = readBeadWords(top.at("beadWords"));
+  return laws;
 }
 
 } // namespace voluta::process

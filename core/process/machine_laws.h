@@ -2,16 +2,41 @@
 // statements where beads start and end.
 #pragma once
 
-#include "base/json_node.h"
-#include "process/process.h"
+#include <string>
+#include <vector>
+
+namespace voluta::base {
+class JsonNode;
+}
 
 namespace voluta::process {
 
-// Reads the keys startLagS, stopLagS, overlapFactor and beadWords. With an overlap factor, the
-// file's bead widths are those of single beads: they become the widths of beads that fill a layer
-// at this share of them. Throws Error{UnusableInput} for
+// Delays of an extruder, such as one with a screw [s]. Programs switch it on so long before a bead
+// moves, and off so long before its end.
+struct ExtruderLag {
+  double startS = 0.0, stopS = 0.0;
+
+  bool operator==(const ExtruderLag&) const = default;
+};
+
+// Statements of one program format, copied to programs line by line where a bead starts and ends,
+// e.g. those that strike and end an arc.
+struct BeadWords {
+  std::string format; // Id in the dialect registry
+  std::vector<std::string> start, end;
+
+  bool operator==(const BeadWords&) const = default;
+};
+
+struct MachineLaws {
+  ExtruderLag lag;
+  double overlapFactor = 1.0;
+  std::vector<BeadWords> beadWords;
+};
+
+// Reads the keys startLagS, stopLagS, overlapFactor and beadWords. Throws Error{UnusableInput} for
 // a negative lag or one above 10 s, a factor outside [0.5, 1], a format that has its statements
 // twice or none, and a statement that is empty or has several lines.
-void readMachineLaws(const base::JsonNode& top, Process& process);
+MachineLaws readMachineLaws(const base::JsonNode& top);
 
 } // namespace voluta::process

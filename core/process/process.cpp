@@ -5,7 +5,6 @@
 #include "base/json_node.h"
 #include "process/bead_model.h"
 #include "process/chosen_range.h"
-#include "process/machine_laws.h"
 #include "process/material_node.h"
 #include "process/process_numbers.h"
 
@@ -139,6 +138,18 @@ void checkLimits(const JsonNode& top, const Process& p) {
                             "speedMmPerS, {flow:.3g} mm3/s"_text,
                             base::number(p.maxFlowMm3PerS), base::number(flow)));
 }
+
+// With an overlap factor, the file's widths are those of single beads; everything plans with the
+// width of beads that fill a layer at this share of them.
+void setMachineLaws(MachineLaws laws, Process& p) {
+  p.lag = laws.lag;
+  p.overlapFactor = laws.overlapFactor;
+  p.beadWords = std::move(laws.beadWords);
+  if (p.overlapFactor == 1.0)
+    return;
+  for (double* width : {&p.beadWidthMm, &p.beadWidthMinMm, &p.beadWidthMaxMm})
+    *width = widthOfHatch(p.overlapFactor * *width, p.layerHeightMm);
+}
 } // namespace
 
 HeadShape erodedHead(const HeadShape& head, double toleranceMm) {
@@ -158,6 +169,11 @@ double flowLimit(const Process& process) {
 double primeFlow(const Process& process) {
   return std::min(flowLimit(process),
                   beadArea(process.beadWidthMm, process.layerHeightMm) * process.speedMmPerS);
+}
+
+const BeadWords* Process::wordsFor(std::string_view format) const {
+  const auto at = std::ranges::find(beadWords, format, &BeadWords::format);
+  return at == beadWords.end() ? nullptr : &*at;
 }
 
 Process readProcess(const std::filesystem::path& file) {
@@ -200,7 +216,7 @@ Process readProcessText(const std::string& text, const std::string& name) {
   if (top.has("tape"))
     takeTape(top.at("tape"), p);
   readNumbers(top, p);
-  readMachineLaws(top, p);
+  setMachineLaws(readMachineLaws(top), p);
   p.material = readMaterial(top);
   if (!p.tape && !top.has("bridgeMm"))
     p.bridgeMm = p.material.bridgeWidths * p.beadWidthMm;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "process/features.h"
+#include "process/machine_laws.h"
 #include "process/material.h"
 
 #include <filesystem>
@@ -33,23 +34,6 @@ struct Tape {
   double cutAheadMm = 10.0;        // Length between the cutter and the place that is ironed on
 
   bool operator==(const Tape&) const = default;
-};
-
-// Delays of an extruder, such as one with a screw [s]. Programs switch it on so long before a bead
-// moves, and off so long before its end.
-struct ExtruderLag {
-  double startS = 0.0, stopS = 0.0;
-
-  bool operator==(const ExtruderLag&) const = default;
-};
-
-// Statements of one program format, copied to programs line by line where a bead starts and ends,
-// e.g. those that strike and end an arc.
-struct BeadWords {
-  std::string format; // Id in the dialect registry
-  std::vector<std::string> start, end;
-
-  bool operator==(const BeadWords&) const = default;
 };
 
 struct Process {
