@@ -11202,6 +11202,14 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>%1 parts</source>
         <translation>%1 pezzi</translation>
     </message>
+    <message>
+        <source>1 tool change</source>
+        <translation>1 cambio utensile</translation>
+    </message>
+    <message>
+        <source>%1 tool changes</source>
+        <translation>%1 cambi utensile</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::ShortcutsDialog</name>

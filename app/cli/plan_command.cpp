@@ -62,7 +62,10 @@ void sayResult(const project::Report& r) {
     sayItem(item, r.items.size() > 1 ? item.model.file + ": " : std::string());
     fmt::print("{}", &item == &r.items.back() ? "; " : "\n");
   }
-  fmt::print("{} waypoints, {:.0f} s\n", r.toolpath.waypoints, r.motion.durationS);
+  fmt::print("{} waypoints, {:.0f} s", r.toolpath.waypoints, r.motion.durationS);
+  if (r.motion.toolChanges > 0)
+    fmt::print(", {} tool change{}", r.motion.toolChanges, r.motion.toolChanges == 1 ? "" : "s");
+  fmt::print("\n");
   if (r.replay.thresholds.covered > 0.0)
     fmt::print("replay {}: covered {:.4f}, unsupported {:.4f}, overfill {:.4f}, mass {:.4f}, "
                "{} collisions, deviation {:.4f} mm\n",

@@ -71,7 +71,7 @@ bool lowers(const project::Choices& choices) {
 }
 
 double lowLayerMm(const project::Choices& choices) {
-  const process::Process p = process::loadProcess(choices.tool().process);
+  const process::Process p = process::loadProcess(choices.tool(ownTool(choices)).process);
   return p.layerHeightMinMm + 0.25 * (p.layerHeightMm - p.layerHeightMinMm);
 }
 

@@ -6,6 +6,7 @@
 #include "modes/cell_choice.h"
 #include "modes/mode_table.h"
 #include "pipeline/cell_plate.h"
+#include "pipeline/choices.h"
 
 #include <Eigen/Geometry>
 #include <tuple>
@@ -42,7 +43,7 @@ std::optional<std::string> cellWithLargerPlate(const project::Choices& choices,
   const modes::Mode& mode = modes::findMode(choices.item().mode);
   if (mode.aroundRod)
     return std::nullopt;
-  const process::Process process = process::loadProcess(choices.tool().process);
+  const process::Process process = process::loadProcess(choices.tool(ownTool(choices)).process);
   const robot::Cell now = modes::cellOnAnyPlatform(choices, process);
   const double length = lengthMm(largestPlate(now));
   std::optional<std::string> best;

@@ -247,7 +247,7 @@ std::optional<project::Choices> finerProcess(const plan::Finding& finding,
                                              const project::Choices& choices) {
   const std::optional<double> usual = numberOf(finding, "usual");
   std::optional<process::Process> best;
-  const double now = process::loadProcess(choices.tool().process).beadWidthMinMm;
+  const double now = process::loadProcess(choices.tool(ownTool(choices)).process).beadWidthMinMm;
   for (const std::string& id : process::processIds()) {
     if (!process::comesWithProgram(process::Shelf::Processes, id))
       continue; // One of the user's own may be unreadable, or for another machine
@@ -259,7 +259,7 @@ std::optional<project::Choices> finerProcess(const plan::Finding& finding,
   if (!best)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.tool().process = best->id;
+  changed.tool(ownTool(changed)).process = best->id;
   return changed;
 }
 
@@ -311,10 +311,10 @@ Edited enlarge(const plan::Finding&, const project::Choices& choices) {
 
 Edited usualProcess(const plan::Finding&, const project::Choices& choices) {
   const modes::Mode* mode = modes::modeNamed(choices.item().mode);
-  if (!mode || mode->usual.process == choices.tool().process)
+  if (!mode || mode->usual.process == choices.tool(ownTool(choices)).process)
     return std::nullopt;
   project::Choices changed = choices;
-  changed.tool().process = mode->usual.process;
+  changed.tool(ownTool(changed)).process = mode->usual.process;
   return changed;
 }
 
@@ -380,7 +380,7 @@ Edited printOnPlate(const plan::Finding&, const project::Choices& choices) {
   changed.item().platformStays = false;
   changed.item().mode = project::Choices().item().mode;
   changed.cell = usual.cell;
-  changed.tool().process = usual.process;
+  changed.tool(ownTool(changed)).process = usual.process;
   changed.item().platform = project::Platform("cell");
   changed.item().placement = {};
   return changed;

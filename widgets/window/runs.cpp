@@ -80,6 +80,9 @@ QString figuresText(const project::Report& r, Stage reached) {
                         .arg(locale.toString(static_cast<qulonglong>(r.toolpath.waypoints))));
   if (r.toolpath.materialMm3 > 0)
     parts << Runs::tr("%1 cm³").arg(locale.toString(r.toolpath.materialMm3 / 1000.0, 'f', 1));
+  if (r.motion.toolChanges > 0)
+    parts << (r.motion.toolChanges == 1 ? Runs::tr("1 tool change")
+                                        : Runs::tr("%1 tool changes").arg(r.motion.toolChanges));
   if (r.motion.durationS > 0)
     parts << Runs::tr("planned time %1").arg(forms::durationText(r.motion.durationS));
   if (r.replay.controllerDurationS > 0)
