@@ -104,6 +104,15 @@ TEST(Tapes, ALimitedNumberIsInTheMiddleAndEndsBeforeTheOutline) {
   EXPECT_GE(tapes.coveredMm2, 0.99 * tapes.regionMm2);
 }
 
+TEST(Tapes, OnesBeyondTheNumberAreNotReported) {
+  // A triangle: all but the lines in the middle are too short.
+  const layers::Patch patch = test::patchOver({Loop{{-40, -12}, {40, -12}, {0, 12}}}, 1.0);
+  EXPECT_GT(tapesOn(patch, {}).shortMm, 0.0);
+  const TapePaths one = tapesOn(patch, {.most = 1});
+  ASSERT_EQ(one.paths.size(), 1u);
+  EXPECT_EQ(one.shortMm, 0.0);
+}
+
 TEST(Tapes, ShortOnesAreLeftOutAndReported) {
   const layers::Patch patch = evenPatch(24, 30);
   const TapePaths tapes = tapesOn(patch, {}); // 19 long at most

@@ -260,6 +260,8 @@ void keepApart(ClippedFamily& family, const process::Tape& tape) {
 // others.
 void keepLongest(ClippedFamily& family, std::size_t most) {
   constexpr double kSameLength = 0.01;
+  if (family.tapes.paths.size() >= most)
+    family.tapes.bentMm = family.tapes.shortMm = 0.0;
   if (family.tapes.paths.size() <= most)
     return;
   std::vector<std::size_t> order(family.tapes.paths.size());
