@@ -226,7 +226,7 @@ private:
       findings.push_back(plan::makeFinding(
           plan::FindingKind::NoTape,
           {{"width", base::mm(tape_.widthMm)}, {"length", base::mm(tape_.leastLengthMm)}}));
-    else if (first)
+    if (first)
       findings.push_back(plan::makeFinding(plan::FindingKind::TapesLeftOut,
                                            {{"bent", base::mm(bent)},
                                             {"radius", base::mm(tape_.leastBendRadiusMm)},
