@@ -8456,6 +8456,14 @@ previsto</translation>
         <source>{tools} tools are too many for a job</source>
         <translation>{tools} utensili sono troppi per un lavoro</translation>
     </message>
+    <message>
+        <source>export it in millimetres</source>
+        <translation>esportala in millimetri</translation>
+    </message>
+    <message>
+        <source>the mesh is only {height} high</source>
+        <translation>la mesh è alta solo {height}</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -9131,6 +9139,13 @@ Fai clic per sceglierne un altro</translation>
     <message>
         <source>Reset head</source>
         <translation>Ripristina</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::panels::ItemForm</name>
+    <message>
+        <source>Choose a colour</source>
+        <translation>Scegli un colore</translation>
     </message>
 </context>
 <context>
@@ -10722,6 +10737,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Save the changes?</source>
         <translation>Salvare le modifiche?</translation>
+    </message>
+    <message>
+        <source>The job uses another version of this process.</source>
+        <translation>Il lavoro usa un&apos;altra versione di questo processo.</translation>
     </message>
 </context>
 <context>

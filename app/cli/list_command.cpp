@@ -27,7 +27,7 @@ Json listCells() {
   Json rows = Json::array();
   for (const std::string& id : robot::cellIds()) {
     const robot::Cell cell =
-        robot::loadCell(id, process::loadProcess(process::processIds().front()),
+        robot::loadCell(id, process::loadProcess(project::Choices().tool().process),
                         {{-40, -40}, {40, -40}, {40, 40}, {-40, 40}});
     rows.push_back(Json{{"id", id}, {"label", cell.label()}, {"robot", cell.robot().id}});
   }

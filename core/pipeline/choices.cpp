@@ -15,6 +15,7 @@
 #include "placement/orient.h"
 #include "process/feature_parameters.h"
 #include "process/joined_heads.h"
+#include "process/library.h"
 #include "program/dialect.h"
 #include "program/program_options.h"
 #include "project/length_unit.h"
@@ -390,6 +391,12 @@ void checkLayerTimes(const plan::LayerTimes& times) {
                               base::seconds(times.leastS), base::seconds(times.greatestS)),
                 {}, "give a shorter minimum, or a longer maximum"_text);
 }
+
+bool isOwnProcess(const std::string& choice) {
+  const std::vector<std::string> ids = process::processIds();
+  return std::find(ids.begin(), ids.end(), choice) != ids.end() &&
+         !process::comesWithProgram(process::Shelf::Processes, choice);
+}
 } // namespace
 
 void checkChoices(const project::Choices& given) {
@@ -437,6 +444,8 @@ void takeOwnFiles(project::Choices& choices) {
       const std::string file = tool.process;
       tool.process = base::readFile(file);
       process::readProcessText(tool.process, file);
+    } else if (isOwnProcess(tool.process)) {
+      tool.process = process::jobChoice(process::loadItem(process::Shelf::Processes, tool.process));
     }
   if (base::isDataFileName(choices.cell)) {
     constexpr double kAnyMm = 80.0;

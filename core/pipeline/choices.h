@@ -94,9 +94,9 @@ project::Platform usualPlatform(const project::Choices& choices);
 // (suggests the nearest).
 void checkChoices(const project::Choices& choices);
 
-// Replaces the file names of cell and process (FILE.json) by the content of these files, so that a
-// project keeps the data it was planned with. Throws Error{UnreadableFile, UnusableInput} naming
-// the file.
+// Replaces the file names of cell and process (FILE.json), and the ids of own processes, by the
+// content of these files, so that a project keeps the data it was planned with. Throws
+// Error{UnreadableFile, UnusableInput} naming the file.
 void takeOwnFiles(project::Choices& choices);
 
 } // namespace voluta::pipeline

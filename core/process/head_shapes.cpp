@@ -16,6 +16,8 @@ using Eigen::Vector3d;
 constexpr double kTipShare = 0.01; // Of the height: vertices that form the tip
 constexpr double kMostLevels = 4096.0;
 constexpr double kSameMm = 1e-9;
+constexpr double kLeastHeightMm = 1.0;    // Lower meshes were drawn in another unit
+constexpr std::size_t kMostSections = 48; // Each costs time in collision checks
 
 [[noreturn]] void refuse(base::Message reason, base::Message remedy = {}) {
   throw base::Error(base::ErrorCode::UnusableInput, std::move(reason), {}, std::move(remedy));
@@ -169,6 +171,9 @@ HeadShape headFromMesh(const geometry::TriangleMesh& mesh, double toleranceMm) {
   const auto [low, high] =
       std::ranges::minmax(mesh.vertices, {}, [](const Vector3d& v) { return v.z(); });
   const double heightMm = high.z() - low.z();
+  if (heightMm > 0.0 && heightMm < kLeastHeightMm)
+    refuse(base::message("the mesh is only {height} high"_text, base::mm(heightMm)),
+           "export it in millimetres"_text);
   const double levelMm = std::max(0.1 * toleranceMm, heightMm / kMostLevels);
   const std::vector<Vector3d> vertices = aroundAxis(mesh, levelMm);
   std::vector<double> levels;
@@ -191,7 +196,11 @@ HeadShape headFromMesh(const geometry::TriangleMesh& mesh, double toleranceMm) {
     add(levels[i], slabs[i].lower);
     add(levels[i + 1], slabs[i].upper);
   }
-  return simplified(sections, toleranceMm);
+  HeadShape head = simplified(sections, toleranceMm);
+  for (double mm = 2.0 * toleranceMm; head.sections.size() > kMostSections && mm < heightMm;
+       mm *= 2.0)
+    head = simplified(sections, mm);
+  return head;
 }
 
 } // namespace voluta::process

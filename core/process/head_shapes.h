@@ -20,8 +20,9 @@ HeadShape headFromNumbers(const HeadNumbers& numbers);
 
 // Returns the largest radius of a mesh at each height [mm]. Its z axis points into the head; the
 // tip is its lowest point, and the axis passes through the middle of the tip. The result contains
-// the mesh up to `toleranceMm`, and is at most `toleranceMm` larger than needed. Throws
-// Error{UnusableInput} if the mesh is empty or flat.
+// the mesh up to `toleranceMm`, and is at most `toleranceMm` larger than needed; the tolerance
+// doubles while there are more than 48 sections. Throws Error{UnusableInput} if the mesh is empty,
+// flat or lower than 1 mm.
 HeadShape headFromMesh(const geometry::TriangleMesh& mesh, double toleranceMm = 0.05);
 
 } // namespace voluta::process

@@ -70,8 +70,7 @@ bool operator==(const LibraryItem& a, const LibraryItem& b) {
   if (a.shelf() != b.shelf() || a.basedOn != b.basedOn)
     return false;
   return a.process() ? sameProcess(*a.process(), *b.process())
-                     : a.data.index() == b.data.index() &&
-                           std::get<Material>(a.data) == std::get<Material>(b.data);
+                     : std::get<Material>(a.data) == std::get<Material>(b.data);
 }
 
 std::vector<std::string> libraryIds(Shelf shelf) {

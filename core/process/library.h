@@ -55,8 +55,8 @@ void checkOwnId(Shelf shelf, const std::string& id, const std::string& where);
 // Returns a copy with an id that is free, based on the item.
 LibraryItem duplicateOf(const LibraryItem& item);
 
-// Returns what a job has to store to use a process: the id of one that comes with the program, the
-// text of an own one, so that projects need no file of the user's.
+// Returns the choice that a job stores for a process: the id of one that comes with the program,
+// the text of an own one, so that projects need no file of the user's.
 std::string jobChoice(const LibraryItem& process);
 
 } // namespace voluta::process

@@ -26,7 +26,7 @@ std::vector<LibraryField> libraryFields(const LibraryItem& item);
 
 struct FieldProblem {
   std::string key; // Of a field, "head", or empty: of none
-  base::Value what;
+  base::Value reason;
 };
 // Returns the first reason why the item cannot be saved, as its reader reports it.
 std::optional<FieldProblem> problemOf(const LibraryItem& item);

@@ -10,6 +10,7 @@
 #include "window/library/library_dialog.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QInputDialog>
 #include <QLabel>
@@ -33,14 +34,6 @@ using window::LibraryDialog;
 
 class ProcessEditorTest : public WindowTest {
 protected:
-  void SetUp() override {
-    qputenv("VOLUTA_DATA", folder_.path().toUtf8());
-    WindowTest::SetUp();
-  }
-  void TearDown() override {
-    WindowTest::TearDown();
-    qunsetenv("VOLUTA_DATA");
-  }
   // Works the dialog once it is up, then goes on.
   template <typename Dialog> void inDialog(const std::function<void(Dialog&)>& work) {
     QTimer::singleShot(0, &window(), [work] {
@@ -278,10 +271,47 @@ TEST_F(ProcessEditorTest, OwnItemsAreRenamedExportedImportedAndDeleted) {
     EXPECT_EQ(answeredBoxes(), 3);
     dialog.reject();
   });
-  EXPECT_GE(find<QComboBox>("process")->findData("my-process"), 0) << "there to be chosen";
+  auto* combo = find<QComboBox>("process");
+  ASSERT_GE(combo->findData("my-process"), 0) << "there to be chosen";
+  const int entries = combo->count();
+  combo->setCurrentIndex(combo->findData("my-process"));
+  EXPECT_TRUE(base::isDataText(document().choices().tool().process));
+  EXPECT_EQ(combo->currentText(), "my-process");
+  EXPECT_EQ(combo->count(), entries) << "not listed twice";
 }
 
-TEST_F(ProcessEditorTest, TwoProcessesAreComparedByWhatDiffers) {
+TEST_F(ProcessEditorTest, AnUnreadableFileIsListedAndCanBeDeleted) {
+  QDir(folder_.path()).mkpath("processes");
+  base::writeFile(path("processes/torn.json").toStdString(), R"({"id": "torn", "label": )");
+  inLibrary([&](LibraryDialog& dialog) {
+    dialog.select("torn");
+    EXPECT_EQ(title(dialog), "torn");
+    EXPECT_TRUE(state(dialog).contains("torn.json")) << state(dialog).toStdString();
+    for (const char* no : {"librarySave", "libraryUse", "libraryDuplicate", "libraryExport"})
+      EXPECT_FALSE(button(dialog, no)->isEnabled()) << no;
+    answerBox("", QMessageBox::YesRole);
+    press(dialog, "libraryDelete");
+    EXPECT_LT(dialog.shown().indexOf("torn"), 0);
+    dialog.reject();
+  });
+}
+
+TEST_F(ProcessEditorTest, AJobKeepsTheVersionThatItUsesUntilItIsUsedAgain) {
+  inLibrary([&](LibraryDialog& dialog) {
+    press(dialog, "libraryDuplicate");
+    press(dialog, "libraryUse");
+    EXPECT_EQ(state(dialog), QString());
+    type(dialog, "speedMmPerS", "24");
+    press(dialog, "librarySave");
+    EXPECT_TRUE(state(dialog).contains("another version")) << state(dialog).toStdString();
+    press(dialog, "libraryUse");
+    EXPECT_EQ(state(dialog), QString());
+    dialog.reject();
+  });
+  EXPECT_EQ(process::loadProcess(document().choices().tool().process).speedMmPerS, 24.0);
+}
+
+TEST_F(ProcessEditorTest, OnlyDifferingFieldsAreCompared) {
   inLibrary([&](LibraryDialog& dialog) {
     press(dialog, "libraryDuplicate");
     type(dialog, "speedMmPerS", "25");

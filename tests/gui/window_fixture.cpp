@@ -35,6 +35,7 @@ GivenFiles::~GivenFiles() {
 
 void WindowTest::SetUp() {
   qputenv("VOLUTA_STATE_DIR", folder_.path().toUtf8());
+  qputenv("VOLUTA_DATA", folder_.path().toUtf8()); // No own files but the test's
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   QSettings().clear();
   openWindow();
@@ -55,6 +56,7 @@ void WindowTest::openWindow() {
 void WindowTest::TearDown() {
   window_.reset();
   QCoreApplication::processEvents();
+  qunsetenv("VOLUTA_DATA");
 }
 
 QString WindowTest::writePart(const QString& name, const geometry::TriangleMesh& mesh) const {

@@ -6,6 +6,7 @@
 #include "panels/head_table.h"
 #include "panels/item_form.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -107,6 +108,20 @@ TEST(ItemForm, SaysWhenThereIsNoValue) {
   std::get<process::Material>(item.data).bedC.reset();
   form.setItem(item, item, false);
   EXPECT_EQ(fieldOf(form, "bedC")->text(), "unknown");
+}
+
+TEST(ItemForm, ShowsTheColourOfAMaterial) {
+  panels::ItemForm form;
+  LibraryItem item = process::loadItem(Shelf::Materials, "petg");
+  const auto swatch = [&] {
+    form.setItem(item, item, false);
+    auto* line = form.findChild<QWidget*>("colour")->findChild<QLineEdit*>("editor");
+    return line->actions().front()->icon().pixmap(8, 8).toImage().pixelColor(4, 4);
+  };
+  std::get<process::Material>(item.data).colour = "#1234AB";
+  EXPECT_EQ(swatch(), QColor("#1234AB"));
+  std::get<process::Material>(item.data).colour = "#12"; // half typed
+  EXPECT_EQ(swatch().alpha(), 0);
 }
 
 TEST(HeadTable, EditsAddsAndRemovesSections) {

@@ -145,7 +145,8 @@ TEST_F(CommandLine, SeveralPartsArePlacedAndPlanned) {
 
 TEST_F(CommandLine, PlacesOfPartsAreCheckedInOneLine) {
   const std::string part = smallBox(), out = (folder_ / "out").string();
-  expectOneLine(run({"plan", part, "-o", out, "--place", "3:0,0"}), 2, {"3:0,0", "the last one is 1"});
+  expectOneLine(run({"plan", part, "-o", out, "--place", "3:0,0"}), 2,
+                {"3:0,0", "the last one is 1"});
   expectOneLine(run({"plan", part, "-o", out, "--place", "1:0"}), 2, {"NUMBER:X,Y"});
   expectOneLine(run({"plan", part, "-o", out, "--part", "1:mode"}), 2, {"NUMBER:KEY=VALUE"});
   expectOneLine(run({"plan", part, part, "-o", out, "--mode", "lathe", "--cell", "lathe"}), 2,
@@ -240,6 +241,33 @@ TEST_F(CommandLine, ListsAnswerInTextAndJson) {
     ASSERT_TRUE(parsed.is_array()) << what;
     EXPECT_FALSE(parsed.empty()) << what;
   }
+}
+
+TEST_F(CommandLine, ProcessesAreExportedEditedAndImported) {
+  ::setenv("VOLUTA_DATA", (folder_ / "data").c_str(), 1);
+  const std::string file = (folder_ / "mine.json").string();
+  EXPECT_EQ(run({"process", "export", "fdm-0.4", "-o", file}).code, 0);
+  expectOneLine(run({"process", "import", file}), 3, {"fdm-0.4", "comes with the program"});
+  auto json = nlohmann::json::parse(base::readFile(file));
+  json["id"] = "mine";
+  json["beadWidthMm"]["default"] = 4.5;
+  base::writeFile(file, json.dump());
+  expectOneLine(run({"process", "check", file}), 3, {"mine.json", "beadWidthMm.default", "4.5"});
+  expectOneLine(run({"process", "import", file}), 3, {"beadWidthMm.default"});
+  json["beadWidthMm"]["default"] = 0.5;
+  base::writeFile(file, json.dump());
+  EXPECT_EQ(run({"process", "import", file}).code, 0);
+  EXPECT_NE(run({"process", "list"}).out.find("mine"), std::string::npos);
+  EXPECT_EQ(run({"process", "check", "mine"}).code, 0);
+  const auto shown = nlohmann::json::parse(run({"process", "show", "mine"}).out);
+  EXPECT_EQ(shown.at("beadWidthMm").at("default"), 0.5);
+  expectOneLine(run({"process", "show", "mime"}), 2, {"mime", "mine"});
+  // A torn file of one's own does not keep the others from being listed.
+  base::writeFile(folder_ / "data" / "processes" / "a-torn.json", "{");
+  for (const char* what : {"processes", "cells"})
+    EXPECT_EQ(run({"list", what}).code, 0) << what;
+  EXPECT_NE(run({"process", "list"}).out.find("a-torn"), std::string::npos);
+  ::unsetenv("VOLUTA_DATA");
 }
 
 TEST_F(CommandLine, RobotAnswersInDegreesAndMillimetres) {

@@ -92,7 +92,7 @@ TEST(HeadShapes, fromMeshContainsABall) {
     profile.push_back({kRadiusMm * (1.0 - std::cos(turn)), kRadiusMm * std::sin(turn)});
   }
   const HeadShape head = headFromMesh(revolved(profile, 64), kToleranceMm);
-  EXPECT_LT(head.sections.size(), 60u);
+  EXPECT_LE(head.sections.size(), 48u);
   for (double z = 0.5; z < 2.0 * kRadiusMm - 0.5; z += 0.05) {
     const double exact = std::sqrt(z * (2.0 * kRadiusMm - z));
     EXPECT_GT(radiusAt(head, z), exact - 0.02) << z;
@@ -125,6 +125,21 @@ TEST(HeadShapes, fromMeshContainsRandomTowers) {
       }
     }
   }
+}
+
+// A thread of many turns: few sections, all of it within the head.
+TEST(HeadShapes, fromMeshKeepsFewSections) {
+  std::vector<HeadSection> profile;
+  for (int i = 0; i <= 400; ++i)
+    profile.push_back({0.25 * i, i % 2 == 0 ? 8.0 : 7.0});
+  const HeadShape head = headFromMesh(revolved(profile, 48));
+  EXPECT_LE(head.sections.size(), 48u);
+  for (const HeadSection& section : profile)
+    EXPECT_GE(radiusAt(head, section.zMm), section.radiusMm - 0.02) << section.zMm;
+}
+
+TEST(HeadShapes, fromMeshRefusesOtherUnits) {
+  EXPECT_THROW(headFromMesh(revolved({{0.0, 0.01}, {0.12, 0.02}}, 12)), base::Error);
 }
 
 TEST(HeadShapes, fromMeshRefusesFlatMeshes) {

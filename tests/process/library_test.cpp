@@ -157,6 +157,27 @@ TEST_F(Library, damagedProcessesAreReadOrRefusedInOneLine) {
   EXPECT_GT(read, 20);
 }
 
+TEST_F(Library, damagedMaterialsAreReadOrRefusedInOneLine) {
+  std::mt19937_64 random(15);
+  int refused = 0;
+  for (int n = 0; n < 600; ++n) {
+    const std::vector<std::string> ids = materialIds();
+    Json json = Json::parse(materialText(loadMaterial(ids[random() % ids.size()])));
+    for (std::size_t k = 0; k < 1 + random() % 2; ++k)
+      mutate(json, random);
+    try {
+      const Material m = readMaterialText(json.dump(), "own.json");
+      EXPECT_EQ(readMaterialText(materialText(m), "own.json"), m) << json.dump();
+    } catch (const base::Error& error) {
+      const std::string line = error.what();
+      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+      EXPECT_NE(line.find("own.json"), std::string::npos) << line;
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100);
+}
+
 TEST_F(Library, damagedTextsAreReadOrRefused) {
   std::mt19937_64 random(13);
   for (int n = 0; n < 400; ++n) {
@@ -192,7 +213,7 @@ void expectProblem(const LibraryItem& item, const std::string& key, const std::s
   const std::optional<FieldProblem> problem = problemOf(item);
   ASSERT_TRUE(problem);
   EXPECT_EQ(problem->key, key);
-  const std::string line = base::english(problem->what);
+  const std::string line = base::english(problem->reason);
   EXPECT_NE(line.find(named), std::string::npos) << line;
   EXPECT_EQ(line.find('\n'), std::string::npos) << line;
   EXPECT_THROW(saveOwn(item.named("own", item.label())), base::Error);

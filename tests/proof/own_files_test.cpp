@@ -7,6 +7,7 @@
 #include "pipeline/box_request.h"
 #include "pipeline/choices.h"
 #include "pipeline/outputs.h"
+#include "process/library.h"
 #include "program/dialect.h"
 
 #include <algorithm>
@@ -56,6 +57,23 @@ TEST(OwnFiles, AJobIsVerifiedWithoutThem) {
   project::Job job = project::readJob(folder / "out" / "job.voluta");
   EXPECT_EQ(base::dataName(job.choices.tool().process), "mine");
   EXPECT_EQ(resultOf(std::move(job)).cell->id(), "my-cell");
+}
+
+// An own process is chosen by its id; the job then has its text.
+TEST(OwnFiles, AProcessOfTheLibraryTravelsWithTheJob) {
+  test::TemporaryFolder folder;
+  setenv("VOLUTA_DATA", folder.path().c_str(), 1);
+  const auto own = process::duplicateOf(process::loadItem(process::Shelf::Processes, "fdm-1.0"));
+  process::saveOwn(own);
+  project::Choices choices;
+  choices.tool().process = own.id();
+  takeOwnFiles(choices);
+  unsetenv("VOLUTA_DATA");
+  EXPECT_EQ(base::dataName(choices.tool().process), own.id());
+  EXPECT_EQ(process::loadProcess(choices.tool().process).label, own.label());
+  choices.tool().process = "fdm-0.4";
+  takeOwnFiles(choices);
+  EXPECT_EQ(choices.tool().process, "fdm-0.4") << "comes with the program";
 }
 
 TEST(OwnFiles, AChangedFileIsAnotherStage) {

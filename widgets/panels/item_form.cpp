@@ -7,6 +7,8 @@
 #include "forms/value_boxes.h"
 #include "language/words.h"
 
+#include <QAction>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QEvent>
 #include <QLineEdit>
@@ -19,6 +21,7 @@ namespace voluta::panels {
 namespace {
 constexpr const char* kFoldedGroup = "Features";  // Seldom edited
 constexpr int kTextChars = 36, kNumberChars = 23; // Widths of the editors
+constexpr const char* kColour = "colour";         // Key of the field with a swatch
 constexpr int kMostWidth = 620;                   // Labels stay near their editors
 
 // Materials are named by their ids, as in the job's list.
@@ -37,6 +40,12 @@ void setLocked(QWidget& editor, bool locked) {
   } else {
     editor.setEnabled(!locked);
   }
+}
+
+QIcon swatchOf(const QString& colour, int side) {
+  QPixmap swatch(side, side);
+  swatch.fill(QColor::isValidColorName(colour) ? QColor(colour) : Qt::transparent);
+  return swatch;
 }
 
 // Returns the materials that the item's form offers.
@@ -85,6 +94,8 @@ void ItemForm::setItem(const process::LibraryItem& item, const process::LibraryI
     if (row.field.spec.type == base::ParameterType::Choice)
       nameMaterials(*static_cast<QComboBox*>(row.row->editor()), row.field.spec.choices);
   }
+  if (swatch_)
+    swatch_->setEnabled(!readOnly);
   mark();
 }
 
@@ -95,6 +106,7 @@ void ItemForm::build() {
   }
   rows_.clear();
   groups_.clear();
+  swatch_ = nullptr;
   content_ = new QWidget;
   content_->setMaximumWidth(kMostWidth);
   auto* column = new QVBoxLayout(content_);
@@ -132,11 +144,25 @@ void ItemForm::addRow(const process::LibraryField& field) {
   if (auto* box = qobject_cast<QDoubleSpinBox*>(row->editor()); box && !field.none.empty())
     box->setSpecialValueText(language::words(field.none));
   fold->contentLayout()->addWidget(row);
+  if (field.spec.key == kColour)
+    addSwatch(rows_.size(), *static_cast<QLineEdit*>(row->editor()));
   const std::size_t at = rows_.size();
   rows_.push_back({field, row});
   using forms::ParameterRow;
   connect(row, &ParameterRow::committed, this, [this, at] { change(at); });
   connect(row, &ParameterRow::resetRequested, this, [this, at] { change(at); });
+}
+
+// The swatch within the field opens a dialog.
+void ItemForm::addSwatch(std::size_t at, QLineEdit& line) {
+  swatch_ = line.addAction(QIcon(), QLineEdit::LeadingPosition);
+  connect(swatch_, &QAction::triggered, this, [this, at, &line] {
+    const QColor chosen = QColorDialog::getColor(QColor(line.text()), this);
+    if (!chosen.isValid())
+      return;
+    rows_[at].row->setValue(chosen.name().toUpper().toStdString());
+    change(at);
+  });
 }
 
 void ItemForm::change(std::size_t at) {
@@ -153,8 +179,9 @@ void ItemForm::change(std::size_t at) {
 
 void ItemForm::setProblem(const std::optional<process::FieldProblem>& problem) {
   for (const Row& row : rows_)
-    row.row->setProblem(
-        problem && problem->key == row.field.spec.key ? language::words(problem->what) : QString());
+    row.row->setProblem(problem && problem->key == row.field.spec.key
+                            ? language::words(problem->reason)
+                            : QString());
 }
 
 QString ItemForm::labelOf(const std::string& key) const {
@@ -170,6 +197,8 @@ int ItemForm::changedFields() const {
 }
 
 void ItemForm::mark() {
+  if (const auto* material = std::get_if<process::Material>(&item_.data); material && swatch_)
+    swatch_->setIcon(swatchOf(QString::fromStdString(material->colour), fontMetrics().height()));
   for (const Group& group : groups_)
     group.fold->setMarked(std::ranges::any_of(rows_, [&](const Row& row) {
       return row.field.spec.group == group.name && row.row->isChanged();
@@ -181,6 +210,8 @@ void ItemForm::retranslate() {
     group.fold->setTitle(language::heading(group.name));
   for (const Row& row : rows_) {
     row.row->retranslate();
+    if (row.field.spec.key == kColour && swatch_)
+      swatch_->setToolTip(tr("Choose a colour"));
     if (row.field.spec.type == base::ParameterType::Choice)
       nameMaterials(*static_cast<QComboBox*>(row.row->editor()), row.field.spec.choices);
   }

@@ -8,6 +8,8 @@
 #include <memory>
 #include <vector>
 
+class QAction;
+class QLineEdit;
 class QVBoxLayout;
 
 namespace voluta::forms {
@@ -52,6 +54,7 @@ private:
   void build();
   forms::Fold* foldOf(base::Text group);
   void addRow(const process::LibraryField& field);
+  void addSwatch(std::size_t at, QLineEdit& line);
   void change(std::size_t at);
   void mark();
   void retranslate();
@@ -61,6 +64,7 @@ private:
   QVBoxLayout* column_ = nullptr;
   std::vector<Row> rows_;
   std::vector<Group> groups_;
+  QAction* swatch_ = nullptr; // Of the material's colour
 };
 
 } // namespace voluta::panels

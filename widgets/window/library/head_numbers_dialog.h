@@ -1,4 +1,4 @@
-// Asks for the few numbers of a head: a conical nozzle below a square block.
+// A head from a few numbers: a conical nozzle below a square block.
 #pragma once
 
 #include "process/head_shapes.h"

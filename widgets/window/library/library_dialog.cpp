@@ -269,6 +269,13 @@ void LibraryDialog::showEntry() {
   showState();
 }
 
+// Whether the job uses an own process with this id and other values.
+bool LibraryDialog::jobHasAnother(const ShelfEntry& entry) const {
+  return entry.origin == ItemOrigin::Own && entry.saved.process() &&
+         base::isDataText(jobProcess_) && base::dataName(jobProcess_) == entry.saved.id() &&
+         process::jobChoice(entry.saved) != jobProcess_;
+}
+
 // Also keeps the row of the list and the buttons up to date.
 void LibraryDialog::showState() {
   const ShelfEntry& entry = shelf().at(current());
@@ -276,7 +283,8 @@ void LibraryDialog::showState() {
   const std::optional<process::FieldProblem> problem =
       own && readable ? process::problemOf(entry.draft) : std::nullopt;
   form_->setProblem(problem);
-  head_->setProblem(problem && problem->key == "head" ? language::words(problem->what) : QString());
+  head_->setProblem(problem && problem->key == "head" ? language::words(problem->reason)
+                                                      : QString());
   stateIcon_->clear();
   if (!readable || problem)
     stateIcon_->setPixmap(forms::iconBeside(*this, forms::Icon::Blocked));
@@ -285,12 +293,14 @@ void LibraryDialog::showState() {
     text = entry.unreadable;
   else if (problem)
     text = problem->key.empty()
-               ? language::words(problem->what)
+               ? language::words(problem->reason)
                : tr("Cannot be saved: %1 %2")
                      .arg(problem->key == "head" ? tr("Head") : form_->labelOf(problem->key),
-                          language::words(problem->what));
+                          language::words(problem->reason));
   else if (entry.isChanged())
     text = tr("Not saved yet.");
+  else if (jobHasAnother(entry))
+    text = tr("The job uses another version of this process.");
   state_->setText(text);
   save_->setEnabled(own && readable && entry.isChanged() && !problem);
   revert_->setEnabled(own && entry.isChanged());
@@ -466,6 +476,7 @@ void LibraryDialog::setJobProcess(const std::string& choice) {
   jobProcess_ = choice;
   for (int row = 0; row < list_->count(); ++row)
     showRow(*list_->item(row), shelf().at(row));
+  showState();
 }
 
 void LibraryDialog::headFromNumbers() {

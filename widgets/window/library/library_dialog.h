@@ -58,6 +58,7 @@ private:
   void showRow(QListWidgetItem& row, const ShelfEntry& entry) const;
   void showEntry();
   void showState();
+  bool jobHasAnother(const ShelfEntry& entry) const;
   void edit(const process::LibraryItem& draft);
   void setHead(const process::HeadShape& head);
   void duplicate();

@@ -43,7 +43,7 @@ void LibraryShelf::reload() {
         entry.draft = old.draft;
     entries_.push_back(std::move(entry));
   }
-  // Own ones first: they are what one edits.
+  // Own ones first: they are edited most.
   std::ranges::stable_partition(
       entries_, [](const ShelfEntry& entry) { return entry.origin == ItemOrigin::Own; });
   if (!base::isDataText(jobText_))

@@ -129,8 +129,8 @@ std::string withMaterial(const std::string& process, const std::string& material
   }
 }
 
-// Returns what the job stores for a process of the list: the text of an own one, so that the
-// project needs no file of the user's; unchanged if it cannot be read.
+// Returns the choice that the job stores for a process of the list: the text of an own one, so that
+// the project needs no file of the user's; unchanged if it cannot be read.
 std::string storedProcess(const std::string& id) {
   try {
     return base::isDataText(id)
