@@ -7681,6 +7681,30 @@ previsto</translation>
         <translation>scegli una cella con un robot più forte nella pagina Prepara</translation>
     </message>
     <message>
+        <source>is above {limit:.0f}</source>
+        <translation>supera {limit:.0f}</translation>
+    </message>
+    <message>
+        <source>is longer than maxLayerTimeS</source>
+        <translation>è più lungo di maxLayerTimeS</translation>
+    </message>
+    <message>
+        <source>maxLayerTimeS={greatest:.0f#} is shorter than the {least:.0f#} that {material} has to cool</source>
+        <translation>maxLayerTimeS={greatest:.0f#} è più breve dei {least:.0f#} di raffreddamento di {material}</translation>
+    </message>
+    <message>
+        <source>minLayerTimeS={least:.0f#} is longer than the {greatest:.0f#} in which {material} bonds</source>
+        <translation>minLayerTimeS={least:.0f#} è più lungo dei {greatest:.0f#} entro cui {material} aderisce</translation>
+    </message>
+    <message>
+        <source>give a longer maximum, or another material</source>
+        <translation>indica un massimo più lungo, o un altro materiale</translation>
+    </message>
+    <message>
+        <source>give a shorter minimum, or another material</source>
+        <translation>indica un minimo più breve, o un altro materiale</translation>
+    </message>
+    <message>
         <source>arrange the parts, or print them layer by layer</source>
         <translation>disponi i pezzi, oppure stampali strato per strato</translation>
     </message>

@@ -52,16 +52,20 @@ void checkData(base::Text unknown, const std::string& choice,
     checkName(unknown, choice, known);
 }
 
-// Sets the defaults that depend on the process: its bead sizes, and lengths tuned for beads of 1.2
-// x 0.8 mm. These lengths grow with larger beads and stay unchanged for finer ones.
+// Sets the defaults that depend on the process: its bead sizes, its material's layer times, and
+// lengths tuned for beads of 1.2 x 0.8 mm. These lengths grow with larger beads and stay unchanged
+// for finer ones.
 void followProcess(std::vector<base::ParameterSpec>& specs, const process::Process& p) {
   constexpr double kHeightMm = 0.8;
   const double higher = std::max(1.0, p.layerHeightMm / kHeightMm);
   const double wider = std::max(1.0, p.beadWidthMm / kTunedWidthMm);
-  const std::map<std::string_view, double> values{{"layerHeightMm", p.layerHeightMm},
-                                                  {"beadWidthMm", p.beadWidthMm},
-                                                  {"stepMm", p.stepMm},
-                                                  {"retractMm", p.retractMm}};
+  const std::map<std::string_view, double> values{
+      {"layerHeightMm", p.layerHeightMm},
+      {"beadWidthMm", p.beadWidthMm},
+      {"stepMm", p.stepMm},
+      {"retractMm", p.retractMm},
+      {"minLayerTimeS", p.material.minLayerTimeS.value_or(0.0)},
+      {"maxLayerTimeS", p.material.maxLayerTimeS.value_or(0.0)}};
   const std::map<std::string_view, double> factors{
       {"voxelMm", higher}, {"cuspMm", higher}, {"liftMm", higher}, {"primeLengthMm", wider}};
   for (base::ParameterSpec& spec : specs) {
@@ -383,13 +387,33 @@ project::Platform usualPlatform(const project::Choices& choices) {
 }
 
 namespace {
-void checkLayerTimes(const plan::LayerTimes& times) {
-  if (times.greatestS > 0.0 && times.leastS > times.greatestS)
-    throw Error(ErrorCode::Usage,
-                base::message("minLayerTimeS={least:.0f#} is longer than "
-                              "maxLayerTimeS={greatest:.0f#}"_text,
-                              base::seconds(times.leastS), base::seconds(times.greatestS)),
-                {}, "give a shorter minimum, or a longer maximum"_text);
+void checkLayerTimes(const project::Choices& choices) {
+  const base::ParameterValues values = parameterValues(choices);
+  const plan::LayerTimes times = motion::layerTimes(values);
+  if (times.greatestS <= 0.0 || times.leastS <= times.greatestS)
+    return;
+  const bool isOwnMost = values.changed("maxLayerTimeS"),
+             isOwnLeast = values.changed("minLayerTimeS");
+  if (!isOwnMost || !isOwnLeast) {
+    const std::string material = process::loadProcess(choices.tool().process).material.label;
+    throw Error(
+        ErrorCode::Usage,
+        isOwnMost
+            ? base::message("maxLayerTimeS={greatest:.0f#} is shorter than the {least:.0f#} "
+                            "that {material} has to cool"_text,
+                            base::seconds(times.greatestS), base::seconds(times.leastS), material)
+            : base::message("minLayerTimeS={least:.0f#} is longer than the {greatest:.0f#} "
+                            "in which {material} bonds"_text,
+                            base::seconds(times.leastS), base::seconds(times.greatestS), material),
+        {},
+        isOwnMost ? base::Message("give a longer maximum, or another material"_text)
+                  : base::Message("give a shorter minimum, or another material"_text));
+  }
+  throw Error(ErrorCode::Usage,
+              base::message("minLayerTimeS={least:.0f#} is longer than "
+                            "maxLayerTimeS={greatest:.0f#}"_text,
+                            base::seconds(times.leastS), base::seconds(times.greatestS)),
+              {}, "give a shorter minimum, or a longer maximum"_text);
 }
 
 bool isOwnProcess(const std::string& choice) {
@@ -435,7 +459,7 @@ void checkChoices(const project::Choices& given) {
   if (!place.rotation.coeffs().allFinite() || !(place.rotation.norm() > 0.0) ||
       !place.centreMm.allFinite() || !std::isfinite(place.liftMm))
     throw Error(ErrorCode::Usage, "the placement is not a rotation and a position in mm"_text);
-  checkLayerTimes(motion::layerTimes(parameterValues(choices)));
+  checkLayerTimes(choices);
 }
 
 void takeOwnFiles(project::Choices& choices) {

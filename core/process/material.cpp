@@ -21,6 +21,7 @@ constexpr const char* kFolder = "materials";                 // of base::dataFil
 constexpr int kColdestNozzleC = 100, kHottestNozzleC = 450;  // that print heads withstand
 constexpr double kLeastNozzleC = 1.0, kMostNozzleC = 1000.0; // Of any material
 constexpr double kHottestBedC = 250.0;
+constexpr double kLongestMinS = 3600.0, kLongestMaxS = 36000.0; // as the parameters of a job
 
 bool isColour(const std::string& text) {
   return text.size() == 7 && text[0] == '#' &&
@@ -77,6 +78,22 @@ void readLimits(const JsonNode& top, Material& m) {
     m.bridgeMm = top.at("bridgeMm").notNegative();
 }
 
+double readLayerTime(const JsonNode& node, double longestS) {
+  const double time = node.positive();
+  if (time > longestS)
+    node.fail(base::message("is above {limit:.0f}"_text, base::number(longestS)));
+  return time;
+}
+
+void readLayerTimes(const JsonNode& top, Material& m) {
+  if (top.has("minLayerTimeS"))
+    m.minLayerTimeS = readLayerTime(top.at("minLayerTimeS"), kLongestMinS);
+  if (top.has("maxLayerTimeS"))
+    m.maxLayerTimeS = readLayerTime(top.at("maxLayerTimeS"), kLongestMaxS);
+  if (m.minLayerTimeS && m.maxLayerTimeS && *m.minLayerTimeS > *m.maxLayerTimeS)
+    top.at("minLayerTimeS").fail("is longer than maxLayerTimeS"_text);
+}
+
 void readLooks(const JsonNode& top, Material& m) {
   m.pricePerKg = top.has("pricePerKg") ? top.at("pricePerKg").notNegative() : 0.0;
   if (top.has("colour"))
@@ -112,8 +129,8 @@ Material readMaterialText(const std::string& text, const std::string& name) {
 
 Material readMaterialNode(const JsonNode& top) {
   top.allowOnly({"id", "label", "densityGPerCm3", "nozzleC", "bedC", "fan", "bridgeFan",
-                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "pricePerKg", "colour", "notes",
-                 "basedOn"});
+                 "maxFlowMm3PerS", "bridgeWidths", "bridgeMm", "minLayerTimeS", "maxLayerTimeS",
+                 "pricePerKg", "colour", "notes", "basedOn"});
   Material m;
   m.id = top.at("id").text();
   m.label = top.at("label").text();
@@ -122,6 +139,7 @@ Material readMaterialNode(const JsonNode& top) {
   m.densityGPerCm3 = readDensity(top.at("densityGPerCm3"));
   readTemperatures(top, m);
   readLimits(top, m);
+  readLayerTimes(top, m);
   readLooks(top, m);
   m.comesWithProgram = false;
   return m;
@@ -142,6 +160,8 @@ std::string materialText(const Material& m) {
   write("maxFlowMm3PerS", m.maxFlowMm3PerS);
   json["bridgeWidths"] = m.bridgeWidths;
   write("bridgeMm", m.bridgeMm);
+  write("minLayerTimeS", m.minLayerTimeS);
+  write("maxLayerTimeS", m.maxLayerTimeS);
   json["pricePerKg"] = m.pricePerKg;
   json["colour"] = m.colour;
   if (!m.notes.empty())

@@ -82,6 +82,10 @@ Material randomMaterial(std::mt19937_64& random) {
   m.bridgeWidths = 10.0 * share();
   if (chance())
     m.bridgeMm = 10.0 * share();
+  if (chance())
+    m.minLayerTimeS = 0.5 + 100.0 * share();
+  if (chance())
+    m.maxLayerTimeS = 101.0 + 1000.0 * share();
   m.pricePerKg = 100.0 * share();
   m.colour = "#0a1B2c";
   m.notes = chance() ? "dry at 60" : "";
@@ -101,6 +105,7 @@ TEST_F(Materials, needNoMoreThanTheirDensity) {
   const Material m =
       readMaterialText(R"({"id": "clay", "label": "Clay", "densityGPerCm3": 2})", "a.json");
   EXPECT_FALSE(m.nozzleC || m.bedC || m.bridgeFan || m.maxFlowMm3PerS || m.bridgeMm);
+  EXPECT_FALSE(m.minLayerTimeS || m.maxLayerTimeS);
   EXPECT_EQ(m.fan, 0.0);
   EXPECT_EQ(m.pricePerKg, 0.0);
 }
@@ -109,13 +114,23 @@ TEST_F(Materials, needNoMoreThanTheirDensity) {
 TEST_F(Materials, namesFileAndKeyOfABadValue) {
   const struct {
     const char *key, *value;
-  } cases[] = {{"densityGPerCm3", "0"}, {"densityGPerCm3", "\"light\""},
-               {"bedC", "-1"},          {"bedC", "400"},
-               {"fan", "1.5"},          {"bridgeFan", "-0.1"},
-               {"maxFlowMm3PerS", "0"}, {"bridgeMm", "-1"},
-               {"bridgeWidths", "-1"},  {"pricePerKg", "-1"},
-               {"colour", "\"red\""},   {"notes", "3"},
-               {"density", "1"}};
+  } cases[] = {{"densityGPerCm3", "0"},
+               {"densityGPerCm3", "\"light\""},
+               {"bedC", "-1"},
+               {"bedC", "400"},
+               {"fan", "1.5"},
+               {"bridgeFan", "-0.1"},
+               {"maxFlowMm3PerS", "0"},
+               {"bridgeMm", "-1"},
+               {"bridgeWidths", "-1"},
+               {"pricePerKg", "-1"},
+               {"colour", "\"red\""},
+               {"notes", "3"},
+               {"density", "1"},
+               {"minLayerTimeS", "0"},
+               {"minLayerTimeS", "4000"},
+               {"maxLayerTimeS", "-1"},
+               {"minLayerTimeS", "50, \"maxLayerTimeS\": 40"}};
   for (const auto& c : cases) {
     std::string text = R"({"id": "a", "label": "A", )";
     if (c.key != std::string("densityGPerCm3"))
