@@ -116,5 +116,56 @@ TEST(OrderToCool, KindsKeepTheirTurns) {
     EXPECT_EQ(static_cast<std::size_t>(made.plan.paths[p].kind), p % 3);
 }
 
+// Returns the total time of a plan of closed rings of one width, each begun as soon as all rings
+// below it are that old; they have one seam. Without travel.
+double timeWithWaits(const Assembled& made, double leastS) {
+  constexpr double kCovers = 0.75 * 1.2; // maximum distance of a ring from one that it covers
+  std::vector<double> begins;
+  double now = 0.0;
+  for (std::size_t p = 0; p < made.plan.paths.size(); ++p) {
+    const plan::ToolPath& path = made.plan.paths[p];
+    for (std::size_t q = 0; q < p; ++q)
+      if (made.plan.paths[q].layer + 1 == path.layer &&
+          std::abs(radiusOf(made, p) - radiusOf(made, q)) < kCovers)
+        now = std::max(now, begins[q] + leastS);
+    begins.push_back(now);
+    for (std::size_t k = path.first + 1; k < path.first + path.count; ++k)
+      now += (made.plan.position[k] - made.plan.position[k - 1]).norm() / 10.0;
+  }
+  return now;
+}
+
+// Cones of an outer wall, an infill and an inner wall, which each cover their neighbour below: a
+// layer needs hardly more than the least time, in whichever direction the walls lean.
+TEST(OrderToCool, ConesNeedOneLeastTimeALayer) {
+  constexpr int kLayers = 20;
+  constexpr double kLeastS = 60.0;
+  for (const double step : {-0.6, 0.0, 0.6}) {
+    SCOPED_TRACE(step);
+    Assembled made;
+    for (int layer = 0; layer < kLayers; ++layer) {
+      const double outer = 20.0 + step * layer;
+      const std::pair<double, plan::PathKind> rings[] = {{outer, plan::PathKind::Wall},
+                                                         {outer - 2.4, plan::PathKind::Infill},
+                                                         {outer - 1.2, plan::PathKind::Wall}};
+      for (const auto& [radius, kind] : rings) {
+        add(made, ring(radius, layer, 0.0), layer, true);
+        made.plan.paths.back().kind = kind;
+        made.plan.paths.back().ring = radius < outer - 1.0 ? 1 : 0;
+      }
+    }
+    Assembled inTurns = made;
+    orderToCool(inTurns, true);
+    orderToCool(made, true, kLeastS);
+    const double bound = (kLayers - 1) * kLeastS + 3.0 * 2.0 * base::kPi * 20.0 / 10.0;
+    EXPECT_LE(timeWithWaits(made, kLeastS), 1.05 * bound);
+    EXPECT_LE(timeWithWaits(made, kLeastS), timeWithWaits(inTurns, kLeastS) + 1e-6);
+    EXPECT_EQ(made.plan.waypointCount(), inTurns.plan.waypointCount());
+    if (step != 0.0) {
+      EXPECT_GT(timeWithWaits(inTurns, kLeastS), 1.2 * bound) << "it matters";
+    }
+  }
+}
+
 } // namespace
 } // namespace voluta::toolpath

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,8 +20,9 @@ using collision::BeadSample, collision::BeadSampleGrid;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 // A path is turned round, or begun elsewhere, only if that gains more [s].
 constexpr double kWorthS = 0.05;
-// The turns of a patch's beads are given up only if that saves more, in shares of the least time.
-constexpr double kWorthTurns = 0.05;
+// The turns of a patch's beads are given up if there is a longer wait and the other order needs no
+// longer one, in shares of the least time: it saves one in the next layer, if not in this one.
+constexpr double kWorthTurns = 0.05, kSameWait = 0.01;
 
 int turnOf(const plan::ToolPath& path) {
   Bead bead;
@@ -46,7 +49,30 @@ struct Planned {
   std::size_t path = 0;
   Course course;
   std::size_t turn = 0;
+  int kind = 0;           // turnOf()
+  std::vector<int> below; // kinds that it covers, but its own
 };
+
+// Returns the paths in the order of the beads below them. A path follows those of a kind that it
+// covers in the layer below, since those of the next layer will lean likewise; otherwise the path
+// above the oldest beads comes first.
+std::vector<Planned> inOrderOfBelow(std::vector<Planned> left) {
+  const auto covers = [](const Planned& a, const Planned& b) {
+    return std::ranges::find(a.below, b.kind) != a.below.end();
+  };
+  std::ranges::stable_sort(left, {}, [](const Planned& p) { return p.course.readyS; });
+  std::vector<Planned> ordered;
+  while (!left.empty()) {
+    auto next = std::ranges::find_if(left, [&](const Planned& a) {
+      return std::ranges::none_of(left,
+                                  [&](const Planned& b) { return covers(a, b) && !covers(b, a); });
+    });
+    next = next == left.end() ? left.begin() : next;
+    ordered.push_back(std::move(*next));
+    left.erase(next);
+  }
+  return ordered;
+}
 
 class Cooler {
 public:
@@ -77,14 +103,15 @@ private:
     std::size_t turn = 0;
     for (std::size_t p = first; p < end; ++p) {
       turn += p > first && turnOf(in_.plan.paths[p]) != turnOf(in_.plan.paths[p - 1]);
-      planned.push_back({p, bestCourse(in_.plan.paths[p]), turn});
+      const plan::ToolPath& path = in_.plan.paths[p];
+      planned.push_back({p, bestCourse(path), turn, turnOf(path), kindsBelow(path)});
     }
     std::ranges::stable_sort(planned, {},
                              [](const Planned& p) { return std::pair(p.turn, p.course.readyS); });
     if (leastS_ > 0.0) {
-      std::vector<Planned> free = planned;
-      std::ranges::stable_sort(free, {}, [](const Planned& p) { return p.course.readyS; });
-      if (waitBefore(planned) - waitBefore(free) > kWorthTurns * leastS_)
+      std::vector<Planned> free = inOrderOfBelow(planned);
+      const double wait = waitBefore(planned);
+      if (wait > kWorthTurns * leastS_ && waitBefore(free) < wait + kSameWait * leastS_)
         planned = std::move(free);
     }
     for (const Planned& p : planned)
@@ -114,6 +141,31 @@ private:
         grid_.below(sample,
                     [&](std::size_t lower) { below[k] = std::max(below[k], endS_[lower]); });
     }
+    return below;
+  }
+
+  // Returns the kinds of beads, but the path's own, below a tenth or more of it.
+  std::vector<int> kindsBelow(const plan::ToolPath& path) const {
+    constexpr double kLeastShare = 0.1;
+    std::map<int, std::size_t> counts;
+    std::size_t count = 0;
+    std::vector<BeadSample> samples;
+    for (std::size_t k = 1; leastS_ > 0.0 && k < path.count; ++k) {
+      samples.clear();
+      collision::appendSamples(in_.plan, path.first + k - 1, path.first + k, samples);
+      for (const BeadSample& sample : samples) {
+        std::set<int> kinds;
+        grid_.below(sample, [&](std::size_t lower) { kinds.insert(kindOf_[lower]); });
+        for (const int kind : kinds)
+          ++counts[kind];
+        ++count;
+      }
+    }
+    std::vector<int> below;
+    for (const auto& [kind, times] : counts)
+      if (kind != turnOf(path) &&
+          static_cast<double>(times) >= kLeastShare * static_cast<double>(count))
+        below.push_back(kind);
     return below;
   }
 
@@ -187,6 +239,7 @@ private:
       for (const BeadSample& sample : samples) {
         grid_.add(sample);
         endS_.push_back(nowS_ + sample.to * seconds);
+        kindOf_.push_back(turnOf(path));
       }
       nowS_ += seconds;
     }
@@ -198,6 +251,7 @@ private:
   double leastS_;
   BeadSampleGrid grid_;
   std::vector<double> endS_; // per sample in the grid
+  std::vector<int> kindOf_;  // likewise
   double nowS_ = 0.0;
 };
 } // namespace
