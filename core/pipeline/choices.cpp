@@ -36,7 +36,7 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
-constexpr double kTunedWidthMm = 1.2; // of the beads that lengths were tuned for
+constexpr double kTunedWidthMm = 1.2, kTunedHeightMm = 0.8; // of the beads that lengths suit
 
 // `unknown` has a placeholder for the name.
 void checkName(base::Text unknown, const std::string& name, const std::vector<std::string>& known) {
@@ -56,8 +56,7 @@ void checkData(base::Text unknown, const std::string& choice,
 // lengths tuned for beads of 1.2 x 0.8 mm. These lengths grow with larger beads and stay unchanged
 // for finer ones.
 void followProcess(std::vector<base::ParameterSpec>& specs, const process::Process& p) {
-  constexpr double kHeightMm = 0.8;
-  const double higher = std::max(1.0, p.layerHeightMm / kHeightMm);
+  const double higher = std::max(1.0, p.layerHeightMm / kTunedHeightMm);
   const double wider = std::max(1.0, p.beadWidthMm / kTunedWidthMm);
   const std::map<std::string_view, double> values{
       {"layerHeightMm", p.layerHeightMm},
@@ -365,7 +364,11 @@ motion::MotionOptions motionOptionsOf(const base::ParameterValues& values, int s
   motion::MotionOptions options = motion::motionOptions(values);
   options.seed = static_cast<std::uint64_t>(seed);
   // As many rungs for each bead of a wide one as for one of 1.2 mm.
-  options.rungMm *= std::max(1.0, values.number("beadWidthMm") / kTunedWidthMm);
+  const double wider = std::max(1.0, values.number("beadWidthMm") / kTunedWidthMm);
+  options.rungMm *= wider;
+  options.hopMm *= wider;
+  const double higher = std::max(1.0, values.number("layerHeightMm") / kTunedHeightMm);
+  options.hopLiftMm = std::min(options.hopLiftMm * higher, options.liftMm);
   return options;
 }
 

@@ -15,7 +15,8 @@ namespace {
 
 using curved::Decomposition;
 
-constexpr double kFinestMm = 0.4; // approximate edge length of a slice's triangles
+// Approximate edge length of a slice's triangles, and in widths of beads over 1.2 mm.
+constexpr double kFinestMm = 0.4, kFinestWidths = 1.0 / 3.0;
 
 // Face-connected cells of one layer of the grid.
 struct Block {
@@ -184,7 +185,8 @@ private:
 
     layers::Patch out;
     out.group = layers::kSupportGroup;
-    const int parts = std::max(1, static_cast<int>(std::ceil(pitch / kFinestMm)));
+    const double edgeMm = std::max(kFinestMm, kFinestWidths * options_.beadWidthMm);
+    const int parts = std::max(1, static_cast<int>(std::ceil(pitch / edgeMm)));
     std::map<std::array<int, 2>, int> vertexAt;
     const auto vertex = [&](int i, int j, int u, int v) {
       const auto [entry, isNew] =

@@ -264,7 +264,8 @@ std::optional<Transfer> TransferPlanner::plan(const RobotState& from, const Robo
   const MotionOptions& options = scene_.options;
   std::vector<double> heights;
   if (lift == Lift::High) {
-    heights = {kHighLiftMm, 2.0 * kHighLiftMm};
+    const double high = std::max(kHighLiftMm, options.liftMm);
+    heights = {high, 2.0 * high};
   } else {
     if (lift == Lift::Hop)
       heights.push_back(options.hopLiftMm);
