@@ -8488,6 +8488,18 @@ previsto</translation>
         <source>the mesh is only {height} high</source>
         <translation>la mesh è alta solo {height}</translation>
     </message>
+    <message>
+        <source>Layer times</source>
+        <translation>Tempi di strato</translation>
+    </message>
+    <message>
+        <source>Time that a bead needs before the next layer covers it, unless the job states it.</source>
+        <translation>Tempo che serve a un cordone prima che lo strato successivo lo copra, se il lavoro non lo indica.</translation>
+    </message>
+    <message>
+        <source>Age up to which a bead bonds with the next layer, unless the job states it.</source>
+        <translation>Età fino alla quale un cordone si lega allo strato successivo, se il lavoro non la indica.</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

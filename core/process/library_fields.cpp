@@ -196,6 +196,18 @@ std::vector<LibraryField> materialFields() {
                                                        "Limits"_text, "longest bridge"_text,
                                                        "Whatever the process allows."_text),
                                  &Material::bridgeMm, "any"_text));
+  fields.push_back(
+      optionalField(base::numberParameter("minLayerTimeS", "s", 0.0, 0.0, 3600.0,
+                                          "Layer times"_text, "minimum layer time"_text,
+                                          "Time that a bead needs before the next layer covers "
+                                          "it, unless the job states it."_text),
+                    &Material::minLayerTimeS, "any"_text));
+  fields.push_back(
+      optionalField(base::numberParameter("maxLayerTimeS", "s", 0.0, 0.0, 36000.0,
+                                          "Layer times"_text, "maximum layer time"_text,
+                                          "Age up to which a bead bonds with the next layer, "
+                                          "unless the job states it."_text),
+                    &Material::maxLayerTimeS, "any"_text));
   fields.push_back(materialNumber(base::numberParameter("pricePerKg", "", 0.0, 0.0, kMostPrice,
                                                         "Other"_text, "price per kg"_text,
                                                         "In your currency. 0: unknown."_text),
