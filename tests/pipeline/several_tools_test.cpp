@@ -123,7 +123,7 @@ TEST(SeveralTools, BadInputIsRefusedInOneLine) {
     try {
       planPart(given, {});
     } catch (const base::Error& error) {
-      return base::english(error.reason());
+      return base::english(error.message());
     }
     return {};
   };
