@@ -55,7 +55,7 @@ void expectTapes(const PlanResult& plan, std::size_t tapes, double lengthMm) {
   EXPECT_GE(s.tapeCoveredFraction, 0.9);
   EXPECT_EQ(s.tapeBareMm, 0.0);
   ASSERT_EQ(plan.checked.size(), 1u);
-  const replay::Verification& verdict = plan.checked[0]->verdict;
+  const project::ReplayReport& verdict = plan.checked[0]->verdict;
   EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
   EXPECT_NEAR(verdict.tapeMm3, s.tapeMm * 5.0 * 0.08, 0.002 * verdict.tapeMm3);
   EXPECT_EQ(eventsOf(*plan.job.trajectory, plan::EventKind::Cut), tapes);
