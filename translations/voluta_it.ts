@@ -7689,12 +7689,12 @@ previsto</translation>
         <translation>è più lungo di maxLayerTimeS</translation>
     </message>
     <message>
-        <source>maxLayerTimeS={greatest:.0f#} is shorter than the {least:.0f#} that {material} has to cool</source>
-        <translation>maxLayerTimeS={greatest:.0f#} è più breve dei {least:.0f#} di raffreddamento di {material}</translation>
+        <source>maxLayerTimeS={greatest:.0f} is shorter than the {least:.0f} that {material} has to cool</source>
+        <translation>maxLayerTimeS={greatest:.0f} è più breve dei {least:.0f} di raffreddamento di {material}</translation>
     </message>
     <message>
-        <source>minLayerTimeS={least:.0f#} is longer than the {greatest:.0f#} in which {material} bonds</source>
-        <translation>minLayerTimeS={least:.0f#} è più lungo dei {greatest:.0f#} entro cui {material} aderisce</translation>
+        <source>minLayerTimeS={least:.0f} is longer than the {greatest:.0f} in which {material} bonds</source>
+        <translation>minLayerTimeS={least:.0f} è più lungo dei {greatest:.0f} entro cui {material} aderisce</translation>
     </message>
     <message>
         <source>give a longer maximum, or another material</source>
@@ -7897,8 +7897,8 @@ previsto</translation>
         <translation>Tempo tra gli strati: da {shortest:.1f} a {longest:.1f} sul suo controllore, {mean:.1f} in media.</translation>
     </message>
     <message>
-        <source>minLayerTimeS={least:.0f#} is longer than maxLayerTimeS={greatest:.0f#}</source>
-        <translation>minLayerTimeS={least:.0f#} è più lungo di maxLayerTimeS={greatest:.0f#}</translation>
+        <source>minLayerTimeS={least:.0f} is longer than maxLayerTimeS={greatest:.0f}</source>
+        <translation>minLayerTimeS={least:.0f} è più lungo di maxLayerTimeS={greatest:.0f}</translation>
     </message>
     <message>
         <source>give a shorter minimum, or a longer maximum</source>

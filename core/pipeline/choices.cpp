@@ -402,10 +402,10 @@ void checkLayerTimes(const project::Choices& choices) {
     throw Error(
         ErrorCode::Usage,
         isOwnMost
-            ? base::message("maxLayerTimeS={greatest:.0f#} is shorter than the {least:.0f#} "
+            ? base::message("maxLayerTimeS={greatest:.0f} is shorter than the {least:.0f} "
                             "that {material} has to cool"_text,
                             base::seconds(times.greatestS), base::seconds(times.leastS), material)
-            : base::message("minLayerTimeS={least:.0f#} is longer than the {greatest:.0f#} "
+            : base::message("minLayerTimeS={least:.0f} is longer than the {greatest:.0f} "
                             "in which {material} bonds"_text,
                             base::seconds(times.leastS), base::seconds(times.greatestS), material),
         {},
@@ -413,8 +413,8 @@ void checkLayerTimes(const project::Choices& choices) {
                   : base::Message("give a shorter minimum, or another material"_text));
   }
   throw Error(ErrorCode::Usage,
-              base::message("minLayerTimeS={least:.0f#} is longer than "
-                            "maxLayerTimeS={greatest:.0f#}"_text,
+              base::message("minLayerTimeS={least:.0f} is longer than "
+                            "maxLayerTimeS={greatest:.0f}"_text,
                             base::seconds(times.leastS), base::seconds(times.greatestS)),
               {}, "give a shorter minimum, or a longer maximum"_text);
 }

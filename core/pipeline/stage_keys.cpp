@@ -135,7 +135,7 @@ std::string assignedToolsKey(const base::ParameterValues& values) {
   std::string key;
   const base::ParameterTable table = layers::toolParameters();
   for (const auto& [name, value] : values.changes())
-    if (table.find(name))
+    if (const base::ParameterSpec* spec = table.find(name); spec && spec->defaultValue != value)
       key += base::keyText(name, base::formatParameter(value));
   return key;
 }

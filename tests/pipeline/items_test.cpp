@@ -178,12 +178,6 @@ TEST(Items, FindingsOfPathsAndMotionNameThePartAtTheirPlace) {
   EXPECT_EQ(findings[2].item, -1) << "no place";
 }
 
-TEST(Items, SeveralToolsAreRefused) {
-  pipeline::PlanRequest request = twoBoxes(layers::PrintOrder::OneAfterAnother);
-  request.choices.tools.resize(2);
-  EXPECT_THROW(pipeline::planPart(request, {}), base::Error);
-}
-
 TEST(Items, ComeBackFromAProject) {
   const test::TemporaryFolder folder;
   const pipeline::PlanResult result = pipeline::planPart(twoBoxes(layers::PrintOrder::ByLayer), {});

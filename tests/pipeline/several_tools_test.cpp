@@ -107,7 +107,7 @@ Json dock(double firstDeg, double elbowDeg = -95.0) {
 TEST(SeveralTools, AChangerPutsAndTakesThemInItsDocks) {
   PlanRequest given = request(2);
   given.choices.item(1).parameters["tool"] = "2";
-  given.choices.cell = changerCell({dock(75), dock(95)});
+  given.choices.cell = changerCell(Json::array({dock(75), dock(95)}));
   given.choices.formats = {"urscript", "krl"};
   const PlanResult plan = planPart(given, {});
   expectPassed(plan, given.choices.formats);
@@ -135,11 +135,11 @@ TEST(SeveralTools, BadInputIsRefusedInOneLine) {
   tooThick.choices.item().parameters["supportTool"] = "2";
   EXPECT_THAT(reasonOf(tooThick), testing::HasSubstr("tool 2 cannot print layers of 0.8 mm"));
   PlanRequest oneDock = request();
-  oneDock.choices.cell = changerCell({dock(75)});
+  oneDock.choices.cell = changerCell(Json::array({dock(75)}));
   EXPECT_EQ(reasonOf(oneDock), "cell changer has no dock for tool 2");
   PlanRequest inTable = request(2);
   inTable.choices.item(1).parameters["tool"] = "2";
-  inTable.choices.cell = changerCell({dock(75), dock(95, -150.0)});
+  inTable.choices.cell = changerCell(Json::array({dock(75), dock(95, -150.0)}));
   EXPECT_THAT(reasonOf(inTable), testing::HasSubstr("does not get to the dock of tool 2"));
   PlanRequest tooMany = request();
   tooMany.choices.tools.resize(5);

@@ -108,14 +108,14 @@ TEST(SharedBeads, NotElsewhere) {
 // An event that the dialect has no word for blocks the plan by a finding.
 TEST(ProgramStage, RefusesAnEventWithoutAWord) {
   const test::Scene& s = scene();
-  plan::Trajectory cut = s.trajectory;
-  cut.events = {{.point = 2, .kind = plan::EventKind::Cut}};
-  const ProgramStageInput in{s.part, s.platform, s.plan, cut, s.cell, process::Tooling(s.process),
-                             "box"};
+  plan::Trajectory released = s.trajectory;
+  released.events = {{.point = 2, .kind = plan::EventKind::Release}};
+  const ProgramStageInput in{
+      s.part, s.platform, s.plan, released, s.cell, process::Tooling(s.process), "box"};
   const auto checked = programStage("gcode-extended", in, {});
   EXPECT_FALSE(checked->passed);
   EXPECT_TRUE(checked->program.files.empty());
-  EXPECT_EQ(linesOfPoints(*checked, cut).size(), cut.pointCount());
+  EXPECT_EQ(linesOfPoints(*checked, released).size(), released.pointCount());
   project::Report report;
   plan::Findings findings;
   tellProgram(*checked, true, true, report, findings);
