@@ -31,6 +31,8 @@ struct ItemChoices {
 
 struct ToolChoice {
   std::string process = "fdm-1.0"; // an id, or the text of a process's file
+
+  bool operator==(const ToolChoice&) const = default;
 };
 
 // The user's choices for a job; together with the meshes they determine every result.

@@ -29,7 +29,8 @@ double gapFor(const pipeline::Footprint& added, const std::vector<pipeline::Foot
   constexpr double kLeastMm = 10.0, kSpareMm = 4.0;
   double gap = kLeastMm;
   try {
-    const process::HeadShape head = process::loadProcess(choices.tool().process).head;
+    const process::HeadShape head =
+        pipeline::chosenTooling(choices, pipeline::parameterValues(choices)).first().process.head;
     for (const pipeline::Footprint& other : others)
       gap = std::max(gap, kSpareMm + std::min(pipeline::headNeedsMm(head, added, other),
                                               pipeline::headNeedsMm(head, other, added)));
@@ -264,7 +265,7 @@ project::Choices Document::choicesOfNextPart(const QString& path) const {
   if (mode && mode->usual.cell == choices_.cell && mode->usual.cell != start_.cell)
     return next;
   next.cell = choices_.cell;
-  next.tool().process = choices_.tool().process;
+  next.tools = choices_.tools;
   next.formats = choices_.formats;
   try {
     return next.item().automatic ? pipeline::automaticChoices(next).front() : fitting(next);

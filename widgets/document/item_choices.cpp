@@ -1,6 +1,7 @@
 #include "document/item_choices.h"
 
 #include "base/error.h"
+#include "layers/tool_assignment.h"
 #include "modes/mode_table.h"
 #include "pipeline/open_part.h"
 #include "placement/orient.h"
@@ -42,6 +43,7 @@ bool isOfJob(const std::string& parameter) {
     table.append(modes::modeParameters());
     table.append(pipeline::openSurfaceParameters());
     table.append(placement::orientParameters());
+    table.append(layers::toolParameters());
     return table;
   }();
   // How the layers of a part are covered (toolpath::ItemLayers)

@@ -266,9 +266,9 @@ void ChoicesEditor::openLibrary(process::Shelf shelf) {
 void ChoicesEditor::connectTools() {
   const forms::ToolRows* rows = form_->tools();
   const auto edit = [this](const QString& name, auto&& change) {
-    project::Choices c = document_.choices();
+    project::Choices c = document_.jobChoices();
     change(c);
-    document_.setChoices(c, name);
+    document_.setJobChoices(c, name);
   };
   connect(rows, &forms::ToolRows::addRequested, this, [edit] {
     edit(tr("tool added"), [](project::Choices& c) { c.tools.push_back(c.tools.back()); });
