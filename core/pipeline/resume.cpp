@@ -224,6 +224,10 @@ private:
     report().motion.durationS = resumed->trajectory.timeS.back() - before;
     report().motion.waits = 0;
     report().motion.waitS = 0.0;
+    report().motion.toolChanges = static_cast<std::size_t>(
+        std::ranges::count_if(resumed->trajectory.events, [&](const plan::TrajectoryEvent& event) {
+          return event.kind == plan::EventKind::ToolChange && event.point > resumed->firstPoint;
+        }));
     for (const plan::TrajectoryEvent& event : resumed->trajectory.events)
       if (event.kind == plan::EventKind::Wait && event.point > resumed->firstPoint) {
         ++report().motion.waits;
