@@ -307,6 +307,34 @@ private:
     return tooling_.first().process;
   }
 
+  // Returns the time at each point of a transfer, the first being `from`. The arm stops for each
+  // step of a tool change.
+  std::vector<double> timesOfWay(RobotState from, const Transfer& way,
+                                 const process::Process& process) const {
+    const TimingLimits limits = timingLimits(cell_, process);
+    std::vector<std::size_t> stops;
+    for (const ToolStep& step : way.toolSteps)
+      stops.push_back(step.point);
+    stops.push_back(way.points.size());
+    std::vector<double> times{0.0};
+    std::size_t first = 0;
+    for (const std::size_t stop : stops) {
+      if (stop == first)
+        continue;
+      Transfer part;
+      part.points.assign(way.points.begin() + static_cast<std::ptrdiff_t>(first),
+                         way.points.begin() + static_cast<std::ptrdiff_t>(stop));
+      const double before = times.back();
+      const std::vector<double> own =
+          timesOf(timedPoints(from, part, process.travelSpeedMmPerS), limits);
+      for (std::size_t k = 1; k < own.size(); ++k)
+        times.push_back(before + own[k]);
+      from = part.points.back().at;
+      first = stop;
+    }
+    return times;
+  }
+
   void assemble(const Sequence& sequence, const base::RunContext& ctx) {
     result_.trajectory = {};
     result_.trajectory.dof = cell_.dof();
@@ -327,9 +355,7 @@ private:
         }
         if (i < ways) {
           const RobotState& from = i == 0 ? home_ : sequence.runs[i - 1].points.back().at;
-          const process::Process& process = processOfWay(sequence, i);
-          wayTimes[i] = timesOf(timedPoints(from, sequence.ways[i], process.travelSpeedMmPerS),
-                                timingLimits(cell_, process));
+          wayTimes[i] = timesOfWay(from, sequence.ways[i], processOfWay(sequence, i));
         }
       }
     });

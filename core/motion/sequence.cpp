@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/run_context.h"
+#include "motion/change_place.h"
 #include "motion/external_axes.h"
 #include "motion/timed_points.h"
 
@@ -229,16 +230,21 @@ private:
   // Error{UnusableInput} if the arm does not reach a dock.
   Transfer toolChange(int mounted, int wanted, std::size_t before) {
     using Kind = ToolStep::Kind;
-    const robot::ToolChange& change = scene_.cell.toolChange();
+    const bool isChanger = scene_.cell.toolChange().by == robot::ToolChange::By::Changer;
     Transfer all;
-    if (change.by == robot::ToolChange::By::Changer) {
+    if (isChanger) {
       putTool(all, mounted, before, Kind::Release);
       putTool(all, wanted, before, Kind::Take);
-      goTo(all, rest(), wanted, before, false);
-    } else {
-      all.toolSteps.push_back({0, Kind::Take});
     }
+    // If there is no way beside the part, the tool is changed at rest.
+    const bool isBeside = tryGo(all, stateAt(scene_.cell, changePlace(scene_, rest().q)), before);
+    if (!isBeside && isChanger)
+      goTo(all, rest(), wanted, before);
+    if (!isChanger)
+      all.toolSteps.push_back({all.points.size(), Kind::Take});
     all.toolSteps.push_back({all.points.size(), Kind::Purge});
+    if (isBeside)
+      goTo(all, rest(), wanted, before);
     return all;
   }
 
@@ -248,7 +254,7 @@ private:
     base::require(static_cast<std::size_t>(tool) < docks.size(), "a dock for each tool");
     const robot::ToolDock& dock = docks[static_cast<std::size_t>(tool)];
     const RobotState outside = dockState(dock.before), inside = dockState(dock.in);
-    goTo(all, outside, tool, before, false);
+    goTo(all, outside, tool, before);
     goTo(all, inside, tool, before, true);
     all.toolSteps.push_back({all.points.size(), kind});
     goTo(all, outside, tool, before, true);
@@ -260,20 +266,27 @@ private:
     return stateAt(scene_.cell, q);
   }
 
-  // Appends the motion from where the change has come so far. `tool`: whose dock it is about.
-  void goTo(Transfer& all, const RobotState& to, int tool, std::size_t before, bool isStraight) {
+  // Appends the motion from where the change has come so far. Returns whether there is one.
+  bool tryGo(Transfer& all, const RobotState& to, std::size_t before, bool isStraight = false) {
     const RobotState from = all.points.empty() ? rest() : all.points.back().at;
     const auto way = known_.of(KnownTransfers::Way::Dock, from, to, before, before, {}, [&] {
       return isStraight ? usual_.straight(from, to, before)
                         : usual_.between(from, to, before, scene_.options.seed + before, ctx_);
     });
-    if (!way)
+    if (way)
+      all.points.insert(all.points.end(), way->points.begin(), way->points.end());
+    return way.has_value();
+  }
+
+  // The same to or from the dock of a tool; throws if there is no motion.
+  void goTo(Transfer& all, const RobotState& to, int tool, std::size_t before,
+            bool isStraight = false) {
+    if (!tryGo(all, to, before, isStraight))
       throw base::Error(base::ErrorCode::UnusableInput,
                         base::message("the arm does not get to the dock of tool {number} without "
                                       "a collision"_text,
                                       tool + 1),
                         {}, "move the dock or the part"_text);
-    all.points.insert(all.points.end(), way->points.begin(), way->points.end());
   }
 
   // Plans the run's waypoints again, starting from `from`.

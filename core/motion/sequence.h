@@ -42,18 +42,18 @@ std::vector<PrintedBounds> printedBoundsOf(const plan::ToolPlan& plan);
 // Returns the robot state with these joints.
 RobotState stateAt(const robot::Cell& cell, const robot::JointVector& q);
 
-// Finds the transfers. Between runs of different tools the arm goes home, where the tool is
-// changed. If no transfer leads from a run to the next, the arm goes via home too. If that fails
-// too, the run is planned again from home in another branch of the arm, and later runs are planned
-// again from its end.
+// Finds the transfers. Between runs of different tools the arm goes home and beside the part,
+// where the tool is changed. If no transfer leads from a run to the next, the arm goes via home
+// too. If that fails too, the run is planned again from home in another branch of the arm, and
+// later runs are planned again from its end.
 //
 // A transfer to the next run begins with a wipe if options.wipeMm is positive and the wipe is
 // collision-free. If the arm cannot leave a run's end, the run is shortened to a point that it can
 // leave; if it cannot reach a run's start, the run begins at the first point that it can reach. So
 // at worst the whole run is lost, but never later ones. The last transfer, home, always exists if
-// there is a run. Throws Cancelled. `known`: transfers of this scene; new ones are added.
-// `highBefore`: first waypoints of runs, ascending, to which the transfer lifts by kHighLiftMm if
-// it can.
+// there is a run. Throws Cancelled; Error{UnusableInput} if the arm does not reach the dock of a
+// tool. `known`: transfers of this scene; new ones are added. `highBefore`: first waypoints of
+// runs, ascending, to which the transfer lifts by kHighLiftMm if it can.
 ConnectedRuns connectRuns(const MotionScene& scene, std::vector<Run> runs, const RobotState& home,
                           PathPlanner& paths, KnownTransfers& known, const base::RunContext& ctx,
                           const std::set<std::size_t>& highBefore = {});

@@ -227,7 +227,7 @@ void PreparePage::setParameter(const QString& key, const QString& text) {
 namespace {
 // Returns whether the parameter matters only to jobs with several tools.
 bool ofTools(const std::string& key) {
-  return key == "purgeMm3" || layers::toolParameters().find(key);
+  return key == "purgeMm3" || key.starts_with("fibre") || layers::toolParameters().find(key);
 }
 } // namespace
 
