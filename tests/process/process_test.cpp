@@ -197,7 +197,8 @@ Process withFeatures(const std::string& block) {
 }
 
 TEST_F(Processes, featuresAreOptionalAndReadByKey) {
-  for (const FeatureSettings& none : loadProcess("fdm-0.35").features.all()) {
+  const Process usual = loadProcess("fdm-0.35");
+  for (const FeatureSettings& none : usual.features.all()) {
     EXPECT_EQ(none.speedMmPerS, 0.0);
     EXPECT_EQ(none.flow, 1.0);
     EXPECT_EQ(none.widthMm, 0.0);
