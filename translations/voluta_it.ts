@@ -8397,10 +8397,6 @@ previsto</translation>
         <translation>la cella {cell} non ha una stazione per l&apos;utensile {tool}</translation>
     </message>
     <message>
-        <source>choose the extruder {outputs}</source>
-        <translation>scegli l&apos;estrusore {outputs}</translation>
-    </message>
-    <message>
         <source>give numbers, such as 1,2</source>
         <translation>indica dei numeri, come 1,2</translation>
     </message>

@@ -492,7 +492,6 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   own.options = optionsAmong(optionsOf(dialect), input.options);
   if (dialect.extruders.empty())
     own.options.own[std::string(kExtruderOption)] = std::string(kOutputsExtruder);
-  requireSelectable(own);
   if (!dialect.tiltsNozzle) {
     std::vector<Eigen::Vector3d> directions;
     const std::vector<MotionTarget> targets = motionTargets(input, ctx);
@@ -501,7 +500,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
         directions.push_back(targets[i].direction);
     requireUpright(dialect, directions);
   }
-  requireLagsSaid(own);
+  requireEventsSaid(own);
   plan::Program program = dialect.write(own, ctx);
   uncoverBeadWords(program.files, dialect.remark);
   if (!dialect.extruders.empty() && extruderOf(own).streams)

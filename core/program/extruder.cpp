@@ -92,18 +92,22 @@ void requireExtruder(std::string_view format, std::span<const std::string_view> 
       {}, base::message("use extruder {extruders}"_text, own));
 }
 
-void requireLagsSaid(const ProgramInput& input) {
+void requireEventsSaid(const ProgramInput& input) {
   const Extruder& extruder = extruderOf(input);
+  const bool isFed = extruder.byAxis || extruder.streams;
   const auto isLag = [](const plan::TrajectoryEvent& event) {
     return event.kind == plan::EventKind::StartLag || event.kind == plan::EventKind::StopLag;
   };
-  if ((extruder.byAxis || extruder.streams) && std::ranges::any_of(input.trajectory.events, isLag))
-    throw base::Error(
-        base::ErrorCode::Usage,
-        base::message("extruder {extruder} cannot keep the start and stop lag of process "
-                      "{process}"_text,
-                      extruder.id, input.process().id),
-        {}, base::message("use extruder {extruders}"_text, kOutputsExtruder));
+  const auto refuse = [](base::Message reason) {
+    throw base::Error(base::ErrorCode::Usage, std::move(reason), {},
+                      base::message("use extruder {extruders}"_text, kOutputsExtruder));
+  };
+  if (input.trajectory.changesTool() && (isFed || extruder.text))
+    refuse(base::message("the extruder {extruder} prints with one tool"_text, extruder.id));
+  if (isFed && std::ranges::any_of(input.trajectory.events, isLag))
+    refuse(base::message("extruder {extruder} cannot keep the start and stop lag of process "
+                         "{process}"_text,
+                         extruder.id, input.process().id));
 }
 
 double writtenBy(const Extruder& extruder, const process::Process& process, double share,
@@ -118,16 +122,6 @@ std::string extruderNote(const ProgramInput& input, std::string_view outputs) {
     return std::string(outputs);
   return joined(
       {row.note, "; it is assumed to follow within ", fixedText(1000.0 * row.lagS, 0), " ms"});
-}
-
-void requireSelectable(const ProgramInput& input) {
-  const Extruder& extruder = extruderOf(input);
-  if (!input.trajectory.changesTool() || !(extruder.byAxis || extruder.text || extruder.streams))
-    return;
-  throw base::Error(
-      base::ErrorCode::Usage,
-      base::message("the extruder {extruder} prints with one tool"_text, std::string(extruder.id)),
-      {}, base::message("choose the extruder {outputs}"_text, std::string(kOutputsExtruder)));
 }
 
 } // namespace voluta::program

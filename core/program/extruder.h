@@ -58,18 +58,15 @@ base::ParameterSpec extruderOption(std::span<const std::string_view> ids);
 
 // Returns the extruder that a program is written for.
 const Extruder& extruderOf(const ProgramInput& input);
-
-// Throws Error{Usage} if the trajectory changes the tool and no outputs can select it, because the
-// extruder takes texts, is an axis or has a stream of its own.
-void requireSelectable(const ProgramInput& input);
 // Throws Error{Usage} if the chosen extruder, or the cell's, is not among `ids`, those that a
 // format supports. If `ids` is empty, the format states amounts and supports any extruder.
 void requireExtruder(std::string_view format, std::span<const std::string_view> ids,
                      const robot::Cell& cell, const ProgramOptions& options);
 
-// Throws Error{Usage} if the trajectory has the events of an extruder's lags and the program is for
-// an extruder that is fed amounts, which cannot run while the arm waits for them.
-void requireLagsSaid(const ProgramInput& input);
+// Throws Error{Usage} if the trajectory has events that the program's extruder cannot follow: a
+// change of the tool needs outputs that select it; the lags of an extruder need one that is not fed
+// amounts, since it runs while the arm waits.
+void requireEventsSaid(const ProgramInput& input);
 
 // Returns the written flow for a wanted flow, both as shares of the full flow. `outputs`:
 // conversion of the dialect's own outputs.

@@ -1,6 +1,7 @@
 #include "program/job_head.h"
 
 #include "base/units.h"
+#include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
 #include "program/common/text.h"
 #include "program/extruder.h"
@@ -95,9 +96,12 @@ std::string heatLine(const ProgramInput& input) {
     text += joined({", fan ", fixedText(100.0 * material.fan, 0), " % from layer 2 on"});
   return text;
 }
-} // namespace
 
-namespace {
+bool hasEvent(const ProgramInput& input, plan::EventKind kind) {
+  const auto& events = input.trajectory.events;
+  return std::ranges::find(events, kind, &plan::TrajectoryEvent::kind) != events.end();
+}
+
 std::string toolName(const process::Tooling& tooling, int tool) {
   const process::Process& process = tooling.at(tool).process;
   std::string text = joined({"tool ", std::to_string(tool + 1), " (", plainText(process.id), ", ",
@@ -112,17 +116,35 @@ std::string changeText(const process::Tooling& tooling, int tool) {
   return joined({"Fit ", toolName(tooling, tool), ", then continue"});
 }
 
+namespace {
+// The outputs that the program sets for its tools.
+std::vector<int> usedOutputs(const ProgramInput& input) {
+  std::vector<int> outputs;
+  if (!input.trajectory.changesTool())
+    return outputs;
+  for (int tool = 1; tool < static_cast<int>(input.tooling.tools().size()); ++tool)
+    outputs.push_back(tool);
+  if (hasEvent(input, plan::EventKind::Lock))
+    outputs.push_back(kChangerOutput);
+  return outputs;
+}
+} // namespace
+
+std::vector<std::string> toolOutputs(const ProgramInput& input,
+                                     const std::function<std::string(int)>& output) {
+  std::vector<std::string> names;
+  for (const int used : usedOutputs(input))
+    names.push_back(output(used));
+  return names;
+}
+
 std::vector<std::string> toolNotes(const ProgramInput& input,
                                    const std::function<std::string(int)>& output) {
   std::vector<std::string> notes;
-  if (!input.trajectory.changesTool())
-    return notes;
-  for (int tool = 1; tool < static_cast<int>(input.tooling.tools().size()); ++tool)
-    notes.push_back(joined({toolName(input.tooling, tool), ": ", output(tool)}));
-  const auto& events = input.trajectory.events;
-  if (std::ranges::find(events, plan::EventKind::Lock, &plan::TrajectoryEvent::kind) !=
-      events.end())
-    notes.push_back(joined({"tool changer locked: ", output(kChangerOutput)}));
+  for (const int used : usedOutputs(input))
+    notes.push_back(joined({used == kChangerOutput ? std::string("tool changer locked")
+                                                   : toolName(input.tooling, used),
+                            ": ", output(used)}));
   return notes;
 }
 
@@ -267,8 +289,7 @@ std::vector<std::string> headLines(const ProgramInput& input, std::size_t most) 
 }
 
 bool cutsTape(const ProgramInput& input) {
-  return std::ranges::find(input.trajectory.events, plan::EventKind::Cut,
-                           &plan::TrajectoryEvent::kind) != input.trajectory.events.end();
+  return hasEvent(input, plan::EventKind::Cut);
 }
 
 } // namespace voluta::program

@@ -54,8 +54,10 @@ inline constexpr std::string_view kPauseText = "Paused. Continue?";
 // Message for the operator at a tool change by hand, e.g. "Fit tool 2 (petg-1.0, PETG, 240 C),
 // then continue".
 std::string changeText(const process::Tooling& tooling, int tool);
-// The output that locks the tool of a tool changer, counted like those of the tools.
-inline constexpr int kChangerOutput = 4;
+// Returns the names of the outputs of the tools but the first, and of the tool changer's; none if
+// the program changes no tool. `output`: returns the name of an output by its number.
+std::vector<std::string> toolOutputs(const ProgramInput& input,
+                                     const std::function<std::string(int)>& output);
 // What the program's outputs select, e.g. "tool 2 (petg-1.0, PETG, 240 C): digital output 1", one
 // line for each tool but the first, all of whose outputs are off; none if the program changes no
 // tool. `output`: the name of the output of a tool's index.

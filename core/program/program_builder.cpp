@@ -1,7 +1,5 @@
 #include "program/program_builder.h"
 
-#include "program/job_head.h"
-
 #include "program/filament.h"
 #include "program/gcode/castelli_serial.h"
 
@@ -70,7 +68,7 @@ void ProgramBuilder::send(std::string_view text) {
   switch (command->word) {
   case 'G':
     turn(command->value > 0);
-    flow(std::max(0.0, castelliFlowMm3PerS(command->value)) / fullFlowMm3PerS());
+    flow(std::max(0.0, castelliFlowMm3PerS(command->value)) / tooling_.fullFlowMm3PerS());
     drawsMm3PerS_ = std::max(0.0, -castelliFlowMm3PerS(command->value));
     return;
   case 'M':
@@ -93,7 +91,7 @@ void ProgramBuilder::send(std::string_view text) {
 }
 
 void ProgramBuilder::motionByOutputs(plan::ProgramMotion m) {
-  if (!outputs_.moveWith(m, fullFlowMm3PerS()))
+  if (!outputs_.moveWith(m, tooling_.fullFlowMm3PerS()))
     defect("the extruder's outputs are not set before this motion"_text);
   if (drawsMm3PerS_ > 0.0)
     defect("the extruder reverses while the nozzle moves"_text);
@@ -114,7 +112,8 @@ void ProgramBuilder::motion(plan::ProgramMotion m) {
 }
 
 void ProgramBuilder::pauseByOutputs(double seconds) {
-  const double pushed = (outputs_.flowShare() * fullFlowMm3PerS() - drawsMm3PerS_) * seconds;
+  const double pushed =
+      (outputs_.flowShare() * tooling_.fullFlowMm3PerS() - drawsMm3PerS_) * seconds;
   const double before = drawnMm3_;
   double out = 0.0;
   std::tie(out, drawnMm3_) = pushedOut(pushed, drawnMm3_);

@@ -28,7 +28,9 @@ public:
   void expectMotionsOf(const std::vector<plan::ProgramFile>& files);
 
   std::size_t file = 0, line = 0; // current position of the reader
-  void defect(base::Message reason) { defects_.add(file, line, std::move(reason)); }
+  void defect(base::Message reason) { defectAt(line, std::move(reason)); }
+  // The same at an earlier line of the file.
+  void defectAt(std::size_t at, base::Message reason) { defects_.add(file, at, std::move(reason)); }
 
   // Extruder by outputs. At the beginning of a file their state is unknown.
   void beginOutputs();
@@ -95,8 +97,6 @@ private:
   // Adds a defect if too much filament is retracted.
   void tellDrawn(double mm);
 
-  // The full flow of outputs is that of the first tool.
-  double fullFlowMm3PerS() const { return tooling_.fullFlowMm3PerS(); }
   const process::Material& material() const { return tooling_.at(selected_).process.material; }
 
   const process::Tooling tooling_;

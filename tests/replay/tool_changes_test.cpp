@@ -107,6 +107,15 @@ TEST_F(ToolChanges, TheOperatorReadsWhichToolToFit) {
   }));
 }
 
+TEST_F(ToolChanges, TheSignalsOfRapidAreListed) {
+  const plan::Program program = programFor("rapid");
+  const auto list = std::ranges::find_if(
+      program.files, [](const plan::ProgramFile& file) { return file.name.ends_with(".cfg"); });
+  ASSERT_NE(list, program.files.end());
+  EXPECT_NE(list->text.find("-Name \"doTool2\" -SignalType \"DO\""), std::string::npos);
+  EXPECT_EQ(list->text.find("doToolLocked"), std::string::npos) << "no tool changer";
+}
+
 // Lines of the text whose statement belongs to a change.
 TEST_F(ToolChanges, ADeletedLineIsRefused) {
   for (const std::string_view format : formats()) {

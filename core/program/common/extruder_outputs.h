@@ -17,6 +17,10 @@ inline constexpr double kMaxDrawnBackMm = 20.0, kDrawnBackLeftMm3 = 0.02;
 // that comes out and the volume retracted afterwards [mm3].
 std::pair<double, double> pushedOut(double mm3, double drawnMm3);
 
+// The output that locks the tool of a tool changer. Output k selects tool k, counted from 0; the
+// first tool has none.
+inline constexpr int kChangerOutput = 4;
+
 // Share of the full flow as written to programs, in [0, 1]: four significant digits.
 std::string shareText(double share);
 double writtenShare(double share);

@@ -41,7 +41,7 @@ public:
       said_.clear();
       emitter_.beginFile(file);
       if (file == 0 && in_.trajectory.changesTool())
-        emitter_.selectTool(tool_);
+        selectTool();
       for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
         if (i % 4096 == 0)
           ctx_.report(static_cast<double>(i) / static_cast<double>(walk_.cuts.back()),
@@ -103,7 +103,7 @@ private:
         if (drawn_) // Each tool has its own filament
           draw(false);
         tool_ = event.tool;
-        emitter_.selectTool(tool_);
+        selectTool();
         isChanged = true;
         break;
       case plan::EventKind::Cut:
@@ -123,7 +123,7 @@ private:
         break;
       case plan::EventKind::Release:
       case plan::EventKind::Lock:
-        emitter_.lockTool(event.kind == plan::EventKind::Lock);
+        emitter_.setOutput(kChangerOutput, event.kind == plan::EventKind::Lock);
         emitter_.wait(event.seconds);
         break;
       case plan::EventKind::StartLag:
@@ -132,6 +132,13 @@ private:
       case plan::EventKind::StopLag: // said by the flow (TcpMotions)
         break;
       }
+  }
+
+  void selectTool() {
+    if (walk_.outputs == nullptr)
+      return emitter_.selectTool(tool_);
+    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
+      emitter_.setOutput(k, k == tool_);
   }
 
   void purge(const plan::TrajectoryEvent& event) {

@@ -24,7 +24,7 @@ public:
   virtual void prompt() {}
   virtual void remark(std::string_view) {}
   // Called on changes only, for dialects with an extruder on two outputs (Walk::outputs).
-  virtual void flow(std::string_view /*share*/) {} // 0..1, of process.maxFlowMm3PerS
+  virtual void flow(std::string_view /*share*/) {} // 0..1, of Tooling::fullFlowMm3PerS()
   virtual void extruder(bool /*on*/) {}
   // A text for an extruder that is controlled by texts (Extruder::text).
   virtual void send(std::string_view /*text*/) {}
@@ -32,9 +32,11 @@ public:
   // Part cooling from here on, called on changes only; off at the beginning.
   virtual void fan(double /*share*/) {}
   // Events of the trajectory, in place; for dialects that have words for them (Dialect::events).
-  virtual void selectTool(int /*tool*/) {}
   virtual void cut() {}
-  virtual void lockTool(bool /*locked*/) {} // of a tool changer
+  // The tool: an output for each but the first, and one that locks it in a tool changer
+  // (kChangerOutput), for dialects with an extruder on outputs; selectTool() for the others.
+  virtual void setOutput(int /*output*/, bool /*on*/) {}
+  virtual void selectTool(int /*tool*/) {}
   virtual void pause(std::string_view /*message*/) {} // until the operator continues
   // Lets material flow out while the arm is at rest, for dialects whose motions contain amounts.
   virtual void purge(double /*filamentMm*/, double /*seconds*/) {}

@@ -39,9 +39,9 @@ protected:
   // Takes the words of a motion's target and its speed. Returns false if there is no motion or a
   // defect was reported. `g`: 0 to 3.
   virtual bool target(GcodeWords& words, double g, bool extruding, plan::ProgramMotion& motion) = 0;
-  // Returns whether G2 and G3 are motions of this kind.
-  // The time that a G4 waits.
+  // Returns the time that a G4 waits.
   virtual double dwellS(GcodeWords& words) const;
+  // Returns whether G2 and G3 are motions of this kind.
   virtual bool hasArcs() const { return false; }
   // Handles G92 of the axes that isTargetWord() names. Returns false if it would shift their
   // origin.

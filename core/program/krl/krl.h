@@ -22,7 +22,7 @@
 // robot come first; AXES_UNDER_ROBOT is their number, $BASE is in $WORLD, and the person who sets
 // up the controller makes $ROBROOT follow them.
 //
-// The extruder is on while $OUT[1] is, with a flow of $ANOUT[1] (0..1) x process.maxFlowMm3PerS.
+// The extruder is on while $OUT[1] is, with a flow of $ANOUT[1] (0..1) x the full flow.
 // Where the arm is at rest, outputs are assigned directly. Between motions that do not stop, an
 // assignment would halt the arm (it stops the advance run); there the flow is set by a TRIGGER at
 // the start of the next motion. A program of more than kKrlMotionsPerFile points is divided into

@@ -235,12 +235,8 @@ private:
     line("$OUT[1]=FALSE");
     line("$ANOUT[1]=0");
   }
-  void selectTool(int tool) override {
-    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
-      line(joined({"$OUT[", std::to_string(k + 1), k == tool ? "]=TRUE" : "]=FALSE"}));
-  }
-  void lockTool(bool locked) override {
-    line(joined({"$OUT[", std::to_string(kChangerOutput + 1), locked ? "]=TRUE" : "]=FALSE"}));
+  void setOutput(int output, bool on) override {
+    line(joined({"$OUT[", std::to_string(output + 1), on ? "]=TRUE" : "]=FALSE"}));
   }
   void pause(std::string_view message) override {
     line(joined({"; ", message}));

@@ -18,7 +18,7 @@
 //                  at kMelfaStartPercent of it, after Hlt, which waits for the operator. The
 //                  extruder is on while output kMelfaExtruder is on. The 16 outputs from kMelfaFlow
 //                  on hold the flow as a number, M_Outw; kMelfaFullFlow means
-//                  process.maxFlowMm3PerS. Where the arm does not stop, the number changes together
+//                  the full flow. Where the arm does not stop, the number changes together
 //                  with the motion that begins there (Wth). A program of more than
 //                  kMelfaMotionsPerFile motions is divided into programs that the first one calls
 //                  in turn (CallP).

@@ -135,13 +135,8 @@ private:
     step(joined({"M_Out(", std::to_string(kMelfaExtruder), ")=0"}));
     step(joined({"M_Outw(", std::to_string(kMelfaFlow), ")=0"}));
   }
-  void selectTool(int tool) override {
-    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
-      step(joined({"M_Out(", std::to_string(kMelfaExtruder + k), k == tool ? ")=1" : ")=0"}));
-  }
-  void lockTool(bool locked) override {
-    step(joined(
-        {"M_Out(", std::to_string(kMelfaExtruder + kChangerOutput), locked ? ")=1" : ")=0"}));
+  void setOutput(int output, bool on) override {
+    step(joined({"M_Out(", std::to_string(kMelfaExtruder + output), on ? ")=1" : ")=0"}));
   }
   void pause(std::string_view message) override {
     remark(message);

@@ -27,7 +27,7 @@
 // that below.
 //
 // The extruder is on while the digital output doExtruder is, with a flow of aoFlow (0..1) x
-// process.maxFlowMm3PerS; a motion that needs more than the full flow is slowed. Zones:
+// the full flow; a motion that needs more than the full flow is slowed. Zones:
 // TcpMotions::blendMm for position, orientation and external axes alike. Prime: as in URScript. An
 // extruder that is an external axis (program/gcode/extruder_axis.h) uses the first eax that moves
 // no part, of the mechanical unit "extruder", in every target; MoveExtJ moves it while the arm

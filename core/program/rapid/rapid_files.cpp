@@ -22,19 +22,19 @@ std::string moduleListText(std::string_view module) {
                  module, "</Module>\r\n</Program>\r\n"});
 }
 
-std::string signalListText(std::string_view unit, bool omniCore, bool extrudes, bool cuts) {
+std::string signalListText(std::string_view unit, bool omniCore, bool extrudes,
+                           std::span<const std::string> outputs) {
   std::string text = joined({"EIO:CFG_1.0:", omniCore ? "7:0" : "6:1", "::\r\n"});
   text += "# What the program expects; give each signal its -Device and -DeviceMap.\r\n";
   if (!unit.empty())
     text += joined({"# Its mechanical unit, ", unit, ", belongs into MOC.cfg.\r\n"});
-  text += "#\r\nEIO_SIGNAL:\r\n\r\n";
+  text += "#\r\nEIO_SIGNAL:\r\n";
   if (extrudes)
-    text += "      -Name \"doExtruder\" -SignalType \"DO\"\r\n\r\n"
-            "      -Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 -MaxPhys 10 -MaxPhysLimit "
+    text += "\r\n      -Name \"doExtruder\" -SignalType \"DO\"\r\n"
+            "\r\n      -Name \"aoFlow\" -SignalType \"AO\" -MaxLog 1 -MaxPhys 10 -MaxPhysLimit "
             "10\r\n";
-  if (cuts)
-    text += joined(
-        {extrudes ? "\r\n" : "", "      -Name \"", kRapidCutSignal, "\" -SignalType \"DO\"\r\n"});
+  for (const std::string& output : outputs)
+    text += joined({"\r\n      -Name \"", output, "\" -SignalType \"DO\"\r\n"});
   return text;
 }
 

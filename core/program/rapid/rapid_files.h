@@ -4,6 +4,7 @@
 #include "plan/program.h"
 #include "program/program_builder.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,9 +20,10 @@ bool isSignalList(std::string_view text);
 std::string_view moduleExtension(bool omniCore);
 // Return these two files as written: the list names one module, which loads the others. `unit`: the
 // mechanical unit that the program expects; empty: none. `omniCore`: for RobotWare 7, else 6.
-// `extrudes`, `cuts`: there are signals for an extruder and for a cutter.
+// `extrudes`: there are signals for an extruder; `outputs`: names of further digital ones.
 std::string moduleListText(std::string_view module);
-std::string signalListText(std::string_view unit, bool omniCore, bool extrudes, bool cuts);
+std::string signalListText(std::string_view unit, bool omniCore, bool extrudes,
+                           std::span<const std::string> outputs);
 // Reduces a trimmed line of a list that names a module to the name.
 bool takeModule(std::string_view& line);
 // Checks that every module in the list exists. Defects are added to `out`. Returns false if the

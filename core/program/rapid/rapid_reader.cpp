@@ -1,6 +1,6 @@
 #include "base/units.h"
+#include "program/common/extruder_outputs.h"
 #include "program/common/text.h"
-#include "program/job_head.h"
 #include "program/program_builder.h"
 #include "program/rapid/rapid.h"
 #include "program/rapid/rapid_data.h"

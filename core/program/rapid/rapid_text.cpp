@@ -1,7 +1,6 @@
 #include "program/rapid/rapid_text.h"
 
-#include "program/job_head.h"
-
+#include "program/common/extruder_outputs.h"
 #include "program/common/tcp_motions.h"
 #include "program/common/text.h"
 
@@ -45,9 +44,9 @@ std::string rapidFrame(const Eigen::Isometry3d& pose) {
   return out + "]";
 }
 
-std::string rapidToolSignal(int tool) {
-  return tool == kChangerOutput ? std::string("doToolLocked")
-                                : joined({"doTool", std::to_string(tool + 1)});
+std::string rapidToolSignal(int output) {
+  return output == kChangerOutput ? std::string("doToolLocked")
+                                  : joined({"doTool", std::to_string(output + 1)});
 }
 
 std::string rapidToolLine(const ProgramInput& input) {

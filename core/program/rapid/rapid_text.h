@@ -21,10 +21,11 @@ void appendRapidPosition(std::string& out, const Eigen::Vector3d& mm, int decima
 void appendRapidTurn(std::string& out, const Eigen::Quaterniond& q, int decimals);
 std::string rapidFrame(const Eigen::Isometry3d& pose);
 
+// Returns the name of the signal of an output (ProgramEmitter::setOutput).
+std::string rapidToolSignal(int output);
+
 // Return the declarations, without line ends: the nozzle, held or stationary, with the assumed
 // load; and the work object, stationary or held by the flange.
-// Returns the name of the signal that selects a tool but the first, by its index.
-std::string rapidToolSignal(int tool);
 std::string rapidToolLine(const ProgramInput& input);
 std::string rapidObjectLine(const ProgramInput& input, std::string_view name);
 

@@ -84,10 +84,13 @@ public:
 
 private:
   std::string signals() const {
+    std::vector<std::string> outputs = toolOutputs(in_, rapidToolSignal);
+    if (cutsTape(in_))
+      outputs.emplace_back(kRapidCutSignal);
     return signalListText(movesPart()    ? unit()
                           : movesRobot() ? robotUnit()
                                          : std::string(),
-                          omniCore_, !byAxis_, cutsTape(in_));
+                          omniCore_, !byAxis_, outputs);
   }
 
   // Main contains the motions itself.
@@ -289,12 +292,8 @@ private:
     share_.clear();
     perMm_ = 0.0;
   }
-  void selectTool(int tool) override {
-    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
-      line(joined({"    SetDO ", rapidToolSignal(k), k == tool ? ",1;" : ",0;"}));
-  }
-  void lockTool(bool locked) override {
-    line(locked ? "    SetDO doToolLocked,1;" : "    SetDO doToolLocked,0;");
+  void setOutput(int output, bool on) override {
+    line(joined({"    SetDO ", rapidToolSignal(output), on ? ",1;" : ",0;"}));
   }
   void pause(std::string_view message) override {
     line(joined({"    UIMsgBox \"", message, "\";"}));

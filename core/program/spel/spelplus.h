@@ -22,7 +22,7 @@
 //                  tool both up, and the side of its elbow, /R or /L (joint 2 above 0 or not);
 //                  joint 3 in AglToPls is in mm. External axes do not move the print surface: no
 //                  rod. The extruder is on while output 1 is on, with the flow on analogue output
-//                  1, 10 V for process.maxFlowMm3PerS. A statement after a motion with CP runs when
+//                  1, 10 V for the full flow. A statement after a motion with CP runs when
 //                  that motion begins to decelerate.
 #pragma once
 

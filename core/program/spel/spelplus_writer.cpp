@@ -178,12 +178,8 @@ private:
     line("  Off 1");
     line("  AIO_Out 1, 0");
   }
-  void selectTool(int tool) override {
-    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
-      line(joined({k == tool ? "  On " : "  Off ", std::to_string(k + 1)}));
-  }
-  void lockTool(bool locked) override {
-    line(joined({locked ? "  On " : "  Off ", std::to_string(kChangerOutput + 1)}));
+  void setOutput(int output, bool on) override {
+    line(joined({on ? "  On " : "  Off ", std::to_string(output + 1)}));
   }
   void pause(std::string_view message) override {
     line(joined({"  Print \"", message, "\""}));

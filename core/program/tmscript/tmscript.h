@@ -11,7 +11,7 @@
 //                  pose in a program for another maker's robot. The first point is reached at
 //                  kTmStartPercent, after Pause(). The extruder is on while digital output 0 of the
 //                  control box is on; its flow is analogue output 0, 10 V for
-//                  process.maxFlowMm3PerS. Both are queued with the motions. Priming is a PVT point
+//                  the full flow. Both are queued with the motions. Priming is a PVT point
 //                  at which the arm does not move.
 #pragma once
 

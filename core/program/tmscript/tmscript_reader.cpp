@@ -425,11 +425,9 @@ private:
     }
     last_ = Last{joints, numbers};
     isQueueDone_ = false;
-    if (earlyPause_) {
-      const std::size_t here = std::exchange(out_.line, *std::exchange(earlyPause_, std::nullopt));
-      defect("'Pause' does not wait for the motions before it (QueueTag)"_text);
-      out_.line = here;
-    }
+    if (earlyPause_)
+      out_.defectAt(*std::exchange(earlyPause_, std::nullopt),
+                    "'Pause' does not wait for the motions before it (QueueTag)"_text);
     out_.motionByOutputs(std::move(m));
   }
 

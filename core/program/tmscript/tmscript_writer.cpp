@@ -106,15 +106,9 @@ private:
     frame("IO[\"ControlBox\"].DO[0]=0");
     frame("IO[\"ControlBox\"].AO[0]=0");
   }
-  void selectTool(int tool) override {
+  void setOutput(int output, bool on) override {
     leave();
-    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
-      frame(joined({"IO[\"ControlBox\"].DO[", std::to_string(k), k == tool ? "]=1" : "]=0"}));
-  }
-  void lockTool(bool locked) override {
-    leave();
-    frame(
-        joined({"IO[\"ControlBox\"].DO[", std::to_string(kChangerOutput), locked ? "]=1" : "]=0"}));
+    frame(joined({"IO[\"ControlBox\"].DO[", std::to_string(output), on ? "]=1" : "]=0"}));
   }
   void pause(std::string_view message) override {
     leave();

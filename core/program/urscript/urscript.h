@@ -14,7 +14,7 @@
 //                  planned time; movej(p[...]) in a program for another maker's robot. The first
 //                  point is always a movej, at kStartRadPerS, after a popup that asks the operator.
 //                  The extruder is on while standard digital output 0 is on, with a flow of
-//                  (standard analogue output 0, in 0..1, 0 to 10 V) x process.maxFlowMm3PerS. Flow
+//                  (standard analogue output 0, in 0..1, 0 to 10 V) x the full flow. Flow
 //                  and times: TcpMotions. Blends (program/common/tcp_motions.h) only between Print
 //                  motions or straight travels. Priming: once, at the first point, before any
 //                  further motion; the extruder runs for process.primeS. A program of more than

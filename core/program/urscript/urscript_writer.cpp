@@ -190,14 +190,9 @@ private:
                    ", cuts when it turns on"}));
   }
 
-  void selectTool(int tool) override {
-    for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
-      line(joined(
-          {"  set_standard_digital_out(", std::to_string(k), k == tool ? ",True)" : ",False)"}));
-  }
-  void lockTool(bool locked) override {
-    line(joined({"  set_standard_digital_out(", std::to_string(kChangerOutput),
-                 locked ? ",True)" : ",False)"}));
+  void setOutput(int output, bool on) override {
+    line(
+        joined({"  set_standard_digital_out(", std::to_string(output), on ? ",True)" : ",False)"}));
   }
   void pause(std::string_view message) override {
     line(joined({"  popup(\"", message, "\",title=\"Voluta\",blocking=True)"}));
