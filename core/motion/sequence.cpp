@@ -237,7 +237,7 @@ private:
       putTool(all, wanted, before, Kind::Take);
     }
     // If there is no way beside the part, the tool is changed at rest.
-    const bool isBeside = tryGo(all, stateAt(scene_.cell, changePlace(scene_, rest().q)), before);
+    const bool isBeside = tryGo(all, stateAt(scene_.cell, placeBeside(rest().q)), before);
     if (!isBeside && isChanger)
       goTo(all, rest(), wanted, before);
     if (!isChanger)
@@ -246,6 +246,13 @@ private:
     if (isBeside)
       goTo(all, rest(), wanted, before);
     return all;
+  }
+
+  // Returns changePlace(), which looks at all waypoints, once for each rest pose.
+  const robot::JointVector& placeBeside(const robot::JointVector& home) {
+    if (!beside_ || beside_->first != home)
+      beside_.emplace(home, changePlace(scene_, home));
+    return beside_->second;
   }
 
   // Goes into the tool's dock, releases or takes it there, and comes out again.
@@ -359,6 +366,7 @@ private:
   const base::RunContext& ctx_;
   TransferPlanner usual_, thorough_;
   std::vector<PrintedBounds> bounds_;
+  std::optional<std::pair<robot::JointVector, robot::JointVector>> beside_; // of placeBeside()
   ConnectedRuns result_;
   std::optional<Transfer> wayHome_; // The way home from the last kept run, once needed
   bool lastIsWhole_ = false;        // The last kept run is the last one taken, uncut

@@ -9,9 +9,9 @@
 
 namespace voluta::replay {
 
-// Sets when material flows instead of when the extruder is commanded to: it begins a start lag
-// after the command, of which pauses with a running extruder count before a bead, and ends a stop
-// lag after it. The motions after the command have the section of the bead before it
+// Sets when material flows instead of when the extruder is commanded to. Material begins to flow a
+// start lag after the extruder is switched on, pauses before the bead included, and ends a stop lag
+// after it is switched off. The motions after the command have the section of the bead before it
 // (ProgramMotion::trailing). Each motion flows wholly or not at all: the planned end of a bead
 // counts as its end if that differs by no more than half a motion, at most 0.4 stop lags, or
 // 0.05 s. Without lags the program remains unchanged. `path`, `alignment`: those of the program.

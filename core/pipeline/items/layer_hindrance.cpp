@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "collision/growing_part.h"
 #include "geometry/directions.h"
+#include "geometry/measures.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "toolpath/unsupported/head_clearance.h"
@@ -34,16 +35,10 @@ struct Sample {
   std::size_t item = 0, patch = 0, inPatch = 0; // `inPatch`: its number there
 };
 
-double areaOf(const geometry::TriangleMesh& surface, std::size_t t) {
-  const Vector3d a = surface.corner(t, 0);
-  return 0.5 * (surface.corner(t, 1) - a).cross(surface.corner(t, 2) - a).norm();
-}
-
 double areaOf(const layers::LayerStack& stack) {
   double area = 0.0;
   for (const layers::Patch& patch : stack.patches)
-    for (std::size_t t = 0; t < patch.surface.triangles.size(); ++t)
-      area += areaOf(patch.surface, t);
+    area += geometry::area(patch.surface);
   return area;
 }
 
@@ -53,7 +48,7 @@ void samplePatch(const layers::Patch& patch, std::size_t index, double cellMm2,
   double due = 0.5;
   std::size_t drawn = 0;
   for (std::size_t t = 0; t < patch.surface.triangles.size(); ++t) {
-    due += areaOf(patch.surface, t) / cellMm2;
+    due += geometry::triangleArea(patch.surface, t) / cellMm2;
     for (; due >= 1.0; due -= 1.0, ++drawn) {
       // The R2 sequence, folded into the triangle
       double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(drawn), 1.0);

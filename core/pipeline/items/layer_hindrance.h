@@ -27,11 +27,11 @@ struct LayerHindrance {
 // Returns whether a layer tilts the head by more than 3 degrees from upright.
 bool tiltsHead(const layers::LayerStack& stack);
 
-// Returns the item of which the largest share of layers, and more than plan::kBlockingShare, cannot
-// be printed in the order of `joined` because the head, however it is tilted, meets the printed
-// layers of other items, while it would clear the item's own. nullopt if there is none, in
-// particular if no layer is tilted. Samples the layers, a bead width apart. `joined`: of all items,
-// in print order. Throws Cancelled.
+// Finds the item that the other items hinder most. A place of a layer is hindered if the head meets
+// the layers printed before it in the order of `joined`, however it is tilted, and would clear the
+// item's own layers. Returns nullopt if no item is hindered in more than plan::kBlockingShare of
+// its layers, in particular if no layer is tilted. Samples the layers, a bead width apart.
+// `joined`: of all items, in print order. Throws Cancelled.
 std::optional<LayerHindrance> layerHindrance(const layers::LayerStack& joined,
                                              const robot::Cell& cell,
                                              const process::Process& process,
