@@ -5,6 +5,7 @@
 #include "geometry/measures.h"
 #include "helpers/boxes_3mf.h"
 #include "helpers/package_3mf.h"
+#include "helpers/temporary_folder.h"
 #include "project/file_parts.h"
 
 #include <filesystem>
@@ -150,8 +151,8 @@ Eigen::Affine3d randomUse(std::mt19937& random, double x) {
 
 TEST(ThreeMfParts, PlacedBoxesAreThoseOfTheFile) {
   std::mt19937 random(41);
-  const std::filesystem::path file =
-      std::filesystem::path(::testing::TempDir()) / "placed_boxes.3mf";
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "placed_boxes.3mf";
   for (int run = 0; run < 100; ++run) {
     std::string build;
     std::vector<Eigen::AlignedBox3d> boxes;
@@ -180,11 +181,11 @@ TEST(ThreeMfParts, PlacedBoxesAreThoseOfTheFile) {
       EXPECT_LT((got.max() - scale * (boxes[i].max() - foot)).norm(), 0.011) << run;
     }
   }
-  std::filesystem::remove(file);
 }
 
 TEST(ThreeMfParts, ATurnOfTheWholeTurnsThePlaces) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "turned.3mf";
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "turned.3mf";
   std::ofstream(file, std::ios::binary) << package3mf(
       model3mf(kTwo, use3mf("item", 1, moved(0, 0)) + use3mf("item", 2, moved(100, 0))));
   const auto parts = project::loadParts(file.string(), true, {});
@@ -194,7 +195,6 @@ TEST(ThreeMfParts, ATurnOfTheWholeTurnsThePlaces) {
   EXPECT_NEAR(places[1].centreMm.y(), 50.0, 1e-9);
   EXPECT_NEAR(places[1].centreMm.x(), 2.0, 1e-9);
   EXPECT_FALSE(project::touchingParts(parts));
-  std::filesystem::remove(file);
 }
 
 } // namespace

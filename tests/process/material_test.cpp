@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "helpers/temporary_folder.h"
 #include "process/cooling.h"
 #include "process/own_materials.h"
 #include "process/tooling.h"
@@ -176,20 +177,14 @@ class OwnMaterials : public Materials {
 protected:
   void SetUp() override {
     Materials::SetUp();
-    folder_ = std::filesystem::path(::testing::TempDir()) / "voluta_own_materials";
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     setenv("VOLUTA_DATA", (folder_ / "data").c_str(), 1);
   }
-  void TearDown() override {
-    unsetenv("VOLUTA_DATA");
-    std::filesystem::remove_all(folder_);
-  }
+  void TearDown() override { unsetenv("VOLUTA_DATA"); }
   std::filesystem::path write(const std::string& text) const {
     base::writeFile(folder_ / "own.json", text);
     return folder_ / "own.json";
   }
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_; // tests of one program may run at the same time
 };
 
 TEST_F(OwnMaterials, areImportedUsedAndExported) {
