@@ -95,12 +95,13 @@ struct SampleRow {
   std::string_view name;
   geometry::TriangleMesh (*mesh)();
 };
-constexpr std::array<SampleRow, 6> kSamples{{{"vase", samplePart},
-                                             {"bar", barSpecimen},
-                                             {"dumbbell", dumbbellSpecimen},
-                                             {"plate", plateSpecimen},
-                                             {"curved-bar", curvedSpecimen},
-                                             {"curved-mould", mouldOfCurvedSpecimen}}};
+constexpr std::array<SampleRow, 6> kSamples{
+    {{"vase", samplePart},
+     {"bar", barSpecimen},
+     {"dumbbell", dumbbellSpecimen},
+     {"plate", plateSpecimen},
+     {"curved-bar", [] { return curvedSpecimen(); }},
+     {"curved-mould", [] { return mouldOfCurvedSpecimen(); }}}};
 } // namespace
 
 std::string hashOf(const LoadedPart& part) {

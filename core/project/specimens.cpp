@@ -58,6 +58,10 @@ constexpr double kRadiusMm = 60.0, kBarDeg = 75.0, kMouldDeg = 80.0, kWidthMm = 
 constexpr double kLayersMm = 7 * 0.6;
 constexpr double kMouldBaseMm = 10.0; // below the lowest place of the cylinder
 
+int facetsOf(double arcDeg, double facetDeg) {
+  return std::max(1, static_cast<int>(std::lround(arcDeg / facetDeg)));
+}
+
 Vector3d onArc(double radius, double angle) {
   return {radius * std::sin(angle), 0.0, radius * std::cos(angle)};
 }
@@ -110,17 +114,18 @@ TriangleMesh plateSpecimen() {
   return mesh;
 }
 
-TriangleMesh curvedSpecimen() {
+TriangleMesh curvedSpecimen(double facetDeg) {
   return arcOf(
-      kBarDeg, 0.5 * kWidthMm, 300, [](double a) { return onArc(kRadiusMm, a); },
+      kBarDeg, 0.5 * kWidthMm, facetsOf(kBarDeg, facetDeg),
+      [](double a) { return onArc(kRadiusMm, a); },
       [](double a) { return onArc(kRadiusMm + kLayersMm, a); });
 }
 
-TriangleMesh mouldOfCurvedSpecimen() {
+TriangleMesh mouldOfCurvedSpecimen(double facetDeg) {
   const double bottom =
       kRadiusMm * std::cos(base::degreesToRadians(0.5 * kMouldDeg)) - kMouldBaseMm;
   return arcOf(
-      kMouldDeg, kWidthMm, 320,
+      kMouldDeg, kWidthMm, facetsOf(kMouldDeg, facetDeg),
       [bottom](double a) { return Vector3d(onArc(kRadiusMm, a).x(), 0.0, bottom); },
       [](double a) { return onArc(kRadiusMm, a); });
 }

@@ -91,7 +91,7 @@ std::string errorOf(const PlanRequest& request) {
 
 TEST(VoxelPart, SamplesGoTheRoadWithNothingMissed) {
   for (const auto& [name, voxels] :
-       {std::pair("fork.txt", 156u), std::pair("mushroom.txt", 531u)}) {
+       {std::pair("fork.txt", 14040u), std::pair("mushroom.txt", 17818u)}) {
     PlanRequest request;
     request.item().part = sample(name);
     request.until = Stage::Layers;
@@ -108,6 +108,19 @@ TEST(VoxelPart, SamplesGoTheRoadWithNothingMissed) {
     EXPECT_EQ(static_cast<std::size_t>(
                   std::count_if(rank.begin(), rank.end(), [](int r) { return r > 0; })),
               voxels);
+  }
+}
+
+TEST(VoxelPart, SamplesBecomeProgramsWithoutAnyChoice) {
+  for (const char* name : {"fork.txt", "mushroom.txt"}) {
+    PlanRequest request;
+    request.item().part = sample(name);
+    request.choices.item().automatic = true;
+    request.choices.formats = {"urscript"};
+    const PlanResult result = planPart(request, {});
+    ASSERT_EQ(result.checked.size(), 1u) << name;
+    EXPECT_TRUE(result.checked.front()->passed) << name;
+    EXPECT_EQ(result.job.report.item().decomposition.mode, "curved") << name << " overhangs";
   }
 }
 
