@@ -6,8 +6,10 @@
 #include "process/bead_model.h"
 #include "toolpath/coverage/bead_scale.h"
 #include "toolpath/coverage/bead_volume.h"
+#include "toolpath/coverage/bend_middle.h"
 #include "toolpath/coverage/coverage.h"
 #include "toolpath/coverage/refined_patch.h"
+#include "toolpath/coverage/smooth_values.h"
 #include "toolpath/coverage/strand_room.h"
 #include "toolpath/coverage/uniform_interior.h"
 #include "toolpath/coverage/voronoi_shares.h"
@@ -21,6 +23,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -175,22 +178,6 @@ bool oneLoop(const PatchSurface& s) {
   return v >= 0 && steps == s.boundary.size();
 }
 
-// Binomial smoothing along a curve.
-void smoothValues(std::vector<double>& values, bool closed, int passes) {
-  const std::size_t n = values.size();
-  if (n < 3)
-    return;
-  for (int pass = 0; pass < passes; ++pass) {
-    const std::vector<double> old = values;
-    for (std::size_t i = 0; i < n; ++i) {
-      // Values are reflected at the ends, which keeps their sum.
-      const double before = i > 0 ? old[i - 1] : closed ? old[n - 1] : old[0];
-      const double after = i + 1 < n ? old[i + 1] : closed ? old[0] : old[n - 1];
-      values[i] = 0.25 * before + 0.5 * old[i] + 0.25 * after;
-    }
-  }
-}
-
 // Replaces the values up to `reachMm` from the ends of an open curve by the value there; 0 if the
 // curve is shorter than twice that. Beside its ends a bead's share is that of a junction, not that
 // of a wall, and its middle is off the wall's.
@@ -214,13 +201,14 @@ void levelEnds(const SurfaceCurve& c, double reachMm, std::vector<double>& perSe
   std::fill_n(perSegment.rbegin(), back, perSegment[n - 1 - back]);
 }
 
-// Moves a centreline to the middle of its share, and extends its open ends into the area beyond
-// them. `room`: of strandRoom(), so that no two parts cross; empty: not limited by it.
-void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share, double hatch,
-                  bool isSpine, const std::vector<double>& room) {
+// Moves a centreline across by `shift`, per segment, to the middle of its share, and extends its
+// open ends into the area beyond them. `room`: of strandRoom(), so that no two parts cross; empty:
+// not limited by it.
+void moveToMiddle(const PatchSurface& s, SurfaceCurve& c, const CellShare& share,
+                  std::vector<double> shift, double hatch, bool isSpine,
+                  const std::vector<double>& room) {
   constexpr double kOfRoom = 0.45;
   const std::size_t n = c.points.size();
-  std::vector<double> shift = share.lateralMm;
   if (isSpine && !c.closed)
     levelEnds(c, hatch, shift);
   smoothValues(shift, c.closed, 4);
@@ -373,32 +361,29 @@ Centrelines centrelines(const PatchSurface& s, const process::Process& process,
   ctx.checkpoint();
   return lines;
 }
-} // namespace
+// Returns the area of the patch inside beads, in the mean over a layer's height: the round sides of
+// beads leave more open between them than their full widths.
+double filledMm2(const PatchSurface& s, const std::vector<Bead>& beads) {
+  constexpr std::array kHeights{0.1, 0.3, 0.5, 0.7,
+                                0.9}; // from a bead's middle, by half its height
+  double sum = 0.0;
+  for (const double height : kHeights) {
+    std::vector<Bead> sliced = beads;
+    for (Bead& bead : sliced)
+      for (BeadPoint& point : bead.points)
+        point.widthMm -= point.heightMm * (1.0 - std::sqrt(1.0 - height * height));
+    sum += measureCoverage(s, sliced).coveredMm2;
+  }
+  return sum / static_cast<double>(kHeights.size());
+}
 
-PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
-                      const ToolpathOptions& o, const base::RunContext& ctx,
-                      const std::vector<double>& wallWidthMm) {
-  base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
-  const InfillKind& kind = infillKind(o.infill);
-  if (kind.needsChart && patch.chart.empty())
-    throw base::Error(
-        base::ErrorCode::Usage,
-        base::message("infill '{infill}' needs an axis to wind around, but layer {layer} "
-                      "has none"_text,
-                      o.infill, patch.layer),
-        "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
+// Moves centrelines to the middle of their shares and gives them the width of their beads.
+// `byExtent`: rings move to the middle of the extents of their shares (bend_middle.h). Sets the
+// beads, their volume and what they cover.
+PatchCover beadsAlong(const PatchSurface& s, Centrelines lines, const process::Process& process,
+                      const ToolpathOptions& o, const InfillKind& kind, bool byExtent,
+                      const base::RunContext& ctx) {
   PatchCover cover;
-  if (patch.surface.empty())
-    return cover;
-  const PatchSurface s = refinedPatch(patch, process, o, kind.isStraightInside);
-  cover.areaMm2 = s.areaMm2;
-  cover.volumeMm3 = s.volumeMm3;
-  cover.simple = oneLoop(s);
-  Centrelines lines = centrelines(s, process, o, kind, patch.layer, wallWidthMm, ctx);
-  cover.thinWalls = lines.thinWalls;
-  if (lines.curves.empty())
-    return cover;
-
   const double hatch = process::hatchOf(process.beadWidthMm, process.layerHeightMm);
   const double beadScale = beadScaleOf(process);
   const auto planeSamples = [&](double mostMm2, const std::vector<char>& leftOut = {}) {
@@ -435,6 +420,10 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
     smoothCurve(s, r.curve, r.corner, 2);
     c = std::move(r.curve);
   }
+  const auto shiftOf = [&](std::size_t k, const CellShare& share) {
+    return byExtent && lines.curves[k].closed ? middleOfExtents(s, lines.curves[k], share)
+                                              : share.lateralMm;
+  };
   const int relaxations = lines.isClosed.empty() ? kRelaxations : kClosingRelaxations;
   for (int i = 0; i < relaxations; ++i) {
     ctx.checkpoint();
@@ -443,8 +432,8 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
                                              : strandRoom(lines.curves, hatch);
     for (std::size_t k = 0; k < lines.curves.size(); ++k)
       if (!kind.needsChart || lines.kind[k] != PathKind::Infill)
-        moveToMiddle(s, lines.curves[k], cells.share[k], hatch, lines.kind[k] == PathKind::GapFill,
-                     room[k]);
+        moveToMiddle(s, lines.curves[k], cells.share[k], shiftOf(k, cells.share[k]), hatch,
+                     lines.kind[k] == PathKind::GapFill, room[k]);
   }
   // Round the corners: straight beads that meet at an angle leave a gap at the outside of the
   // corner.
@@ -491,6 +480,40 @@ PatchCover coverPatch(const layers::Patch& patch, const process::Process& proces
       coarse.plane ? measureCoverage(*coarse.plane, cover.beads) : measureCoverage(s, cover.beads);
   cover.coveredMm2 = c.coveredMm2;
   cover.overlapMm2 = c.overlapMm2;
+  return cover;
+}
+} // namespace
+
+PatchCover coverPatch(const layers::Patch& patch, const process::Process& process,
+                      const ToolpathOptions& o, const base::RunContext& ctx,
+                      const std::vector<double>& wallWidthMm) {
+  base::require(o.walls >= 0 && o.stepMm > 0, "walls and step are not negative");
+  const InfillKind& kind = infillKind(o.infill);
+  if (kind.needsChart && patch.chart.empty())
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("infill '{infill}' needs an axis to wind around, but layer {layer} "
+                      "has none"_text,
+                      o.infill, patch.layer),
+        "infill"_name, "use infill zigzag or concentric, or mode lathe"_text);
+  PatchCover cover;
+  if (patch.surface.empty())
+    return cover;
+  const PatchSurface s = refinedPatch(patch, process, o, kind.isStraightInside);
+  const Centrelines lines = centrelines(s, process, o, kind, patch.layer, wallWidthMm, ctx);
+  if (!lines.curves.empty()) {
+    cover = beadsAlong(s, lines, process, o, kind, false, ctx);
+    // A ring that has the patch for itself, as in a pin
+    if (lines.curves.size() == 1 && lines.curves.front().closed) {
+      PatchCover other = beadsAlong(s, lines, process, o, kind, true, ctx);
+      if (filledMm2(s, other.beads) > filledMm2(s, cover.beads))
+        cover = std::move(other);
+    }
+  }
+  cover.areaMm2 = s.areaMm2;
+  cover.volumeMm3 = s.volumeMm3;
+  cover.simple = oneLoop(s);
+  cover.thinWalls = lines.thinWalls;
   return cover;
 }
 

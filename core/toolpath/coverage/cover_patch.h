@@ -30,7 +30,8 @@ struct PatchCover {
 //   along the middle of the remaining gaps (walls.h, infill.h, gap_fill.h). A seam to another patch
 //   is not a surface of the part: it has no walls, and infill extends up to it.
 //   2. Every point of the patch is assigned to its nearest centreline, and centrelines move to the
-//   middle of their share (Lloyd), twice.
+//   middle of their share (Lloyd), twice. With a single ring, as in a pin, the middle is that of
+//   the share's extents (bend_middle.h), if the bead then fills more.
 //   3. The centrelines are resampled, and each segment deposits the volume of its share: beads tile
 //   the patch and their volume is that of the patch, within the process's limits of bead width
 //   (Castelli 2.1.1: section = w h - (1 - pi/4) h2).

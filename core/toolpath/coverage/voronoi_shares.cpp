@@ -72,8 +72,10 @@ public:
       CellShare& share = cells_.share[c];
       for (std::size_t i = begin_[c]; i < begin_[c + 1]; ++i) {
         const EvenSegment* even = evenOf(c, i - begin_[c]);
-        const Tally tally = even ? Tally{even->areaMm2, even->volumeMm3, 0.0} : tallies_[i];
+        const Tally tally = even ? Tally{even->areaMm2, even->volumeMm3, 0.0, 0.5 * even->areaMm2}
+                                 : tallies_[i];
         share.areaMm2.push_back(tally.areaMm2);
+        share.leftMm2.push_back(tally.leftMm2);
         share.volumeMm3.push_back(tally.volumeMm3);
         share.lateralMm.push_back(tally.areaMm2 > 0 ? tally.lateral / tally.areaMm2 : 0.0);
       }
@@ -102,7 +104,10 @@ private:
     Tally& tally = tallies_[static_cast<std::size_t>(segment)];
     tally.areaMm2 += area;
     tally.volumeMm3 += area * sample.thicknessMm;
-    tally.lateral += area * normal.cross(place.along).dot(off);
+    const double lateral = normal.cross(place.along).dot(off);
+    tally.lateral += area * lateral;
+    if (lateral > 0.0)
+      tally.leftMm2 += area;
     if (place.isFirst && place.along.dot(off) <= 0.0)
       cells_.share[place.curve].beyondMm2[0] += area;
     else if (place.isLast && place.along.dot(sample.position - b) >= 0.0)
@@ -202,6 +207,7 @@ private:
   };
   struct Tally {                                          // Sums over the samples of a segment
     double areaMm2 = 0.0, volumeMm3 = 0.0, lateral = 0.0; // lateral: [mm] times [mm2]
+    double leftMm2 = 0.0;
   };
   double reach_;
   const UniformStretches& even_;

@@ -14,6 +14,7 @@ namespace voluta::toolpath {
 struct CellShare {
   // Per segment of the curve (a closed curve has as many segments as points).
   std::vector<double> areaMm2, volumeMm3;
+  std::vector<double> leftMm2; // the part of areaMm2 to the left of the segment
   // Mean signed distance of the segment's samples, positive to the left
   std::vector<double> lateralMm;
   double beyondMm2[2] = {0, 0}; // Open curves: area beyond the first and the last point
