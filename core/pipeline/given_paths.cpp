@@ -53,6 +53,7 @@ public:
       mine.count = plan_.waypointCount() - mine.first;
       plan_.paths.push_back(mine);
     }
+    plan_.fill = given_.fill;
     slow();
     return std::move(plan_);
   }

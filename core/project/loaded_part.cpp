@@ -12,6 +12,7 @@
 #include "project/content_hash.h"
 #include "project/sample_part.h"
 #include "project/specimens.h"
+#include "sliced/sliced_reader.h"
 #include "voxel/voxel_text.h"
 
 #include <algorithm>
@@ -89,6 +90,15 @@ void readBuild(const std::string& bytes, const std::string& name, LoadedPart& pa
   part.readNotes.insert(part.readNotes.end(), build.notes.begin(), build.notes.end());
   part.inWorkFrame = build.workFrame;
   part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(build.plan));
+}
+
+// Reads a slicer's tool-paths. The part is what their beads make.
+void readGcode(const std::string& bytes, const std::string& name, LoadedPart& part,
+               const base::RunContext& ctx) {
+  sliced::ReadSliced read = sliced::readSliced(bytes, name, ctx);
+  part.source = std::make_shared<geometry::TriangleMesh>(std::move(read.solid));
+  part.readNotes = std::move(read.notes);
+  part.toolPaths = std::make_shared<plan::ToolPlan>(std::move(read.plan));
 }
 
 struct SampleRow {
@@ -170,6 +180,8 @@ std::shared_ptr<const LoadedPart> loadPart(const std::string& part, bool repair,
     loaded.name = std::filesystem::path(part).filename().string();
     if (isVoxelText(part, bytes)) {
       setCells(loaded, std::make_shared<voxel::VoxelObject>(voxel::readVoxelText(bytes, part)));
+    } else if (sliced::isSlicedGcode(part)) {
+      readGcode(bytes, part, loaded, ctx.sub(0.0, 0.3));
     } else if (build3mf::holdsToolpaths(bytes)) {
       readBuild(bytes, part, loaded, ctx);
     } else {

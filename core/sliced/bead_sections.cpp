@@ -1,0 +1,143 @@
+#include "sliced/bead_sections.h"
+
+#include "process/bead_model.h"
+#include "sliced/layer_heights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace voluta::sliced {
+
+namespace {
+using Eigen::Vector3d;
+
+constexpr double kMinWayMm = 1e-6;
+constexpr double kClosedMm = 0.002;   // Rounding of coordinates in files
+constexpr double kNearlyClosed = 1.5; // [bead widths] seam gap of a loop
+constexpr double kStepMm = 0.25;      // Length over which a step of the section is spread
+constexpr double kSameShare = 0.05;   // Sections within it do not count as a step
+
+struct Segment {
+  Vector3d to, direction;
+  double lengthMm, areaMm2, heightMm, speedMmPerS;
+};
+
+std::vector<Segment> segmentsOf(const SlicedPath& path, double filamentMm2, double layerMm) {
+  std::vector<Segment> segments;
+  Vector3d at = path.points.front().position;
+  double carried = 0.0; // Volume of ways that are too short
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const SlicedPoint& p = path.points[i];
+    const double way = (p.position - at).norm();
+    carried += p.extruded * filamentMm2;
+    if (way < kMinWayMm)
+      continue;
+    segments.push_back({p.position, p.direction, way, carried / way,
+                        p.heightMm > 0.0 ? p.heightMm : layerMm, p.speedMmPerS});
+    carried = 0.0;
+    at = p.position;
+  }
+  if (carried > 0.0 && !segments.empty())
+    segments.back().areaMm2 += carried / segments.back().lengthMm;
+  return segments;
+}
+
+bool isStep(const Segment& a, const Segment& b) {
+  return std::abs(a.areaMm2 - b.areaMm2) > kSameShare * std::max(a.areaMm2, b.areaMm2) ||
+         a.heightMm != b.heightMm;
+}
+
+// Divides segments beside a step, so that it does not spread over all their length.
+std::vector<Segment> dividedAtSteps(const std::vector<Segment>& segments, const Vector3d& start) {
+  std::vector<Segment> divided;
+  Vector3d from = start;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const Segment& s = segments[k];
+    const double near = std::min(kStepMm, 0.25 * s.lengthMm);
+    const bool before = k > 0 && isStep(segments[k - 1], s);
+    const bool after = k + 1 < segments.size() && isStep(s, segments[k + 1]);
+    double done = 0.0;
+    const auto cut = [&](double atMm) {
+      Segment piece = s;
+      piece.to = from + atMm / s.lengthMm * (s.to - from);
+      piece.lengthMm = atMm - done;
+      divided.push_back(piece);
+      done = atMm;
+    };
+    if (before)
+      cut(near);
+    if (after)
+      cut(s.lengthMm - near);
+    Segment rest = s;
+    rest.lengthMm = s.lengthMm - done;
+    divided.push_back(rest);
+    from = s.to;
+  }
+  return divided;
+}
+
+class Laying {
+public:
+  explicit Laying(plan::ToolPlan& into) : into_(into) {}
+
+  // Adds the waypoints of a path. Precondition: at least one segment.
+  void lay(const SlicedPoint& start, const std::vector<Segment>& segments) {
+    const Segment& first = segments.front();
+    add(start.position, start.direction, first.areaMm2, first.heightMm, first.speedMmPerS);
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      const Segment &a = segments[k], &b = segments[std::min(k + 1, segments.size() - 1)];
+      const double all = a.lengthMm + b.lengthMm;
+      add(a.to, a.direction, (a.lengthMm * a.areaMm2 + b.lengthMm * b.areaMm2) / all,
+          (a.lengthMm * a.heightMm + b.lengthMm * b.heightMm) / all, a.speedMmPerS);
+    }
+  }
+
+private:
+  void add(const Vector3d& at, const Vector3d& direction, double areaMm2, double heightMm,
+           double speed) {
+    const double round = std::sqrt(areaMm2 / (base::kPi / 4.0));
+    const double height = std::min(heightMm, round);
+    into_.position.push_back(at);
+    into_.direction.push_back(direction);
+    into_.heightMm.push_back(static_cast<float>(height));
+    into_.widthMm.push_back(static_cast<float>(height <= 0.0 ? 0.0
+                                               : height == round
+                                                   ? round
+                                                   : process::widthOfArea(areaMm2, height)));
+    into_.speedMmPerS.push_back(static_cast<float>(speed));
+  }
+
+  plan::ToolPlan& into_;
+};
+
+} // namespace
+
+plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2) {
+  plan::ToolPlan plan;
+  const LayerHeights heights(file);
+  Laying laying(plan);
+  for (const SlicedPath& path : file.paths) {
+    const LayerHeights::Layer layer = heights.of(path);
+    const std::vector<Segment> segments = segmentsOf(path, filamentMm2, layer.heightMm);
+    if (segments.empty())
+      continue;
+    plan::ToolPath made;
+    made.first = plan.waypointCount();
+    laying.lay(path.points.front(), dividedAtSteps(segments, path.points.front().position));
+    made.count = plan.waypointCount() - made.first;
+    const double gap = (plan.position.back() - plan.position[made.first]).norm();
+    made.closed = made.count >= 4 && gap <= kClosedMm;
+    if (made.closed)
+      plan.position.back() = plan.position[made.first];
+    const bool isLoop =
+        made.count >= 4 && gap <= kNearlyClosed * static_cast<double>(plan.widthMm[made.first]);
+    made.kind = path.kind.value_or(isLoop ? plan::PathKind::Wall : plan::PathKind::Infill);
+    made.layer = path.layer >= 0 ? path.layer : layer.index;
+    made.ring = made.kind == plan::PathKind::Wall && path.kind && !path.outermost ? 1 : 0;
+    plan.paths.push_back(made);
+  }
+  return plan;
+}
+
+} // namespace voluta::sliced

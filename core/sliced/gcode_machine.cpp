@@ -1,0 +1,357 @@
+#include "sliced/gcode_machine.h"
+
+#include "base/error.h"
+#include "base/run_context.h"
+#include "program/common/text.h"
+#include "program/gcode/gcode_line.h"
+#include "sliced/gcode_arc.h"
+#include "sliced/slicer_comments.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+namespace voluta::sliced {
+
+namespace {
+using base::Error;
+using base::ErrorCode;
+using Eigen::Vector3d;
+using program::GcodeWords;
+
+constexpr double kFarthestMm = 1e6, kInchMm = 25.4, kMinWayMm = 1e-6;
+constexpr std::size_t kMaxPoints = 20'000'000;
+
+// Filament that was retracted has to return before any is extruded.
+class Filament {
+public:
+  // Moves the filament by `length`. Returns what leaves the nozzle.
+  double push(double length) {
+    const double out = std::max(0.0, length - retracted_);
+    retracted_ = std::max(0.0, retracted_ - length);
+    return out;
+  }
+
+private:
+  double retracted_ = 0.0;
+};
+
+class Machine {
+public:
+  Machine(std::string_view text, const std::string& name, const base::RunContext& ctx)
+      : text_(text), name_(name), ctx_(ctx) {}
+
+  SlicedFile run() {
+    file_.header = headerOf(text_);
+    program::LineReader lines(text_);
+    std::string_view line;
+    while (lines.next(line)) {
+      line_ = lines.number();
+      if (line_ % 4096 == 0)
+        ctx_.checkpoint();
+      const std::size_t semicolon = line.find(';');
+      if (semicolon != std::string_view::npos)
+        remark(line.substr(semicolon + 1));
+      code(program::trimmed(line.substr(0, std::min(semicolon, line.find('*')))));
+    }
+    endPath();
+    return std::move(file_);
+  }
+
+private:
+  [[noreturn]] void fail(base::Message what, base::Message remedy) const {
+    throw Error(ErrorCode::UnreadableFile, std::move(what),
+                base::lineOf(name_, static_cast<long long>(line_)), std::move(remedy));
+  }
+
+  void remark(std::string_view comment) {
+    const CommentFacts facts = factsOf(comment);
+    if (facts.layerChange) {
+      ++layer_;
+      heightMm_ = 0.0;
+    }
+    if (facts.heightMm)
+      heightMm_ = std::clamp(*facts.heightMm, 0.0, kFarthestMm);
+    if (facts.feature)
+      feature_ = facts.feature;
+  }
+
+  void code(std::string_view text) {
+    if (text.empty() || text.front() == '%' || text.front() == '(')
+      return;
+    if (const char first = text.front(); first == 'N' || first == 'n') {
+      text.remove_prefix(1);
+      double number = 0.0;
+      if (!program::takeNumber(text, number))
+        return skip();
+      text = program::trimmed(text);
+    }
+    const char letter =
+        text.empty() ? ' '
+                     : static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    std::string_view rest = text.empty() ? text : text.substr(1);
+    double number = 0.0;
+    if ((letter != 'G' && letter != 'M' && letter != 'T') || !program::takeDecimal(rest, number)) {
+      const bool isWord = letter == 'X' || letter == 'Y' || letter == 'Z' || letter == 'E';
+      double value = 0.0;
+      if (isWord && program::takeDecimal(rest, value))
+        fail("a position without G0 or G1"_text, "write the command in each line"_text);
+      return skip();
+    }
+    if (letter == 'T')
+      file_.toolChanges += std::exchange(tool_, number) != number;
+    else if (letter == 'M')
+      executeM(number, text);
+    else
+      executeG(number, text);
+  }
+
+  void skip() { ++file_.skippedLines; }
+
+  GcodeWords words(std::string_view text) const {
+    GcodeWords words;
+    if (!program::wordsOf(text, words))
+      fail(base::message("not understood: '{code}'"_text, text.substr(0, 60)),
+           "the file may be damaged; export it again"_text);
+    return words;
+  }
+
+  void executeM(double m, std::string_view text) {
+    constexpr std::array kUsed{82.0, 83.0, 200.0, 220.0, 221.0};
+    if (std::ranges::find(kUsed, m) == kUsed.end())
+      return;
+    GcodeWords w = words(text);
+    if (m == 82.0 || m == 83.0)
+      relativeE_ = m == 83.0;
+    else if (m == 200.0 && w['D'])
+      file_.volumetric = *w['D'] > 0.0;
+    else if (m > 200.0 && w['S'] && *w['S'] > 0.0)
+      (m == 220.0 ? speedShare_ : flowShare_) = *w['S'] / 100.0;
+  }
+
+  void executeG(double g, std::string_view text) {
+    if (g == 20.0 || g == 21.0) {
+      unitMm_ = g == 20.0 ? kInchMm : 1.0;
+    } else if (g == 90.0 || g == 91.0) {
+      relative_ = g == 91.0;
+    } else if (g == 28.0) {
+      home(text);
+    } else if (g == 10.0 || g == 11.0) {
+      endPath(); // By the firmware: what it retracts, it returns
+    } else if (g == 92.0) {
+      GcodeWords w = words(text);
+      setCounts(w);
+    } else if (g >= 0.0 && g <= 3.0 && g == std::floor(g)) {
+      GcodeWords w = words(text);
+      move(g, w);
+    } else if (g == 5.0 || g == 18.0 || g == 19.0) {
+      fail(base::message("G{number} is not understood"_text, static_cast<int>(g)),
+           "export straight lines, or arcs in the plane of X and Y (G2, G3)"_text);
+    }
+  }
+
+  // Axes that the line does not name are homed if it names none.
+  void home(std::string_view text) {
+    GcodeWords w = words(text);
+    const bool all = !w.any("XYZ");
+    for (std::size_t k = 0; k < 3; ++k)
+      if (all || w["XYZ"[k]]) {
+        known_[k] = true;
+        position_[static_cast<Eigen::Index>(k)] = 0.0;
+        shift_[static_cast<Eigen::Index>(k)] = 0.0;
+      }
+    endPath();
+  }
+
+  void setCounts(GcodeWords& w) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::optional<double> value = w["XYZ"[k]]) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        shift_[axis] = position_[axis] - unitMm_ * *value;
+        known_[k] = true;
+      }
+    if (w['E'])
+      e_ = unitMm_ * *w['E'];
+    else if (!w.any("XYZ"))
+      e_ = 0.0;
+  }
+
+  Vector3d targetOf(GcodeWords& w) {
+    Vector3d target = position_;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::optional<double> value = w["XYZ"[k]]) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        target[axis] = unitMm_ * *value + (relative_ ? position_[axis] : shift_[axis]);
+        known_[k] = known_[k] || !relative_;
+      }
+    if (!(target.cwiseAbs().maxCoeff() <= kFarthestMm))
+      fail("a position more than a kilometre away"_text,
+           "the file may be damaged; export it again"_text);
+    return target;
+  }
+
+  // Returns the amount that leaves the nozzle.
+  double extrudedBy(GcodeWords& w) {
+    if (!w['E'])
+      return 0.0;
+    const double value = unitMm_ * *w['E'];
+    const double length = relative_ || relativeE_ ? value : value - e_;
+    e_ += length;
+    if (!(std::abs(length) <= kFarthestMm))
+      fail("a length of filament of more than a kilometre"_text,
+           "the file may be damaged; export it again"_text);
+    return flowShare_ * filament_.push(length);
+  }
+
+  void takeSpeed(GcodeWords& w) {
+    if (!w['F'])
+      return;
+    if (!(*w['F'] > 0.0))
+      fail("a speed that is not positive"_text, "give F in mm per minute"_text);
+    speedMmPerS_ = unitMm_ * *w['F'] / 60.0;
+  }
+
+  void takeDirection(const GcodeWords& w) {
+    if (!w.anyDirection())
+      return;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (w.direction[k])
+        stated_[static_cast<Eigen::Index>(k)] = *w.direction[k];
+    if (!(stated_.norm() > 1e-6))
+      fail("a direction of length 0"_text, "give nX nY nZ as a unit vector"_text);
+    direction_ = stated_.normalized();
+  }
+
+  void move(double g, GcodeWords& w) {
+    if (w.any("ABCUVW"))
+      fail("a motion with a word A, B, C, U, V or W is not understood"_text,
+           "give the nozzle's direction as nX nY nZ"_text);
+    takeSpeed(w);
+    const Vector3d from = position_, fromDirection = direction_;
+    const std::array<bool, 3> knownBefore = known_;
+    const Vector3d to = targetOf(w);
+    takeDirection(w);
+    const double extruded = extrudedBy(w);
+    position_ = to;
+    const bool isArc = g > 1.0;
+    if ((to - from).norm() < kMinWayMm && !isArc) {
+      extrudeAtRest(extruded);
+      return;
+    }
+    if (!(extruded > 0.0)) {
+      endPath();
+      return;
+    }
+    if (!std::ranges::all_of(knownBefore, std::identity()))
+      fail("a bead from an unknown position"_text,
+           "home the axes (G28) or travel to its start first"_text);
+    if (isInStartCode()) {
+      endPath();
+      file_.inStartCode += extruded;
+      return;
+    }
+    if (!joins())
+      beginPath(from, fromDirection);
+    if (isArc)
+      addArc(from, fromDirection, g, w, extruded);
+    else
+      addPoint(to, direction_, extruded);
+  }
+
+  void extrudeAtRest(double extruded) {
+    if (isInStartCode())
+      file_.inStartCode += extruded;
+    else
+      file_.atRest += extruded;
+  }
+
+  bool isInStartCode() const {
+    return (feature_ && feature_->custom) || (file_.header.hasLayers && layer_ < 0) ||
+           (!file_.header.hasLayers && file_.header.hasKinds && !feature_);
+  }
+
+  // Returns whether the next move continues the current path. A change of layer alone does not
+  // end it: spirals rise without a stop.
+  bool joins() const {
+    const bool sameKind = feature_ && pathFeature_ && feature_->kind == pathFeature_->kind &&
+                          feature_->ofPart == pathFeature_->ofPart;
+    return open_ && (sameKind || feature_ == pathFeature_);
+  }
+
+  void beginPath(const Vector3d& from, const Vector3d& direction) {
+    endPath();
+    SlicedPath path;
+    path.layer = layer_;
+    path.line = line_;
+    if (feature_) {
+      path.kind = feature_->kind;
+      path.ofPart = feature_->ofPart;
+      path.outermost = feature_->outermost;
+    }
+    path.points.push_back({from, direction, 0.0, speedMmPerS_ * speedShare_, heightMm_});
+    file_.paths.push_back(std::move(path));
+    pathFeature_ = feature_;
+    open_ = true;
+  }
+
+  void endPath() { open_ = false; }
+
+  void addPoint(const Vector3d& at, const Vector3d& direction, double extruded) {
+    if (++points_ > kMaxPoints)
+      throw Error(ErrorCode::UnusableInput, "more tool-path points than can be planned"_text,
+                  name_);
+    file_.paths.back().points.push_back(
+        {at, direction, extruded, speedMmPerS_ * speedShare_, heightMm_});
+  }
+
+  void addArc(const Vector3d& from, const Vector3d& fromDirection, double g, GcodeWords& w,
+              double extruded) {
+    GcodeArc given{from, position_, g == 2.0, {}, {}};
+    if (w['R'])
+      given.radiusMm = unitMm_ * *w['R'];
+    else if (w['I'] || w['J'])
+      given.toCentre =
+          Eigen::Vector2d(unitMm_ * w['I'].value_or(0.0), unitMm_ * w['J'].value_or(0.0));
+    const std::optional<std::vector<Vector3d>> points = pointsOf(given);
+    if (!points)
+      fail("an arc that does not pass through its ends"_text,
+           "give its centre (I, J) or its radius (R)"_text);
+    const double share = 1.0 / static_cast<double>(points->size());
+    for (std::size_t k = 0; k < points->size(); ++k) {
+      const double t = static_cast<double>(k + 1) * share;
+      const Vector3d turned = (1.0 - t) * fromDirection + t * direction_;
+      addPoint((*points)[k], turned.norm() > 1e-6 ? turned.normalized() : direction_,
+               share * extruded);
+    }
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  const base::RunContext& ctx_;
+  SlicedFile file_;
+  std::size_t line_ = 0, points_ = 0;
+
+  Vector3d position_ = Vector3d::Zero(), shift_ = Vector3d::Zero(); // shift_: by G92
+  Vector3d direction_ = Vector3d::UnitZ(), stated_ = Vector3d::UnitZ();
+  std::array<bool, 3> known_{};
+  Filament filament_;
+  double e_ = 0.0, unitMm_ = 1.0, speedMmPerS_ = 0.0, speedShare_ = 1.0, flowShare_ = 1.0;
+  double tool_ = 0.0;
+  bool relative_ = false, relativeE_ = false;
+
+  const Feature *feature_ = nullptr, *pathFeature_ = nullptr;
+  bool open_ = false; // The last move extruded
+  int layer_ = -1;
+  double heightMm_ = 0.0;
+};
+
+} // namespace
+
+SlicedFile followGcode(std::string_view text, const std::string& name,
+                       const base::RunContext& ctx) {
+  return Machine(text, name, ctx).run();
+}
+
+} // namespace voluta::sliced

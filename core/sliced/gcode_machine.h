@@ -1,0 +1,29 @@
+// Follows a G-code file of a printer line by line, as its firmware does (Marlin's meanings of the
+// words).
+#pragma once
+
+#include "sliced/sliced_file.h"
+
+#include <string>
+#include <string_view>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::sliced {
+
+// Reads the beads of a file.
+// - Absolute and relative positions and filament lengths, also after G92; inches; arcs in the plane
+//   of x and y by centre or radius, with a rising z; retraction by E or by G10 and G11; M200
+//   (volumes instead of lengths), M220 and M221 (percentages of speed and flow).
+// - With G91 filament lengths are relative too; G90 leaves them as M82 and M83 set them.
+// - nX nY nZ: direction of the nozzle.
+// - Other M commands, macros and G commands that do not move are skipped.
+//
+// Throws Error{UnreadableFile} with the line for a motion that is not understood, a position beyond
+// a kilometre, a bead from an unknown position; Error{UnusableInput} for too many points;
+// Cancelled. `name`: of the file, for errors.
+SlicedFile followGcode(std::string_view text, const std::string& name, const base::RunContext& ctx);
+
+} // namespace voluta::sliced

@@ -1,0 +1,28 @@
+// The solid that a sliced file's beads make, sparse infill included as if it were solid.
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+#include "plan/tool_plan.h"
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::sliced {
+
+struct LayerSolid {
+  geometry::TriangleMesh mesh; // Closed, facing outward [mm]
+  plan::FillIntent fill;       // Of that solid by the beads
+};
+
+// Returns the solid of level layers: the beads and everything within walls that contains infill.
+// It consists of cells as high as the layers. Changes Infill to SparseInfill where, within its
+// walls, beads fill less than `sparseShare` of a layer; 0: nowhere. Supports and skirts are left
+// out. Preconditions (Error{Internal}): arrays of one length. Throws Error{UnusableInput} if a bead
+// has no section or there are no beads of the part; Cancelled.
+LayerSolid solidOfLayers(plan::ToolPlan& plan, double sparseShare, const base::RunContext& ctx);
+
+// Returns whether all nozzles are upright, so that layers are level.
+bool isLevel(const plan::ToolPlan& plan);
+
+} // namespace voluta::sliced

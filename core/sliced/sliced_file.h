@@ -1,0 +1,50 @@
+// The beads of a slicer's G-code file, as its firmware would extrude them.
+#pragma once
+
+#include "plan/tool_plan.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voluta::sliced {
+
+struct SlicedPoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   // [mm]
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // from the bead into the nozzle
+  double extruded = 0.0;    // On the way to this point: filament [mm], or [mm3] if volumetric
+  double speedMmPerS = 0.0; // On the way to this point
+  double heightMm = 0.0;    // Of that bead, by a comment; 0: not given
+};
+
+// Points that are joined by extrusion without a travel between them; at least two.
+struct SlicedPath {
+  std::vector<SlicedPoint> points;
+  // By a comment; nullopt: the file has no comment about it.
+  std::optional<plan::PathKind> kind;
+  bool ofPart = true;     // false: a wipe tower
+  bool outermost = false; // An outer wall, by a comment
+  int layer = -1;         // Counted by comments from 0; -1: none yet
+  std::size_t line = 0;
+};
+
+// What comments state anywhere in the file; 0: nothing.
+struct SlicedHeader {
+  double filamentMm = 0.0; // Diameter
+  double layerHeightMm = 0.0, firstLayerHeightMm = 0.0;
+  bool hasLayers = false, hasKinds = false;
+  std::string slicer; // Its name
+};
+
+struct SlicedFile {
+  SlicedHeader header;
+  std::vector<SlicedPath> paths;
+  bool volumetric = false; // Amounts are volumes
+  // Amounts outside of paths, in the file's unit: pushed at rest; before the first layer
+  double atRest = 0.0, inStartCode = 0.0;
+  std::size_t toolChanges = 0, skippedLines = 0;
+};
+
+} // namespace voluta::sliced

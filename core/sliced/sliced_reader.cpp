@@ -1,0 +1,94 @@
+#include "sliced/sliced_reader.h"
+
+#include "base/error.h"
+#include "base/lower_case.h"
+#include "base/run_context.h"
+#include "base/units.h"
+#include "build3mf/bead_cells.h"
+#include "process/bead_model.h"
+#include "sliced/bead_sections.h"
+#include "sliced/gcode_machine.h"
+#include "sliced/layer_solid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+namespace voluta::sliced {
+
+namespace {
+using base::Error;
+using base::ErrorCode;
+
+constexpr double kUsualFilamentMm = 1.75;
+constexpr double kSparseShare = 0.9; // Infill without comments is solid from here on
+
+double volumeOf(const plan::ToolPlan& plan) {
+  double volume = 0.0;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      volume += process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
+                                    process::beadArea(plan.widthMm[i], plan.heightMm[i]),
+                                    (plan.position[i] - plan.position[i - 1]).norm());
+  return volume;
+}
+
+std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
+  std::vector<base::Message> notes;
+  if (!file.volumetric && file.header.filamentMm <= 0.0)
+    notes.push_back(base::message("the file states no filament diameter: {diameter} assumed"_text,
+                                  base::mm(kUsualFilamentMm)));
+  if (file.inStartCode > 0.0)
+    notes.push_back(base::message("{volume:.0f} extruded before the first layer are left out"_text,
+                                  base::mm3(file.inStartCode * filamentMm2)));
+  if (file.atRest > 0.0)
+    notes.push_back(base::message("{volume:.1f} extruded at rest are left out"_text,
+                                  base::mm3(file.atRest * filamentMm2)));
+  if (file.toolChanges > 0)
+    notes.push_back(
+        base::message("{changes} tool change is left out: one tool prints everything|"
+                      "{changes} tool changes are left out: one tool prints everything"_plural,
+                      file.toolChanges));
+  return notes;
+}
+} // namespace
+
+bool isSlicedGcode(const std::string& name) {
+  constexpr std::array<std::string_view, 7> kEndings{".gcode", ".gco", ".g",     ".ngc",
+                                                     ".nc",    ".tap", ".bgcode"};
+  const std::string ending = base::lowerCase(std::filesystem::path(name).extension().string());
+  return std::ranges::find(kEndings, ending) != kEndings.end();
+}
+
+ReadSliced readSliced(std::string_view text, const std::string& name, const base::RunContext& ctx) {
+  if (text.starts_with("GCDE"))
+    throw Error(ErrorCode::UnreadableFile, "is binary G-code"_text, name,
+                "export G-code as text from the slicer"_text);
+  const SlicedFile file = followGcode(text, name, ctx.sub(0.0, 0.4));
+  if (file.paths.empty())
+    throw Error(ErrorCode::UnusableInput, "contains no beads: no motion extrudes"_text, name,
+                "export the G-code with extrusion (E) from a slicer"_text);
+  ReadSliced read;
+  read.filamentMm = file.volumetric                ? 0.0
+                    : file.header.filamentMm > 0.0 ? file.header.filamentMm
+                                                   : kUsualFilamentMm;
+  const double filamentMm2 =
+      file.volumetric ? 1.0 : base::kPi / 4.0 * read.filamentMm * read.filamentMm;
+  read.plan = beadsOf(file, filamentMm2);
+  read.notes = notesOf(file, filamentMm2);
+  if (isLevel(read.plan)) {
+    LayerSolid solid =
+        solidOfLayers(read.plan, file.header.hasKinds ? 0.0 : kSparseShare, ctx.sub(0.4, 1.0));
+    read.solid = std::move(solid.mesh);
+    if (!std::isinf(solid.fill.shellMm))
+      read.plan.fill = {solid.fill};
+  } else {
+    constexpr double kCellMm = 0.25;
+    read.solid = build3mf::solidOfBeads(read.plan, kCellMm, ctx.sub(0.4, 1.0));
+  }
+  read.volumeMm3 = volumeOf(read.plan);
+  return read;
+}
+
+} // namespace voluta::sliced

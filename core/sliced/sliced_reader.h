@@ -1,0 +1,33 @@
+// Reads the G-code of a slicer as tool-paths with the solid that they make.
+#pragma once
+
+#include "base/text.h"
+#include "geometry/triangle_mesh.h"
+#include "plan/tool_plan.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voluta::base {
+class RunContext;
+}
+
+namespace voluta::sliced {
+
+struct ReadSliced {
+  plan::ToolPlan plan;              // In the file's coordinates [mm]; fill: of `solid`
+  geometry::TriangleMesh solid;     // What the beads make; closed, facing outward
+  double filamentMm = 0.0;          // Its diameter as used; 0: the file states volumes
+  double volumeMm3 = 0.0;           // Of all beads in `plan`
+  std::vector<base::Message> notes; // One sentence for each omission or assumption
+};
+
+// Returns whether a file is G-code, by its extension.
+bool isSlicedGcode(const std::string& name);
+
+// Throws Error{UnreadableFile, UnusableInput} with the line: as followGcode() and solidOfLayers();
+// binary G-code; no extrusion. Throws Cancelled. `name`: of the file, for errors.
+ReadSliced readSliced(std::string_view text, const std::string& name, const base::RunContext& ctx);
+
+} // namespace voluta::sliced

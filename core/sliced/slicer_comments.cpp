@@ -1,0 +1,137 @@
+#include "sliced/slicer_comments.h"
+
+#include "base/lower_case.h"
+#include "program/common/text.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace voluta::sliced {
+
+namespace {
+using enum plan::PathKind;
+using program::trimmed;
+
+// PrusaSlicer and slic3r, OrcaSlicer and Bambu Studio, Cura, Simplify3D.
+constexpr std::array kFeatures = {
+    Feature{"external perimeter", Wall, true, true},
+    Feature{"perimeter", Wall},
+    Feature{"overhang perimeter", Wall},
+    Feature{"thin wall", Wall},
+    Feature{"internal infill", SparseInfill},
+    Feature{"solid infill", Infill},
+    Feature{"top solid infill", Infill},
+    Feature{"ironing", Infill},
+    Feature{"bridge infill", Bridge},
+    Feature{"internal bridge infill", Bridge},
+    Feature{"gap fill", GapFill},
+    Feature{"skirt", Skirt},
+    Feature{"brim", Skirt},
+    Feature{"skirt/brim", Skirt},
+    Feature{"support material", Support, false},
+    Feature{"support material interface", Support, false},
+    Feature{"wipe tower", Support, false},
+    Feature{"custom", Skirt, false, false, true},
+    Feature{"outer wall", Wall, true, true},
+    Feature{"inner wall", Wall},
+    Feature{"overhang wall", Wall},
+    Feature{"sparse infill", SparseInfill},
+    Feature{"internal solid infill", Infill},
+    Feature{"top surface", Infill},
+    Feature{"bottom surface", Infill},
+    Feature{"bridge", Bridge},
+    Feature{"internal bridge", Bridge},
+    Feature{"gap infill", GapFill},
+    Feature{"support", Support, false},
+    Feature{"support interface", Support, false},
+    Feature{"support transition", Support, false},
+    Feature{"prime tower", Support, false},
+    Feature{"wall-outer", Wall, true, true},
+    Feature{"wall-inner", Wall},
+    Feature{"skin", Infill},
+    Feature{"fill", SparseInfill},
+    Feature{"support-interface", Support, false},
+    Feature{"prime-tower", Support, false},
+    Feature{"outer perimeter", Wall, true, true},
+    Feature{"inner perimeter", Wall},
+    Feature{"infill", SparseInfill},
+    Feature{"solid layer", Infill},
+};
+
+// Returns the rest behind `head`, ignoring case and blanks; nullopt if the text begins otherwise.
+std::optional<std::string_view> behind(std::string_view text, std::string_view head) {
+  if (text.size() < head.size() || base::lowerCase(text.substr(0, head.size())) != head)
+    return std::nullopt;
+  return trimmed(text.substr(head.size()));
+}
+
+std::optional<double> numberBehind(std::string_view text, std::string_view head) {
+  std::optional<std::string_view> rest = behind(text, head);
+  if (!rest)
+    return std::nullopt;
+  while (!rest->empty() && (rest->front() == '=' || rest->front() == ':' || rest->front() == ',' ||
+                            rest->front() == ' '))
+    rest->remove_prefix(1);
+  double value = 0.0;
+  return program::takeNumber(*rest, value) ? std::optional(value) : std::nullopt;
+}
+
+void take(double& value, std::optional<double> found, double most) {
+  if (found && *found > 0.0 && *found <= most)
+    value = *found;
+}
+} // namespace
+
+const Feature* findFeature(std::string_view name) {
+  const std::string small = base::lowerCase(trimmed(name));
+  const auto found = std::ranges::find(kFeatures, small, &Feature::name);
+  return found == kFeatures.end() ? nullptr : &*found;
+}
+
+CommentFacts factsOf(std::string_view comment) {
+  CommentFacts facts;
+  const std::string_view text = trimmed(comment);
+  for (const std::string_view head : {"type:", "feature:", "feature "})
+    if (const auto name = behind(text, head)) {
+      facts.feature = findFeature(*name);
+      return facts;
+    }
+  if (numberBehind(text, "layer:") || numberBehind(text, "layer ")) {
+    facts.layerChange = true;
+  } else if (behind(text, "layer_change") || behind(text, "change_layer")) {
+    facts.layerChange = true;
+  } else if (const auto height = numberBehind(text, "height:")) {
+    facts.heightMm = height;
+  }
+  return facts;
+}
+
+SlicedHeader headerOf(std::string_view text) {
+  constexpr double kMostMm = 50.0;
+  SlicedHeader header;
+  program::LineReader lines(text);
+  std::string_view line;
+  while (lines.next(line)) {
+    if (line.empty() || line.front() != ';')
+      continue;
+    const std::string_view words = trimmed(line.substr(1));
+    const CommentFacts facts = factsOf(words);
+    header.hasLayers = header.hasLayers || facts.layerChange;
+    header.hasKinds = header.hasKinds || facts.feature;
+    for (const std::string_view head :
+         {"filament_diameter", "filamentdiameters", "filament diameter", "material_diameter"})
+      take(header.filamentMm, numberBehind(words, head), kMostMm);
+    for (const std::string_view head : {"layer_height", "layer height", "layerheight"})
+      take(header.layerHeightMm, numberBehind(words, head), kMostMm);
+    for (const std::string_view head :
+         {"first_layer_height", "initial_layer_print_height", "initial_layer_height"})
+      take(header.firstLayerHeightMm, numberBehind(words, head), kMostMm);
+    for (const std::string_view head : {"generated by ", "generated with ", "sliced by "})
+      if (const auto name = behind(words, head); name && header.slicer.empty())
+        header.slicer = name->substr(0, name->find(' '));
+  }
+  return header;
+}
+
+} // namespace voluta::sliced
