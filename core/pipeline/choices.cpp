@@ -12,6 +12,7 @@
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
 #include "pipeline/open_part.h"
+#include "pipeline/shaped_paths.h"
 #include "placement/orient.h"
 #include "process/feature_parameters.h"
 #include "process/joined_heads.h"
@@ -94,8 +95,8 @@ base::ParameterTable allParameters() {
           "retractMm", "mm", 0.0, 0.0, 8.0, "Beads"_text, "retraction"_text,
           "Filament retracted for each travel, if the extruder can; 0: none."_text),
       base::booleanParameter("givenToolPaths", true, "Beads"_text, "tool-paths of the file"_text,
-                             "Prints a 3MF along the tool-paths in it (.build.3mf). Off: plans "
-                             "new ones for its object."_text),
+                             "Prints a file along its own tool-paths (.build.3mf, .gcode). Off: "
+                             "plans new ones for its object."_text),
       base::booleanParameter("output.build3mf", false, "Output"_text, "write a build file"_text,
                              "Adds NAME.build.3mf: the plan's 6-axis tool-paths for other programs"
                              " (3MF Toolpath Extension)."_text),
@@ -114,6 +115,7 @@ base::ParameterTable allParameters() {
   });
   table.append(modes::modeParameters());
   table.append(openSurfaceParameters());
+  table.append(pathShapeParameters());
   table.append(placement::orientParameters());
   table.append(process::featureParameters());
   table.append(toolpath::toolpathParameters());

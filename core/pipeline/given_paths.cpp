@@ -172,9 +172,12 @@ void requireOwnSize(const project::Choices& choices) {
                       "leave scale and units as they are, or give givenToolPaths=false"_text);
 }
 
-std::shared_ptr<const modes::DecomposeStage> onlyGround(const modes::DecomposeStage& made) {
+std::shared_ptr<const modes::DecomposeStage>
+onlyGround(const modes::DecomposeStage& made, std::shared_ptr<const geometry::TriangleMesh> body) {
   auto stage = std::make_shared<modes::DecomposeStage>();
   stage->platform = made.platform;
+  if (body)
+    stage->platform.mesh = std::move(body);
   stage->result = made.result;
   stage->timings = made.timings;
   return stage;

@@ -4,6 +4,7 @@
 
 #include "base/parameters.h"
 #include "geometry/placement.h"
+#include "geometry/triangle_mesh.h"
 #include "modes/stages.h"
 #include "pipeline/stages.h"
 #include "process/process.h"
@@ -31,8 +32,10 @@ std::optional<geometry::Placement> givenPlacement(const project::LoadedPart& loa
 void requireOwnSize(const project::Choices& choices);
 
 // Returns the stage with only the mode's platform, result kind and timings. Findings and report are
-// omitted because they describe layers that are not made.
-std::shared_ptr<const modes::DecomposeStage> onlyGround(const modes::DecomposeStage& made);
+// omitted because they describe layers that are not made. `body`: made for the paths, becomes the
+// platform's; null: none.
+std::shared_ptr<const modes::DecomposeStage>
+onlyGround(const modes::DecomposeStage& made, std::shared_ptr<const geometry::TriangleMesh> body);
 // Returns a stage without layers; its report counts the layers of the tool-paths.
 std::shared_ptr<const modes::LayersStage> layersOfGiven(const plan::ToolPlan& given);
 

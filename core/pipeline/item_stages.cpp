@@ -84,10 +84,18 @@ std::vector<base::Message> ItemStages::allRepairs() const {
   return all;
 }
 
+const ShapedPart& ItemStages::shaped() {
+  if (!shaped_.part)
+    shaped_ = shapedPart(loaded_, choices_, values_, context_.span(Stage::Load).quiet());
+  return shaped_;
+}
+
 ItemOutcome ItemStages::load() {
   const base::RunContext span = context_.span(Stage::Load);
-  placed_ = context_.cachedOrMade<modes::LoadStage>(
-      keyOf(Stage::Load), slot({}), [&] { return loadStage(*loaded_, choices_, process_, span); });
+  placed_ = context_.cachedOrMade<modes::LoadStage>(keyOf(Stage::Load), slot({}), [&] {
+    return shaped().ground ? loadStageOnGround(shaped(), choices_, process_, span)
+                           : loadStage(*shaped().part, choices_, process_, span);
+  });
   result_.item(index_).placed = placed_;
   item().scale = placed_->scale;
   item().placement = placed_->placement;
@@ -108,10 +116,13 @@ ItemOutcome ItemStages::load() {
   const auto size = context_.cachedOrMade<SizeStage>(
       keyOf(Stage::Load) + base::keyText(choices_.cell, process_.id, process_.beadWidthMinMm),
       slot("size"),
-      [&] { return sizeStage(*loaded_, *placed_, choices_, process_, span.quiet()); });
+      [&] { return sizeStage(*shaped().part, *placed_, choices_, process_, span.quiet()); });
   const auto stand = context_.cachedOrMade<StandStage>(
-      standKey(*loaded_, *placed_, choices_, process_), slot("stand"),
-      [&] { return standStage(*placed_, choices_, process_, span.quiet()); });
+      standKey(*loaded_, *placed_, choices_, process_) + base::keyText(hasGivenPaths_),
+      slot("stand"), [&] {
+        return hasGivenPaths_ ? std::make_shared<const StandStage>()
+                              : standStage(*placed_, choices_, process_, span.quiet());
+      });
   // A part that was drawn in other units is not planned.
   const bool isOdd = isOfOtherUnits(*size);
   out.findings = isOdd ? plan::Findings() : startFindings();
@@ -157,7 +168,11 @@ ItemOutcome ItemStages::decompose() {
             return context_.reject(Stage::Decompose, soFar);
           };
         auto made = mode_.decompose(modeChoices(), in, context_.span(Stage::Decompose));
-        return hasGivenPaths_ ? onlyGround(*made) : made;
+        return hasGivenPaths_
+                   ? onlyGround(*made, shaped().ground
+                                           ? placedGround(shaped(), choices_.item().placement)
+                                           : nullptr)
+                   : made;
       });
   item().platform = decomposed_->platform;
   item().result = decomposed_->result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "layers/tool_assignment.h"
+#include "pipeline/shaped_paths.h"
 #include "pipeline/stage_context.h"
 #include "pipeline/stages.h"
 #include "project/job.h"
@@ -32,6 +33,8 @@ public:
   ItemOutcome layers();
 
   const project::LoadedPart& loaded() const { return *loaded_; }
+  // The part as its parameters change the tool-paths of its file.
+  const ShapedPart& shaped();
   const modes::LoadStage& placed() const { return *placed_; }
   const project::Choices& choices() const { return choices_; }
   const project::StageKeys& keys() const { return keys_; }
@@ -66,6 +69,7 @@ private:
   PlanResult& result_;
   const modes::Mode& mode_;
   std::shared_ptr<const project::LoadedPart> loaded_;
+  ShapedPart shaped_; // Made when first needed
   std::shared_ptr<const modes::LoadStage> placed_;
   std::shared_ptr<const modes::DecomposeStage> decomposed_;
   bool hasGivenPaths_ = false;

@@ -7,6 +7,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/open_part.h"
+#include "pipeline/shaped_paths.h"
 #include "pipeline/turned_part.h"
 #include "program/dialect.h"
 #include "robot/cell.h"
@@ -103,7 +104,7 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   text += openSurfacesKey(in.choices, in.values, in.process);
   text += base::keyText(turnPlan(c, in.values));
   if (takesGivenPaths(loaded, in.values))
-    text += "along given paths\n";
+    text += "along given paths\n" + pathShapeKey(in.values);
   if (c.item().platform.isOfCell()) {
     const PlateNeeds needs = plateNeeds(in.values);
     text += "a plate of\n" + cell +

@@ -31,7 +31,8 @@ using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
 void mend(LoadedPart& part, const base::RunContext& ctx) {
   base::Stopwatch mending;
   part.notes = part.readNotes;
-  if (part.cells) {
+  // Solids made of beads are made of cells too.
+  if (part.cells || (part.toolPaths && sliced::isSlicedGcode(part.name))) {
     part.mesh = part.source;
     part.found = geometry::diagnose(*part.source, ctx);
     part.found.selfIntersections = {}; // reported where cells only touch

@@ -216,20 +216,12 @@ private:
     for (Vector3d& v : solid.mesh.vertices)
       v = {field_.origin.x() + field_.pitch * v.x(), field_.origin.y() + field_.pitch * v.y(),
            slabs.heightAt(v.z())};
-    double beads = 0.0;
-    bool hasSparse = false;
-    for (const plan::ToolPath& path : plan_.paths) {
-      if (!isOfPart(path.kind))
-        continue;
-      hasSparse = hasSparse || path.kind == plan::PathKind::SparseInfill;
-      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-        beads += process::beadVolume(process::beadArea(plan_.widthMm[i - 1], plan_.heightMm[i - 1]),
-                                     process::beadArea(plan_.widthMm[i], plan_.heightMm[i]),
-                                     (plan_.position[i] - plan_.position[i - 1]).norm());
-    }
+    const bool hasSparse = std::ranges::any_of(plan_.paths, [](const plan::ToolPath& path) {
+      return path.kind == plan::PathKind::SparseInfill;
+    });
     if (hasSparse) {
       solid.fill.shellMm = kShellBeads * hatchMm_;
-      solid.fill.openMm3 = std::max(0.0, geometry::volume(solid.mesh) - beads);
+      solid.fill.openMm3 = std::max(0.0, geometry::volume(solid.mesh) - partBeadsMm3(plan_));
     }
     return solid;
   }
@@ -241,6 +233,17 @@ private:
   Field field_;
 };
 } // namespace
+
+double partBeadsMm3(const plan::ToolPlan& plan) {
+  double volume = 0.0;
+  for (const plan::ToolPath& path : plan.paths)
+    if (isOfPart(path.kind))
+      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+        volume += process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
+                                      process::beadArea(plan.widthMm[i], plan.heightMm[i]),
+                                      (plan.position[i] - plan.position[i - 1]).norm());
+  return volume;
+}
 
 bool isLevel(const plan::ToolPlan& plan) {
   constexpr double kUpright = 1.0 - 1e-6;

@@ -22,6 +22,9 @@ struct LayerSolid {
 // has no section or there are no beads of the part; Cancelled.
 LayerSolid solidOfLayers(plan::ToolPlan& plan, double sparseShare, const base::RunContext& ctx);
 
+// Returns the volume of the part's beads [mm3], without supports and skirts.
+double partBeadsMm3(const plan::ToolPlan& plan);
+
 // Returns whether all nozzles are upright, so that layers are level.
 bool isLevel(const plan::ToolPlan& plan);
 

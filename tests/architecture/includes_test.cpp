@@ -50,7 +50,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"pipeline",
      {"geometry", "platform",  "process", "voxel",     "plan",  "build3mf",  "layers", "curved",
       "planar",   "substrate", "support", "placement", "robot", "collision", "cells",  "toolpath",
-      "motion",   "program",   "replay",  "project",   "modes", "page"}},
+      "motion",   "program",   "replay",  "project",   "modes", "page",      "sliced"}},
 };
 
 struct Include {

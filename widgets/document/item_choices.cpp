@@ -4,6 +4,7 @@
 #include "layers/tool_assignment.h"
 #include "modes/mode_table.h"
 #include "pipeline/open_part.h"
+#include "pipeline/shaped_paths.h"
 #include "placement/orient.h"
 
 #include <set>
@@ -42,6 +43,7 @@ bool isOfJob(const std::string& parameter) {
     base::ParameterTable table;
     table.append(modes::modeParameters());
     table.append(pipeline::openSurfaceParameters());
+    table.append(pipeline::pathShapeParameters());
     table.append(placement::orientParameters());
     table.append(layers::toolParameters());
     return table;

@@ -1,0 +1,48 @@
+// The parameters that change the tool-paths of a file before they are placed: amounts, turns from
+// layer to layer, another ground, another frame.
+#pragma once
+
+#include "base/parameters.h"
+#include "base/run_context.h"
+#include "geometry/placement.h"
+#include "geometry/triangle_mesh.h"
+#include "modes/stages.h"
+#include "process/process.h"
+#include "project/choices.h"
+#include "project/loaded_part.h"
+
+#include <memory>
+#include <string>
+
+namespace voluta::pipeline {
+
+base::ParameterTable pathShapeParameters();
+
+// Cache key; empty if nothing changes. Does not throw.
+std::string pathShapeKey(const base::ParameterValues& values);
+
+// A part with its tool-paths, and the body that carries them; null: printed on the platform.
+struct ShapedPart {
+  std::shared_ptr<const project::LoadedPart> part;
+  std::shared_ptr<const geometry::TriangleMesh> ground; // In the coordinates of the part's mesh
+};
+
+// Returns the part as the parameters change it: itself if it has no tool-paths in use, or nothing
+// changes. A platform that is a body replaces the ground made here. Throws Error{Usage} for an
+// invalid frame; Error{UnusableInput} as sliced::shaped(); Cancelled.
+ShapedPart shapedPart(std::shared_ptr<const project::LoadedPart> loaded,
+                      const project::Choices& choices, const base::ParameterValues& values,
+                      const base::RunContext& ctx);
+
+// Returns the load stage of a part with a ground: the body is placed by the choices' placement,
+// with its lowest point at the lift, and the part with it. A plate of the cell is chosen for the
+// body. Precondition: there is a body. Throws as loadStage().
+std::shared_ptr<const modes::LoadStage> loadStageOnGround(const ShapedPart& shaped,
+                                                          const project::Choices& choices,
+                                                          const process::Process& process,
+                                                          const base::RunContext& ctx);
+// Returns the body placed by `own`, in the work frame. Precondition: there is a body.
+std::shared_ptr<const geometry::TriangleMesh> placedGround(const ShapedPart& shaped,
+                                                           const geometry::Placement& own);
+
+} // namespace voluta::pipeline
