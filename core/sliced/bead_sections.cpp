@@ -140,4 +140,20 @@ plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2) {
   return plan;
 }
 
+double beadsMm3(const plan::ToolPlan& plan) {
+  double volume = 0.0;
+  for (const plan::ToolPath& path : plan.paths)
+    volume += beadsMm3(plan, path);
+  return volume;
+}
+
+double beadsMm3(const plan::ToolPlan& plan, const plan::ToolPath& path) {
+  double volume = 0.0;
+  for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+    volume += process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
+                                  process::beadArea(plan.widthMm[i], plan.heightMm[i]),
+                                  (plan.position[i] - plan.position[i - 1]).norm());
+  return volume;
+}
+
 } // namespace voluta::sliced

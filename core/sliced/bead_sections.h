@@ -15,4 +15,8 @@ namespace voluta::sliced {
 // height. `filamentMm2`: section of the filament; 1 for amounts that are volumes.
 plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2);
 
+// Return the volume of all beads, and of one path [mm3].
+double beadsMm3(const plan::ToolPlan& plan);
+double beadsMm3(const plan::ToolPlan& plan, const plan::ToolPath& path);
+
 } // namespace voluta::sliced

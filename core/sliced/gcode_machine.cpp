@@ -22,6 +22,7 @@ using Eigen::Vector3d;
 using program::GcodeWords;
 
 constexpr double kFarthestMm = 1e6, kInchMm = 25.4, kMinWayMm = 1e-6;
+constexpr double kThinnestMm = 0.01, kThickestMm = 1000.0; // Layers
 constexpr std::size_t kMaxPoints = 20'000'000;
 
 // Filament that was retracted has to return before any is extruded.
@@ -73,7 +74,8 @@ private:
       heightMm_ = 0.0;
     }
     if (facts.heightMm)
-      heightMm_ = std::clamp(*facts.heightMm, 0.0, kFarthestMm);
+      heightMm_ =
+          *facts.heightMm >= kThinnestMm && *facts.heightMm <= kThickestMm ? *facts.heightMm : 0.0;
     if (facts.feature)
       feature_ = facts.feature;
   }
@@ -225,6 +227,9 @@ private:
   }
 
   void move(double g, GcodeWords& w) {
+    if (!w.bare.empty())
+      fail(base::message("the letter {letter} has no number"_text, w.bare),
+           "the file may be damaged; export it again"_text);
     if (w.any("ABCUVW"))
       fail("a motion with a word A, B, C, U, V or W is not understood"_text,
            "give the nozzle's direction as nX nY nZ"_text);

@@ -6,7 +6,7 @@
 namespace voluta::sliced {
 
 namespace {
-constexpr double kSameMm = 0.005, kFlatMm = 0.02, kUpright = 1.0 - 1e-6;
+constexpr double kSameMm = 0.005, kThinnestMm = 0.01, kFlatMm = 0.02, kUpright = 1.0 - 1e-6;
 constexpr double kOdd = 2.5; // [usual heights] a first layer farther from z = 0 is on something
 
 struct Range {
@@ -64,9 +64,9 @@ LayerHeights::Layer LayerHeights::of(const SlicedPath& path) const {
   const double usual = tops.size() > 2 ? tops[2] - tops[1] : header_.layerHeightMm;
   layer.heightMm = at == tops.begin() ? *at : *at - *(at - 1);
   // A first layer on a body, or one above layers that only supports have.
-  if (!(layer.heightMm > 0.0) || (usual > 0.0 && layer.heightMm > kOdd * usual)) {
+  if (!(layer.heightMm >= kThinnestMm) || (usual > 0.0 && layer.heightMm > kOdd * usual)) {
     const double known = stated(*at);
-    layer.heightMm = known > 0.0 ? known : usual;
+    layer.heightMm = known > 0.0 ? known : usual >= kThinnestMm ? usual : 0.0;
   }
   return layer;
 }

@@ -4,6 +4,7 @@
 #include "base/run_context.h"
 #include "geometry/measures.h"
 #include "process/bead_model.h"
+#include "sliced/bead_sections.h"
 #include "sliced/layer_slabs.h"
 #include "voxel/voxel_object.h"
 
@@ -237,11 +238,7 @@ private:
 double partBeadsMm3(const plan::ToolPlan& plan) {
   double volume = 0.0;
   for (const plan::ToolPath& path : plan.paths)
-    if (isOfPart(path.kind))
-      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-        volume += process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
-                                      process::beadArea(plan.widthMm[i], plan.heightMm[i]),
-                                      (plan.position[i] - plan.position[i - 1]).norm());
+    volume += isOfPart(path.kind) ? beadsMm3(plan, path) : 0.0;
   return volume;
 }
 

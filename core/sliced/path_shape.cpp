@@ -209,6 +209,9 @@ ShapedPaths shaped(const plan::ToolPlan& plan, const geometry::TriangleMesh& sol
   if (shape.amountFactor != 1.0 || shape.turnPerLayerRad != 0.0)
     remake(made, ctx.sub(0.0, 0.8));
   ctx.checkpoint();
+  Eigen::AlignedBox3d extent = geometry::bounds(made.solid); // Skirts included
+  for (const Vector3d& p : made.plan.position)
+    extent.extend(p);
   if (shape.ground.isCurved()) {
     requireRoom(made.plan, shape.ground);
     made.plan = divided(made.plan, std::sqrt(8.0 * kChordMm * std::abs(shape.ground.radiusMm)));
@@ -216,7 +219,7 @@ ShapedPaths shaped(const plan::ToolPlan& plan, const geometry::TriangleMesh& sol
       bendPath(made.plan, path, shape.ground);
   }
   if (shape.ground.shape != GroundShape::Plate)
-    made.ground = groundBody(shape.ground, geometry::bounds(made.solid));
+    made.ground = groundBody(shape.ground, extent);
   if (shape.ground.isCurved())
     for (Vector3d& v : made.solid.vertices)
       v = shape.ground.map(v).position;

@@ -5,7 +5,6 @@
 #include "base/run_context.h"
 #include "base/units.h"
 #include "build3mf/bead_cells.h"
-#include "process/bead_model.h"
 #include "sliced/bead_sections.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/layer_solid.h"
@@ -23,16 +22,6 @@ using base::ErrorCode;
 
 constexpr double kUsualFilamentMm = 1.75;
 constexpr double kSparseShare = 0.9; // Infill without comments is solid from here on
-
-double volumeOf(const plan::ToolPlan& plan) {
-  double volume = 0.0;
-  for (const plan::ToolPath& path : plan.paths)
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      volume += process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
-                                    process::beadArea(plan.widthMm[i], plan.heightMm[i]),
-                                    (plan.position[i] - plan.position[i - 1]).norm());
-  return volume;
-}
 
 std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   std::vector<base::Message> notes;
@@ -87,7 +76,7 @@ ReadSliced readSliced(std::string_view text, const std::string& name, const base
     constexpr double kCellMm = 0.25;
     read.solid = build3mf::solidOfBeads(read.plan, kCellMm, ctx.sub(0.4, 1.0));
   }
-  read.volumeMm3 = volumeOf(read.plan);
+  read.volumeMm3 = beadsMm3(read.plan);
   return read;
 }
 

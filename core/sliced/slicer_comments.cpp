@@ -78,7 +78,8 @@ std::optional<double> numberBehind(std::string_view text, std::string_view head)
 }
 
 void take(double& value, std::optional<double> found, double most) {
-  if (found && *found > 0.0 && *found <= most)
+  constexpr double kLeastMm = 0.01;
+  if (found && *found >= kLeastMm && *found <= most)
     value = *found;
 }
 } // namespace
