@@ -7,6 +7,7 @@
 #include "geometry/convex_polygon.h"
 #include "robot/leaning_tool.h"
 #include "robot/plate.h"
+#include "robot/upright_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,11 +54,14 @@ public:
     // alone.
     if (collision_.headTouchesPlatform(poseOf(tip, direction, 0), margins_.headMm))
       return false;
+    const std::vector<JointVector> upright =
+        robot::tiltsPart(cell_) ? uprightPlaces(direction) : std::vector<JointVector>();
+    const std::vector<JointVector>& axes = robot::tiltsPart(cell_) ? upright : axes_;
     const std::size_t turns = static_cast<std::size_t>(grid_.turns);
-    const std::size_t ways = axes_.size() * turns, from = last_;
+    const std::size_t ways = axes.size() * turns, from = last_;
     for (std::size_t n = 0; n < ways; ++n) {
       const std::size_t way = (from + n) % ways;
-      if (!clear(poseOf(tip, direction, static_cast<int>(way % turns)), axes_[way / turns]))
+      if (!clear(poseOf(tip, direction, static_cast<int>(way % turns)), axes[way / turns]))
         continue;
       last_ = way;
       return true;
@@ -66,6 +70,24 @@ public:
   }
 
 private:
+  // Returns the places of the axes that turn the direction upright, within their limits; where the
+  // second axis is free, as many as those of axes_.
+  std::vector<JointVector> uprightPlaces(const Direction& direction) const {
+    std::vector<JointVector> places;
+    for (const robot::UprightAxes& at : robot::uprightAxes(cell_, direction.build))
+      for (const JointVector& any : at.lastIsFree ? axes_ : std::vector<JointVector>{at.axes}) {
+        const JointVector axes{{at.axes[0], any[1]}};
+        const auto& all = cell_.externalAxes();
+        bool within = true;
+        for (std::size_t k = 0; k < all.size(); ++k)
+          within = within && axes[static_cast<Eigen::Index>(k)] >= all[k].limits.min &&
+                   axes[static_cast<Eigen::Index>(k)] <= all[k].limits.max;
+        if (within)
+          places.push_back(axes);
+      }
+    return places;
+  }
+
   Eigen::Isometry3d poseOf(const Eigen::Vector3d& tip, const Direction& direction, int turn) const {
     const Eigen::Isometry3d pose = robot::leaningTool(
         tip, grid_.tiltsRad[direction.tilt], base::kTurn * direction.azimuth / grid_.azimuths,

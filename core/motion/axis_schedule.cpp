@@ -7,6 +7,8 @@
 #include "motion/external_axes.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smoothing/even_turns.h"
+#include "motion/upright_schedule.h"
+#include "robot/upright_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -339,6 +341,8 @@ std::vector<JointVector> axisSchedule(const MotionScene& scene, std::size_t firs
                                       const base::RunContext& ctx) {
   base::require(!scene.cell.externalAxes().empty() && !scene.cell.rod() && count > 0,
                 "external axes that carry the platform, and a path");
+  if (robot::tiltsPart(scene.cell))
+    return uprightSchedule(scene.plan, scene.cell, first, count, from.axes);
   return Schedule(scene, first, count, from, ctx).find();
 }
 

@@ -21,8 +21,9 @@ namespace voluta::motion {
 // along the tool-path. Tilting, lateral offset and moving have a cost, and so has every position
 // that the arm cannot reach without collision in any IK branch and nozzle rotation, as far as a few
 // searches discover it. The result is always within the axes' limits, but the arm may be unable to
-// follow. Preconditions: the cell has external axes and no rod; count >= 1. Throws Cancelled. The
-// result is independent of the number of threads.
+// follow. In a cell that tilts the part (robot/upright_axes.h) returns uprightSchedule() instead,
+// of as many waypoints as that reaches. Preconditions: the cell has external axes and no rod; count
+// >= 1. Throws Cancelled. The result is independent of the number of threads.
 std::vector<robot::JointVector> axisSchedule(const MotionScene& scene, std::size_t first,
                                              std::size_t count, const RobotState& from,
                                              const base::RunContext& ctx);

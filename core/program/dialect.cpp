@@ -154,6 +154,7 @@ const std::vector<Dialect>& dialects() {
        .straight = Straight::Pieces,
        .saysJointMotions = false,
        .supportsExternalAxes = false,
+       .supportsAxesOf = movesTable,
        // Every motion states its time.
        .time = {},
        .options = tableGcodeOptions,

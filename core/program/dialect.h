@@ -49,6 +49,8 @@ struct Dialect {
   // otherwise joint motions are written as straight pieces (joint_pieces.h)
   bool saysJointMotions = true;
   bool supportsExternalAxes = true; // can state positions of external axes, or poses on the part
+  // whether it can state those of this cell although it does not support all; nullptr: no
+  bool (*supportsAxesOf)(const robot::Cell&) = nullptr;
   bool tiltsNozzle = true;          // can state directions other than the plate's normal
   std::vector<plan::EventKind> events = {}; // that it has words for
   plan::TimeModel time = {};                // of its controller; readProgram passes it on

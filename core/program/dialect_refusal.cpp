@@ -56,7 +56,8 @@ base::Text nameOf(plan::EventKind kind) {
 }
 
 void requireRodTurns(const Dialect& dialect, const robot::Cell& cell) {
-  if (dialect.supportsExternalAxes || cell.externalAxes().empty())
+  if (dialect.supportsExternalAxes || cell.externalAxes().empty() ||
+      (dialect.supportsAxesOf != nullptr && dialect.supportsAxesOf(cell)))
     return;
   throw base::Error(
       base::ErrorCode::Usage,

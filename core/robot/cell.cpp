@@ -4,9 +4,12 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/json_node.h"
+#include "geometry/least_turn.h"
 #include "robot/cell/robot_reader.h"
+#include "robot/upright_axes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace voluta::robot {
@@ -87,9 +90,29 @@ Eigen::Isometry3d Cell::work_T_toolOfFlange(const Eigen::Isometry3d& base_T_flan
   return base_T_work(q).inverse() * base_T_flange * flange_T_moved_;
 }
 
+namespace {
+// Returns the flange pose with the flange upright and the nozzle's tip in the same place, if the
+// flange is tilted by no more than the positioner's angles are rounded; else the same pose.
+Eigen::Isometry3d straightened(const Eigen::Isometry3d& base_T_flange,
+                               const Eigen::Isometry3d& flange_T_tool) {
+  const Eigen::Vector3d z = base_T_flange.linear().col(2);
+  if (!(z.z() > 0.0 && std::hypot(z.x(), z.y()) < 1.5 * kAlongAxisRad))
+    return base_T_flange;
+  Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
+  upright.linear() =
+      geometry::leastTurn(z, Eigen::Vector3d::UnitZ()).toRotationMatrix() * base_T_flange.linear();
+  upright.translation() =
+      base_T_flange * flange_T_tool.translation() - upright.linear() * flange_T_tool.translation();
+  return upright;
+}
+} // namespace
+
 void Cell::inverse(const Eigen::Isometry3d& work_T_tool, const JointVector& near,
                    std::vector<JointVector>& solutions) const {
-  inverseNear(robot(), base_T_flange(work_T_tool, near), near, solutions);
+  Eigen::Isometry3d flange = base_T_flange(work_T_tool, near);
+  if (tiltsPart(*this))
+    flange = straightened(flange, flange_T_moved_);
+  inverseNear(robot(), flange, near, solutions);
   for (JointVector& q : solutions) {
     q.conservativeResize(dof());
     q.tail(dof() - armDof()) = near.tail(dof() - armDof());

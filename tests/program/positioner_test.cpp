@@ -54,6 +54,33 @@ TEST_F(Positioner, isOneMechanicalUnitInRapid) {
   EXPECT_NE(text.find("[[500,0,120],[1,0,0,0]]"), std::string::npos) << "where it is at 0";
 }
 
+// A table of the cell's own below an upright nozzle: its place comes from the cell, B and C are its
+// axes.
+TEST_F(Positioner, isTheTableOfGcodeWithBAndC) {
+  platform::PlatformSolid plate;
+  plate.polygon = {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  cell_.emplace(robot::loadCell("five-axis", process_, plate));
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> step(0.0, 1.0);
+  std::vector<double> q{20, -10, 200, 0, 0.3, 1.0};
+  append(plan::MoveKind::Joint, q, 1.0, 0.0);
+  for (int i = 0; i < 100; ++i) {
+    for (std::size_t j = 0; j < q.size(); ++j)
+      q[j] += j < 3 ? step(random) : j == 3 ? 0.0 : 0.02 * step(random);
+    append(plan::MoveKind::Linear, q, 0.5, 0.0);
+  }
+  const plan::Program written = writeProgram("gcode-bc", input());
+  EXPECT_NE(written.files[0].text.find("plate over the tilt axis, mm: X0 Z20"), std::string::npos);
+  plan::ReadProgram back = readProgram("gcode-bc", written.files, process::Tooling(process_));
+  EXPECT_TRUE(back.complete);
+  for (const auto& d : back.defects)
+    ADD_FAILURE() << d.line << ": " << base::english(d.reason);
+  dropPieces(back);
+  ASSERT_EQ(back.motions.size(), trajectory_.pointCount());
+  for (std::size_t i = 0; i < back.motions.size(); ++i)
+    expectTarget(back, i);
+}
+
 TEST_F(Positioner, isNotSaidWhereNoAxisCanBe) {
   usePositioner();
   appendRandomOnPositioner(3, 60);

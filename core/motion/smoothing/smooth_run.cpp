@@ -6,6 +6,7 @@
 #include "motion/ladder/divided_step.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smoothing/smooth_turns.h"
+#include "robot/upright_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -271,6 +272,9 @@ SmoothedRun smoothRun(const RunSmoothing& by, const std::vector<RunPoint>& point
                       const Meets& meets, const Lifts& lifts, const base::RunContext& ctx) {
   const base::Stopwatch watch;
   const robot::Cell& cell = by.scene.cell;
+  // Directions determine the axes there, and rotating the nozzle moves nothing.
+  if (robot::tiltsPart(cell))
+    return {points, points};
   const bool leans = cell.tilts() && !cell.rod() && directionsChange(points);
   const double leanRad = leans ? by.scene.options.leanRad : 0.0;
   const double axesRad = axesMove(cell, points) ? by.scene.options.axesRad : 0.0;

@@ -41,6 +41,10 @@ base::ParameterSpec tableTurns();
 base::ParameterSpec tableUnwind();
 std::vector<base::ParameterSpec> tableGcodeOptions();
 
+// Returns whether the cell's external axes are such a table (table_of_cell.h). Its position then
+// comes from the cell, not from the options, and B and C from the motion of its axes.
+bool movesTable(const robot::Cell& cell);
+
 // Throws Error{Usage} if a bead turns the table beyond its limit, so that winding back cannot keep
 // within it.
 plan::Program writeTableGcode(const ProgramInput& input, const base::RunContext& ctx);

@@ -5,6 +5,7 @@
 #include "program/common/walk.h"
 #include "program/gcode/gcode_bc.h"
 #include "program/gcode/gcode_text.h"
+#include "program/gcode/table_of_cell.h"
 #include "program/gcode/table_winding.h"
 #include "program/gcode/tilting_table.h"
 #include "program/job_head.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace voluta::program {
@@ -29,9 +31,10 @@ constexpr std::string_view kCounts = "count", kWinds = "wind";
 class TableWriter : private ProgramEmitter {
 public:
   TableWriter(const ProgramInput& input, const base::RunContext& ctx)
-      : in_(input), ctx_(ctx),
-        targets_(motionTargets(input, ctx)), frame_{numberOf(tableXMm(), input.options),
-                                                    numberOf(tableZMm(), input.options)},
+      : in_(input), ctx_(ctx), targets_(motionTargets(input, ctx)), table_(tableOf(input.cell)),
+        frame_(table_ ? table_->frame
+                      : TableFrame{numberOf(tableXMm(), input.options),
+                                   numberOf(tableZMm(), input.options)}),
         sense_(chosenOf(tableSense(), input.options) == "tool" ? -1.0 : 1.0),
         mostTurns_(numberOf(tableTurns(), input.options)),
         winds_(chosenOf(tableUnwind(), input.options) == kWinds) {
@@ -71,14 +74,29 @@ private:
       const bool byJoints = i > 0 && in_.trajectory.move[i] == plan::MoveKind::Joint;
       const int pieces = byJoints ? jointPieces(in_, i) : 1;
       const double s = motionSeconds(in_.trajectory, i) / pieces;
-      for (int k = 1; k < pieces; ++k)
-        add(jointPiece(in_, i, static_cast<double>(k) / pieces), s, false);
+      for (int k = 1; k < pieces; ++k) {
+        const double share = static_cast<double>(k) / pieces;
+        add(jointPiece(in_, i, share), s, false);
+        if (table_)
+          angles_.push_back(ownAngles(i, share));
+      }
       add(targets_[i], s, isPrint(in_.trajectory, i));
+      if (table_)
+        angles_.push_back(ownAngles(i, 1.0));
     }
     firstOf_.push_back(stations_.size());
-    angles_ = tableAngles(directions);
+    if (!table_)
+      angles_ = tableAngles(directions);
     for (TableAngles& a : angles_)
       a = {rounded(a.tilt), rounded(a.turn)};
+  }
+
+  // Returns the angles of the cell's own table at `share` of the motion to a point.
+  TableAngles ownAngles(std::size_t point, double share) const {
+    const plan::Trajectory& t = in_.trajectory;
+    const Eigen::Map<const Eigen::VectorXd> to(t.at(point), t.dof),
+        from(t.at(point - (point > 0 ? 1 : 0)), t.dof);
+    return table_->angles(from + share * (to - from), in_.cell.armDof());
   }
 
   // Winds the table back where a travel has lifted off, so that each stretch between two such
@@ -292,6 +310,7 @@ private:
   const ProgramInput& in_;
   const base::RunContext& ctx_;
   std::vector<MotionTarget> targets_;
+  std::optional<CellTable> table_; // the cell's own
   TableFrame frame_;
   double sense_, mostTurns_;
   bool winds_;
@@ -346,6 +365,10 @@ base::ParameterSpec tableUnwind() {
       "G-code with B and C: winds the table back during a travel, with the "
       "nozzle raised clear of it. For a table that turns endlessly only the "
       "count can be reset, without a motion."_text);
+}
+
+bool movesTable(const robot::Cell& cell) {
+  return tableOf(cell).has_value();
 }
 
 std::vector<base::ParameterSpec> tableGcodeOptions() {

@@ -6,14 +6,15 @@
 //                         (ABB with RobotWare 7)
 //   family                kinematic family: "ur" | "opw" (ortho-parallel with a spherical wrist) |
 //                         "chain" (any six turning axes) | "scara" (two upright axes and a shaft
-//                         that slides and turns)
+//                         that slides and turns) | "gantry" (slides along x, y and z, and the
+//                         nozzle's rotation)
 //   geometryMm            the family's lengths; ur: {d1, a2, a3, d4, d5, d6} of standard DH; opw:
 //                         {a1, a2, b, c1, c2, c3, c4, offsetsDeg}, offsetsDeg: list of the
 //                         controller's joint values with the arm upright; chain: {joints, flange}:
 //                         joints a list of {pose, axis}, the pose of a joint's frame at zero in the
 //                         frame of the link before it and its axis in its own, flange the flange's
 //                         pose in the last; scara: {a1, a2, top}, both bars and the flange's height
-//                         with joint 3 at 0
+//                         with joint 3 at 0; gantry: {}
 //   reading               optional, if the controller counts joints differently from the family:
 //                         {signs, offsetsDeg, thirdIsCoupled}, all optional, as JointReading; an
 //                         offset of a sliding joint in mm
@@ -37,6 +38,7 @@
 #include "robot/cell/limits_reader.h"
 #include "robot/cell/shape_reader.h"
 #include "robot/kinematics/chain_kinematics.h"
+#include "robot/kinematics/gantry_kinematics.h"
 #include "robot/kinematics/opw_kinematics.h"
 #include "robot/kinematics/scara_kinematics.h"
 #include "robot/kinematics/ur_kinematics.h"
@@ -99,14 +101,22 @@ std::shared_ptr<const Kinematics> scaraFamily(const base::JsonNode& g) {
       ScaraGeometry{g.at("a1").positive(), g.at("a2").positive(), g.at("top").number()});
 }
 
+std::shared_ptr<const Kinematics> gantryFamily(const base::JsonNode& g) {
+  g.allowOnly({});
+  return std::make_shared<GantryKinematics>();
+}
+
 // A new family is a row here and a file beside ur_kinematics.cpp.
 struct Family {
   const char* id;
   std::function<std::shared_ptr<const Kinematics>(const base::JsonNode&)> make;
 };
 const std::vector<Family>& families() {
-  static const std::vector<Family> table = {
-      {"ur", urFamily}, {"opw", opwFamily}, {"chain", chainFamily}, {"scara", scaraFamily}};
+  static const std::vector<Family> table = {{"ur", urFamily},
+                                            {"opw", opwFamily},
+                                            {"chain", chainFamily},
+                                            {"scara", scaraFamily},
+                                            {"gantry", gantryFamily}};
   return table;
 }
 

@@ -87,6 +87,10 @@ public:
     double length = last_T_flange_.translation().norm();
     for (int i = 0; i < dof_; ++i)
       length += (end(i) - start(i)).norm();
+    // The slides of a Cartesian machine all begin in one point.
+    for (const JointLimits& limit : robot.limits)
+      if (length < kTogetherMm && limit.kind == JointKind::Sliding)
+        length = limit.max - limit.min;
     for (int i = 0; i <= dof_; ++i) {
       const double share = static_cast<double>(i) / dof_;
       radii_.push_back(housingRadius(
