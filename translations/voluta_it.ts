@@ -5936,6 +5936,102 @@ mm³</translation>
         <translation>il carico di {carried:.3g} kg supera la portata del robot, {most:.3g} kg</translation>
     </message>
     <message>
+        <source>must be larger than that of the point before</source>
+        <translation>deve essere maggiore di quello del punto precedente</translation>
+    </message>
+    <message>
+        <source>must not be larger than that of the point before</source>
+        <translation>non deve essere maggiore di quella del punto precedente</translation>
+    </message>
+    <message>
+        <source>must have at least one point</source>
+        <translation>deve avere almeno un punto</translation>
+    </message>
+    <message>
+        <source>fixed nozzle</source>
+        <translation>ugello fisso</translation>
+    </message>
+    <message>
+        <source>tilting table</source>
+        <translation>tavola basculante</translation>
+    </message>
+    <message>
+        <source>raised plate</source>
+        <translation>piatto rialzato</translation>
+    </message>
+    <message>
+        <source>table on the floor</source>
+        <translation>tavola a terra</translation>
+    </message>
+    <message>
+        <source>it prints around a rod</source>
+        <translation>stampa attorno a una barra</translation>
+    </message>
+    <message>
+        <source>its largest plate takes the part up to scale {scale}</source>
+        <translation>il suo piatto più grande porta il pezzo fino alla scala {scale}</translation>
+    </message>
+    <message>
+        <source>its flange would carry {kg:.3g} kg at {lever:.0f}, the robot carries {most:.3g} kg there</source>
+        <translation>la flangia porterebbe {kg:.3g} kg a {lever:.0f}, dove il robot porta {most:.3g} kg</translation>
+    </message>
+    <message>
+        <source>its flange would carry {kg:.3g} kg, the robot&apos;s rating is {most:.3g} kg</source>
+        <translation>la flangia porterebbe {kg:.3g} kg, la portata del robot è di {most:.3g} kg</translation>
+    </message>
+    <message>
+        <source>its nozzle cannot tilt</source>
+        <translation>il suo ugello non può inclinarsi</translation>
+    </message>
+    <message>
+        <source>its head is too bulky to lean</source>
+        <translation>la sua testa è troppo ingombrante per inclinarsi</translation>
+    </message>
+    <message>
+        <source>its nozzle reaches {share:.0f} of the part upright</source>
+        <translation>il suo ugello raggiunge in verticale il {share:.0f} del pezzo</translation>
+    </message>
+    <message>
+        <source>its nozzle reaches {share:.0f} of the poses up to a tilt of {tilt:.0f}</source>
+        <translation>il suo ugello raggiunge il {share:.0f} delle pose fino a un&apos;inclinazione di {tilt:.0f}</translation>
+    </message>
+    <message>
+        <source>no cell with a fixed nozzle is among them</source>
+        <translation>tra queste non c&apos;è una cella con ugello fisso</translation>
+    </message>
+    <message>
+        <source>{cell} is out: {reason}</source>
+        <translation>{cell} è esclusa: {reason}</translation>
+    </message>
+    <message>
+        <source>{cell}: its fixed nozzle stays upright, so gravity helps; the platform may be small, and the arm carries plate and part ({kg:.3g} kg)</source>
+        <translation>{cell}: l&apos;ugello fisso resta verticale, quindi la gravità aiuta; la piattaforma può essere piccola e il braccio porta piatto e pezzo ({kg:.3g} kg)</translation>
+    </message>
+    <message>
+        <source>{cell}: its table tilts the part, so gravity helps; {fixed}</source>
+        <translation>{cell}: la tavola inclina il pezzo, quindi la gravità aiuta; {fixed}</translation>
+    </message>
+    <message>
+        <source>{cell}: its nozzle moves and takes large parts, and the raised plate stays small for a leaning head, but gravity does not help at up to {lean:.0f} from vertical; {fixed}</source>
+        <translation>{cell}: l&apos;ugello si muove e permette pezzi grandi, e il piatto rialzato resta piccolo per una testa inclinata, ma la gravità non aiuta fino a {lean:.0f} dalla verticale; {fixed}</translation>
+    </message>
+    <message>
+        <source>{cell}: its nozzle moves, always upright, and takes large parts; {fixed}</source>
+        <translation>{cell}: l&apos;ugello si muove, sempre verticale, e permette pezzi grandi; {fixed}</translation>
+    </message>
+    <message>
+        <source>{cell}: its nozzle moves over a table on the floor and takes large parts, but the platform is not small and gravity does not help at up to {lean:.0f} from vertical; {fixed}</source>
+        <translation>{cell}: l&apos;ugello si muove sopra una tavola a terra e permette pezzi grandi, ma la piattaforma non è piccola e la gravità non aiuta fino a {lean:.0f} dalla verticale; {fixed}</translation>
+    </message>
+    <message>
+        <source>{cell}: its nozzle moves, always upright, over a table on the floor and takes large parts; {fixed}</source>
+        <translation>{cell}: l&apos;ugello si muove, sempre verticale, sopra una tavola a terra e permette pezzi grandi; {fixed}</translation>
+    </message>
+    <message>
+        <source>none of these cells: {reasons}</source>
+        <translation>nessuna di queste celle: {reasons}</translation>
+    </message>
+    <message>
         <source>the nozzle is inside {body}</source>
         <translation>l&apos;ugello è dentro {body}</translation>
     </message>

@@ -114,6 +114,27 @@ struct ReachOptions {
 ExitCode cellReachCommand(const ReachOptions& options);
 ExitCode cellNozzleCommand(const ReachOptions& options);
 
+struct AdviseOptions {
+  pipeline::PlanRequest request;
+  std::vector<std::string> cells;
+  bool plan = false; // also plans the part in each cell
+  bool json = false;
+  int threads = 1;
+};
+// Compares cells for a part and prints the best with a sentence why.
+ExitCode cellAdviseCommand(const AdviseOptions& options);
+
+struct PlaceCellOptions {
+  pipeline::PlanRequest request; // Uses part, mode and process
+  std::string robot;
+  bool fixed = false;            // The nozzle is stationary
+  std::optional<double> tiltDeg; // Largest tilt of the nozzle; default: as the mode needs
+  std::filesystem::path file;    // Of the cell; empty: not written
+  int threads = 1;
+};
+// Finds the nozzle's bend and the place of plate or nozzle for a part, and writes the cell.
+ExitCode cellPlaceCommand(const PlaceCellOptions& options);
+
 struct MaterialOptions {
   std::string material;       // id, or a material's file
   std::filesystem::path file; // to write

@@ -1,5 +1,6 @@
 // voluta-cli: all functions of the window on the command line (docs/design.md, Command line).
 #include "base/data_files.h"
+#include "cli/cell_advice_options.h"
 #include "cli/commands.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
@@ -440,6 +441,8 @@ void addCell(CLI::App& app, Parsed& parsed, int threads) {
   check->callback(
       [checked, &parsed] { parsed.run = [checked] { return cellCheckCommand(*checked); }; });
   addReach(*cell, parsed, threads);
+  addCellAdvice(*cell, threads,
+                [&parsed](std::function<ExitCode()> run) { parsed.run = std::move(run); });
 }
 
 void addMaterial(CLI::App& app, Parsed& parsed) {

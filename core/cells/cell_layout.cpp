@@ -56,24 +56,24 @@ PosePattern patternFor(double reachMm) {
 struct Place {
   double out, up;   // mm, from joint 1's axis and from the arm's underside
   double offCentre; // of the grid, in steps
-  bool bent;        // whether the nozzle is bent
+  double bendRad;   // of the nozzle against the flange
 };
-// `bends`: nozzles on the flange are tried both straight and bent.
-std::vector<Place> placesFor(const ArmFacts& facts, Mount nozzle, bool bends) {
+std::vector<Place> placesFor(const ArmFacts& facts, Mount nozzle,
+                             const std::vector<double>& bendsRad) {
   const std::vector<double> outs{0.4, 0.5, 0.6, 0.7};
   // A flange that points up needs more height than one that points down.
   const std::vector<double> ups = nozzle == Mount::Flange
                                       ? std::vector<double>{0.05, 0.15, 0.3, 0.45}
                                       : std::vector<double>{0.4, 0.55, 0.7, 0.85, 1.0};
   std::vector<Place> places;
-  for (int bent = 0; bent <= (bends && nozzle == Mount::Flange ? 1 : 0); ++bent)
+  for (const double bend : nozzle == Mount::Flange ? bendsRad : std::vector<double>{0.0})
     for (std::size_t i = 0; i < outs.size(); ++i)
       for (std::size_t k = 0; k < ups.size(); ++k)
         places.push_back(
             {toTens(outs[i] * facts.reachMm), toTens(ups[k] * facts.reachMm),
              std::abs(static_cast<double>(i) - 0.5 * static_cast<double>(outs.size() - 1)) +
                  std::abs(static_cast<double>(k) - 0.5 * static_cast<double>(ups.size() - 1)),
-             bent == 1});
+             bend});
   return places;
 }
 
@@ -110,8 +110,8 @@ robot::CellDescription describe(const robot::RobotModel& robot, const ArmFacts& 
     cell.plates = {"disc:60", "disc:90", "disc:120", "disc:160", "disc:200", "disc:250"};
     cell.stem = {upright(-kStemMm, -kStemMm + 8.0, 32.0), upright(-kStemMm + 8.0, -5.0, 14.0)};
   } else {
-    if (place.bent) {
-      const Eigen::AngleAxisd bend(-kBendRad, Vector3d::UnitY());
+    if (place.bendRad > 0.0) {
+      const Eigen::AngleAxisd bend(-place.bendRad, Vector3d::UnitY());
       cell.nozzlePose = onFlange(kBeforeBendMm) * bend * Eigen::Translation3d(0, 0, kBehindBendMm);
       const Vector3d flange = cell.nozzlePose.inverse(Eigen::Isometry) * Vector3d::Zero();
       cell.holder = {upright(-110.0, -kBehindBendMm, 20.0),
@@ -191,18 +191,18 @@ std::optional<std::pair<int, int>> blockingLinks(const robot::Cell& cell,
   return most->first;
 }
 
-std::string noteOf(const CellLayout& layout, std::size_t places) {
+std::string noteOf(const CellLayout& layout, std::size_t places, const std::string& laidOut) {
   std::string tilts, shares;
   for (std::size_t t = 0; t < layout.score.poses.size(); ++t) {
     tilts += fmt::format("{}{:.0f}", t > 0 ? ", " : "", layout.pattern.tiltDeg[t]);
     shares += fmt::format("{}{:.0f}", t > 0 ? ", " : "", 100.0 * layout.score.share(t));
   }
   return fmt::format(
-      "Laid out at import: the best of {} places, tips in a ball of {:.0f} mm radius standing on "
-      "the plate. Here arm and tool are clear by {:.0f} mm at a tilt of {} deg in {} % of the "
+      "{}: the best of {} places, tips in a ball of {:.0f} mm radius standing on the plate. Here "
+      "arm and tool are clear by {:.0f} mm at a tilt of {} deg in {} % of the "
       "poses. Home: tip {:.0f} mm above the plate, {:.0f} mm clear. The plate's place, the "
       "nozzle's length, its holder and the table are ours: measure yours.",
-      places, layout.pattern.radiusMm, kClearMm, tilts, shares, layout.rest.heightMm,
+      laidOut, places, layout.pattern.radiusMm, kClearMm, tilts, shares, layout.rest.heightMm,
       layout.rest.clearMm);
 }
 
@@ -252,8 +252,15 @@ std::vector<std::pair<int, int>> neverNear(const robot::RobotModel& robot) {
   return pairs;
 }
 
-CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::Process& process,
+CellLayout layOut(const robot::RobotModel& robot, Mount nozzle, const process::Process& process,
                   const base::RunContext& ctx) {
+  LayoutSearch search;
+  search.bendsRad = {0.0, kBendRad};
+  return layOut(robot, nozzle, search, process, ctx);
+}
+
+CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const LayoutSearch& search,
+                  const process::Process& process, const base::RunContext& ctx) {
   constexpr int kRounds = 4; // of excluding pairs that collide at every home pose
   robot::RobotModel robot = given;
   const ArmFacts facts = armFacts(robot);
@@ -264,8 +271,9 @@ CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::P
                                     base::number(std::round(facts.reachMm))),
                       robot.id, "lengths in a URDF are metres"_text);
   // With a slow IK every turn about a bent nozzle needs its own solution.
-  const std::vector<Place> places = placesFor(facts, nozzle, robot.kinematics->isFast());
-  const PosePattern pattern = patternFor(facts.reachMm);
+  const std::vector<Place> places = placesFor(
+      facts, nozzle, robot.kinematics->isFast() ? search.bendsRad : std::vector<double>{0.0});
+  const PosePattern pattern = search.pattern.value_or(patternFor(facts.reachMm));
   std::vector<std::pair<int, int>> meetAtRest;
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Tried> tried;
@@ -294,7 +302,7 @@ CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const process::P
       CellLayout layout{std::move(one.cell),  *rest,      pattern,
                         std::move(one.score), meetAtRest, notesOf(facts)};
       layout.cell.home = rest->q;
-      layout.cell.note = noteOf(layout, places.size());
+      layout.cell.note = noteOf(layout, places.size(), search.laidOut);
       ctx.report(1.0, "searching a place for the plate"_text);
       return layout;
     }

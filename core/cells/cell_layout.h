@@ -10,6 +10,7 @@
 #include "robot/cell/cell_file_writer.h"
 #include "robot/robot_model.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,16 @@ struct CellLayout {
 //
 // Throws Error{UnusableInput} if the arm reaches above the plate without collision at no place.
 CellLayout layOut(const robot::RobotModel& robot, robot::Mount nozzle,
+                  const process::Process& process, const base::RunContext& ctx);
+
+// Other nozzles and poses than layOut() tries by itself.
+struct LayoutSearch {
+  std::vector<double> bendsRad;               // of a nozzle on the flange, 0: straight; not empty
+  std::optional<PosePattern> pattern;         // nullopt: by the arm's reach
+  std::string laidOut = "Laid out at import"; // how, for the cell's note
+};
+// As layOut(), with these nozzles and poses.
+CellLayout layOut(const robot::RobotModel& robot, robot::Mount nozzle, const LayoutSearch& search,
                   const process::Process& process, const base::RunContext& ctx);
 
 // Returns the cell of a description, for searches: with smallPlate() as its plate.

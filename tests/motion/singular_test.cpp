@@ -1,5 +1,6 @@
 // Straight motions keep to one side of the arm's singular poses, as a controller does that follows
-// them: the cell "irb1200-moving", whose wrist is stretched where the nozzle leans as the forearm.
+// them: the cell "irb1200-moving" with a straight nozzle, whose wrist is stretched where the nozzle
+// leans as the forearm.
 #include "base/run_context.h"
 #include "base/units.h"
 #include "motion/motion.h"
@@ -9,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 using namespace voluta;
@@ -37,8 +40,19 @@ plan::ToolPlan leaningBack(double fromDeg, double toDeg, double aside) {
 class Singular : public testing::Test {
 protected:
   process::Process process_ = process::loadProcess("fdm-1.0");
-  robot::Cell cell_ = robot::loadCell("irb1200-moving", process_, plate());
+  robot::Cell cell_ = straightNozzle(process_);
 
+  static robot::Cell straightNozzle(const process::Process& process) {
+    nlohmann::json cell = nlohmann::json::parse(
+        std::ifstream(VOLUTA_SOURCE_DIR "/resources/cells/irb1200-moving.json"));
+    cell["nozzle"]["pose"] = {{"xyzMm", {0, 0, 200}}};
+    cell["nozzle"]["holder"] = nlohmann::json::parse(
+        R"([{"frustum": {"p0Mm": [0, 0, -110], "p1Mm": [0, 0, -175], "r0Mm": 20, "r1Mm": 20}}])");
+    cell["platform"]["pose"]["xyzMm"] = {500, 0, 120};
+    cell["platform"]["stem"][0]["frustum"]["p0Mm"] = {0, 0, -150};
+    cell["homeDeg"] = {0.0, 28.8, -1.5, 0.0, 62.7, 0.0};
+    return robot::Cell::readText(cell.dump(), "irb1200-moving.json", process, plate());
+  }
   static platform::PlatformSolid plate() {
     platform::PlatformSolid solid;
     solid.polygon = test::disc(20.0);

@@ -26,6 +26,8 @@
 //                         robot/cell/shape_reader.h
 //   neverMeet             optional list of {pair: [name, name], why}: links that need no check
 //   payloadKg             optional: payload at the flange
+//   payloadCurve          optional list of {offsetMm, kg}: payload by the distance of the load's
+//                         centre from the flange, as in robot/payload_curve.h
 //   sources               optional list of texts: sources of the numbers
 //   assumed               list of texts: values without a published source
 //   shape                 optional: its appearance, as in robot/shape/arm_shape.h; read only for
@@ -42,6 +44,7 @@
 #include "robot/kinematics/opw_kinematics.h"
 #include "robot/kinematics/scara_kinematics.h"
 #include "robot/kinematics/ur_kinematics.h"
+#include "robot/payload_curve.h"
 #include "robot/robot_model.h"
 #include "robot/shape/arm_shape.h"
 
@@ -219,8 +222,8 @@ bool holdsRobot(const base::JsonNode& robot) {
 
 RobotModel readRobot(const base::JsonNode& top) {
   top.allowOnly({"id", "label", "maker", "controller", "controllerModel", "family", "geometryMm",
-                 "reading", "limits", "links", "neverMeet", "payloadKg", "sources", "assumed",
-                 "shape"});
+                 "reading", "limits", "links", "neverMeet", "payloadKg", "payloadCurve", "sources",
+                 "assumed", "shape"});
   RobotModel robot;
   robot.id = top.at("id").text();
   robot.label = top.at("label").text();
@@ -234,6 +237,8 @@ RobotModel readRobot(const base::JsonNode& top) {
   robot.assumed = readTexts(top.at("assumed"));
   if (top.has("payloadKg"))
     robot.payloadKg = top.at("payloadKg").positive();
+  if (top.has("payloadCurve"))
+    readPayloadCurve(top.at("payloadCurve"));
   if (top.has("sources"))
     readTexts(top.at("sources"));
   if (top.has("shape"))
