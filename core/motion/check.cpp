@@ -200,12 +200,21 @@ private:
   std::optional<collision::Contact> contactBefore(std::size_t i, Frames& frames) const {
     if (i == 0)
       return std::nullopt;
+    const bool straight = isStraight(trajectory_.move[i]);
+    const auto contact = contactBetween(i, straight, frames);
+    // Beads are straight too. Between their points the joints hardly differ from linear, except
+    // where the nozzle rotates far over a short way, as over a ridge: there the tip would sag.
+    return contact && isPrinting(i) ? contactBetween(i, true, frames) : contact;
+  }
+
+  std::optional<collision::Contact> contactBetween(std::size_t i, bool straight,
+                                                   Frames& frames) const {
     const JointVector last = jointsAt(i - 1), q = jointsAt(i);
     const double step = trajectory_.move[i] == plan::MoveKind::Joint ? kJointStep : kStraightStep;
     const int pieces = static_cast<int>(std::ceil(scene_.span(last, q) / step));
     // The head also counts as printing where printing stops or starts, until it has departed.
     const bool atWork = isPrinting(i) || isAtWaypoint(i) || isPrinting(i - 1);
-    Between between(scene_.cell, last, q, isStraight(trajectory_.move[i]));
+    Between between(scene_.cell, last, q, straight);
     for (int k = 1; k < pieces; ++k) {
       scene_.cell.framePoses(between.at(static_cast<double>(k) / pieces), frames);
       std::optional<collision::Contact> contact =

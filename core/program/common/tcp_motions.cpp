@@ -17,6 +17,14 @@ constexpr double kMinSpeedMmPerS = 0.2;
 // that turns while it moves bends that path, in extreme random motions by up to 5 % of the
 // tolerance.
 constexpr double kFirstOrderShare = 0.85;
+// The counts of a very small flow are so coarse that its motion would take another time than
+// planned: the time is kept where the material differs by less than this.
+constexpr double kCoarseShare = 0.04, kHardlyMm3 = 0.002;
+
+bool keepsTime(double seconds, double volumeMm3, double flowMm3PerS) {
+  return std::abs(volumeMm3 / flowMm3PerS - seconds) > kCoarseShare * seconds &&
+         std::abs(volumeMm3 - flowMm3PerS * seconds) < kHardlyMm3;
+}
 } // namespace
 
 double assumedLoadKg(const ProgramInput& input) {
@@ -74,7 +82,8 @@ TcpMotions::TcpMotions(const ProgramInput& input, const std::vector<MotionTarget
         if (std::abs(wanted - held) > kFlowBand * held)
           held = writtenBy(extruder, in_.process(), wanted / full, written) * full;
         flow_[i] = held;
-        s = held > 0.0 ? volume / held : s;
+        if (held > 0.0 && !keepsTime(s, volume, held))
+          s = volume / held;
       }
     }
     seconds_[i] = s;
