@@ -5968,8 +5968,8 @@ mm³</translation>
         <translation>stampa attorno a una barra</translation>
     </message>
     <message>
-        <source>its largest plate takes the part up to scale {scale}</source>
-        <translation>il suo piatto più grande porta il pezzo fino alla scala {scale}</translation>
+        <source>its largest plate is too small for the foot, which fits at scale {scale}</source>
+        <translation>il suo piatto più grande è troppo piccolo per la base, che ci sta alla scala {scale}</translation>
     </message>
     <message>
         <source>its flange would carry {kg:.3g} kg at {lever:.0f}, the robot carries {most:.3g} kg there</source>
@@ -8916,6 +8916,14 @@ Fai clic per sceglierne un altro</translation>
 </context>
 <context>
     <name>voluta::panels::ComparePanel</name>
+    <message>
+        <source>Cells</source>
+        <translation>Celle</translation>
+    </message>
+    <message>
+        <source>Compares these cells; none selected: the job&apos;s own</source>
+        <translation>Confronta queste celle; nessuna scelta: quella del lavoro</translation>
+    </message>
     <message>
         <source>Open a part first.</source>
         <translation>Apri prima un pezzo.</translation>

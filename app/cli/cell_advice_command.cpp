@@ -1,4 +1,3 @@
-#include "base/data_files.h"
 #include "base/files.h"
 #include "base/units.h"
 #include "cells/cell_layout.h"
@@ -6,9 +5,7 @@
 #include "cli/run_interruptibly.h"
 #include "pipeline/cell_advice.h"
 #include "pipeline/choices.h"
-#include "pipeline/compare_figures.h"
 #include "pipeline/road.h"
-#include "robot/planning_text.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -128,7 +125,7 @@ cells::CellLayout placed(const PlaceCellOptions& options, const base::RunContext
                          .sides = 6,
                          .turns = 12,
                          .tiltDeg = tiltsUpTo(tilt)};
-  search.laidOut = fmt::format("Laid out for {}", options.request.item().part);
+  search.part = options.request.item().part;
   return cells::layOut(robot::loadRobot(options.robot),
                        options.fixed ? robot::Mount::World : robot::Mount::Flange, search, process,
                        ctx.sub(0.1, 1.0));
@@ -172,12 +169,12 @@ ExitCode cellPlaceCommand(const PlaceCellOptions& options) {
   const Eigen::Vector3d nozzle = cell.nozzlePose.linear().col(2);
   const Eigen::Vector3d plate = cell.platePose.translation(), tip = cell.nozzlePose.translation();
   if (options.fixed)
-    fmt::print("nozzle at ({:g}, {:g}, {:g}) in the base\n", tip.x(), tip.y(), tip.z());
+    fmt::print("nozzle at ({:.0f}, {:.0f}, {:.0f}) in the base\n", tip.x(), tip.y(), tip.z());
   else
     fmt::print("nozzle bent by {:.0f} deg, tip ({:.1f}, {:.1f}, {:.1f}) from the flange; plate at "
-               "({:g}, {:g}, {:g}) in the base\n",
+               "({:.0f}, {:.0f}, {:.0f}) in the base\n",
                base::radiansToDegrees(std::acos(std::min(1.0, std::abs(nozzle.z())))), tip.x(),
-               tip.y(), tip.z(), plate.x(), plate.y(), plate.z());
+               tip.y(), tip.z(), plate.x(), std::round(plate.y()) + 0.0, plate.z());
   fmt::print("{}\n", cell.note);
   for (const std::string& note : layout->notes)
     fmt::print("assumed: {}\n", note);

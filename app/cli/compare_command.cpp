@@ -1,8 +1,10 @@
+#include "base/data_files.h"
 #include "base/files.h"
 #include "base/staged_folder.h"
 #include "cli/commands.h"
 #include "cli/run_interruptibly.h"
 #include "pictures/job_picture.h"
+#include "pipeline/cell_advice.h"
 #include "pipeline/outputs.h"
 
 #include <algorithm>
@@ -131,6 +133,9 @@ void print(const TextTable& table, std::size_t leftAligned) {
 void sayTable(const pipeline::Comparison& comparison, const pipeline::Ranking& ranking) {
   TextTable table;
   std::vector<std::string> head{"", "mode", "growth", "platform"};
+  const bool cells = !comparison.rows.front().combination.cell.empty();
+  if (cells)
+    head.insert(head.begin() + 1, "cell");
   for (const pipeline::Figure& figure : pipeline::figures())
     head.push_back(headOf(figure));
   for (const char* last : {"replay", "verdict", "planned in s"})
@@ -141,6 +146,8 @@ void sayTable(const pipeline::Comparison& comparison, const pipeline::Ranking& r
     std::vector<std::string> line{fmt::format("{}{}", i + 1, ranking.best == i ? " best" : ""),
                                   row.combination.mode, growthText(row),
                                   row.combination.platform.text()};
+    if (cells)
+      line.insert(line.begin() + 1, base::dataName(row.combination.cell));
     for (const pipeline::Figure& figure : pipeline::figures())
       line.push_back(valueText(figure, row));
     const std::optional<bool> passed = pipeline::replayPassed(row);
@@ -150,7 +157,7 @@ void sayTable(const pipeline::Comparison& comparison, const pipeline::Ranking& r
     table.push_back(std::move(line));
   }
   constexpr std::size_t kTextColumns = 4;
-  print(table, kTextColumns);
+  print(table, kTextColumns + (cells ? 1 : 0));
 }
 
 void sayVerdict(const pipeline::Comparison& comparison, const pipeline::Ranking& ranking,
@@ -191,6 +198,7 @@ ExitCode compareCommand(const CompareCommandOptions& options) {
   struct Done {
     pipeline::Comparison comparison;
     std::string pictureTrouble;
+    base::Message advice; // on the cells, if several are compared
   };
   auto outcome = runInterruptibly(
       [options, folder](const base::RunContext& ctx) {
@@ -205,6 +213,10 @@ ExitCode compareCommand(const CompareCommandOptions& options) {
         base::writeFile(folder / "compare.json",
                         pipeline::compareJson(done.comparison, options.weights, writer.files()));
         done.pictureTrouble = writer.pictureTrouble();
+        if (options.compared.cells.size() > 1)
+          done.advice =
+              pipeline::compareCells(options.compared.plan, options.compared.cells, ctx.quiet())
+                  .reason;
         return done;
       },
       options.threads, progressSink(options.progress), [&] { staged.discard(); });
@@ -215,6 +227,8 @@ ExitCode compareCommand(const CompareCommandOptions& options) {
   const pipeline::Ranking ranking = pipeline::rank(done->comparison.rows, options.weights);
   sayTable(done->comparison, ranking);
   sayVerdict(done->comparison, ranking, options.weights);
+  if (!done->advice.empty())
+    fmt::print("cells: {}\n", base::english(done->advice));
   if (!done->pictureTrouble.empty())
     fmt::print(stderr, "no pictures: {}\n", done->pictureTrouble);
   return exitCodeOf(done->comparison.rows);

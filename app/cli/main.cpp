@@ -224,6 +224,9 @@ void addCompare(CLI::App& app, Parsed& parsed, int threads) {
   compare->add_option("--modes", compared.modes, "M,...: ways of building; default all")
       ->delimiter(',')
       ->allow_extra_args(false);
+  compare->add_option("--cells", compared.cells, "C,...: cells; default the one of --cell")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   addChoices(*compare, "--growths", compared.growths,
              "G,...: growth schemes of curved mode, from " + growthIds() + "; " +
                  curved::GrowthScheme().id() + " by default");

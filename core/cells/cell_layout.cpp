@@ -191,19 +191,20 @@ std::optional<std::pair<int, int>> blockingLinks(const robot::Cell& cell,
   return most->first;
 }
 
-std::string noteOf(const CellLayout& layout, std::size_t places, const std::string& laidOut) {
+std::string noteOf(const CellLayout& layout, std::size_t places, const std::string& part) {
   std::string tilts, shares;
   for (std::size_t t = 0; t < layout.score.poses.size(); ++t) {
     tilts += fmt::format("{}{:.0f}", t > 0 ? ", " : "", layout.pattern.tiltDeg[t]);
     shares += fmt::format("{}{:.0f}", t > 0 ? ", " : "", 100.0 * layout.score.share(t));
   }
   return fmt::format(
-      "{}: the best of {} places, tips in a ball of {:.0f} mm radius standing on the plate. Here "
+      "Laid out {}: the best of {} places, tips in a ball of {:.0f} mm radius standing on the "
+      "plate. Here "
       "arm and tool are clear by {:.0f} mm at a tilt of {} deg in {} % of the "
       "poses. Home: tip {:.0f} mm above the plate, {:.0f} mm clear. The plate's place, the "
       "nozzle's length, its holder and the table are ours: measure yours.",
-      laidOut, places, layout.pattern.radiusMm, kClearMm, tilts, shares, layout.rest.heightMm,
-      layout.rest.clearMm);
+      part.empty() ? "at import" : "for " + part, places, layout.pattern.radiusMm, kClearMm, tilts,
+      shares, layout.rest.heightMm, layout.rest.clearMm);
 }
 
 std::vector<std::string> notesOf(const ArmFacts& facts) {
@@ -302,7 +303,7 @@ CellLayout layOut(const robot::RobotModel& given, Mount nozzle, const LayoutSear
       CellLayout layout{std::move(one.cell),  *rest,      pattern,
                         std::move(one.score), meetAtRest, notesOf(facts)};
       layout.cell.home = rest->q;
-      layout.cell.note = noteOf(layout, places.size(), search.laidOut);
+      layout.cell.note = noteOf(layout, places.size(), search.part);
       ctx.report(1.0, "searching a place for the plate"_text);
       return layout;
     }

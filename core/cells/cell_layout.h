@@ -41,9 +41,9 @@ CellLayout layOut(const robot::RobotModel& robot, robot::Mount nozzle,
 
 // Other nozzles and poses than layOut() tries by itself.
 struct LayoutSearch {
-  std::vector<double> bendsRad;               // of a nozzle on the flange, 0: straight; not empty
-  std::optional<PosePattern> pattern;         // nullopt: by the arm's reach
-  std::string laidOut = "Laid out at import"; // how, for the cell's note
+  std::vector<double> bendsRad;       // of a nozzle on the flange, 0: straight; not empty
+  std::optional<PosePattern> pattern; // nullopt: by the arm's reach
+  std::string part; // that it is laid out for, for the note; empty: none, at import
 };
 // As layOut(), with these nozzles and poses.
 CellLayout layOut(const robot::RobotModel& robot, robot::Mount nozzle, const LayoutSearch& search,

@@ -119,8 +119,9 @@ base::Message whyOut(const CellAdvice& row, const CellNeeds& needs, const robot:
   if (row.form == cells::CellForm::Rod)
     return "it prints around a rod"_text;
   if (row.fitsScale && *row.fitsScale < needs.scale)
-    return base::message("its largest plate takes the part up to scale {scale}"_text,
-                         base::number(*row.fitsScale));
+    return base::message(
+        "its largest plate is too small for the foot, which fits at scale {scale}"_text,
+        base::number(*row.fitsScale));
   if (!row.load.carried())
     return row.load.byCurve
                ? base::message("its flange would carry {kg:.3g} kg at {lever:.0f}, the robot "

@@ -85,14 +85,14 @@ std::vector<Combination> combinations(const CompareOptions& options) {
   const process::Process process = chosenProcess(given, values);
 
   std::vector<Combination> all;
-  for (const std::string& id : modeIds)
+  const auto addWays = [&](const std::string& cell, const std::string& id) {
     for (const project::Platform& platform : platforms)
       for (const curved::GrowthScheme& growth : growths) {
-        const project::Choices choices = choicesOf({id, growth, platform}, given);
+        const project::Choices choices = choicesOf({id, growth, platform, cell}, given);
         checkChoices(choices);
         const modes::Mode& mode = modes::findMode(id);
         const modes::ModeChoices in{choices, values, process};
-        Combination row{id, growth, platform};
+        Combination row{id, growth, platform, cell};
         if (!mode.grows)
           row.growth.reset();
         if (!dependsOnChoice(mode, in, &project::ItemChoices::platform, usualPlatforms(mode)))
@@ -100,6 +100,10 @@ std::vector<Combination> combinations(const CompareOptions& options) {
         if (std::find(all.begin(), all.end(), row) == all.end())
           all.push_back(row);
       }
+  };
+  for (const std::string& cell : orOwn(options.cells, std::string()))
+    for (const std::string& id : modeIds)
+      addWays(cell, id);
   return all;
 }
 
@@ -109,6 +113,8 @@ project::Choices choicesOf(const Combination& combination, project::Choices choi
   if (combination.growth)
     choices.item().growth = *combination.growth;
   choices.item().platform = combination.platform;
+  if (!combination.cell.empty())
+    choices.cell = combination.cell;
   return choices;
 }
 

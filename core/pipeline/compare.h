@@ -1,5 +1,5 @@
-// Plans the same part in the same cell in several ways (modes x growth schemes x platforms) and
-// compares the results.
+// Plans the same part in several ways (cells x modes x growth schemes x platforms) and compares the
+// results.
 #pragma once
 
 #include "base/error.h"
@@ -20,6 +20,7 @@ struct Combination {
   std::string mode;
   std::optional<curved::GrowthScheme> growth; // nullopt: the mode has no growth scheme
   project::Platform platform;
+  std::string cell = {}; // empty: that of the choices
 
   friend bool operator==(const Combination&, const Combination&) = default;
 };
@@ -30,9 +31,10 @@ struct CompareOptions {
   std::vector<std::string> modes;
   std::vector<curved::GrowthScheme> growths;
   std::vector<project::Platform> platforms;
+  std::vector<std::string> cells = {}; // ids
 };
 
-// Returns the combinations in planning order: by mode, platform, growth; without duplicates. Growth
+// Returns the combinations in planning order: by cell, mode, platform, growth; without duplicates. Growth
 // schemes and platforms vary only in modes whose decomposition depends on them; a mode without
 // platforms gets the first one. Throws Error{Usage} for an unknown choice.
 std::vector<Combination> combinations(const CompareOptions& options);
@@ -62,7 +64,7 @@ struct CompareRow {
 
 struct Comparison {
   std::string part;         // File name without folder
-  project::Choices choices; // Mode, growth and platform differ per row
+  project::Choices choices; // Cell, mode, growth and platform differ per row
   project::Stage until = project::Stage::Replay;
   std::vector<CompareRow> rows;
   double seconds = 0.0;

@@ -43,6 +43,8 @@ Json rowJson(std::size_t index, const CompareRow& row, const std::optional<doubl
             {"reason", orNull(base::english(row.reason()))},
             {"blocking", row.blocking()},
             {"score", orNull(score)}};
+  if (!row.combination.cell.empty())
+    json["cell"] = base::dataName(row.combination.cell);
   for (const Figure& figure : figures())
     json[std::string(figure.key)] = number(figure.of(row), figure.unit.empty());
   json["growthLayers"] = d.layers > 0 ? Json(d.layers) : Json();
@@ -87,8 +89,10 @@ std::string compareJson(const Comparison& comparison, const Weights& weights,
 }
 
 std::string rowFolder(std::size_t index, const Combination& combination) {
-  return fmt::format("{}-{}{}", index + 1, combination.mode,
-                     combination.growth ? "-" + combination.growth->id() : std::string());
+  return fmt::format("{}-{}{}{}", index + 1, combination.mode,
+                     combination.growth ? "-" + combination.growth->id() : std::string(),
+                     combination.cell.empty() ? std::string()
+                                              : "-" + base::dataName(combination.cell));
 }
 
 std::string_view stateName(RowState state) {

@@ -10,6 +10,7 @@
 #include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_reader.h"
 #include "project/content_hash.h"
+#include "project/rib_samples.h"
 #include "project/sample_part.h"
 #include "project/specimens.h"
 #include "sliced/sliced_reader.h"
@@ -106,13 +107,17 @@ struct SampleRow {
   std::string_view name;
   geometry::TriangleMesh (*mesh)();
 };
-constexpr std::array<SampleRow, 6> kSamples{
+constexpr std::array<SampleRow, 10> kSamples{
     {{"vase", samplePart},
      {"bar", barSpecimen},
      {"dumbbell", dumbbellSpecimen},
      {"plate", plateSpecimen},
      {"curved-bar", [] { return curvedSpecimen(); }},
-     {"curved-mould", [] { return mouldOfCurvedSpecimen(); }}}};
+     {"curved-mould", [] { return mouldOfCurvedSpecimen(); }},
+     {"roof", gableRoof},
+     {"roof-rib", ribOnRoof},
+     {"half-cylinder", halfCylinder},
+     {"cylinder-rib", ribOnCylinder}}};
 } // namespace
 
 std::string hashOf(const LoadedPart& part) {

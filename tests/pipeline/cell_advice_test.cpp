@@ -100,7 +100,7 @@ TEST_F(CellAdviser, aLargePartIsForTheMovingNozzle) {
   const CellComparison all = over(kSix, block(280, 280, 60, kTilt));
   EXPECT_EQ(best(all), "ur5e-moving");
   EXPECT_THAT(base::english(all.reason),
-              HasSubstr("ur5-fixed is out: its largest plate takes the part up to scale 0."));
+              HasSubstr("ur5-fixed is out: its largest plate is too small for the foot"));
   EXPECT_THAT(base::english(all.reason), HasSubstr("gravity does not help at up to 60"));
 }
 

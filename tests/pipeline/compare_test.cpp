@@ -69,6 +69,25 @@ TEST(Compare, GrowthSchemesVaryOnlyTheModeThatGrows) {
   EXPECT_EQ(own[0], (Combination{"curved", GrowthScheme(), {}}));
 }
 
+TEST(Compare, CellsVaryEveryWay) {
+  CompareOptions options = boxOptions(Stage::Decompose);
+  options.modes = {"flat", "planar"};
+  options.cells = {"ur5-fixed", "t3", "five-axis"};
+  const std::vector<Combination> all = combinations(options);
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_EQ(all[0].cell, "ur5-fixed");
+  EXPECT_EQ(all[1].mode, "planar");
+  EXPECT_EQ(all[2].cell, "t3");
+  EXPECT_EQ(choicesOf(all[5], options.plan.choices).cell, "five-axis");
+  EXPECT_EQ(rowFolder(4, all[4]), "5-flat-five-axis");
+  // Without a list the cell of the choices stays.
+  options.cells.clear();
+  for (const Combination& c : combinations(options)) {
+    EXPECT_TRUE(c.cell.empty());
+    EXPECT_EQ(choicesOf(c, options.plan.choices).cell, options.plan.choices.cell);
+  }
+}
+
 TEST(Compare, UnknownNamesAreToldBeforeAnythingIsPlanned) {
   CompareOptions options = boxOptions(Stage::Decompose);
   options.modes = {"nonsense"};

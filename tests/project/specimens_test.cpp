@@ -1,4 +1,5 @@
 // The samples for tapes: closed, outward, and of the published sizes.
+#include "project/rib_samples.h"
 #include "project/specimens.h"
 
 #include "base/units.h"
@@ -42,6 +43,23 @@ TEST(Specimens, AreClosedAndOfTheirVolume) {
   EXPECT_NEAR((sizesOf(dumbbellSpecimen()) - Eigen::Vector3d(165, 19, 3)).norm(), 0.0, 1e-9);
   EXPECT_GT(geometry::volume(mouldOfCurvedSpecimen()), 0.0);
   EXPECT_TRUE(geometry::boundaryLoops(mouldOfCurvedSpecimen()).empty());
+}
+
+// Table 5.1: base 40 mm, ten layers of 0.2 mm, the first 0.25, ten beads of 0.657 mm.
+TEST(Specimens, RibsLieOnTheirBodies) {
+  const double height = 2.05, width = 6.57, slope = 40.0 - 2.0 * 8.0 / std::sqrt(3.0);
+  const double turn = base::kPi - 2.0 * std::asin(1.1 / 20.0);
+  const struct {
+    geometry::TriangleMesh mesh;
+    double mm3;
+  } cases[] = {{gableRoof(), 0.25 * std::sqrt(3.0) * 1600 * 30},
+               {ribOnRoof(), width * (2 * slope * height + base::kPi / 3 * height * height)},
+               {halfCylinder(), 0.5 * base::kPi * 400 * 30},
+               {ribOnCylinder(), width * 0.5 * turn * (22.05 * 22.05 - 400)}};
+  for (const auto& c : cases) {
+    EXPECT_TRUE(geometry::boundaryLoops(c.mesh).empty());
+    EXPECT_NEAR(geometry::volume(c.mesh), c.mm3, 1e-3 * c.mm3);
+  }
 }
 
 TEST(Specimens, AreLoadedByTheirNames) {

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "language/words.h"
+#include "pipeline/cell_advice.h"
 
 #include <algorithm>
 
@@ -22,11 +23,12 @@ Comparing::~Comparing() = default;
 
 // Key of all inputs of the rows except the way of building, since each mode has its own inputs.
 std::string Comparing::keyOf(const pipeline::PlanRequest& request) const {
-  std::string key, mode;
+  std::string key, mode, cell;
   for (const Row& row : rows_) {
-    if (row.combination.mode == mode)
+    if (row.combination.mode == mode && row.combination.cell == cell)
       continue;
     mode = row.combination.mode;
+    cell = row.combination.cell;
     pipeline::PlanRequest one = request;
     one.choices = pipeline::choicesOf(row.combination, one.choices);
     one.choices.item().growth = {}; // belongs to the row
@@ -57,6 +59,8 @@ void Comparing::run(const ComparedWays& ways) {
   options.modes = ways.modes;
   options.growths = ways.growths;
   options.platforms = ways.platforms;
+  options.cells = ways.cells;
+  advice_ = {};
   until_ = ways.until;
   rows_.clear();
   current_.reset();
@@ -94,7 +98,13 @@ void Comparing::run(const ComparedWays& ways) {
           const QImage picture = result && pictures ? pictures(result->job) : QImage();
           post([this, row, compared, picture, result] { take(row, compared, picture, result); });
         };
-        return pipeline::compare(options, ctx, watch).seconds;
+        const double seconds = pipeline::compare(options, ctx, watch).seconds;
+        if (options.cells.size() > 1) {
+          const base::Message advice =
+              pipeline::compareCells(options.plan, options.cells, ctx.quiet()).reason;
+          post([this, advice] { advice_ = advice; });
+        }
+        return seconds;
       },
       [this](const base::Outcome<double>& outcome) {
         if (current_) {

@@ -24,6 +24,7 @@ struct ComparedWays {
   std::vector<curved::GrowthScheme> growths;
   std::vector<project::Platform> platforms;
   project::Stage until = project::Stage::Replay;
+  std::vector<std::string> cells = {}; // ids
 };
 
 // Makes a picture of a planned job; called on the thread of the run. Null: no pictures.
@@ -56,6 +57,9 @@ public:
   const std::vector<Row>& rows() const { return rows_; }
   std::optional<std::size_t> current() const { return current_; } // row that is being planned
   project::Stage until() const { return until_; }
+  // Which of several cells suits the part, and why; empty until the comparison has ended, and for
+  // one cell.
+  const base::Message& advice() const { return advice_; }
   // Returns whether the part and all other choices are those with which the rows were planned.
   bool upToDate() const;
 
@@ -90,6 +94,7 @@ private:
   pipeline::Ranking ranking_;
   project::Stage until_ = project::Stage::Replay;
   std::string key_;
+  base::Message advice_;
   mutable std::optional<bool>
       upToDate_; // valid until the next edit: queried far more often than it changes
 };

@@ -65,6 +65,12 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   adding->addWidget(platform_, 1);
   adding->addWidget(add_, 0, Qt::AlignBottom);
 
+  cells_ = new QListWidget(this);
+  cells_->setObjectName(QStringLiteral("compareCells"));
+  connect(cells_, &QListWidget::itemChanged, this, &ComparePanel::changed);
+  cellsFold_ = new forms::Fold(cells_, this);
+  cellsFold_->setOpen(false);
+
   untilTitle_ = new QLabel(this);
   untilTitle_->setWordWrap(true);
   until_ = forms::makeCombo(this);
@@ -142,6 +148,7 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(platformsTitle_);
   column->addWidget(platforms_);
   column->addLayout(adding);
+  column->addWidget(cellsFold_);
   column->addSpacing(6);
   column->addLayout(far);
   column->addWidget(count_);
@@ -225,6 +232,27 @@ void ComparePanel::setPlatform(const QString& platform) {
   addPlatform(platform, platforms().empty());
 }
 
+void ComparePanel::setCells(const std::vector<forms::ChoiceItem>& cells) {
+  const std::vector<std::string> ticked = this->cells();
+  const QSignalBlocker quiet(cells_);
+  cells_->clear();
+  for (const forms::ChoiceItem& cell : cells) {
+    auto* item = new QListWidgetItem(cell.label, cells_);
+    item->setData(Qt::UserRole, cell.id);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    const bool was = std::find(ticked.begin(), ticked.end(), cell.id.toStdString()) != ticked.end();
+    item->setCheckState(was ? Qt::Checked : Qt::Unchecked);
+  }
+}
+
+std::vector<std::string> ComparePanel::cells() const {
+  std::vector<std::string> ids;
+  for (int i = 0; i < cells_->count(); ++i)
+    if (cells_->item(i)->checkState() == Qt::Checked)
+      ids.push_back(cells_->item(i)->data(Qt::UserRole).toString().toStdString());
+  return ids;
+}
+
 std::vector<std::string> ComparePanel::modes() const {
   std::vector<std::string> ids;
   for (const Tick& tick : modes_)
@@ -293,6 +321,9 @@ void ComparePanel::retranslate() {
   platformsTitle_->setText(tr("Platforms"));
   platforms_->setToolTip(tr("Delete removes the selected one from the list"));
   platforms_->setAccessibleName(tr("Platforms"));
+  cellsFold_->setTitle(tr("Cells"));
+  cells_->setAccessibleName(tr("Cells"));
+  cells_->setToolTip(tr("Compares these cells; none selected: the job's own"));
   add_->setText(tr("Add"));
   add_->setToolTip(tr("Also compare with this platform"));
   untilTitle_->setText(tr("Plan up to"));

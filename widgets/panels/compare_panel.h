@@ -43,7 +43,12 @@ public:
   // Returns the text shown for a platform such as "fit:20".
   void setPlatformTexts(std::function<QString(const QString&)> text);
 
+  // Cells to choose from; keeps the selection as far as the new list contains it. Emits nothing.
+  void setCells(const std::vector<forms::ChoiceItem>& cells);
+
   std::vector<std::string> modes() const;
+  // The selected cells; empty: only the document's own.
+  std::vector<std::string> cells() const;
   std::vector<curved::GrowthScheme> growths() const;
   std::vector<project::Platform> platforms() const;
   project::Stage until() const;
@@ -80,7 +85,8 @@ private:
          *untilTitle_ = nullptr, *count_ = nullptr, *rule_ = nullptr;
   QGridLayout *modesGrid_ = nullptr, *growthsGrid_ = nullptr;
   std::vector<Tick> modes_, growths_;
-  QListWidget* platforms_ = nullptr;
+  QListWidget *platforms_ = nullptr, *cells_ = nullptr;
+  forms::Fold* cellsFold_ = nullptr;
   forms::PlatformEditor* platform_ = nullptr;
   QPushButton *add_ = nullptr, *run_ = nullptr, *cancel_ = nullptr;
   QComboBox* until_ = nullptr;

@@ -1,5 +1,6 @@
 #include "window/compare_view.h"
 
+#include "base/data_files.h"
 #include "forms/colours.h"
 #include "forms/duration.h"
 #include "language/words.h"
@@ -73,6 +74,8 @@ QString wayText(const pipeline::Combination& way) {
   if (way.growth)
     parts << language::words(way.growth->row().label);
   parts << language::words(way.platform.shown());
+  if (!way.cell.empty())
+    parts << QString::fromStdString(base::dataName(way.cell));
   return parts.join(QStringLiteral(", "));
 }
 // Returns why a row is blocked; empty if it is not.
@@ -154,7 +157,9 @@ void CompareView::listen() {
 }
 
 void CompareView::setLists(const std::vector<forms::ChoiceItem>& modes,
-                           const std::vector<forms::ChoiceItem>& growths) {
+                           const std::vector<forms::ChoiceItem>& growths,
+                           const std::vector<forms::ChoiceItem>& cells) {
+  panel_->setCells(cells);
   modes_ = modes;
   growths_ = growths;
   listed_.clear();
@@ -185,7 +190,8 @@ void CompareView::showModes() {
 }
 
 document::ComparedWays CompareView::ways() const {
-  return {panel_->modes(), panel_->growths(), panel_->platforms(), panel_->until()};
+  return {panel_->modes(), panel_->growths(), panel_->platforms(), panel_->until(),
+          panel_->cells()};
 }
 
 void CompareView::run() {
@@ -210,13 +216,17 @@ panels::CompareEntry CompareView::entryOf(std::size_t index) const {
   const pipeline::Ranking& ranking = comparing_.ranking();
   panels::CompareEntry entry;
   entry.way = modeLabel(row.combination.mode);
+  if (!row.combination.cell.empty())
+    entry.way +=
+        QStringLiteral(", ") + QString::fromStdString(base::dataName(row.combination.cell));
   if (row.combination.growth)
     entry.growth = language::words(row.combination.growth->row().label);
   entry.platform = language::words(row.combination.platform.shown());
   entry.inUse = pipeline::choicesOf(row.combination, document_.choices()).item().growth ==
                     document_.choices().item().growth &&
                 row.combination.mode == document_.choices().item().mode &&
-                row.combination.platform == document_.choices().item().platform;
+                row.combination.platform == document_.choices().item().platform &&
+                (row.combination.cell.empty() || row.combination.cell == document_.choices().cell);
   entry.tip = wayText(row.combination);
   if (!row.compared) {
     const bool running = comparing_.current() == index;
@@ -295,6 +305,8 @@ void CompareView::showState() {
       text += QStringLiteral(" ") + tr("As good: %1.").arg(ranking.tied.size());
   } else if (!ranking.order.empty() && !comparing_.running())
     text = tr("None is best: all of them are blocked.");
+  if (comparing_.upToDate() && !comparing_.advice().empty())
+    text += QStringLiteral("\n") + language::words(comparing_.advice());
   const int selected = table_->selectedRow();
   if (selected >= 0 && selected < static_cast<int>(rows.size()))
     if (const auto& row = rows[static_cast<std::size_t>(selected)]; row.compared)
@@ -315,6 +327,7 @@ void CompareView::showCount() {
     options.modes = chosen.modes;
     options.growths = chosen.growths;
     options.platforms = chosen.platforms;
+    options.cells = chosen.cells;
     const auto all = base::outcomeOf([&] { return pipeline::combinations(options).size(); });
     if (const auto* size = std::get_if<std::size_t>(&all))
       count = static_cast<int>(*size);

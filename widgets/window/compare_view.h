@@ -26,7 +26,8 @@ public:
 
   panels::ComparePanel* panel() { return panel_; }
   void setLists(const std::vector<forms::ChoiceItem>& modes,
-                const std::vector<forms::ChoiceItem>& growths);
+                const std::vector<forms::ChoiceItem>& growths,
+                const std::vector<forms::ChoiceItem>& cells);
 
 signals:
   // The document has adopted a row; `result` is its plan, if it was kept.

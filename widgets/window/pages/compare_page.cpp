@@ -47,7 +47,7 @@ PageState ComparePage::state() const {
 
 void ComparePage::retranslate() {
   const forms::ChoiceLists lists = choiceLists();
-  view_->setLists(lists.modes, lists.growths);
+  view_->setLists(lists.modes, lists.growths, lists.cells);
 }
 
 void ComparePage::draw(scene::ViewState& view) {
