@@ -20,7 +20,7 @@ constexpr double kMaxCells = 1 << 27;
 
 bool isOfPart(const plan::ToolPath& path) {
   return path.kind != plan::PathKind::Support && path.kind != plan::PathKind::Tape &&
-         !plan::isWaste(path.kind);
+         path.kind != plan::PathKind::Shot && !plan::isWaste(path.kind);
 }
 
 // The volume of one segment: flat where its path begins and ends, rounded where it continues.

@@ -26,7 +26,8 @@ inline constexpr std::string_view kOwnSpace = "urn:voluta:toolpath:2026";
 
 // In the order of plan::PathKind; also the names of profiles.
 inline constexpr std::array<std::string_view, plan::kPathKinds> kKindNames{
-    "wall", "infill", "gap fill", "skirt", "support", "prime", "sparse infill", "bridge", "tape"};
+    "wall",  "infill",        "gap fill", "skirt", "support",
+    "prime", "sparse infill", "bridge",   "tape",  "shot"};
 static_assert(!kKindNames.back().empty(), "a name for each kind");
 
 // Properties that a profile's modifiers may change, by the profile's attribute.

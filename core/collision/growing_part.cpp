@@ -27,14 +27,15 @@ constexpr std::uint32_t kFromTheStart = 0;
 constexpr double kMaxGroundCells = 1 << 24;
 constexpr double kRodChordMm = 0.01;
 
-// First waypoint of every segment that stays where it is printed (excluding gaps between paths).
+// First waypoint of every segment that stays where it is printed (excluding gaps between paths, and
+// shots, which are below the layer that they end at).
 std::vector<std::uint32_t> segmentsOf(const plan::ToolPlan& plan) {
   std::vector<std::uint32_t> segments;
   segments.reserve(plan.waypointCount());
   const bool falls = plan.isPrimeInAir();
   for (const plan::ToolPath& path : plan.paths) {
     base::require(path.first + path.count <= plan.waypointCount(), "paths inside the plan");
-    if (falls && &path == &plan.paths.front())
+    if ((falls && &path == &plan.paths.front()) || path.kind == plan::PathKind::Shot)
       continue;
     for (std::size_t i = path.first; i + 1 < path.first + path.count; ++i)
       segments.push_back(static_cast<std::uint32_t>(i));

@@ -36,10 +36,21 @@ struct Patch {
   int tool = 0;  // index in the job's tooling
 };
 
+// A cavity that the layers leave open, to be filled from its top in one shot.
+struct Pocket {
+  Eigen::Vector3d top = Eigen::Vector3d::Zero();        // centre of its opening [mm]
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // unit, from its bottom to its top
+  double volumeMm3 = 0.0;
+  double depthMm = 0.0, openingMm = 0.0; // height, diameter of the opening
+  int layer = 0;                         // last layer around it, whose top is its top
+  int item = 0, tool = 0;                // as of patches
+};
+
 // Patches in print order: each patch comes after those that support it.
 struct LayerStack {
   std::vector<Patch> patches;
   int layerCount = 0;
+  std::vector<Pocket> pockets = {}; // ascending by layer
 };
 
 // Returns a finished stack without spare capacity.

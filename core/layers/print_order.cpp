@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -26,7 +27,7 @@ public:
         add(i, firstLayer + nextPatch(i).layer);
       all_.layerCount = firstLayer + items_[i]->layerCount;
     }
-    return std::move(all_);
+    return withPockets();
   }
 
   LayerStack byLayer() {
@@ -36,15 +37,27 @@ public:
         addLayer(i, all_.layerCount);
       ++all_.layerCount;
     }
-    return std::move(all_);
+    return withPockets();
   }
 
 private:
+  LayerStack withPockets() {
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      for (Pocket pocket : items_[i]->pockets) {
+        pocket.item = static_cast<int>(i);
+        pocket.layer = joinedLayer_.at({i, pocket.layer});
+        all_.pockets.push_back(pocket);
+      }
+    std::ranges::stable_sort(all_.pockets, {}, &Pocket::layer);
+    return std::move(all_);
+  }
+
   bool hasNext(std::size_t item) const { return next_[item] < items_[item]->patches.size(); }
   const Patch& nextPatch(std::size_t item) const { return items_[item]->patches[next_[item]]; }
 
   void add(std::size_t item, int layer) {
     Patch patch = nextPatch(item);
+    joinedLayer_[{item, patch.layer}] = layer;
     patch.item = static_cast<int>(item);
     patch.layer = layer;
     all_.patches.push_back(std::move(patch));
@@ -86,6 +99,7 @@ private:
 
   std::span<const std::shared_ptr<const LayerStack>> items_;
   std::vector<std::size_t> next_; // first patch of each item that is not joined yet
+  std::map<std::pair<std::size_t, int>, int> joinedLayer_; // by item and its own layer
   LayerStack all_;
 };
 } // namespace

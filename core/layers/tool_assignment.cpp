@@ -117,6 +117,8 @@ void assignTools(LayerStack& stack, const ToolAssignment& assignment) {
           assignment.pieces[static_cast<std::size_t>(patch.group) % assignment.pieces.size()];
     else
       patch.tool = assignment.part;
+  for (Pocket& pocket : stack.pockets)
+    pocket.tool = assignment.part;
 }
 
 } // namespace voluta::layers

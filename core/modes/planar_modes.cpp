@@ -55,9 +55,20 @@ std::string givenPlanes(const ModeChoices& in, const char* key) {
   return text.empty() ? text : planesText(text);
 }
 
+// Two walls around a pocket hold the pressure of its shot.
+planar::StitchRule stitchRule(const ModeChoices& in) {
+  constexpr double kWalls = 2.0;
+  return {in.values.number("stitchSpacing"), in.values.number("stitchDiameter"),
+          static_cast<int>(in.values.integer("stitchLayers")), kWalls * in.process.beadWidthMm};
+}
+
 SlicePlan flatSlicePlan(const ModeChoices& in) {
   SlicePlan plan = slicePlan(in);
   plan.planes = givenPlanes(in, "layerPlanes");
+  plan.options.stitches = stitchRule(in);
+  if (plan.options.stitches.makesPockets() && !plan.planes.empty())
+    throw base::Error(base::ErrorCode::Usage, "stitches need horizontal layers"_text,
+                      "stitchSpacing"_name, "set stitchSpacing=0, or give no layerPlanes"_text);
   return plan;
 }
 
@@ -274,7 +285,8 @@ Mode flatMode() {
                {flatSlicePlan, sliced},
                project::ResultKind::InPieces,
                {"voxelMm", "overhangAngle", "pieceMaterials", "adaptiveLayers", "cuspMm",
-                "firstLayerMm", "layerPlanes", "supports"}};
+                "firstLayerMm", "layerPlanes", "supports", "stitchSpacing", "stitchDiameter",
+                "stitchLayers"}};
   mode.upright = true;
   return mode;
 }
@@ -304,6 +316,17 @@ base::ParameterTable planarModeParameters() {
           "layerPlanes", "Layers"_text, "layer planes"_text,
           "Mode flat: a JSON file or JSON text with the plane or quadrilateral of each "
           "layer. Empty: horizontal layers."_text),
+      base::numberParameter("stitchSpacing", "mm", planar::StitchRule{}.spacingMm, 0.0, 1000.0,
+                            "Stitches"_text, "spacing of stitches"_text,
+                            "Mode flat: distance of pockets that are filled from above in one shot "
+                            "and lock the layers together. 0: none."_text),
+      base::numberParameter("stitchDiameter", "mm", planar::StitchRule{}.diameterMm, 2.0, 200.0,
+                            "Stitches"_text, "diameter of stitches"_text,
+                            "Diameter of a pocket's chamber. The pocket is three quarters of it "
+                            "high, its opening half of it wide."_text),
+      base::integerParameter("stitchLayers", planar::StitchRule{}.everyLayers, 2, 10000,
+                             "Stitches"_text, "stitches after every n-th layer"_text,
+                             "Pockets end at the top of these layers."_text),
   });
   table.append(pieceSearchParameters());
   return table;

@@ -15,6 +15,7 @@
 #include "motion/nozzle_frame.h"
 #include "motion/refusal_findings.h"
 #include "motion/sequence.h"
+#include "motion/shot_events.h"
 #include "motion/tape_events.h"
 #include "motion/timed_points.h"
 #include "motion/timing.h"
@@ -54,8 +55,9 @@ double beadTo(const plan::ToolPlan& plan, std::size_t i) {
 double materialOf(const plan::ToolPlan& plan) {
   double volume = 0.0;
   for (const plan::ToolPath& path : plan.paths)
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      volume += beadTo(plan, i);
+    if (path.kind != plan::PathKind::Shot)
+      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+        volume += beadTo(plan, i);
   return volume;
 }
 
@@ -66,7 +68,7 @@ public:
       : plan_(plan), planned_(materialOf(plan)), isLost_(plan.waypointCount(), 0) {}
 
   void add(const plan::ToolPath& path, std::size_t waypoint) {
-    if (std::exchange(isLost_[waypoint], 1))
+    if (std::exchange(isLost_[waypoint], 1) || path.kind == plan::PathKind::Shot)
       return;
     if (waypoint > path.first && !isLost_[waypoint - 1])
       mm3_ += beadTo(plan_, waypoint);
@@ -349,7 +351,10 @@ private:
           const Run& run = sequence.runs[i];
           const TimingLimits limits =
               timingLimits(cell_, tooling_.of(plan_.paths[run.path]).process);
-          runTimes[i] = timesOf(timedPoints(cell_, run.points), limits);
+          std::vector<TimedPoint> timed = timedPoints(cell_, run.points);
+          if (const auto shot = shotPoint(plan_, run))
+            timed[*shot].stop = true;
+          runTimes[i] = timesOf(timed, limits);
           jerks[i] = jerkOf(jointsOf(run.points), runTimes[i], limits.joints);
           jerksBefore[i] = jerkOf(run.ladder, runTimes[i], limits.joints);
         }
@@ -384,12 +389,18 @@ private:
       appendWay(i);
       const auto& points = sequence.runs[i].points;
       const std::size_t first = result_.trajectory.pointCount();
+      const bool isShot = plan_.paths[sequence.runs[i].path].kind == plan::PathKind::Shot;
+      const plan::MoveKind move = isShot ? plan::MoveKind::Linear : plan::MoveKind::Print;
+      const std::optional<std::size_t> shot = shotPoint(plan_, sequence.runs[i]);
       for (std::size_t k = 1; k < points.size(); ++k) {
         volume += points[k].volumeMm3;
-        append(points[k].at.q, time + runTimes[i][k], plan::MoveKind::Print, points[k].waypoint,
-               volume);
+        append(points[k].at.q, time + runTimes[i][k], move, points[k].waypoint, volume);
+        if (shot == k)
+          s.durationS +=
+              addShotEvents(result_.trajectory, plan_.shotMm3(plan_.paths[sequence.runs[i].path]),
+                            tooling_.at(toolOf(sequence.runs[i])).process, options_);
       }
-      if (points.size() > 1)
+      if (points.size() > 1 && !isShot)
         addLags(result_.trajectory, first, result_.trajectory.pointCount(),
                 tooling_.at(toolOf(sequence.runs[i])).process.lag);
       time += runTimes[i].back();

@@ -48,6 +48,7 @@ struct MotionResult {
 // Print points carry the waypoint's index, or none where a step was divided; a run's first point is
 // reached by a Linear (or Joint) move and carries its waypoint too. Where a path had to be split,
 // the waypoint at the split appears at the end of one run and again at the start of the next.
+// A shot moves like a transfer; its material is that of its event.
 // extrudedMm3 increases at Print points only, by the mean of the sections at both waypoints times
 // their distance. A rod is at a multiple of its step at every point; if it can turn endlessly, it
 // ends at a whole turn. The result does not depend on the number of threads.

@@ -64,7 +64,15 @@ base::ParameterTable motionParameters() {
            "Age up to which a bead still bonds with the one above it. Older places are reported. 0: no limit."_text),
        base::numberParameter(
            "purgeMm3", "mm3", d.purgeMm3, 0.0, 100000.0, "Tools"_text, "purge"_text,
-           "Material that flows out at the place of the tool change after each change of the tool."_text)});
+           "Material that flows out at the place of the tool change after each change of the tool."_text),
+       base::numberParameter("stitchFlow", "mm3/s", d.shotFlowMm3PerS, 0.0, 10000.0,
+                             "Stitches"_text, "flow of a shot"_text,
+                             "Flow into a pocket, at most that of the process. 0: the flow of "
+                             "the usual bead."_text),
+       base::numberParameter("stitchWait", "s", d.shotWaitS, 0.0, 60.0, "Stitches"_text,
+                             "wait after a shot"_text,
+                             "Time that the nozzle stays in the pocket after the shot, so that "
+                             "the material does not come out again."_text)});
 }
 
 MotionOptions motionOptions(const base::ParameterValues& values) {
@@ -83,6 +91,8 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.leanRad = base::degreesToRadians(values.number("tiltToleranceDeg"));
   o.leastLayerTimeS = layerTimes(values).leastS;
   o.purgeMm3 = values.number("purgeMm3");
+  o.shotFlowMm3PerS = values.number("stitchFlow");
+  o.shotWaitS = values.number("stitchWait");
   return o;
 }
 

@@ -54,12 +54,15 @@ struct MotionOptions {
   double wipeMm = 0.0;          // Along the bead before the lift, extruder off
   double leastLayerTimeS = 0.0; // plan::LayerTimes
   double purgeMm3 = 100.0;      // flows out after each tool change
+  // Of shots into pockets: their flow, 0: as the nozzle is primed; and the wait after each.
+  double shotFlowMm3PerS = 0.0, shotWaitS = 0.0;
 
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,
-// rotationSmoothing, tiltToleranceDeg, minLayerTimeS, maxLayerTimeS, purgeMm3.
+// rotationSmoothing, tiltToleranceDeg, minLayerTimeS, maxLayerTimeS, purgeMm3, stitchFlow,
+// stitchWait.
 base::ParameterTable motionParameters();
 // Does not throw if `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);

@@ -28,6 +28,10 @@ double partMaterial(const plan::ToolPlan& toolPlan) {
     if (path.kind == plan::PathKind::Support || path.kind == plan::PathKind::Tape ||
         plan::isWaste(path.kind))
       continue;
+    if (path.kind == plan::PathKind::Shot) {
+      mm3 += toolPlan.shotMm3(path);
+      continue;
+    }
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
       mm3 += process::beadVolume(section(i - 1), section(i),
                                  (toolPlan.position[i] - toolPlan.position[i - 1]).norm());

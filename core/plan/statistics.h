@@ -44,7 +44,10 @@ struct ToolpathStatistics {
   double tapeMm = 0.0, tapeG = 0.0;
   // Shares of the region that tapes can cover in the chosen layers: covered, and covered twice.
   double tapeCoveredFraction = 0.0, tapeOverlapFraction = 0.0;
-  double tapeBareMm = 0.0;          // length of tape that no plastic covers
+  double tapeBareMm = 0.0; // length of tape that no plastic covers
+  // Shots into pockets: their number and volume, included in materialMm3.
+  std::size_t shots = 0;
+  double shotMm3 = 0.0;
   std::vector<ItemToolpaths> items; // empty: the job has one item
 };
 

@@ -21,9 +21,10 @@ enum class PathKind : std::uint8_t {
   Prime,
   SparseInfill,
   Bridge, // Solid infill on top of sparse infill
-  Tape    // Continuous fibre, ironed onto a layer
+  Tape,   // Continuous fibre, ironed onto a layer
+  Shot    // Fills a pocket of the part from one place (ToolPlan::shotMm3)
 };
-inline constexpr std::size_t kPathKinds = 9;
+inline constexpr std::size_t kPathKinds = 10;
 
 // Returns whether the bead is discarded and not part of the printed object, so that it needs no
 // support.
@@ -75,6 +76,24 @@ struct ToolPlan {
   }
 
   std::size_t waypointCount() const { return position.size(); }
+  // Returns the volume of a shot [mm3]: the nozzle moves down to shotAt(), where the material flows
+  // out at rest, and back up. It equals that of a cylinder with the waypoint's width as diameter
+  // and its height. Precondition: path.kind is Shot.
+  double shotMm3(const ToolPath& path) const {
+    const std::size_t at = shotAt(path);
+    constexpr double kQuarterPi = 0.78539816339744831;
+    const auto width = static_cast<double>(widthMm[at]);
+    return kQuarterPi * width * width * static_cast<double>(heightMm[at]);
+  }
+  // Returns the waypoint from which a shot flows: the lowest one along its direction.
+  std::size_t shotAt(const ToolPath& path) const {
+    std::size_t lowest = path.first;
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
+      if ((position[i] - position[lowest]).dot(direction[path.first]) < 0.0)
+        lowest = i;
+    return lowest;
+  }
+
   // Returns whether a waste bead primes the nozzle before the part begins.
   bool primes() const { return !paths.empty() && isWaste(paths.front().kind); }
   // Returns whether the priming bead is printed in the air above the plate. Nothing supports it

@@ -30,7 +30,8 @@ enum class EventKind : std::uint8_t {
   StopLag,    // the extruder is switched off; the material that follows ends the bead
   Purge,      // `volumeMm3` of material flows out in `seconds`
   Release,    // the tool changer releases the tool, which takes `seconds`
-  Lock        // the tool changer locks the tool, which takes `seconds`
+  Lock,       // the tool changer locks the tool, which takes `seconds`
+  Shot        // `volumeMm3` of material fills a pocket of the part in `seconds`
 };
 // Returns whether the arm is at rest meanwhile.
 inline bool stopsArm(EventKind kind) {
@@ -43,8 +44,8 @@ struct TrajectoryEvent {
   EventKind kind = EventKind::Pause;
   int tool = 0;           // ToolChange: index in the job's tooling
   double feedMm = 0.0;    // Feed
-  double seconds = 0.0;   // Wait, StartLag, Purge, Release, Lock
-  double volumeMm3 = 0.0; // Purge
+  double seconds = 0.0;   // Wait, StartLag, Purge, Release, Lock, Shot
+  double volumeMm3 = 0.0; // Purge, Shot
 };
 
 struct Trajectory {
@@ -80,6 +81,12 @@ struct Trajectory {
     for (const TrajectoryEvent& event : eventsBefore(point))
       mm3 += event.volumeMm3;
     return mm3;
+  }
+  // Returns whether material fills a pocket before the motion to that point.
+  bool shotBefore(std::size_t point) const {
+    return std::ranges::any_of(eventsBefore(point), [](const TrajectoryEvent& event) {
+      return event.kind == EventKind::Shot;
+    });
   }
   // Returns whether another tool deposits from a later point than `after` on.
   bool changesTool(std::size_t after = 0) const {

@@ -38,7 +38,8 @@ std::vector<ToolUse> Tooling::usesOf(const plan::Trajectory& trajectory) const {
                     "a change to a tool of the job");
       tool = static_cast<std::size_t>(event.tool);
     }
-    uses[tool].purgedMm3 += event.volumeMm3;
+    (event.kind == plan::EventKind::Shot ? uses[tool].printedMm3 : uses[tool].purgedMm3) +=
+        event.volumeMm3;
   }
   if (!trajectory.extrudedMm3.empty())
     printTo(trajectory.extrudedMm3.back());

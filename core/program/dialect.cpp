@@ -49,11 +49,11 @@ constexpr plan::TimeModel kKrlTime = {.accelerationMmPerS2 = kKrlMostMmPerS2,
 constexpr MergeLimits kKrlMerge = {.leastS = 0.024, .leastMm = 0.5, .jointRad = kSameJointRad};
 constexpr MergeLimits kMelfaMerge = {.leastS = 0.0213, .jointRad = kSameJointRad};
 
-// Of languages that can select a tool, let its nozzle purge, and wait for the operator; and those
-// for which they have outputs.
+// Of languages that can select a tool, let material flow out at rest, and wait for the operator;
+// and those for which they have outputs.
 std::vector<plan::EventKind> eventsOfTools(std::initializer_list<plan::EventKind> outputs) {
   using enum plan::EventKind;
-  std::vector<plan::EventKind> events = {Pause, Wait, ToolChange, Purge};
+  std::vector<plan::EventKind> events = {Pause, Wait, ToolChange, Purge, Shot};
   events.insert(events.end(), outputs);
   return events;
 }

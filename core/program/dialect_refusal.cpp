@@ -45,6 +45,8 @@ base::Text nameOf(plan::EventKind kind) {
     return "locking the tool"_text;
   case plan::EventKind::Purge:
     return "a purge of the nozzle"_text;
+  case plan::EventKind::Shot:
+    return "a shot into a pocket"_text;
   case plan::EventKind::StartLag:
     return "a wait for the extruder's start lag"_text;
   case plan::EventKind::StopLag:

@@ -11,7 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Number of columns per row.
-constexpr std::size_t kPatchColumns = 4, kPathColumns = 7, kPieceColumns = 4, kPlaneColumns = 4;
+constexpr std::size_t kPatchColumns = 4, kPathColumns = 7, kPieceColumns = 4, kPlaneColumns = 4,
+                      kPocketColumns = 11;
 
 // Value in the column of periods for a patch without a chart.
 constexpr double kNoChart = -1.0;
@@ -267,6 +268,33 @@ planar::PlanarDecomposition getPieces(const BlockReader& in) {
   return d;
 }
 
+// A row of kPocketColumns numbers per pocket.
+std::vector<double> pocketRows(const std::vector<layers::Pocket>& pockets) {
+  std::vector<double> rows;
+  for (const layers::Pocket& p : pockets)
+    rows.insert(rows.end(), {p.top.x(), p.top.y(), p.top.z(), p.direction.x(), p.direction.y(),
+                             p.direction.z(), p.volumeMm3, p.depthMm, p.openingMm,
+                             static_cast<double>(p.layer), static_cast<double>(p.tool)});
+  return rows;
+}
+
+std::vector<layers::Pocket> pocketsOf(const std::vector<double>& rows) {
+  std::vector<layers::Pocket> pockets;
+  for (std::size_t i = 0; i + kPocketColumns <= rows.size(); i += kPocketColumns) {
+    const double* row = &rows[i];
+    layers::Pocket pocket;
+    pocket.top = {row[0], row[1], row[2]};
+    pocket.direction = {row[3], row[4], row[5]};
+    pocket.volumeMm3 = row[6];
+    pocket.depthMm = row[7];
+    pocket.openingMm = row[8];
+    pocket.layer = static_cast<int>(row[9]);
+    pocket.tool = static_cast<int>(row[10]);
+    pockets.push_back(pocket);
+  }
+  return pockets;
+}
+
 void addLayers(BlockWriter& out, const layers::LayerStack& stack) {
   std::vector<std::int64_t> rows{stack.layerCount};
   for (const layers::Patch& patch : stack.patches)
@@ -302,6 +330,8 @@ void addLayers(BlockWriter& out, const layers::LayerStack& stack) {
       rims.insert(rims.end(), patch.surface.vertices.size(), 0);
   }
   out.addOwned("layers.innerRim", rims);
+  if (!stack.pockets.empty())
+    out.addOwned("layers.pockets", pocketRows(stack.pockets));
   if (std::ranges::all_of(stack.patches, [](const Patch& p) { return p.chart.empty(); }))
     return;
   column(
@@ -347,6 +377,8 @@ layers::LayerStack getLayers(const BlockReader& in) {
     patch.group = static_cast<int>(rows[i + 3]);
     stack.patches.push_back(std::move(patch));
   }
+  if (in.has("layers.pockets"))
+    stack.pockets = pocketsOf(in.get<double>("layers.pockets"));
   return stack;
 }
 
@@ -521,7 +553,7 @@ bool isSound(const plan::ToolPlan& p) {
       }))
     return false;
   return std::all_of(p.paths.begin(), p.paths.end(), [&](const plan::ToolPath& path) {
-    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Tape &&
+    return path.first <= n && path.count <= n - path.first && path.kind <= plan::PathKind::Shot &&
            path.item >= 0 && path.tool >= 0 && path.ring >= 0;
   });
 }

@@ -84,6 +84,8 @@ constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
                     Field{"tapeCoveredFraction", &R::tapeCoveredFraction, "%", true},
                     Field{"tapeOverlapFraction", &R::tapeOverlapFraction, "%", true},
                     Field{"tapeBareMm", &R::tapeBareMm, "mm", true},
+                    Field{"shots", &R::shots, "", true},
+                    Field{"shotMm3", &R::shotMm3, "mm³", true},
                     Field{"items", &R::items, "", true}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::ItemToolpaths>) {

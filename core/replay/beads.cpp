@@ -92,6 +92,18 @@ public:
 
   void stop() { laying_ = false; }
 
+  // Of motion m's end.
+  void shoot(std::size_t m, double volumeMm3, const BeadKnowledge& known) {
+    BeadPiece piece;
+    piece.run = ++run_;
+    piece.motion = static_cast<std::uint32_t>(m);
+    piece.item = known.item;
+    piece.shot = true;
+    runMm_ = 0.0;
+    addOnTheSpot(piece, path_.firstSample[m + 1] - 1, volumeMm3, known);
+    stop();
+  }
+
   void cut(std::size_t m, double volumeMm3, const BeadKnowledge& known) {
     if (!laying_) {
       ++run_;
@@ -168,15 +180,19 @@ private:
 } // namespace
 
 std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const ExecutedPath& path,
-                                  const std::vector<BeadKnowledge>& knowledge) {
+                                  const std::vector<BeadKnowledge>& knowledge,
+                                  const std::vector<double>& shotMm3) {
   base::require(knowledge.size() == path.motionCount() && volumeMm3.size() == path.motionCount(),
                 "beadPieces: volume and knowledge per motion");
   PieceCutter cutter(path);
-  for (std::size_t m = 0; m < path.motionCount(); ++m)
+  for (std::size_t m = 0; m < path.motionCount(); ++m) {
     if (volumeMm3[m] <= 0.0 || knowledge[m].tape)
       cutter.stop();
     else
       cutter.cut(m, volumeMm3[m], knowledge[m]);
+    if (m < shotMm3.size() && shotMm3[m] > 0.0)
+      cutter.shoot(m, shotMm3[m], knowledge[m]);
+  }
   return cutter.take();
 }
 
@@ -251,7 +267,7 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
   std::vector<PieceSupport> found(pieces.size());
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      if (pieces[p].waste) {
+      if (pieces[p].waste || pieces[p].shot) {
         found[p] = {true, 1.0};
         continue;
       }
@@ -264,7 +280,7 @@ SupportedBeads findSupport(const std::vector<BeadPiece>& pieces, const PrintedPa
   SupportedBeads result;
   LongestRun inTheAir, unsupported, halfCarried;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    if (pieces[p].waste)
+    if (pieces[p].waste || pieces[p].shot)
       continue;
     const double length = (pieces[p].to - pieces[p].from).norm();
     const bool goesOn = p > 0 && pieces[p].run == pieces[p - 1].run;

@@ -45,9 +45,11 @@ std::vector<BeadKnowledge> beadKnowledge(const std::vector<std::size_t>& pointOf
 // Splits the samples of every extruding motion into straight pieces of about 1 mm and distributes
 // the volume by length. Tape gives no pieces. A motion that extrudes without moving gives a piece
 // of zero length, which the depositor counts as excess. Precondition: volume (motionVolume) and
-// knowledge per motion.
+// knowledge per motion. `shotMm3`: per motion, volume that flows into a pocket where it ends;
+// empty: none.
 std::vector<BeadPiece> beadPieces(const std::vector<double>& volumeMm3, const ExecutedPath& path,
-                                  const std::vector<BeadKnowledge>& knowledge);
+                                  const std::vector<BeadKnowledge>& knowledge,
+                                  const std::vector<double>& shotMm3 = {});
 
 // Removes waste pieces at the start of the print that have no ground below them and therefore fall.
 void dropFallen(std::vector<BeadPiece>& pieces, const GroundProbe& ground);

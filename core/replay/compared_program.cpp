@@ -177,8 +177,24 @@ private:
       if (known.ofPart && known.item < verdict.depositedOfItemMm3.size())
         verdict.depositedOfItemMm3[known.item] += volume[m];
     }
+    addShots();
     out_.standingMm3 = standingMm3(in_.program, stops_);
     verdict.depositedMm3 += out_.standingMm3;
+  }
+
+  // Adds the material that the program extrudes at rest where a pocket is to be filled.
+  void addShots() {
+    Run& run = out_.run;
+    for (const plan::ProgramPause& p : in_.program.pauses) {
+      if (p.volumeMm3 <= 0.0 || p.before == 0 || !stops_.shotAt(p.before))
+        continue;
+      run.shotMm3.resize(path().motionCount(), 0.0);
+      run.shotMm3[p.before - 1] += p.volumeMm3;
+      out_.verdict.depositedMm3 += p.volumeMm3;
+      const std::size_t item = run.knowledge[p.before - 1].item;
+      if (item < out_.verdict.depositedOfItemMm3.size())
+        out_.verdict.depositedOfItemMm3[item] += p.volumeMm3;
+    }
   }
 
   TextFinding atMotion(plan::FindingKind kind, std::size_t motion,

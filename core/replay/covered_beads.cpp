@@ -59,7 +59,7 @@ std::vector<std::uint32_t> piecesBelow(const std::vector<BeadPiece>& pieces,
   std::vector<std::uint32_t> below(pieces.size(), kNeverFilled);
   base::parallelChunks(ctx, pieces.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
-      if (!pieces[p].waste)
+      if (!pieces[p].waste && !pieces[p].shot)
         below[p] = Beneath(pieces, static_cast<std::uint32_t>(p), printed, ground).pieceBelow();
   });
   return below;

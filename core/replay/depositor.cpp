@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "process/bead_model.h"
 #include "replay/line_walk.h"
+#include "replay/shot_fill.h"
 
 #include <algorithm>
 #include <array>
@@ -298,6 +299,11 @@ void makeFootprints(Chunk& chunk, const std::vector<BeadPiece>& pieces, std::siz
   chunk.outside.clear();
   FootprintMaker maker(grid, options);
   for (std::size_t i = begin; i < std::min(pieces.size(), begin + kGrain); ++i) {
+    if (pieces[i].shot) { // depends on earlier material
+      chunk.outside.push_back(0.0);
+      chunk.end.push_back(chunk.shares.size());
+      continue;
+    }
     const BeadPiece* before = i > 0 && goesOn(pieces[i - 1], pieces[i]) ? &pieces[i - 1] : nullptr;
     const BeadPiece* after =
         i + 1 < pieces.size() && goesOn(pieces[i], pieces[i + 1]) ? &pieces[i + 1] : nullptr;
@@ -314,9 +320,11 @@ void layBatch(const Batch& batch, const std::vector<BeadPiece>& pieces, std::siz
     const Chunk& chunk = batch[p / kGrain];
     const std::size_t in = p % kGrain, begin = in == 0 ? 0 : chunk.end[in - 1];
     const BeadPiece& piece = pieces[first + p];
+    const auto index = static_cast<std::uint32_t>(first + p);
     const double left =
-        chunk.outside[in] + layer.lay(chunk.shares.data() + begin, chunk.end[in] - begin,
-                                      static_cast<std::uint32_t>(first + p), piece.ofPart);
+        piece.shot ? fillFromTip(result, piece, index)
+                   : chunk.outside[in] + layer.lay(chunk.shares.data() + begin,
+                                                   chunk.end[in] - begin, index, piece.ofPart);
     result.pieceExcessMm3[first + p] = static_cast<float>(left * cellVolume);
     result.excessMm3 += left * cellVolume;
     result.laidMm3 += piece.volumeMm3;

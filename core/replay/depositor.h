@@ -42,6 +42,9 @@ struct BeadPiece {
   bool ofPart = true;       // false: support, skirt or prime
   bool waste = false;       // skirt or prime
   std::uint8_t item = 0;    // index in the job's items
+  // Flows out at `from` into a pocket below it, which is as deep as the height (shot_fill.h). All
+  // other pieces without length are excess.
+  bool shot = false;
 };
 
 // Returns the section of a piece. Its width follows from volume and length; if that is less than

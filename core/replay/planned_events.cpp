@@ -60,7 +60,7 @@ public:
       unplanned(*begin, EventKind::ToolChange);
     const PlannedStops planned = plannedStops(program_, trajectory_, alignment_);
     compareWaits(planned.seconds);
-    comparePurges(planned.purgeMm3);
+    comparePurges(planned);
     for (std::size_t e = 0; e < found_.size(); ++e)
       if (!found_[e])
         missing(trajectory_.events[e]);
@@ -92,7 +92,8 @@ private:
              {"planned", base::message("{time:.1f}"_text, base::seconds(planned[m]))}}));
     }
   }
-  void comparePurges(const std::vector<double>& planned) {
+  void comparePurges(const PlannedStops& stops) {
+    const std::vector<double>& planned = stops.purgeMm3;
     for (std::size_t m = program_.firstMotion; m < planned.size(); ++m) {
       if (planned[m] <= 0.0)
         continue;
@@ -105,10 +106,11 @@ private:
         }
       if (!at)
         continue; // missing
-      mark(EventKind::Purge, alignment_.pointAhead(m));
+      const EventKind kind = stops.shotAt(m) ? EventKind::Shot : EventKind::Purge;
+      mark(kind, alignment_.pointAhead(m));
       if (std::abs(stated - planned[m]) > kPurgeShare * planned[m])
         findings_.push_back(textFinding(program_, StatementChanged, {at->file + 1U, at->line},
-                                        {{"statement", program::nameOf(EventKind::Purge)},
+                                        {{"statement", program::nameOf(kind)},
                                          {"found", base::mm3(stated)},
                                          {"planned", base::mm3(planned[m])}}));
     }
@@ -165,7 +167,8 @@ private:
 PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajectory& trajectory,
                           const Alignment& alignment) {
   PlannedStops stops{std::vector<double>(program.motions.size(), 0.0),
-                     std::vector<double>(program.motions.size(), 0.0)};
+                     std::vector<double>(program.motions.size(), 0.0),
+                     std::vector<char>(program.motions.size(), 0)};
   std::size_t last = kUnmatched;
   for (std::size_t m = 0; m < program.motions.size(); ++m) {
     const std::size_t point = alignment.pointAhead(m);
@@ -173,6 +176,7 @@ PlannedStops plannedStops(const plan::ReadProgram& program, const plan::Trajecto
     if (point != kUnmatched && point != last) {
       stops.seconds[m] = trajectory.waitBefore(point);
       stops.purgeMm3[m] = trajectory.purgeBefore(point);
+      stops.shot[m] = trajectory.shotBefore(point);
     }
     last = point;
   }

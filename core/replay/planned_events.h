@@ -14,8 +14,8 @@ namespace voluta::replay {
 // or states with another tool, and for each stop, tool change or cut between the first and the last
 // motion that is not planned. Selecting a tool is no tool change if that tool is selected already.
 // Before the first motion only the last selection counts: a program begins with tool 0.
-// The pauses at a planned wait may differ from it in all by 2 % or 0.05 s, the volume of a purge by
-// 2 %.
+// The pauses at a planned wait may differ from it in all by 2 % or 0.05 s, the volume of a purge or
+// a shot by 2 %.
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
                                        const plan::Trajectory& trajectory,
                                        const Alignment& alignment);
@@ -24,10 +24,12 @@ std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,
 struct PlannedStops {
   std::vector<double> seconds;  // of waits and purges
   std::vector<double> purgeMm3; // volume that flows out
+  std::vector<char> shot;       // whether it flows into a pocket
 
   double secondsAt(std::size_t motion) const {
     return motion < seconds.size() ? seconds[motion] : 0.0;
   }
+  bool shotAt(std::size_t motion) const { return motion < shot.size() && shot[motion] != 0; }
   double purgeAt(std::size_t motion) const {
     return motion < purgeMm3.size() ? purgeMm3[motion] : 0.0;
   }

@@ -56,7 +56,8 @@ private:
   const ExecutedPath& path() const { return out_.run.path; }
 
   std::shared_ptr<const LaidBeads> layBeads() {
-    std::vector<BeadPiece> pieces = beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge);
+    std::vector<BeadPiece> pieces =
+        beadPieces(out_.run.volumeMm3, path(), out_.run.knowledge, out_.run.shotMm3);
     dropFallen(pieces, GroundProbe(in_.platform));
     // The grid spans the part and its surroundings; one far-off waypoint must not enlarge it
     // without bound.

@@ -27,6 +27,7 @@ namespace voluta::replay {
 struct Run {
   ExecutedPath path;
   std::vector<double> volumeMm3;    // per motion
+  std::vector<double> shotMm3;      // per motion: flows into a pocket where it ends; empty: none
   std::vector<std::size_t> pointOf; // per motion: its point of the trajectory, or kUnmatched
   // as pointOf, but with the numbering common to all programs of the plan
   std::vector<std::size_t> commonPoint;

@@ -133,6 +133,13 @@ base::ParameterTable toolpathParameters() {
           "fibreField", "Fibre"_text, "field of tape directions"_text,
           "For tapes along a field: x,y,z,dx,dy,dz in mm on the plate, separated by "
           "spaces or lines, or a file of them."_text),
+      base::numberParameter("stitchExcess", "", StitchOptions{}.excess, -0.5, 1.0, "Stitches"_text,
+                            "excess of a shot"_text,
+                            "Material of a shot beyond the volume of its pocket, as a share of "
+                            "that volume."_text),
+      base::numberParameter("stitchDepth", "mm", StitchOptions{}.depthMm, 0.0, 50.0,
+                            "Stitches"_text, "nozzle depth of a shot"_text,
+                            "Depth of the nozzle in the pocket; 0: it seals the opening."_text),
   });
 }
 
@@ -166,6 +173,8 @@ ToolpathOptions toolpathOptions(const base::ParameterValues& values) {
   o.fibre.endMm = values.number("fibreEndMm");
   o.fibre.curves = values.text("fibreCurves");
   o.fibre.field = values.text("fibreField");
+  o.stitches.excess = values.number("stitchExcess");
+  o.stitches.depthMm = values.number("stitchDepth");
   return o;
 }
 

@@ -28,6 +28,12 @@ struct FibreOptions {
   std::string field = {};          // samples of the paths `field`
 };
 
+// How the pockets of a part are filled.
+struct StitchOptions {
+  double excess = 0.15; // volume beyond the pocket's, as a share of it (Castelli 6.3.1)
+  double depthMm = 0.0; // of the nozzle below the pocket's top
+};
+
 struct ToolpathOptions {
   int walls = 2;                 // beads along the boundary of each patch
   std::string infill = "zigzag"; // id in infillKinds()
@@ -57,6 +63,7 @@ struct ToolpathOptions {
   bool spiral = false;          // one bead with rising height (spiral.h)
   CoolingOptions cooling;
   FibreOptions fibre;
+  StitchOptions stitches;
   // Index in the job's tooling of the tool that fills the interior within walls and skins;
   // negative: the tool of the patch. That interior is `walls` beads and `topLayers`, `bottomLayers`
   // inside.
@@ -68,7 +75,7 @@ struct ToolpathOptions {
 // Returns the parameters walls, infill, infillDensity, sparsePattern, topLayers, bottomLayers,
 // skinMm, infillAngle, infillRotation, windingAngle, rimSupports, prime, primeLengthMm,
 // brimWidthMm, seam, islandOrder, thinWalls, spiral and
-// coolingSpeedMmPerS.
+// coolingSpeedMmPerS; those of FibreOptions, and stitchExcess and stitchDepth.
 base::ParameterTable toolpathParameters();
 // Precondition: the table contains the keys above. The other fields keep their defaults; stepMm is
 // the process's.

@@ -19,6 +19,7 @@
 #include "toolpath/order/seam.h"
 #include "toolpath/order/spiral.h"
 #include "toolpath/sparse/cover_layers.h"
+#include "toolpath/stitching/add_shots.h"
 #include "toolpath/unsupported/passes.h"
 
 #include <algorithm>
@@ -112,6 +113,11 @@ void addPathFigures(const plan::ToolPlan& plan, std::size_t items, plan::Toolpat
     if (path.kind == PathKind::Tape)
       continue;
     plan::ItemToolpaths& own = items > 1 ? s.items.at(static_cast<std::size_t>(path.item)) : ofOne;
+    if (path.kind == PathKind::Shot) {
+      s.materialMm3 += plan.shotMm3(path);
+      own.materialMm3 += plan.shotMm3(path);
+      continue;
+    }
     own.paths += plan::isWaste(path.kind) ? 0 : 1;
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
       const double length = (plan.position[i] - plan.position[i - 1]).norm();
@@ -207,7 +213,7 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
   // Added here, so that the travel moves of the head account for the prime as for every bead.
   if (!hasBrim)
     addWaste(assembled, stack, cell, tooling, options, r.findings);
-  const PassScene scene{cell, tooling, options.platform};
+  const PassScene scene{cell, tooling, options.platform, stack.pockets};
   plan::Findings told;
   std::shared_ptr<const collision::GrowingPart> grown;
   if (options.rimSupports) {
@@ -247,6 +253,10 @@ ToolpathResult planCovered(LayerCovers made, std::size_t items, const layers::La
     std::ranges::move(addTapes(r.plan, stack, tooling, options.fibre, r.statistics, silent),
                       std::back_inserter(told));
     r.grown.reset(); // without the tapes
+  }
+  if (!stack.pockets.empty()) {
+    addShots(r.plan, stack.pockets, tooling, options.stitches, r.statistics);
+    r.grown.reset(); // waypoints are numbered anew
   }
   for (plan::Findings* findings : {&oriented.findings, &passed.findings, &told})
     std::ranges::move(*findings, std::back_inserter(r.findings));

@@ -123,6 +123,13 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"fibreEndMm", {"5", 3}},
     {"fibreCurves", {"0,0 50,0", 3}},
     {"fibreField", {"0,0,0,1,0,0", 3}},
+    {"stitchSpacing", {"25", kStageCount}}, // of mode flat, see below
+    {"stitchDiameter", {"6", kStageCount}}, // of mode flat, see below
+    {"stitchLayers", {"3", kStageCount}},   // of mode flat, see below
+    {"stitchExcess", {"0.1", 3}},
+    {"stitchDepth", {"0.5", 3}},
+    {"stitchFlow", {"9", 4}},
+    {"stitchWait", {"1", 4}},
     {"islandOrder", {"layers", 3}},
     {"spiral", {"true", 3}},
     {"extruder", {"e-stream", 5}},
@@ -234,7 +241,9 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
       {"flat", "adaptiveLayers", 2},   {"flat", "cuspMm", 2},
       {"flat", "firstLayerMm", 2},     {"planar", "firstLayerMm", 2},
       {"flat", "layerPlanes", 2},      {"flat", "voxelMm", 1},
-      {"flat", "frontShape", 6},       {"flat", "layerHeightMm", 1}};
+      {"flat", "frontShape", 6},       {"flat", "layerHeightMm", 1},
+      {"flat", "stitchSpacing", 2},    {"flat", "stitchDiameter", 2},
+      {"flat", "stitchLayers", 2},     {"planar", "stitchSpacing", 6}};
   for (const auto& [mode, key, first] : rows) {
     PlanRequest request = boxRequest();
     request.choices.item().mode = mode;

@@ -23,6 +23,11 @@ constexpr double kSameOfCell = 0.5, kSameInTheMean = 0.1; // in cells of the bea
 // share of a motion's volume; below kMinMm3 there is no material
 constexpr double kSameVolume = 1e-3, kMinMm3 = 1e-6;
 
+// Returns the volume that flows into a pocket where the motion ends.
+double shotMm3(const replay::Run& run, std::size_t motion) {
+  return motion < run.shotMm3.size() ? run.shotMm3[motion] : 0.0;
+}
+
 // A run and a judged one of the same plan, motion by motion.
 class RunPair {
 public:
@@ -40,6 +45,8 @@ public:
       const std::size_t o = otherOf_[m] = off[m].motion;
       const double mine = mine_.volumeMm3[m];
       const double its = o == kUnmatched ? 0.0 : other_.run.volumeMm3[o];
+      if (std::abs(shotMm3(mine_, m) - shotMm3(other_.run, o)) > kMinMm3)
+        return false;
       same_[m] = o != kUnmatched && std::max(off[m].tipMm, off[m].headMm) <= kSameOfCell * cell;
       beads += its > 0.0;
       if (mine <= 0.0 && its <= 0.0)

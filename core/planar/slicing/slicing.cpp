@@ -3,6 +3,7 @@
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "geometry/append_mesh.h"
 #include "geometry/measures.h"
 #include "layers/clean_surface.h"
 #include "layers/islands.h"
@@ -176,13 +177,21 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   std::vector<Sections> sections;
   std::vector<std::vector<double>> boundsOf;
   std::vector<Level> levels;
+  geometry::TriangleMesh pocketed; // a single piece without its pockets; empty: it has none
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    sections.emplace_back(pieces[p].solid.mesh, pieces[p].base.normal);
     HeightOptions heights = options.heights;
     if (pieces[p].baseTag != kPlate)
       heights.firstMm = 0.0;
     const std::vector<double> bounds = layerBounds(pieces[p], heights);
     boundsOf.push_back(bounds);
+    if (pieces.size() == 1)
+      result.stack.pockets = placePockets(pieces[p], bounds, options.stitches);
+    if (!result.stack.pockets.empty()) {
+      pocketed = pieces[p].solid.mesh;
+      geometry::appendMesh(pocketed, pocketSurfaces(result.stack.pockets));
+    }
+    sections.emplace_back(pocketed.empty() ? pieces[p].solid.mesh : pocketed,
+                          pieces[p].base.normal);
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
       levels.push_back({p, bounds[k], bounds[k + 1], static_cast<int>(levels.size())});
     result.layersOfPiece.push_back(static_cast<int>(bounds.size()) - 1);
@@ -222,6 +231,7 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
   layers::orderForPrinting(result.stack);
   ctx.report(0.8, "checking layers"_text);
   finishStack(result, slivers, options, ctx);
+  assignLayers(result.stack.pockets, result.stack);
   result.seconds.extract = watch.seconds();
   return result;
 }

@@ -9,6 +9,7 @@
 #include "planar/pieces.h"
 #include "planar/slicing/layer_heights.h"
 #include "planar/slicing/section.h"
+#include "planar/slicing/stitches.h"
 
 #include <cstddef>
 #include <vector>
@@ -24,6 +25,8 @@ struct SliceOptions {
   bool supports = false;
   double overhangRad = 0.7853981633974483;
   std::vector<Eigen::Vector2d> plate;
+  // Pockets of a single piece on the plate: its layers keep out of them.
+  StitchRule stitches = {};
 };
 
 struct SliceResult {

@@ -33,6 +33,8 @@ const char* nameOf(plan::PathKind kind) {
     return "bridge";
   case plan::PathKind::Tape:
     return "tape";
+  case plan::PathKind::Shot:
+    return "shot";
   }
   return "path";
 }

@@ -119,7 +119,10 @@ private:
         emitter_.wait(event.seconds);
         break;
       case plan::EventKind::Purge:
-        purge(event);
+        flowOut("purge", event);
+        break;
+      case plan::EventKind::Shot:
+        shot(event);
         break;
       case plan::EventKind::Release:
       case plan::EventKind::Lock:
@@ -141,8 +144,18 @@ private:
       emitter_.setOutput(k, k == tool_);
   }
 
-  void purge(const plan::TrajectoryEvent& event) {
-    emitter_.remark("purge");
+  // The filament is drawn back before and after it, if it was before.
+  void shot(const plan::TrajectoryEvent& event) {
+    const bool wasDrawn = drawn_;
+    if (wasDrawn)
+      draw(false);
+    flowOut("shot", event);
+    if (wasDrawn)
+      draw(true);
+  }
+
+  void flowOut(std::string_view remark, const plan::TrajectoryEvent& event) {
+    emitter_.remark(remark);
     if (walk_.outputs == nullptr) {
       emitter_.purge(event.volumeMm3 / filamentArea(), event.seconds);
       return;

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/run_context.h"
+#include "toolpath/stitching/add_shots.h"
 #include "toolpath/unsupported/bridges.h"
 #include "toolpath/unsupported/inset_walls.h"
 #include "toolpath/unsupported/order_inside_out.h"
@@ -82,6 +83,7 @@ PassedPlan runUnsupportedPasses(PassPhase phase, const plan::ToolPlan& plan,
         plan, pitch, ctx, collision::groundCells(scene.platform, pitch, ctx));
   }
   out.beads = unsupportedBeads(phase, plan, std::move(clearDirection), *grown, scene.platform, ctx);
+  acceptBeadsOnPockets(plan, scene.pockets, out.beads.unsupported);
   std::shared_ptr<const collision::GrowingPart> seen = grown;
   const auto regrow = [&] {
     return collision::regrown(out.beads.plan, *grown, plan, scene.tooling, ctx);

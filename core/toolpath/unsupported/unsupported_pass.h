@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/growing_part.h"
+#include "layers/layer_stack.h"
 #include "plan/finding.h"
 #include "plan/tool_plan.h"
 #include "platform/platform_solid.h"
@@ -11,6 +12,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -56,6 +58,7 @@ struct PassScene {
   const robot::Cell& cell;
   process::Tooling tooling; // the process of the first tool is the cell's
   const platform::PlatformSolid& platform;
+  std::span<const layers::Pocket> pockets = {}; // filled before the beads above them
 };
 
 // Returns the part that a pass sees. It is grown at the first call, so passes that find nothing to

@@ -31,6 +31,8 @@ QString kindName(plan::PathKind kind) {
     return UnrolledView::tr("Bridge");
   case plan::PathKind::Tape:
     return UnrolledView::tr("Tape");
+  case plan::PathKind::Shot:
+    return UnrolledView::tr("Shot");
   case plan::PathKind::Prime:
     break;
   }

@@ -1,0 +1,32 @@
+#include "motion/shot_events.h"
+
+#include <algorithm>
+
+namespace voluta::motion {
+
+std::optional<std::size_t> shotPoint(const plan::ToolPlan& plan, const Run& run) {
+  const plan::ToolPath& path = plan.paths[run.path];
+  if (path.kind != plan::PathKind::Shot)
+    return std::nullopt;
+  const auto at = std::ranges::find(run.points, plan.shotAt(path), &RunPoint::waypoint);
+  if (at == run.points.end() || at + 1 == run.points.end())
+    return std::nullopt;
+  return static_cast<std::size_t>(at - run.points.begin());
+}
+
+double addShotEvents(plan::Trajectory& trajectory, double volumeMm3,
+                     const process::Process& process, const MotionOptions& options) {
+  const double flow = options.shotFlowMm3PerS > 0.0
+                          ? std::min(options.shotFlowMm3PerS, process::flowLimit(process))
+                          : process::primeFlow(process);
+  const std::size_t point = trajectory.pointCount();
+  const double seconds = volumeMm3 / flow;
+  trajectory.events.push_back(
+      {.point = point, .kind = plan::EventKind::Shot, .seconds = seconds, .volumeMm3 = volumeMm3});
+  if (options.shotWaitS > 0.0)
+    trajectory.events.push_back(
+        {.point = point, .kind = plan::EventKind::Wait, .seconds = options.shotWaitS});
+  return seconds + std::max(0.0, options.shotWaitS);
+}
+
+} // namespace voluta::motion

@@ -1,0 +1,24 @@
+// Shots into pockets in a trajectory.
+#pragma once
+
+#include "motion/motion_options.h"
+#include "motion/run.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "process/process.h"
+
+#include <cstddef>
+#include <optional>
+
+namespace voluta::motion {
+
+// Returns the index of the run's point from which a shot flows; nullopt if there is none, or the
+// arm does not come out of the pocket again.
+std::optional<std::size_t> shotPoint(const plan::ToolPlan& plan, const Run& run);
+
+// Adds the shot, and the wait after it, after the trajectory's last point. Returns their duration
+// [s].
+double addShotEvents(plan::Trajectory& trajectory, double volumeMm3,
+                     const process::Process& process, const MotionOptions& options);
+
+} // namespace voluta::motion
