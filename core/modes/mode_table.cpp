@@ -7,6 +7,7 @@
 #include "modes/lathe_mode.h"
 #include "modes/planar_modes.h"
 #include "modes/substrate_mode.h"
+#include "modes/trace_mode.h"
 #include "support/supports.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace voluta::modes {
 
 const std::vector<Mode>& modeTable() {
   static const std::vector<Mode> kModes{curvedMode(), planarMode(), flatMode(), latheMode(),
-                                        substrateMode()};
+                                        substrateMode(), traceMode()};
   return kModes;
 }
 
@@ -38,6 +39,7 @@ base::ParameterTable modeParameters() {
   table.append(planarModeParameters());
   table.append(latheParameters());
   table.append(substrateParameters());
+  table.append(traceParameters());
   table.append(support::supportParameters());
   return table;
 }

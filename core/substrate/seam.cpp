@@ -1,0 +1,193 @@
+#include "substrate/seam.h"
+
+#include "geometry/mesh_query.h"
+#include "substrate/corner_normals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <polyclipping/clipper.hpp>
+
+namespace voluta::substrate {
+
+using ClipperLib::Path;
+using ClipperLib::Paths;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kUnits = 1e4; // Clipper's per mm
+constexpr double kLeastClosingMm = 0.01;
+constexpr double kArcMm = 0.002, kCleanMm = 0.004;
+constexpr std::size_t kUnionOf = 256; // polygons that are united at a time
+
+ClipperLib::IntPoint toClipper(const Vector2d& p) {
+  return {std::llround(p.x() * kUnits), std::llround(p.y() * kUnits)};
+}
+Vector2d fromClipper(const ClipperLib::IntPoint& p) {
+  return {static_cast<double>(p.X) / kUnits, static_cast<double>(p.Y) / kUnits};
+}
+
+Paths united(const Paths& paths) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+  Paths out;
+  clipper.Execute(ClipperLib::ctUnion, out, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return out;
+}
+
+// Many small polygons are united group by group, which is faster than all at once.
+Paths unitedInGroups(Paths paths, const base::RunContext& ctx) {
+  while (paths.size() > kUnionOf) {
+    Paths next;
+    for (std::size_t first = 0; first < paths.size(); first += kUnionOf) {
+      ctx.checkpoint();
+      const auto from = paths.begin() + static_cast<std::ptrdiff_t>(first),
+                 to = paths.begin() +
+                      static_cast<std::ptrdiff_t>(std::min(paths.size(), first + kUnionOf));
+      const Paths group = united(Paths(from, to));
+      next.insert(next.end(), group.begin(), group.end());
+    }
+    const bool isStuck = next.size() > paths.size() / 2;
+    paths = std::move(next);
+    if (isStuck)
+      break;
+  }
+  return united(paths);
+}
+
+Paths grown(const Paths& paths, double byMm) {
+  ClipperLib::ClipperOffset offset(2.0, kArcMm * kUnits);
+  offset.AddPaths(paths, byMm > 0.0 ? ClipperLib::jtRound : ClipperLib::jtMiter,
+                  ClipperLib::etClosedPolygon);
+  Paths out;
+  offset.Execute(out, byMm * kUnits);
+  return out;
+}
+
+// Returns the part of a triangle where the angle is at most `steepRad`, seen from above.
+Path gentlePart(const geometry::TriangleMesh& mesh, std::size_t t,
+                const std::array<double, 3>& angle, double steepRad) {
+  Path part;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t n = (k + 1) % 3;
+    const Vector3d &a = mesh.corner(t, static_cast<int>(k)),
+                   &b = mesh.corner(t, static_cast<int>(n));
+    if (angle[k] <= steepRad)
+      part.push_back(toClipper(a.head<2>()));
+    if ((angle[k] <= steepRad) != (angle[n] <= steepRad)) {
+      const double share = (steepRad - angle[k]) / (angle[n] - angle[k]);
+      part.push_back(toClipper(a.head<2>() + share * (b - a).head<2>()));
+    }
+  }
+  return part;
+}
+
+class Tracer {
+public:
+  Tracer(const geometry::TriangleMesh& surface, const SeamRule& rule, const base::RunContext& ctx)
+      : mesh_(surface), rule_(rule), ctx_(ctx), normals_(cornerNormals(surface)),
+        query_(surface, geometry::MeshQuery::Of::Surface) {
+    for (const Vector3d& v : surface.vertices) {
+      low_ = std::min(low_, v.z());
+      high_ = std::max(high_, v.z());
+    }
+  }
+
+  std::vector<SeamCurve> trace() const {
+    std::vector<SeamCurve> curves;
+    for (const Path& outline : outlines())
+      for (int k = 0; k < rule_.curves; ++k) {
+        const double inset = rule_.insetMm + k * rule_.spacingMm;
+        const Paths inner = inset > 0.0 ? grown({outline}, -inset) : Paths{outline};
+        for (const Path& path : inner)
+          if (std::optional<SeamCurve> curve = lifted(path);
+              curve && curve->lengthMm() >= rule_.leastMm)
+            curves.push_back(std::move(*curve));
+      }
+    return curves;
+  }
+
+private:
+  // Returns the outer outlines, counter-clockwise.
+  Paths outlines() const {
+    Paths parts;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      std::array<double, 3> angle{};
+      for (std::size_t k = 0; k < 3; ++k)
+        angle[k] = std::acos(std::clamp(normals_[t][k].z(), -1.0, 1.0));
+      Path part = gentlePart(mesh_, t, angle, rule_.steepRad);
+      if (part.size() >= 3 && ClipperLib::Area(part) > 0.0)
+        parts.push_back(std::move(part));
+    }
+    const double closing = std::max(kLeastClosingMm, rule_.closingMm);
+    Paths closed = grown(grown(unitedInGroups(std::move(parts), ctx_), closing), -closing);
+    ClipperLib::CleanPolygons(closed, kCleanMm * kUnits);
+    std::erase_if(closed, [](const Path& path) {
+      return path.size() < 3 || ClipperLib::Area(path) <= 0.0; // holes
+    });
+    return closed;
+  }
+
+  // Returns the curve on the surface below the path; nullopt if the surface has a gap there.
+  std::optional<SeamCurve> lifted(const Path& path) const {
+    SeamCurve curve;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const Vector2d from = fromClipper(path[i]), to = fromClipper(path[(i + 1) % path.size()]);
+      const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / rule_.stepMm)));
+      for (int s = 0; s < steps; ++s)
+        if (!lift(from + (to - from) * s / steps, curve))
+          return std::nullopt;
+    }
+    return curve;
+  }
+
+  // Rounding may put a point on the rim just outside the surface.
+  bool lift(const Vector2d& at, SeamCurve& curve) const {
+    constexpr double kBeyondMm = 1.0, kRimMm = 0.05;
+    const Vector3d above(at.x(), at.y(), high_ + kBeyondMm),
+        below(at.x(), at.y(), low_ - kBeyondMm);
+    if (const auto hit = query_.firstHit(above, below)) {
+      const Vector3d point = above + hit->t * (below - above);
+      append(point, static_cast<std::size_t>(hit->triangle), curve);
+      return true;
+    }
+    const auto nearest = query_.closest({at.x(), at.y(), high_}, high_ - low_ + kRimMm);
+    if (nearest.triangle < 0 || (nearest.point.head<2>() - at).norm() > kRimMm)
+      return false;
+    append(nearest.point, static_cast<std::size_t>(nearest.triangle), curve);
+    return true;
+  }
+
+  void append(const Vector3d& point, std::size_t triangle, SeamCurve& curve) const {
+    curve.points.push_back(point);
+    curve.normals.push_back(normalAt(mesh_, triangle, normals_[triangle], point));
+  }
+
+  const geometry::TriangleMesh& mesh_;
+  const SeamRule& rule_;
+  const base::RunContext& ctx_;
+  std::vector<CornerNormals> normals_;
+  geometry::MeshQuery query_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
+
+} // namespace
+
+double SeamCurve::lengthMm() const {
+  double length = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    length += (points[(i + 1) % points.size()] - points[i]).norm();
+  return length;
+}
+
+std::vector<SeamCurve> seamCurves(const geometry::TriangleMesh& surface, const SeamRule& rule,
+                                  const base::RunContext& ctx) {
+  return surface.empty() ? std::vector<SeamCurve>() : Tracer(surface, rule, ctx).trace();
+}
+
+} // namespace voluta::substrate

@@ -1,0 +1,120 @@
+// Beads of glue along the seam of a body (Castelli 7.1), from the mesh to the replayed program.
+#include "pipeline/road.h"
+
+#include "base/run_context.h"
+#include "base/units.h"
+#include "plan/finding_kinds.h"
+#include "project/loaded_part.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <gtest/gtest.h>
+
+namespace voluta::pipeline {
+namespace {
+
+using Eigen::Vector2d;
+
+// A body on z = 0 with an elliptic outline, as high as a function of the place in it.
+geometry::TriangleMesh bodyOver(const Vector2d& halves, int rings, int sides,
+                                const std::function<double(double share)>& height) {
+  geometry::TriangleMesh mesh;
+  mesh.vertices.emplace_back(0, 0, height(0.0));
+  for (int r = 1; r <= rings; ++r)
+    for (int k = 0; k < sides; ++k) {
+      const double angle = base::kTurn * k / sides, share = static_cast<double>(r) / rings;
+      mesh.vertices.emplace_back(halves.x() * share * std::cos(angle),
+                                 halves.y() * share * std::sin(angle), height(share));
+    }
+  const int last = 1 + (rings - 1) * sides, foot = 1 + rings * sides;
+  for (int k = 0; k < sides; ++k) {
+    const Eigen::Vector3d rim = mesh.vertices[static_cast<std::size_t>(last + k)];
+    mesh.vertices.emplace_back(rim.x(), rim.y(), 0.0);
+  }
+  const int middle = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.emplace_back(0, 0, 0);
+  for (int k = 0; k < sides; ++k) {
+    const int next = (k + 1) % sides;
+    mesh.triangles.push_back({0, 1 + k, 1 + next});
+    for (int r = 0; r <= rings - 1; ++r) {
+      const int a = 1 + r * sides + k, b = 1 + r * sides + next;
+      mesh.triangles.push_back({a, a + sides, b + sides});
+      mesh.triangles.push_back({a, b + sides, b});
+    }
+    mesh.triangles.push_back({foot + next, foot + k, middle});
+  }
+  return mesh;
+}
+
+PlanRequest tracedRequest(geometry::TriangleMesh body) {
+  setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
+  PlanRequest request;
+  request.item().loaded = project::loadedFrom(
+      "upper.stl", std::make_shared<geometry::TriangleMesh>(std::move(body)), {}, true, {});
+  request.choices.tools = {{"glue-3"}};
+  request.choices.cell = "ur5-moving";
+  request.choices.formats = {"urscript"};
+  request.choices.item().mode = "trace";
+  request.choices.item().parameters = {{"output.proof", "false"}};
+  return request;
+}
+
+std::string reasons(const PlanResult& plan) {
+  std::string all;
+  for (const plan::Finding& finding : plan.job.report.findings)
+    all += plan::englishReason(finding) + "\n";
+  return all;
+}
+
+// The length of the beads' middles that are no waste.
+double tracedMm(const plan::ToolPlan& plan) {
+  double length = 0.0;
+  for (const plan::ToolPath& path : plan.paths)
+    for (std::size_t i = path.first + 1; i < path.first + path.count && !plan::isWaste(path.kind);
+         ++i)
+      length += (plan.position[i] - plan.position[i - 1]).norm();
+  return length;
+}
+
+// The outline of a spherical cap at 35 deg is a circle of radius R sin 35 deg; the nozzle is one
+// bead's height above it.
+TEST(TracedPlans, TheSeamOfACapIsACircle) {
+  const double radius = 50.0, rim = 40.0;
+  const PlanResult plan = planPart(
+      tracedRequest(bodyOver({rim, rim}, 60, 180,
+                             [&](double share) {
+                               return std::sqrt(radius * radius - std::pow(rim * share, 2)) - 25.0;
+                             })),
+      {});
+  ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
+  const double length = base::kTurn * (radius + 0.8) * std::sin(base::degreesToRadians(35.0));
+  EXPECT_NEAR(tracedMm(*plan.job.toolPlan), length, 0.01 * length);
+}
+
+// The crown of an upper, 180 mm long.
+TEST(TracedPlans, AnUpperHasTwoSeams) {
+  PlanRequest request = tracedRequest(bodyOver(
+      {90.0, 38.0}, 90, 240, [](double share) { return 45.0 - 18.0 * std::pow(share, 6); }));
+  request.choices.item().parameters["tracePasses"] = "2";
+  request.choices.item().parameters["traceSpacing"] = "6";
+  const PlanResult plan = planPart(request, {});
+  ASSERT_EQ(plan.checked.size(), 1u) << reasons(plan);
+  EXPECT_TRUE(plan.checked[0]->passed) << reasons(plan);
+  EXPECT_EQ(plan.job.items[0].layers->patches.size(), 2u);
+}
+
+TEST(TracedPlans, WithoutAGentleSurfaceTheReasonIsGiven) {
+  const PlanRequest request =
+      tracedRequest(bodyOver({20.0, 20.0}, 10, 60, [](double s) { return 80.0 - 70.0 * s; }));
+  try {
+    planPart(request, {});
+    FAIL();
+  } catch (const base::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("35"), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
+} // namespace voluta::pipeline

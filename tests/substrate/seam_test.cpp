@@ -1,0 +1,147 @@
+// Seams on bodies whose outlines are known (Castelli 7.1.2), and beads along them.
+#include "substrate/bead_strip.h"
+#include "substrate/seam.h"
+
+#include "base/run_context.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "helpers/shapes.h"
+
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace voluta::substrate {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using geometry::TriangleMesh;
+
+const base::RunContext kOne;
+
+// A surface z(x, y) over a disc, facing up.
+TriangleMesh surfaceOver(double radius, int rings, int sides,
+                         const std::function<double(const Vector2d&)>& height,
+                         const Vector2d& stretch = {1.0, 1.0}) {
+  TriangleMesh mesh;
+  const auto add = [&](const Vector2d& p) { mesh.vertices.emplace_back(p.x(), p.y(), height(p)); };
+  add({0, 0});
+  for (int r = 1; r <= rings; ++r)
+    for (int k = 0; k < sides; ++k) {
+      const double angle = base::kTurn * k / sides, at = radius * r / rings;
+      add({stretch.x() * at * std::cos(angle), stretch.y() * at * std::sin(angle)});
+    }
+  for (int k = 0; k < sides; ++k)
+    mesh.triangles.push_back({0, 1 + k, 1 + (k + 1) % sides});
+  for (int r = 1; r < rings; ++r)
+    for (int k = 0; k < sides; ++k) {
+      const int a = 1 + (r - 1) * sides + k, b = 1 + (r - 1) * sides + (k + 1) % sides;
+      mesh.triangles.push_back({a, a + sides, b + sides});
+      mesh.triangles.push_back({a, b + sides, b});
+    }
+  return mesh;
+}
+
+TriangleMesh cap(double radius, int rings = 60) {
+  return surfaceOver(0.95 * radius, rings, 180, [radius](const Vector2d& p) {
+    return std::sqrt(radius * radius - p.squaredNorm());
+  });
+}
+
+// A spherical cap is 35 deg steep on a circle of radius R sin 35 deg.
+TEST(Seam, OfASphereIsACircle) {
+  const double radius = 40.0, steep = base::degreesToRadians(35.0);
+  const std::vector<SeamCurve> seam = seamCurves(cap(radius), {}, kOne);
+  ASSERT_EQ(seam.size(), 1u);
+  const double length = base::kTurn * radius * std::sin(steep);
+  EXPECT_NEAR(seam[0].lengthMm(), length, 0.003 * length);
+  for (std::size_t i = 0; i < seam[0].points.size(); ++i) {
+    const Vector3d& p = seam[0].points[i];
+    EXPECT_NEAR(p.norm(), radius, 0.05);
+    EXPECT_NEAR(p.head<2>().norm(), radius * std::sin(steep), 0.1);
+    EXPECT_GT(seam[0].normals[i].dot(p.normalized()), std::cos(0.02));
+  }
+}
+
+TEST(Seam, CopiesAreFurtherInside) {
+  SeamRule rule;
+  rule.insetMm = 2.0;
+  rule.spacingMm = 3.0;
+  rule.curves = 20; // more than there is room for
+  const double outer = 40.0 * std::sin(rule.steepRad);
+  const std::vector<SeamCurve> seams = seamCurves(cap(40.0), rule, kOne);
+  ASSERT_EQ(seams.size(), 7u); // to a radius of 2.9
+  for (std::size_t k = 0; k < seams.size(); ++k) {
+    const double radius = outer - 2.0 - 3.0 * static_cast<double>(k);
+    for (const Vector3d& p : seams[k].points)
+      EXPECT_NEAR(p.head<2>().norm(), radius, 0.12);
+  }
+}
+
+// The top of a box has sharp edges: the seam is its rim.
+TEST(Seam, OfABoxIsTheRimOfItsTop) {
+  const std::vector<SeamCurve> seam = seamCurves(test::box({-10, -6, 0}, {10, 6, 5}), {}, kOne);
+  ASSERT_EQ(seam.size(), 1u);
+  EXPECT_NEAR(seam[0].lengthMm(), 64.0, 0.1);
+  for (const Vector3d& normal : seam[0].normals)
+    EXPECT_NEAR(normal.z(), 1.0, 1e-9);
+}
+
+TEST(Seam, WithoutAGentleSurfaceThereIsNone) {
+  const TriangleMesh roof =
+      surfaceOver(20.0, 10, 60, [](const Vector2d& p) { return 60.0 - 2.0 * p.norm(); });
+  EXPECT_TRUE(seamCurves(roof, {}, kOne).empty());
+  EXPECT_TRUE(seamCurves({}, {}, kOne).empty());
+}
+
+// An upper like a shoe's: an ellipse whose crown turns down at the rim. Where a x^4 is 35 deg
+// steep is known along both axes.
+TEST(Seam, OfAnUpperFollowsItsShape) {
+  const Vector2d stretch(1.0, 0.4);
+  const auto height = [&](const Vector2d& p) {
+    const double r2 = std::pow(p.x(), 2) + std::pow(p.y() / 0.4, 2);
+    return 40.0 - 15.0 * std::pow(r2 / 1e4, 4);
+  };
+  const TriangleMesh upper = surfaceOver(110.0, 110, 240, height, stretch);
+  const std::vector<SeamCurve> seam = seamCurves(upper, {}, kOne);
+  ASSERT_EQ(seam.size(), 1u);
+  // Along x: 15 * 8 x^7 / 100^8 = tan 35 deg.
+  const double x = 100.0 * std::pow(100.0 * std::tan(SeamRule{}.steepRad) / 120.0, 1.0 / 7.0);
+  double farthest = 0.0;
+  for (const Vector3d& p : seam[0].points)
+    farthest = std::max(farthest, p.x());
+  EXPECT_NEAR(farthest, x, 0.2);
+}
+
+// Pappus: the strip around a circle on a plane has the volume of its section times its length.
+TEST(BeadStrip, HasTheVolumeOfItsBead) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int k = 0; k < 100; ++k) {
+    SeamCurve circle;
+    const double radius = 8.0 + 30.0 * share(random);
+    const int n = 120;
+    for (int i = 0; i < n; ++i) {
+      const double a = base::kTurn * i / n;
+      circle.points.emplace_back(radius * std::cos(a), radius * std::sin(a), 3.0);
+      circle.normals.emplace_back(0, 0, 1);
+    }
+    const StripSize size{1.0 + 4.0 * share(random), 0.3 + share(random)};
+    const double volume = base::kTurn * radius * size.widthMm * size.heightMm;
+    EXPECT_NEAR(geometry::volume(stripSolid(circle, size)), volume, 0.003 * volume);
+    const layers::Patch patch = stripPatch(circle, size);
+    double area = 0.0;
+    for (std::size_t t = 0; t < patch.surface.triangles.size(); ++t) {
+      area += geometry::triangleArea(patch.surface, t);
+      const Vector3d normal = (patch.surface.corner(t, 1) - patch.surface.corner(t, 0))
+                                  .cross(patch.surface.corner(t, 2) - patch.surface.corner(t, 0));
+      ASSERT_GT(normal.z(), 0.0);
+    }
+    EXPECT_NEAR(area * size.heightMm, volume, 0.003 * volume);
+  }
+}
+
+} // namespace
+} // namespace voluta::substrate
