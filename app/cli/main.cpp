@@ -2,6 +2,7 @@
 #include "base/data_files.h"
 #include "cli/cell_advice_options.h"
 #include "cli/commands.h"
+#include "cli/mill_command.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
 #include "curved/growth_scheme.h"
@@ -552,6 +553,7 @@ int run(int argc, char** argv) {
   addMaterial(app, parsed);
   addProcess(app, parsed);
   addList(app, parsed);
+  addMill(app, parsed.run, threads);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());
   try {

@@ -18,6 +18,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"texts", {}},
     {"page", {}},
     {"geometry", {}},
+    {"milling", {"geometry"}},
     {"platform", {"geometry"}},
     {"process", {"geometry", "plan"}},
     {"voxel", {"geometry"}},

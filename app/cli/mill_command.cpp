@@ -1,0 +1,125 @@
+#include "cli/mill_command.h"
+
+#include "base/files.h"
+#include "base/staged_folder.h"
+#include "cli/run_interruptibly.h"
+#include "milling/mill_passes.h"
+#include "milling/mill_program.h"
+#include "milling/mill_replay.h"
+#include "project/loaded_part.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace voluta::cli {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+struct MillOptions {
+  std::string part, material = "soft-plastic";
+  milling::MillRule rule;
+  std::filesystem::path folder;
+  int threads = 1;
+};
+
+std::string materialIds() {
+  std::string ids;
+  for (const milling::CuttingData& data : milling::cuttingData())
+    ids += (ids.empty() ? "" : ", ") + std::string(data.id);
+  return ids;
+}
+
+struct Milled {
+  milling::MillVerdict verdict;
+  std::size_t moves = 0;
+};
+
+Json reportOf(const MillOptions& options, const milling::MillPlan& plan, const Milled& milled) {
+  const milling::MillVerdict& v = milled.verdict;
+  const Eigen::Vector3d size = plan.block.sizes();
+  Json refusals = Json::array();
+  for (const milling::MillDefect& d : v.refusals)
+    refusals.push_back({{"line", d.line}, {"reason", base::english(d.reason)}});
+  return {{"part", options.part},
+          {"material", options.rule.data.id},
+          {"blockMm", {size.x(), size.y(), size.z()}},
+          {"rpm", options.rule.data.rpm},
+          {"feedMmPerMin", milling::feedMmPerMin(options.rule.cutter, options.rule.data)},
+          {"lineMm", options.rule.distanceMm()},
+          {"finePassMm", milling::finePassMm(options.rule.cutter, options.rule.data)},
+          {"moves", milled.moves},
+          {"passed", v.passed},
+          {"durationS", v.seconds},
+          {"removedMm3", v.removedMm3},
+          {"deepestMm", v.deepestMm},
+          {"residueMm", v.residueMm},
+          {"refusals", std::move(refusals)}};
+}
+
+Milled mill(const MillOptions& options, const std::filesystem::path& folder,
+            const base::RunContext& ctx) {
+  const auto loaded = project::loadPart(options.part, true, ctx.sub(0.0, 0.1));
+  const milling::MillPlan plan =
+      milling::planMilling(*loaded->mesh, options.rule, ctx.sub(0.1, 0.6));
+  const std::string text = milling::writeMilling(plan, options.rule, loaded->name);
+  const milling::ReadMilling read = milling::readMilling(text);
+  const Milled milled{milling::replayMilling(read, plan, options.rule, ctx.sub(0.6, 1.0)),
+                      read.moves.size()};
+  base::writeFile(folder / "report.json", reportOf(options, plan, milled).dump(2) + "\n");
+  if (milled.verdict.passed)
+    base::writeFile(folder / "mill.nc", text);
+  return milled;
+}
+
+ExitCode millCommand(MillOptions options) {
+  const milling::CuttingData* data = milling::cuttingDataFor(options.material);
+  if (!data)
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("unknown material '{id}'"_text, options.material), {},
+                      base::message("give one of {ids}"_text, materialIds()));
+  options.rule.data = *data;
+  base::StagedFolder staged(options.folder);
+  const auto milled =
+      settled(runInterruptibly(
+                  [&](const base::RunContext& ctx) { return mill(options, staged.path(), ctx); },
+                  options.threads, {}, [&] { staged.discard(); }),
+              staged, options.folder);
+  if (!milled)
+    return kCancelled;
+  const milling::MillVerdict& v = milled->verdict;
+  fmt::print("{} moves, {:.0f} min, {:.0f} mm3 removed; deepest {:.3f} mm, residue {:.3f} mm\n",
+             milled->moves, v.seconds / 60.0, v.removedMm3, v.deepestMm, v.residueMm);
+  if (!v.passed)
+    fmt::print(stderr, "voluta-cli: the program was refused: {} (line {})\n",
+               base::english(v.refusals.front().reason), v.refusals.front().line);
+  return v.passed ? kDone : kNotAll;
+}
+
+} // namespace
+
+void addMill(CLI::App& app, std::function<ExitCode()>& run, int threads) {
+  auto options = std::make_shared<MillOptions>();
+  options->threads = threads;
+  milling::MillRule& rule = options->rule;
+  CLI::App* mill = app.add_subcommand("mill", "mill a part out of a block");
+  mill->add_option("PART", options->part, "mesh file, in mm; milled along z")->required();
+  mill->add_option("-o,--output", options->folder, "folder for the program and the report")
+      ->required();
+  mill->add_option("--cut", options->material, "material of the block: " + materialIds());
+  mill->add_option("--cutter", rule.cutter.diameterMm, "diameter of the round cutter [mm]");
+  mill->add_option("--teeth", rule.cutter.teeth, "teeth of the cutter");
+  mill->add_option("--line", rule.lineMm, "distance of lines [mm]; 0: that of the material");
+  mill->add_option("--roughing", rule.roughingMm, "depth of roughing passes [mm]");
+  mill->add_option("--gap", rule.acrossMm, "block beyond the part along y [mm]");
+  mill->add_option("--anchor", rule.alongMm, "block beyond the part along x [mm]");
+  mill->add_option("--skin", rule.skinMm, "block above and below the part [mm]");
+  mill->add_option("--clearance", rule.clearanceMm, "height of moves above the block [mm]");
+  mill->add_option("--pitch", rule.pitchMm, "cells of the part's map [mm]");
+  mill->add_option("--threads", options->threads, "threads to use")->check(CLI::Range(1, 256));
+  mill->callback([options, &run] { run = [options] { return millCommand(*options); }; });
+}
+
+} // namespace voluta::cli

@@ -1,0 +1,196 @@
+// Parts milled out of a block: what is left, what is missing, and programs with a change.
+#include "milling/drop_cutter.h"
+#include "milling/mill_passes.h"
+#include "milling/mill_program.h"
+#include "milling/mill_replay.h"
+#include "milling/stock.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "helpers/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <sstream>
+
+namespace voluta::milling {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const base::RunContext kOne;
+constexpr double kRadius = 8.0;
+
+// A hemisphere on z = 0.
+geometry::TriangleMesh hemisphere(double radius, int rings, int sides) {
+  geometry::TriangleMesh m;
+  for (int r = 0; r < rings; ++r)
+    for (int k = 0; k < sides; ++k) {
+      const double up = 0.5 * base::kPi * r / rings, turn = base::kTurn * k / sides;
+      m.vertices.emplace_back(radius * std::cos(up) * std::cos(turn),
+                              radius * std::cos(up) * std::sin(turn), radius * std::sin(up));
+    }
+  const int top = static_cast<int>(m.vertices.size());
+  m.vertices.emplace_back(0, 0, radius);
+  m.vertices.emplace_back(0, 0, 0);
+  for (int k = 0; k < sides; ++k) {
+    const int next = (k + 1) % sides;
+    for (int r = 0; r + 1 < rings; ++r) {
+      const int a = r * sides + k, b = r * sides + next;
+      m.triangles.push_back({a, b, b + sides});
+      m.triangles.push_back({a, b + sides, a + sides});
+    }
+    m.triangles.push_back({(rings - 1) * sides + k, (rings - 1) * sides + next, top});
+    m.triangles.push_back({next, k, top + 1});
+  }
+  return m;
+}
+
+MillRule ruleFor(const char* material) {
+  MillRule rule;
+  rule.data = *cuttingDataFor(material);
+  return rule;
+}
+
+struct Milled {
+  MillPlan plan;
+  std::string text;
+};
+
+const Milled& dome() {
+  static const Milled kMilled = [] {
+    const MillRule rule = ruleFor("hard-plastic");
+    Milled milled;
+    milled.plan = planMilling(hemisphere(kRadius, 60, 160), rule, kOne);
+    milled.text = writeMilling(milled.plan, rule, "dome (1)");
+    return milled;
+  }();
+  return kMilled;
+}
+
+MillVerdict replayed(const std::string& text) {
+  return replayMilling(readMilling(text), dome().plan, ruleFor("hard-plastic"), kOne);
+}
+
+TEST(MilledPart, AHemispherePasses) {
+  const MillVerdict v = replayed(dome().text);
+  EXPECT_TRUE(v.passed) << (v.refusals.empty() ? "" : base::english(v.refusals[0].reason));
+  EXPECT_LT(v.deepestMm, kGougeMm);
+  EXPECT_GT(v.seconds, 60.0);
+}
+
+// Along the meridian across the lines, ridges are at most 5 % higher than between two circles.
+TEST(MilledPart, RidgesAreThoseOfTheory) {
+  const MillRule rule = ruleFor("hard-plastic");
+  const double radius = kRadius, step = rule.distanceMm(), r = rule.cutter.radiusMm();
+  Stock stock(dome().plan.block, 0.05);
+  Vector3d at = Vector3d::Zero();
+  bool isKnown = false;
+  for (const MillMove& move : dome().plan.sides[0].moves) {
+    const Vector3d from = isKnown ? at : move.to;
+    // Only the middle is looked at.
+    if (std::min(std::abs(from.x()), std::abs(move.to.x())) < 2.0 || from.x() * move.to.x() < 0.0)
+      stock.cut(rule.cutter, from, move.to);
+    at = move.to;
+    isKnown = true;
+  }
+  const CellGrid& grid = stock.grid();
+  const double reach = (radius + r) * std::sin(base::degreesToRadians(60.0));
+  double y = dome().plan.block.max().y() - r;
+  int ridges = 0;
+  for (; y - step > -reach; y -= step) {
+    if (y > reach)
+      continue;
+    const double theory = ridgeOnSphereMm(r, radius, y - step, step);
+    double highest = 0.0;
+    for (int j = 0; j < grid.countY; ++j) {
+      const std::size_t cell = grid.index(static_cast<int>((0.0 - grid.low.x()) / grid.pitchMm), j);
+      const Vector2d middle = grid.middle(static_cast<int>((0.0 - grid.low.x()) / grid.pitchMm), j);
+      const Vector3d p(middle.x(), middle.y(), stock.highAt(cell));
+      const double centre = std::atan2(p.y(), p.z());
+      if (centre < std::asin(y / (radius + r)) && centre > std::asin((y - step) / (radius + r)))
+        highest = std::max(highest, p.norm() - radius);
+    }
+    EXPECT_LT(highest, 1.05 * theory + 0.002) << y;
+    EXPECT_GT(highest, 0.9 * theory - 0.01) << y;
+    ++ridges;
+  }
+  EXPECT_GT(ridges, 6);
+}
+
+TEST(MilledPart, TheBlockLosesWhatTheCutterSweeps) {
+  Stock stock({Vector3d(-10, -10, 0), Vector3d(10, 10, 10)}, 0.05);
+  const Cutter cutter{4.0, 1};
+  const double before = stock.volumeMm3();
+  // A groove 3 mm deep: a half disc of radius 2 and 1 mm above it, and round ends.
+  const double removed = stock.cut(cutter, {-5, 0, 7}, {5, 0, 7});
+  const double ends = 2.0 / 3.0 * base::kPi * 8.0 + base::kPi * 4.0;
+  EXPECT_NEAR(removed, 10.0 * (base::kPi * 2.0 + 4.0) + ends, 0.01 * removed);
+  EXPECT_NEAR(before - stock.volumeMm3(), removed, 1e-6);
+  EXPECT_NEAR(stock.turned().volumeMm3(), stock.volumeMm3(), 1e-6);
+}
+
+TEST(MilledPart, TheCutterTouchesASphere) {
+  const HeightMap map =
+      heightMap(hemisphere(12.0, 90, 240), gridOver({-14, -14}, {14, 14}, 0.1), kOne);
+  const Cutter cutter;
+  for (const double x : {0.0, 3.0, 6.0, 9.0}) {
+    const double reach = 12.0 + cutter.radiusMm();
+    EXPECT_NEAR(dropHeight(map, cutter, {x, 0.3}),
+                std::sqrt(reach * reach - x * x - 0.09) - cutter.radiusMm(), 0.02);
+  }
+  EXPECT_EQ(dropHeight(map, cutter, {13.9, 13.9}), HeightMap::kNone);
+}
+
+// A program with one change is refused, or the part is as before.
+TEST(MilledPart, HarmfulChangesAreRefused) {
+  std::vector<std::string> lines;
+  std::istringstream in(dome().text);
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  const auto with = [&](std::size_t at, const std::string& line) {
+    std::string text;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      text += (i == at ? line : lines[i]) + "\n";
+    return text;
+  };
+  const auto lineOf = [&](const std::string& start) {
+    return static_cast<std::size_t>(
+        std::ranges::find_if(lines, [&](const std::string& l) { return l.starts_with(start); }) -
+        lines.begin());
+  };
+  EXPECT_FALSE(replayed(with(lineOf("F"), "F600")).passed) << "another feed";
+  EXPECT_FALSE(replayed(with(lineOf("S8500"), "S8500")).passed) << "the spindle is at rest";
+  EXPECT_FALSE(replayed(with(lineOf("M30"), "")).passed) << "no end";
+  EXPECT_FALSE(replayed(with(lineOf("G0 A180"), "")).passed) << "not turned";
+  EXPECT_FALSE(replayed(with(lineOf("G21"), "G20")).passed) << "inches";
+  EXPECT_FALSE(replayed(with(lineOf("G54"), "hello")).passed);
+  std::mt19937 random(2);
+  int cuts = 0;
+  while (cuts < 12) {
+    const std::size_t at = random() % lines.size();
+    if (!lines[at].starts_with("G1 ") || lines[at].find("Z") == std::string::npos)
+      continue;
+    const std::string deeper = lines[at].substr(0, lines[at].find("Z")) + "Z-40.000";
+    EXPECT_FALSE(replayed(with(at, deeper)).passed) << lines[at];
+    ++cuts;
+  }
+}
+
+TEST(MilledPart, BadValuesAreRefusedInOneLine) {
+  MillRule rule = ruleFor("soft-plastic");
+  rule.acrossMm = 2.0;
+  try {
+    planMilling(test::box({0, 0, 0}, {5, 5, 5}), rule, kOne);
+    FAIL();
+  } catch (const base::Error& error) {
+    EXPECT_EQ(error.code(), base::ErrorCode::Usage);
+    EXPECT_NE(std::string(error.what()).find("3.175"), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
+} // namespace voluta::milling
