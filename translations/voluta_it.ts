@@ -8592,6 +8592,222 @@ previsto</translation>
         <source>Age up to which a bead bonds with the next layer, unless the job states it.</source>
         <translation>Età fino alla quale un cordone si lega allo strato successivo, se il lavoro non la indica.</translation>
     </message>
+    <message>
+        <source>Shot</source>
+        <translation>Iniezione</translation>
+    </message>
+    <message>
+        <source>Stitches</source>
+        <translation>Punti di cucitura</translation>
+    </message>
+    <message>
+        <source>spacing of stitches</source>
+        <translation>distanza dei punti di cucitura</translation>
+    </message>
+    <message>
+        <source>Mode flat: distance of pockets that are filled from above in one shot and lock the layers together. 0: none.</source>
+        <translation>Modalità piana: distanza delle tasche che vengono riempite dall&apos;alto con una sola iniezione e che vincolano gli strati fra loro. 0: nessuna.</translation>
+    </message>
+    <message>
+        <source>diameter of stitches</source>
+        <translation>diametro dei punti di cucitura</translation>
+    </message>
+    <message>
+        <source>Diameter of a pocket&apos;s chamber. The pocket is three quarters of it high, its opening half of it wide.</source>
+        <translation>Diametro della camera di una tasca. La tasca è alta tre quarti di esso, la sua apertura è larga la metà.</translation>
+    </message>
+    <message>
+        <source>stitches after every n-th layer</source>
+        <translation>punti di cucitura dopo ogni n-esimo strato</translation>
+    </message>
+    <message>
+        <source>Pockets end at the top of these layers.</source>
+        <translation>Le tasche terminano alla sommità di questi strati.</translation>
+    </message>
+    <message>
+        <source>stitches need horizontal layers</source>
+        <translation>i punti di cucitura richiedono strati orizzontali</translation>
+    </message>
+    <message>
+        <source>set stitchSpacing=0, or give no layerPlanes</source>
+        <translation>imposta stitchSpacing=0, o non indicare layerPlanes</translation>
+    </message>
+    <message>
+        <source>excess of a shot</source>
+        <translation>eccedenza di un&apos;iniezione</translation>
+    </message>
+    <message>
+        <source>Material of a shot beyond the volume of its pocket, as a share of that volume.</source>
+        <translation>Materiale di un&apos;iniezione oltre il volume della sua tasca, come frazione di quel volume.</translation>
+    </message>
+    <message>
+        <source>nozzle depth of a shot</source>
+        <translation>profondità dell&apos;ugello in un&apos;iniezione</translation>
+    </message>
+    <message>
+        <source>Depth of the nozzle in the pocket; 0: it seals the opening.</source>
+        <translation>Profondità dell&apos;ugello nella tasca; 0: ne chiude l&apos;apertura.</translation>
+    </message>
+    <message>
+        <source>flow of a shot</source>
+        <translation>portata di un&apos;iniezione</translation>
+    </message>
+    <message>
+        <source>Flow into a pocket, at most that of the process. 0: the flow of the usual bead.</source>
+        <translation>Portata in una tasca, al massimo quella del processo. 0: la portata del cordone usuale.</translation>
+    </message>
+    <message>
+        <source>wait after a shot</source>
+        <translation>attesa dopo un&apos;iniezione</translation>
+    </message>
+    <message>
+        <source>Time that the nozzle stays in the pocket after the shot, so that the material does not come out again.</source>
+        <translation>Tempo in cui l&apos;ugello resta nella tasca dopo l&apos;iniezione, affinché il materiale non ne riesca.</translation>
+    </message>
+    <message>
+        <source>a shot into a pocket</source>
+        <translation>un&apos;iniezione in una tasca</translation>
+    </message>
+    <message>
+        <source>Trace on a surface</source>
+        <translation>Tracciato su una superficie</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Tracciato</translation>
+    </message>
+    <message>
+        <source>find the seam</source>
+        <translation>ricerca della cucitura</translation>
+    </message>
+    <message>
+        <source>the part has no surface within {angle} of the vertical that is wide enough for a seam</source>
+        <translation>il pezzo non ha alcuna superficie entro {angle} dalla verticale che sia abbastanza larga per una cucitura</translation>
+    </message>
+    <message>
+        <source>turn the part, or increase traceAngle</source>
+        <translation>ruota il pezzo, o aumenta traceAngle</translation>
+    </message>
+    <message>
+        <source>greatest angle of the traced surface</source>
+        <translation>angolo massimo della superficie tracciata</translation>
+    </message>
+    <message>
+        <source>Mode trace: the seam is the outline of the part&apos;s surface whose normal is within this angle of the vertical.</source>
+        <translation>Modalità tracciato: la cucitura è il contorno della superficie del pezzo la cui normale è entro questo angolo dalla verticale.</translation>
+    </message>
+    <message>
+        <source>inset of the seam</source>
+        <translation>rientro della cucitura</translation>
+    </message>
+    <message>
+        <source>Distance of the first bead from the outline, inwards, seen from above.</source>
+        <translation>Distanza del primo cordone dal contorno, verso l&apos;interno, vista dall&apos;alto.</translation>
+    </message>
+    <message>
+        <source>seams</source>
+        <translation>cuciture</translation>
+    </message>
+    <message>
+        <source>Number of beads from the outline inwards.</source>
+        <translation>Numero di cordoni dal contorno verso l&apos;interno.</translation>
+    </message>
+    <message>
+        <source>distance of seams</source>
+        <translation>distanza delle cuciture</translation>
+    </message>
+    <message>
+        <source>Distance between beads, seen from above. 0: the bead&apos;s width.</source>
+        <translation>Distanza fra i cordoni, vista dall&apos;alto. 0: la larghezza del cordone.</translation>
+    </message>
+    <message>
+        <source>radius of the outline&apos;s hull</source>
+        <translation>raggio dell&apos;inviluppo del contorno</translation>
+    </message>
+    <message>
+        <source>Gaps of the outline through which no disc of this radius passes are closed.</source>
+        <translation>I vuoti del contorno attraverso cui non passa un disco di questo raggio vengono chiusi.</translation>
+    </message>
+    <message>
+        <source>Hard plastic</source>
+        <translation>Plastica dura</translation>
+    </message>
+    <message>
+        <source>Soft plastic</source>
+        <translation>Plastica morbida</translation>
+    </message>
+    <message>
+        <source>the cutter has no diameter or no teeth</source>
+        <translation>la fresa non ha diametro o non ha denti</translation>
+    </message>
+    <message>
+        <source>give --cutter and --teeth above 0</source>
+        <translation>indica --cutter e --teeth maggiori di 0</translation>
+    </message>
+    <message>
+        <source>a distance of passes is not positive</source>
+        <translation>una distanza fra le passate non è positiva</translation>
+    </message>
+    <message>
+        <source>give distances above 0</source>
+        <translation>indica distanze maggiori di 0</translation>
+    </message>
+    <message>
+        <source>the block is less than the cutter&apos;s {diameter} wider than the part</source>
+        <translation>il blocco supera il pezzo di meno dei {diameter} della fresa</translation>
+    </message>
+    <message>
+        <source>increase --gap</source>
+        <translation>aumenta --gap</translation>
+    </message>
+    <message>
+        <source>not understood</source>
+        <translation>non comprensibile</translation>
+    </message>
+    <message>
+        <source>behind the end of the program</source>
+        <translation>dopo la fine del programma</translation>
+    </message>
+    <message>
+        <source>unknown word {word}</source>
+        <translation>parola {word} sconosciuta</translation>
+    </message>
+    <message>
+        <source>the block turns while the cutter is not home</source>
+        <translation>il blocco ruota mentre la fresa non è in posizione di riferimento</translation>
+    </message>
+    <message>
+        <source>the block is turned by neither 0 nor 180 degrees</source>
+        <translation>il blocco non è ruotato né di 0 né di 180 gradi</translation>
+    </message>
+    <message>
+        <source>coordinates of another side</source>
+        <translation>coordinate di un altro lato</translation>
+    </message>
+    <message>
+        <source>the program does not end</source>
+        <translation>il programma non termina</translation>
+    </message>
+    <message>
+        <source>a rapid move through the block</source>
+        <translation>un movimento rapido attraverso il blocco</translation>
+    </message>
+    <message>
+        <source>the spindle has another speed than planned</source>
+        <translation>il mandrino ha una velocità diversa da quella prevista</translation>
+    </message>
+    <message>
+        <source>another feed than planned</source>
+        <translation>un avanzamento diverso da quello previsto</translation>
+    </message>
+    <message>
+        <source>the cutter goes through the block into what holds it</source>
+        <translation>la fresa attraversa il blocco e ne raggiunge il sostegno</translation>
+    </message>
+    <message>
+        <source>the cutter takes up to {depth} from the part</source>
+        <translation>la fresa asporta fino a {depth} dal pezzo</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -11571,6 +11787,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Tape</source>
         <translation>Nastro</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Iniezione</translation>
     </message>
 </context>
 <context>
