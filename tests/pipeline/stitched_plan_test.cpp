@@ -1,12 +1,12 @@
 // Parts with stitches (Castelli 6.2, 6.3) from the mesh to the replayed program.
 #include "pipeline/road.h"
 
+#include "base/files.h"
 #include "base/run_context.h"
 #include "helpers/loaded_box.h"
+#include "helpers/temporary_folder.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
-#include "program/text_damage.h"
-#include "replay/verification.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -37,20 +37,55 @@ std::string reasons(const PlanResult& plan) {
   return all;
 }
 
+std::vector<std::string> formatsWithShots() {
+  std::vector<std::string> ids;
+  for (const program::Dialect& dialect : program::dialects())
+    if (std::ranges::find(dialect.events, plan::EventKind::Shot) != dialect.events.end())
+      ids.emplace_back(dialect.id);
+  return ids;
+}
+
+const PlanResult& stitched() {
+  static const PlanResult kPlan = planPart(stitchedRequest(formatsWithShots()), {});
+  return kPlan;
+}
+
 TEST(StitchedPlans, EveryDialectThatExtrudesAtRestFillsThePocket) {
-  std::vector<std::string> formats;
-  for (const char* id : {"urscript", "gcode-extended", "gcode"})
-    formats.emplace_back(id);
-  const PlanResult plan = planPart(stitchedRequest(formats), {});
+  const PlanResult& plan = stitched();
   const plan::ToolpathStatistics& s = plan.job.report.toolpath;
   EXPECT_EQ(s.shots, 1u);
   EXPECT_NEAR(s.shotMm3, 1.15 * 184.3, 0.1);
-  ASSERT_EQ(plan.checked.size(), formats.size());
-  for (const auto& checked : plan.checked)
-    EXPECT_TRUE(checked->passed) << reasons(plan);
+  EXPECT_GE(plan.checked.size(), 8u);
+  for (const auto& checked : plan.checked) {
+    EXPECT_TRUE(checked->passed) << checked->program.format << "\n" << reasons(plan);
+    EXPECT_NEAR(checked->verdict.massRatio, plan.checked[0]->verdict.massRatio, 0.002);
+  }
   const auto shots = std::ranges::count(plan.job.trajectory->events, plan::EventKind::Shot,
                                         &plan::TrajectoryEvent::kind);
   EXPECT_EQ(shots, 1);
+}
+
+// A program without its shot, or with another one, is refused.
+TEST(StitchedPlans, AProgramWithAnotherShotIsRefused) {
+  const test::TemporaryFolder folder;
+  for (const auto& checked : stitched().checked) {
+    if (checked->program.format != "gcode" && checked->program.format != "gcode-extended")
+      continue;
+    const std::string text = checked->program.files.front().text;
+    const std::size_t shot = text.find("; shot"), from = text.find("G1 E", shot),
+                      end = text.find('\n', from);
+    ASSERT_LT(end, text.size());
+    const std::string line = text.substr(from, end - from);
+    const auto passes = [&](const std::string& instead) {
+      base::writeFile(folder / checked->program.files.front().name,
+                      text.substr(0, from) + instead + text.substr(end));
+      return verifyProgram(folder / checked->program.files.front().name, stitched().job, {})
+          .replay.passed;
+    };
+    EXPECT_TRUE(passes(line));
+    EXPECT_FALSE(passes("")) << checked->program.format;
+    EXPECT_FALSE(passes("G1 E40 F60")) << checked->program.format;
+  }
 }
 
 TEST(StitchedPlans, WithoutThemNothingChanges) {
