@@ -64,6 +64,14 @@ std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, cons
   return points;
 }
 
+PlanarOptions withLessContact(const PlanarOptions& options) {
+  constexpr double kLess = 0.4;
+  PlanarOptions less = options;
+  less.keptContact *= options.keptContact < 1.0 ? kLess : 1.0;
+  less.keptHull *= options.keptHull < 1.0 ? kLess : 1.0;
+  return less;
+}
+
 Footing footingOf(const Piece& piece, const RiskRule& rule) {
   return footingBelow(piece, standsOn(piece, rule), {Eigen::Vector3d::UnitZ(), 1e300});
 }

@@ -20,6 +20,9 @@ std::vector<Eigen::Vector3d> carrierSamples(const PlanarPlatform& platform, doub
 std::vector<Eigen::Vector3d> withPlate(std::vector<Eigen::Vector3d> points, const Piece& piece,
                                        const PlanarOptions& options, double spacingMm);
 
+// Returns options that allow a larger loss of contact with the plate, if not all of it must stay.
+PlanarOptions withLessContact(const PlanarOptions& options);
+
 // The contact area of a part and its convex hull.
 struct Footing {
   double contactMm2 = 0.0;

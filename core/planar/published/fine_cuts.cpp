@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "geometry/measures.h"
 #include "planar/face_table.h"
+#include "planar/published/piece_ways.h"
 #include "planar/published/section_cut.h"
 #include "planar/search/cut_candidates.h"
 
@@ -17,7 +18,17 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kTried = 40; // planes tried per piece
+constexpr std::size_t kTried = 60; // planes tried per piece and level
+// Similar planes: cosine of normals, distance at the piece's middle
+constexpr double kAlike = 0.95, kAlikeMm = 5.0;
+constexpr double kOrderSpacingMm = 2.0;
+
+// Planes for pieces for which the levels before found none.
+struct Level {
+  double stepShare; // of FineCutOptions::stepMm
+  bool lessContact; // see withLessContact
+};
+constexpr std::array<Level, 4> kLevels{{{1.0, false}, {0.5, false}, {0.25, false}, {0.25, true}}};
 
 struct Candidate {
   Plane plane;
@@ -27,7 +38,8 @@ struct Candidate {
 struct Queued {
   Piece piece;
   double riskyMm2 = 0.0;
-  bool searched = false;
+  std::size_t way = 0;               // its number in PieceWays
+  std::size_t level = 0;             // the next to search
   std::vector<Candidate> candidates; // best last
 };
 
@@ -65,10 +77,17 @@ private:
   std::vector<double> partly_, wholly_;
 };
 
+struct PlaneLimits {
+  double stepMm = 5.0;      // between offsets
+  bool mayTouch = false;    // false: planes do not meet the sections of other cuts
+  double leastMm2 = 1.0;    // smaller gains do not count
+  double leastStands = 0.0; // contact area of the piece that remains [mm2]
+};
+
 // Computes the risky area that each plane perpendicular to the normal removes, for planes that
-// fulfil the constraints and leave `leastStands` of the piece's contact area.
+// are within the limits.
 void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, const RiskRule& rule,
-           const FineCutOptions& fine, double leastStands, std::vector<Candidate>& out) {
+           const PlaneLimits& limits, std::vector<Candidate>& out) {
   const geometry::TriangleMesh& mesh = piece.solid.mesh;
   std::vector<double> height(mesh.vertices.size());
   for (std::size_t v = 0; v < height.size(); ++v)
@@ -77,16 +96,16 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
     return;
   const auto [low, high] = std::minmax_element(height.begin(), height.end());
   const double lowest = *low;
-  const auto count = static_cast<std::size_t>(std::max(0.0, (*high - lowest) / fine.stepMm));
+  const auto count = static_cast<std::size_t>(std::max(0.0, (*high - lowest) / limits.stepMm));
   if (count == 0)
     return;
   const auto offsetOf = [&](std::size_t k) {
-    return lowest + fine.stepMm * (static_cast<double>(k) + 1.0);
+    return lowest + limits.stepMm * (static_cast<double>(k) + 1.0);
   };
   // Returns the index of the first plane above a height.
   const auto firstOver = [&](double h) {
     return std::min(count, static_cast<std::size_t>(
-                               std::max(0.0, std::ceil((h - lowest) / fine.stepMm - 1.0))));
+                               std::max(0.0, std::ceil((h - lowest) / limits.stepMm - 1.0))));
   };
   Above gain(count), stands(count);
   std::vector<std::uint8_t> forbidden(count, 0);
@@ -97,7 +116,7 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
                             height[static_cast<std::size_t>(c[2])]};
     std::sort(h.begin(), h.end());
     const std::size_t begin = firstOver(h[0]), end = firstOver(h[2]);
-    if (piece.solid.tag[t] != kSkin)
+    if (!limits.mayTouch && piece.solid.tag[t] != kSkin)
       std::fill(forbidden.begin() + static_cast<std::ptrdiff_t>(begin),
                 forbidden.begin() + static_cast<std::ptrdiff_t>(end), 1);
     const double weight = (faces.risky[t] > 0.0 ? 1.0 : 0.0) -
@@ -115,58 +134,27 @@ void weigh(const Piece& piece, const FaceTable& faces, const Vector3d& normal, c
   }
   const std::vector<double> gains = gain.sums(), contactLoss = stands.sums();
   for (std::size_t k = count; k-- > 0;)
-    if (!forbidden[k] && gains[k] >= fine.leastMm2 &&
-        faces.standsMm2 - contactLoss[k] >= leastStands)
+    if (!forbidden[k] && gains[k] >= limits.leastMm2 &&
+        faces.standsMm2 - contactLoss[k] >= limits.leastStands)
       out.push_back({{normal, offsetOf(k)}, gains[k]});
 }
 
-void search(Queued& q, const std::vector<Vector3d>& normals, const PlanarOptions& options,
-            const FineCutOptions& fine, const base::RunContext& ctx) {
-  const RiskRule& rule = options.rule;
-  if (q.searched)
-    return;
-  q.searched = true;
-  const FaceTable faces = faceTable(q.piece, rule);
-  const double leastStands =
-      options.keptContact * (q.piece.baseTag == kPlate ? fine.footing.contactMm2 : faces.standsMm2);
-  std::vector<std::vector<Candidate>> found(normals.size());
-  base::parallelChunks(ctx, normals.size(), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      // otherwise the section itself needs support
-      if (!isRisky(normals[i], q.piece.base.normal, rule))
-        weigh(q.piece, faces, normals[i], rule, fine, leastStands, found[i]);
-  });
-  for (const auto& of : found)
-    q.candidates.insert(q.candidates.end(), of.begin(), of.end());
-  std::stable_sort(q.candidates.begin(), q.candidates.end(),
+// Returns the planes best first, all dissimilar ones before those that are similar to a better one.
+std::vector<Candidate> dissimilarFirst(std::vector<Candidate> found, const Vector3d& middle) {
+  std::stable_sort(found.begin(), found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.gainMm2 > b.gainMm2; });
-  if (q.candidates.size() > kTried)
-    q.candidates.resize(kTried);
-  std::reverse(q.candidates.begin(), q.candidates.end());
-}
-
-Queued queued(Piece piece, const RiskRule& rule) {
-  Queued q;
-  q.riskyMm2 = riskyArea(piece, rule);
-  q.piece = std::move(piece);
-  return q;
-}
-
-// Returns the two sides of the cut, if it is worthwhile.
-std::optional<std::vector<Queued>> halves(const Queued& q, const Plane& plane, std::int32_t tag,
-                                          const Wanted& wanted, const PlanarOptions& options,
-                                          const FineCutOptions& fine) {
-  auto cut = constrainedCut(q.piece, plane, tag, wanted, options, fine.footing);
-  if (!cut || geometry::volume(cut->below.solid.mesh) < options.leastVolumeMm3)
-    return std::nullopt;
-  std::vector<Queued> out{queued(std::move(cut->below), options.rule)};
-  double risky = out.front().riskyMm2;
-  for (Piece& piece : cut->above) {
-    out.push_back(queued(std::move(piece), options.rule));
-    risky += out.back().riskyMm2;
+  std::vector<Candidate> out, similar;
+  for (const Candidate& c : found) {
+    const bool isNew = std::none_of(out.begin(), out.end(), [&](const Candidate& o) {
+      return o.plane.normal.dot(c.plane.normal) > kAlike &&
+             std::abs(o.plane.heightOf(middle) - c.plane.heightOf(middle)) < kAlikeMm;
+    });
+    (isNew ? out : similar).push_back(c);
+    if (out.size() == kTried)
+      return out;
   }
-  if (q.riskyMm2 - risky < fine.leastMm2)
-    return std::nullopt;
+  similar.resize(std::min(similar.size(), kTried - out.size()));
+  out.insert(out.end(), similar.begin(), similar.end());
   return out;
 }
 
@@ -177,79 +165,195 @@ double riskyOf(const std::vector<Queued>& pieces) {
   return sum;
 }
 
-// Cuts off everything above the plane. If that would leave a solid without a base, or is not
-// worthwhile, cuts off the one solid above the plane with the largest gain.
-std::optional<std::vector<Queued>> bestCut(const Queued& q, const Plane& plane, std::int32_t tag,
-                                           const PlanarOptions& options,
-                                           const FineCutOptions& fine) {
-  std::size_t solids = 0;
-  const auto large = [&](const TaggedMesh& solid) {
-    return geometry::volume(solid.mesh) >= options.leastVolumeMm3;
-  };
-  auto best = halves(
-      q, plane, tag,
-      [&](const TaggedMesh& solid) {
-        ++solids;
-        return large(solid);
-      },
-      options, fine);
-  if (best || solids < 2)
-    return best;
-  for (std::size_t only = 0; only < solids; ++only) {
-    std::size_t place = 0;
-    auto one = halves(
-        q, plane, tag, [&](const TaggedMesh& solid) { return place++ == only && large(solid); },
-        options, fine);
-    if (one && (!best || riskyOf(*one) < riskyOf(*best)))
-      best = std::move(one);
+class FineCutting {
+public:
+  FineCutting(std::vector<Piece> pieces, const PlanarOptions& options, const FineCutOptions& fine,
+              std::int32_t& firstTag, const base::RunContext& ctx)
+      : levelOptions_{options, withLessContact(options)}, fine_(fine), tag_(firstTag), ctx_(ctx),
+        sections_(options.head.sections.empty() ? Sections::Apart : Sections::MayTouch),
+        normals_(evenDirections(fine.normals, kFacesUp)), ways_(options, kOrderSpacingMm) {
+    for (Piece& piece : pieces)
+      queue_.push_back(queued(std::move(piece)));
+    blocked_ = blockedWith({}, queue_.size());
   }
-  return best;
-}
+
+  // Returns whether any piece could be cut.
+  bool cutOnce() {
+    std::stable_sort(queue_.begin(), queue_.end(),
+                     [](const Queued& a, const Queued& b) { return a.riskyMm2 > b.riskyMm2; });
+    for (std::size_t best = next(); best < queue_.size(); best = next()) {
+      ctx_.checkpoint();
+      const Plane plane = queue_[best].candidates.back().plane;
+      queue_[best].candidates.pop_back();
+      auto made = bestCut(queue_[best], plane);
+      if (!made)
+        continue;
+      const std::size_t blocked = blockedWith(*made, best);
+      if (blocked > blocked_) {
+        for (const Queued& q : *made)
+          ways_.remove(q.way);
+        continue;
+      }
+      blocked_ = blocked;
+      tag_ += static_cast<std::int32_t>(made->size()) - 1;
+      ways_.remove(queue_[best].way);
+      queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(best));
+      queue_.insert(queue_.end(), std::make_move_iterator(made->begin()),
+                    std::make_move_iterator(made->end()));
+      return true;
+    }
+    return false;
+  }
+
+  double riskyMm2() const { return riskyOf(queue_); }
+
+  std::vector<Piece> pieces() && {
+    std::vector<Piece> out;
+    for (Queued& q : queue_)
+      out.push_back(std::move(q.piece));
+    return out;
+  }
+
+private:
+  Queued queued(Piece piece) {
+    Queued q;
+    q.riskyMm2 = riskyArea(piece, rule());
+    q.piece = std::move(piece);
+    q.way = ways_.add(q.piece);
+    return q;
+  }
+
+  const RiskRule& rule() const { return levelOptions_[0].rule; }
+  // The options of the level that the piece's candidates are from.
+  const PlanarOptions& optionsFor(const Queued& q) const {
+    return levelOptions_[q.level > 0 && kLevels[q.level - 1].lessContact ? 1 : 0];
+  }
+
+  // Returns the index of the piece, among the first of the queue that can be cut, with the largest
+  // gain; the number of pieces if none can be cut.
+  std::size_t next() {
+    std::size_t looked = 0, best = queue_.size();
+    for (std::size_t i = 0; i < queue_.size() && looked < fine_.pieces; ++i) {
+      Queued& q = queue_[i];
+      if (q.riskyMm2 < fine_.leastMm2)
+        break;
+      while (q.candidates.empty() && q.level < kLevels.size())
+        search(q);
+      if (q.candidates.empty())
+        continue;
+      ++looked;
+      if (best == queue_.size() ||
+          q.candidates.back().gainMm2 > queue_[best].candidates.back().gainMm2)
+        best = i;
+    }
+    return best;
+  }
+
+  // Fills the candidates from the piece's next level.
+  void search(Queued& q) {
+    const Level& level = kLevels[q.level++];
+    const FaceTable faces = faceTable(q.piece, rule());
+    PlaneLimits limits;
+    limits.stepMm = level.stepShare * fine_.stepMm;
+    limits.mayTouch = sections_ == Sections::MayTouch;
+    limits.leastMm2 = fine_.leastMm2;
+    limits.leastStands = optionsFor(q).keptContact *
+                         (q.piece.baseTag == kPlate ? fine_.footing.contactMm2 : faces.standsMm2);
+    std::vector<std::vector<Candidate>> found(normals_.size());
+    base::parallelChunks(ctx_.quiet(), normals_.size(), 4, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        // otherwise the section itself needs support
+        if (!isRisky(normals_[i], q.piece.base.normal, rule()))
+          weigh(q.piece, faces, normals_[i], rule(), limits, found[i]);
+    });
+    std::vector<Candidate> all;
+    for (const auto& of : found)
+      all.insert(all.end(), of.begin(), of.end());
+    q.candidates = dissimilarFirst(std::move(all), geometry::bounds(q.piece.solid.mesh).center());
+    std::reverse(q.candidates.begin(), q.candidates.end());
+  }
+
+  struct Halves {
+    PieceCut cut;
+    double riskyMm2 = 0.0;
+  };
+
+  // Returns the two sides of the cut, if it is worthwhile.
+  std::optional<Halves> halves(const Queued& q, const Plane& plane, const Wanted& wanted) const {
+    const PlanarOptions& options = optionsFor(q);
+    auto cut = constrainedCut(q.piece, plane, tag_, wanted, options, fine_.footing, sections_);
+    if (!cut || geometry::volume(cut->below.solid.mesh) < options.leastVolumeMm3)
+      return std::nullopt;
+    double risky = riskyArea(cut->below, rule());
+    for (const Piece& piece : cut->above)
+      risky += riskyArea(piece, rule());
+    if (q.riskyMm2 - risky < fine_.leastMm2)
+      return std::nullopt;
+    return Halves{std::move(*cut), risky};
+  }
+
+  // Cuts off everything above the plane. If that would leave a solid without a base, or is not
+  // worthwhile, cuts off the one solid above the plane with the largest gain.
+  std::optional<std::vector<Queued>> bestCut(const Queued& q, const Plane& plane) {
+    std::size_t solids = 0;
+    const auto large = [&](const TaggedMesh& solid) {
+      return geometry::volume(solid.mesh) >= levelOptions_[0].leastVolumeMm3;
+    };
+    auto best = halves(q, plane, [&](const TaggedMesh& solid) {
+      ++solids;
+      return large(solid);
+    });
+    if (!best && solids > 1)
+      for (std::size_t only = 0; only < solids; ++only) {
+        std::size_t place = 0;
+        auto one = halves(q, plane,
+                          [&](const TaggedMesh& solid) { return place++ == only && large(solid); });
+        if (one && (!best || one->riskyMm2 < best->riskyMm2))
+          best = std::move(one);
+      }
+    if (!best)
+      return std::nullopt;
+    std::vector<Queued> out;
+    out.push_back(queued(std::move(best->cut.below)));
+    for (Piece& piece : best->cut.above)
+      out.push_back(queued(std::move(piece)));
+    return out;
+  }
+
+  // Returns the number of pieces that the head does not reach if `made` replaces a piece.
+  std::size_t blockedWith(const std::vector<Queued>& made, std::size_t replaced) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < queue_.size(); ++i)
+      if (i != replaced)
+        numbers.push_back(queue_[i].way);
+    for (const Queued& q : made)
+      numbers.push_back(q.way);
+    return ways_.blocked(numbers);
+  }
+
+  std::array<PlanarOptions, 2> levelOptions_; // as given, with less contact
+  const FineCutOptions& fine_;
+  std::int32_t& tag_;
+  const base::RunContext& ctx_;
+  Sections sections_;
+  std::vector<Vector3d> normals_;
+  PieceWays ways_;
+  std::vector<Queued> queue_;
+  std::size_t blocked_ = 0;
+};
 
 } // namespace
 
 std::vector<Piece> fineCuts(std::vector<Piece> pieces, const PlanarOptions& options,
                             const FineCutOptions& fine, std::int32_t& firstTag,
                             const base::RunContext& ctx) {
-  const std::vector<Vector3d> normals = evenDirections(fine.normals, kFacesUp);
-  std::vector<Queued> queue;
-  for (Piece& piece : pieces)
-    queue.push_back(queued(std::move(piece), options.rule));
-  for (int cuts = 0; cuts < options.mostCuts;) {
+  FineCutting cutting(std::move(pieces), options, fine, firstTag, ctx);
+  for (int cuts = 0; cuts < options.mostCuts && cutting.riskyMm2() > fine.targetMm2; ++cuts) {
     ctx.report(static_cast<double>(cuts) / options.mostCuts, "pieces"_text);
-    std::stable_sort(queue.begin(), queue.end(),
-                     [](const Queued& a, const Queued& b) { return a.riskyMm2 > b.riskyMm2; });
-    double risky = 0.0;
-    for (const Queued& q : queue)
-      risky += q.riskyMm2;
-    if (risky <= fine.targetMm2)
+    if (!cutting.cutOnce())
       break;
-    const std::size_t looked = std::min(fine.pieces, queue.size());
-    std::size_t best = looked;
-    for (std::size_t i = 0; i < looked; ++i) {
-      search(queue[i], normals, options, fine, ctx.quiet());
-      if (!queue[i].candidates.empty() &&
-          (best == looked ||
-           queue[i].candidates.back().gainMm2 > queue[best].candidates.back().gainMm2))
-        best = i;
-    }
-    if (best == looked)
-      break;
-    const Plane plane = queue[best].candidates.back().plane;
-    queue[best].candidates.pop_back();
-    auto made = bestCut(queue[best], plane, firstTag, options, fine);
-    if (!made)
-      continue;
-    firstTag += static_cast<std::int32_t>(made->size()) - 1;
-    queue.erase(queue.begin() + static_cast<std::ptrdiff_t>(best));
-    queue.insert(queue.end(), std::make_move_iterator(made->begin()),
-                 std::make_move_iterator(made->end()));
-    ++cuts;
   }
-  std::vector<Piece> out;
-  for (Queued& q : queue)
-    out.push_back(std::move(q.piece));
-  return out;
+  return std::move(cutting).pieces();
 }
 
 } // namespace voluta::planar

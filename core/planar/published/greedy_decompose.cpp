@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kOrderSpacingMm = 2.0;
-constexpr double kMinGain = 0.0005; // minimum gain of a cut, relative to the initial risky area
+constexpr double kMinGain = 0.002; // minimum gain of a cut, relative to the initial risky area
 
 // Moves each vertex half-way to the mean of its neighbours: RoboFDM smooths once before computing
 // the skeleton.

@@ -31,12 +31,13 @@ bool meetsOther(const Piece& piece) {
 
 std::optional<PieceCut> constrainedCut(const Piece& piece, const Plane& plane, std::int32_t tag,
                                        const Wanted& wanted, const PlanarOptions& options,
-                                       const Footing& footing) {
+                                       const Footing& footing, Sections sections) {
   if (plane.normal.z() < kFacesUp)
     return std::nullopt;
   try {
     auto cut = splitPiece(piece, plane, tag, wanted, options.rule);
-    if (!cut || std::any_of(cut->above.begin(), cut->above.end(), meetsOther))
+    if (!cut || (sections == Sections::Apart &&
+                 std::any_of(cut->above.begin(), cut->above.end(), meetsOther)))
       return std::nullopt;
     if (piece.baseTag == kPlate) {
       const Footing remaining = footingOf(cut->below, options.rule);

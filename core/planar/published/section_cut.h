@@ -14,12 +14,17 @@ namespace voluta::planar {
 // face up).
 inline constexpr double kFacesUp = 0.0;
 
-// As splitPiece, but returns nullopt if no nearby plane can be closed, if a new section would touch
-// an old one (RoboFDM, phase III, constraint I: base cross-sections should not intersect each
-// other), or if the remaining contact with the plate would be less than options.keptContact and
-// keptHull of the part's `footing`.
+// Constraint I (RoboFDM, phase III): base cross-sections should not intersect each other.
+enum class Sections {
+  Apart,    // they have no point in common
+  MayTouch, // a new one may end at an old one; none passes through another
+};
+
+// As splitPiece, but returns nullopt if no nearby plane can be closed, if the plane faces down, if
+// the sections would violate `sections`, or if the remaining contact with the plate would be less
+// than options.keptContact and keptHull of the part's `footing`.
 std::optional<PieceCut> constrainedCut(const Piece& piece, const Plane& plane, std::int32_t tag,
                                        const Wanted& wanted, const PlanarOptions& options,
-                                       const Footing& footing);
+                                       const Footing& footing, Sections sections);
 
 } // namespace voluta::planar

@@ -141,15 +141,6 @@ Tried judged(std::vector<Piece> pieces, const PlanarOptions& options) {
   return tried;
 }
 
-// Allows a larger loss of contact with the plate, if not all of it must stay.
-PlanarOptions relaxed(const PlanarOptions& options) {
-  constexpr double kLess = 0.4;
-  PlanarOptions less = options;
-  less.keptContact *= options.keptContact < 1.0 ? kLess : 1.0;
-  less.keptHull *= options.keptHull < 1.0 ? kLess : 1.0;
-  return less;
-}
-
 // Returns the options of successive searches, which run until the target is nearly reached: the
 // given options; then planes that face up only (RoboFDM, constraint II) and less contact kept,
 // because cuts that face down gain much at first and may leave pieces that block better cuts; and a
@@ -158,11 +149,11 @@ std::vector<PlanarOptions> searches(const PlanarOptions& options, std::size_t tr
   constexpr double kFiner = 1.75;
   std::vector<PlanarOptions> out{options};
   if (options.lowestZ < 0.0) {
-    out.push_back(relaxed(options));
+    out.push_back(withLessContact(options));
     out.back().lowestZ = 0.0;
   }
   if (options.keptContact < 1.0 || options.keptHull < 1.0 || triangles > options.searchTriangles) {
-    out.push_back(relaxed(options));
+    out.push_back(withLessContact(options));
     out.back().searchTriangles =
         static_cast<std::size_t>(kFiner * static_cast<double>(options.searchTriangles));
   }
