@@ -1,6 +1,7 @@
 #include "base/files.h"
 #include "cli/commands.h"
 #include "process/library.h"
+#include "process/measured_sizes.h"
 
 #include <fmt/format.h>
 
@@ -35,6 +36,26 @@ ExitCode processImportCommand(const ProcessOptions& options) {
 ExitCode processExportCommand(const ProcessOptions& options) {
   base::writeFile(options.file,
                   process::itemText(process::loadItem(Shelf::Processes, options.process)));
+  return kDone;
+}
+
+ExitCode processSizesCommand(const ProcessOptions& options) {
+  process::LibraryItem item = process::loadItem(Shelf::Processes, options.process);
+  const std::vector<process::MeasuredSize> sizes =
+      process::readMeasuredSizes(base::readFile(options.table), options.table.string());
+  const process::SizeFit fit = process::fitSizes(sizes, *item.process());
+  fmt::print("scaleX {:.6g}\nscaleY {:.6g}\noutlineOffsetMm {:.4g}\nholeOffsetMm {:.4g}\n"
+             "{} sizes, within {:.3f} mm of the fitted law\n",
+             fit.process.scaleX, fit.process.scaleY, fit.process.outlineOffsetMm,
+             fit.process.holeOffsetMm, sizes.size(), fit.residualMm);
+  if (options.file.empty())
+    return kDone;
+  const bool isShipped = process::comesWithProgram(Shelf::Processes, item.id());
+  const std::string id = isShipped ? options.file.stem().string() : item.id();
+  if (isShipped)
+    item.basedOn = item.id();
+  item.data = fit.process;
+  base::writeFile(options.file, process::itemText(item.named(id, item.label())));
   return kDone;
 }
 

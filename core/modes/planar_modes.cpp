@@ -46,6 +46,8 @@ SlicePlan slicePlan(const ModeChoices& in) {
   options.beadWidthMm = in.process.beadWidthMm;
   options.edgeMm = std::max(options.edgeMm, in.process.beadWidthMm / 1.2);
   options.supports = support::supportsWanted(in.values);
+  options.sizes = {in.process.scaleX, in.process.scaleY, in.process.outlineOffsetMm,
+                   in.process.holeOffsetMm};
   options.overhangRad = riskRule(in).overhangRad;
   return {options, {}};
 }

@@ -40,8 +40,9 @@ LibraryField labelField() {
 }
 
 LibraryField numberField(const ProcessNumber& row) {
-  return {base::numberParameter(std::string(row.key), std::string(row.unit), 0.0, 0.0, row.maximum,
-                                row.group, row.label, row.help),
+  return {base::numberParameter(std::string(row.key), std::string(row.unit),
+                                std::max(0.0, row.minimum), row.minimum, row.maximum, row.group,
+                                row.label, row.help),
           [at = row.value](const LibraryItem& item) { return ParameterValue(processOf(item).*at); },
           [at = row.value](LibraryItem& item, const ParameterValue& value) {
             processOf(item).*at = std::get<double>(value);

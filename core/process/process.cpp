@@ -54,7 +54,11 @@ void readNumbers(const JsonNode& top, Process& p) {
     if (row.optional && !top.has(row.key))
       continue;
     const JsonNode node = top.at(row.key);
-    p.*row.value = row.mayBeZero ? node.notNegative() : node.positive();
+    p.*row.value = row.minimum != 0.0 ? node.number()
+                   : row.mayBeZero    ? node.notNegative()
+                                      : node.positive();
+    if (p.*row.value < row.minimum)
+      node.fail(base::message("is below {least}"_text, base::number(row.minimum)));
     checkMost(node, p.*row.value, row);
   }
 }
@@ -204,6 +208,10 @@ Process readProcessText(const std::string& text, const std::string& name) {
                  "stopLagS",
                  "overlapFactor",
                  "beadWords",
+                 "scaleX",
+                 "scaleY",
+                 "outlineOffsetMm",
+                 "holeOffsetMm",
                  "head",
                  "features",
                  "tape",

@@ -62,6 +62,11 @@ struct Process {
   // Optional
   double overlapFactor = 1.0;
   std::vector<BeadWords> beadWords; // Optional
+  // Corrections of the machine's sizes, from measured parts (size_correction.h). Optional; flat
+  // layers have them
+  double scaleX = 1.0, scaleY = 1.0; // Factors of the part's sizes along x and y
+  double outlineOffsetMm = 0.0;      // Outlines move outwards by so much
+  double holeOffsetMm = 0.0;         // Contours of holes move into the material by so much
 
   // Returns the statements for a format; nullptr if there are none.
   const BeadWords* wordsFor(std::string_view format) const;

@@ -9,7 +9,8 @@ constexpr double kMostMm = 1000.0, kMostMmPerS = 5000.0, kMostMmPerS2 = 100000.0
 constexpr double kMostMm3PerS = 1e7, kMostS = 600.0;
 
 constexpr base::Text kBeads = "Beads"_text, kSpeeds = "Speeds"_text, kExtruder = "Extruder"_text,
-                     kBridges = "Bridges"_text, kHead = "Head"_text;
+                     kBridges = "Bridges"_text, kHead = "Head"_text, kSizes = "Sizes"_text;
+constexpr double kLeastScale = 0.9, kMostScale = 1.1, kMostOffsetMm = 2.0;
 
 constexpr std::array kNumbers{
     ProcessNumber{"nozzleDiameterMm", "mm", &Process::nozzleDiameterMm, kMostMm, kBeads,
@@ -48,6 +49,19 @@ constexpr std::array kNumbers{
     ProcessNumber{"contactToleranceMm", "mm", &Process::contactToleranceMm, kMostMm, kHead,
                   "contact tolerance"_text,
                   "How deep the head may enter soft beads before it is a collision."_text, true},
+    ProcessNumber{"scaleX", "", &Process::scaleX, kMostScale, kSizes, "size factor along x"_text,
+                  "Flat layers are made larger by it, so that printed lengths are right. 1: "
+                  "none."_text,
+                  false, true, kLeastScale, true},
+    ProcessNumber{"scaleY", "", &Process::scaleY, kMostScale, kSizes, "size factor along y"_text,
+                  "As along x."_text, false, true, kLeastScale, true},
+    ProcessNumber{"outlineOffsetMm", "mm", &Process::outlineOffsetMm, kMostOffsetMm, kSizes,
+                  "outline offset"_text, "Outlines of flat layers move outwards by it."_text, true,
+                  true, -kMostOffsetMm, true},
+    ProcessNumber{"holeOffsetMm", "mm", &Process::holeOffsetMm, kMostOffsetMm, kSizes,
+                  "hole offset"_text,
+                  "Contours of holes in flat layers move into the material by it."_text, true, true,
+                  -kMostOffsetMm, true},
 };
 
 constexpr FeatureNumber speedOf(Feature feature, std::string_view key, base::Text label) {

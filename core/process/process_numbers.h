@@ -18,6 +18,9 @@ struct ProcessNumber {
   double maximum = 0.0; // Inclusive; more is a wrong unit
   base::Text group, label, help;
   bool mayBeZero = false, optional = false;
+  // Minimum of a number that may be negative or has a range of its own; else 0
+  double minimum = 0.0;
+  bool omitDefault = false; // The file is written without it while it has its default
 };
 std::span<const ProcessNumber> processNumbers();
 // Returns whether the number of a process that lays tape follows from its tape and is not in its

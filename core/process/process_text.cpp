@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 void writeNumbers(const Process& p, Json& json) {
   for (const ProcessNumber& row : processNumbers()) {
-    if (p.tape && isOfTape(row))
+    if ((p.tape && isOfTape(row)) || (row.omitDefault && p.*row.value == Process().*row.value))
       continue;
     const std::size_t dot = row.key.find('.');
     Json& node =

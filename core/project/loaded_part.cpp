@@ -9,6 +9,7 @@
 #include "build3mf/build_reader.h"
 #include "geometry/formats/foreign_reader.h"
 #include "geometry/formats/mesh_reader.h"
+#include "project/accuracy_plate.h"
 #include "project/content_hash.h"
 #include "project/rib_samples.h"
 #include "project/sample_part.h"
@@ -107,7 +108,10 @@ struct SampleRow {
   std::string_view name;
   geometry::TriangleMesh (*mesh)();
 };
-constexpr std::array<SampleRow, 10> kSamples{
+template <int kLengthMm> geometry::TriangleMesh accuracyPlateOf() {
+  return accuracyPlateMesh(accuracyPlate(kLengthMm));
+}
+constexpr std::array<SampleRow, 16> kSamples{
     {{"vase", samplePart},
      {"bar", barSpecimen},
      {"dumbbell", dumbbellSpecimen},
@@ -117,7 +121,13 @@ constexpr std::array<SampleRow, 10> kSamples{
      {"roof", gableRoof},
      {"roof-rib", ribOnRoof},
      {"half-cylinder", halfCylinder},
-     {"cylinder-rib", ribOnCylinder}}};
+     {"cylinder-rib", ribOnCylinder},
+     {"accuracy-plate", accuracyPlateOf<50>},
+     {"accuracy-plate-100", accuracyPlateOf<100>},
+     {"accuracy-plate-210", accuracyPlateOf<210>},
+     {"accuracy-plate-260", accuracyPlateOf<260>},
+     {"accuracy-plate-310", accuracyPlateOf<310>},
+     {"accuracy-plate-360", accuracyPlateOf<360>}}};
 } // namespace
 
 std::string hashOf(const LoadedPart& part) {

@@ -50,7 +50,8 @@ Process randomProcess(std::mt19937_64& random) {
   for (const ProcessNumber& row : processNumbers())
     p.*row.value = row.mayBeZero && random() % 4 == 0
                        ? 0.0
-                       : std::min(row.maximum, 1e-3 + row.maximum * std::pow(share(random), 5.0));
+                       : std::clamp(1e-3 + row.maximum * std::pow(share(random), 5.0), row.minimum,
+                                    row.maximum);
   const auto order = [](double& least, double& usual, double& most) {
     std::array<double, 3> sorted{least, usual, most};
     std::ranges::sort(sorted);
@@ -225,14 +226,17 @@ TEST_F(Library, everyNumberOfAProcessIsChecked) {
   int rows = 0;
   for (const ProcessNumber& row : processNumbers()) {
     const std::string key(row.key);
-    expectProblem(withValue(item, key, -1.0), key, row.mayBeZero ? "negative" : "greater than 0");
+    expectProblem(withValue(item, key, row.minimum - 1.0), key,
+                  row.minimum != 0.0 ? "is below"
+                  : row.mayBeZero    ? "negative"
+                                     : "greater than 0");
     EXPECT_EQ(problemOf(withValue(item, key, 0.0)).has_value(), !row.mayBeZero) << key;
     const bool isLeastOrUsual = key.ends_with(".min") || key.ends_with(".default");
     if (!isLeastOrUsual)
       expectProblem(withValue(item, key, 2.0 * row.maximum), key, "check the unit");
     ++rows;
   }
-  EXPECT_EQ(rows, 17);
+  EXPECT_EQ(rows, 21);
   for (const FeatureNumber& row : featureNumbers()) {
     const std::string key = "features." + std::string(row.featureKey) + "." + std::string(row.key);
     expectProblem(withValue(item, key, -1.0), key, "");

@@ -1,4 +1,5 @@
 // The samples for tapes: closed, outward, and of the published sizes.
+#include "project/accuracy_plate.h"
 #include "project/rib_samples.h"
 #include "project/specimens.h"
 
@@ -59,6 +60,19 @@ TEST(Specimens, RibsLieOnTheirBodies) {
   for (const auto& c : cases) {
     EXPECT_TRUE(geometry::boundaryLoops(c.mesh).empty());
     EXPECT_NEAR(geometry::volume(c.mesh), c.mm3, 1e-3 * c.mm3);
+  }
+}
+
+TEST(AccuracyPlate, HasTheSourcesSizes) {
+  for (const double length : {50.0, 100.0, 210.0, 260.0, 310.0, 360.0}) {
+    const AccuracyPlate plate = accuracyPlate(length);
+    EXPECT_EQ(plate.slotLengthMm, length - (length < 200.0 ? 40.0 : 50.0));
+    const geometry::TriangleMesh mesh = accuracyPlateMesh(plate);
+    EXPECT_TRUE(geometry::boundaryLoops(mesh).empty());
+    EXPECT_NEAR((sizesOf(mesh) - Eigen::Vector3d(length, 20, 5)).norm(), 0.0, 1e-9);
+    const double area = length * 20.0 - (1.0 - base::kPi / 4.0) * 25.0 - base::kPi * 25.0 -
+                        plate.slotLengthMm * 5.0;
+    EXPECT_NEAR(geometry::volume(mesh), 5.0 * area, 0.2);
   }
 }
 

@@ -84,6 +84,14 @@ double volumeOf(const Patch& patch) {
   return sum;
 }
 
+// Returns the middle of all pieces, seen along z.
+Eigen::Vector2d centreOf(const std::vector<Piece>& pieces) {
+  Eigen::AlignedBox3d box;
+  for (const Piece& piece : pieces)
+    box.extend(geometry::bounds(piece.solid.mesh));
+  return box.isEmpty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(box.center().head<2>());
+}
+
 // A layer to create.
 struct Level {
   std::size_t piece;
@@ -197,6 +205,10 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
     result.layersOfPiece.push_back(static_cast<int>(bounds.size()) - 1);
   }
   result.volumeOfPiece.assign(pieces.size(), 0.0);
+  const Eigen::Vector2d centre = centreOf(pieces);
+  const auto sectionAt = [&](std::size_t piece, double offsetMm) {
+    return corrected(sections[piece].at(offsetMm), options.sizes, centre);
+  };
 
   std::vector<layers::PatchesOfLevel> made(levels.size());
   const base::RunContext silent = ctx.quiet();
@@ -206,9 +218,9 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
     LevelSurface surface = atOrNear(
         middle,
         [&](double offsetMm) {
-          return surfaceOf(sections[level.piece].at(offsetMm), options.edgeMm, silent);
+          return surfaceOf(sectionAt(level.piece, offsetMm), options.edgeMm, silent);
         },
-        [&] { return sectionSurface(sections[level.piece].at(middle), options.edgeMm, silent); });
+        [&] { return sectionSurface(sectionAt(level.piece, middle), options.edgeMm, silent); });
     surface.level = level.number;
     surface.thicknessMm.assign(surface.surface.vertices.size(), level.high - level.low);
     made[i] = layers::makePatches(surface, {options.beadWidthMm});

@@ -9,6 +9,7 @@
 #include "planar/pieces.h"
 #include "planar/slicing/layer_heights.h"
 #include "planar/slicing/section.h"
+#include "planar/slicing/size_correction.h"
 #include "planar/slicing/stitches.h"
 
 #include <cstddef>
@@ -27,6 +28,7 @@ struct SliceOptions {
   std::vector<Eigen::Vector2d> plate;
   // Pockets of a single piece on the plate: its layers keep out of them.
   StitchRule stitches = {};
+  SizeCorrection sizes; // of horizontal layers
 };
 
 struct SliceResult {

@@ -1,0 +1,114 @@
+// Corrected sizes of sections and layers.
+#include "planar/slicing/size_correction.h"
+
+#include "base/units.h"
+#include "planar/slicing/slicing.h"
+#include "sliced_parts.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace voluta::planar {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+void addLoop(Section& section, const std::vector<Vector2d>& loop) {
+  const auto first = static_cast<int>(section.points.size()), n = static_cast<int>(loop.size());
+  for (const Vector2d& p : loop)
+    section.points.emplace_back(p.x(), p.y(), section.plane.offsetMm);
+  for (int i = 0; i < n; ++i)
+    section.edges.push_back({first + i, first + (i + 1) % n});
+}
+
+std::vector<Vector2d> rectangle(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+std::vector<Vector2d> reversed(std::vector<Vector2d> loop) {
+  std::reverse(loop.begin(), loop.end());
+  return loop;
+}
+
+Section plateSection() {
+  Section section;
+  section.plane.normal = Vector3d::UnitZ();
+  section.plane.offsetMm = 0.4;
+  addLoop(section, rectangle(-25, -10, 25, 10));
+  addLoop(section, reversed(rectangle(-2, -2.5, 8, 2.5)));
+  return section;
+}
+
+struct Span {
+  double low = 1e9, high = -1e9;
+  double length() const { return high - low; }
+};
+// Returns the extent along x of points whose |y| is below a limit.
+Span alongX(const Section& section, double withinY, double leastX = -1e9, double mostX = 1e9) {
+  Span span;
+  for (const Vector3d& p : section.points)
+    if (std::abs(p.y()) <= withinY && p.x() > leastX && p.x() < mostX) {
+      span.low = std::min(span.low, p.x());
+      span.high = std::max(span.high, p.x());
+    }
+  return span;
+}
+
+TEST(SizeCorrection, NeutralIsTheSameSection) {
+  const Section section = plateSection(), same = corrected(section, {}, {0, 0});
+  ASSERT_EQ(same.points.size(), section.points.size());
+  for (std::size_t i = 0; i < section.points.size(); ++i)
+    EXPECT_EQ(same.points[i], section.points[i]);
+}
+
+TEST(SizeCorrection, OutlinesAndHolesMoveByTheirOwn) {
+  std::mt19937 random(1);
+  const auto pick = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int i = 0; i < 200; ++i) {
+    const SizeCorrection c{pick(0.99, 1.01), pick(0.99, 1.01), pick(-0.4, 0.4), pick(-0.4, 0.4)};
+    const Section out = corrected(plateSection(), c, {0, 0});
+    EXPECT_NEAR(alongX(out, 20).length(), 50.0 * c.scaleX + 2.0 * c.outlineMm, 2e-3);
+    EXPECT_NEAR(alongX(out, 4, -10, 10).length(), 10.0 * c.scaleX + 2.0 * c.holeMm, 2e-3);
+    EXPECT_NEAR(areaOf(out),
+                (50.0 * c.scaleX + 2.0 * c.outlineMm) * (20.0 * c.scaleY + 2.0 * c.outlineMm) -
+                    (10.0 * c.scaleX + 2.0 * c.holeMm) * (5.0 * c.scaleY + 2.0 * c.holeMm),
+                0.1);
+  }
+}
+
+TEST(SizeCorrection, AnIslandInAHoleIsAnOutline) {
+  Section section;
+  section.plane.normal = Vector3d::UnitZ();
+  addLoop(section, rectangle(-20, -20, 20, 20));
+  addLoop(section, reversed(rectangle(-12, -12, 12, 12)));
+  addLoop(section, rectangle(-4, -4, 4, 4));
+  const Section out = corrected(section, {1, 1, 0.5, 0.25}, {0, 0});
+  EXPECT_NEAR(areaOf(out), 41.0 * 41.0 - 24.5 * 24.5 + 9.0 * 9.0, 0.02);
+}
+
+TEST(SizeCorrection, ATiltedSectionIsUnchanged) {
+  Section section = plateSection();
+  section.plane.normal = Vector3d(0, 0.6, 0.8);
+  EXPECT_EQ(corrected(section, {1.1, 1.1, 0.5, 0.5}, {0, 0}).points, section.points);
+}
+
+TEST(SizeCorrection, LayersAreScaledAboutTheirMiddle) {
+  // A box from x = 10 to 50, 20 deep, 8 high.
+  const geometry::TriangleMesh box = prism({{10, 0}, {50, 0}, {50, 8}, {10, 8}}, 20.0);
+  SliceOptions options;
+  options.sizes = {1.01, 1.02, 0.1, 0.0};
+  const SliceResult sliced = slicePieces({pieceOf(box)}, options, base::RunContext());
+  Eigen::AlignedBox3d bounds;
+  for (const layers::Patch& patch : sliced.stack.patches)
+    for (const Vector3d& v : patch.surface.vertices)
+      bounds.extend(v);
+  EXPECT_NEAR(bounds.sizes().x(), 40.0 * 1.01 + 0.2, 2e-3);
+  EXPECT_NEAR(bounds.sizes().y(), 20.0 * 1.02 + 0.2, 2e-3);
+  EXPECT_NEAR(bounds.center().x(), 30.0, 2e-3);
+  EXPECT_NEAR(bounds.center().y(), 10.0, 2e-3);
+}
+
+} // namespace
+} // namespace voluta::planar
