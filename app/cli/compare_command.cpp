@@ -90,6 +90,8 @@ std::string valueText(const pipeline::Figure& figure, const CompareRow& row) {
     return "-";
   if (figure.unit == "%")
     return fmt::format("{:.2f}", 100.0 * *value);
+  if (figure.unit == "mm")
+    return fmt::format("{:.3f}", *value);
   return figure.unit.empty() ? fmt::format("{:.0f}", *value) : fmt::format("{:.1f}", *value);
 }
 

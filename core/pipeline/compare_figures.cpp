@@ -63,6 +63,16 @@ Value reachable(const CompareRow& row) {
   return 1.0 - static_cast<double>(m.unreachable) / static_cast<double>(m.waypoints);
 }
 
+// Returns a figure of the strength; nullopt without a load.
+template <auto kMember> Value ofStrength(const CompareRow& row) {
+  const plan::StrengthStatistics& s = row.report.toolpath.strength;
+  return came(row, Stage::Toolpath) && s.leastSectionMm2 > 0.0 ? Value(s.*kMember) : std::nullopt;
+}
+template <auto kMember>
+Figure strengthFigure(std::string_view key, base::Text label, base::Text head) {
+  return {key, label, head, project::unitOf(kMember), 0.0, ofStrength<kMember>, false, false};
+}
+
 double weightOf(const Figure& figure, const Weights& weights) {
   const auto set = weights.find(figure.key);
   return set == weights.end() ? figure.weight : set->second;
@@ -97,6 +107,17 @@ const std::vector<Figure>& figures() {
        "out of reach"_text},
       figure<kMotion, &plan::MotionStatistics::collisions, moves>("collisions", "collisions"_text,
                                                                   "Colli-\nsions"_text, 2.0),
+      figure<&project::ItemReport::layers, &plan::LayerStatistics::stepMeanMm, layered>(
+          "stepMeanMm", "mean step height"_text, "Mean step\nmm"_text, 0.0),
+      figure<&project::ItemReport::layers, &plan::LayerStatistics::stepMaxMm, layered>(
+          "stepMaxMm", "greatest step height"_text, "Greatest\nstep mm"_text, 0.0),
+      strengthFigure<&plan::StrengthStatistics::angleMeanDeg>(
+          "loadAngleDeg", "angle between beads and load"_text, "Bead\nangle °"_text),
+      strengthFigure<&plan::StrengthStatistics::interfaceFraction>(
+          "interfaceFraction", "interfaces across the load"_text, "Inter-\nfaces %"_text),
+      strengthFigure<&plan::StrengthStatistics::mostInterfaceFraction>(
+          "mostInterfaceFraction", "interfaces in the weakest section"_text,
+          "Weakest\n% interf."_text),
   };
   return kFigures;
 }

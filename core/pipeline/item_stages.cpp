@@ -1,6 +1,7 @@
 #include "pipeline/item_stages.h"
 
 #include "base/key_text.h"
+#include "layers/steps.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
 #include "pipeline/choices.h"
@@ -40,6 +41,18 @@ std::shared_ptr<const modes::LayersStage> withTools(std::shared_ptr<const modes:
   auto assigned = std::make_shared<modes::LayersStage>(*stage);
   assigned->layers = layers::kept(std::move(stack));
   return assigned;
+}
+
+std::shared_ptr<const modes::LayersStage> withSteps(std::shared_ptr<const modes::LayersStage> stage,
+                                                    const geometry::TriangleMesh& part,
+                                                    const base::RunContext& ctx) {
+  if (!stage->layers)
+    return stage;
+  const layers::StepFigures steps = layers::stepsOf(*stage->layers, part, ctx);
+  auto measured = std::make_shared<modes::LayersStage>(*stage);
+  measured->report.stepMeanMm = steps.meanMm;
+  measured->report.stepMaxMm = steps.maxMm;
+  return measured;
 }
 
 void append(plan::Findings& to, const plan::Findings& more) {
@@ -185,8 +198,10 @@ ItemOutcome ItemStages::layers() {
   const auto stage = context_.cachedOrMade<modes::LayersStage>(keyOf(Stage::Layers), slot({}), [&] {
     if (hasGivenPaths_)
       return layersOfGiven(*loaded_->toolPaths);
+    const base::RunContext span = context_.span(Stage::Layers);
     return withTools(
-        mode_.layers(modeChoices(), *decomposed_, item().printed(), context_.span(Stage::Layers)),
+        withSteps(mode_.layers(modeChoices(), *decomposed_, item().printed(), span.sub(0.0, 0.95)),
+                  item().printed(), span.sub(0.95, 1.0).quiet()),
         tools_);
   });
   item().layers = stage->layers;

@@ -65,9 +65,13 @@ std::string wordsKey(const std::vector<process::BeadWords>& words) {
 ProcessKeys keysOf(const process::Process& process) {
   const auto& [id, label, nozzle, height, heightMin, heightMax, width, widthMin, widthMax, step,
                speed, travelSpeed, acceleration, tolerance, bridge, bridgeSpeed, maxFlow, prime,
-               retract, material, head, features, tape, lag, overlap, words] = process;
+               retract, material, head, features, tape, lag, overlap, words, scaleX, scaleY,
+               outlineOffset, holeOffset] = process;
   static_cast<void>(label);   // The label affects no result.
   static_cast<void>(overlap); // Contained in the widths
+  // The layers contain the corrected sizes.
+  static_cast<void>(scaleX), static_cast<void>(scaleY), static_cast<void>(outlineOffset),
+      static_cast<void>(holeOffset);
   return {base::keyText(height, heightMin, heightMax, width, widthMin, widthMax, step, speed,
                         bridge, bridgeSpeed, maxFlow, features.all()) +
               ownFlowKey(process) + (tape ? base::keyText(*tape) : std::string()),
@@ -154,6 +158,12 @@ std::string assignedToolsKey(const base::ParameterValues& values) {
   return key;
 }
 
+// Empty without a load, as in older projects.
+std::string loadKey(const base::ParameterValues& values) {
+  const std::string load = values.text("loadDirection");
+  return load.empty() ? load : base::keyText(load);
+}
+
 std::string next(const std::string& before, project::Stage stage, const std::string& own) {
   return fmt::format("{}[{}]\n{}", before, project::stageName(stage), own);
 }
@@ -181,7 +191,7 @@ project::StageKeys keysOf(const project::LoadedPart& loaded, const project::Choi
   put(project::Stage::Layers, mode.layers.key(in) + tools);
   const ProcessKeys processKeys = keysOf(tooling);
   put(project::Stage::Toolpath, cellKey + keyOfPaths(toolpathOptionsOf(values, process)) +
-                                    processKeys.bead + processKeys.head);
+                                    processKeys.bead + processKeys.head + loadKey(values));
   put(project::Stage::Motion,
       processKeys.travel + processKeys.head + base::keyText(motionOptionsOf(values, choices.seed)));
   // Includes the program options of each format.

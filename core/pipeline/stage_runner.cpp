@@ -22,6 +22,7 @@
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
+#include "toolpath/strength.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -54,7 +55,8 @@ public:
               const PlanObservers& observers, Trial* trial)
       : context_(request.until, ctx, cache, observers, trial), ctx_(ctx),
         choices_(resolved(project::onlyItem(request.choices, 0))),
-        values_(parameterValues(choices_)), tooling_(chosenTooling(choices_, values_)) {
+        values_(parameterValues(choices_)), tooling_(chosenTooling(choices_, values_)),
+        load_(toolpath::loadDirection(values_.text("loadDirection"))) {
     base::require(request.items.size() == request.choices.items.size(), "choices for each item");
     result_.tooling = tooling_;
     result_.debug = values_.boolean("output.debug");
@@ -224,7 +226,7 @@ private:
           toolpathStage(std::move(items), *joined, *result_.cell, project::platformOf(job()),
                         tooling_, span(project::Stage::Toolpath));
       grown_ = std::move(made.grown);
-      return made.stage;
+      return withStrength(std::move(made.stage), *joined);
     });
     job().toolPlan = stage->toolPlan;
     report().toolpath = stage->report;
@@ -239,6 +241,17 @@ private:
       if (const auto mass = massOutOfReach(*stage->toolPlan, *project::printedOf(job()), process()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return goesOn;
+  }
+
+  // Of the first item, whose load is in the frame of its file.
+  std::shared_ptr<const ToolpathStage> withStrength(std::shared_ptr<const ToolpathStage> stage,
+                                                    const layers::LayerStack& joined) {
+    if (!load_)
+      return stage;
+    const Eigen::Quaterniond& turn = first().placed().placement.rotation;
+    auto judged = std::make_shared<ToolpathStage>(*stage);
+    judged->report.strength = toolpath::strengthOf(joined, *stage->toolPlan, 0, turn * *load_);
+    return judged;
   }
 
   bool motion() {
@@ -391,6 +404,7 @@ private:
   const project::Choices choices_; // the job's, with the first item's way of building
   base::ParameterValues values_;
   const process::Tooling tooling_;
+  const std::optional<Eigen::Vector3d> load_; // in the frame of the part's file
   std::vector<std::unique_ptr<ItemStages>> items_;
   std::shared_ptr<const MotionStage> motion_;
   // Volume filled by the tool-paths made here, handed to motion planning

@@ -14,6 +14,9 @@ struct LayerStatistics {
   double areaMm2 = 0.0;
   double thicknessMeanMm = 0.0, thicknessStdMm = 0.0, thicknessP01Mm = 0.0, thicknessP99Mm = 0.0;
   double withinLimitsFraction = 0.0; // share of the area whose thickness is within the limits
+  // Height of the steps between the layers' edges and the part's surface: mean over the whole
+  // surface, which has none where it follows a layer, and the greatest
+  double stepMeanMm = 0.0, stepMaxMm = 0.0;
 
   double volumeMm3() const { return areaMm2 * thicknessMeanMm; }
 };
@@ -22,6 +25,21 @@ struct LayerStatistics {
 struct ItemToolpaths {
   std::size_t paths = 0;
   double lengthMm = 0.0, materialMm3 = 0.0;
+};
+
+// Of the printed part under a load in one direction; all 0 without a load. Sections are
+// perpendicular to the load; their interface share is the share of their area that interfaces of
+// layers carry, seen along the load: 1 if layers are stacked along the load, 0 if they run along
+// it. The ends of the part, a tenth of its length each, have no sections.
+struct StrengthStatistics {
+  double angleMeanDeg = 0.0;      // Between beads and load, by volume
+  double alignedFraction = 0.0;   // Share of the beads' volume within 30 degrees of the load
+  double interfaceMm2 = 0.0;      // Area of all interfaces of layers, seen along the load
+  double interfaceFraction = 0.0; // Mean interface share of the sections, by area
+  // The smallest section, the one with the greatest interface share, and their places: distance
+  // from the part's end along the load
+  double leastSectionMm2 = 0.0, leastSectionAtMm = 0.0;
+  double mostInterfaceFraction = 0.0, mostInterfaceAtMm = 0.0;
 };
 
 // Of tool-paths.
@@ -49,6 +67,7 @@ struct ToolpathStatistics {
   std::size_t shots = 0;
   double shotMm3 = 0.0;
   std::vector<ItemToolpaths> items; // empty: the job has one item
+  StrengthStatistics strength;
 };
 
 // Of a motion.

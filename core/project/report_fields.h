@@ -61,7 +61,20 @@ constexpr auto fieldsOf(std::type_identity<plan::LayerStatistics>) {
                     Field{"thicknessStdMm", &R::thicknessStdMm, "mm"},
                     Field{"thicknessP01Mm", &R::thicknessP01Mm, "mm"},
                     Field{"thicknessP99Mm", &R::thicknessP99Mm, "mm"},
-                    Field{"withinLimitsFraction", &R::withinLimitsFraction, "%"}};
+                    Field{"withinLimitsFraction", &R::withinLimitsFraction, "%"},
+                    Field{"stepMeanMm", &R::stepMeanMm, "mm", true},
+                    Field{"stepMaxMm", &R::stepMaxMm, "mm", true}};
+}
+constexpr auto fieldsOf(std::type_identity<plan::StrengthStatistics>) {
+  using R = plan::StrengthStatistics;
+  return std::tuple{Field{"angleMeanDeg", &R::angleMeanDeg, "deg"},
+                    Field{"alignedFraction", &R::alignedFraction, "%"},
+                    Field{"interfaceMm2", &R::interfaceMm2, "mm²"},
+                    Field{"interfaceFraction", &R::interfaceFraction, "%"},
+                    Field{"leastSectionMm2", &R::leastSectionMm2, "mm²"},
+                    Field{"leastSectionAtMm", &R::leastSectionAtMm, "mm"},
+                    Field{"mostInterfaceFraction", &R::mostInterfaceFraction, "%"},
+                    Field{"mostInterfaceAtMm", &R::mostInterfaceAtMm, "mm"}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
   using R = plan::ToolpathStatistics;
@@ -86,7 +99,8 @@ constexpr auto fieldsOf(std::type_identity<plan::ToolpathStatistics>) {
                     Field{"tapeBareMm", &R::tapeBareMm, "mm", true},
                     Field{"shots", &R::shots, "", true},
                     Field{"shotMm3", &R::shotMm3, "mm³", true},
-                    Field{"items", &R::items, "", true}};
+                    Field{"items", &R::items, "", true},
+                    Field{"strength", &R::strength, "", true}};
 }
 constexpr auto fieldsOf(std::type_identity<plan::ItemToolpaths>) {
   using R = plan::ItemToolpaths;

@@ -114,6 +114,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"brimWidthMm", {"5", 3}},
     {"seam", {"corner", 3}},
     {"thinWalls", {"omit", 3}},
+    {"loadDirection", {"1,0,0", 3}},
     {"fibreLayers", {"1", 3}},
     {"fibreFirstLayer", {"2", 3}},
     {"fibreCount", {"1", 3}},
@@ -398,12 +399,30 @@ TEST_F(StageKeysOf, TheProcessCountsByItsNumbers) {
       {"\"head\"", "\"overlapFactor\": 0.738, \"head\"", 2},
       {"\"head\"", "\"beadWords\": [{\"format\": \"krl\", \"start\": [\"ARC_ON()\"]}], \"head\"",
        5},
+      // Sizes are of flat layers, see below.
+      {"\"head\"", "\"scaleX\": 1.01, \"head\"", kStageCount},
+      {"\"head\"", "\"scaleY\": 1.01, \"head\"", kStageCount},
+      {"\"head\"", "\"outlineOffsetMm\": -0.1, \"head\"", kStageCount},
+      {"\"head\"", "\"holeOffsetMm\": 0.1, \"head\"", kStageCount},
       {"\"primeS\": 0.2", "\"primeS\": 0.3", 5},
       {"\"material\": \"PLA\"", "\"material\": \"PETG\"", 5}};
   for (const auto& [was, is, first] : rows) {
     replace("processes/fdm-1.0.json", was, is);
     expectChangesFrom(boxRequest(), first, is);
     replace("processes/fdm-1.0.json", is, was);
+  }
+}
+
+TEST_F(StageKeysOf, CorrectedSizesMatterToFlatLayers) {
+  PlanRequest request = boxRequest();
+  request.choices.item().mode = "flat";
+  default_ = stageKeys(request);
+  for (const char* size :
+       {"\"scaleX\": 1.01, \"head\"", "\"scaleY\": 1.01, \"head\"",
+        "\"outlineOffsetMm\": -0.1, \"head\"", "\"holeOffsetMm\": 0.1, \"head\""}) {
+    replace("processes/fdm-1.0.json", "\"head\"", size);
+    expectChangesFrom(request, 2, size);
+    replace("processes/fdm-1.0.json", size, "\"head\"");
   }
 }
 
