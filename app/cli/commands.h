@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "pipeline/compare.h"
 #include "pipeline/compare_figures.h"
+#include "pipeline/compare_run.h"
 #include "pipeline/resume.h"
 #include "pipeline/road.h"
 #include "robot/urdf/urdf_reader.h"
@@ -56,6 +57,17 @@ struct VerifyOptions {
   ProgressStyle progress = ProgressStyle::Bar;
 };
 ExitCode verifyCommand(const VerifyOptions& options);
+
+struct CompareRunOptions {
+  std::filesystem::path job, record;
+  std::filesystem::path curve; // file for the errors along the record; empty: none
+  record::RunTolerances tolerances;
+  std::size_t places = 10; // listed of each kind
+  int threads = 1;
+  ProgressStyle progress = ProgressStyle::Bar;
+};
+// Prints the errors of a recorded run and their worst places.
+ExitCode compareRunCommand(const CompareRunOptions& options);
 
 struct ResumeOptions {
   pipeline::ResumeRequest request;
@@ -145,13 +157,17 @@ ExitCode materialImportCommand(const MaterialOptions& options); // copies it to 
 ExitCode materialExportCommand(const MaterialOptions& options);
 
 struct ProcessOptions {
-  std::string process;        // id, or a process's file
-  std::filesystem::path file; // to write
+  std::string process;         // id, or a process's file
+  std::filesystem::path file;  // to write
+  std::filesystem::path table; // of measured sizes (process/measured_sizes.h)
 };
 ExitCode processShowCommand(const ProcessOptions& options);   // its file's text
 ExitCode processCheckCommand(const ProcessOptions& options);  // whether it can be used
 ExitCode processImportCommand(const ProcessOptions& options); // copies it to the user's own
 ExitCode processExportCommand(const ProcessOptions& options);
+// Prints the corrections that measured sizes of a part of this process give, and writes the process
+// with them to `file` if it is set.
+ExitCode processSizesCommand(const ProcessOptions& options);
 ExitCode processListCommand(const ProcessOptions& options); // all, and which are the user's own
 
 struct CheckCellOptions {

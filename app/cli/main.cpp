@@ -2,6 +2,7 @@
 #include "base/data_files.h"
 #include "cli/cell_advice_options.h"
 #include "cli/commands.h"
+#include "cli/compare_run_options.h"
 #include "cli/mill_command.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
@@ -487,6 +488,11 @@ void addProcess(CLI::App& app, Parsed& parsed) {
   add("show", "print a process's file", any, processShowCommand);
   add("check", "check a process's file", any, processCheckCommand);
   add("import", "copy a file to your own processes", "FILE.json", processImportCommand);
+  CLI::App* sizes = add("sizes", "correct sizes from measured parts (see: sample:accuracy-plate)",
+                        any, processSizesCommand);
+  sizes->add_option("TABLE", options->table, "rows: length x 50 49.8; slot y 5 4.8; hole 10 9.6")
+      ->required();
+  sizes->add_option("-o", options->file, "FILE.json to write the process to");
   add("export", "write a process to a file", "process (see: process list)", processExportCommand)
       ->add_option("-o", options->file, "FILE.json to write")
       ->required();
@@ -544,6 +550,7 @@ int run(int argc, char** argv) {
   addPlan(app, parsed, threads);
   addCompare(app, parsed, threads);
   addVerify(app, parsed, threads);
+  addCompareRun(app, threads, [&parsed](std::function<ExitCode()> run) { parsed.run = run; });
   addResume(app, parsed, threads);
   addRender(app, parsed);
   addInspect(app, parsed);

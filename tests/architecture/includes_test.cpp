@@ -41,6 +41,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
       "toolpath"}},
     {"program", {"geometry", "process", "robot", "plan"}},
     {"sliced", {"geometry", "process", "voxel", "plan", "build3mf", "program"}},
+    {"record", {"robot", "plan", "program"}},
     {"replay", {"geometry", "platform", "process", "voxel", "robot", "plan", "program"}},
     {"project",
      {"texts", "geometry", "platform", "process", "voxel", "plan", "build3mf", "layers", "curved",
@@ -49,9 +50,9 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"geometry", "platform", "process", "voxel", "plan", "layers", "curved", "planar", "substrate",
       "support", "robot", "project"}},
     {"pipeline",
-     {"geometry", "platform",  "process", "voxel",     "plan",  "build3mf",  "layers", "curved",
-      "planar",   "substrate", "support", "placement", "robot", "collision", "cells",  "toolpath",
-      "motion",   "program",   "replay",  "project",   "modes", "page",      "sliced"}},
+     {"geometry", "platform",  "process", "voxel",     "plan",    "build3mf",  "layers", "curved",
+      "planar",   "substrate", "support", "placement", "robot",   "collision", "cells",  "toolpath",
+      "motion",   "program",   "record",  "replay",    "project", "modes",     "page",   "sliced"}},
 };
 
 struct Include {
