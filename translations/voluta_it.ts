@@ -4382,8 +4382,8 @@ mm³</translation>
         <translation>«{word}» imposta un carico diverso</translation>
     </message>
     <message>
-        <source>Prints a 3MF along the tool-paths in it (.build.3mf). Off: plans new ones for its object.</source>
-        <translation>Stampa un 3MF lungo i percorsi che contiene (.build.3mf). Spento: ne pianifica di nuovi per il suo oggetto.</translation>
+        <source>Prints a file along its own tool-paths (.build.3mf, .gcode). Off: plans new ones for its object.</source>
+        <translation>Stampa un file lungo i suoi percorsi (.build.3mf, .gcode). Spento: ne pianifica di nuovi per il suo oggetto.</translation>
     </message>
     <message>
         <source>Adds NAME.build.3mf: the plan&apos;s 6-axis tool-paths for other programs (3MF Toolpath Extension).</source>
@@ -6651,6 +6651,225 @@ mm³</translation>
     <message>
         <source>The default nozzle, head and material of this way of building</source>
         <translation>Ugello, testa e materiale predefiniti di questo modo di costruire</translation>
+    </message>
+    <message>
+        <source>G{number} is not understood</source>
+        <translation>G{number} non è compreso</translation>
+    </message>
+    <message>
+        <source>Height after which the layers turn in the other direction, again and again; 0: never.</source>
+        <translation>Altezza dopo la quale gli strati girano nell&apos;altro verso, ogni volta di nuovo; 0: mai.</translation>
+    </message>
+    <message>
+        <source>Material of the file&apos;s tool-paths, in percent of its amounts. For a file that was read with another filament diameter: 100 times the square of their ratio (2.85 mm instead of 1.75 mm: 265).</source>
+        <translation>Materiale dei percorsi del file, in percento delle sue quantità. Per un file letto con un altro diametro del filamento: 100 per il quadrato del loro rapporto (2,85 mm invece di 1,75 mm: 265).</translation>
+    </message>
+    <message>
+        <source>Moves the file&apos;s tool-paths to x,y,z,a,b,c: mm, and degrees about the fixed axes x, y and z in this order; e.g. onto a side of the platform&apos;s body. Empty: no motion.</source>
+        <translation>Sposta i percorsi del file in x,y,z,a,b,c: mm, e gradi attorno agli assi fissi x, y e z in quest&apos;ordine; ad esempio su un lato del corpo della piattaforma. Vuoto: nessuno spostamento.</translation>
+    </message>
+    <message>
+        <source>On a cylinder or sphere: each layer keeps the lengths of the file, or the angle of the layer below, so that it grows with the radius and its beads with it.</source>
+        <translation>Su un cilindro o una sfera: ogni strato mantiene le lunghezze del file, oppure l&apos;angolo dello strato sottostante, così che cresca con il raggio e i suoi cordoni con esso.</translation>
+    </message>
+    <message>
+        <source>Paths of the file</source>
+        <translation>Percorsi del file</translation>
+    </message>
+    <message>
+        <source>Radius of that cylinder or sphere; negative: its inside.</source>
+        <translation>Raggio di quel cilindro o di quella sfera; negativo: il suo interno.</translation>
+    </message>
+    <message>
+        <source>Turns each layer of the file&apos;s tool-paths about z against the one below; positive: counterclockwise.</source>
+        <translation>Gira ogni strato dei percorsi del file attorno a z rispetto a quello sottostante; positivo: in senso antiorario.</translation>
+    </message>
+    <message>
+        <source>Where the file&apos;s tool-paths are printed: on the plate; on a block with a plane top, which is turned together with them; or bent onto a cylinder along x or a sphere. The block is made for the part, unless the platform is a body.</source>
+        <translation>Dove si stampano i percorsi del file: sul piano; su un blocco con la faccia superiore piana, girato insieme a loro; oppure piegati su un cilindro lungo x o su una sfera. Il blocco è fatto per il pezzo, a meno che la piattaforma sia un corpo.</translation>
+    </message>
+    <message>
+        <source>a bead from an unknown position</source>
+        <translation>un cordone da una posizione sconosciuta</translation>
+    </message>
+    <message>
+        <source>a direction of length 0</source>
+        <translation>una direzione di lunghezza 0</translation>
+    </message>
+    <message>
+        <source>a length of filament of more than a kilometre</source>
+        <translation>una lunghezza di filamento di più di un chilometro</translation>
+    </message>
+    <message>
+        <source>a motion with a word A, B, C, U, V or W is not understood</source>
+        <translation>un movimento con una parola A, B, C, U, V o W non è compreso</translation>
+    </message>
+    <message>
+        <source>a position more than a kilometre away</source>
+        <translation>una posizione a più di un chilometro</translation>
+    </message>
+    <message>
+        <source>a position without G0 or G1</source>
+        <translation>una posizione senza G0 o G1</translation>
+    </message>
+    <message>
+        <source>amount</source>
+        <translation>quantità</translation>
+    </message>
+    <message>
+        <source>an arc that does not pass through its ends</source>
+        <translation>un arco che non passa per i suoi estremi</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>angoli</translation>
+    </message>
+    <message>
+        <source>bent layers keep</source>
+        <translation>gli strati piegati mantengono</translation>
+    </message>
+    <message>
+        <source>contains no beads of a part</source>
+        <translation>non contiene cordoni di un pezzo</translation>
+    </message>
+    <message>
+        <source>contains no beads: no motion extrudes</source>
+        <translation>non contiene cordoni: nessun movimento estrude</translation>
+    </message>
+    <message>
+        <source>export G-code as text from the slicer</source>
+        <translation>esportare il G-code come testo dallo slicer</translation>
+    </message>
+    <message>
+        <source>export straight lines, or arcs in the plane of X and Y (G2, G3)</source>
+        <translation>esportare tratti rettilinei, o archi nel piano di X e Y (G2, G3)</translation>
+    </message>
+    <message>
+        <source>export the G-code with extrusion (E)</source>
+        <translation>esportare il G-code con l&apos;estrusione (E)</translation>
+    </message>
+    <message>
+        <source>export the G-code with extrusion (E) from a slicer</source>
+        <translation>esportare il G-code con l&apos;estrusione (E) da uno slicer</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>riferimento</translation>
+    </message>
+    <message>
+        <source>give F in mm per minute</source>
+        <translation>dare F in mm al minuto</translation>
+    </message>
+    <message>
+        <source>give a larger pathsRadiusMm</source>
+        <translation>dare un pathsRadiusMm maggiore</translation>
+    </message>
+    <message>
+        <source>give a larger pathsRadiusMm, or turn the part by 90 degrees</source>
+        <translation>dare un pathsRadiusMm maggiore, o girare il pezzo di 90 gradi</translation>
+    </message>
+    <message>
+        <source>give at least 1 mm, or at most -1 mm for the inside</source>
+        <translation>dare almeno 1 mm, o al più -1 mm per l&apos;interno</translation>
+    </message>
+    <message>
+        <source>give its centre (I, J) or its radius (R)</source>
+        <translation>dare il suo centro (I, J) o il suo raggio (R)</translation>
+    </message>
+    <message>
+        <source>give nX nY nZ as a unit vector</source>
+        <translation>dare nX nY nZ come vettore unitario</translation>
+    </message>
+    <message>
+        <source>give the nozzle&apos;s direction as nX nY nZ</source>
+        <translation>dare la direzione dell&apos;ugello come nX nY nZ</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>base</translation>
+    </message>
+    <message>
+        <source>home the axes (G28) or travel to its start first</source>
+        <translation>azzerare gli assi (G28) o andare prima al suo inizio</translation>
+    </message>
+    <message>
+        <source>is binary G-code</source>
+        <translation>è G-code binario</translation>
+    </message>
+    <message>
+        <source>lengths</source>
+        <translation>lunghezze</translation>
+    </message>
+    <message>
+        <source>pathsFrame &apos;{text}&apos; is not a frame</source>
+        <translation>pathsFrame &apos;{text}&apos; non è un riferimento</translation>
+    </message>
+    <message>
+        <source>pathsRadiusMm={radius} is no radius of a ground</source>
+        <translation>pathsRadiusMm={radius} non è un raggio valido</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>piano inclinabile</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>piano di stampa</translation>
+    </message>
+    <message>
+        <source>slice with comments, or with layers of one height</source>
+        <translation>esportare con i commenti, o con strati di una sola altezza</translation>
+    </message>
+    <message>
+        <source>the file may be damaged; export it again</source>
+        <translation>il file può essere danneggiato; esportarlo di nuovo</translation>
+    </message>
+    <message>
+        <source>the file states no filament diameter: {diameter} assumed; for another one set pathsFlow</source>
+        <translation>il file non indica il diametro del filamento: si assume {diameter}; per un altro impostare pathsFlow</translation>
+    </message>
+    <message>
+        <source>the height of the beads is not known</source>
+        <translation>l&apos;altezza dei cordoni non è nota</translation>
+    </message>
+    <message>
+        <source>the part is {height:.1f} high, too high for the inside of a radius of {radius:.1f}</source>
+        <translation>il pezzo è alto {height:.1f}, troppo per l&apos;interno di un raggio di {radius:.1f}</translation>
+    </message>
+    <message>
+        <source>the part reaches {angle:.0f} round the ground, more than 90</source>
+        <translation>il pezzo si estende per {angle:.0f} attorno alla base, più di 90</translation>
+    </message>
+    <message>
+        <source>turn back after</source>
+        <translation>inversione dopo</translation>
+    </message>
+    <message>
+        <source>turn per layer</source>
+        <translation>rotazione per strato</translation>
+    </message>
+    <message>
+        <source>write the command in each line</source>
+        <translation>scrivere il comando in ogni riga</translation>
+    </message>
+    <message>
+        <source>write x,y,z,a,b,c in mm and degrees</source>
+        <translation>scrivere x,y,z,a,b,c in mm e gradi</translation>
+    </message>
+    <message>
+        <source>{volume:.0f} extruded before the first layer are left out</source>
+        <translation>{volume:.0f} estrusi prima del primo strato sono omessi</translation>
+    </message>
+    <message>
+        <source>{volume:.1f} extruded at rest are left out</source>
+        <translation>{volume:.1f} estrusi da fermo sono omessi</translation>
+    </message>
+    <message numerus="yes">
+        <source>{changes} tool changes are left out: one tool prints everything</source>
+        <translation>
+            <numerusform>{changes} cambio di utensile è omesso: un solo utensile stampa tutto</numerusform>
+            <numerusform>{changes} cambi di utensile sono omessi: un solo utensile stampa tutto</numerusform>
+        </translation>
     </message>
     <message>
         <source>Open surfaces</source>
@@ -11376,8 +11595,8 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Riprendi</translation>
     </message>
     <message>
-        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.txt *.voxels *.voluta);;All files (*)</source>
-        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.txt *.voxels *.voluta);;Tutti i file (*)</translation>
+        <source>Parts and projects (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.gcode *.gco *.txt *.voxels *.voluta);;All files (*)</source>
+        <translation>Pezzi e progetti (*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.gcode *.gco *.txt *.voxels *.voluta);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Import a robot arm</source>

@@ -113,6 +113,57 @@ private:
 
 } // namespace
 
+namespace {
+// Returns the straight runs of a path, as vectors.
+std::vector<Vector3d> runsOf(const plan::ToolPlan& plan, const plan::ToolPath& path) {
+  constexpr double kStraight = 0.999;
+  std::vector<Vector3d> runs;
+  for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+    const Vector3d way = plan.position[i] - plan.position[i - 1];
+    if (!(way.norm() > kMinWayMm))
+      continue;
+    if (!runs.empty() && runs.back().dot(way) > kStraight * runs.back().norm() * way.norm())
+      runs.back() += way;
+    else
+      runs.push_back(way);
+  }
+  return runs;
+}
+
+// Returns whether a path goes to and fro in rows beside each other, as infill does. Its ends may
+// meet by chance.
+bool isZigzag(const plan::ToolPlan& plan, const plan::ToolPath& path) {
+  constexpr double kLink = 10.0; // [bead widths] from a row to the next
+  constexpr double kReverse = -0.9;
+  constexpr int kLeastTurns = 4;
+  const std::vector<Vector3d> runs = runsOf(plan, path);
+  const double link = kLink * static_cast<double>(plan.widthMm[path.first]);
+  const auto reverses = [&](std::size_t a, std::size_t b) {
+    return runs[a].dot(runs[b]) < kReverse * runs[a].norm() * runs[b].norm();
+  };
+  int turns = 0;
+  double rows = 0.0, all = 0.0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    all += runs[k].norm();
+    const bool sharp = k + 1 < runs.size() && reverses(k, k + 1);
+    const bool linked = k + 2 < runs.size() && runs[k + 1].norm() <= link &&
+                        runs[k].norm() > runs[k + 1].norm() && reverses(k, k + 2);
+    if (sharp || linked) {
+      ++turns;
+      rows += runs[k].norm();
+    }
+  }
+  return turns >= kLeastTurns && rows > 0.5 * all;
+}
+
+bool isLoop(const plan::ToolPlan& plan, const plan::ToolPath& path) {
+  const double gap =
+      (plan.position[path.first + path.count - 1] - plan.position[path.first]).norm();
+  return path.count >= 4 && gap <= kNearlyClosed * static_cast<double>(plan.widthMm[path.first]) &&
+         !isZigzag(plan, path);
+}
+} // namespace
+
 plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2) {
   plan::ToolPlan plan;
   const LayerHeights heights(file);
@@ -130,9 +181,9 @@ plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2) {
     made.closed = made.count >= 4 && gap <= kClosedMm;
     if (made.closed)
       plan.position.back() = plan.position[made.first];
-    const bool isLoop =
-        made.count >= 4 && gap <= kNearlyClosed * static_cast<double>(plan.widthMm[made.first]);
-    made.kind = path.kind.value_or(isLoop ? plan::PathKind::Wall : plan::PathKind::Infill);
+    made.kind = path.kind            ? *path.kind
+                : isLoop(plan, made) ? plan::PathKind::Wall
+                                     : plan::PathKind::Infill;
     made.layer = path.layer >= 0 ? path.layer : layer.index;
     made.ring = made.kind == plan::PathKind::Wall && path.kind && !path.outermost ? 1 : 0;
     plan.paths.push_back(made);

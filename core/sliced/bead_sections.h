@@ -11,8 +11,9 @@ namespace voluta::sliced {
 // path is exactly that of its amounts: a waypoint's area is the mean of the segments beside it,
 // weighted with their lengths, and a step of the section is spread over at most 0.25 mm. Heights
 // that are not known are 0. Beads thinner than round are round ones of that area. Paths without
-// comments are walls if they are closed, else infill. Layers count from 0 by comments, or by
-// height. `filamentMm2`: section of the filament; 1 for amounts that are volumes.
+// comments are walls if they are closed and do not go to and fro, else infill. Layers count from 0
+// by comments, or by height. `filamentMm2`: section of the filament; 1 for amounts that are
+// volumes.
 plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2);
 
 // Return the volume of all beads, and of one path [mm3].

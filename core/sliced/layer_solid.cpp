@@ -5,6 +5,7 @@
 #include "geometry/measures.h"
 #include "process/bead_model.h"
 #include "sliced/bead_sections.h"
+#include "sliced/layer_mask.h"
 #include "sliced/layer_slabs.h"
 #include "voxel/voxel_object.h"
 
@@ -22,94 +23,15 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr double kMostFaces = 4e5; // Soft limit
 constexpr double kMostCells = 1 << 27;
-constexpr double kShellBeads = 0.8; // Part of an outer wall that is certainly solid
+constexpr double kShellBeads = 0.8;  // Part of an outer wall that is certainly solid
+constexpr double kThinBeads = 0.75;  // Gaps between neighbouring beads are no holes
+constexpr double kWithinShare = 0.8; // Of a gap that is inside the part
 
 bool isOfPart(plan::PathKind kind) {
   return kind != plan::PathKind::Support && kind != plan::PathKind::Tape && !plan::isWaste(kind);
 }
 bool isWall(plan::PathKind kind) {
   return kind == plan::PathKind::Wall;
-}
-
-// The cells of one slab, x fastest.
-struct Mask {
-  int width = 0, depth = 0;
-  std::vector<std::uint8_t> bits;
-
-  Mask(int w, int d)
-      : width(w), depth(d), bits(static_cast<std::size_t>(w) * static_cast<std::size_t>(d)) {}
-  std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(i) +
-           static_cast<std::size_t>(width) * static_cast<std::size_t>(j);
-  }
-};
-
-enum Bit : std::uint8_t { kBead = 1, kOfWall = 2, kInfill = 4, kReached = 8, kFilled = 16 };
-
-struct Field {
-  Vector2d origin;
-  double pitch = 1.0;
-  int width = 1, depth = 1;
-};
-
-// Marks the cells whose centres are within half a hatch of a segment.
-void mark(Mask& mask, const Field& field, const plan::ToolPlan& plan, std::size_t i,
-          std::uint8_t bits) {
-  const Vector2d a = plan.position[i - 1].head<2>(), b = plan.position[i].head<2>();
-  const double width = 0.5 * (plan.widthMm[i - 1] + plan.widthMm[i]);
-  const double height = 0.5 * (plan.heightMm[i - 1] + plan.heightMm[i]);
-  const double half = 0.5 * process::hatchOf(width, height);
-  const auto cell = [&](double at, int axis, int most) {
-    return static_cast<int>(
-        std::clamp(std::floor((at - field.origin[axis]) / field.pitch), 0.0, most - 1.0));
-  };
-  const Vector2d along = b - a;
-  const double length2 = along.squaredNorm();
-  for (int j = cell(std::min(a.y(), b.y()) - half, 1, field.depth);
-       j <= cell(std::max(a.y(), b.y()) + half, 1, field.depth); ++j)
-    for (int k = cell(std::min(a.x(), b.x()) - half, 0, field.width);
-         k <= cell(std::max(a.x(), b.x()) + half, 0, field.width); ++k) {
-      const Vector2d centre = field.origin + field.pitch * Vector2d(k + 0.5, j + 0.5);
-      const double t =
-          length2 > 0.0 ? std::clamp((centre - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-      if ((centre - a - t * along).squaredNorm() <= half * half)
-        mask.bits[mask.index(k, j)] |= bits;
-    }
-}
-
-// A region within walls.
-struct Region {
-  std::vector<std::size_t> cells;
-  std::size_t beads = 0, infill = 0;
-  bool isOutside = false;
-};
-
-Region regionFrom(Mask& mask, std::size_t seed) {
-  Region region;
-  std::vector<std::size_t> open{seed};
-  mask.bits[seed] |= kReached;
-  while (!open.empty()) {
-    const std::size_t c = open.back();
-    open.pop_back();
-    region.cells.push_back(c);
-    region.beads += (mask.bits[c] & kBead) != 0;
-    region.infill += (mask.bits[c] & kInfill) != 0;
-    const int i = static_cast<int>(c % static_cast<std::size_t>(mask.width));
-    const int j = static_cast<int>(c / static_cast<std::size_t>(mask.width));
-    region.isOutside =
-        region.isOutside || i == 0 || j == 0 || i + 1 == mask.width || j + 1 == mask.depth;
-    const auto visit = [&](int x, int y) {
-      if (x < 0 || y < 0 || x >= mask.width || y >= mask.depth)
-        return;
-      const std::size_t n = mask.index(x, y);
-      if ((mask.bits[n] & (kReached | kOfWall)) == 0) {
-        mask.bits[n] |= kReached;
-        open.push_back(n);
-      }
-    };
-    visit(i - 1, j), visit(i + 1, j), visit(i, j - 1), visit(i, j + 1);
-  }
-  return region;
 }
 
 class Filling {
@@ -128,12 +50,13 @@ public:
     std::vector<std::size_t> sparseVotes(plan_.paths.size()), votes(plan_.paths.size());
     for (std::size_t k = 0; k < slabs.count(); ++k) {
       ctx.checkpoint();
-      Mask mask(field_.width, field_.depth);
-      fillSlab(slabs.segments(k), mask, sparseVotes, votes);
+      LayerMask mask(field_);
+      fillSlab(slabs.segments(k), static_cast<std::uint32_t>(k), mask, sparseVotes, votes);
       const std::size_t base = k * mask.bits.size();
       for (std::size_t c = 0; c < mask.bits.size(); ++c)
-        object.solid[base + c] = (mask.bits[c] & (kBead | kFilled)) != 0;
+        object.solid[base + c] = mask.isSolid(c);
     }
+    fillGaps(object);
     for (std::size_t p = 0; p < plan_.paths.size(); ++p)
       if (plan_.paths[p].kind == plan::PathKind::Infill && 2 * sparseVotes[p] > votes[p])
         plan_.paths[p].kind = plan::PathKind::SparseInfill;
@@ -181,33 +104,62 @@ private:
     field_.depth = cells(size.y());
   }
 
-  void fillSlab(const std::vector<LayerSlabs::Segment>& segments, Mask& mask,
-                std::vector<std::size_t>& sparseVotes, std::vector<std::size_t>& votes) const {
-    for (const LayerSlabs::Segment& s : segments) {
-      const plan::PathKind kind = plan_.paths[s.path].kind;
-      mark(mask, field_, plan_, s.end,
-           static_cast<std::uint8_t>(isWall(kind) ? kBead | kOfWall : kBead | kInfill));
-    }
+  void fillSlab(const std::vector<LayerSlabs::Segment>& segments, std::uint32_t slab,
+                LayerMask& mask, std::vector<std::size_t>& sparseVotes,
+                std::vector<std::size_t>& votes) {
+    for (const LayerSlabs::Segment& s : segments)
+      mask.mark(plan_, s.end,
+                isWall(plan_.paths[s.path].kind) ? LayerMask::kWall : LayerMask::kInfill);
     std::vector<std::uint8_t> sparse(mask.bits.size());
+    const int thin = std::max(1, static_cast<int>(kThinBeads * hatchMm_ / field_.pitch));
     for (std::size_t c = 0; c < mask.bits.size(); ++c) {
-      if ((mask.bits[c] & (kReached | kOfWall)) != 0)
+      if (!mask.isOpen(c))
         continue;
-      const Region region = regionFrom(mask, c);
-      if (region.isOutside || region.infill == 0)
+      LayerMask::Region region = mask.regionFrom(c);
+      if (region.isOutside)
         continue;
       const bool isSparse = static_cast<double>(region.beads) <
                             sparseShare_ * static_cast<double>(region.cells.size());
+      if (region.infill == 0 && !mask.isThin(region, thin)) {
+        if (sparseShare_ > 0.0)
+          gaps_.push_back({slab, std::move(region.cells)});
+        continue;
+      }
       for (const std::size_t in : region.cells) {
-        mask.bits[in] |= kFilled;
-        sparse[in] = isSparse;
+        mask.bits[in] |= LayerMask::kFilled;
+        sparse[in] = isSparse && region.infill > 0;
       }
     }
     for (const LayerSlabs::Segment& s : segments) {
-      const Vector2d middle = 0.5 * (plan_.position[s.end - 1] + plan_.position[s.end]).head<2>();
-      const Vector2d at = (middle - field_.origin) / field_.pitch;
-      const std::size_t c = mask.index(static_cast<int>(at.x()), static_cast<int>(at.y()));
       ++votes[s.path];
-      sparseVotes[s.path] += sparse[c];
+      sparseVotes[s.path] +=
+          sparse[mask.cellOf(0.5 * (plan_.position[s.end - 1] + plan_.position[s.end]).head<2>())];
+    }
+  }
+
+  // Without comments, closed paths of infill look like walls. What they enclose is inside the part
+  // if there is material above and below; else it is a hole.
+  void fillGaps(voxel::VoxelObject& object) {
+    const std::size_t cells =
+        static_cast<std::size_t>(object.size.x()) * static_cast<std::size_t>(object.size.y());
+    const auto slabs = static_cast<std::size_t>(object.size.z());
+    constexpr std::uint32_t kNone = 0xffffffff;
+    std::vector<std::uint32_t> lowest(cells, kNone), highest(cells, 0);
+    for (std::size_t k = 0; k < slabs; ++k)
+      for (std::size_t c = 0; c < cells; ++c)
+        if (object.solid[k * cells + c]) {
+          lowest[c] = std::min(lowest[c], static_cast<std::uint32_t>(k));
+          highest[c] = static_cast<std::uint32_t>(k);
+        }
+    for (const Gap& gap : gaps_) {
+      std::size_t within = 0;
+      for (const std::size_t c : gap.cells)
+        within += lowest[c] < gap.slab && highest[c] > gap.slab;
+      if (static_cast<double>(within) < kWithinShare * static_cast<double>(gap.cells.size()))
+        continue;
+      hasGaps_ = true;
+      for (const std::size_t c : gap.cells)
+        object.solid[gap.slab * cells + c] = 1;
     }
   }
 
@@ -220,7 +172,7 @@ private:
     const bool hasSparse = std::ranges::any_of(plan_.paths, [](const plan::ToolPath& path) {
       return path.kind == plan::PathKind::SparseInfill;
     });
-    if (hasSparse) {
+    if (hasSparse || hasGaps_) {
       solid.fill.shellMm = kShellBeads * hatchMm_;
       solid.fill.openMm3 = std::max(0.0, geometry::volume(solid.mesh) - partBeadsMm3(plan_));
     }
@@ -231,7 +183,14 @@ private:
   const double sparseShare_;
   Eigen::AlignedBox3d box_;
   double hatchMm_ = 0.0, widestMm_ = 0.0;
-  Field field_;
+  LayerMask::Field field_;
+  // Regions within closed paths, without infill
+  struct Gap {
+    std::uint32_t slab;
+    std::vector<std::size_t> cells;
+  };
+  std::vector<Gap> gaps_;
+  bool hasGaps_ = false; // Some of them are inside the part
 };
 } // namespace
 

@@ -16,10 +16,11 @@ struct LayerSolid {
 };
 
 // Returns the solid of level layers: the beads and everything within walls that contains infill.
-// It consists of cells as high as the layers. Changes Infill to SparseInfill where, within its
-// walls, beads fill less than `sparseShare` of a layer; 0: nowhere. Supports and skirts are left
-// out. Preconditions (Error{Internal}): arrays of one length. Throws Error{UnusableInput} if a bead
-// has no section or there are no beads of the part; Cancelled.
+// It consists of cells as high as the layers. `sparseShare` > 0:
+// for paths whose kinds are guesses. Changes Infill to SparseInfill where, within its walls, beads
+// fill less than that of a layer, and fills what other closed paths enclose inside the part.
+// Supports and skirts are left out. Preconditions (Error{Internal}): arrays of one length. Throws
+// Error{UnusableInput} if a bead has no section or there are no beads of the part; Cancelled.
 LayerSolid solidOfLayers(plan::ToolPlan& plan, double sparseShare, const base::RunContext& ctx);
 
 // Returns the volume of the part's beads [mm3], without supports and skirts.

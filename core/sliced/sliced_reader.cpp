@@ -26,8 +26,9 @@ constexpr double kSparseShare = 0.9; // Infill without comments is solid from he
 std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   std::vector<base::Message> notes;
   if (!file.volumetric && file.header.filamentMm <= 0.0)
-    notes.push_back(base::message("the file states no filament diameter: {diameter} assumed"_text,
-                                  base::mm(kUsualFilamentMm)));
+    notes.push_back(base::message(
+        "the file states no filament diameter: {diameter} assumed; for another one set pathsFlow"_text,
+        base::mm(kUsualFilamentMm)));
   if (file.inStartCode > 0.0)
     notes.push_back(base::message("{volume:.0f} extruded before the first layer are left out"_text,
                                   base::mm3(file.inStartCode * filamentMm2)));

@@ -35,6 +35,13 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"firstLayerSpeedMmPerS", {"10", 3}},
     {"stepMm", {"0.9", 3}},
     {"givenToolPaths", {"false", kStageCount}}, // of parts that bring some, see given_paths_test
+    {"pathsFlow", {"110", kStageCount}}, // the same, see sliced_paths_test
+    {"pathsTurn", {"5", kStageCount}},
+    {"pathsTurnBackMm", {"5", kStageCount}},
+    {"pathsOn", {"cylinder", kStageCount}},
+    {"pathsRadiusMm", {"50", kStageCount}},
+    {"pathsKeep", {"angles", kStageCount}},
+    {"pathsFrame", {"0,0,0,0,0,90", kStageCount}},
     {"output.build3mf", {"true", kStageCount}},
     {"output.proof", {"false", kStageCount}},
     {"output.debug", {"true", kStageCount}},

@@ -22,7 +22,8 @@ using document::Opening;
 
 namespace {
 constexpr const char* kOpenFolder = "open/folder";
-constexpr const char* kParts = "*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.txt *.voxels";
+constexpr const char* kParts =
+    "*.stl *.obj *.ply *.off *.3mf *.dae *.gltf *.glb *.gcode *.gco *.txt *.voxels";
 constexpr const char* kSaveFolder = "save/folder";
 
 QString nameOf(const QString& path) {
@@ -185,10 +186,10 @@ void ProjectFiles::open(const QString& path, const QStringList& more) {
 }
 
 void ProjectFiles::choose() {
-  const QString file =
-      QFileDialog::getOpenFileName(&window_, tr("Open"), QSettings().value(kOpenFolder).toString(),
-                                   tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.dae "
-                                      "*.gltf *.glb *.txt *.voxels *.voluta);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(
+      &window_, tr("Open"), QSettings().value(kOpenFolder).toString(),
+      tr("Parts and projects (*.stl *.obj *.ply *.off *.3mf *.dae "
+         "*.gltf *.glb *.gcode *.gco *.txt *.voxels *.voluta);;All files (*)"));
   if (file.isEmpty())
     return;
   QSettings().setValue(kOpenFolder, QFileInfo(file).absolutePath());

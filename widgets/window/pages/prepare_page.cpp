@@ -12,6 +12,7 @@
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
 #include "pipeline/choices.h"
+#include "pipeline/shaped_paths.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "robot/cell_draft.h"
@@ -237,10 +238,14 @@ void PreparePage::showChoices() {
   const base::ParameterTable table = document::parametersFor(c);
   parameters_->setDefaults(table);
   const base::ParameterTable ofPrograms = program::programParameters(); // shown on the Export page
+  const base::ParameterTable ofPaths = pipeline::pathShapeParameters();
+  const auto source = work().document.source();
+  hasPaths_ = source && source->toolPaths;
   std::set<std::string> applying;
   for (const base::ParameterSpec& spec : table.specs())
     if (modes::takesParameter(modes::findMode(c.item().mode), spec.key) &&
-        !ofPrograms.find(spec.key) && (c.tools.size() > 1 || !ofTools(spec.key)))
+        !ofPrograms.find(spec.key) && (c.tools.size() > 1 || !ofTools(spec.key)) &&
+        (hasPaths_ || !ofPaths.find(spec.key)))
       applying.insert(spec.key);
   parameters_->setApplying(applying);
   parameters_->setValues(c.item().parameters);
@@ -264,6 +269,8 @@ void PreparePage::showPart() {
   showProblems();
   const document::Document& document = work().document;
   const auto source = document.source();
+  if (hasPaths_ != (source && source->toolPaths))
+    showChoices(); // Parameters of tool-paths apply to parts that bring some
   const auto placed = document.itemResult(Stage::Load);
   placement_->setEnabled(static_cast<bool>(source));
   placement_->setScale(QString::fromStdString(document.choices().item().scale),

@@ -60,6 +60,7 @@ private:
   forms::ParameterForm* parameters_;
   QTabWidget* tabs_;
   QWidget* side_;
+  bool hasPaths_ = false; // The part brings tool-paths
 };
 
 } // namespace voluta::window
