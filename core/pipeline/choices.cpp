@@ -12,7 +12,7 @@
 #include "motion/motion_options.h"
 #include "pipeline/automatic.h"
 #include "pipeline/open_part.h"
-#include "pipeline/shaped_paths.h"
+#include "pipeline/path_parameters.h"
 #include "placement/orient.h"
 #include "process/feature_parameters.h"
 #include "process/joined_heads.h"

@@ -1,5 +1,5 @@
-// The parameters that change the tool-paths of a file before they are placed: amounts, turns from
-// layer to layer, another ground, another frame.
+// Parts whose own tool-paths are changed by parameters (path_parameters.h), and the body below
+// them.
 #pragma once
 
 #include "base/parameters.h"
@@ -12,14 +12,8 @@
 #include "project/loaded_part.h"
 
 #include <memory>
-#include <string>
 
 namespace voluta::pipeline {
-
-base::ParameterTable pathShapeParameters();
-
-// Cache key; empty if nothing changes. Does not throw.
-std::string pathShapeKey(const base::ParameterValues& values);
 
 // A part with its tool-paths, and the body that carries them; null: printed on the platform.
 struct ShapedPart {

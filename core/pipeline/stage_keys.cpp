@@ -7,7 +7,7 @@
 #include "pipeline/choices.h"
 #include "pipeline/given_paths.h"
 #include "pipeline/open_part.h"
-#include "pipeline/shaped_paths.h"
+#include "pipeline/path_parameters.h"
 #include "pipeline/turned_part.h"
 #include "program/dialect.h"
 #include "robot/cell.h"

@@ -11,14 +11,14 @@ namespace voluta::sliced {
 
 // What a feature's name stands for.
 struct Feature {
-  std::string_view name; // In lower case
+  std::string_view name; // As slicers write it, in any case
   plan::PathKind kind;
   bool ofPart = true;
   bool outermost = false;
   bool custom = false; // The printer's own code, not of the part
 };
 
-// Returns the feature of that name; nullptr if no slicer writes it.
+// Returns the feature of that name, in any case; nullptr if no slicer writes it.
 const Feature* findFeature(std::string_view name);
 
 // What one comment changes.

@@ -4,7 +4,7 @@
 #include "layers/tool_assignment.h"
 #include "modes/mode_table.h"
 #include "pipeline/open_part.h"
-#include "pipeline/shaped_paths.h"
+#include "pipeline/path_parameters.h"
 #include "placement/orient.h"
 
 #include <set>

@@ -12,7 +12,7 @@
 #include "panels/object_tree.h"
 #include "panels/placement_panel.h"
 #include "pipeline/choices.h"
-#include "pipeline/shaped_paths.h"
+#include "pipeline/path_parameters.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
 #include "robot/cell_draft.h"
