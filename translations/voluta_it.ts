@@ -772,8 +772,8 @@ sioni</translation>
         <translation>Distanza massima fra i punti di un percorso utensile.</translation>
     </message>
     <message>
-        <source>Searches for a better orientation of the part: with the smallest overhanging area, or with the fewest voxels missed by growth.</source>
-        <translation>Cerca un orientamento migliore del pezzo: con la minore area a sbalzo, o con il minor numero di voxel mancati dalla crescita.</translation>
+        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, or along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling).</source>
+        <translation>Cerca un orientamento migliore del pezzo: con la minore area a sbalzo, con il minor numero di voxel mancati dalla crescita, o lungo gli assi, così che le proiezioni su XY e XZ lascino vuota la minore area dei loro rettangoli circoscritti (grezzi da fresare).</translation>
     </message>
     <message>
         <source>Missed
@@ -2011,6 +2011,10 @@ mm³</translation>
         <translation>meno area a sbalzo</translation>
     </message>
     <message>
+        <source>least residual area</source>
+        <translation>minore area residua</translation>
+    </message>
+    <message>
         <source>leaves a piece without a base</source>
         <translation>lascia una parte senza base</translation>
     </message>
@@ -3076,6 +3080,10 @@ mm³</translation>
     <message>
         <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
         <translation>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</translation>
+    </message>
+    <message>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): residual area on XY {xy:.0f} instead of {xyBefore:.0f#}, on XZ {xz:.0f} instead of {xzBefore:.0f#}, overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <translation>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): area residua su XY {xy:.0f} invece di {xyBefore:.0f#}, su XZ {xz:.0f} invece di {xzBefore:.0f#}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</translation>
     </message>
     <message>
         <source>the part is {width:.3g} mm wide, at least as wide as the cylinder below it</source>

@@ -7,17 +7,40 @@
 #include "placement/orient.h"
 #include "plan/finding_kinds.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <string_view>
 
 namespace voluta::pipeline {
 
 namespace {
 
 constexpr double kSame = 1e-6; // rad
-constexpr std::string_view kFewestMissed = "fewestMissed";
 
-plan::Finding findingOf(const placement::Orientation& found, bool fewestMissed, bool turned) {
+// Of a value of the parameter orient.
+struct ObjectiveRow {
+  std::string_view name;
+  placement::Objective objective;
+  plan::FindingKind turned;
+};
+
+const ObjectiveRow& objectiveNamed(std::string_view name) {
+  using placement::Objective;
+  using plan::FindingKind;
+  static constexpr std::array<ObjectiveRow, 3> kRows{
+      {{"leastRisky", Objective::LeastRisky, FindingKind::TurnedLeastRisky},
+       {"fewestMissed", Objective::FewestMissed, FindingKind::TurnedFewestMissed},
+       {"leastResidual", Objective::LeastResidual, FindingKind::TurnedLeastResidual}}};
+  const auto row = std::find_if(kRows.begin(), kRows.end(),
+                                [&](const ObjectiveRow& r) { return r.name == name; });
+  base::require(row != kRows.end(), "objectiveNamed: a value of orient");
+  return *row;
+}
+
+plan::Finding findingOf(const placement::Orientation& found, const ObjectiveRow& row, bool turned) {
+  using placement::Objective;
   using plan::FindingKind;
   if (!turned)
     return plan::makeFinding(FindingKind::NotTurned, {{"ways", found.tried}}, std::nullopt,
@@ -30,14 +53,18 @@ plan::Finding findingOf(const placement::Orientation& found, bool fewestMissed, 
                                        {"z", clean(by.axis().z())},
                                        {"overhang", base::mm2(found.score.riskyMm2)},
                                        {"overhangBefore", base::mm2(found.before.riskyMm2)}};
-  if (fewestMissed) {
+  if (row.objective == Objective::LeastResidual) {
+    values.push_back({"xy", base::mm2(found.residual.xyMm2)});
+    values.push_back({"xyBefore", base::mm2(found.residualBefore.xyMm2)});
+    values.push_back({"xz", base::mm2(found.residual.xzMm2)});
+    values.push_back({"xzBefore", base::mm2(found.residualBefore.xzMm2)});
+  }
+  if (row.objective == Objective::FewestMissed) {
     values.push_back({"missed", found.missed});
     values.push_back({"voxel", base::mm(found.searchMm)});
     values.push_back({"missedBefore", found.missedBefore});
   }
-  return plan::makeFinding(fewestMissed ? FindingKind::TurnedFewestMissed
-                                        : FindingKind::TurnedLeastRisky,
-                           std::move(values), std::nullopt, found.tried);
+  return plan::makeFinding(row.turned, std::move(values), std::nullopt, found.tried);
 }
 
 } // namespace
@@ -48,7 +75,9 @@ TurnPlan turnPlan(const project::Choices& choices, const base::ParameterValues& 
     return {objective, 0.0, 0.0, {}};
   return {objective, values.number("voxelMm"),
           base::degreesToRadians(values.number("overhangAngle")),
-          objective == kFewestMissed ? choices.item().platform : project::Platform()};
+          objectiveNamed(objective).objective == placement::Objective::FewestMissed
+              ? choices.item().platform
+              : project::Platform()};
 }
 
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
@@ -59,7 +88,7 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Plac
   if (plan.objective == "none")
     return out;
   const base::Stopwatch clock;
-  const bool fewestMissed = plan.objective == kFewestMissed;
+  const ObjectiveRow& row = objectiveNamed(plan.objective);
   placement::OrientOptions options;
   options.voxelMm = voxelMm;
   options.overhangRad = plan.overhangRad;
@@ -68,13 +97,12 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Plac
   options.platform = [&](const voxel::SolidVoxels& part) {
     return modes::plateOf(plan.platform, part);
   };
-  const placement::Orientation found = placement::bestOrientation(
-      placed, fewestMissed ? placement::Objective::FewestMissed : placement::Objective::LeastRisky,
-      options, ctx);
+  const placement::Orientation found =
+      placement::bestOrientation(placed, row.objective, options, ctx);
   const bool turned = found.turn.angularDistance(Eigen::Quaterniond::Identity()) > kSame;
   if (turned)
     out.placement.rotation = (found.turn * placement.rotation.normalized()).normalized();
-  out.findings.push_back(findingOf(found, fewestMissed, turned));
+  out.findings.push_back(findingOf(found, row, turned));
   out.seconds = clock.seconds();
   return out;
 }

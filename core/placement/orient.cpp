@@ -30,6 +30,21 @@ struct Candidate {
   auto key() const { return keyWith(missed); }
 };
 
+Orientation leastResidual(const geometry::TriangleMesh& mesh, const OrientOptions& options) {
+  const OrientationMeasure measure(mesh, options.voxelMm, options.overhangRad);
+  const ResidualTurn found =
+      leastResidualTurn(mesh, options.quarterTurns,
+                        [&](const Eigen::Matrix3d& turn) { return measure.of(turn).stands; });
+  Orientation out;
+  out.turn = found.turn;
+  out.score = measure.of(found.turn.toRotationMatrix());
+  out.before = measure.of(Eigen::Matrix3d::Identity());
+  out.tried = found.tried;
+  out.residual = found.after;
+  out.residualBefore = found.before;
+  return out;
+}
+
 class OrientSearch {
 public:
   OrientSearch(const geometry::TriangleMesh& mesh, const OrientOptions& options,
@@ -176,10 +191,13 @@ base::ParameterTable orientParameters() {
       base::choiceParameter("orient", "none",
                             {{"none", "none"_text},
                              {"leastRisky", "minimum overhang"_text},
-                             {"fewestMissed", "fewest missed voxels"_text}},
+                             {"fewestMissed", "fewest missed voxels"_text},
+                             {"leastResidual", "least residual area"_text}},
                             "Placement"_text, "Turn the part"_text,
                             "Searches for a better orientation of the part: with the smallest "
-                            "overhanging area, or with the fewest voxels missed by growth."_text,
+                            "overhanging area, with the fewest voxels missed by growth, or along "
+                            "the axes, so that the projections on XY and XZ leave the least area "
+                            "of their bounding rectangles empty (blanks for milling)."_text,
                             true),
   });
 }
@@ -187,9 +205,13 @@ base::ParameterTable orientParameters() {
 Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,
                             const OrientOptions& options, const base::RunContext& ctx) {
   base::require(!mesh.empty() && options.voxelMm > 0.0, "bestOrientation: facets, voxelMm > 0");
-  OrientSearch search(mesh, options, ctx);
-  Orientation out =
-      objective == Objective::LeastRisky ? search.leastRisky() : search.fewestMissed();
+  const auto found = [&] {
+    if (objective == Objective::LeastResidual)
+      return leastResidual(mesh, options);
+    OrientSearch search(mesh, options, ctx);
+    return objective == Objective::LeastRisky ? search.leastRisky() : search.fewestMissed();
+  };
+  Orientation out = found();
   ctx.report(1.0, "orientation"_text);
   return out;
 }

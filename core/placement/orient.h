@@ -6,15 +6,16 @@
 #include "geometry/triangle_mesh.h"
 #include "placement/coarse_growth.h"
 #include "placement/orientation_score.h"
+#include "placement/residual_area.h"
 
 #include <Eigen/Geometry>
 
 namespace voluta::placement {
 
-// Returns the parameter orient (none, leastRisky, fewestMissed).
+// Returns the parameter orient (none, leastRisky, fewestMissed, leastResidual).
 base::ParameterTable orientParameters();
 
-enum class Objective { LeastRisky, FewestMissed };
+enum class Objective { LeastRisky, FewestMissed, LeastResidual };
 
 struct OrientOptions {
   double voxelMm = 0.8;                    // voxel width for growing the part
@@ -33,7 +34,8 @@ struct Orientation {
   // FewestMissed only: voxels that one pass of reverse growth misses, at a width of searchMm ...
   double searchMm = 0.0;
   std::size_t missed = 0, missedBefore = 0;
-  std::size_t missedAtVoxelMm = 0; // ... and rotated, at voxelMm
+  std::size_t missedAtVoxelMm = 0;        // ... and rotated, at voxelMm
+  ResidualAreas residual, residualBefore; // LeastResidual only
 };
 
 // Returns the best orientation of `mesh` (mm). Compares the present one; each of 26 directions
@@ -45,8 +47,10 @@ struct Orientation {
 //   also
 //   grown at full width, and the first that misses nothing is chosen, else the best. The present
 //   orientation is kept if it misses no more voxels than the best one and has at most a quarter
-//   more risky area. Same result for any number of threads. Preconditions (Error{Internal}): mesh
-//   not empty, voxelMm > 0. Throws Error{Usage} as voxel::solidVoxels(); Cancelled.
+//   more risky area;
+//   LeastResidual: compares other orientations instead, see leastResidualTurn().
+// Same result for any number of threads. Preconditions (Error{Internal}): mesh not empty, voxelMm
+// > 0. Throws Error{Usage} as voxel::solidVoxels(); Cancelled.
 Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,
                             const OrientOptions& options, const base::RunContext& ctx);
 

@@ -35,6 +35,7 @@ enum class FindingKind : std::uint8_t {
   LiesBadly,
   TurnedLeastRisky,
   TurnedFewestMissed,
+  TurnedLeastResidual,
   NotTurned,
   CellCannotPrint,
   LargerThanPlates,

@@ -3,9 +3,11 @@
 #include "pipeline/road.h"
 
 #include "base/error.h"
+#include "base/units.h"
 #include "geometry/measures.h"
 #include "helpers/mesh_measures.h"
 #include "helpers/temporary_folder.h"
+#include "pipeline/box_request.h"
 #include "plan/finding_kinds.h"
 #include "project/job.h"
 #include "voxel/voxel_object.h"
@@ -177,6 +179,18 @@ TEST(Lossless, LeastRiskyTellsWhatWasWon) {
   EXPECT_FALSE(f.blocking);
   EXPECT_NE(voluta::plan::englishReason(f).find("mm2 instead of"), std::string::npos)
       << voluta::plan::englishReason(f);
+}
+
+TEST(Lossless, LeastResidualStatesBothAreas) {
+  PlanRequest request = test::boxRequest({{"orient", "leastResidual"}});
+  request.choices.item().placement.rotation =
+      Eigen::AngleAxisd(base::degreesToRadians(30.0), Eigen::Vector3d::UnitZ());
+  request.until = Stage::Load;
+  const PlanResult plan = planPart(request, {});
+  ASSERT_EQ(countOf(plan.job.report, "turned"), 1u);
+  const std::string text = plan::englishReason(plan.job.report.findings.back());
+  EXPECT_NE(text.find("turned by 30"), std::string::npos) << text;
+  EXPECT_NE(text.find("residual area on XY 0 mm2 instead of"), std::string::npos) << text;
 }
 
 TEST(Lossless, OddValuesAreNamed) {
