@@ -20,6 +20,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Rotation before the path, with the nozzle lifted, relative to rotation along it
 constexpr double kBefore = 0.3;
 constexpr std::size_t kSides = 2;
+// Between two waypoints. Near the second axis that axis may turn far, up to where the other side
+// is nearer.
+constexpr double kMostStep[] = {base::degreesToRadians(20.0), base::degreesToRadians(100.0)};
 
 // The best way to a position of the axes at a waypoint.
 struct State {
@@ -63,19 +66,21 @@ public:
   }
 
 private:
-  // Returns the axes nearest to `last` by whole turns within the limits; nullopt if there are none.
-  std::optional<JointVector> near(const robot::UprightAxes& at, const JointVector& last) const {
+  // Returns the axes nearest to `last` by whole turns. At the path's start they may be further, to
+  // be within the limits. nullopt if they are not, or if the table would swing amid the path.
+  std::optional<JointVector> near(const robot::UprightAxes& at, const JointVector& last,
+                                  bool starts) const {
     JointVector axes = at.axes;
     if (at.lastIsFree)
       axes[1] = last[1];
     for (Eigen::Index k = 0; k < axes.size(); ++k) {
-      const robot::ExternalAxis& axis = cell_.externalAxes()[static_cast<std::size_t>(k)];
+      const robot::JointLimits& limits = cell_.externalAxes()[static_cast<std::size_t>(k)].limits;
       axes[k] += base::kTurn * std::round((last[k] - axes[k]) / base::kTurn);
-      while (axes[k] > axis.limits.max)
+      while (starts && axes[k] > limits.max)
         axes[k] -= base::kTurn;
-      while (axes[k] < axis.limits.min)
+      while (starts && axes[k] < limits.min)
         axes[k] += base::kTurn;
-      if (!within(axes[k], axis.limits))
+      if (!within(axes[k], limits) || (!starts && std::abs(axes[k] - last[k]) > kMostStep[k]))
         return std::nullopt;
     }
     return axes;
@@ -94,7 +99,7 @@ private:
         if (before == kInfinity || (side.lastIsFree && i > 0 && b != s))
           continue;
         const JointVector& last = i == 0 ? from_ : states_[i - 1][b].axes;
-        const auto axes = near(side, last);
+        const auto axes = near(side, last, i == 0);
         if (!axes)
           continue;
         const double cost = before + (i == 0 ? kBefore : 1.0) * (*axes - last).cwiseAbs().sum();

@@ -15,7 +15,8 @@ namespace voluta::motion {
 // two sides to which the table can tilt takes, at each waypoint, the one with the smallest rotation
 // of both axes over the whole path. Where the second axis is free it moves evenly from its last to
 // its next required angle. Ends before the first waypoint that neither side reaches within the
-// limits. Preconditions: robot::tiltsPart(cell); the plan has first + count waypoints.
+// limits without swinging between two waypoints. Preconditions: robot::tiltsPart(cell); the plan
+// has first + count waypoints.
 std::vector<robot::JointVector> uprightSchedule(const plan::ToolPlan& plan, const robot::Cell& cell,
                                                 std::size_t first, std::size_t count,
                                                 const robot::JointVector& from);
