@@ -71,32 +71,23 @@ private:
       if (i % 4096 == 0)
         ctx_.checkpoint();
       firstOf_.push_back(stations_.size());
-      const bool byJoints = i > 0 && in_.trajectory.move[i] == plan::MoveKind::Joint;
+      // All axes of the cell's own table move linearly, as in the plan.
+      const bool byJoints = !table_ && i > 0 && in_.trajectory.move[i] == plan::MoveKind::Joint;
       const int pieces = byJoints ? jointPieces(in_, i) : 1;
       const double s = motionSeconds(in_.trajectory, i) / pieces;
-      for (int k = 1; k < pieces; ++k) {
-        const double share = static_cast<double>(k) / pieces;
-        add(jointPiece(in_, i, share), s, false);
-        if (table_)
-          angles_.push_back(ownAngles(i, share));
-      }
+      for (int k = 1; k < pieces; ++k)
+        add(jointPiece(in_, i, static_cast<double>(k) / pieces), s, false);
       add(targets_[i], s, isPrint(in_.trajectory, i));
       if (table_)
-        angles_.push_back(ownAngles(i, 1.0));
+        angles_.push_back(table_->angles(
+            Eigen::Map<const Eigen::VectorXd>(in_.trajectory.at(i), in_.trajectory.dof),
+            in_.cell.armDof()));
     }
     firstOf_.push_back(stations_.size());
     if (!table_)
       angles_ = tableAngles(directions);
     for (TableAngles& a : angles_)
       a = {rounded(a.tilt), rounded(a.turn)};
-  }
-
-  // Returns the angles of the cell's own table at `share` of the motion to a point.
-  TableAngles ownAngles(std::size_t point, double share) const {
-    const plan::Trajectory& t = in_.trajectory;
-    const Eigen::Map<const Eigen::VectorXd> to(t.at(point), t.dof),
-        from(t.at(point - (point > 0 ? 1 : 0)), t.dof);
-    return table_->angles(from + share * (to - from), in_.cell.armDof());
   }
 
   // Winds the table back where a travel has lifted off, so that each stretch between two such
@@ -250,7 +241,8 @@ private:
         i > 0 && filamentMm ? in_.trajectory.extrudedMm3[i - 1] / filamentArea() : 0.0;
     for (std::size_t s = firstOf_[i]; s < firstOf_[i + 1]; ++s) {
       const TablePose from = last_, to = poseAt(s);
-      const int pieces = s == 0 ? 1 : tablePieces(frame_, from, to, kSagMm);
+      const bool asPlanned = table_ && in_.trajectory.move[i] == plan::MoveKind::Joint;
+      const int pieces = s == 0 || asPlanned ? 1 : tablePieces(frame_, from, to, kSagMm);
       const double seconds = s == 0 ? 0.0 : stations_[s].seconds / pieces;
       for (int k = 1; k <= pieces; ++k) {
         const double share = static_cast<double>(k) / pieces;
