@@ -5848,6 +5848,54 @@ mm³</translation>
         <translation>minimo strappo di percorsi interi</translation>
     </message>
     <message>
+        <source>jerk of joint {joint} at its greatest here: {jerk:.3g} rad/s³, limit {limit:.3g} rad/s³</source>
+        <translation>qui lo strappo del giunto {joint} è massimo: {jerk:.3g} rad/s³, limite {limit:.3g} rad/s³</translation>
+    </message>
+    <message>
+        <source>smooth whole paths (rotationSmoothing=wholePath), print slower, or allow more jerk (maxJerk)</source>
+        <translation>rendi regolari i percorsi interi (rotationSmoothing=wholePath), stampa più lentamente o ammetti più strappo (maxJerk)</translation>
+    </message>
+    <message>
+        <source>maximum jerk</source>
+        <translation>strappo massimo</translation>
+    </message>
+    <message>
+        <source>Maximum jerk of every joint; for a sliding joint 100 mm count as 1 rad. The robot moves more slowly where a joint would exceed it, and speeds up and slows down more gently. 0: no limit.</source>
+        <translation>Strappo massimo di ogni giunto; per un giunto traslante 100 mm valgono 1 rad. Il robot si muove più lentamente dove un giunto lo supererebbe, e accelera e frena più dolcemente. 0: nessun limite.</translation>
+    </message>
+    <message>
+        <source>shapes</source>
+        <translation>forme</translation>
+    </message>
+    <message>
+        <source>shapes, and a learned indicator</source>
+        <translation>forme, e un indicatore appreso</translation>
+    </message>
+    <message>
+        <source>collision model</source>
+        <translation>modello di collisione</translation>
+    </message>
+    <message>
+        <source>How a search for minimum joint jerk of whole paths avoids collisions: by checks of the shapes afterwards, or also by the gradient of an indicator that is learned for each layer (for research; slow). The shapes decide in both cases.</source>
+        <translation>Come la ricerca del minimo strappo dei giunti su percorsi interi evita le collisioni: controllando poi le forme, o anche con il gradiente di un indicatore appreso per ogni strato (per ricerca; lento). In entrambi i casi decidono le forme.</translation>
+    </message>
+    <message>
+        <source>with the nozzle lifted</source>
+        <translation>con l&apos;ugello sollevato</translation>
+    </message>
+    <message>
+        <source>while printing, if possible</source>
+        <translation>durante la stampa, se possibile</translation>
+    </message>
+    <message>
+        <source>change of the arm&apos;s branch</source>
+        <translation>cambio di configurazione del braccio</translation>
+    </message>
+    <message>
+        <source>Where the arm cannot print a whole path in one branch: whether the path is interrupted there, or the wrist changes over several points while printing, with the nozzle tilted within the tilt tolerance.</source>
+        <translation>Dove il braccio non può stampare un percorso intero in una sola configurazione: se il percorso vi si interrompe, o se il polso cambia lungo più punti durante la stampa, con l&apos;ugello inclinato entro la tolleranza.</translation>
+    </message>
+    <message>
         <source>remove the row, or measure it again</source>
         <translation>togli la riga o rimisurala</translation>
     </message>
@@ -10397,6 +10445,26 @@ circa %6, stimato da volume e altezza senza supporti</translation>
     <message>
         <source>Speed (°/s, mm/s)</source>
         <translation>Velocità (°/s, mm/s)</translation>
+    </message>
+    <message>
+        <source>Jerk (rad/s³)</source>
+        <translation>Strappo (rad/s³)</translation>
+    </message>
+    <message>
+        <source>Jerk (rad/s³, mm/s³)</source>
+        <translation>Strappo (rad/s³, mm/s³)</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Strappo</translation>
+    </message>
+    <message>
+        <source>Earlier motion</source>
+        <translation>Moto precedente</translation>
+    </message>
+    <message>
+        <source>Show the jerk of the motion planned before, in pale colours, to compare</source>
+        <translation>Mostra lo strappo del moto pianificato prima, in colori tenui, per confrontare</translation>
     </message>
 </context>
 <context>

@@ -186,11 +186,17 @@ std::vector<JudgedJoints> contactSamples(const std::vector<JointVector>& first,
   // Half of the samples are reserved for the border, regardless of the surface's size. If it needs
   // fewer, the spacing is reduced everywhere, the border included.
   const std::size_t even = (options.samples + sampler.size()) / 2;
+  int phases = 0;
+  const auto ends = [&] { return options.phases > 0 && ++phases >= options.phases; };
   for (double apart = options.evenRad; apart > options.borderRad; apart *= 0.5) {
     while (sampler.round(apart, false, even)) {
     }
+    if (ends())
+      break;
     while (sampler.round(options.borderRad, true, options.samples)) {
     }
+    if (ends())
+      break;
   }
   return sampler.take();
 }

@@ -23,6 +23,9 @@ struct ContactSampling {
   // Neighbours further apart get a sample in between; halved while there is room
   double evenRad = 0.8;
   double borderRad = 0.05; // same for pairs of which one collides
+  // Ends after so many phases, which alternate: samples in between everywhere, then at the border.
+  // 0: as many as there is room for
+  int phases = 0;
   std::uint64_t seed = 1;
 };
 

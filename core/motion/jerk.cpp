@@ -74,13 +74,17 @@ JerkMeasure jerkOf(const std::vector<robot::JointVector>& q, const std::vector<d
     return measure;
   const auto dof = static_cast<std::size_t>(q.front().size());
   measure.maxAbs.assign(dof, 0.0);
+  measure.maxAt.assign(dof, 0);
   for (const JerkStencil& s : jerkStencils(times))
     for (std::size_t j = 0; j < dof; ++j) {
       double jerk = 0.0;
       for (std::size_t k = 0; k < 4; ++k)
         if (s.last + k >= 3 && s.last + k - 3 < q.size())
           jerk += s.weight[k] * q[s.last + k - 3][static_cast<Eigen::Index>(j)];
-      measure.maxAbs[j] = std::max(measure.maxAbs[j], std::abs(jerk));
+      if (std::abs(jerk) > measure.maxAbs[j]) {
+        measure.maxAbs[j] = std::abs(jerk);
+        measure.maxAt[j] = std::min(std::max<std::size_t>(s.last, 2) - 1, q.size() - 1);
+      }
       const double turn = j < limits.size() ? robot::asTurn(limits[j].kind, jerk) : jerk;
       measure.sumSquared += turn * turn;
     }

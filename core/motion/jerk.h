@@ -29,7 +29,8 @@ std::array<double, 5> fivePointJerk(const std::vector<double>& times, std::size_
 
 // Jerk of the joints over a stretch from rest to rest, computed with jerkStencils().
 struct JerkMeasure {
-  std::vector<double> maxAbs; // Per joint [rad/s3]; sliding joints [mm/s3]
+  std::vector<double> maxAbs;     // Per joint [rad/s3]; sliding joints [mm/s3]
+  std::vector<std::size_t> maxAt; // The point at which each joint has it
   double sumSquared = 0.0;    // Over all points and joints [(rad/s3)2]; sliding joints by asTurn()
 };
 // `q`: the joints at each time. Joints without an entry in `limits` count as turning.

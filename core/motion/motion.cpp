@@ -8,17 +8,16 @@
 #include "motion/check.h"
 #include "motion/external_axes.h"
 #include "motion/head_refusals.h"
-#include "motion/jerk.h"
+#include "motion/jerk_statistics.h"
 #include "motion/ladder/path_planner.h"
 #include "motion/ladder/size_in_reach.h"
 #include "motion/lags.h"
 #include "motion/nozzle_frame.h"
 #include "motion/refusal_findings.h"
 #include "motion/sequence.h"
+#include "motion/sequence_times.h"
 #include "motion/shot_events.h"
 #include "motion/tape_events.h"
-#include "motion/timed_points.h"
-#include "motion/timing.h"
 #include "motion/waits.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
@@ -300,70 +299,13 @@ private:
 
   int toolOf(const Run& run) const { return plan_.paths[run.path].tool; }
 
-  // Returns the process that limits a transfer: that of its tool.
-  const process::Process& processOfWay(const Sequence& sequence, std::size_t way) const {
-    const bool begins = way > 0, ends = way < sequence.runs.size();
-    if (begins && ends && toolOf(sequence.runs[way - 1]) == toolOf(sequence.runs[way]))
-      return tooling_.at(toolOf(sequence.runs[way])).process;
-    // From home, to home and between two tools no single tool is in use: as the first one.
-    return tooling_.first().process;
-  }
-
-  // Returns the time at each point of a transfer, the first being `from`. The arm stops for each
-  // step of a tool change.
-  std::vector<double> timesOfWay(RobotState from, const Transfer& way,
-                                 const process::Process& process) const {
-    const TimingLimits limits = timingLimits(cell_, process);
-    std::vector<std::size_t> stops;
-    for (const ToolStep& step : way.toolSteps)
-      stops.push_back(step.point);
-    stops.push_back(way.points.size());
-    std::vector<double> times{0.0};
-    std::size_t first = 0;
-    for (const std::size_t stop : stops) {
-      if (stop == first)
-        continue;
-      Transfer part;
-      part.points.assign(way.points.begin() + static_cast<std::ptrdiff_t>(first),
-                         way.points.begin() + static_cast<std::ptrdiff_t>(stop));
-      const double before = times.back();
-      const std::vector<double> own =
-          timesOf(timedPoints(from, part, process.travelSpeedMmPerS), limits);
-      for (std::size_t k = 1; k < own.size(); ++k)
-        times.push_back(before + own[k]);
-      from = part.points.back().at;
-      first = stop;
-    }
-    return times;
-  }
-
   void assemble(const Sequence& sequence, const base::RunContext& ctx) {
     result_.trajectory = {};
     result_.trajectory.dof = cell_.dof();
     result_.statistics = {};
     result_.statistics.maxJerk.assign(static_cast<std::size_t>(cell_.dof()), 0.0);
     const std::size_t runs = sequence.runs.size(), ways = sequence.ways.size();
-    std::vector<std::vector<double>> runTimes(runs), wayTimes(ways);
-    std::vector<JerkMeasure> jerks(runs), jerksBefore(runs);
-    base::parallelChunks(ctx, std::max(runs, ways), 4, [&](std::size_t b, std::size_t e) {
-      for (std::size_t i = b; i < e; ++i) {
-        if (i < runs) {
-          const Run& run = sequence.runs[i];
-          const TimingLimits limits =
-              timingLimits(cell_, tooling_.of(plan_.paths[run.path]).process);
-          std::vector<TimedPoint> timed = timedPoints(cell_, run.points);
-          if (const auto shot = shotPoint(plan_, run))
-            timed[*shot].stop = true;
-          runTimes[i] = timesOf(timed, limits);
-          jerks[i] = jerkOf(jointsOf(run.points), runTimes[i], limits.joints);
-          jerksBefore[i] = jerkOf(run.ladder, runTimes[i], limits.joints);
-        }
-        if (i < ways) {
-          const RobotState& from = i == 0 ? home_ : sequence.runs[i - 1].points.back().at;
-          wayTimes[i] = timesOfWay(from, sequence.ways[i], processOfWay(sequence, i));
-        }
-      }
-    });
+    const TimedSequence timed = timesOfSequence(sequence, scene_, tooling_, home_, ctx);
 
     double time = 0.0, volume = 0.0;
     append(home_.q, 0.0, plan::MoveKind::Joint, plan::kNoWaypoint, 0.0);
@@ -376,10 +318,10 @@ private:
           if (step.point == k)
             changeTool(step.kind, tool);
         const bool arrives = i < runs && k + 1 == way.points.size();
-        append(way.points[k].at.q, time + wayTimes[i][k + 1], way.points[k].move,
+        append(way.points[k].at.q, time + timed.ways[i].times[k + 1], way.points[k].move,
                arrives ? sequence.runs[i].points.front().waypoint : plan::kNoWaypoint, volume);
       }
-      time += wayTimes[i].back();
+      time += timed.ways[i].times.back();
       ++s.transfers;
       s.arcTransfers += way.kind == TransferKind::Arc;
       s.jointTransfers += way.kind == TransferKind::Joint;
@@ -394,7 +336,7 @@ private:
       const std::optional<std::size_t> shot = shotPoint(plan_, sequence.runs[i]);
       for (std::size_t k = 1; k < points.size(); ++k) {
         volume += points[k].volumeMm3;
-        append(points[k].at.q, time + runTimes[i][k], move, points[k].waypoint, volume);
+        append(points[k].at.q, time + timed.runs[i].times[k], move, points[k].waypoint, volume);
         if (shot == k)
           s.durationS +=
               addShotEvents(result_.trajectory, plan_.shotMm3(plan_.paths[sequence.runs[i].path]),
@@ -403,15 +345,12 @@ private:
       if (points.size() > 1 && !isShot)
         addLags(result_.trajectory, first, result_.trajectory.pointCount(),
                 tooling_.at(toolOf(sequence.runs[i])).process.lag);
-      time += runTimes[i].back();
-      s.sumSquaredJerk += jerks[i].sumSquared;
-      s.sumSquaredJerkBefore += jerksBefore[i].sumSquared;
-      for (std::size_t j = 0; j < s.maxJerk.size(); ++j)
-        s.maxJerk[j] = std::max(s.maxJerk[j], jerks[i].maxAbs[j]);
+      time += timed.runs[i].times.back();
     }
     if (ways > runs)
       appendWay(runs);
     s.durationS += time + startLagsS(result_.trajectory);
+    setJerk(timed, s);
   }
 
   // Adds the events of a step of the change to the tool, before the motion to the next point.
@@ -520,6 +459,14 @@ private:
             result_.skipped.size(),
             {{"share", base::percent(100.0 * s.leftOutFraction)},
              {"waypoints", result_.skipped.size()}});
+    }
+    if (std::optional<plan::Finding> jerk = jerkFinding(s, cell_, options_.maxJerk)) {
+      const auto at = static_cast<std::size_t>(std::ranges::lower_bound(t.timeS, *jerk->whenS) -
+                                               t.timeS.begin());
+      if (const std::size_t w = plan::waypointAhead(t, std::min(at, t.pointCount() - 1));
+          w < plan_.waypointCount())
+        jerk->where = plan_.position[w];
+      result_.findings.push_back(std::move(*jerk));
     }
     if (!check_.collisions.empty()) {
       const TrajectoryCollision& c = check_.collisions.front();

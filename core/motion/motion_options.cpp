@@ -6,7 +6,9 @@
 namespace voluta::motion {
 
 namespace {
-constexpr const char *kRotationSmoothing = "rotationSmoothing", *kWholePath = "wholePath";
+constexpr const char *kRotationSmoothing = "rotationSmoothing", *kWholePath = "wholePath",
+                     *kMaxJerk = "maxJerk", *kCollisionModel = "collisionModel",
+                     *kLearned = "learned", *kBranchChange = "branchChange", *kBlend = "blend";
 constexpr const char *kNozzleRotation = "nozzleRotation", *kTangent = "tangent",
                      *kWorkAxis = "workAxis", *kRodrigues = "rodrigues";
 constexpr const char *kMinLayerTime = "minLayerTimeS", *kMaxLayerTime = "maxLayerTimeS";
@@ -57,6 +59,19 @@ base::ParameterTable motionParameters() {
            "tilt tolerance"_text,
            "How far the nozzle may tilt from its planned direction where that makes the joints' motion smoother. Only with minimum jerk of whole paths."_text),
        base::numberParameter(
+           kMaxJerk, "rad/s³", 0.0, 0.0, 1e6, "Motion"_text, "maximum jerk"_text,
+           "Maximum jerk of every joint; for a sliding joint 100 mm count as 1 rad. The robot moves more slowly where a joint would exceed it, and speeds up and slows down more gently. 0: no limit."_text),
+       base::choiceParameter(
+           kCollisionModel, "exact",
+           {{"exact", "shapes"_text}, {kLearned, "shapes, and a learned indicator"_text}},
+           "Motion"_text, "collision model"_text,
+           "How a search for minimum joint jerk of whole paths avoids collisions: by checks of the shapes afterwards, or also by the gradient of an indicator that is learned for each layer (for research; slow). The shapes decide in both cases."_text),
+       base::choiceParameter(
+           kBranchChange, "lift",
+           {{"lift", "with the nozzle lifted"_text}, {kBlend, "while printing, if possible"_text}},
+           "Motion"_text, "change of the arm's branch"_text,
+           "Where the arm cannot print a whole path in one branch: whether the path is interrupted there, or the wrist changes over several points while printing, with the nozzle tilted within the tilt tolerance."_text),
+       base::numberParameter(
            kMinLayerTime, "s", 0.0, 0.0, 3600.0, "Cooling"_text, "minimum layer time"_text,
            "Minimum time before a bead is covered by the next layer, at every place. The robot waits above the part where the order of the beads does not give them this time. 0: no limit."_text),
        base::numberParameter(
@@ -88,6 +103,9 @@ MotionOptions motionOptions(const base::ParameterValues& values) {
   o.turn = nozzleTurn(values.text(kNozzleRotation));
   o.smoothing =
       values.text(kRotationSmoothing) == kWholePath ? TurnMethod::WholePath : TurnMethod::Evened;
+  o.maxJerk = values.number(kMaxJerk);
+  o.learnedCollisions = values.text(kCollisionModel) == kLearned;
+  o.blendsBranches = values.text(kBranchChange) == kBlend;
   o.leanRad = base::degreesToRadians(values.number("tiltToleranceDeg"));
   o.leastLayerTimeS = layerTimes(values).leastS;
   o.purgeMm3 = values.number("purgeMm3");

@@ -57,12 +57,22 @@ struct MotionOptions {
   // Of shots into pockets: their flow, 0: as the nozzle is primed; and the wait after each.
   double shotFlowMm3PerS = 0.0, shotWaitS = 0.0;
 
+  // Limit of the jerk of every joint [rad/s3], sliding ones by robot::asTurn; 0: none
+  // (jerk_limit.h)
+  double maxJerk = 0.0;
+  // Whole-path smoothing avoids the collisions that a learned indicator expects
+  // (smoothing/learned_clearance.h); the true check still decides.
+  bool learnedCollisions = false;
+  // Where no branch of the arm reaches a whole path: changes the wrist's branch along the path
+  // instead of lifting, where that is possible (ladder/branch_blend.h).
+  bool blendsBranches = false;
+
   double leans() const { return smoothing == TurnMethod::WholePath ? leanRad : 0.0; }
 };
 
 // Keys: bodyClearanceMm, partClearanceMm, liftMm, wipeMm, nozzleRotation, redundancySamples,
-// rotationSmoothing, tiltToleranceDeg, minLayerTimeS, maxLayerTimeS, purgeMm3, stitchFlow,
-// stitchWait.
+// rotationSmoothing, tiltToleranceDeg, maxJerk, collisionModel, branchChange, minLayerTimeS,
+// maxLayerTimeS, purgeMm3, stitchFlow, stitchWait.
 base::ParameterTable motionParameters();
 // Does not throw if `values` are over a table with motionParameters().
 MotionOptions motionOptions(const base::ParameterValues& values);

@@ -101,15 +101,10 @@ bool goesOn(const robot::JointVector& a, const robot::JointVector& b, const robo
 std::vector<double> cornerSpeeds(const std::vector<TimedPoint>& points,
                                  const std::vector<double>& length, const TimingLimits& limits) {
   const std::size_t n = length.size();
-  const bool steps = limits.arm > 0 && limits.arm < points.front().q.size();
-  const double sameRad = steps ? kSameStepsRad : kSameLineRad;
+  const std::vector<char> rests = restsAt(points, limits);
   std::vector<double> corner(n + 1, 1e9);
-  corner[0] = corner[n] = 0.0;
-  for (std::size_t i = 1; i < n; ++i) {
-    const bool turns = points[i].jointMove && points[i + 1].jointMove;
-    // Without blending, controllers stop between joint motions.
-    if (points[i].stop ||
-        (turns && !goesOn(points[i - 1].q, points[i].q, points[i + 1].q, sameRad)))
+  for (std::size_t i = 0; i <= n; ++i) {
+    if (rests[i])
       corner[i] = 0.0;
     else if (!points[i].jointMove && !points[i + 1].jointMove) {
       // Converts the tip's speed to that of the profile, which runs on the longer, combined path.
@@ -173,6 +168,22 @@ bool lowerCaps(const std::vector<TimedPoint>& points, const TimingLimits& limits
 }
 
 } // namespace
+
+std::vector<char> restsAt(const std::vector<TimedPoint>& points, const TimingLimits& limits) {
+  std::vector<char> rests(points.size(), 0);
+  if (points.empty())
+    return rests;
+  rests.front() = rests.back() = 1;
+  const bool steps = limits.arm > 0 && limits.arm < points.front().q.size();
+  const double sameRad = steps ? kSameStepsRad : kSameLineRad;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const bool turns = points[i].jointMove && points[i + 1].jointMove;
+    // Without blending, controllers stop between joint motions.
+    rests[i] = points[i].stop ||
+               (turns && !goesOn(points[i - 1].q, points[i].q, points[i + 1].q, sameRad));
+  }
+  return rests;
+}
 
 std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits) {
   std::vector<double> times(points.size(), 0.0);

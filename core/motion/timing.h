@@ -45,4 +45,7 @@ struct TimedPoint {
 // joint, all positive.
 std::vector<double> timesOf(const std::vector<TimedPoint>& points, const TimingLimits& limits);
 
+// Returns, for each point, whether the motion rests there. Same precondition.
+std::vector<char> restsAt(const std::vector<TimedPoint>& points, const TimingLimits& limits);
+
 } // namespace voluta::motion

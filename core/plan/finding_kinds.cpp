@@ -331,6 +331,9 @@ constexpr auto kRows =
         {LeftOut, "leftOut", "leftOut", Motion, Info,
          "{waypoints} waypoint ({share:.2g} of the material) is skipped; see the findings above|{waypoints} waypoints ({share:.2g} of the material) are skipped; see the findings above"_plural,
          "check these places in the view; turn the part if they matter"_text},
+        {JerkOverLimit, "jerkOverLimit", "jerkOverLimit", Motion, Info,
+         "jerk of joint {joint} at its greatest here: {jerk:.3g} rad/s³, limit {limit:.3g} rad/s³"_text,
+         "smooth whole paths (rotationSmoothing=wholePath), print slower, or allow more jerk (maxJerk)"_text},
 
         {UnreadableLine, "unreadableLine", "unreadableLine", Replay, Error, "{defect}"_text,
          kWriteAgain, kNoRemedies, kOnlyWriteAgain},

@@ -115,6 +115,7 @@ enum class FindingKind : std::uint8_t {
   NoWayBack,
   NoWayFrom,
   LeftOut,
+  JerkOverLimit,
   // replay
   UnreadableLine,
   EndMissing,

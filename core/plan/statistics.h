@@ -82,6 +82,11 @@ struct MotionStatistics {
   std::vector<double> maxJerk; // Per joint while printing [rad/s3] ([mm/s3])
   // Before: with the rotations chosen by the ladder, over the same times.
   double sumSquaredJerk = 0.0, sumSquaredJerkBefore = 0.0;
+  std::vector<double> maxJerkBefore; // Per joint, likewise
+  std::vector<double> maxJerkAtS;    // Per joint: time of maxJerk
+  // Per joint in transfers: at least that of the smoothest motion from rest to rest in that time
+  std::vector<double> maxTravelJerk, maxTravelJerkAtS;
+  double jerkSlowedS = 0.0; // By which the limit of the jerk makes the motion longer
   // Between bodies and part, without the head's clearance to plate and part; at most
   // motion::kClearanceCapMm
   double minClearanceMm = 0.0;

@@ -38,7 +38,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers"}},
     {"motion",
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers",
-      "toolpath"}},
+      "toolpath", "indicator"}},
     {"program", {"geometry", "process", "robot", "plan"}},
     {"sliced", {"geometry", "process", "voxel", "plan", "build3mf", "program"}},
     {"record", {"robot", "plan", "program"}},

@@ -1,24 +1,26 @@
 // One layer's tool-paths by several ways (Dai 2020, table 4.2):
 // jerk_table [--cell ID] [--layer N] [--noise DEG] [--even-directions] [--even-times] [--no-dense]
-// [--slow FACTOR] [--lean DEG] [--axes DEG] [--ladder] JOB. The shortest path through a graph of 30
-// and of 360 turns about the nozzle at every waypoint (eqs. 4.4-4.6), the first of them through the
-// source's local filter (algorithm 6) and smoothed whole, and the motion as it is planned here,
-// collisions looked at; and that smoothed whole, with nothing looked at. Greatest five-point jerk
-// of each joint, beside that of the graph of 30, and sum of squares (eqs. 4.2, 4.7-4.10) at the
-// waypoints, over times that are the same for all: those of the nozzle alone, with corners and
-// ramps, as if joints had no limits. Without --layer it takes the one whose number of waypoints is
-// nearest to 3,600. --noise turns each direction by a random angle up to DEG to a random side
-// (4.5.4).
+// [--slow FACTOR] [--lean DEG] [--axes DEG] [--max-jerk J] [--ladder] JOB. The shortest path
+// through a graph of 30 and of 360 turns about the nozzle at every waypoint (eqs. 4.4-4.6), the
+// first of them through the source's local filter (algorithm 6) and smoothed whole, and the motion
+// as it is planned here, collisions looked at; and that smoothed whole, with nothing looked at.
+// Greatest five-point jerk of each joint, beside that of the graph of 30, and sum of squares
+// (eqs. 4.2, 4.7-4.10) at the waypoints, over times that are the same for all: those of the nozzle
+// alone, with corners and ramps, as if joints had no limits. Without --layer it takes the one whose
+// number of waypoints is nearest to 3,600. --noise turns each direction by a random angle up to DEG
+// to a random side (4.5.4).
 // --even-directions and
 // --even-times tell how much of the jerk the directions' and the times' unevenness makes, which no
 // turn takes away. --slow: times are so many times as long, for graphs that joints' speeds would
 // else leave without a way. --lean: how far directions may lean where whole paths are smoothed;
-// --axes: how far external axes may go from their schedule then.
+// --axes: how far external axes may go from their schedule then. --max-jerk: last row, the motion
+// as planned slowed to this limit (jerk_limit.h), from rest to rest.
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
 #include "motion/jerk.h"
+#include "motion/jerk_limit.h"
 #include "motion/motion.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smoothing/even_turns.h"
@@ -307,7 +309,7 @@ void row(const char* name, const Measure& m, const Measure& p30) {
 int main(int argc, char** argv) {
   std::string cellId, file;
   int wanted = -1;
-  double noise = 0.0, slow = 1.0, leanRad = 0.0, axesRad = 0.0;
+  double noise = 0.0, slow = 1.0, leanRad = 0.0, axesRad = 0.0, maxJerk = 0.0;
   bool ladder = false, dense = true, evenTimes = false, evenDirections = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -323,6 +325,8 @@ int main(int argc, char** argv) {
       leanRad = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--axes" && i + 1 < argc)
       axesRad = base::degreesToRadians(std::stod(argv[++i]));
+    else if (word == "--max-jerk" && i + 1 < argc)
+      maxJerk = std::stod(argv[++i]);
     else if (word == "--ladder")
       ladder = true;
     else if (word == "--no-dense")
@@ -352,7 +356,7 @@ int main(int argc, char** argv) {
   base::Stopwatch watch;
   motion::MotionPlanner planner(plan, cell, process::Tooling(process), part, options);
   const motion::MotionResult result = planner.plan(ctx);
-  Measure ours, graph30, graph360, filtered, whole, whole2;
+  Measure ours, limited, graph30, graph360, filtered, whole, whole2;
   ours.seconds = watch.seconds();
   std::vector<JointVector> at(plan.waypointCount());
   for (std::size_t i = 0; i < result.trajectory.pointCount(); ++i)
@@ -365,6 +369,7 @@ int main(int argc, char** argv) {
       result.statistics.unreachable, result.times.ik, result.times.graph, result.times.jerk,
       result.times.collision, result.times.transfer, result.statistics.sumSquaredJerkBefore,
       result.statistics.sumSquaredJerk);
+  double before = 0.0, after = 0.0;
   for (const plan::ToolPath& path : plan.paths) {
     const std::vector<double> times = tipTimes(plan, path, process, evenTimes, slow);
     Joints q(at.begin() + static_cast<std::ptrdiff_t>(path.first),
@@ -391,6 +396,14 @@ int main(int argc, char** argv) {
     const Joints fine = dense ? shortestPath(cell, plan, path, times, 360, 0.35) : sparse;
     graph360.seconds += watch.seconds();
     measure(q, times, ours);
+    before += times.back();
+    if (maxJerk > 0.0) {
+      watch = base::Stopwatch();
+      const std::vector<double> slower = motion::timesWithinJerk(q, times, cell.limits(), maxJerk);
+      limited.seconds += watch.seconds();
+      measure(q, slower, limited);
+      after += slower.back();
+    }
     measure(sparse, times, graph30);
     measure(local, times, filtered);
     measure(fine, times, graph360);
@@ -401,6 +414,10 @@ int main(int argc, char** argv) {
   row("planned, whole path", whole2, graph30);
   row("360 turns", graph360, graph30);
   row("planned", ours, graph30);
+  if (maxJerk > 0.0) {
+    row("planned, limited", limited, graph30);
+    std::printf("%.1f s within the limit instead of %.1f s\n", after, before);
+  }
   std::printf("sum: %.3f of 30 turns', %.3f of 360 turns'\n", ours.sum / graph30.sum,
               ours.sum / graph360.sum);
   return 0;

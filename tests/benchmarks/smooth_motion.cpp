@@ -1,5 +1,6 @@
 // What smoothing does to the motion of planned jobs: smooth_motion [--ladder] [--evened]
-// [--lean DEG] [--axes DEG] [--near-cost C] [--threads N] [--paths N] JOB... The motion of each
+// [--lean DEG] [--axes DEG] [--near-cost C] [--max-jerk J] [--learned] [--threads N] [--paths N]
+// JOB... The motion of each
 // job's tool-paths, planned anew: seconds (wall and of the processor), jerk before and after, and
 // how clear of everything the arm stays while it prints. With --lean directions may lean so far
 // (else 3 degrees); with --ladder the turns about the nozzle stay as the ladder graph gives them,
@@ -101,6 +102,10 @@ int main(int argc, char** argv) {
       options.axesRad = base::degreesToRadians(std::stod(argv[++i]));
     else if (word == "--near-cost" && i + 1 < argc)
       options.nearCost = std::stod(argv[++i]);
+    else if (word == "--max-jerk" && i + 1 < argc)
+      options.maxJerk = std::stod(argv[++i]);
+    else if (word == "--learned")
+      options.learnedCollisions = true;
     else if (word == "--threads" && i + 1 < argc)
       threads = std::stoi(argv[++i]);
     else if (word == "--paths" && i + 1 < argc)
@@ -141,6 +146,13 @@ int main(int argc, char** argv) {
                 100.0 * s.sumSquaredJerk / s.sumSquaredJerkBefore);
     for (const double j : s.maxJerk)
       std::printf(" %.0f", j);
+    std::printf("\n  before");
+    for (const double j : s.maxJerkBefore)
+      std::printf(" %.0f", j);
+    std::printf(", of transfers");
+    for (const double j : s.maxTravelJerk)
+      std::printf(" %.0f", j);
+    std::printf("; slowed by %.0f s, %zu findings", s.jerkSlowedS, result.findings.size());
     double printingS = 0.0;
     for (std::size_t i = 1; i < result.trajectory.pointCount(); ++i)
       if (result.trajectory.move[i] == plan::MoveKind::Print)

@@ -99,6 +99,9 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"redundancySamples", {"12", 4}},
     {"rotationSmoothing", {"wholePath", 4}},
     {"tiltToleranceDeg", {"2.5", 4}},
+    {"maxJerk", {"100", 4}},
+    {"collisionModel", {"learned", 4}},
+    {"branchChange", {"blend", 4}},
     {"motionsPerFile", {"2000", 5}},
     {"urscriptForm", {"port", 5}},
     {"rapidModules", {"modx", kStageCount}}, // no program here is RAPID

@@ -89,6 +89,26 @@ TEST_F(JointPlotsTest, JointsAndQuantitiesCanBeTurnedOff) {
   EXPECT_FALSE(canvases()[1]->isHidden());
 }
 
+TEST_F(JointPlotsTest, JerkIsShownBesideThatOfTheMotionBefore) {
+  load(3, 50, 0.1);
+  plots_.setKind(PlotKind::Jerk);
+  ASSERT_EQ(canvases().size(), 3);
+  EXPECT_TRUE(canvases()[0]->isHidden());
+  EXPECT_FALSE(canvases()[2]->isHidden());
+  const test::SampleProgram slower = test::sampleProgram(3, 50, 0.2);
+  QSignalSpy ready(&plots_, &JointPlots::ready);
+  plots_.setTrajectory(slower.trajectory, test::sampleLimits());
+  ASSERT_TRUE(ready.wait(10000));
+  const QImage alone = canvases()[2]->grab().toImage();
+  plots_.setEarlierShown(true);
+  EXPECT_GT(difference(alone, canvases()[2]->grab().toImage()), 500);
+  // Without a trajectory nothing is left of the one before.
+  plots_.setTrajectory(nullptr, {});
+  plots_.setTrajectory(slower.trajectory, test::sampleLimits());
+  ASSERT_TRUE(ready.wait(10000));
+  EXPECT_LT(difference(alone, canvases()[2]->grab().toImage()), 100);
+}
+
 // A plan as long as a bunny's: preparing it leaves the window free, drawing it takes a moment.
 TEST_F(JointPlotsTest, ManyPointsDoNotHoldTheWindowUp) {
   const test::SampleProgram p = test::sampleProgram(100, 3450, 0.02);

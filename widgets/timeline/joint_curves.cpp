@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "plan/arrival_times.h"
+#include "plan/trajectory_jerk.h"
 
 #include <algorithm>
 
@@ -15,14 +16,16 @@ JointCurves::JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
   base::require(std::is_sorted(t.timeS.begin(), t.timeS.end()),
                 "JointCurves: times do not decrease");
   const std::vector<std::size_t> pointOf = addTimes();
+  const std::vector<std::vector<float>> jerks = plan::jerkAlong(t);
   const std::size_t count = timeS_.size(), dof = static_cast<std::size_t>(t.dof);
   for (std::size_t joint = 0; joint < dof; ++joint) {
     ctx.checkpoint();
-    std::vector<float> angles(count), speeds(count, 0.0f);
+    std::vector<float> angles(count), speeds(count, 0.0f), jerk(count);
     const robot::JointKind kind = joint < kinds.size() ? kinds[joint] : robot::JointKind::Turning;
     const auto value = [&](std::size_t i) { return t.joints[pointOf[i] * dof + joint]; };
     for (std::size_t i = 0; i < count; ++i) {
       angles[i] = static_cast<float>(robot::shownValue(kind, value(i)));
+      jerk[i] = jerks[joint][pointOf[i]];
       if (i + 1 == count)
         break;
       const double step = value(i + 1) - value(i);
@@ -33,6 +36,7 @@ JointCurves::JointCurves(std::shared_ptr<const plan::Trajectory> trajectory,
     }
     angle_.emplace_back(std::move(angles));
     speed_.emplace_back(std::move(speeds));
+    jerk_.emplace_back(std::move(jerk));
   }
 }
 
@@ -61,6 +65,10 @@ QList<QPointF> JointCurves::speed(int joint, double fromS, double toS, int colum
   return reduced(speed_.at(static_cast<std::size_t>(joint)), fromS, toS, columns, true);
 }
 
+QList<QPointF> JointCurves::jerk(int joint, double fromS, double toS, int columns) const {
+  return reduced(jerk_.at(static_cast<std::size_t>(joint)), fromS, toS, columns, false);
+}
+
 ValueRange JointCurves::angleRange(int joint) const {
   const CurvePyramid& curve = angle_.at(static_cast<std::size_t>(joint));
   return curve.over(0, curve.size());
@@ -68,6 +76,11 @@ ValueRange JointCurves::angleRange(int joint) const {
 
 ValueRange JointCurves::speedRange(int joint) const {
   const CurvePyramid& curve = speed_.at(static_cast<std::size_t>(joint));
+  return curve.over(0, curve.size());
+}
+
+ValueRange JointCurves::jerkRange(int joint) const {
+  const CurvePyramid& curve = jerk_.at(static_cast<std::size_t>(joint));
   return curve.over(0, curve.size());
 }
 

@@ -1,4 +1,4 @@
-// Angles and speeds of a trajectory, prepared for drawing at any width.
+// Angles, speeds and jerks of a trajectory, prepared for drawing at any width.
 #pragma once
 
 #include "base/run_context.h"
@@ -14,7 +14,8 @@
 namespace voluta::timeline {
 
 // Immutable; times include waits, at which the joints rest. Degrees and degrees per second over
-// seconds, mm and mm/s for sliding joints. Construction takes O(dof N), on a worker thread.
+// seconds, mm and mm/s for sliding joints; jerks in rad/s³ and mm/s³. Construction takes O(dof N),
+// on a worker thread.
 class JointCurves {
 public:
   // Joints beyond those of `kinds` are turning ones. Precondition (Error{Internal}): a trajectory
@@ -30,8 +31,10 @@ public:
   QList<QPointF> angle(int joint, double fromS, double toS, int columns) const;
   // Constant between two points of the trajectory, drawn as steps.
   QList<QPointF> speed(int joint, double fromS, double toS, int columns) const;
+  QList<QPointF> jerk(int joint, double fromS, double toS, int columns) const;
   ValueRange angleRange(int joint) const;
   ValueRange speedRange(int joint) const;
+  ValueRange jerkRange(int joint) const;
 
 private:
   std::vector<std::size_t> addTimes();
@@ -41,7 +44,7 @@ private:
   std::shared_ptr<const plan::Trajectory> trajectory_;
   std::vector<double> timeS_; // Of each point, and of the end of each wait
   // One per joint; a value per time, speeds up to the next
-  std::vector<CurvePyramid> angle_, speed_;
+  std::vector<CurvePyramid> angle_, speed_, jerk_;
 };
 
 } // namespace voluta::timeline

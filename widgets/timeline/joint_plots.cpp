@@ -14,12 +14,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace voluta::timeline {
 
 namespace {
 constexpr int kMinButton = 30;
 constexpr double kMinSpanS = 0.5;
+constexpr float kPale = 0.35f;
 constexpr double kMargin = 0.05; // of the visible values, above and below
 
 // Distinguishable by colour-blind users; none is red, because red means blocked. One row for light
@@ -92,7 +94,7 @@ void JointPlots::buildWidgets() {
   auto* row = new QHBoxLayout;
   row->setSpacing(2);
   auto* kinds = new QButtonGroup(this);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 4; ++i) {
     auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setAutoRaise(true);
@@ -107,13 +109,19 @@ void JointPlots::buildWidgets() {
   limitsButton_->setAutoRaise(true);
   column->addLayout(row);
   column->addWidget(limitsButton_, 0, Qt::AlignLeft);
+  earlierButton_ = new QToolButton(this);
+  earlierButton_->setCheckable(true);
+  earlierButton_->setAutoRaise(true);
+  column->addWidget(earlierButton_, 0, Qt::AlignLeft);
   connect(kinds, &QButtonGroup::idClicked, this,
           [this](int id) { setKind(static_cast<PlotKind>(id)); });
   connect(limitsButton_, &QToolButton::toggled, this, &JointPlots::refresh);
+  connect(earlierButton_, &QToolButton::toggled, this, &JointPlots::refresh);
 
   angle_ = new ChartCanvas(this);
   speed_ = new ChartCanvas(this);
-  for (ChartCanvas* canvas : {angle_, speed_}) {
+  jerk_ = new ChartCanvas(this);
+  for (ChartCanvas* canvas : {angle_, speed_, jerk_}) {
     column->addWidget(canvas, 1);
     connect(canvas, &ChartCanvas::timeClicked, this, &JointPlots::timeClicked);
     connect(canvas, &ChartCanvas::spanWanted, this, &JointPlots::setSpan);
@@ -123,6 +131,7 @@ void JointPlots::buildWidgets() {
   // Both have the same width, so one signal suffices.
   connect(angle_, &ChartCanvas::resized, this, &JointPlots::refresh);
   connect(speed_, &ChartCanvas::resized, this, &JointPlots::refresh);
+  connect(jerk_, &ChartCanvas::resized, this, &JointPlots::refresh);
 }
 
 void JointPlots::retranslate() {
@@ -131,13 +140,17 @@ void JointPlots::retranslate() {
   });
   angle_->setAxisTitle(slides ? tr("Angle (°), position (mm)") : tr("Angle (°)"));
   speed_->setAxisTitle(slides ? tr("Speed (°/s, mm/s)") : tr("Speed (°/s)"));
-  for (ChartCanvas* canvas : {angle_, speed_})
+  jerk_->setAxisTitle(slides ? tr("Jerk (rad/s³, mm/s³)") : tr("Jerk (rad/s³)"));
+  for (ChartCanvas* canvas : {angle_, speed_, jerk_})
     canvas->setTimeTitle(tr("Time (s)"));
-  const std::array<QString, 3> kinds{tr("Angle"), tr("Speed"), tr("Both")};
+  const std::array<QString, 4> kinds{tr("Angle"), tr("Speed"), tr("Both"), tr("Jerk")};
   for (std::size_t i = 0; i < kinds.size(); ++i)
     kindButtons_[i]->setText(kinds[i]);
   limitsButton_->setText(tr("Limits"));
   limitsButton_->setToolTip(tr("Show the limits of the joints as dashed lines"));
+  earlierButton_->setText(tr("Earlier motion"));
+  earlierButton_->setToolTip(
+      tr("Show the jerk of the motion planned before, in pale colours, to compare"));
   for (std::size_t i = 0; i < jointButtons_.size(); ++i)
     if (const robot::ExternalAxis* axis = externalAxis(i))
       jointButtons_[i]->setToolTip(tr("Show axis %1").arg(QString::fromStdString(axis->name)));
@@ -150,9 +163,11 @@ void JointPlots::setTrajectory(std::shared_ptr<const plan::Trajectory> trajector
                                std::vector<robot::ExternalAxis> externalAxes) {
   limits_ = std::move(limits);
   externalAxes_ = std::move(externalAxes);
-  curves_.reset();
+  if (curves_)
+    earlier_ = std::exchange(curves_, nullptr);
   retranslate();
   if (!trajectory || trajectory->pointCount() == 0) {
+    earlier_.reset();
     runner_->cancel();
     for (QToolButton* button : jointButtons_)
       button->hide();
@@ -233,9 +248,16 @@ void JointPlots::setKind(PlotKind kind) {
 }
 
 void JointPlots::applyKind() {
-  angle_->setVisible(kind_ != PlotKind::Speed);
-  speed_->setVisible(kind_ != PlotKind::Angle);
+  angle_->setVisible(kind_ == PlotKind::Angle || kind_ == PlotKind::Both);
+  speed_->setVisible(kind_ == PlotKind::Speed || kind_ == PlotKind::Both);
+  jerk_->setVisible(kind_ == PlotKind::Jerk);
+  limitsButton_->setVisible(kind_ != PlotKind::Jerk);
+  earlierButton_->setVisible(kind_ == PlotKind::Jerk);
   kindButtons_[static_cast<std::size_t>(kind_)]->setChecked(true);
+}
+
+void JointPlots::setEarlierShown(bool shown) {
+  earlierButton_->setChecked(shown);
 }
 
 void JointPlots::setJointShown(int joint, bool shown) {
@@ -263,20 +285,24 @@ void JointPlots::setSpan(double fromS, double toS) {
 void JointPlots::setTimeS(double timeS) {
   angle_->setTimeS(timeS);
   speed_->setTimeS(timeS);
+  jerk_->setTimeS(timeS);
 }
 
 void JointPlots::refresh() {
   limitsButton_->setEnabled(!limits_.empty());
+  earlierButton_->setEnabled(static_cast<bool>(earlier_));
   if (!curves_) {
     const QString hint = runner_->running()
                              ? tr("Preparing the curves…")
                              : tr("Joint curves appear here once the motion is planned.");
-    for (ChartCanvas* canvas : {angle_, speed_}) {
+    for (ChartCanvas* canvas : {angle_, speed_, jerk_}) {
       canvas->setContent({}, 0.0, 1.0, 0.0, 1.0);
       canvas->setHint(hint);
     }
     return;
   }
+  if (!jerk_->isHidden())
+    refreshJerk();
   const bool limits = limitsButton_->isChecked();
   for (ChartCanvas* canvas : {angle_, speed_}) {
     if (canvas->isHidden())
@@ -306,6 +332,31 @@ void JointPlots::refresh() {
     canvas->setHint(curves.empty() ? tr("No joint selected.") : QString());
     canvas->setContent(std::move(curves), fromS_, toS_, span.low, span.high);
   }
+}
+
+void JointPlots::refreshJerk() {
+  std::vector<ChartCurve> curves;
+  std::vector<ValueRange> ranges;
+  const auto add = [&](const JointCurves& from, bool pale) {
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+      const int joint = static_cast<int>(i);
+      if (!shown_[i] || joint >= from.dof())
+        continue;
+      ChartCurve curve;
+      curve.colour = jointColour(i, palette());
+      if (pale)
+        curve.colour.setAlphaF(kPale);
+      curve.points = from.jerk(joint, fromS_, toS_, jerk_->columns());
+      ranges.push_back(from.jerkRange(joint));
+      curves.push_back(std::move(curve));
+    }
+  };
+  if (earlier_ && earlierButton_->isChecked())
+    add(*earlier_, true);
+  add(*curves_, false);
+  const Span span = spanOf(curves, ranges, false);
+  jerk_->setHint(curves.empty() ? tr("No joint selected.") : QString());
+  jerk_->setContent(std::move(curves), fromS_, toS_, span.low, span.high);
 }
 
 void JointPlots::changeEvent(QEvent* event) {

@@ -1,4 +1,5 @@
-// Angle and speed of every joint over time, with their limits, synchronized with the time-line.
+// Angle, speed and jerk of every joint over time, with their limits, synchronized with the
+// time-line.
 #pragma once
 
 #include "plan/trajectory.h"
@@ -21,7 +22,7 @@ namespace voluta::timeline {
 class ChartCanvas;
 class JointCurves;
 
-enum class PlotKind { Angle, Speed, Both };
+enum class PlotKind { Angle, Speed, Both, Jerk };
 
 // Curves are prepared on a worker and reduced to the minimum and maximum per pixel column; this is
 // repeated only when the view is zoomed, moved or resized. The wheel zooms about the pointer,
@@ -35,7 +36,8 @@ public:
 
   // null: nothing to show. Limits: one per joint, or none. The last joints are the external axes,
   // shown by their names; one that turns endlessly is hidden at first because of its large angles.
-  // Returns immediately; ready() follows.
+  // Returns immediately; ready() follows. The jerk of the trajectory shown before remains as pale
+  // curves (setEarlierShown) until there is none.
   void setTrajectory(std::shared_ptr<const plan::Trajectory> trajectory,
                      std::vector<robot::JointLimits> limits,
                      std::vector<robot::ExternalAxis> externalAxes = {});
@@ -43,6 +45,8 @@ public:
 
   void setKind(PlotKind kind);
   PlotKind kind() const { return kind_; }
+  // Whether the plot of the jerk includes the trajectory shown before. Initially not.
+  void setEarlierShown(bool shown);
   void setJointShown(int joint, bool shown);
   bool jointShown(int joint) const;
   // Visible time span in seconds, clamped to the trajectory.
@@ -67,19 +71,20 @@ private:
   void colourJointButtons();
   void applyKind();
   void refresh();
+  void refreshJerk();
   void retranslate();
 
   jobs::JobRunner* runner_;
-  std::shared_ptr<const JointCurves> curves_;
+  std::shared_ptr<const JointCurves> curves_, earlier_;
   std::vector<robot::JointLimits> limits_;
   std::vector<robot::ExternalAxis> externalAxes_;
   std::vector<bool> shown_;
   PlotKind kind_ = PlotKind::Both;
   double fromS_ = 0.0, toS_ = 0.0;
-  ChartCanvas *angle_ = nullptr, *speed_ = nullptr;
+  ChartCanvas *angle_ = nullptr, *speed_ = nullptr, *jerk_ = nullptr;
   QHBoxLayout* jointRow_ = nullptr;
   std::vector<QToolButton*> jointButtons_, kindButtons_;
-  QToolButton* limitsButton_ = nullptr;
+  QToolButton *limitsButton_ = nullptr, *earlierButton_ = nullptr;
 };
 
 } // namespace voluta::timeline

@@ -4,10 +4,12 @@
 #include "base/run_context.h"
 #include "base/stopwatch.h"
 #include "motion/external_axes.h"
+#include "motion/ladder/branch_blend.h"
 #include "motion/ladder/divided_step.h"
 #include "motion/ladder/joint_costs.h"
 #include "motion/nozzle_frame.h"
 #include "motion/smoothing/even_turns.h"
+#include "motion/smoothing/local_filter.h"
 #include "motion/smoothing/smooth_run.h"
 #include "motion/timed_points.h"
 #include "process/bead_model.h"
@@ -57,6 +59,8 @@ private:
   std::vector<Failed> follow(const LadderWay& way);
   // Smooths a run without collisions; its ends stay.
   void smooth();
+  // Lowers the greatest jerks of a run whose rotations were evened.
+  void filterJerk();
   // Returns whether the head, lifted by the minimum of the shortest travel, has room to travel.
   bool headTravels(const RobotState& state, std::size_t before) const;
   // Returns whether the nozzle can be lifted at both ends. Blocks their nodes where it cannot:
@@ -209,8 +213,13 @@ std::vector<Failed> Stretch::follow(const LadderWay& way) {
 }
 
 void Stretch::smooth() {
-  if (scene_.options.smoothing != TurnMethod::WholePath || scene_.options.turn != NozzleTurn::Free)
+  if (scene_.options.turn != NozzleTurn::Free)
     return;
+  if (scene_.options.smoothing != TurnMethod::WholePath) {
+    if (scene_.options.smoothing == TurnMethod::Evened && scene_.options.maxJerk > 0.0)
+      filterJerk();
+    return;
+  }
   SmoothedRun smoothed = smoothRun(
       smoothing_, laid_,
       [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
@@ -229,6 +238,15 @@ void Stretch::smooth() {
   }
   times_.jerk += smoothed.smoothS;
   times_.collision += smoothed.checkS;
+}
+
+void Stretch::filterJerk() {
+  const base::Stopwatch watch;
+  run_.points = filteredRun(
+      smoothing_, std::move(run_.points),
+      [&](const JointVector& q, std::size_t w) { return ladder_.contactAt(q, w).has_value(); },
+      scene_.options.maxJerk, {}, ctx_);
+  times_.jerk += watch.seconds();
 }
 
 bool Stretch::headTravels(const RobotState& state, std::size_t before) const {
@@ -354,13 +372,29 @@ std::size_t Stretch::plan(std::vector<Run>& runs, std::vector<Refused>& refused)
 
 } // namespace
 
+void PathPlanner::joinLast(std::vector<Run>& runs) const {
+  const Run& after = runs.back();
+  Run& before = runs[runs.size() - 2];
+  if (before.points.back().waypoint != after.points.front().waypoint)
+    return;
+  BlendedRun blended = blendBranches(scene_, before, after, scene_.options.leanRad);
+  if (!blended.run)
+    return;
+  before = std::move(*blended.run);
+  runs.pop_back();
+}
+
 void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
                        const RobotState& from, const base::RunContext& ctx, std::vector<Run>& runs,
                        std::vector<Refused>& refused) {
   RobotState last = from;
   const TimingLimits limits =
       timingLimits(scene_.cell, tooling_.of(scene_.plan.paths[path]).process);
-  const RunSmoothing smoothing{scene_, scene_.twists, limits};
+  const bool learns =
+      scene_.options.learnedCollisions && scene_.options.smoothing == TurnMethod::WholePath;
+  const RunSmoothing smoothing{scene_, scene_.twists, limits,
+                               learns ? learned_.of(path, ctx.quiet()) : nullptr};
+  const std::size_t firstRun = runs.size();
   std::size_t done = 0;
   while (done < count) {
     ctx.checkpoint();
@@ -373,6 +407,8 @@ void PathPlanner::plan(std::size_t path, std::size_t first, std::size_t count,
       refused.erase(refused.begin() + static_cast<std::ptrdiff_t>(refusedBefore));
     done += step;
     if (runs.size() > runsBefore) {
+      if (scene_.options.blendsBranches && runsBefore > firstRun)
+        joinLast(runs);
       last = runs.back().points.back().at;
       // The next run begins where this one ended, so that nothing stays unprinted between them.
       if (done < count)

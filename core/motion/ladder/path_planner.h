@@ -6,6 +6,7 @@
 #include "motion/motion_scene.h"
 #include "motion/refusal.h"
 #include "motion/run.h"
+#include "motion/smoothing/learned_clearance.h"
 #include "process/tooling.h"
 
 #include <cstddef>
@@ -22,7 +23,7 @@ class PathPlanner {
 public:
   // `scene` must outlive the planner.
   PathPlanner(const MotionScene& scene, process::Tooling tooling)
-      : scene_(scene), tooling_(std::move(tooling)) {}
+      : scene_(scene), tooling_(std::move(tooling)), learned_(scene) {}
 
   // Plans waypoints [first, first + count) of path `path`, none of which the head refuses,
   // continuing from `from`. Appends the printed runs (usually one) and the refused waypoints. A run
@@ -35,8 +36,12 @@ public:
   PathTimes takeTimes() { return std::exchange(times_, {}); }
 
 private:
+  // Joins the last two runs if one ends where the other begins and the branch can change there.
+  void joinLast(std::vector<Run>& runs) const;
+
   const MotionScene& scene_;
   process::Tooling tooling_;
+  LearnedClearance learned_;
   PathTimes times_;
 };
 

@@ -202,8 +202,10 @@ std::optional<SmoothedRun> smoothedWithin(double leanRad, double axesRad, const 
   const double endStay = axesRad == 0.0 ? kEndStay : kHeld;
   for (int division = 0;;) {
     const std::size_t n = points.size();
-    const TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad,
-                                axesRad);
+    TurnSmoother smoother(by.scene.cell, by.twists, points, nozzleTimes(by, points), leanRad,
+                          axesRad);
+    if (by.nearness)
+      smoother.avoid(*by.nearness);
     const std::vector<TurnedPoint> start = smoother.start(ctx);
     const std::vector<TurnHold> free(n);
     std::vector<TurnedPoint> at = start;

@@ -17,11 +17,14 @@ class RunContext;
 
 namespace voluta::motion {
 
+struct Nearness;
+
 // Inputs for smoothing all runs of one job. All references must outlive it.
 struct RunSmoothing {
   const MotionScene& scene;
   const robot::ArmTwists& twists;
   const TimingLimits& limits;
+  const Nearness* nearness = nullptr; // estimated collisions that smoothing avoids; null: none
 };
 
 // Returns whether these joints collide on the way to that waypoint.

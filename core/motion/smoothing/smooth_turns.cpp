@@ -147,6 +147,10 @@ double TurnSmoother::limitCost(const JointVector& q) const {
     const double beyond = nearLimit(cell_.robot().limits[static_cast<std::size_t>(j)], q[j], slope);
     cost += limitWeight_ * beyond * beyond;
   }
+  if (nearness_) {
+    const double near = std::max(0.0, nearness_->value(q));
+    cost += limitWeight_ * near * near;
+  }
   return cost;
 }
 
@@ -265,6 +269,14 @@ bool TurnSmoother::stepOf(const std::vector<TurnedPoint>& at, const std::vector<
       const Part by = slope / scale_[at_] * rates[i].row(j).transpose();
       blocks[i][0] += limitWeight_ * by * by.transpose();
       right[i] -= limitWeight_ * beyond * by;
+    }
+    if (const double near = nearness_ ? nearness_->value(at[i].q) : 0.0; near > 0.0) {
+      const JointVector slope = nearness_->slope(at[i].q);
+      Part by = Part::Zero();
+      for (Eigen::Index j = 0; j < cell_.armDof(); ++j)
+        by += slope[j] / scale_[static_cast<std::size_t>(j)] * rates[i].row(j).transpose();
+      blocks[i][0] += limitWeight_ * by * by.transpose();
+      right[i] -= limitWeight_ * near * by;
     }
     const Part place = placeOf(at[i]);
     // The sum of a hold is weight * (difference of the places of a and b)^2, or the weighted square

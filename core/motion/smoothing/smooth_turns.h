@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -55,6 +56,13 @@ struct TurnSmoothing {
   double longestTurn = 0.3; // [rad] maximum turn of any point in one step
 };
 
+// An estimate of how near joints are to a collision, which a smoother lowers: from 0 on, more is
+// worse. `slope`: its derivative with respect to the joints. Both are called from several threads.
+struct Nearness {
+  std::function<double(const robot::JointVector&)> value;
+  std::function<robot::JointVector(const robot::JointVector&)> slope;
+};
+
 class TurnSmoother {
 public:
   // `times`: times of the points [s], increasing. References are kept. coneRad: largest lean of a
@@ -64,6 +72,10 @@ public:
   TurnSmoother(const robot::Cell& cell, const robot::ArmTwists& twists,
                const std::vector<RunPoint>& points, std::vector<double> times, double coneRad = 0.0,
                double axesRad = 0.0);
+
+  // Adds the squares of `nearness`, weighted by the mean jerk cost of a point, to the cost
+  // (Dai 2020, eq. 4.12: the collision constraint). The reference is kept.
+  void avoid(const Nearness& nearness) { nearness_ = &nearness; }
 
   // Returns the points unchanged.
   std::vector<TurnedPoint> start(const base::RunContext& ctx) const;
@@ -121,6 +133,7 @@ private:
   // jerk cost of moving a point alone, relative to the square of its place
   std::vector<Place> stiffness_;
   double limitWeight_ = 0.0;
+  const Nearness* nearness_ = nullptr;
 };
 
 } // namespace voluta::motion

@@ -1,0 +1,106 @@
+// Motions slowed to a limit of the jerk.
+#include "motion/jerk_limit.h"
+
+#include "base/error.h"
+#include "motion/jerk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace voluta;
+using robot::JointVector;
+
+namespace {
+
+double greatest(const std::vector<JointVector>& q, const std::vector<double>& times) {
+  const motion::JerkMeasure jerk = motion::jerkOf(q, times);
+  return *std::max_element(jerk.maxAbs.begin(), jerk.maxAbs.end());
+}
+
+struct Path {
+  std::vector<JointVector> q;
+  std::vector<double> times;
+};
+
+// Two joints along waves with corners, at uneven times.
+Path randomPath(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Path path;
+  JointVector q = JointVector::Zero(2), rate = JointVector::Zero(2);
+  const std::size_t count = 2 + static_cast<std::size_t>(120.0 * unit(random));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (unit(random) < 0.1)
+      rate = Eigen::Vector2d(unit(random) - 0.5, unit(random) - 0.5);
+    path.q.push_back(q);
+    path.times.push_back(i == 0 ? 0.0 : path.times.back() + 0.02 + 0.04 * unit(random));
+    q += 0.04 * rate;
+  }
+  return path;
+}
+
+double shareOfLongest(const Path& path, const std::vector<double>& times) {
+  double most = 0.0;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    most = std::max(most, (times[i] - times[i - 1]) / (path.times[i] - path.times[i - 1]));
+  return most;
+}
+
+} // namespace
+
+// From 0 to 2 within T: a jerk of 8 * 2 / T^3 (Jerk.OfOneStepFromRestToRest), so 2 s for a limit
+// of 2.
+TEST(JerkLimit, OfOneStepIsKnown) {
+  const std::vector<JointVector> q{JointVector::Zero(1), JointVector::Constant(1, 2.0)};
+  const std::vector<double> times = motion::timesWithinJerk(q, {0.0, 1.0}, {}, 2.0);
+  EXPECT_NEAR(times.back(), 2.0, 0.02);
+  EXPECT_GE(times.back(), 2.0);
+}
+
+TEST(JerkLimit, IsKeptByRandomPaths) {
+  int kept = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    const Path path = randomPath(seed);
+    for (const double limit : {2000.0, 100.0, 5.0}) {
+      const std::vector<double> times = motion::timesWithinJerk(path.q, path.times, {}, limit);
+      ASSERT_EQ(times.size(), path.times.size());
+      for (std::size_t i = 1; i < times.size(); ++i)
+        ASSERT_GE(times[i] - times[i - 1], path.times[i] - path.times[i - 1] - 1e-9) << seed;
+      if (shareOfLongest(path, times) < motion::kMostSlower - 1e-6) {
+        EXPECT_LE(greatest(path.q, times), limit * 1.0001) << seed << " " << limit;
+        ++kept;
+      }
+      EXPECT_LE(greatest(path.q, times), greatest(path.q, path.times) * 1.0001) << seed;
+    }
+  }
+  EXPECT_GT(kept, 600) << "most are not so slow that the limit is given up";
+}
+
+TEST(JerkLimit, ChangesNothingThatKeepsIt) {
+  const Path path = randomPath(3);
+  const double own = greatest(path.q, path.times);
+  const std::vector<double> times = motion::timesWithinJerk(path.q, path.times, {}, 1.01 * own);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    EXPECT_NEAR(times[i], path.times[i], 1e-12);
+}
+
+// A joint at 1 rad/s from rest to rest: with a jerk of 10 rad/s3 each ramp takes at least
+// 2 sqrt(1 / 10) s and adds half of that.
+TEST(JerkLimit, RampsAreNotMuchLongerThanTheyMustBe) {
+  Path path;
+  for (int i = 0; i <= 400; ++i) {
+    path.q.push_back(JointVector::Constant(1, 0.01 * i));
+    path.times.push_back(0.01 * i);
+  }
+  const std::vector<double> times = motion::timesWithinJerk(path.q, path.times, {}, 10.0);
+  EXPECT_LE(greatest(path.q, times), 10.0 * 1.0001);
+  const double added = times.back() - path.times.back(), least = 2.0 * std::sqrt(0.1);
+  EXPECT_GT(added, least);
+  EXPECT_LT(added, 2.0 * least);
+}
+
+TEST(JerkLimit, RefusesNoLimit) {
+  EXPECT_THROW(motion::timesWithinJerk({}, {}, {}, 0.0), base::Error);
+}
