@@ -3,7 +3,6 @@
 #include "cli/commands.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -14,6 +13,7 @@ void addCompareRun(CLI::App& app, int threads,
   struct Values {
     CompareRunOptions options;
     double speedPercent = 1.0, flowPercent = 1.0;
+    std::string progress = "bar";
   };
   const auto values = std::make_shared<Values>();
   CompareRunOptions& options = values->options;
@@ -35,13 +35,13 @@ void addCompareRun(CLI::App& app, int threads,
   command->add_option("--places", options.places, "number of places listed of each kind");
   command->add_option("-o", options.curve, "FILE.csv for the errors along the record");
   command->add_option("--threads", options.threads, "threads to use")->check(CLI::Range(1, 256));
-  command->add_option("--progress", options.progress, "how progress is shown")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ProgressStyle>{{"bar", ProgressStyle::Bar},
-                                               {"json", ProgressStyle::Json},
-                                               {"none", ProgressStyle::None}}));
+  command->add_option("--progress", values->progress, "how progress is shown")
+      ->check(CLI::IsMember({"bar", "json", "none"}));
   command->callback([values, chosen] {
     chosen([values] {
+      values->options.progress = values->progress == "json"   ? ProgressStyle::Json
+                                 : values->progress == "none" ? ProgressStyle::None
+                                                              : ProgressStyle::Bar;
       values->options.tolerances.speed = 0.01 * values->speedPercent;
       values->options.tolerances.flow = 0.01 * values->flowPercent;
       return compareRunCommand(values->options);

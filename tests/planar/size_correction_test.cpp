@@ -78,6 +78,21 @@ TEST(SizeCorrection, OutlinesAndHolesMoveByTheirOwn) {
   }
 }
 
+TEST(SizeCorrection, ARoundHoleStaysRound) {
+  constexpr int kAround = 192;
+  Section section;
+  section.plane.normal = Vector3d::UnitZ();
+  addLoop(section, rectangle(-20, -20, 20, 20));
+  std::vector<Vector2d> circle;
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = -2.0 * base::kPi * i / kAround;
+    circle.emplace_back(5.0 * std::cos(angle), 5.0 * std::sin(angle));
+  }
+  addLoop(section, circle);
+  const Section out = corrected(section, {1, 1, 0, 0.2}, {0, 0});
+  EXPECT_NEAR(std::sqrt((1600.0 - areaOf(out)) / base::kPi), 5.2, 2e-3);
+}
+
 TEST(SizeCorrection, AnIslandInAHoleIsAnOutline) {
   Section section;
   section.plane.normal = Vector3d::UnitZ();

@@ -65,7 +65,11 @@ Section corrected(const Section& section, const SizeCorrection& correction,
       all.AddPaths(movedRegion(*node, correction), ClipperLib::ptSubject, true);
   Paths out;
   all.Execute(ClipperLib::ctUnion, out, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return sectionOf(cleaned(std::move(out)), section.plane, frame);
+  // Coarser than this, the chords of a circle would make a hole smaller than it was.
+  constexpr double kFineMm = 0.001;
+  ClipperLib::CleanPolygons(out, kFineMm * kPathUnits);
+  std::erase_if(out, [](const Path& path) { return path.size() < 3; });
+  return sectionOf(out, section.plane, frame);
 }
 
 } // namespace voluta::planar
