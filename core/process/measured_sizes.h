@@ -34,9 +34,9 @@ struct SizeFit {
   Process process;         // as printed, with new corrections
   double residualMm = 0.0; // greatest difference of a measured size from the fitted law
 };
-// Fits a factor along x and y, an excess of outlines and one of holes to the sizes (least squares;
-// of several fits the one nearest to a machine without errors), and returns the process with which
-// they would be right. `printed`: the process of the measured parts, whose corrections they have.
+// Fits a factor along x and y, an excess of outlines and one of holes to the sizes (least squares,
+// with the errors that machines usually have as a prior), and returns the process with which they
+// would be right. `printed`: the process of the measured parts, whose corrections they have.
 // Throws Error{UnusableInput} if the corrections leave the ranges of a process.
 SizeFit fitSizes(std::span<const MeasuredSize> sizes, const Process& printed);
 
