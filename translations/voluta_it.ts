@@ -8928,8 +8928,8 @@ previsto</translation>
         <translation>portata di un&apos;iniezione</translation>
     </message>
     <message>
-        <source>Flow into a pocket, at most that of the process. 0: the flow of the usual bead.</source>
-        <translation>Portata in una tasca, al massimo quella del processo. 0: la portata del cordone usuale.</translation>
+        <source>Flow into a pocket, at most that of the process. 0: as much.</source>
+        <translation>Portata in una tasca, al massimo quella del processo. 0: altrettanta.</translation>
     </message>
     <message>
         <source>wait after a shot</source>
@@ -9082,6 +9082,14 @@ previsto</translation>
     <message>
         <source>the cutter takes up to {depth} from the part</source>
         <translation>la fresa asporta fino a {depth} dal pezzo</translation>
+    </message>
+    <message>
+        <source>tilt of the nozzle on a seam</source>
+        <translation>inclinazione dell&apos;ugello su una cucitura</translation>
+    </message>
+    <message>
+        <source>Angle of the nozzle from the surface&apos;s normal, outwards from the seam; negative: inwards.</source>
+        <translation>Angolo dell&apos;ugello dalla normale alla superficie, verso l&apos;esterno della cucitura; negativo: verso l&apos;interno.</translation>
     </message>
 </context>
 <context>

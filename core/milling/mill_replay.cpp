@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace voluta::milling {
 
@@ -78,6 +79,20 @@ private:
     return std::abs(value - planned) <= kSameShare * planned;
   }
 
+  // Returns the upward component of the unit normal of the part's top.
+  static double steepness(const HeightMap& part, std::size_t cell) {
+    const auto row = static_cast<std::size_t>(part.grid.countX);
+    if (cell < row || cell + row >= part.grid.size())
+      return 1.0;
+    const auto slope = [&](std::size_t before, std::size_t after) {
+      const bool isKnown = part.isPart(before) && part.isPart(after);
+      return isKnown ? (part.top[after] - part.top[before]) / (2.0 * part.grid.pitchMm)
+                     : std::numeric_limits<double>::infinity();
+    };
+    const double x = slope(cell - 1, cell + 1), y = slope(cell - row, cell + row);
+    return 1.0 / std::sqrt(1.0 + x * x + y * y); // 0 at the rim
+  }
+
   // Compares the cells of the part with those of the block.
   void judge(const Stock& stock, const HeightMap& part, double& residue) {
     for (std::size_t c = 0; c < part.grid.size(); ++c) {
@@ -85,7 +100,7 @@ private:
         continue;
       const double high = stock.highAt(c);
       verdict_.deepestMm = std::max(verdict_.deepestMm, part.top[c] - high);
-      residue = std::max(residue, high - part.top[c]);
+      residue = std::max(residue, (high - part.top[c]) * steepness(part, c));
     }
   }
   void judgeUpper() { judge(stock_, plan_.above, verdict_.residueMm); }

@@ -16,7 +16,7 @@ struct MillVerdict {
   double removedMm3 = 0.0;
   double seconds = 0.0;       // feeds by the text, rapid moves at kRapidMmPerMin
   double deepestMm = 0.0;     // greatest depth of material missing from the part, along z
-  double residueMm = 0.0;     // greatest height of material left on the part, along z
+  double residueMm = 0.0;     // greatest thickness of material left on the part
   double sideResidueMm = 0.0; // of it, on the part's lower side
 };
 

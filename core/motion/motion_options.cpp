@@ -82,8 +82,7 @@ base::ParameterTable motionParameters() {
            "Material that flows out at the place of the tool change after each change of the tool."_text),
        base::numberParameter("stitchFlow", "mm3/s", d.shotFlowMm3PerS, 0.0, 10000.0,
                              "Stitches"_text, "flow of a shot"_text,
-                             "Flow into a pocket, at most that of the process. 0: the flow of "
-                             "the usual bead."_text),
+                             "Flow into a pocket, at most that of the process. 0: as much."_text),
        base::numberParameter("stitchWait", "s", d.shotWaitS, 0.0, 60.0, "Stitches"_text,
                              "wait after a shot"_text,
                              "Time that the nozzle stays in the pocket after the shot, so that "

@@ -54,7 +54,7 @@ struct MotionOptions {
   double wipeMm = 0.0;          // Along the bead before the lift, extruder off
   double leastLayerTimeS = 0.0; // plan::LayerTimes
   double purgeMm3 = 100.0;      // flows out after each tool change
-  // Of shots into pockets: their flow, 0: as the nozzle is primed; and the wait after each.
+  // Of shots into pockets: their flow, 0: the limit of the process; and the wait after each.
   double shotFlowMm3PerS = 0.0, shotWaitS = 0.0;
 
   // Limit of the jerk of every joint [rad/s3], sliding ones by robot::asTurn; 0: none

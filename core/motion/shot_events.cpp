@@ -16,9 +16,10 @@ std::optional<std::size_t> shotPoint(const plan::ToolPlan& plan, const Run& run)
 
 double addShotEvents(plan::Trajectory& trajectory, double volumeMm3,
                      const process::Process& process, const MotionOptions& options) {
-  const double flow = options.shotFlowMm3PerS > 0.0
-                          ? std::min(options.shotFlowMm3PerS, process::flowLimit(process))
-                          : process::primeFlow(process);
+  // As short as possible: a long stay melts the layers around (Castelli 6.2).
+  const double limit = process::flowLimit(process);
+  const double flow =
+      options.shotFlowMm3PerS > 0.0 ? std::min(options.shotFlowMm3PerS, limit) : limit;
   const std::size_t point = trajectory.pointCount();
   const double seconds = volumeMm3 / flow;
   trajectory.events.push_back(

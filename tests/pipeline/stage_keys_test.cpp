@@ -73,6 +73,12 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"layerShape", {"sphere", kStageCount}},
     {"layerCentre", {"0,0,-9", kStageCount}},
     {"endSurface", {"flat:9", kStageCount}},
+    {"traceAngle", {"30", kStageCount}}, // of mode trace
+    {"traceInset", {"1", kStageCount}},
+    {"traceSpacing", {"4", kStageCount}},
+    {"tracePasses", {"2", kStageCount}},
+    {"traceClosing", {"1", kStageCount}},
+    {"traceTilt", {"5", kStageCount}},
     {"walls", {"3", 3}},
     {"infill", {"concentric", 3}},
     {"infillDensity", {"0.5", 3}},
@@ -280,7 +286,11 @@ TEST_F(StageKeysOf, ParametersOfGroundsMatterToTheirModes) {
       {"lathe", "infill", 3},         {"substrate", "rodAxis", 6},
       {"substrate", "layerShape", 1}, {"substrate", "layerCentre", 1},
       {"substrate", "endSurface", 1}, {"substrate", "firstLayerMm", 1},
-      {"substrate", "rodProfile", 6}, {"substrate", "overhangAngle", 1}};
+      {"substrate", "rodProfile", 6}, {"substrate", "overhangAngle", 1},
+      {"trace", "traceAngle", 1},     {"trace", "traceInset", 1},
+      {"trace", "traceSpacing", 1},   {"trace", "tracePasses", 1},
+      {"trace", "traceClosing", 1},   {"trace", "traceTilt", 1},
+      {"trace", "layerShape", 6},     {"substrate", "traceAngle", 6}};
   for (const auto& [mode, key, first] : rows) {
     PlanRequest request = boxRequest();
     request.choices.item().mode = mode;
