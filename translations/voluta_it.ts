@@ -9091,6 +9091,62 @@ previsto</translation>
         <source>Angle of the nozzle from the surface&apos;s normal, outwards from the seam; negative: inwards.</source>
         <translation>Angolo dell&apos;ugello dalla normale alla superficie, verso l&apos;esterno della cucitura; negativo: verso l&apos;interno.</translation>
     </message>
+    <message>
+        <source>the machines are too close to each other before they move, at {where}: place them further apart, or give one another home</source>
+        <translation>le macchine sono troppo vicine prima di muoversi, in {where}: posizionarle più distanti, o dare a una un&apos;altra posa di riposo</translation>
+    </message>
+    <message>
+        <source>{body} of machine {machine} meets {other} of the other machine at {where} ({layer}): place the machines further apart, or the part further from the border</source>
+        <translation>{body} della macchina {machine} urta {other} dell&apos;altra macchina in {where} ({layer}): posizionare le macchine più distanti, o il pezzo più lontano dal confine</translation>
+    </message>
+    <message>
+        <source>no order of work keeps the machines apart: {first} of machine 1 and {second} of machine 2 hinder each other at {where}: place the machines further apart, or the parts further from the border</source>
+        <translation>nessun ordine di lavoro tiene separate le macchine: {first} della macchina 1 e {second} della macchina 2 si ostacolano in {where}: posizionare le macchine più distanti, o i pezzi più lontano dal confine</translation>
+    </message>
+    <message>
+        <source>the way home</source>
+        <translation>il ritorno a riposo</translation>
+    </message>
+    <message>
+        <source>&apos;{place}&apos; is no place</source>
+        <translation>&apos;{place}&apos; non è una posizione</translation>
+    </message>
+    <message>
+        <source>give X,Y,Z in mm and a rotation about z in degrees, as in 900,0,0,180</source>
+        <translation>indicare X,Y,Z in mm e una rotazione attorno a z in gradi, come in 900,0,0,180</translation>
+    </message>
+    <message>
+        <source>the job has no motion</source>
+        <translation>il lavoro non ha movimento</translation>
+    </message>
+    <message>
+        <source>the job is the rest of a print</source>
+        <translation>il lavoro è il resto di una stampa</translation>
+    </message>
+    <message>
+        <source>use the whole job</source>
+        <translation>usare il lavoro intero</translation>
+    </message>
+    <message>
+        <source>comparing the motions of both machines</source>
+        <translation>confronto dei movimenti delle due macchine</translation>
+    </message>
+    <message>
+        <source>looking for an order of work</source>
+        <translation>ricerca di un ordine di lavoro</translation>
+    </message>
+    <message>
+        <source>running both programs in one time</source>
+        <translation>esecuzione dei due programmi nello stesso tempo</translation>
+    </message>
+    <message>
+        <source>a mark for the other machine</source>
+        <translation>un segnale per l&apos;altra macchina</translation>
+    </message>
+    <message>
+        <source>an input is read while motions are queued</source>
+        <translation>un ingresso viene letto mentre ci sono movimenti in coda</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

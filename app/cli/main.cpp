@@ -6,6 +6,7 @@
 #include "cli/mill_command.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
+#include "cli/together_options.h"
 #include "curved/growth_scheme.h"
 #include "pipeline/choices.h"
 #include "process/own_materials.h"
@@ -552,6 +553,7 @@ int run(int argc, char** argv) {
   addVerify(app, parsed, threads);
   addCompareRun(app, threads, [&parsed](std::function<ExitCode()> run) { parsed.run = run; });
   addResume(app, parsed, threads);
+  addTogether(app, parsed.run, threads);
   addRender(app, parsed);
   addInspect(app, parsed);
   addOrient(app, parsed, threads);

@@ -377,6 +377,33 @@ double CellCollision::distanceOf(const Contact& pair, const Frames& base_T_frame
   return distance(a, b, capMm);
 }
 
+double CellCollision::distanceToOther(int body, const Isometry3d& common_T_body,
+                                      const CellCollision& other, int otherBody,
+                                      const Isometry3d& common_T_other, double capMm) const {
+  const auto assemblyOf = [](const CellCollision& of, int i) -> const Assembly& {
+    const bool isHead =
+        of.cell_.bodies()[static_cast<std::size_t>(i)].role == robot::BodyRole::Head;
+    return isHead ? *of.erodedHead_ : of.assemblies_[static_cast<std::size_t>(i)];
+  };
+  const Assembly &first = assemblyOf(*this, body), &second = assemblyOf(other, otherBody);
+  const double balls =
+      (common_T_body * first.ball.centre - common_T_other * second.ball.centre).norm() -
+      first.ball.radius - second.ball.radius;
+  if (balls > capMm)
+    return balls;
+  std::vector<PosedSolid> a, b;
+  placeSolids(first, common_T_body, a);
+  placeSolids(second, common_T_other, b);
+  return distance(a, b, capMm);
+}
+
+std::vector<robot::Shape> CellCollision::erodedHead() const {
+  std::vector<robot::Shape> shapes;
+  for (const Solid& solid : erodedHead_->solids)
+    shapes.push_back(solid.shape);
+  return shapes;
+}
+
 Ball CellCollision::ballAbout(int body) const {
   return assemblies_[static_cast<std::size_t>(body)].ball;
 }

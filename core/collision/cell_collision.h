@@ -86,6 +86,13 @@ public:
   std::vector<Contact> clearancePairs() const;
   double distanceOf(const Contact& pair, const Frames& base_T_frame, const GrowingPart& part,
                     std::size_t before, double capMm) const;
+  // Returns the distance of a body to one of another cell, placed in a common frame, or a lower
+  // bound of it above capMm. A head is eroded (process::erodedHead). mm.
+  double distanceToOther(int body, const Eigen::Isometry3d& common_T_body,
+                         const CellCollision& other, int otherBody,
+                         const Eigen::Isometry3d& common_T_other, double capMm) const;
+  // Returns the eroded head, in the tool frame.
+  std::vector<robot::Shape> erodedHead() const;
   // Returns a sphere that contains the body, in its frame.
   Ball ballAbout(int body) const;
 

@@ -275,15 +275,19 @@ ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::str
   return Resuming(std::move(job), point, std::move(formats)).run(ctx);
 }
 
-PlanResult writeRest(project::Job job, const base::RunContext& ctx) {
-  base::require(job.item().part && job.toolPlan && job.trajectory && job.resumedAt > 0,
-                "a job that is taken up again");
+PlanResult written(project::Job job, const base::RunContext& ctx) {
+  base::require(job.item().part && job.toolPlan && job.trajectory, "a job with a motion");
   const base::Stopwatch whole;
   PlanResult result = resultOf(project::upTo(std::move(job), project::Stage::Motion));
   writePrograms(result, ctx);
   result.job.report.timings.total = whole.seconds();
   result.job.report.threads = ctx.threads();
   return result;
+}
+
+PlanResult writeRest(project::Job job, const base::RunContext& ctx) {
+  base::require(job.resumedAt > 0, "a job that is taken up again");
+  return written(std::move(job), ctx);
 }
 
 ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& ctx) {

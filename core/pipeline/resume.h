@@ -45,6 +45,9 @@ ResumeResult resumePrint(const ResumeRequest& request, const base::RunContext& c
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,
                        const base::RunContext& ctx);
 
+// Writes the programs of a job again with its motion as it is, say with marks in it. Precondition
+// (Error{Internal}): the job is planned up to its motion.
+PlanResult written(project::Job job, const base::RunContext& ctx);
 // Writes the programs of a resumed job (resumedAt > 0) again with its present choices; the motion
 // stays. Precondition (Error{Internal}): the job is planned up to its motion.
 PlanResult writeRest(project::Job job, const base::RunContext& ctx);

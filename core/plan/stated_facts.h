@@ -32,7 +32,9 @@ enum class FactKind : std::uint8_t {
   BedHeatWait,     // Waits until the bed is that hot
   FanSpeed,        // Number: part cooling, 0..1
   BeadStartWord,   // Word: a statement of the process at the start of a bead
-  BeadEndWord      // Word: a statement of the process at the end of a bead
+  BeadEndWord,     // Word: a statement of the process at the end of a bead
+  MarkSet,         // Number: the place in the cycle of marks (plan/marks.h) that an output states
+  MarkAwaited      // Number: that which an input waits for, without time limit
 };
 
 struct StatedFact {

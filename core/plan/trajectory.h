@@ -31,7 +31,8 @@ enum class EventKind : std::uint8_t {
   Purge,      // `volumeMm3` of material flows out in `seconds`
   Release,    // the tool changer releases the tool, which takes `seconds`
   Lock,       // the tool changer locks the tool, which takes `seconds`
-  Shot        // `volumeMm3` of material fills a pocket of the part in `seconds`
+  Shot,       // `volumeMm3` of material fills a pocket of the part in `seconds`
+  Mark        // waits until another machine is at the mark with the same number, counted from 1
 };
 // Returns whether the arm is at rest meanwhile.
 inline bool stopsArm(EventKind kind) {
@@ -40,7 +41,7 @@ inline bool stopsArm(EventKind kind) {
 
 // Happens in place, after the arm has arrived at the point before and before it moves to `point`.
 struct TrajectoryEvent {
-  std::size_t point = 1; // 1 .. pointCount() - 1
+  std::size_t point = 1; // 1 .. pointCount() - 1; of a Mark also pointCount(): at the end
   EventKind kind = EventKind::Pause;
   int tool = 0;           // ToolChange: index in the job's tooling
   double feedMm = 0.0;    // Feed

@@ -58,7 +58,7 @@ std::vector<plan::EventKind> eventsOfTools(std::initializer_list<plan::EventKind
   return events;
 }
 constexpr plan::EventKind kCut = plan::EventKind::Cut, kRelease = plan::EventKind::Release,
-                          kLock = plan::EventKind::Lock;
+                          kLock = plan::EventKind::Lock, kMark = plan::EventKind::Mark;
 
 using enum plan::FactKind;
 std::vector<plan::FactKind> gcodeStates() {
@@ -92,7 +92,7 @@ const std::vector<Dialect>& dialects() {
        .straight = Straight::InBase,
        .hasArcs = true,
        .supportsExternalAxes = false,
-       .events = eventsOfTools({kCut, kRelease, kLock}),
+       .events = eventsOfTools({kCut, kRelease, kLock, kMark}),
        // Every motion states its acceleration. Cycle of a CB3. Rotation limit: 4 rad/s per m/s.
        .time = {.cycleS = 0.008, .turnMmPerRad = 250.0},
        .merge = {.motionS = 0.008, .jointRad = kSameJointRad},
@@ -188,7 +188,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "rapid",
        .needsJoints = false,
        .hasArcs = true,
-       .events = eventsOfTools({kCut, kRelease, kLock}),
+       .events = eventsOfTools({kCut, kRelease, kLock, kMark}),
        // IRB 1200: 0 to 1 m/s in 0.06 s.
        .time = {.accelerationMmPerS2 = 16000.0, .jointAccelerationRadPerS2 = 20.0},
        // Controllers report events 50024 and 50078 below about 20 to 30 ms or 0.5 to 1 mm.
@@ -213,7 +213,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "krl",
        .needsJoints = false,
        .hasArcs = true,
-       .events = eventsOfTools({kCut, kRelease, kLock}),
+       .events = eventsOfTools({kCut, kRelease, kLock, kMark}),
        .time = kKrlTime,
        .merge = kKrlMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder, kAxisExtruder},
@@ -251,7 +251,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "spel",
        .needsJoints = false,
        .supportsExternalAxes = false,
-       .events = eventsOfTools({kRelease, kLock}),
+       .events = eventsOfTools({kRelease, kLock, kMark}),
        // A value that all of its arms accept.
        .time = {.accelerationMmPerS2 = kSpelplusMmPerS2,
                 .jointAccelerationRadPerS2 = 10.0,
@@ -274,7 +274,7 @@ const std::vector<Dialect>& dialects() {
        .controller = "melfa",
        .straight = Straight::InBase,
        .supportsExternalAxes = false,
-       .events = eventsOfTools({kRelease, kLock}),
+       .events = eventsOfTools({kRelease, kLock, kMark}),
        .time = kMelfaTime,
        .merge = kMelfaMerge,
        .extruders = {kOutputsExtruder, kStreamExtruder},
@@ -337,7 +337,7 @@ const std::vector<Dialect>& dialects() {
        // A bead's path is a spline through its points.
        .straight = Straight::Pieces,
        .supportsExternalAxes = false,
-       .events = eventsOfTools({kRelease, kLock}),
+       .events = eventsOfTools({kRelease, kLock, kMark}),
        // Points state their times; Line and PTP their ramps. The pace of the motion queue is
        // undocumented.
        .merge = {.leastS = 0.02, .jointRad = kSameJointRad},

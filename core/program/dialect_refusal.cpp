@@ -43,6 +43,8 @@ base::Text nameOf(plan::EventKind kind) {
     return "releasing the tool"_text;
   case plan::EventKind::Lock:
     return "locking the tool"_text;
+  case plan::EventKind::Mark:
+    return "a mark for the other machine"_text;
   case plan::EventKind::Purge:
     return "a purge of the nozzle"_text;
   case plan::EventKind::Shot:

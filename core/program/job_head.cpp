@@ -120,13 +120,22 @@ namespace {
 // The outputs that the program sets for its tools.
 std::vector<int> usedOutputs(const ProgramInput& input) {
   std::vector<int> outputs;
-  if (!input.trajectory.changesTool())
-    return outputs;
-  for (int tool = 1; tool < static_cast<int>(input.tooling.tools().size()); ++tool)
-    outputs.push_back(tool);
+  if (input.trajectory.changesTool())
+    for (int tool = 1; tool < static_cast<int>(input.tooling.tools().size()); ++tool)
+      outputs.push_back(tool);
   if (hasEvent(input, plan::EventKind::Lock))
     outputs.push_back(kChangerOutput);
+  if (hasEvent(input, plan::EventKind::Mark))
+    outputs.insert(outputs.end(), {kMarkOutput, kMarkOutput + 1});
   return outputs;
+}
+
+std::string outputName(const ProgramInput& input, int output) {
+  if (output >= kMarkOutput)
+    return joined({"signal ", std::to_string(output - kMarkOutput + 1),
+                   " for the other machine, its input there"});
+  return output == kChangerOutput ? std::string("tool changer locked")
+                                  : toolName(input.tooling, output);
 }
 } // namespace
 
@@ -142,9 +151,7 @@ std::vector<std::string> toolNotes(const ProgramInput& input,
                                    const std::function<std::string(int)>& output) {
   std::vector<std::string> notes;
   for (const int used : usedOutputs(input))
-    notes.push_back(joined({used == kChangerOutput ? std::string("tool changer locked")
-                                                   : toolName(input.tooling, used),
-                            ": ", output(used)}));
+    notes.push_back(joined({outputName(input, used), ": ", output(used)}));
   return notes;
 }
 

@@ -37,7 +37,7 @@ public:
       from = to;
     }
     for (plan::TrajectoryEvent event : in_.events) {
-      event.point = pointOf_[event.point];
+      event.point = event.point < pointOf_.size() ? pointOf_[event.point] : out_.pointCount();
       out_.events.push_back(event);
     }
     return std::move(out_);

@@ -1,5 +1,6 @@
 #include "program/program_builder.h"
 
+#include "plan/marks.h"
 #include "program/filament.h"
 #include "program/gcode/castelli_serial.h"
 
@@ -187,9 +188,20 @@ void ProgramBuilder::selectTool(int tool) {
   state(plan::FactKind::ToolSelected);
 }
 
+namespace {
+bool isMark(int signal) {
+  return signal == kMarkOutput || signal == kMarkOutput + 1;
+}
+} // namespace
+
 bool ProgramBuilder::toolOutput(int tool, bool on) {
   if (tool == kChangerOutput && toolOutputs_.size() > 1) {
     state(plan::FactKind::ToolLocked, on ? 1.0 : 0.0);
+    return true;
+  }
+  if (isMark(tool)) {
+    statePassingOutput();
+    state(plan::FactKind::MarkSet, plan::markPlaceOf(tool - kMarkOutput, on));
     return true;
   }
   if (tool < 1 || static_cast<std::size_t>(tool) >= toolOutputs_.size())
@@ -197,6 +209,13 @@ bool ProgramBuilder::toolOutput(int tool, bool on) {
   const char before = std::exchange(toolOutputs_[static_cast<std::size_t>(tool)], on ? 1 : 0);
   if (before != toolOutputs_[static_cast<std::size_t>(tool)] || !outputLine_)
     outputLine_ = line;
+  return true;
+}
+
+bool ProgramBuilder::awaitInput(int input, bool on) {
+  if (!isMark(input))
+    return false;
+  state(plan::FactKind::MarkAwaited, plan::markPlaceOf(input - kMarkOutput, on));
   return true;
 }
 

@@ -74,10 +74,13 @@ public:
   // defect, and no selection, if the job has no such tool.
   void selectTool(int tool);
   int selectedTool() const { return selected_; }
-  // Sets the output of a tool but the first, or that of the tool changer (kChangerOutput). The tool
+  // Sets the output of a tool but the first, that of the tool changer (kChangerOutput), or one that
+  // announces marks (kMarkOutput and the next). The tool
   // whose output alone is on deposits from the next motion, pause or statement on; the first one if
   // all are off. Returns false if the job has no such tool: then the output is another one.
   bool toolOutput(int tool, bool on);
+  // Waits without time limit for an input of marks. Returns false if the input is another one.
+  bool awaitInput(int input, bool on);
 
   // Sets the arm's payload. A different payload during the print is a defect.
   void load(std::string_view word, double kg);

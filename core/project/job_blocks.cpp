@@ -94,10 +94,12 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
          std::ranges::is_sorted(t.events, {}, &plan::TrajectoryEvent::point) &&
          std::ranges::all_of(t.events,
                              [&](const plan::TrajectoryEvent& e) {
-                               return e.point > 0 && e.point < n && e.tool >= 0 &&
-                                      std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Lock &&
-                                      std::isfinite(e.seconds) && e.seconds >= 0.0 &&
-                                      std::isfinite(e.volumeMm3) && e.volumeMm3 >= 0.0;
+                               const bool mayEnd = e.kind == plan::EventKind::Mark;
+                               return e.point > 0 && (e.point < n || (mayEnd && e.point == n)) &&
+                                      e.tool >= 0 && std::isfinite(e.feedMm) &&
+                                      e.kind <= plan::EventKind::Mark && std::isfinite(e.seconds) &&
+                                      e.seconds >= 0.0 && std::isfinite(e.volumeMm3) &&
+                                      e.volumeMm3 >= 0.0;
                              }) &&
          std::all_of(t.waypoint.begin(), t.waypoint.end(), [&](std::size_t w) {
            return w == plan::kNoWaypoint || (toolPlan && w < toolPlan->waypointCount());

@@ -1,6 +1,7 @@
 #include "replay/planned_events.h"
 
 #include "plan/finding_kinds.h"
+#include "plan/marks.h"
 #include "program/dialect.h"
 
 #include <algorithm>
@@ -61,6 +62,7 @@ public:
     const PlannedStops planned = plannedStops(program_, trajectory_, alignment_);
     compareWaits(planned.seconds);
     comparePurges(planned);
+    compareMarks();
     for (std::size_t e = 0; e < found_.size(); ++e)
       if (!found_[e])
         missing(trajectory_.events[e]);
@@ -114,6 +116,51 @@ private:
                                          {"found", base::mm3(stated)},
                                          {"planned", base::mm3(planned[m])}}));
     }
+  }
+  // A mark is announced and then awaited. Before the first motion signals may be withdrawn.
+  void compareMarks() {
+    struct Wanted {
+      std::size_t event;
+      FactKind kind;
+      int place;
+    };
+    std::vector<Wanted> wanted;
+    std::size_t number = 0;
+    for (std::size_t e = 0; e < trajectory_.events.size(); ++e)
+      if (trajectory_.events[e].kind == EventKind::Mark) {
+        const int place = plan::markPlace(++number);
+        wanted.push_back({e, FactKind::MarkSet, place});
+        wanted.push_back({e, FactKind::MarkAwaited, place});
+        found_[e] = true;
+      }
+    std::size_t next = 0;
+    for (const StatedFact& fact : program_.facts) {
+      const bool isSet = fact.kind == FactKind::MarkSet;
+      if ((!isSet && fact.kind != FactKind::MarkAwaited) ||
+          (isSet && fact.before <= program_.firstMotion))
+        continue;
+      const std::size_t point = fact.before < program_.motions.size()
+                                    ? alignment_.pointAhead(fact.before)
+                                    : trajectory_.pointCount();
+      const auto isIt = [&](const Wanted& w) {
+        return trajectory_.events[w.event].point == point && w.kind == fact.kind &&
+               w.place == static_cast<int>(fact.number);
+      };
+      constexpr std::size_t kAhead = 3; // so that one lost mark is one finding
+      const auto from = wanted.begin() + static_cast<std::ptrdiff_t>(next),
+                 to = wanted.begin() +
+                      static_cast<std::ptrdiff_t>(std::min(wanted.size(), next + kAhead));
+      const auto at = std::find_if(from, to, isIt);
+      if (at == to) {
+        unplanned(fact, EventKind::Mark);
+        continue;
+      }
+      for (auto lost = from; lost != at; ++lost)
+        found_[lost->event] = false;
+      next = static_cast<std::size_t>(at - wanted.begin()) + 1;
+    }
+    for (; next < wanted.size(); ++next)
+      found_[wanted[next].event] = false;
   }
   void mark(EventKind kind, std::size_t point) {
     for (const TrajectoryEvent& event : trajectory_.eventsBefore(point))

@@ -45,6 +45,8 @@ base::Message nameOf(FactKind kind) {
   case FactKind::ToolSelected: // events: planned_events.h
   case FactKind::ToolLocked:
   case FactKind::TapeCut:
+  case FactKind::MarkSet:
+  case FactKind::MarkAwaited:
   case FactKind::PassingOutput:
   case FactKind::NozzleHeat: // heat_facts.h
   case FactKind::NozzleHeatWait:

@@ -36,6 +36,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"cells", {"geometry", "platform", "process", "voxel", "robot", "plan", "collision"}},
     {"toolpath",
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers"}},
+    {"together", {"geometry", "platform", "process", "voxel", "robot", "plan", "collision"}},
     {"motion",
      {"geometry", "platform", "process", "voxel", "robot", "plan", "collision", "layers",
       "toolpath", "indicator"}},
@@ -50,9 +51,10 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"geometry", "platform", "process", "voxel", "plan", "layers", "curved", "planar", "substrate",
       "support", "robot", "project"}},
     {"pipeline",
-     {"geometry", "platform",  "process", "voxel",     "plan",    "build3mf",  "layers", "curved",
-      "planar",   "substrate", "support", "placement", "robot",   "collision", "cells",  "toolpath",
-      "motion",   "program",   "record",  "replay",    "project", "modes",     "page",   "sliced"}},
+     {"geometry", "platform", "process",   "voxel",   "plan",      "build3mf", "layers",
+      "curved",   "planar",   "substrate", "support", "placement", "robot",    "collision",
+      "cells",    "toolpath", "together",  "motion",  "program",   "record",   "replay",
+      "project",  "modes",    "page",      "sliced"}},
 };
 
 struct Include {

@@ -1,5 +1,6 @@
 #include "program/common/walk.h"
 
+#include "plan/marks.h"
 #include "process/cooling.h"
 #include "program/bead_words.h"
 #include "program/common/extruder_outputs.h"
@@ -42,12 +43,16 @@ public:
       emitter_.beginFile(file);
       if (file == 0 && in_.trajectory.changesTool())
         selectTool();
+      if (file == 0)
+        withdrawMarks();
       for (std::size_t i = walk_.cuts[file]; i < end; ++i) {
         if (i % 4096 == 0)
           ctx_.report(static_cast<double>(i) / static_cast<double>(walk_.cuts.back()),
                       base::message("{format}"_text, std::string(walk_.format)));
         point(i, i + 1 == end);
       }
+      if (end == in_.trajectory.pointCount())
+        events(end);
       emitter_.endFile(file);
     }
   }
@@ -129,6 +134,9 @@ private:
         emitter_.setOutput(kChangerOutput, event.kind == plan::EventKind::Lock);
         emitter_.wait(event.seconds);
         break;
+      case plan::EventKind::Mark:
+        mark();
+        break;
       case plan::EventKind::StartLag:
         startLag(i, event.seconds);
         break;
@@ -142,6 +150,24 @@ private:
       return emitter_.selectTool(tool_);
     for (int k = 1; k < static_cast<int>(in_.tooling.tools().size()); ++k)
       emitter_.setOutput(k, k == tool_);
+  }
+
+  // An earlier run may have left the signals of a mark.
+  void withdrawMarks() {
+    const auto& events = in_.trajectory.events;
+    if (std::ranges::find(events, plan::EventKind::Mark, &plan::TrajectoryEvent::kind) ==
+        events.end())
+      return;
+    emitter_.setOutput(kMarkOutput, false);
+    emitter_.setOutput(kMarkOutput + 1, false);
+  }
+
+  void mark() {
+    const int place = plan::markPlace(++marks_);
+    const int signal = kMarkOutput + plan::markSignal(place);
+    emitter_.remark("mark " + std::to_string(marks_));
+    emitter_.setOutput(signal, plan::markIsOn(place));
+    emitter_.awaitInput(signal, plan::markIsOn(place));
   }
 
   // The filament is drawn back before and after it, if it was before.
@@ -282,8 +308,9 @@ private:
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;
-  int tool_ = 0;         // selected
-  std::size_t path_ = 0; // printed last
+  int tool_ = 0;          // selected
+  std::size_t marks_ = 0; // reached
+  std::size_t path_ = 0;  // printed last
   double fan_ = 0.0;
   std::size_t lastPrint_ = 0;      // point
   std::string said_;               // last text sent

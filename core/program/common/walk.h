@@ -37,6 +37,9 @@ public:
   // (kChangerOutput), for dialects with an extruder on outputs; selectTool() for the others.
   virtual void setOutput(int /*output*/, bool /*on*/) {}
   virtual void selectTool(int /*tool*/) {}
+  // Waits without time limit until an input has that value, the arm at rest. Marks set and await
+  // the outputs and inputs kMarkOutput and the next.
+  virtual void awaitInput(int /*input*/, bool /*on*/) {}
   virtual void pause(std::string_view /*message*/) {} // until the operator continues
   // Lets material flow out while the arm is at rest, for dialects whose motions contain amounts.
   virtual void purge(double /*filamentMm*/, double /*seconds*/) {}

@@ -352,8 +352,13 @@ private:
   bool wait(LineCursor& line) {
     stopAdvance();
     double seconds = 0.0;
-    if (line.takeWord("for"))
+    if (line.takeWord("for")) {
+      int input = 0;
+      bool on = false;
+      if (LineCursor ahead = line; takeKrlInput(ahead, input, on) && out_.awaitInput(input, on))
+        return true;
       return out_.wordAt("wait for", kAside), takeRest(line);
+    }
     if (!line.takeWord("sec") || !variables_.takeNumber(line, seconds) || !line.ended())
       return false;
     if (!(seconds >= 0.0 && seconds <= kMaxSeconds))

@@ -63,6 +63,21 @@ template <typename Map> void eraseBelow(Map& all, const std::string& variable) {
 
 } // namespace
 
+bool takeKrlInput(LineCursor& line, int& input, bool& on) {
+  constexpr std::string_view kInput = "$in[";
+  std::string path, value;
+  double number = 0.0;
+  if (!takeKrlPath(line, path) || !path.starts_with(kInput) || !path.ends_with("]") ||
+      !parseNumber(std::string_view(path).substr(kInput.size(), path.size() - kInput.size() - 1),
+                   number) ||
+      !(number >= 1.0 && number <= 255.0) || !line.takeMark('=') || !line.takeMark('=') ||
+      !line.takeName(value) || (value != "true" && value != "false") || !line.ended())
+    return false;
+  input = static_cast<int>(number) - 1;
+  on = value == "true";
+  return true;
+}
+
 bool takeKrlPath(LineCursor& line, std::string& path) {
   if (!line.takeName(path))
     return false;

@@ -27,6 +27,9 @@ void tellOtherNames(const std::vector<plan::ProgramFile>& files, ProgramBuilder&
 // Parses a variable's name with its index and parts, in small letters: "$vel.cp", "$out[1]", "p1".
 bool takeKrlPath(LineCursor& line, std::string& path);
 
+// Parses the condition $IN[n]==TRUE or FALSE and nothing behind it; `input`: n - 1.
+bool takeKrlInput(LineCursor& line, int& input, bool& on);
+
 // The parts of a value, keyed by their paths within it: {X 1,B {Y 2}} has "x" and "b.y"; a number
 // has the path "". A boolean is 0 or 1.
 struct KrlValue {

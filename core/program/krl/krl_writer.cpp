@@ -238,6 +238,9 @@ private:
   void setOutput(int output, bool on) override {
     line(joined({"$OUT[", std::to_string(output + 1), on ? "]=TRUE" : "]=FALSE"}));
   }
+  void awaitInput(int input, bool on) override {
+    line(joined({"WAIT FOR $IN[", std::to_string(input + 1), on ? "]==TRUE" : "]==FALSE"}));
+  }
   void pause(std::string_view message) override {
     line(joined({"; ", message}));
     line("HALT");

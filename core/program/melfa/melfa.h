@@ -28,6 +28,7 @@
 #include "base/units.h"
 #include "plan/program.h"
 #include "plan/stated_facts.h"
+#include "program/common/extruder_outputs.h"
 #include "program/common/known_words.h"
 #include "program/program_input.h"
 
@@ -40,6 +41,16 @@
 namespace voluta::program {
 
 inline constexpr int kMelfaExtruder = 10, kMelfaFlow = 16;
+// Returns the number of an output or input of ProgramEmitter; those of marks come before the
+// extruder's, as the flow begins where they would be.
+constexpr int melfaSignal(int signal) {
+  return signal < kMarkOutput ? kMelfaExtruder + signal : kMelfaExtruder - 2 + signal - kMarkOutput;
+}
+// The inverse of melfaSignal().
+constexpr int melfaOutputOf(double number) {
+  const int output = static_cast<int>(number) - kMelfaExtruder;
+  return output >= 0 ? output : output + 2 + kMarkOutput;
+}
 inline constexpr double kMelfaFullFlow = 10000.0;
 // Assumed speed of 100 % joint motion: programs do not state their arm's speeds.
 inline constexpr double kMelfaJointRadPerS = base::kPi;

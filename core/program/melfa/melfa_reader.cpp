@@ -129,6 +129,8 @@ private:
       base(scanner);
     else if (word == "dly")
       delay(scanner);
+    else if (word == "wait")
+      awaitInput(scanner);
     else if (word == "gosub")
       subroutine(scanner, depth);
     else if (word == "callp")
@@ -147,6 +149,16 @@ private:
       notUnderstood(code);
     else
       defect(base::message("'{name}' is not known to the reader"_text, word.substr(0, 40)));
+  }
+
+  // Wait M_In(n)=value
+  void awaitInput(MelfaScanner& scanner) {
+    double input = 0.0, value = 0.0;
+    const bool known = scanner.variableName() == "m_in" && scanner.take('(') &&
+                       scanner.number(input) && scanner.take(')') && scanner.take('=') &&
+                       scanner.number(value) && scanner.ended();
+    if (!known || !out_.awaitInput(melfaOutputOf(input), value > 0.0))
+      out_.wordAt("Wait", kAside);
   }
 
   // Defines variable names; their type is determined by their names.
@@ -230,8 +242,7 @@ private:
         out_.flow(value / kMelfaFullFlow);
     } else if (touches(kMelfaExtruder, 1) || touches(kMelfaFlow, kOutputsOfWord)) {
       defect("an output of the extruder is set together with other outputs"_text);
-    } else if (name != "m_out" ||
-               !out_.toolOutput(static_cast<int>(first) - kMelfaExtruder, value > 0.0)) {
+    } else if (name != "m_out" || !out_.toolOutput(melfaOutputOf(first), value > 0.0)) {
       out_.wordAt(name, kAside);
     }
   }

@@ -136,7 +136,10 @@ private:
     step(joined({"M_Outw(", std::to_string(kMelfaFlow), ")=0"}));
   }
   void setOutput(int output, bool on) override {
-    step(joined({"M_Out(", std::to_string(kMelfaExtruder + output), on ? ")=1" : ")=0"}));
+    step(joined({"M_Out(", std::to_string(melfaSignal(output)), on ? ")=1" : ")=0"}));
+  }
+  void awaitInput(int input, bool on) override {
+    step(joined({"Wait M_In(", std::to_string(melfaSignal(input)), on ? ")=1" : ")=0"}));
   }
   void pause(std::string_view message) override {
     remark(message);

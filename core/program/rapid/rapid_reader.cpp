@@ -250,6 +250,8 @@ private:
     double number = 0.0;
     if (word == "waittime")
       return wait();
+    if (word == "waitdi")
+      return awaitInput();
     if (word == "accset" || word == "velset")
       return takeNumberToken(number) && takeMark(',') && fullSpeed(word, number) &&
              takeNumberToken(number) && takeEnd() && out_.word(rapidWords(), word);
@@ -283,6 +285,21 @@ private:
         endsByItself = endsByItself || isWord(word);
     out_.state(plan::FactKind::OperatorStop, endsByItself ? 0.0 : 1.0);
     return skipStatement();
+  }
+
+  // WaitDI signal,value;
+  bool awaitInput() {
+    constexpr std::string_view kMarkSignal = "dimark";
+    double value = 0.0, number = 0.0;
+    std::string name;
+    if (!takeName(name))
+      return false;
+    if (!name.starts_with(kMarkSignal) ||
+        !parseNumber(std::string_view(name).substr(kMarkSignal.size()), number) ||
+        !(number >= 1.0 && number <= 2.0))
+      return out_.wordAt("WaitDI", kAside), skipStatement();
+    return takeMark(',') && takeNumberToken(value) && takeEnd() &&
+           out_.awaitInput(kMarkOutput - 1 + static_cast<int>(number), value == 1.0);
   }
 
   bool wait() {
@@ -322,6 +339,8 @@ private:
       return take(value);
     if (name == "dotoollocked" && out_.toolOutput(kChangerOutput, value == 1.0))
       return true;
+    if (name == "domark1" || name == "domark2")
+      return out_.toolOutput(name.back() == '1' ? kMarkOutput : kMarkOutput + 1, value == 1.0);
     constexpr std::string_view kToolSignal = "dotool";
     double tool = 0.0;
     if (name.starts_with(kToolSignal) &&

@@ -45,8 +45,14 @@ std::string rapidFrame(const Eigen::Isometry3d& pose) {
 }
 
 std::string rapidToolSignal(int output) {
+  if (output >= kMarkOutput)
+    return joined({"doMark", std::to_string(output - kMarkOutput + 1)});
   return output == kChangerOutput ? std::string("doToolLocked")
                                   : joined({"doTool", std::to_string(output + 1)});
+}
+
+std::string rapidMarkInput(int input) {
+  return joined({"diMark", std::to_string(input - kMarkOutput + 1)});
 }
 
 std::string rapidToolLine(const ProgramInput& input) {

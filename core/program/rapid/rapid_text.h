@@ -21,6 +21,8 @@ void appendRapidPosition(std::string& out, const Eigen::Vector3d& mm, int decima
 void appendRapidTurn(std::string& out, const Eigen::Quaterniond& q, int decimals);
 std::string rapidFrame(const Eigen::Isometry3d& pose);
 
+// Returns the name of the signal of an input of marks (ProgramEmitter::awaitInput).
+std::string rapidMarkInput(int input);
 // Returns the name of the signal of an output (ProgramEmitter::setOutput).
 std::string rapidToolSignal(int output);
 

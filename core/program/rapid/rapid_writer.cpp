@@ -295,6 +295,9 @@ private:
   void setOutput(int output, bool on) override {
     line(joined({"    SetDO ", rapidToolSignal(output), on ? ",1;" : ",0;"}));
   }
+  void awaitInput(int input, bool on) override {
+    line(joined({"    WaitDI ", rapidMarkInput(input), on ? ",1;" : ",0;"}));
+  }
   void pause(std::string_view message) override {
     line(joined({"    UIMsgBox \"", message, "\";"}));
   }

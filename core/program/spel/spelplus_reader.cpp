@@ -199,8 +199,19 @@ private:
     out_.send(text);
     return true;
   }
+  // Sw(n) = On
+  bool awaitInput(LineCursor& line) {
+    double port = 0.0;
+    std::string value;
+    return line.takeWord("sw") && line.takeMark('(') && line.takeNumber(port) &&
+           line.takeMark(')') && line.takeMark('=') && line.takeName(value) &&
+           (value == "on" || value == "off") && line.ended() && port >= 1.0 && port <= 255.0 &&
+           out_.awaitInput(static_cast<int>(port) - 1, value == "on");
+  }
   bool wait(LineCursor& line) {
     double seconds = 0.0;
+    if (LineCursor input = line; awaitInput(input))
+      return true;
     LineCursor ahead = line;
     if (!variables_.takeNumber(ahead, seconds) || !ahead.ended())
       return out_.wordAt("Wait", kAside), takeRest(line);

@@ -181,6 +181,9 @@ private:
   void setOutput(int output, bool on) override {
     line(joined({on ? "  On " : "  Off ", std::to_string(output + 1)}));
   }
+  void awaitInput(int input, bool on) override {
+    line(joined({"  Wait Sw(", std::to_string(input + 1), on ? ") = On" : ") = Off"}));
+  }
   void pause(std::string_view message) override {
     line(joined({"  Print \"", message, "\""}));
     line("  Pause");

@@ -129,6 +129,10 @@ private:
       output(scanner, code);
       return;
     }
+    if (word == "while") {
+      awaitInput(scanner, code);
+      return;
+    }
     if (assign(code))
       return;
     std::vector<ScriptValue> values;
@@ -163,6 +167,25 @@ private:
     else if (word == "WaitQueueTag" ||
              (word == "QueueTag" && !arguments.numbers.empty() && arguments.numbers.back() == 1.0))
       isQueueDone_ = true;
+  }
+
+  // while(IO["ControlBox"].DI[n]==value){Sleep(ms)}: waits while the input has the other value
+  void awaitInput(ScriptScanner& scanner, std::string_view code) {
+    std::string_view module;
+    double channel = 0.0, value = 0.0, ms = 0.0;
+    const bool known = scanner.take('(') && scanner.name() == "IO" && scanner.take('[') &&
+                       scanner.take('"') && scanner.textBehindQuote(module) &&
+                       module == "ControlBox" && scanner.take(']') && scanner.take('.') &&
+                       scanner.name() == "DI" && scanner.take('[') && scanner.number(channel) &&
+                       scanner.take(']') && scanner.take('=') && scanner.take('=') &&
+                       scanner.number(value) && scanner.take(')') && scanner.take('{') &&
+                       scanner.name() == "Sleep" && scanner.take('(') && scanner.number(ms) &&
+                       scanner.take(')') && scanner.take('}') && scanner.ended();
+    if (!known || !(channel >= 0.0 && channel <= 255.0) ||
+        !out_.awaitInput(static_cast<int>(channel), value == 0.0))
+      notUnderstood(code);
+    else if (!isQueueDone_ && !out_.program().motions.empty())
+      defect("an input is read while motions are queued"_text);
   }
 
   // Unlike motions and outputs, a pause is not queued.

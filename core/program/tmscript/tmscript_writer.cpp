@@ -110,6 +110,13 @@ private:
     leave();
     frame(joined({"IO[\"ControlBox\"].DO[", std::to_string(output), on ? "]=1" : "]=0"}));
   }
+  // The input is read as soon as the statement is, so the queue has to be done by then.
+  void awaitInput(int input, bool on) override {
+    leave();
+    frame("QueueTag(1,1)");
+    frame(joined({"while(IO[\"ControlBox\"].DI[", std::to_string(input),
+                  on ? "]==0){Sleep(10)}" : "]==1){Sleep(10)}"}));
+  }
   void pause(std::string_view message) override {
     leave();
     remark(message);

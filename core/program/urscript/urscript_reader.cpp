@@ -233,7 +233,7 @@ private:
         ctx_.checkpoint();
       if (isDefinition(lines()[i].code))
         define(i);
-      else
+      else if (!awaitInput(i, function.end))
         statement(lines()[i++].code);
     }
     if (goesOver) {
@@ -243,6 +243,24 @@ private:
     out_.file = callFile;
     out_.line = callLine;
     running_.pop_back();
+  }
+
+  // while (get_standard_digital_in(n)!=value): sync() end, in three lines: moves i behind them.
+  bool awaitInput(std::size_t& i, std::size_t end) {
+    UrscriptScanner scanner{lines()[i].code, variables_};
+    if (i + 2 >= end || scanner.name() != "while" || lines()[i + 1].code != "sync()" ||
+        lines()[i + 2].code != "end")
+      return false;
+    Value input, value;
+    if (!scanner.take('(') || scanner.name() != "get_standard_digital_in" || !scanner.take('(') ||
+        !scanner.value(input) || input.kind != ValueKind::Number || !scanner.take(')') ||
+        !scanner.take('!') || !scanner.take('=') || !scanner.value(value) ||
+        value.kind != ValueKind::Boolean || !scanner.take(')') || !scanner.take(':') ||
+        !scanner.ended() || !(input.number >= 0.0 && input.number <= 31.0) ||
+        !out_.awaitInput(static_cast<int>(input.number), value.number > 0.0))
+      return false;
+    i += 3;
+    return true;
   }
 
   // [global | local] name = value

@@ -194,6 +194,12 @@ private:
     line(
         joined({"  set_standard_digital_out(", std::to_string(output), on ? ",True)" : ",False)"}));
   }
+  void awaitInput(int input, bool on) override {
+    line(joined({"  while (get_standard_digital_in(", std::to_string(input),
+                 on ? ")!=True):" : ")!=False):"}));
+    line("    sync()");
+    line("  end");
+  }
   void pause(std::string_view message) override {
     line(joined({"  popup(\"", message, "\",title=\"Voluta\",blocking=True)"}));
   }

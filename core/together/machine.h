@@ -1,0 +1,26 @@
+// One of two machines that work in one cell: each is planned alone, in its own cell, and placed in
+// a frame that both share.
+#pragma once
+
+#include "collision/cell_collision.h"
+#include "collision/growing_part.h"
+#include "plan/tool_plan.h"
+#include "plan/trajectory.h"
+#include "robot/cell.h"
+
+#include <Eigen/Geometry>
+
+namespace voluta::together {
+
+// References: the caller keeps them alive. Preconditions: the trajectory is the cell's and prints
+// the plan; the part was grown from the plan.
+struct Machine {
+  const robot::Cell& cell;
+  const collision::CellCollision& collision;
+  const plan::ToolPlan& toolPlan;
+  const plan::Trajectory& trajectory;
+  const collision::GrowingPart& part;
+  Eigen::Isometry3d shared_T_world; // of its cell
+};
+
+} // namespace voluta::together
