@@ -21,7 +21,6 @@ namespace {
 constexpr std::size_t kTried = 60; // planes tried per piece and level
 // Similar planes: cosine of normals, distance at the piece's middle
 constexpr double kAlike = 0.95, kAlikeMm = 5.0;
-constexpr double kOrderSpacingMm = 2.0;
 
 // Planes for pieces for which the levels before found none.
 struct Level {
@@ -171,7 +170,7 @@ public:
               std::int32_t& firstTag, const base::RunContext& ctx)
       : levelOptions_{options, withLessContact(options)}, fine_(fine), tag_(firstTag), ctx_(ctx),
         sections_(options.head.sections.empty() ? Sections::Apart : Sections::MayTouch),
-        normals_(evenDirections(fine.normals, kFacesUp)), ways_(options, kOrderSpacingMm) {
+        normals_(evenDirections(fine.normals, kFacesUp)), ways_(options, fine.spacingMm) {
     for (Piece& piece : pieces)
       queue_.push_back(queued(std::move(piece)));
     blocked_ = blockedWith({}, queue_.size());

@@ -16,6 +16,7 @@ struct FineCutOptions {
   int normals = 100;      // number over the upper hemisphere
   double stepMm = 5.0;    // distance between offsets, halved up to twice where none gains
   double leastMm2 = 1.0;  // smaller gains do not justify a cut
+  double spacingMm = 2.0; // of the points at which the head is checked
   Footing footing;        // of the part: see constrainedCut
   double targetMm2 = 0.0; // stop at this risky area of all pieces
 };

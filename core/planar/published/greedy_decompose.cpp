@@ -71,6 +71,7 @@ PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part,
     std::int32_t tag = 0;
     FineCutOptions fine;
     fine.footing = footingOf(whole, options.rule);
+    fine.spacingMm = kOrderSpacingMm;
     pieces = coarsePieces(std::move(whole), planes, options, tag, ctx.sub(0.4, 0.6));
     fine.leastMm2 = kMinGain * out.riskyBeforeMm2;
     fine.targetMm2 = options.target * out.riskyBeforeMm2;

@@ -8,6 +8,7 @@
 #include "planar/head_reach.h"
 #include "planar/piece_cut.h"
 #include "planar/plate.h"
+#include "planar/published/fine_cuts.h"
 #include "planar/search/cut_search.h"
 #include "planar/search/plane_polish.h"
 
@@ -160,6 +161,25 @@ std::vector<PlanarOptions> searches(const PlanarOptions& options, std::size_t tr
   return out;
 }
 
+// Cuts further by single planes, each with the largest gain: the search passes over small gains,
+// because an additional piece has a price there.
+std::vector<Piece> finished(std::vector<Piece> pieces, const PlanarOptions& options,
+                            const Footing& footing, double leastMm2, double targetMm2,
+                            const base::RunContext& ctx) {
+  FineCutOptions fine;
+  fine.normals = options.normals;
+  fine.stepMm = options.stepMm;
+  fine.spacingMm = kReachSpacingMm;
+  fine.leastMm2 = leastMm2;
+  fine.targetMm2 = targetMm2;
+  fine.footing = footing;
+  std::int32_t tag = 0;
+  for (const Piece& piece : pieces)
+    for (const std::int32_t t : piece.solid.tag)
+      tag = std::max(tag, t + 1);
+  return fineCuts(std::move(pieces), options, fine, tag, ctx);
+}
+
 } // namespace
 
 PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const PlanarOptions& options,
@@ -231,6 +251,12 @@ PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const Plan
       take(again().bettered().pieces);
     if (here->betterThan(best, goal))
       best = std::move(*here);
+  }
+  if (!best.good(kAbout * goal)) {
+    Tried tried =
+        judged(finished(best.pieces, options, footing, least, goal, ctx.quiet()), options);
+    if (tried.betterThan(best, goal))
+      best = std::move(tried);
   }
   out.pieces = std::move(best.pieces);
   out.blockedPieces = best.blocked;

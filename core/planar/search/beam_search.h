@@ -15,11 +15,12 @@ namespace voluta::planar {
 // hide from the head may still be cut off if a cut of that piece, which itself gains nothing, lets
 // the hiding part be printed later. If the target is not reached, the search is repeated with
 // planes that face up only, on a finer mesh and with less contact kept, and the best result is
-// returned. Cuts do not pass through sections of other cuts (RoboFDM, constraint I). The constraint
-// that base planes face up (constraint II) is replaced by the actual condition: the head reaches
-// all of a piece past the pieces printed before it. Precondition: `part` is closed, faces outward
-// and has its base on z = 0. Same result for any number of threads. Throws Error{UnusableInput} if
-// the part is not closed; Cancelled.
+// used; what it still leaves above the target is cut by single planes, as far as the head reaches
+// all pieces (fineCuts). Cuts do not pass through sections of other cuts (RoboFDM, constraint I).
+// The constraint that base planes face up (constraint II) is replaced by the actual condition: the
+// head reaches all of a piece past the pieces printed before it. Precondition: `part` is closed,
+// faces outward and has its base on z = 0. Same result for any number of threads. Throws
+// Error{UnusableInput} if the part is not closed; Cancelled.
 // Example:
 //   const planar::PlanarDecomposition pieces = planar::beamDecompose(part, {}, ctx);
 PlanarDecomposition beamDecompose(const geometry::TriangleMesh& part, const PlanarOptions& options,
