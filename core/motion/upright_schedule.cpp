@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/directions.h"
 #include "robot/upright_axes.h"
 
 #include <algorithm>
@@ -20,9 +21,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Rotation before the path, with the nozzle lifted, relative to rotation along it
 constexpr double kBefore = 0.3;
 constexpr std::size_t kSides = 2;
-// Between two waypoints. Near the second axis that axis may turn far, up to where the other side
-// is nearer.
-constexpr double kMostStep[] = {base::degreesToRadians(20.0), base::degreesToRadians(100.0)};
+// Steps between two waypoints, of the first axis beyond the angle between their directions: no
+// change of sides amid a bead. Near the second axis that axis may turn far, up to where the other
+// side is nearer.
+constexpr double kMostTilt = base::degreesToRadians(20.0),
+                 kMostTurn = base::degreesToRadians(100.0);
 
 // The best way to a position of the axes at a waypoint.
 struct State {
@@ -66,10 +69,16 @@ public:
   }
 
 private:
-  // Returns the axes nearest to `last` by whole turns. At the path's start they may be further, to
-  // be within the limits. nullopt if they are not, or if the table would swing amid the path.
+  // Returns the axes of waypoint i nearest to `last` by whole turns. At the path's start they may
+  // be further, to be within the limits. nullopt if they are not, or if the table would swing amid
+  // the path.
   std::optional<JointVector> near(const robot::UprightAxes& at, const JointVector& last,
-                                  bool starts) const {
+                                  std::size_t i) const {
+    const bool starts = i == 0;
+    const double direction = starts ? 0.0
+                                    : geometry::angleBetween(plan_.direction[first_ + i - 1],
+                                                             plan_.direction[first_ + i]);
+    const double most[] = {kMostTilt + direction, kMostTurn};
     JointVector axes = at.axes;
     if (at.lastIsFree)
       axes[1] = last[1];
@@ -80,7 +89,7 @@ private:
         axes[k] -= base::kTurn;
       while (starts && axes[k] < limits.min)
         axes[k] += base::kTurn;
-      if (!within(axes[k], limits) || (!starts && std::abs(axes[k] - last[k]) > kMostStep[k]))
+      if (!within(axes[k], limits) || (!starts && std::abs(axes[k] - last[k]) > most[k]))
         return std::nullopt;
     }
     return axes;
@@ -99,7 +108,7 @@ private:
         if (before == kInfinity || (side.lastIsFree && i > 0 && b != s))
           continue;
         const JointVector& last = i == 0 ? from_ : states_[i - 1][b].axes;
-        const auto axes = near(side, last, i == 0);
+        const auto axes = near(side, last, i);
         if (!axes)
           continue;
         const double cost = before + (i == 0 ? kBefore : 1.0) * (*axes - last).cwiseAbs().sum();

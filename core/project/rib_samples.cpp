@@ -71,15 +71,15 @@ TriangleMesh ribOf(const Outline& inner, const Outline& outer) {
   Builder builder;
   for (std::size_t i = 0; i + 1 < inner.size(); ++i) {
     const Vector2d &a = inner[i], &b = inner[i + 1], &c = outer[i], &d = outer[i + 1];
-    builder.add({along(-half, c), along(half, c), along(half, d), along(-half, d)});
-    builder.add({along(-half, b), along(half, b), along(half, a), along(-half, a)});
-    builder.add({along(half, a), along(half, b), along(half, d), along(half, c)});
-    builder.add({along(-half, a), along(-half, c), along(-half, d), along(-half, b)});
+    builder.add({along(-half, d), along(half, d), along(half, c), along(-half, c)});
+    builder.add({along(-half, a), along(half, a), along(half, b), along(-half, b)});
+    builder.add({along(half, c), along(half, d), along(half, b), along(half, a)});
+    builder.add({along(-half, b), along(-half, d), along(-half, c), along(-half, a)});
   }
-  builder.add({along(-half, inner.front()), along(half, inner.front()), along(half, outer.front()),
-               along(-half, outer.front())});
-  builder.add({along(-half, outer.back()), along(half, outer.back()), along(half, inner.back()),
-               along(-half, inner.back())});
+  builder.add({along(-half, outer.front()), along(half, outer.front()), along(half, inner.front()),
+               along(-half, inner.front())});
+  builder.add({along(-half, inner.back()), along(half, inner.back()), along(half, outer.back()),
+               along(-half, outer.back())});
   return builder.take();
 }
 

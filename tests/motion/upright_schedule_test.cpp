@@ -110,15 +110,6 @@ TEST_F(UprightSchedule, GoesAroundWithThePath) {
   EXPECT_NEAR(std::abs(axes.back()[1] - axes.front()[1]), 2.0 * base::kTurn, 1e-9);
 }
 
-// Over an edge of 90 degrees the table does not swing amid the bead.
-TEST_F(UprightSchedule, EndsWhereTheTableWouldSwing) {
-  std::vector<Vector3d> edge(5, leaning(45, 0));
-  edge.insert(edge.end(), 5, leaning(45, 120));
-  EXPECT_EQ(schedule(edge).size(), 5u);
-  edge.erase(edge.begin(), edge.begin() + 5);
-  EXPECT_EQ(schedule(edge).size(), 5u);
-}
-
 TEST_F(UprightSchedule, EndsWhereTheTableCannotTilt) {
   std::vector<Vector3d> down;
   for (int t = 90; t <= 150; ++t)
