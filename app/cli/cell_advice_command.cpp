@@ -1,4 +1,6 @@
+#include "base/error.h"
 #include "base/files.h"
+#include "base/outcome.h"
 #include "base/units.h"
 #include "cells/cell_layout.h"
 #include "cli/commands.h"
@@ -113,6 +115,11 @@ std::vector<double> tiltsUpTo(double tiltDeg) {
 }
 
 cells::CellLayout placed(const PlaceCellOptions& options, const base::RunContext& ctx) {
+  const robot::RobotModel robot = robot::loadRobot(options.robot);
+  if (!robot.kinematics->tilts())
+    throw base::Error(base::ErrorCode::Usage,
+                      base::message("robot {robot} cannot tilt its flange"_text, robot.id), {},
+                      "start from the file of cell t3, t3-wide or five-axis"_text);
   const pipeline::CellNeeds needs = pipeline::cellNeeds(options.request, ctx.sub(0.0, 0.1));
   const process::Process process = process::loadProcess(options.request.choices.tool().process);
   const double tilt = options.tiltDeg.value_or(base::radiansToDegrees(needs.tiltRad));
@@ -126,9 +133,8 @@ cells::CellLayout placed(const PlaceCellOptions& options, const base::RunContext
                          .turns = 12,
                          .tiltDeg = tiltsUpTo(tilt)};
   search.part = options.request.item().part;
-  return cells::layOut(robot::loadRobot(options.robot),
-                       options.fixed ? robot::Mount::World : robot::Mount::Flange, search, process,
-                       ctx.sub(0.1, 1.0));
+  return cells::layOut(robot, options.fixed ? robot::Mount::World : robot::Mount::Flange, search,
+                       process, ctx.sub(0.1, 1.0));
 }
 
 } // namespace
