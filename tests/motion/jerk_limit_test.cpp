@@ -2,7 +2,11 @@
 #include "motion/jerk_limit.h"
 
 #include "base/error.h"
+#include "base/run_context.h"
 #include "motion/jerk.h"
+#include "motion/motion.h"
+#include "motion/sample_plans.h"
+#include "plan/finding_kinds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +65,7 @@ TEST(JerkLimit, OfOneStepIsKnown) {
 
 TEST(JerkLimit, IsKeptByRandomPaths) {
   int kept = 0;
-  for (unsigned seed = 1; seed <= 300; ++seed) {
+  for (unsigned seed = 1; seed <= 150; ++seed) {
     const Path path = randomPath(seed);
     for (const double limit : {2000.0, 100.0, 5.0}) {
       const std::vector<double> times = motion::timesWithinJerk(path.q, path.times, {}, limit);
@@ -75,7 +79,7 @@ TEST(JerkLimit, IsKeptByRandomPaths) {
       EXPECT_LE(greatest(path.q, times), greatest(path.q, path.times) * 1.0001) << seed;
     }
   }
-  EXPECT_GT(kept, 600) << "most are not so slow that the limit is given up";
+  EXPECT_GT(kept, 300) << "most are not so slow that the limit is given up";
 }
 
 TEST(JerkLimit, ChangesNothingThatKeepsIt) {
@@ -103,4 +107,50 @@ TEST(JerkLimit, RampsAreNotMuchLongerThanTheyMustBe) {
 
 TEST(JerkLimit, RefusesNoLimit) {
   EXPECT_THROW(motion::timesWithinJerk({}, {}, {}, 0.0), base::Error);
+}
+
+namespace {
+
+motion::MotionResult planned(const plan::ToolPlan& plan, double maxJerk) {
+  const process::Process process = process::loadProcess("fdm-1.0");
+  platform::PlatformSolid plate;
+  plate.polygon = test::disc(20.0);
+  const robot::Cell cell = robot::loadCell("ur5-fixed", process, plate);
+  const collision::GrowingPart part(plan, 1.0, {});
+  motion::MotionOptions options;
+  options.maxJerk = maxJerk;
+  return motion::MotionPlanner(plan, cell, process::Tooling(process), part, options).plan({});
+}
+
+double greatest(const std::vector<double>& jerks) {
+  return *std::max_element(jerks.begin(), jerks.end());
+}
+
+bool isOverLimit(const plan::Finding& finding) {
+  return finding.kind == plan::FindingKind::JerkOverLimit;
+}
+
+} // namespace
+
+TEST(JerkLimit, IsKeptByAWholeMotion) {
+  const plan::ToolPlan plan = test::cylinder(12.0, 3);
+  const motion::MotionResult free = planned(plan, 0.0), limited = planned(plan, 20.0);
+  EXPECT_GT(greatest(free.statistics.maxJerk), 20.0);
+  EXPECT_EQ(free.statistics.jerkSlowedS, 0.0);
+  EXPECT_LE(greatest(limited.statistics.maxJerk), 20.0 * 1.001);
+  EXPECT_LE(greatest(limited.statistics.maxTravelJerk), 20.0 * 1.01);
+  EXPECT_GT(limited.statistics.jerkSlowedS, 0.0);
+  EXPECT_GT(limited.statistics.durationS, free.statistics.durationS);
+  EXPECT_EQ(limited.trajectory.extrudedMm3.back(), free.trajectory.extrudedMm3.back());
+  EXPECT_TRUE(std::none_of(limited.findings.begin(), limited.findings.end(), isOverLimit));
+}
+
+TEST(JerkLimit, WhatRemainsIsReportedWithItsPlace) {
+  const motion::MotionResult limited = planned(test::cylinder(12.0, 1), 1e-4);
+  const auto found = std::find_if(limited.findings.begin(), limited.findings.end(), isOverLimit);
+  ASSERT_NE(found, limited.findings.end());
+  EXPECT_FALSE(found->blocking);
+  ASSERT_TRUE(found->whenS);
+  EXPECT_LE(*found->whenS, limited.trajectory.timeS.back());
+  EXPECT_TRUE(found->where);
 }
