@@ -9147,6 +9147,10 @@ previsto</translation>
         <source>an input is read while motions are queued</source>
         <translation>un ingresso viene letto mentre ci sono movimenti in coda</translation>
     </message>
+    <message>
+        <source>dense at the pith</source>
+        <translation>denso al midollo</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -48,7 +48,7 @@ std::string nameOf(const testing::TestParamInfo<std::tuple<const char*, const ch
 INSTANTIATE_TEST_SUITE_P(Modes, SparsePlans,
                          testing::Values(std::tuple("flat", "gyroid"), std::tuple("flat", "lines"),
                                          std::tuple("flat", "grid"),
-                                         std::tuple("flat", "honeycomb"),
+                                         std::tuple("flat", "honeycomb"), std::tuple("flat", "pith"),
                                          std::tuple("planar", "triangles"),
                                          std::tuple("curved", "gyroid")),
                          nameOf);

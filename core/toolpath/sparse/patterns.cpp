@@ -119,7 +119,7 @@ PatternValue gyroid(double period, double bead) {
   };
 }
 
-constexpr std::array<SparsePattern, 7> kPatterns{{
+constexpr std::array<SparsePattern, 8> kPatterns{{
     {"gyroid", "gyroid"_text, kGyroidLength, 0.0, 1.0, 1.0 / kGyroidLength, 0.6, gyroid},
     {"lines", "lines"_text, 1.0, 0.0, 1.0, 1.0, std::numbers::sqrt2, lines},
     {"grid", "grid"_text, 2.0, 0.83, std::numbers::sqrt2, 1.0, 1.0, grid},
@@ -127,6 +127,7 @@ constexpr std::array<SparsePattern, 7> kPatterns{{
     {"cubic", "cubic"_text, 3.0, 1.97, 2.0, 1.0, 2.0 / sqrt3, cubic},
     {"honeycomb", "honeycomb"_text, 8.0 / (3.0 * sqrt3), 0.62, sqrt3, sqrt3, 2.0, honeycomb},
     {"concentric", "concentric"_text, 1.0, 0.0, 1.0, 1.0, std::numbers::sqrt2, lines, true},
+    {"pith", "dense at the pith"_text, 1.0, 0.0, 1.0, 1.0, std::numbers::sqrt2, lines, true, true},
 }};
 } // namespace
 

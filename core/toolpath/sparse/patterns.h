@@ -34,6 +34,7 @@ struct SparsePattern {
   // away from each other at a distance of `beadMm`.
   PatternValue (*value)(double periodMm, double beadMm) = nullptr;
   bool followsWalls = false; // y is the distance from the innermost wall instead
+  bool isGraded = false;     // dense in the middle, by pithGrading(), and thin beside the walls
 
   // hatchMm: area of a line's cross-section by its height. density: in (0, 1).
   double periodMm(double density, double hatchMm, double beadMm) const;

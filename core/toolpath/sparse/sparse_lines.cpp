@@ -9,6 +9,7 @@
 #include "toolpath/infill/curve_tools.h"
 #include "toolpath/patch_surface.h"
 #include "toolpath/sparse/patterns.h"
+#include "toolpath/sparse/pith_grading.h"
 #include "toolpath/surface_fields.h"
 
 #include <Eigen/Geometry>
@@ -69,6 +70,17 @@ std::vector<double> distanceFromWalls(const PatchSurface& s, const layers::Patch
     mm[v] = std::sqrt(least) - wallsMm;
   }
   return mm;
+}
+
+// Returns the area that each vertex represents [mm2].
+std::vector<double> areasOf(const PatchSurface& s) {
+  std::vector<double> area(s.position.size(), 0.0);
+  for (const auto& t : s.triangles) {
+    const Vector3d &a = s.position[at(t[0])], &b = s.position[at(t[1])], &c = s.position[at(t[2])];
+    for (const int v : t)
+      area[at(v)] += (b - a).cross(c - a).norm() / 6.0;
+  }
+  return area;
 }
 
 // Removes the triangles over which the chart's u jumps by a period, so that no line is drawn over
@@ -176,8 +188,11 @@ std::vector<SurfaceCurve> patternCurves(const InfillRegion& region, const Sparse
   if (pattern.followsWalls) {
     const std::vector<double> mm =
         distanceFromWalls(s, place.stack.patches[place.patch], o.walls * region.hatchMm.front());
+    const PithGrading grading = pattern.isGraded && o.infillDensity < 1.0
+                                    ? pithGrading(mm, areasOf(s), o.infillDensity)
+                                    : PithGrading{};
     for (std::size_t v = 0; v < where.size(); ++v)
-      where[v] = {0.0, mm[v], 0.0};
+      where[v] = {0.0, grading.evenMm(mm[v]), 0.0};
   }
   const Branches branches(pattern, period, process);
   const std::vector<int> left = layersToSkin(s, place.patch, place.layers, o, branches.layers());
