@@ -9151,6 +9151,10 @@ previsto</translation>
         <source>dense at the pith</source>
         <translation>denso al midollo</translation>
     </message>
+    <message>
+        <source>the part of one machine is inside the part, the plate or an obstacle of the other at {where}: place the machines or the parts further apart</source>
+        <translation>il pezzo di una macchina è dentro il pezzo, il piano o un ostacolo dell&apos;altra in {where}: posizionare le macchine o i pezzi più distanti</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -6,6 +6,7 @@
 #include "base/staged_folder.h"
 #include "base/units.h"
 #include "collision/growing_part.h"
+#include "pipeline/choices.h"
 #include "pipeline/outputs.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/resume.h"
@@ -14,6 +15,7 @@
 #include "program/dialect.h"
 #include "together/marks.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace voluta::pipeline {
@@ -58,6 +60,10 @@ base::Message inWords(const TogetherResult& result, const together::Obstruction&
   const Eigen::Vector3d& p = obstruction.where;
   const base::Point where{p.x(), p.y(), p.z()};
   using Kind = together::Obstruction::Kind;
+  if (obstruction.kind == Kind::Overlap)
+    return base::message("the part of one machine is inside the part, the plate or an obstacle of "
+                         "the other at {where}: place the machines or the parts further apart"_text,
+                         where);
   if (obstruction.kind == Kind::AtStart)
     return base::message("the machines are too close to each other before they move, at {where}: "
                          "place them further apart, or give one another home"_text,
@@ -82,9 +88,27 @@ base::Message inWords(const TogetherResult& result, const together::Obstruction&
       layerIn(result.plans[1].job, result.work.b, obstruction.bSegment), where);
 }
 
+// Chooses formats that have words for marks; formats that the user chose have to have them.
+void takeFormats(PlanResult& result) {
+  std::vector<std::string>& formats = result.job.choices.formats;
+  const bool areChosen = !formats.empty();
+  formats = chosenFormats(result.job.choices, *result.cell);
+  const auto isRefused = [&](const std::string& id) {
+    return program::refusal(program::findDialect(id), *result.cell, {}, result.job.trajectory.get())
+        .has_value();
+  };
+  if (!areChosen && !std::ranges::all_of(formats, isRefused))
+    std::erase_if(formats, isRefused);
+  for (const std::string& id : formats)
+    program::requireEvents(program::findDialect(id), *result.job.trajectory);
+}
+
 void mark(PlanResult& result, const std::vector<std::size_t>& points) {
+  if (points.empty())
+    return;
   result.job.trajectory =
       std::make_shared<const plan::Trajectory>(together::withMarks(*result.job.trajectory, points));
+  takeFormats(result);
 }
 } // namespace
 

@@ -41,7 +41,8 @@ project::Job jobToJoin(const std::filesystem::path& file);
 
 // Looks for an order of work in which the machines do not meet, whatever their speeds, writes the
 // programs with its marks and replays both in one time. Marks that the jobs have are dropped.
-// Precondition: the jobs have motions. Throws Cancelled.
+// Formats without words for marks are left out unless the user chose them. Precondition: the jobs
+// have motions. Throws Error{Usage} for a chosen format without words for marks; Cancelled.
 TogetherResult planTogether(TogetherRequest request, const base::RunContext& ctx);
 
 // Returns whether the machines can work together and all programs passed.

@@ -5,6 +5,7 @@
 #include "program/dialect.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace voluta::replay {
@@ -161,6 +162,17 @@ private:
     }
     for (; next < wanted.size(); ++next)
       found_[wanted[next].event] = false;
+    if (!wanted.empty() && !withdrawsSignals())
+      found_[wanted.front().event] = false;
+  }
+  // Whether both signals are off before the first motion: an earlier run may have left one.
+  bool withdrawsSignals() const {
+    return std::ranges::all_of(std::array{0, 1}, [&](int signal) {
+      return std::ranges::any_of(program_.facts, [&](const StatedFact& fact) {
+        return fact.kind == FactKind::MarkSet && fact.before <= program_.firstMotion &&
+               static_cast<int>(fact.number) == plan::markPlaceOf(signal, false);
+      });
+    });
   }
   void mark(EventKind kind, std::size_t point) {
     for (const TrajectoryEvent& event : trajectory_.eventsBefore(point))

@@ -104,6 +104,34 @@ private:
 };
 } // namespace
 
+std::optional<Eigen::Vector3d> partOverlap(const Machine& machine, const Machine& other) {
+  if (isPartMoved(machine.cell) || isPartMoved(other.cell))
+    return std::nullopt;
+  const Frames own = framesAt(machine, 0), rest = framesAt(other, 0);
+  const Isometry3d& shared_T_own = own[static_cast<std::size_t>(machine.cell.workFrame())];
+  const Isometry3d work_T_shared =
+      rest[static_cast<std::size_t>(other.cell.workFrame())].inverse(Eigen::Isometry);
+  std::vector<collision::PlacedShape> solids;
+  for (const robot::Body& body : other.cell.bodies())
+    if (!isMoved(other.cell, body))
+      for (const robot::Shape& shape : body.shapes)
+        solids.push_back(collision::place(shape, rest[static_cast<std::size_t>(body.frame)]));
+  const voxel::VoxelGrid& grid = machine.part.grid();
+  for (std::size_t c = 0; c < grid.cellCount(); ++c) {
+    if (machine.part.filledAt(c) == collision::GrowingPart::kNeverFilled)
+      continue;
+    const Eigen::Vector3i at = grid.cell(c);
+    const Eigen::Vector3d point = shared_T_own * grid.centre(at.x(), at.y(), at.z());
+    const auto isInside = [&](const collision::PlacedShape& solid) {
+      return collision::signedDistance(solid, point) < -0.5 * grid.pitch;
+    };
+    if (other.part.holds(work_T_shared * point, other.toolPlan.waypointCount()) ||
+        std::ranges::any_of(solids, isInside))
+      return point;
+  }
+  return std::nullopt;
+}
+
 StaticConflicts staticConflicts(const Machine& machine, const Rests& rests, const Machine& other,
                                 const collision::Margins& margins, const base::RunContext& ctx) {
   const Checker checker(machine, other, margins);

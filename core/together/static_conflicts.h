@@ -33,6 +33,10 @@ struct StaticConflicts {
   std::vector<std::size_t> segmentMeets, restMeets;
 };
 
+// Returns a point (shared frame) at which the machine's part is inside the other's part, or inside
+// a body at rest of the other; nullopt if there is none, or if an arm carries one of the parts.
+std::optional<Eigen::Vector3d> partOverlap(const Machine& machine, const Machine& other);
+
 // Obstacles of the other machine are checked against the bodies that the machine's own cell checks
 // against its obstacles. Throws Cancelled.
 StaticConflicts staticConflicts(const Machine& machine, const Rests& rests, const Machine& other,

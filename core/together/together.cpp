@@ -38,6 +38,13 @@ Plan planTogether(const Machine& a, const Machine& b, const Options& options,
   plan.b = restsOf(b.trajectory, options.mostSegments);
   plan.aS = secondsOf(a.trajectory, plan.a);
   plan.bS = secondsOf(b.trajectory, plan.b);
+  std::optional<Eigen::Vector3d> overlap = partOverlap(a, b);
+  if (!overlap)
+    overlap = partOverlap(b, a);
+  if (overlap) {
+    plan.obstruction = Obstruction{Obstruction::Kind::Overlap, 0, {}, 0, 0, *overlap};
+    return plan;
+  }
   ctx.report(0.0, "comparing the motions of both machines"_text);
   FoundConflicts found = conflictsOf(a, plan.a, b, plan.b, options.distances, ctx.sub(0.0, 0.9));
   plan.conflicts = std::move(found.table);

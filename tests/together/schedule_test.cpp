@@ -127,7 +127,7 @@ TEST(Schedule, IsTheBestOfAll) {
     EXPECT_NEAR(seconds + markS * static_cast<double>(schedule->phases.size()), least, 1e-9);
   }
   EXPECT_GT(possible, 300u);
-  EXPECT_GT(impossible, 100u);
+  EXPECT_GT(impossible, 50u);
 }
 
 TEST(Schedule, WithoutConflictsNeedsNoMark) {
@@ -152,6 +152,7 @@ TEST(Schedule, ASharedPlaceCostsAtMostItsTime) {
 
 TEST(Schedule, TellsHowFarBothGet) {
   Conflicts c{3, 3, Flags(3, 3), Flags(4, 3), Flags(3, 4)};
+  c.moving.set(0, 2);
   c.moving.set(1, 2);
   for (std::size_t i = 0; i < 4; ++i)
     c.aRests.set(i, 2);

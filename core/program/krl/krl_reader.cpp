@@ -356,7 +356,7 @@ private:
       int input = 0;
       bool on = false;
       if (LineCursor ahead = line; takeKrlInput(ahead, input, on) && out_.awaitInput(input, on))
-        return true;
+        return takeRest(line);
       return out_.wordAt("wait for", kAside), takeRest(line);
     }
     if (!line.takeWord("sec") || !variables_.takeNumber(line, seconds) || !line.ended())

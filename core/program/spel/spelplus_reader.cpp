@@ -211,7 +211,7 @@ private:
   bool wait(LineCursor& line) {
     double seconds = 0.0;
     if (LineCursor input = line; awaitInput(input))
-      return true;
+      return takeRest(line);
     LineCursor ahead = line;
     if (!variables_.takeNumber(ahead, seconds) || !ahead.ended())
       return out_.wordAt("Wait", kAside), takeRest(line);
