@@ -18,11 +18,14 @@ using robot::JointVector;
 namespace {
 
 constexpr std::array<std::size_t, 6> kHalves{3, 6, 12, 24, 48, 96}; // points on both sides
+// The stretched pose itself must be neither a point nor a sixteenth of the way to one
+// (goesStraight), which has no unique joints.
+constexpr std::array<double, 3> kSkews{1.13, 0.91, 1.31};
 constexpr double kTurnsRad = 0.8; // joints that change further turn first
 constexpr double kFlipRad = 0.5;  // largest change of the arm's joints before the wrist
 constexpr Eigen::Index kWrist = 3;
 constexpr double kSlow = 0.5; // share of the speed limits
-constexpr double kThereMm = 1e-4, kHeadMm = 0.05;
+constexpr double kThereMm = 1e-6, kMeetMm = 1e-3, kHeadMm = 0.05;
 constexpr double kStepRad = 1e-6;   // of differences
 constexpr double kMmPerRad = 300.0; // directions as lengths where both are compared
 constexpr int kNewtonSteps = 30;
@@ -50,8 +53,9 @@ public:
                .maxCoeff() > kFlipRad;
   }
 
-  // Joins the runs over `half` points on both sides of where they meet.
-  BlendedRun over(std::size_t half) const {
+  // Joins the runs over `half` points on both sides of where they meet. `skew`: exponent of the way
+  // behind it.
+  BlendedRun over(std::size_t half, double skew) const {
     BlendedRun blended;
     const std::size_t last = before_.points.size() - 1;
     const std::size_t from = last - std::min(half, last),
@@ -61,10 +65,12 @@ public:
     run.points.assign(before_.points.begin(),
                       before_.points.begin() + static_cast<std::ptrdiff_t>(from) + 1);
     for (std::size_t i = from + 1; i <= last; ++i)
-      if (!append(before_.points[i], turning(i, from, last), run.points, blended))
+      if (!append(before_.points[i - 1], before_.points[i], turning(i, from, last), run.points,
+                  blended))
         return blended;
     for (std::size_t i = 1; i <= to; ++i)
-      if (!append(shifted(after_.points[i]), passing(i, to), run.points, blended))
+      if (!append(after_.points[i - 1], shifted(after_.points[i]), passing(i, to, skew), run.points,
+                  blended))
         return blended;
     blended.points = run.points.size() - from;
     for (std::size_t i = to + 1; i < after_.points.size(); ++i)
@@ -107,9 +113,10 @@ private:
   }
 
   // And of the second run: the other joints come.
-  JointVector passing(std::size_t i, std::size_t to) const {
+  JointVector passing(std::size_t i, std::size_t to, double skew) const {
     JointVector q = after_.points[i].at.q + shift_;
-    const double left = 1.0 - smoothStep(static_cast<double>(i) / static_cast<double>(to));
+    const double left =
+        1.0 - smoothStep(std::pow(static_cast<double>(i) / static_cast<double>(to), skew));
     for (Eigen::Index j = 0; j < q.size(); ++j)
       if (!turnsFirst(j))
         q[j] -= left * change_[j];
@@ -154,16 +161,17 @@ private:
     return false;
   }
 
-  // Appends the point with joints near `near`, divided where joints step far.
-  bool append(const RunPoint& to, const JointVector& near, std::vector<RunPoint>& points,
-              BlendedRun& blended) const {
+  // Appends the point with joints near `near`, divided where joints step far. `own`: the point
+  // before it, as it was.
+  bool append(const RunPoint& own, const RunPoint& to, const JointVector& near,
+              std::vector<RunPoint>& points, BlendedRun& blended) const {
     const RunPoint from = points.back();
     JointVector end = near;
     if (!project(to.at.tip, to.at.direction(), end))
       return refused(BlendRefusal::Tilts, blended);
     const int n =
         std::max(1, static_cast<int>(std::ceil(scene_.span(from.at.q, end) / kDivideRad)));
-    const Vector3d planned = from.at.direction();
+    const Vector3d planned = own.at.direction();
     for (int k = 1; k <= n; ++k) {
       const double t = static_cast<double>(k) / n;
       RunPoint p = to;
@@ -176,7 +184,10 @@ private:
           return refused(BlendRefusal::Tilts, blended);
       }
       p.at.q = q;
-      p.at.tool = Eigen::Quaterniond(scene_.cell.work_T_tool(q).linear());
+      // Exactly that of the joints: near a stretched wrist they depend on every micrometre.
+      const Isometry3d pose = scene_.cell.work_T_tool(q);
+      p.at.tip = pose.translation();
+      p.at.tool = Eigen::Quaterniond(pose.linear());
       if (!isSound(points.back(), p, blended))
         return false;
       points.push_back(std::move(p));
@@ -227,7 +238,7 @@ BlendedRun blendBranches(const MotionScene& scene, const Run& before, const Run&
                          double coneRad) {
   BlendedRun best;
   if (before.points.size() < 2 || after.points.size() < 2 || !scene.cell.externalAxes().empty() ||
-      (before.points.back().at.tip - after.points.front().at.tip).norm() > kThereMm) {
+      (before.points.back().at.tip - after.points.front().at.tip).norm() > kMeetMm) {
     best.why = BlendRefusal::Apart;
     return best;
   }
@@ -236,14 +247,14 @@ BlendedRun blendBranches(const MotionScene& scene, const Run& before, const Run&
     best.why = BlendRefusal::ArmFlips;
     return best;
   }
-  for (const std::size_t half : kHalves) {
-    BlendedRun blended = blend.over(half);
-    const bool better = blended.run ? !best.run || blended.speedShare < best.speedShare : !best.run;
-    if (better)
-      best = std::move(blended);
-    if (best.run && best.speedShare <= kSlow)
-      break;
-  }
+  for (const std::size_t half : kHalves)
+    for (const double skew : kSkews) {
+      BlendedRun blended = blend.over(half, skew);
+      if (blended.run ? !best.run || blended.speedShare < best.speedShare : !best.run)
+        best = std::move(blended);
+      if (best.run && best.speedShare <= kSlow)
+        return best;
+    }
   return best;
 }
 
