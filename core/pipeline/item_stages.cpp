@@ -1,6 +1,7 @@
 #include "pipeline/item_stages.h"
 
 #include "base/key_text.h"
+#include "geometry/measures.h"
 #include "layers/steps.h"
 #include "modes/mode_table.h"
 #include "pipeline/automatic.h"
@@ -53,6 +54,17 @@ std::shared_ptr<const modes::LayersStage> withSteps(std::shared_ptr<const modes:
   measured->report.stepMeanMm = steps.meanMm;
   measured->report.stepMaxMm = steps.maxMm;
   return measured;
+}
+
+// Returns the stage with the part moved down to z = 0.
+std::shared_ptr<const modes::LoadStage> onPlate(const modes::LoadStage& placed) {
+  auto lowered = std::make_shared<modes::LoadStage>(placed);
+  auto part = std::make_shared<geometry::TriangleMesh>(*placed.part);
+  const double lift = geometry::bounds(*part).min().z();
+  for (Eigen::Vector3d& v : part->vertices)
+    v.z() -= lift;
+  lowered->part = std::move(part);
+  return lowered;
 }
 
 void append(plan::Findings& to, const plan::Findings& more) {
@@ -169,8 +181,11 @@ std::shared_ptr<const modes::PartVoxels> ItemStages::voxels(double voxelMm,
 ItemOutcome ItemStages::decompose() {
   decomposed_ =
       context_.cachedOrMade<modes::DecomposeStage>(keyOf(Stage::Decompose), slot({}), [&] {
-        modes::DecomposeInput in{*placed_, [&](double voxelMm, const base::RunContext& ctx) {
-                                   return voxels(voxelMm, ctx);
+        // Modes know no part above the plate; with given paths only the platform is used.
+        const auto placed = shaped().ground ? onPlate(*placed_) : placed_;
+        modes::DecomposeInput in{*placed, [&](double voxelMm, const base::RunContext& ctx) {
+                                   return shaped().ground ? modes::partVoxels(*placed, voxelMm, ctx)
+                                                          : voxels(voxelMm, ctx);
                                  }};
         if (context_.observers().onPreview)
           in.onPreview = [&](std::shared_ptr<const curved::Decomposition> soFar) {

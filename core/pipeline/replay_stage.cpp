@@ -5,6 +5,7 @@
 #include "pipeline/replayed/shared_runs.h"
 #include "plan/finding_kinds.h"
 #include "program/dialect.h"
+#include "sliced/sliced_reader.h"
 
 #include <filesystem>
 #include <numeric>
@@ -87,8 +88,10 @@ ProgramStageInput saying(const ProgramStageInput& in, const program::MergedPoint
 std::string programsName(const project::Job& job) {
   const std::string more =
       job.items.size() > 1 ? "-and-" + std::to_string(job.items.size() - 1) + "-more" : "";
-  return std::filesystem::path(job.item().partName).stem().string() + more +
-         (job.resumedAt > 0 ? "-rest" : "");
+  const std::string& part = job.item().partName;
+  // Programs must not replace the G-code that they were made from.
+  return std::filesystem::path(part).stem().string() +
+         (sliced::isSlicedGcode(part) ? "-robot" : "") + more + (job.resumedAt > 0 ? "-rest" : "");
 }
 
 ProgramStageInput programStageInput(const project::Job& job, const geometry::TriangleMesh& printed,

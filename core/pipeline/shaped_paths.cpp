@@ -45,6 +45,8 @@ std::shared_ptr<const modes::LoadStage> loadStageOnGround(const ShapedPart& shap
   if (choices.item().platform.isOfCell())
     stage->platform =
         cellPlate(fittingCell(choices, process), *ground, plateNeeds(parameterValues(choices)));
+  else if (choices.item().platform.marginMm())
+    stage->platform = footOf(*ground);
   return stage;
 }
 

@@ -29,8 +29,8 @@ ShapedPart shapedPart(std::shared_ptr<const project::LoadedPart> loaded,
                       const base::RunContext& ctx);
 
 // Returns the load stage of a part with a ground: the body is placed by the choices' placement,
-// with its lowest point at the lift, and the part with it. A plate of the cell is chosen for the
-// body. Precondition: there is a body. Throws as loadStage().
+// with its lowest point at the lift, and the part with it. A plate of the cell, or one made for the
+// part, carries the body. Precondition: there is a body. Throws as loadStage().
 std::shared_ptr<const modes::LoadStage> loadStageOnGround(const ShapedPart& shaped,
                                                           const project::Choices& choices,
                                                           const process::Process& process,

@@ -6,9 +6,7 @@
 #include "helpers/shapes.h"
 #include "window/presenters/presenter.h"
 
-#include <QComboBox>
-#include <QDir>
-#include <QUndoStack>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace voluta::test {
@@ -16,23 +14,26 @@ namespace {
 
 using project::Stage;
 
-// A block of 16 x 16 x 4 mm: a wall and rows, as Cura comments them.
+// A block of 27 x 27 x 4 mm: a wall and rows, as Cura comments them.
 std::string blockOfCura() {
   std::string text = ";FLAVOR:Marlin\n;Layer height: 0.8\n;Generated with Cura_SteamEngine 5.4.0\n"
                      "M82\nG28\nG92 E0\n;LAYER_COUNT:5\n";
-  const double perMm = 0.8 / 2.405; // Filament per mm of a bead 0.8 high, 1 wide
+  constexpr int kLow = 40, kHigh = 66;
+  constexpr double kInset = 0.9;         // Of the rows' ends from the wall's middle
+  constexpr double kPerMm = 0.8 / 2.405; // Filament per mm of beads 1 mm apart
   double e = 0.0;
   for (int layer = 0; layer < 5; ++layer) {
-    text += fmt::format(";LAYER:{}\nG0 F6000 X42 Y42 Z{:.1f}\n;TYPE:WALL-OUTER\nG1 F1200\n", layer,
-                        0.8 * (layer + 1));
-    for (const auto& [x, y] : {std::pair(58, 42), {58, 58}, {42, 58}, {42, 42}})
-      text += fmt::format("G1 X{} Y{} E{:.5f}\n", x, y, e += 16.0 * perMm);
-    text += ";TYPE:SKIN\nG0 X43 Y43\n";
-    for (int row = 0; row < 15; ++row) {
-      const int from = row % 2 ? 57 : 43, to = 100 - from;
-      if (row > 0)
-        text += fmt::format("G1 X{} Y{} E{:.5f}\n", from, 43 + row, e += perMm);
-      text += fmt::format("G1 X{} Y{} E{:.5f}\n", to, 43 + row, e += 14.0 * perMm);
+    text += fmt::format(";LAYER:{}\nG0 F6000 X{} Y{} Z{:.1f}\n;TYPE:WALL-OUTER\nG1 F1200\n", layer,
+                        kLow, kLow, 0.8 * (layer + 1));
+    for (const auto& [x, y] : {std::pair(kHigh, kLow), {kHigh, kHigh}, {kLow, kHigh}, {kLow, kLow}})
+      text += fmt::format("G1 X{} Y{} E{:.5f}\n", x, y, e += (kHigh - kLow) * kPerMm);
+    text += fmt::format(";TYPE:SKIN\nG0 X{} Y{}\n", kLow + kInset, kLow + 1);
+    for (int y = kLow + 1; y < kHigh; ++y) {
+      const bool back = (y - kLow) % 2 == 0;
+      const double from = back ? kHigh - kInset : kLow + kInset, to = kLow + kHigh - from;
+      if (y > kLow + 1)
+        text += fmt::format("G1 X{:.1f} Y{} E{:.5f}\n", from, y, e += kPerMm);
+      text += fmt::format("G1 X{:.1f} Y{} E{:.5f}\n", to, y, e += std::abs(to - from) * kPerMm);
     }
   }
   return text + "M104 S0\nM84\n";
@@ -54,15 +55,15 @@ protected:
 TEST_F(GcodeTest, AFileIsOpenedShownPlannedAndExported) {
   openPart(writePart("box.stl", box({0, 0, 0}, {10.0, 10.0, 4.0})));
   EXPECT_FALSE(offersPaths());
-  openPart(writeGcode());
-  ASSERT_TRUE(document().source());
-  ASSERT_TRUE(document().source()->toolPaths);
+  window().open(writeGcode());
+  ASSERT_TRUE(waitFor([&] { return document().source() && document().source()->toolPaths; }));
+  ASSERT_TRUE(planned(Stage::Load));
   EXPECT_NEAR(window().presenter().partBox().sizes().z(), 4.0, 1e-6);
   EXPECT_TRUE(offersPaths());
   keepPicture(window(), "gcode-prepare");
   choosePage(Page::Layers);
   const QImage before = picture();
-  window().planning().plan(Stage::Replay);
+  clickToolBar("plan");
   ASSERT_TRUE(planned(Stage::Replay));
   EXPECT_GT(differingShare(before, picture()), 0.005) << "the paths are shown";
   keepPicture(window(), "gcode-layers");
@@ -78,18 +79,14 @@ TEST_F(GcodeTest, BentOntoACylinderByItsOwnParameters) {
   openPart(writeGcode());
   document().setParameter("pathsOn", "cylinder");
   document().setParameter("pathsRadiusMm", "30");
-  window().planning().plan(Stage::Toolpath);
-  ASSERT_TRUE(planned(Stage::Toolpath));
-  const auto result = document().result(Stage::Toolpath);
+  clickToolBar("plan");
+  ASSERT_TRUE(planned(Stage::Replay));
+  const auto result = document().result(Stage::Replay);
+  EXPECT_TRUE(result->job.report.replay.passed);
   ASSERT_TRUE(result->job.item().platform.mesh) << "a body is made below it";
   choosePage(Page::Layers);
   picture();
   keepPicture(window(), "gcode-cylinder");
-  document().undoStack()->undo();
-  document().undoStack()->undo();
-  window().planning().plan(Stage::Toolpath);
-  ASSERT_TRUE(planned(Stage::Toolpath));
-  EXPECT_FALSE(document().result(Stage::Toolpath)->job.item().platform.mesh);
 }
 
 } // namespace

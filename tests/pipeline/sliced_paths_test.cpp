@@ -227,6 +227,18 @@ TEST(SlicedPaths, AProjectKeepsThemAsTheyWereRead) {
   }
 }
 
+TEST(SlicedPaths, ProgramsDoNotReplaceTheFileTheyWereMadeFrom) {
+  const test::TemporaryFolder folder;
+  const std::string text = test::writtenBy(Manner::Cura, blockPaths(kPlain)).text;
+  base::writeFile(folder / "part.gcode", text);
+  PlanRequest request = requestFor(folder / "part.gcode");
+  request.choices.formats = {"urscript", "gcode-extended"};
+  PlanResult planned = planPart(request, kCtx);
+  writeOutputs(planned, folder.path(), kCtx);
+  EXPECT_EQ(base::readFile(folder / "part.gcode"), text);
+  EXPECT_TRUE(std::filesystem::exists(folder / "part-robot.gcode"));
+}
+
 TEST(SlicedPaths, OnAPlaneOfAnotherBody) {
   // A block of 60 x 30 x 40 mm; the paths go onto its side towards -y.
   const test::TemporaryFolder folder;
