@@ -50,6 +50,7 @@ LayerMask::Region LayerMask::regionFrom(std::size_t seed) {
     region.cells.push_back(c);
     region.beads += (bits[c] & kBead) != 0;
     region.infill += (bits[c] & kOfInfill) != 0;
+    region.sparse += (bits[c] & kOfSparse) != 0;
     const int i = static_cast<int>(c % static_cast<std::size_t>(field.width));
     const int j = static_cast<int>(c / static_cast<std::size_t>(field.width));
     const auto visit = [&](int x, int y) {

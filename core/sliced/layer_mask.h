@@ -11,8 +11,16 @@
 namespace voluta::sliced {
 
 struct LayerMask {
-  enum Bit : std::uint8_t { kBead = 1, kOfWall = 2, kOfInfill = 4, kReached = 8, kFilled = 16 };
-  static constexpr std::uint8_t kWall = kBead | kOfWall, kInfill = kBead | kOfInfill;
+  enum Bit : std::uint8_t {
+    kBead = 1,
+    kOfWall = 2,
+    kOfInfill = 4,
+    kReached = 8,
+    kFilled = 16,
+    kOfSparse = 32
+  };
+  static constexpr std::uint8_t kWall = kBead | kOfWall, kInfill = kBead | kOfInfill,
+                                kSparse = kInfill | kOfSparse;
 
   struct Field {
     Eigen::Vector2d origin = Eigen::Vector2d::Zero();
@@ -34,8 +42,8 @@ struct LayerMask {
   // Cells within walls that are joined by their sides.
   struct Region {
     std::vector<std::size_t> cells;
-    std::size_t beads = 0, infill = 0; // Numbers of cells
-    bool isOutside = false;            // It reaches the field's border
+    std::size_t beads = 0, infill = 0, sparse = 0; // Numbers of cells
+    bool isOutside = false;                        // It reaches the field's border
   };
   // Finds the region of an open cell.
   Region regionFrom(std::size_t seed);

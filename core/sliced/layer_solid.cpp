@@ -30,9 +30,14 @@ constexpr double kWithinShare = 0.8; // Of a gap that is inside the part
 bool isOfPart(plan::PathKind kind) {
   return kind != plan::PathKind::Support && kind != plan::PathKind::Tape && !plan::isWaste(kind);
 }
-bool isWall(plan::PathKind kind) {
-  return kind == plan::PathKind::Wall;
+std::uint8_t markOf(plan::PathKind kind) {
+  return kind == plan::PathKind::Wall           ? LayerMask::kWall
+         : kind == plan::PathKind::SparseInfill ? LayerMask::kSparse
+                                                : LayerMask::kInfill;
 }
+
+// Cells until gaps are filled; then there are empty and solid ones only.
+constexpr std::uint8_t kEmpty = 0, kSolid = 1, kSparseGap = 2, kSparseBead = 3;
 
 class Filling {
 public:
@@ -51,10 +56,11 @@ public:
     for (std::size_t k = 0; k < slabs.count(); ++k) {
       ctx.checkpoint();
       LayerMask mask(field_);
-      fillSlab(slabs.segments(k), static_cast<std::uint32_t>(k), mask, sparseVotes, votes);
+      const std::vector<std::uint8_t> sparse =
+          fillSlab(slabs.segments(k), static_cast<std::uint32_t>(k), mask, sparseVotes, votes);
       const std::size_t base = k * mask.bits.size();
       for (std::size_t c = 0; c < mask.bits.size(); ++c)
-        object.solid[base + c] = mask.isSolid(c);
+        object.solid[base + c] = valueOf(mask, c, sparse[c] != 0);
     }
     fillGaps(object);
     for (std::size_t p = 0; p < plan_.paths.size(); ++p)
@@ -64,6 +70,15 @@ public:
   }
 
 private:
+  // Solid infill beside sparse infill, e.g. below a slope, is solid where its kind is known.
+  std::uint8_t valueOf(const LayerMask& mask, std::size_t c, bool isSparse) const {
+    if (!isSparse)
+      return mask.isSolid(c) ? kSolid : kEmpty;
+    const bool isKnown = sparseShare_ == 0.0 && (mask.bits[c] & LayerMask::kOfInfill) != 0 &&
+                         (mask.bits[c] & LayerMask::kOfSparse) == 0;
+    return isKnown ? kSolid : mask.isSolid(c) ? kSparseBead : kSparseGap;
+  }
+
   void measure() {
     std::vector<float> hatches;
     for (const plan::ToolPath& path : plan_.paths)
@@ -104,12 +119,13 @@ private:
     field_.depth = cells(size.y());
   }
 
-  void fillSlab(const std::vector<LayerSlabs::Segment>& segments, std::uint32_t slab,
-                LayerMask& mask, std::vector<std::size_t>& sparseVotes,
-                std::vector<std::size_t>& votes) {
+  // Returns whether each cell is of a region of sparse infill, which fillGaps() fills.
+  std::vector<std::uint8_t> fillSlab(const std::vector<LayerSlabs::Segment>& segments,
+                                     std::uint32_t slab, LayerMask& mask,
+                                     std::vector<std::size_t>& sparseVotes,
+                                     std::vector<std::size_t>& votes) {
     for (const LayerSlabs::Segment& s : segments)
-      mask.mark(plan_, s.end,
-                isWall(plan_.paths[s.path].kind) ? LayerMask::kWall : LayerMask::kInfill);
+      mask.mark(plan_, s.end, markOf(plan_.paths[s.path].kind));
     std::vector<std::uint8_t> sparse(mask.bits.size());
     const int thin = std::max(1, static_cast<int>(kThinBeads * hatchMm_ / field_.pitch));
     for (std::size_t c = 0; c < mask.bits.size(); ++c) {
@@ -118,16 +134,19 @@ private:
       LayerMask::Region region = mask.regionFrom(c);
       if (region.isOutside)
         continue;
-      const bool isSparse = static_cast<double>(region.beads) <
-                            sparseShare_ * static_cast<double>(region.cells.size());
       if (region.infill == 0 && !mask.isThin(region, thin)) {
         if (sparseShare_ > 0.0)
           gaps_.push_back({slab, std::move(region.cells)});
         continue;
       }
+      const bool isSparse =
+          region.infill > 0 && (2 * region.sparse > region.infill ||
+                                static_cast<double>(region.beads) <
+                                    sparseShare_ * static_cast<double>(region.cells.size()));
       for (const std::size_t in : region.cells) {
-        mask.bits[in] |= LayerMask::kFilled;
-        sparse[in] = isSparse && region.infill > 0;
+        sparse[in] = isSparse;
+        if (!isSparse)
+          mask.bits[in] |= LayerMask::kFilled;
       }
     }
     for (const LayerSlabs::Segment& s : segments) {
@@ -135,10 +154,12 @@ private:
       sparseVotes[s.path] +=
           sparse[mask.cellOf(0.5 * (plan_.position[s.end - 1] + plan_.position[s.end]).head<2>())];
     }
+    return sparse;
   }
 
+  // Sparse infill is inside the part if there is solid material above and below; else it shows.
   // Without comments, closed paths of infill look like walls. What they enclose is inside the part
-  // if there is material above and below; else it is a hole.
+  // by the same rule; else it is a hole.
   void fillGaps(voxel::VoxelObject& object) {
     const std::size_t cells =
         static_cast<std::size_t>(object.size.x()) * static_cast<std::size_t>(object.size.y());
@@ -147,10 +168,14 @@ private:
     std::vector<std::uint32_t> lowest(cells, kNone), highest(cells, 0);
     for (std::size_t k = 0; k < slabs; ++k)
       for (std::size_t c = 0; c < cells; ++c)
-        if (object.solid[k * cells + c]) {
+        if (object.solid[k * cells + c] == kSolid) {
           lowest[c] = std::min(lowest[c], static_cast<std::uint32_t>(k));
           highest[c] = static_cast<std::uint32_t>(k);
         }
+    for (std::size_t k = 0; k < slabs; ++k)
+      for (std::size_t c = 0; c < cells; ++c)
+        if (std::uint8_t& cell = object.solid[k * cells + c]; cell != kEmpty)
+          cell = cell != kSparseGap || (lowest[c] < k && highest[c] > k) ? kSolid : kEmpty;
     for (const Gap& gap : gaps_) {
       std::size_t within = 0;
       for (const std::size_t c : gap.cells)
@@ -159,7 +184,7 @@ private:
         continue;
       hasGaps_ = true;
       for (const std::size_t c : gap.cells)
-        object.solid[gap.slab * cells + c] = 1;
+        object.solid[gap.slab * cells + c] = kSolid;
     }
   }
 

@@ -15,7 +15,8 @@ struct LayerSolid {
   plan::FillIntent fill;       // Of that solid by the beads
 };
 
-// Returns the solid of level layers: the beads and everything within walls that contains infill.
+// Returns the solid of level layers: the beads and everything within walls that contains infill;
+// sparse infill where solid material is above and below it.
 // It consists of cells as high as the layers. `sparseShare` > 0:
 // for paths whose kinds are guesses. Changes Infill to SparseInfill where, within its walls, beads
 // fill less than that of a layer, and fills what other closed paths enclose inside the part.

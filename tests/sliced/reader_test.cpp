@@ -58,7 +58,7 @@ std::vector<Vector3d> square(const Vector3d& centre, double half) {
   return {at(-half, -half), at(half, -half), at(half, half), at(-half, half), at(-half, -half)};
 }
 
-// A block: two walls and rows of infill every `spacing` hatches.
+// A block: two walls and rows of infill every `spacing` hatches, solid in the first and last layer.
 plan::ToolPlan block(double side, int layers, double width, double height, double spacing) {
   plan::ToolPlan plan;
   const double hatch = process::hatchOf(width, height);
@@ -68,14 +68,15 @@ plan::ToolPlan block(double side, int layers, double width, double height, doubl
     addPath(plan, PathKind::Wall, layer, square(centre, 0.5 * (side - 3.0 * hatch)), width, height,
             1);
     const double half = 0.5 * (side - 5.0 * hatch);
-    const int rows = static_cast<int>(std::round(2.0 * half / (hatch * spacing)));
+    const double apart = layer == 0 || layer + 1 == layers ? 1.0 : spacing;
+    const int rows = static_cast<int>(std::round(2.0 * half / (hatch * apart)));
     std::vector<Vector3d> zigzag;
     for (int row = 0; row <= rows; ++row)
       for (const double along : {-half, half}) {
         const double across = -half + 2.0 * half * row / rows, l = row % 2 ? -along : along;
         zigzag.push_back(centre + (layer % 2 ? Vector3d(across, l, 0) : Vector3d(l, across, 0)));
       }
-    addPath(plan, spacing > 1.0 ? PathKind::SparseInfill : PathKind::Infill, layer, zigzag, width,
+    addPath(plan, apart > 1.0 ? PathKind::SparseInfill : PathKind::Infill, layer, zigzag, width,
             height);
   }
   return plan;
@@ -165,6 +166,21 @@ TEST(SlicedReader, TheSolidIsTheBlockAndItsOpenVolumeWhatInfillLeaves) {
     }
 }
 
+TEST(SlicedReader, SparseInfillThatShowsIsNotSolid) {
+  plan::ToolPlan plan = block(14.0, 4, 0.6, 0.3, 4.0);
+  while (plan.paths.back().layer == 3) // Without its last layer
+    plan.paths.pop_back();
+  const std::size_t kept = plan.paths.back().first + plan.paths.back().count;
+  plan.position.resize(kept);
+  plan.direction.resize(kept);
+  plan.widthMm.resize(kept);
+  plan.heightMm.resize(kept);
+  plan.speedMmPerS.resize(kept);
+  const test::Written written = test::writtenBy(Manner::Cura, plan);
+  const sliced::ReadSliced read = sliced::readSliced(written.text, "part.gcode", kCtx);
+  EXPECT_NEAR(geometry::volume(read.solid), written.volumeMm3, 0.05 * written.volumeMm3);
+}
+
 TEST(SlicedReader, HolesStayOpen) {
   // Two loops, infill between them only.
   plan::ToolPlan plan;
@@ -172,7 +188,7 @@ TEST(SlicedReader, HolesStayOpen) {
     const Vector3d centre(50.0, 50.0, 0.3 * (layer + 1));
     addPath(plan, PathKind::Wall, layer, square(centre, 9.7), 0.63, 0.3);
     addPath(plan, PathKind::Wall, layer, square(centre, 4.3), 0.63, 0.3);
-    addPath(plan, PathKind::SparseInfill, layer,
+    addPath(plan, PathKind::Infill, layer,
             {centre + Vector3d(-9, -7, 0), centre + Vector3d(9, -7, 0)}, 0.63, 0.3);
   }
   const sliced::ReadSliced read =
