@@ -10,6 +10,7 @@
 #include "motion/motion_scene.h"
 #include "motion/resume.h"
 #include "pipeline/choices.h"
+#include "pipeline/judged_part.h"
 #include "pipeline/program_files.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/replayed/shared_runs.h"
@@ -140,9 +141,9 @@ void done(project::Job& job, project::Stage stage, const plan::Findings& finding
 void writePrograms(PlanResult& result, const base::RunContext& ctx) {
   project::Job& job = result.job;
   const std::vector<std::string> formats = chosenFormats(job.choices, *result.cell);
-  const auto printed = project::printedOf(job);
   const platform::PlatformSolid platform = project::platformOf(job);
   const base::ParameterValues values = parameterValues(job.choices);
+  const auto printed = judgedPart(job, *result.tooling, values);
   const ProgramStageInput in =
       programStageInput(job, *printed, platform, *result.cell, *result.tooling, values);
   SharedRuns shared;

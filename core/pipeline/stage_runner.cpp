@@ -11,6 +11,7 @@
 #include "pipeline/item_stages.h"
 #include "pipeline/items/layer_hindrance.h"
 #include "pipeline/items/plate_parts.h"
+#include "pipeline/judged_part.h"
 #include "pipeline/part_motion.h"
 #include "pipeline/part_size.h"
 #include "pipeline/payload.h"
@@ -238,7 +239,8 @@ private:
       findings.push_back(*load);
     const bool goesOn = done(project::Stage::Toolpath, findings, stage->timings);
     if (goesOn && context_.isTrial() && !given && report().item().model.watertight)
-      if (const auto mass = massOutOfReach(*stage->toolPlan, *project::printedOf(job()), process()))
+      if (const auto mass =
+              massOutOfReach(*stage->toolPlan, *judgedPart(job(), tooling_, values_), process()))
         return !context_.reject(project::Stage::Toolpath, {*mass});
     return goesOn;
   }
@@ -358,7 +360,7 @@ private:
   // `untilMet`: stop after the first program with collisions.
   void write(bool untilMet) {
     const std::vector<std::string> formats = chosenFormats(choices_, *result_.cell);
-    const auto printed = project::printedOf(job());
+    const auto printed = judgedPart(job(), tooling_, values_);
     const platform::PlatformSolid platform = project::platformOf(job());
     const ProgramStageInput in =
         programStageInput(job(), *printed, platform, *result_.cell, tooling_, values_);

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/staged_folder.h"
 #include "pipeline/choices.h"
+#include "pipeline/judged_part.h"
 #include "pipeline/program_files.h"
 #include "pipeline/replay_stage.h"
 #include "pipeline/road.h"
@@ -66,7 +67,7 @@ VerifyResult verifyProgram(const std::filesystem::path& program, const project::
   const process::Tooling tooling = chosenTooling(planned.choices, values);
   const platform::PlatformSolid platform = project::platformOf(planned);
   const robot::Cell cell = robot::loadCell(planned.choices.cell, tooling.first().process, platform);
-  const auto printed = project::printedOf(planned);
+  const auto printed = judgedPart(planned, tooling, values);
   const ProgramStageInput in =
       programStageInput(planned, *printed, platform, cell, tooling, values);
   const program::MergedPoints points = program::pointsFor(

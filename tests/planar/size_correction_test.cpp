@@ -2,10 +2,12 @@
 #include "planar/slicing/size_correction.h"
 
 #include "base/units.h"
+#include "planar/slicing/corrected_mesh.h"
 #include "planar/slicing/slicing.h"
 #include "sliced_parts.h"
 
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
 
 namespace voluta::planar {
@@ -37,6 +39,30 @@ Section plateSection() {
   addLoop(section, rectangle(-25, -10, 25, 10));
   addLoop(section, reversed(rectangle(-2, -2.5, 8, 2.5)));
   return section;
+}
+
+// Returns the solid over a region on z = 0.
+geometry::TriangleMesh standing(const std::vector<Vector2d>& points,
+                                const std::vector<std::array<int, 2>>& edges, double heightMm) {
+  const auto region = meshRegion(points, edges, 1e6);
+  geometry::TriangleMesh mesh;
+  const auto count = static_cast<int>(region->points.size());
+  for (const double z : {0.0, heightMm})
+    for (const Vector2d& p : region->points)
+      mesh.vertices.emplace_back(p.x(), p.y(), z);
+  std::map<std::array<int, 2>, int> sides;
+  for (const auto& t : region->triangles) {
+    mesh.triangles.push_back({t[0], t[2], t[1]});
+    mesh.triangles.push_back({count + t[0], count + t[1], count + t[2]});
+    for (std::size_t k = 0; k < 3; ++k)
+      sides[{t[k], t[(k + 1) % 3]}] = 1;
+  }
+  for (const auto& [side, one] : sides)
+    if (!sides.contains({side[1], side[0]})) {
+      mesh.triangles.push_back({side[0], side[1], count + side[1]});
+      mesh.triangles.push_back({side[0], count + side[1], count + side[0]});
+    }
+  return mesh;
 }
 
 struct Span {
@@ -107,6 +133,30 @@ TEST(SizeCorrection, ATiltedSectionIsUnchanged) {
   Section section = plateSection();
   section.plane.normal = Vector3d(0, 0.6, 0.8);
   EXPECT_EQ(corrected(section, {1.1, 1.1, 0.5, 0.5}, {0, 0}).points, section.points);
+}
+
+// The mesh that a replay judges has the sections of the layers.
+TEST(SizeCorrection, ACorrectedMeshHasTheCorrectedSections) {
+  std::mt19937 random(5);
+  const auto pick = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int i = 0; i < 100; ++i) {
+    // A plate with a hole of many sides and a slot, upright along z.
+    const int around = 8 + i;
+    std::vector<Vector2d> points = rectangle(-30, -20, 30, 20);
+    std::vector<std::array<int, 2>> edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2.0 * base::kPi * k / around;
+      points.emplace_back(-15.0 + 6.0 * std::cos(angle), 6.0 * std::sin(angle));
+      edges.push_back({4 + k, 4 + (k + 1) % around});
+    }
+    const geometry::TriangleMesh plate = standing(points, edges, 5.0);
+    const SizeCorrection c{pick(0.99, 1.01), pick(0.99, 1.01), pick(-0.3, 0.3), pick(-0.3, 0.3)};
+    const geometry::TriangleMesh mesh = correctedMesh(plate, c);
+    const Sections before(plate, Vector3d::UnitZ()), after(mesh, Vector3d::UnitZ());
+    EXPECT_NEAR(areaOf(after.at(2.3)), areaOf(corrected(before.at(2.3), c, {0, 0})), 0.05) << i;
+  }
 }
 
 TEST(SizeCorrection, LayersAreScaledAboutTheirMiddle) {

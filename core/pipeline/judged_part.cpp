@@ -1,0 +1,38 @@
+#include "pipeline/judged_part.h"
+
+#include "geometry/append_mesh.h"
+#include "pipeline/choices.h"
+#include "planar/slicing/corrected_mesh.h"
+
+namespace voluta::pipeline {
+
+namespace {
+planar::SizeCorrection correctionOf(const project::Job& job, std::size_t item,
+                                    const process::Tooling& tooling) {
+  if (job.report.item(item).decomposition.mode != "flat")
+    return {};
+  const project::Choices own = project::onlyItem(job.choices, item);
+  const process::Process& process = tooling.at(static_cast<int>(ownTool(own))).process;
+  return {process.scaleX, process.scaleY, process.outlineOffsetMm, process.holeOffsetMm};
+}
+} // namespace
+
+std::shared_ptr<const geometry::TriangleMesh> judgedPart(const project::Job& job,
+                                                         const process::Tooling& tooling,
+                                                         const base::ParameterValues& values) {
+  bool isCorrected = false;
+  auto all = std::make_shared<geometry::TriangleMesh>();
+  // Layers along the user's planes are not corrected.
+  for (std::size_t i = 0; i < job.items.size() && values.text("layerPlanes").empty(); ++i) {
+    const planar::SizeCorrection correction = correctionOf(job, i, tooling);
+    isCorrected = isCorrected || !correction.isNeutral();
+    if (!isCorrected && job.items.size() == 1)
+      break;
+    geometry::appendMesh(*all, correction.isNeutral()
+                                   ? job.items[i].printed()
+                                   : planar::correctedMesh(job.items[i].printed(), correction));
+  }
+  return isCorrected ? all : project::printedOf(job);
+}
+
+} // namespace voluta::pipeline
