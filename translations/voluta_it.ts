@@ -510,6 +510,14 @@
         <source>Nozzle, bead sizes, speeds, head; own processes and materials</source>
         <translation>Ugello, misure dei cordoni, velocità, testina; processi e materiali propri</translation>
     </message>
+    <message>
+        <source>Compare with a recor&amp;ded run…</source>
+        <translation>Confronta con un&apos;esecuzione regis&amp;trata…</translation>
+    </message>
+    <message>
+        <source>Lays a run that the controller recorded beside the plan shown</source>
+        <translation>Affianca al piano mostrato un&apos;esecuzione registrata dal controllore</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -9155,6 +9163,260 @@ previsto</translation>
         <source>the part of one machine is inside the part, the plate or an obstacle of the other at {where}: place the machines or the parts further apart</source>
         <translation>il pezzo di una macchina è dentro il pezzo, il piano o un ostacolo dell&apos;altra in {where}: posizionare le macchine o i pezzi più distanti</translation>
     </message>
+    <message>
+        <source>mean step height</source>
+        <translation>altezza media dei gradini</translation>
+    </message>
+    <message>
+        <source>Mean step
+mm</source>
+        <translation>Gradino
+medio mm</translation>
+    </message>
+    <message>
+        <source>greatest step height</source>
+        <translation>altezza massima dei gradini</translation>
+    </message>
+    <message>
+        <source>Greatest
+step mm</source>
+        <translation>Gradino
+massimo mm</translation>
+    </message>
+    <message>
+        <source>angle between beads and load</source>
+        <translation>angolo tra cordoni e carico</translation>
+    </message>
+    <message>
+        <source>Bead
+angle °</source>
+        <translation>Angolo
+cordoni °</translation>
+    </message>
+    <message>
+        <source>interfaces across the load</source>
+        <translation>interfacce attraverso il carico</translation>
+    </message>
+    <message>
+        <source>Inter-
+faces %</source>
+        <translation>Inter-
+facce %</translation>
+    </message>
+    <message>
+        <source>interfaces in the weakest section</source>
+        <translation>interfacce nella sezione più debole</translation>
+    </message>
+    <message>
+        <source>Weakest
+% interf.</source>
+        <translation>Più debole
+% interf.</translation>
+    </message>
+    <message>
+        <source>is below {least}</source>
+        <translation>è inferiore a {least}</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Misure</translation>
+    </message>
+    <message>
+        <source>size factor along x</source>
+        <translation>fattore di misura lungo x</translation>
+    </message>
+    <message>
+        <source>Flat layers are made larger by it, so that printed lengths are right. 1: none.</source>
+        <translation>Ingrandisce gli strati piani, così che le lunghezze stampate siano giuste. 1: nessuno.</translation>
+    </message>
+    <message>
+        <source>size factor along y</source>
+        <translation>fattore di misura lungo y</translation>
+    </message>
+    <message>
+        <source>As along x.</source>
+        <translation>Come lungo x.</translation>
+    </message>
+    <message>
+        <source>outline offset</source>
+        <translation>scostamento del contorno</translation>
+    </message>
+    <message>
+        <source>Outlines of flat layers move outwards by it.</source>
+        <translation>Di tanto i contorni degli strati piani si spostano verso l&apos;esterno.</translation>
+    </message>
+    <message>
+        <source>hole offset</source>
+        <translation>scostamento dei fori</translation>
+    </message>
+    <message>
+        <source>Contours of holes in flat layers move into the material by it.</source>
+        <translation>Di tanto i contorni dei fori negli strati piani si spostano nel materiale.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Resistenza</translation>
+    </message>
+    <message>
+        <source>direction of the load</source>
+        <translation>direzione del carico</translation>
+    </message>
+    <message>
+        <source>x,y,z in the part&apos;s file, for example 1,0,0: the report then states how layers and beads carry a load in it. Empty: no load.</source>
+        <translation>x,y,z nel file del pezzo, per esempio 1,0,0: il rapporto indica come strati e cordoni portano un carico in tale direzione. Vuoto: nessun carico.</translation>
+    </message>
+    <message>
+        <source>the job has no motion to compare with</source>
+        <translation>il lavoro non ha un movimento con cui confrontare</translation>
+    </message>
+    <message>
+        <source>give rows such as: length x 50 49.8; slot y 5 4.8; hole 10 9.6</source>
+        <translation>indica righe come: length x 50 49.8; slot y 5 4.8; hole 10 9.6</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; is not a size</source>
+        <translation>&apos;{word}&apos; non è una misura</translation>
+    </message>
+    <message>
+        <source>&apos;{word}&apos; is not a kind of size</source>
+        <translation>&apos;{word}&apos; non è un tipo di misura</translation>
+    </message>
+    <message>
+        <source>not a kind, an axis and two sizes</source>
+        <translation>non un tipo, un asse e due misure</translation>
+    </message>
+    <message>
+        <source>{measured} is too far from {nominal}</source>
+        <translation>{measured} è troppo lontano da {nominal}</translation>
+    </message>
+    <message>
+        <source>{key} would be {value}, beyond {least} to {most}</source>
+        <translation>{key} sarebbe {value}, fuori da {least} a {most}</translation>
+    </message>
+    <message>
+        <source>check the measured sizes</source>
+        <translation>controlla le misure rilevate</translation>
+    </message>
+    <message>
+        <source>no measured sizes</source>
+        <translation>nessuna misura rilevata</translation>
+    </message>
+    <message>
+        <source>aligning</source>
+        <translation>allineamento</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>percorso</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>velocità</translation>
+    </message>
+    <message>
+        <source>flow</source>
+        <translation>flusso</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>mancante</translation>
+    </message>
+    <message>
+        <source>the record does not come near the planned path</source>
+        <translation>la registrazione non si avvicina al percorso pianificato</translation>
+    </message>
+    <message>
+        <source>choose the project and the cell that it was recorded with</source>
+        <translation>scegli il progetto e la cella con cui è stata registrata</translation>
+    </message>
+    <message>
+        <source>{found} joints are recorded, the cell has {wanted} axes</source>
+        <translation>sono registrati {found} giunti, la cella ha {wanted} assi</translation>
+    </message>
+    <message>
+        <source>record all axes, external ones included</source>
+        <translation>registra tutti gli assi, anche quelli esterni</translation>
+    </message>
+    <message>
+        <source>poses of the TCP do not contain the external axes</source>
+        <translation>le pose del TCP non contengono gli assi esterni</translation>
+    </message>
+    <message>
+        <source>record the joints of all axes</source>
+        <translation>registra i giunti di tutti gli assi</translation>
+    </message>
+    <message>
+        <source>the pose of the TCP is incomplete</source>
+        <translation>la posa del TCP è incompleta</translation>
+    </message>
+    <message>
+        <source>record actual_q or all of actual_TCP_pose</source>
+        <translation>registra actual_q o tutto actual_TCP_pose</translation>
+    </message>
+    <message>
+        <source>column &apos;{name}&apos; is missing</source>
+        <translation>manca la colonna &apos;{name}&apos;</translation>
+    </message>
+    <message>
+        <source>record X, Y, Z, A, B and C, or all joints</source>
+        <translation>registra X, Y, Z, A, B e C, o tutti i giunti</translation>
+    </message>
+    <message>
+        <source>RTDE of Universal Robots</source>
+        <translation>RTDE di Universal Robots</translation>
+    </message>
+    <message>
+        <source>monitor of MELFA</source>
+        <translation>monitor di MELFA</translation>
+    </message>
+    <message>
+        <source>table of joints</source>
+        <translation>tabella di giunti</translation>
+    </message>
+    <message>
+        <source>no joints and no pose of the TCP among the columns</source>
+        <translation>nessun giunto e nessuna posa del TCP tra le colonne</translation>
+    </message>
+    <message>
+        <source>record actual_q (RTDE), X to C (MELFA) or j1_deg, j2_deg ...</source>
+        <translation>registra actual_q (RTDE), da X a C (MELFA) o j1_deg, j2_deg ...</translation>
+    </message>
+    <message>
+        <source>no column of times</source>
+        <translation>nessuna colonna dei tempi</translation>
+    </message>
+    <message>
+        <source>name it timestamp, time_s or time_ms</source>
+        <translation>chiamala timestamp, time_s o time_ms</translation>
+    </message>
+    <message>
+        <source>fewer than two samples</source>
+        <translation>meno di due campioni</translation>
+    </message>
+    <message>
+        <source>record the whole run</source>
+        <translation>registra l&apos;intera esecuzione</translation>
+    </message>
+    <message>
+        <source>no number in column &apos;{column}&apos;</source>
+        <translation>nessun numero nella colonna &apos;{column}&apos;</translation>
+    </message>
+    <message>
+        <source>{found} values in a row instead of {wanted}, as there are names</source>
+        <translation>{found} valori in una riga invece di {wanted}, quanti sono i nomi</translation>
+    </message>
+    <message>
+        <source>no rows of numbers below a row of names</source>
+        <translation>nessuna riga di numeri sotto una riga di nomi</translation>
+    </message>
+    <message>
+        <source>&apos;{text}&apos; is not a direction</source>
+        <translation>&apos;{text}&apos; non è una direzione</translation>
+    </message>
+    <message>
+        <source>give x,y,z, for example 1,0,0</source>
+        <translation>indica x,y,z, per esempio 1,0,0</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>
@@ -11461,6 +11723,14 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>The job uses another version of this process.</source>
         <translation>Il lavoro usa un&apos;altra versione di questo processo.</translation>
     </message>
+    <message>
+        <source>Sizes from a measured plate…</source>
+        <translation>Misure da una piastra rilevata…</translation>
+    </message>
+    <message>
+        <source>Corrects the sizes of flat layers by those of a printed accuracy plate</source>
+        <translation>Corregge le misure degli strati piani con quelle di una piastra stampata</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::LogDialog</name>
@@ -11990,6 +12260,14 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <source>Shows the solids used for collision checks over the arm</source>
         <translation>Mostra sopra il braccio i solidi controllati per le collisioni</translation>
     </message>
+    <message>
+        <source>Recorded run</source>
+        <translation>Esecuzione registrata</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
 </context>
 <context>
     <name>voluta::window::SpacingView</name>
@@ -12303,6 +12581,115 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Sample vase</source>
         <translation>Vaso di esempio</translation>
+    </message>
+</context>
+<context>
+    <name>SizesDialog</name>
+    <message>
+        <source>Length</source>
+        <translation>Lunghezza</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Slot length</source>
+        <translation>Lunghezza della fessura</translation>
+    </message>
+    <message>
+        <source>Slot width</source>
+        <translation>Larghezza della fessura</translation>
+    </message>
+    <message>
+        <source>Hole diameter</source>
+        <translation>Diametro del foro</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::SizesDialog</name>
+    <message>
+        <source>Sizes from a measured plate</source>
+        <translation>Misure da una piastra rilevata</translation>
+    </message>
+    <message>
+        <source>Plate of %1</source>
+        <translation>Piastra da %1</translation>
+    </message>
+    <message>
+        <source>Print the sample accuracy-plate with this process, and measure it.</source>
+        <translation>Stampa il campione accuracy-plate con questo processo e misuralo.</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Nominale</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Rilevata</translation>
+    </message>
+    <message>
+        <source>Use these sizes</source>
+        <translation>Usa queste misure</translation>
+    </message>
+    <message>
+        <source>Size factors %1 (x) and %2 (y), outlines %3, holes %4; the measured sizes fit within %5.</source>
+        <translation>Fattori di misura %1 (x) e %2 (y), contorni %3, fori %4; le misure rilevate si adattano entro %5.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::RunDialog</name>
+    <message>
+        <source>Path %1 mm over %2 mm</source>
+        <translation>Percorso %1 mm su %2 mm</translation>
+    </message>
+    <message>
+        <source>Speed %1 % over %2 mm</source>
+        <translation>Velocità %1 % su %2 mm</translation>
+    </message>
+    <message>
+        <source>Flow %1 % over %2 mm</source>
+        <translation>Flusso %1 % su %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm of beads are missing</source>
+        <translation>Mancano %1 mm di cordoni</translation>
+    </message>
+    <message>
+        <source>Worst places</source>
+        <translation>Punti peggiori</translation>
+    </message>
+    <message>
+        <source>Recorded run %1</source>
+        <translation>Esecuzione registrata %1</translation>
+    </message>
+    <message>
+        <source>Comparing the record with the current plan…</source>
+        <translation>Confronto della registrazione con il piano attuale…</translation>
+    </message>
+    <message>
+        <source>Flow, recorded: mean %1 %, from %2 to %3 %</source>
+        <translation>Flusso, registrato: media %1 %, da %2 a %3 %</translation>
+    </message>
+    <message>
+        <source>Flow at this speed: mean %1 %, from %2 to %3 %</source>
+        <translation>Flusso a questa velocità: media %1 %, da %2 a %3 %</translation>
+    </message>
+    <message>
+        <source>Path: mean %1 mm, greatest %2 mm</source>
+        <translation>Percorso: media %1 mm, massimo %2 mm</translation>
+    </message>
+    <message>
+        <source>Speed: mean %1 %, from %2 to %3 %</source>
+        <translation>Velocità: media %1 %, da %2 a %3 %</translation>
+    </message>
+    <message>
+        <source>Beads recorded: %1 of %2 mm</source>
+        <translation>Cordoni registrati: %1 di %2 mm</translation>
+    </message>
+    <message>
+        <source>No place differs from the plan by more than the tolerances.</source>
+        <translation>Nessun punto differisce dal piano oltre le tolleranze.</translation>
     </message>
 </context>
 </TS>

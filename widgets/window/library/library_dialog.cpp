@@ -14,6 +14,7 @@
 #include "window/icons.h"
 #include "window/library/compare_items_dialog.h"
 #include "window/library/head_numbers_dialog.h"
+#include "window/library/sizes_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -184,6 +185,8 @@ QWidget* LibraryDialog::buildHead() {
   mesh_ = button("headMeshOpen", tr("From a mesh…"), &LibraryDialog::headFromMesh);
   mesh_->setToolTip(
       tr("A drawing of the head with its nozzle pointing down: the largest radius at each height"));
+  sizes_ = button("sizesOpen", tr("Sizes from a measured plate…"), &LibraryDialog::sizesFromPlate);
+  sizes_->setToolTip(tr("Corrects the sizes of flat layers by those of a printed accuracy plate"));
   auto* both = new QHBoxLayout;
   both->addWidget(numbers_);
   both->addWidget(mesh_);
@@ -192,6 +195,7 @@ QWidget* LibraryDialog::buildHead() {
   column->addWidget(drawing_, 3);
   column->addWidget(head_, 2);
   column->addLayout(both);
+  column->addWidget(sizes_);
   return headSide_;
 }
 
@@ -257,6 +261,7 @@ void LibraryDialog::showEntry() {
     drawing_->setProcess(*process);
     numbers_->setEnabled(!locked);
     mesh_->setEnabled(!locked);
+    sizes_->setEnabled(!locked);
   }
   title_->setText(named(entry.saved.id()));
   about_->setText(
@@ -483,6 +488,16 @@ void LibraryDialog::headFromNumbers() {
   HeadNumbersDialog dialog(*shelf().at(current()).draft.process(), this);
   if (dialog.exec() == QDialog::Accepted && dialog.head())
     setHead(*dialog.head());
+}
+
+void LibraryDialog::sizesFromPlate() {
+  SizesDialog dialog(*shelf().at(current()).draft.process(), this);
+  if (dialog.exec() != QDialog::Accepted || !dialog.corrected())
+    return;
+  LibraryItem with = shelf().at(current()).draft;
+  with.data = *dialog.corrected();
+  shelf().setDraft(current(), with);
+  showEntry();
 }
 
 void LibraryDialog::headFromMesh() {

@@ -72,6 +72,7 @@ private:
   void use();
   void headFromNumbers();
   void headFromMesh();
+  void sizesFromPlate();
   // Runs work that writes files; shows an error in a box. Returns whether it succeeded.
   bool tried(const std::function<void()>& work);
   bool saveChanged();
@@ -89,7 +90,7 @@ private:
   QLabel *title_, *about_, *stateIcon_, *state_;
   QPushButton *rename_ = nullptr, *remove_ = nullptr, *duplicate_ = nullptr, *save_ = nullptr,
               *revert_ = nullptr, *export_ = nullptr, *use_ = nullptr, *numbers_ = nullptr,
-              *mesh_ = nullptr;
+              *mesh_ = nullptr, *sizes_ = nullptr;
 };
 
 } // namespace voluta::window

@@ -11,8 +11,10 @@
 #include "window/pages/cell_view.h"
 #include "window/pages/resumable.h"
 #include "window/presenters/presenter.h"
+#include "window/run_dialog.h"
 
 #include <QCheckBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -60,7 +62,59 @@ std::vector<Command> SimulatePage::commands() {
                              "Opens the rest of a print stopped at this moment as a new project"),
            {},
            [this] { resume(); },
-           [this] { return resumePoint().has_value(); }}};
+           [this] { return resumePoint().has_value(); }},
+          {"compareRun",
+           "runMenu",
+           3,
+           QT_TRANSLATE_NOOP("Commands", "Compare with a recor&ded run…"),
+           QT_TRANSLATE_NOOP("Commands",
+                             "Lays a run that the controller recorded beside the plan shown"),
+           {},
+           [this] { compareRun(); },
+           [this] { return comparable() != nullptr; }}};
+}
+
+std::shared_ptr<const pipeline::PlanResult> SimulatePage::comparable() const {
+  const auto motion = work().document.result(Stage::Motion);
+  return motion && motion->job.trajectory ? motion : nullptr;
+}
+
+void SimulatePage::compareRun() {
+  const QString file =
+      QFileDialog::getOpenFileName(side_->window(), tr("Recorded run"), {}, tr("All files (*)"));
+  const auto plan = comparable();
+  if (!plan || file.isEmpty())
+    return;
+  work().shell.show(*this);
+  auto* dialog = new RunDialog(file, plan, side_->window());
+  connect(dialog, &RunDialog::placeChosen, this, &SimulatePage::goToPoint);
+  connect(dialog, &RunDialog::compared, this,
+          [this](const std::vector<record::ErrorPlace>& places) {
+            runPlaces_ = places;
+            showRunPlaces();
+          });
+  dialog->open();
+}
+
+void SimulatePage::goToPoint(std::size_t point) {
+  if (const auto& clock = work().presenter.clock(); clock && point < clock->pointCount())
+    work().timeline.setTimeS(clock->timeOfPoint(point));
+}
+
+// Marks the places of the recorded run on the time-line.
+void SimulatePage::showRunPlaces() {
+  if (!isShown())
+    return; // the time-line has the marks of another page
+  const auto& clock = work().presenter.clock();
+  std::vector<timeline::Span> spans;
+  if (clock)
+    for (const record::ErrorPlace& place : runPlaces_)
+      if (place.point < clock->pointCount()) {
+        const double at = clock->timeOfPoint(place.point);
+        spans.push_back({at, at, placeText(place)});
+      }
+  std::ranges::sort(spans, {}, &timeline::Span::fromS);
+  work().timeline.setSpans(std::move(spans));
 }
 
 std::optional<std::size_t> SimulatePage::resumePoint() const {
@@ -87,7 +141,13 @@ void SimulatePage::retranslate() {
   showResume();
 }
 
+void SimulatePage::entered() {
+  showRunPlaces();
+}
+
 void SimulatePage::showMotion() {
+  runPlaces_.clear(); // of another motion
+  showRunPlaces();
   const auto& clock = work().presenter.clock();
   std::vector<robot::JointLimits> limits;
   std::vector<robot::ExternalAxis> externalAxes;

@@ -1,6 +1,8 @@
 // Simulate page: the robot's motion with synchronized joint plots.
 #pragma once
 
+#include "pipeline/plan_result.h"
+#include "record/comparison.h"
 #include "window/pages/page.h"
 
 class QCheckBox;
@@ -26,6 +28,7 @@ public:
   std::vector<ViewportInput*> inputs() override { return {this}; }
   std::vector<project::Stage> stages() const override { return {project::Stage::Motion}; }
 
+  void entered() override;
   void retranslate() override;
   void draw(scene::ViewState& view) override;
   std::optional<Laid> laid() const override;
@@ -37,6 +40,11 @@ public:
 
 private:
   void showMotion();
+  // Returns the plan that a recorded run can be compared with; null: none.
+  std::shared_ptr<const pipeline::PlanResult> comparable() const;
+  void compareRun();
+  void showRunPlaces();
+  void goToPoint(std::size_t point);
   // Returns the start of the bead at the time-line's position; none if the print cannot be resumed
   // there.
   std::optional<std::size_t> resumePoint() const;
@@ -47,6 +55,7 @@ private:
   timeline::JointPlots* plots_;
   QCheckBox* solids_; // over the arm
   panels::ResumeBar* resume_;
+  std::vector<record::ErrorPlace> runPlaces_; // of the run compared last with this motion
   QWidget* side_;
 };
 
