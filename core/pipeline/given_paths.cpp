@@ -101,7 +101,8 @@ private:
       return process::beadArea(plan_.widthMm[i], plan_.heightMm[i]);
     };
     for (const plan::ToolPath& path : plan_.paths)
-      for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+      for (std::size_t i = path.first + 1;
+           i < path.first + path.count && path.kind != plan::PathKind::Shot; ++i) {
         const double most =
             process::flowLimit(process_) / std::max({section(i - 1), section(i), 1e-9});
         if (plan_.speedMmPerS[i] > most) {
@@ -123,7 +124,13 @@ plan::ToolpathStatistics statisticsOf(const plan::ToolPlan& plan) {
   r.waypoints = plan.waypointCount();
   for (std::size_t p = 0; p < plan.paths.size(); ++p) {
     const plan::ToolPath& path = plan.paths[p];
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+    const bool isShot = path.kind == plan::PathKind::Shot;
+    if (isShot) {
+      ++r.shots;
+      r.shotMm3 += plan.shotMm3(path);
+      r.materialMm3 += plan.shotMm3(path);
+    }
+    for (std::size_t i = path.first + 1; i < path.first + path.count && !isShot; ++i) {
       const double way = (plan.position[i] - plan.position[i - 1]).norm();
       r.lengthMm += way;
       r.materialMm3 +=
