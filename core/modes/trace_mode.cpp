@@ -60,7 +60,7 @@ platform::PlatformSolid bodyOf(const BodyPlan& plan, const LoadStage& placed) {
     if (v.z() <= plan.standsMm)
       on.emplace_back(v.head<2>());
   platform::PlatformSolid platform;
-  platform.polygon = plan.platform.plateAround(on);
+  platform.polygon = plan.platform.plateAround(geometry::convexPolygon(std::move(on)));
   platform.mesh = placed.part;
   return platform;
 }
