@@ -9156,6 +9156,8 @@ previsto</translation>
         <translation>un ingresso viene letto mentre ci sono movimenti in coda</translation>
     </message>
     <message>
+    </message>
+    <message>
         <source>dense at the pith</source>
         <translation>denso al midollo</translation>
     </message>

@@ -38,8 +38,7 @@ TracePlan tracePlan(const ModeChoices& in) {
   plan.rule.stepMm = p.stepMm;
   plan.rule.leastMm = kLeastWidths * p.beadWidthMm;
   // The width at which beads fill a layer, so that the strip has the volume of one bead.
-  plan.strip = {process::hatchOf(p.beadWidthMm, p.layerHeightMm), p.layerHeightMm,
-                base::degreesToRadians(in.values.number("traceTilt"))};
+  plan.strip = {process::hatchOf(p.beadWidthMm, p.layerHeightMm), p.layerHeightMm};
   return plan;
 }
 
@@ -111,13 +110,12 @@ std::shared_ptr<const LayersStage> layersOf(const TracePlan& plan, const Decompo
 } // namespace
 
 Mode traceMode() {
-  Mode mode{
-      "trace",
-      "Trace on a surface"_text,
-      {tracePlan, decompose},
-      {tracePlan, layersOf},
-      project::ResultKind::OnGround,
-      {"traceAngle", "traceInset", "traceSpacing", "tracePasses", "traceClosing", "traceTilt"}};
+  Mode mode{"trace",
+            "Trace on a surface"_text,
+            {tracePlan, decompose},
+            {tracePlan, layersOf},
+            project::ResultKind::OnGround,
+            {"traceAngle", "traceInset", "traceSpacing", "tracePasses", "traceClosing"}};
   mode.platform = {bodyPlan, bodyOf};
   mode.defaults = {{"walls", "1"}};
   return mode;
@@ -145,10 +143,6 @@ base::ParameterTable traceParameters() {
                             "radius of the outline's hull"_text,
                             "Gaps of the outline through which no disc of this radius passes are "
                             "closed."_text),
-      base::numberParameter("traceTilt", "deg", 0.0, -30.0, 30.0, "Trace"_text,
-                            "tilt of the nozzle on a seam"_text,
-                            "Angle of the nozzle from the surface's normal, outwards from the "
-                            "seam; negative: inwards."_text),
   });
 }
 

@@ -34,16 +34,12 @@ layers::Patch stripPatch(const SeamCurve& curve, const StripSize& size) {
   const std::vector<Vector3d> aside = asides(curve, size.widthMm);
   const int n = static_cast<int>(curve.points.size());
   layers::Patch patch;
-  for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    const Vector3d& normal = curve.normals[i];
-    const Vector3d direction = std::cos(size.tiltRad) * normal -
-                               std::sin(size.tiltRad) * aside[i].normalized(),
-                   tip = curve.points[i] + size.heightMm * normal;
+  for (std::size_t i = 0; i < curve.points.size(); ++i)
     for (const double side : {1.0, -1.0}) {
-      patch.surface.vertices.push_back(tip + side * aside[i] - 0.5 * size.heightMm * direction);
-      patch.direction.push_back(direction);
+      patch.surface.vertices.push_back(curve.points[i] + side * aside[i] +
+                                       0.5 * size.heightMm * curve.normals[i]);
+      patch.direction.push_back(curve.normals[i]);
     }
-  }
   for (int i = 0; i < n; ++i) {
     const int left = 2 * i, right = left + 1, nextLeft = 2 * ((i + 1) % n),
               nextRight = nextLeft + 1;

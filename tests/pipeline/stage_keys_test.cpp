@@ -78,7 +78,6 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"traceSpacing", {"4", kStageCount}},
     {"tracePasses", {"2", kStageCount}},
     {"traceClosing", {"1", kStageCount}},
-    {"traceTilt", {"5", kStageCount}},
     {"walls", {"3", 3}},
     {"infill", {"concentric", 3}},
     {"infillDensity", {"0.5", 3}},
@@ -289,8 +288,8 @@ TEST_F(StageKeysOf, ParametersOfGroundsMatterToTheirModes) {
       {"substrate", "rodProfile", 6}, {"substrate", "overhangAngle", 1},
       {"trace", "traceAngle", 1},     {"trace", "traceInset", 1},
       {"trace", "traceSpacing", 1},   {"trace", "tracePasses", 1},
-      {"trace", "traceClosing", 1},   {"trace", "traceTilt", 1},
-      {"trace", "layerShape", 6},     {"substrate", "traceAngle", 6}};
+      {"trace", "traceClosing", 1},   {"trace", "layerShape", 6},
+      {"substrate", "traceAngle", 6}};
   for (const auto& [mode, key, first] : rows) {
     PlanRequest request = boxRequest();
     request.choices.item().mode = mode;

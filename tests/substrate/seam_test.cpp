@@ -143,27 +143,5 @@ TEST(BeadStrip, HasTheVolumeOfItsBead) {
   }
 }
 
-// On a circle to the left, the nozzle tilts outwards; its tip stays above the curve.
-TEST(BeadStrip, TiltsTheNozzleAboutTheCurve) {
-  SeamCurve circle;
-  for (int i = 0; i < 90; ++i) {
-    const double a = base::kTurn * i / 90;
-    circle.points.emplace_back(20 * std::cos(a), 20 * std::sin(a), 3.0);
-    circle.normals.emplace_back(0, 0, 1);
-  }
-  const double tilt = base::degreesToRadians(20.0);
-  const layers::Patch patch = stripPatch(circle, {2.0, 0.8, tilt});
-  for (std::size_t i = 0; i < circle.points.size(); ++i) {
-    const Vector3d& direction = patch.direction[2 * i];
-    EXPECT_NEAR(direction.z(), std::cos(tilt), 1e-12);
-    EXPECT_NEAR(direction.dot(circle.points[i].normalized()) -
-                    direction.z() * circle.points[i].normalized().z(),
-                std::sin(tilt) * circle.points[i].head<2>().norm() / circle.points[i].norm(), 1e-6);
-    const Vector3d middle =
-        0.5 * (patch.surface.vertices[2 * i] + patch.surface.vertices[2 * i + 1]);
-    EXPECT_TRUE((middle + 0.4 * direction).isApprox(circle.points[i] + 0.8 * Vector3d::UnitZ()));
-  }
-}
-
 } // namespace
 } // namespace voluta::substrate
