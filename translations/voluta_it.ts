@@ -9108,8 +9108,8 @@ previsto</translation>
         <translation>{body} della macchina {machine} urta {other} dell&apos;altra macchina in {where} ({layer}): posizionare le macchine più distanti, o il pezzo più lontano dal confine</translation>
     </message>
     <message>
-        <source>no order of work keeps the machines apart: {first} of machine 1 and {second} of machine 2 hinder each other at {where}: place the machines further apart, or the parts further from the border</source>
-        <translation>nessun ordine di lavoro tiene separate le macchine: {first} della macchina 1 e {second} della macchina 2 si ostacolano in {where}: posizionare le macchine più distanti, o i pezzi più lontano dal confine</translation>
+        <source>no order of work keeps the machines apart: {first} of machine 1 and {second} of machine 2 hinder each other at {where}: place the machines further apart, the parts further from the border, or the arms at rest further from it</source>
+        <translation>nessun ordine di lavoro tiene separate le macchine: {first} della macchina 1 e {second} della macchina 2 si ostacolano in {where}: posizionare le macchine più distanti, i pezzi più lontano dal confine, o i bracci a riposo più lontano da esso</translation>
     </message>
     <message>
         <source>the way home</source>
@@ -9418,6 +9418,14 @@ facce %</translation>
     <message>
         <source>give x,y,z, for example 1,0,0</source>
         <translation>indica x,y,z, per esempio 1,0,0</translation>
+    </message>
+    <message>
+        <source>the job waits for another machine at marks</source>
+        <translation>il lavoro attende un&apos;altra macchina ai segnali</translation>
+    </message>
+    <message>
+        <source>resume the job from which it was made, and print its rest alone</source>
+        <translation>riprendere il lavoro da cui è stato fatto, e stampare il resto da solo</translation>
     </message>
 </context>
 <context>

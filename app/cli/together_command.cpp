@@ -34,6 +34,10 @@ void sayWhyNot(const pipeline::TogetherResult& result) {
   else if (result.replay->clock.stuck)
     fmt::print(stderr, "machine {} waits for a mark that the other does not reach\n",
                result.replay->clock.stuck->machine + 1);
+  else if (result.replay->collisions > 0)
+    fmt::print(stderr, "the programs collide\n");
+  else if (!pipeline::passed(result))
+    fmt::print(stderr, "a finding of one of the jobs blocks (see its report.json)\n");
 }
 } // namespace
 

@@ -273,6 +273,11 @@ private:
 ResumeResult resumeJob(project::Job job, std::size_t point, std::vector<std::string> formats,
                        const base::RunContext& ctx) {
   base::require(job.item().part && job.toolPlan && job.trajectory, "a job with a motion");
+  if (std::ranges::any_of(job.trajectory->events, [](const plan::TrajectoryEvent& event) {
+        return event.kind == plan::EventKind::Mark;
+      }))
+    throw Error(ErrorCode::UnusableInput, "the job waits for another machine at marks"_text, {},
+                "resume the job from which it was made, and print its rest alone"_text);
   return Resuming(std::move(job), point, std::move(formats)).run(ctx);
 }
 

@@ -82,8 +82,8 @@ base::Message inWords(const TogetherResult& result, const together::Obstruction&
   }
   return base::message(
       "no order of work keeps the machines apart: {first} of machine 1 and {second} of machine 2 "
-      "hinder each other at {where}: place the machines further apart, or the parts further from "
-      "the border"_text,
+      "hinder each other at {where}: place the machines further apart, the parts further from the "
+      "border, or the arms at rest further from it"_text,
       layerIn(result.plans[0].job, result.work.a, obstruction.aSegment),
       layerIn(result.plans[1].job, result.work.b, obstruction.bSegment), where);
 }

@@ -92,12 +92,15 @@ FoundConflicts conflictsOf(const Machine& a, const Rests& aRests, const Machine&
           table.moving.set(i, j);
       }
   });
-  found.place = [aSwept, bSwept, grid](std::size_t i, std::size_t j) -> std::optional<Vector3d> {
-    const auto cell = commonCell(aSwept->segment[i], bSwept->segment[j]);
+  const auto middleOf = [grid](std::optional<std::size_t> cell) -> std::optional<Vector3d> {
     if (!cell)
       return std::nullopt;
     const Eigen::Vector3i at = grid.cell(*cell);
     return grid.centre(at.x(), at.y(), at.z());
+  };
+  found.atStart = middleOf(commonCell(aSwept->rest.front(), bSwept->rest.front()));
+  found.place = [aSwept, bSwept, middleOf](std::size_t i, std::size_t j) {
+    return middleOf(commonCell(aSwept->segment[i], bSwept->segment[j]));
   };
   return found;
 }

@@ -25,6 +25,8 @@ struct Distances {
 struct FoundConflicts {
   Conflicts table;
   StaticConflicts ofA, ofB;
+  // The middle of a cell in which the two meet at their first rests; nullopt if they do not.
+  std::optional<Eigen::Vector3d> atStart;
   // Returns the middle of a cell in which segments of the two meet; nullopt if they do not.
   std::function<std::optional<Eigen::Vector3d>(std::size_t a, std::size_t b)> place;
 };

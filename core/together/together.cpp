@@ -22,11 +22,13 @@ std::optional<Obstruction> atRest(int machine, const StaticConflicts& found) {
 Obstruction moving(const Machine& a, const Plan& plan, const FoundConflicts& found) {
   const auto [i, j] = furthestReached(plan.conflicts);
   Obstruction none;
-  none.kind = i + j == 0 ? Obstruction::Kind::AtStart : Obstruction::Kind::Moving;
+  none.kind = found.atStart ? Obstruction::Kind::AtStart : Obstruction::Kind::Moving;
   none.aSegment = std::min(i, plan.a.segments() - 1);
   none.bSegment = std::min(j, plan.b.segments() - 1);
-  none.where =
-      found.place(none.aSegment, none.bSegment).value_or(tipAt(a, plan.a.point[none.aSegment + 1]));
+  std::optional<Eigen::Vector3d> where = found.atStart;
+  if (!where)
+    where = found.place(none.aSegment, none.bSegment);
+  none.where = where.value_or(tipAt(a, plan.a.point[none.aSegment + 1]));
   return none;
 }
 } // namespace

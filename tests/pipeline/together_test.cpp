@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "box_request.h"
 #include "helpers/temporary_folder.h"
+#include "pipeline/resume.h"
 #include "pipeline/together.h"
 #include "program/dialect.h"
 
@@ -110,6 +111,8 @@ TEST(Together, AMarkedJobIsReadAgain) {
       folder.path() / "first" / result.plans[0].checked.front()->program.files.front().name, job,
       kCtx);
   EXPECT_TRUE(again.replay.passed);
+  // Its rest would count other marks than the second machine.
+  EXPECT_THROW(resumePrint({.job = job, .bead = 3}, kCtx), base::Error);
   // Joined again, the old marks are dropped.
   const TogetherResult same =
       together(resultOf(jobToJoin(job)),
