@@ -90,8 +90,8 @@ std::string programsName(const project::Job& job) {
       job.items.size() > 1 ? "-and-" + std::to_string(job.items.size() - 1) + "-more" : "";
   const std::string& part = job.item().partName;
   // Programs must not replace the G-code that they were made from.
-  return std::filesystem::path(part).stem().string() +
-         (sliced::isSlicedGcode(part) ? "-robot" : "") + more + (job.resumedAt > 0 ? "-rest" : "");
+  return std::string(sliced::isSlicedGcode(part) ? "robot_" : "") +
+         std::filesystem::path(part).stem().string() + more + (job.resumedAt > 0 ? "-rest" : "");
 }
 
 ProgramStageInput programStageInput(const project::Job& job, const geometry::TriangleMesh& printed,

@@ -236,7 +236,7 @@ TEST(SlicedPaths, ProgramsDoNotReplaceTheFileTheyWereMadeFrom) {
   PlanResult planned = planPart(request, kCtx);
   writeOutputs(planned, folder.path(), kCtx);
   EXPECT_EQ(base::readFile(folder / "part.gcode"), text);
-  EXPECT_TRUE(std::filesystem::exists(folder / "part-robot.gcode"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "robot_part.gcode"));
 }
 
 TEST(SlicedPaths, OnAPlaneOfAnotherBody) {
