@@ -8,7 +8,7 @@ namespace voluta::replay {
 
 namespace {
 
-// What a program does, in order, as far as it takes time or concerns marks.
+// A step of a program that takes time or concerns marks.
 struct Action {
   enum class Kind { Move, Pause, Set, Await };
   Kind kind = Kind::Move;

@@ -146,7 +146,7 @@ private:
         addHead(static_cast<int>(b), body.frame, still);
     }
   }
-  // The eroded head is for what it is meant to be close to.
+  // The eroded head is for plates and parts, to which it is meant to be close.
   void addHead(int body, int frame, bool still) {
     const process::Process& p = machine_.process;
     Isometry3d tool_T_head = Isometry3d::Identity();
@@ -258,7 +258,7 @@ private:
            (one != BodyRole::Obstacle || b_.isAgainstObstacles(t));
   }
 
-  // Bodies of the one against what the other has printed.
+  // Bodies of the one against the material of the other.
   void parts(const Follower& one, const Follower& other, bool isFirst) {
     const Isometry3d work_T_shared = other.shared_T_work().inverse(Eigen::Isometry);
     for (std::size_t i = 0; i < one.solids().size(); ++i) {

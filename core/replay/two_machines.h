@@ -71,8 +71,8 @@ struct TwoMachines {
 
 // Samples both runs every kTogetherStepS: bodies that move against all bodies of the other machine,
 // but its obstacles only as far as they are checked against those of their own cell, and heads and
-// arms against what the other has printed by then. Preconditions: both programs state the arm.
-// Throws Cancelled.
+// arms against the material that the other has laid by then. Preconditions: both programs state the
+// arm. Throws Cancelled.
 inline constexpr double kTogetherStepS = 0.02;
 TwoMachines runTogether(const RunningMachine& a, const RunningMachine& b,
                         const base::RunContext& ctx);

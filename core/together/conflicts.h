@@ -19,7 +19,7 @@ namespace voluta::together {
 
 struct Distances {
   double clearanceMm = 10.0; // least distance of moving bodies of the one to those of the other
-  collision::Margins still;  // of moving bodies to what is at rest of the other
+  collision::Margins still;  // of moving bodies to bodies at rest and the part of the other
 };
 
 struct FoundConflicts {
@@ -33,8 +33,8 @@ struct FoundConflicts {
 
 // Segments are compared without regard to time, by the space that they pass through: cells of
 // kSweptCellMm, or wider if there would be too many. Segments nearer than the clearance always
-// conflict; those further apart than it by two cells and two steps never do. What is printed counts
-// from the waypoint on that the other machine has reached. Throws Cancelled.
+// conflict; those further apart than it by two cells and two steps never do. Printed material
+// counts from the waypoint on that the other machine has reached. Throws Cancelled.
 inline constexpr double kSweptCellMm = 6.0;
 FoundConflicts conflictsOf(const Machine& a, const Rests& aRests, const Machine& b,
                            const Rests& bRests, const Distances& distances,

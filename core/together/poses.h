@@ -27,7 +27,7 @@ double wayOf(const collision::Ball& ball, const Eigen::Isometry3d& from,
 
 // Returns whether the motion moves the body in the shared frame.
 bool isMoved(const robot::Cell& cell, const robot::Body& body);
-// Returns whether the motion moves what is printed.
+// Returns whether the motion moves the printed part.
 bool isPartMoved(const robot::Cell& cell);
 
 } // namespace voluta::together

@@ -1,4 +1,4 @@
-// A moving machine against what is at rest of the other: its plate, obstacles and base, and the
+// A moving machine against the bodies at rest of the other: its plate, obstacles and base, and the
 // part that grows on its plate.
 #pragma once
 

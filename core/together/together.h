@@ -27,8 +27,8 @@ struct Options {
 // Why there is no schedule.
 struct Obstruction {
   enum class Kind {
-    Overlap, // the parts overlap, or one of them and what is at rest of the other machine
-    AtRest,  // `machine` meets what is at rest of the other, in `contact`
+    Overlap, // the parts overlap, or one of them and a body at rest of the other machine
+    AtRest,  // `machine` meets a body at rest of the other, in `contact`
     AtStart, // the two are too close at their first points
     Moving   // neither machine gets further than its segment without meeting the other
   };

@@ -92,7 +92,7 @@ TEST(Together, FarApartBothWorkAllTheTime) {
               towers.checked.front()->program.files.front().text);
 }
 
-TEST(Together, MachinesInOnePlaceAreToldWhy) {
+TEST(Together, MachinesInOnePlaceHaveAReason) {
   const PlanResult towers = ::towers(true);
   const TogetherResult result = together(towers, towers, "0,0,0,0");
   EXPECT_FALSE(passed(result));
@@ -112,7 +112,10 @@ TEST(Together, AMarkedJobIsReadAgain) {
       kCtx);
   EXPECT_TRUE(again.replay.passed);
   // Its rest would count other marks than the second machine.
-  EXPECT_THROW(resumePrint({.job = job, .bead = 3}, kCtx), base::Error);
+  ResumeRequest rest;
+  rest.job = job;
+  rest.bead = 3;
+  EXPECT_THROW(resumePrint(rest, kCtx), base::Error);
   // Joined again, the old marks are dropped.
   const TogetherResult same =
       together(resultOf(jobToJoin(job)),

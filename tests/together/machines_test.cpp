@@ -142,8 +142,8 @@ TEST(Machines, OnTopOfEachOtherThereIsAnObstruction) {
   ASSERT_TRUE(plan.obstruction);
 }
 
-// The nozzle of the one stands where the other's bead is: it may come there only before the bead.
-TEST(Machines, WhatIsPrintedCountsFromItsTimeOn) {
+// The nozzle of the one is where the other's bead is: it may come there only before the bead.
+TEST(Machines, PrintedMaterialCountsFromItsTimeOn) {
   const Arm a(1, Isometry3d::Identity());
   Arm b(1, Isometry3d::Identity());
   // Puts the second machine so that the tip of the first one's home is below the middle of its
