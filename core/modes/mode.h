@@ -65,6 +65,7 @@ struct Mode {
   // Accepted uses of a platform, the default first.
   std::vector<project::PlatformUse> platforms = {project::PlatformUse::Plate};
   bool aroundRod = false; // needs a cell with a rod
+  bool onPart = false;    // lays beads on the part, which exists already
   Defaults usual = usualOnPlate();
   // Returns the default placement for geometry::place() at this scale. If empty, the defaults of
   // geometry::Placement.

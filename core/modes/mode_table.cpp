@@ -15,8 +15,8 @@
 namespace voluta::modes {
 
 const std::vector<Mode>& modeTable() {
-  static const std::vector<Mode> kModes{curvedMode(), planarMode(), flatMode(), latheMode(),
-                                        substrateMode(), traceMode()};
+  static const std::vector<Mode> kModes{curvedMode(), planarMode(),    flatMode(),
+                                        latheMode(),  substrateMode(), traceMode()};
   return kModes;
 }
 
@@ -42,6 +42,13 @@ base::ParameterTable modeParameters() {
   table.append(traceParameters());
   table.append(support::supportParameters());
   return table;
+}
+
+bool printAlike(const Mode& a, const Mode& b) {
+  const auto takesBody = [](const Mode& mode) {
+    return std::ranges::find(mode.platforms, project::PlatformUse::Body) != mode.platforms.end();
+  };
+  return a.aroundRod == b.aroundRod && a.onPart == b.onPart && takesBody(a) == takesBody(b);
 }
 
 bool takesParameter(const Mode& mode, std::string_view key) {

@@ -116,6 +116,7 @@ Mode traceMode() {
             {tracePlan, layersOf},
             project::ResultKind::OnGround,
             {"traceAngle", "traceInset", "traceSpacing", "tracePasses", "traceClosing"}};
+  mode.onPart = true;
   mode.platform = {bodyPlan, bodyOf};
   mode.defaults = {{"walls", "1"}};
   return mode;

@@ -49,17 +49,6 @@ PlanRequest withPart(PlanRequest request, const base::RunContext& ctx) {
   return request;
 }
 
-bool takesBodies(const modes::Mode& mode) {
-  return std::find(mode.platforms.begin(), mode.platforms.end(), project::PlatformUse::Body) !=
-         mode.platforms.end();
-}
-
-// Returns whether both modes print the same kind of part in the same cell: on a plate, around a
-// rod, or on a surface.
-bool isLike(const modes::Mode& a, const modes::Mode& b) {
-  return a.aroundRod == b.aroundRod && takesBodies(a) == takesBodies(b);
-}
-
 bool takesAll(const modes::Mode& mode, const std::vector<project::Platform>& platforms) {
   return std::all_of(platforms.begin(), platforms.end(), [&](const project::Platform& platform) {
     return platform.isForAnyOf(mode.platforms);
@@ -79,7 +68,7 @@ std::vector<Combination> combinations(const CompareOptions& options) {
   std::vector<std::string> modeIds = options.modes;
   if (modeIds.empty())
     for (const modes::Mode& mode : modes::modeTable())
-      if (isLike(mode, modes::findMode(given.item().mode)) && takesAll(mode, platforms))
+      if (modes::printAlike(mode, modes::findMode(given.item().mode)) && takesAll(mode, platforms))
         modeIds.emplace_back(mode.id);
   const base::ParameterValues values = parameterValues(given);
   const process::Process process = chosenProcess(given, values);

@@ -92,7 +92,7 @@ void JointPlots::buildWidgets() {
   jointRow_->setSpacing(2);
   column->addLayout(jointRow_);
   auto* row = new QHBoxLayout;
-  row->setSpacing(2);
+  row->setSpacing(0);
   auto* kinds = new QButtonGroup(this);
   for (int i = 0; i < 4; ++i) {
     auto* button = new QToolButton(this);

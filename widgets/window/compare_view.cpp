@@ -169,16 +169,11 @@ void CompareView::setLists(const std::vector<forms::ChoiceItem>& modes,
 
 // Shows the modes that can build the part in the chosen cell on the chosen platform.
 void CompareView::showModes() {
-  const auto takesBody = [](const modes::Mode& mode) {
-    return std::find(mode.platforms.begin(), mode.platforms.end(), project::PlatformUse::Body) !=
-           mode.platforms.end();
-  };
   const modes::Mode& chosen = modes::findMode(document_.choices().item().mode);
   std::vector<forms::ChoiceItem> fitting;
   QStringList ids;
   for (const forms::ChoiceItem& item : modes_) {
-    const modes::Mode& mode = modes::findMode(item.id.toStdString());
-    if (mode.aroundRod != chosen.aroundRod || takesBody(mode) != takesBody(chosen))
+    if (!modes::printAlike(modes::findMode(item.id.toStdString()), chosen))
       continue;
     fitting.push_back(item);
     ids << item.id;
