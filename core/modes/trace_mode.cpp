@@ -110,12 +110,13 @@ std::shared_ptr<const LayersStage> layersOf(const TracePlan& plan, const Decompo
 } // namespace
 
 Mode traceMode() {
-  Mode mode{"trace",
-            "Trace on a surface"_text,
-            {tracePlan, decompose},
-            {tracePlan, layersOf},
-            project::ResultKind::OnGround,
-            {"traceAngle", "traceInset", "traceSpacing", "tracePasses", "traceClosing"}};
+  Mode mode{
+      "trace",
+      "Trace on a surface"_text,
+      {tracePlan, decompose},
+      {tracePlan, layersOf},
+      project::ResultKind::OnGround,
+      {"overhangAngle", "traceAngle", "traceInset", "traceSpacing", "tracePasses", "traceClosing"}};
   mode.onPart = true;
   mode.platform = {bodyPlan, bodyOf};
   mode.defaults = {{"walls", "1"}};

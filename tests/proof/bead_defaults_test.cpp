@@ -72,9 +72,9 @@ TEST_P(WideBeads, ABoxPassesWithoutFurtherSettings) {
   EXPECT_EQ(plan.job.report.item().layers.count, 8);
 }
 
-constexpr const char* kFamilies[] = {"clay-6",   "concrete-50", "fdm-0.35", "fdm-0.4",
-                                     "fdm-1.0",  "large-7.6",   "pellet-2", "pellet-4",
-                                     "pellet-6", "wire-arc-1.2"};
+constexpr const char* kFamilies[] = {"clay-6",   "concrete-50", "fdm-0.35",    "fdm-0.4",
+                                     "fdm-1.0",  "glue-3",      "large-7.6",   "pellet-2",
+                                     "pellet-4", "pellet-6",    "wire-arc-1.2"};
 
 TEST(ProcessFamilies, AllAreTested) {
   std::vector<std::string> ofBeads;
