@@ -9092,14 +9092,6 @@ previsto</translation>
         <translation>la fresa asporta fino a {depth} dal pezzo</translation>
     </message>
     <message>
-        <source>tilt of the nozzle on a seam</source>
-        <translation>inclinazione dell&apos;ugello su una cucitura</translation>
-    </message>
-    <message>
-        <source>Angle of the nozzle from the surface&apos;s normal, outwards from the seam; negative: inwards.</source>
-        <translation>Angolo dell&apos;ugello dalla normale alla superficie, verso l&apos;esterno della cucitura; negativo: verso l&apos;interno.</translation>
-    </message>
-    <message>
         <source>the machines are too close to each other before they move, at {where}: place them further apart, or give one another home</source>
         <translation>le macchine sono troppo vicine prima di muoversi, in {where}: posizionarle più distanti, o dare a una un&apos;altra posa di riposo</translation>
     </message>
@@ -9154,8 +9146,6 @@ previsto</translation>
     <message>
         <source>an input is read while motions are queued</source>
         <translation>un ingresso viene letto mentre ci sono movimenti in coda</translation>
-    </message>
-    <message>
     </message>
     <message>
         <source>dense at the pith</source>

@@ -118,7 +118,8 @@ Colour pieceColour(int index) {
 Colour categoricalColour(int index) {
   static constexpr Colour kColours[] = {{0.00, 0.45, 0.70}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45},
                                         {0.80, 0.47, 0.65}, {0.34, 0.71, 0.91}, {0.94, 0.89, 0.26},
-                                        {0.45, 0.45, 0.45}, {0.36, 0.27, 0.72}, {0.33, 0.38, 0.06}};
+                                        {0.45, 0.45, 0.45}, {0.36, 0.27, 0.72}, {0.33, 0.38, 0.06},
+                                        {0.62, 0.87, 0.55}};
   return kColours[static_cast<std::size_t>(index) % std::size(kColours)];
 }
 
