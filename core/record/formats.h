@@ -41,9 +41,6 @@ std::span<const RecordFormat> recordFormats();
 // Reads a record of any format. Rows whose time does not increase are left out: recorders repeat
 // samples. Throws Error{UnusableInput} if no format matches, a column is missing, or fewer than two
 // rows are left.
-// Example:
-//   const record::RecordedRun run =
-//       record::readRecord(base::readFile(file), file.string(), {cell, fullFlow});
 RecordedRun readRecord(std::string_view text, std::string_view source,
                        const RecordContext& context);
 

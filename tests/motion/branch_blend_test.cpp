@@ -1,7 +1,8 @@
-// A change of the wrist's branch spread along a path: the cell "irb1200-moving", whose wrist is
-// stretched where the nozzle leans as the forearm.
+// A change of the wrist's branch spread along a path: an IRB 1200 with a straight nozzle, whose
+// wrist is stretched where the nozzle leans as the forearm.
 #include "motion/ladder/branch_blend.h"
 
+#include "base/files.h"
 #include "base/run_context.h"
 #include "base/units.h"
 #include "motion/motion.h"
@@ -14,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <iostream>
+#include <nlohmann/json.hpp>
 
 using namespace voluta;
 using Eigen::Quaterniond;
@@ -42,10 +43,24 @@ plan::ToolPlan planOf(const robot::Cell& cell, const std::vector<JointVector>& j
 class BranchBlend : public testing::Test {
 protected:
   process::Process process_ = process::loadProcess("fdm-1.0");
-  robot::Cell cell_ = robot::loadCell("irb1200-moving", process_, plate());
+  robot::Cell cell_ = straight();
   collision::CellCollision collision_{cell_, process_};
   motion::MotionOptions options_;
 
+  robot::Cell straight() const {
+    using nlohmann::json;
+    json cell =
+        json::parse(base::readFile(base::resourceFolder() / "cells" / "irb1200-moving.json"));
+    cell["id"] = "straight";
+    cell["nozzle"] = json::parse(
+        R"({"mount": "flange", "pose": {"xyzMm": [0, 0, 200]}, "holder": [{"frustum":
+            {"p0Mm": [0, 0, -110], "p1Mm": [0, 0, -175], "r0Mm": 20, "r1Mm": 20}}]})");
+    cell["platform"]["pose"]["xyzMm"] = {500, 0, 120};
+    cell["platform"]["stem"] = json::parse(
+        R"([{"frustum": {"p0Mm": [0, 0, -150], "p1Mm": [0, 0, -10], "r0Mm": 40, "r1Mm": 40}}])");
+    cell["homeDeg"] = {0.0, 28.8, -1.5, 0.0, 62.7, 0.0};
+    return robot::loadCell(cell.dump(), process_, plate());
+  }
   static platform::PlatformSolid plate() {
     platform::PlatformSolid solid;
     solid.polygon = test::disc(20.0);
@@ -118,7 +133,6 @@ TEST_F(BranchBlend, TheWristChangesAlongThePathWithinTheTolerance) {
   const motion::BlendedRun blended = motion::blendBranches(scene, before, after, cone);
   ASSERT_TRUE(blended.run) << static_cast<int>(blended.why);
   const motion::Run& run = *blended.run;
-  std::cout << "over " << blended.points << " points, speed share " << blended.speedShare << "\n";
   EXPECT_LT(blended.speedShare, 1.0) << "no joint has to slow the nozzle down";
   ASSERT_EQ(run.ladder.size(), run.points.size());
   double volume = 0.0, greatest = 0.0, turned = 0.0;

@@ -55,7 +55,7 @@ TEST(TreeDPlans, AYIsDenseAlongItsPith) {
   setenv("VOLUTA_RESOURCES", VOLUTA_SOURCE_DIR "/resources", 1);
   PlanRequest request;
   request.item().loaded = project::loadedFrom(
-      "tree.stl", std::make_shared<geometry::TriangleMesh>(treeY(34.0, 22.0, 4.8)), {}, true, {});
+      "tree.stl", std::make_shared<geometry::TriangleMesh>(treeY(45.0, 26.0, 10.0)), {}, true, {});
   request.choices.formats = {"gcode-extended"};
   request.choices.item().mode = "flat";
   request.choices.item().parameters = {{"infillDensity", "0.3"}, {"sparsePattern", "pith"},
@@ -74,9 +74,9 @@ TEST(TreeDPlans, AYIsDenseAlongItsPith) {
     for (std::size_t i = path.first + 1;
          i < path.first + path.count && path.kind == plan::PathKind::SparseInfill; ++i) {
       const Vector3d p = 0.5 * (beads.position[i] + beads.position[i - 1]);
-      if (p.y() > -16.0)
+      if (p.y() > -20.0)
         continue;
-      (std::abs(p.x()) < 11.0 / 3.0 ? middle : outside) +=
+      (std::abs(p.x()) < 13.0 / 3.0 ? middle : outside) +=
           (beads.position[i] - beads.position[i - 1]).norm();
     }
   EXPECT_GT(middle, outside);
