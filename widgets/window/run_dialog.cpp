@@ -12,6 +12,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <cmath>
 
 namespace voluta::window {
 
@@ -20,7 +21,7 @@ constexpr int kWidth = 560, kRows = 8;
 constexpr std::size_t kListedOfKind = 50;
 
 QString percent(double share) {
-  return QLocale().toString(100.0 * share, 'f', 1);
+  return QLocale().toString(std::round(1000.0 * share) / 10.0 + 0.0, 'f', 1); // no "-0.0"
 }
 QString mm(double length) {
   return QLocale().toString(length, 'f', 2);
