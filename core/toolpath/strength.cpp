@@ -158,7 +158,7 @@ void addAngles(const plan::ToolPlan& plan, int item, const Vector3d& load,
   double volume = 0.0;
   for (const plan::ToolPath& path : plan.paths) {
     if (path.item != item || plan::isWaste(path.kind) || path.kind == plan::PathKind::Support ||
-        path.kind == plan::PathKind::Tape)
+        path.kind == plan::PathKind::Tape || path.kind == plan::PathKind::Shot)
       continue;
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
       const Vector3d step = plan.position[i] - plan.position[i - 1];

@@ -16,7 +16,7 @@ namespace voluta::toolpath {
 std::optional<Eigen::Vector3d> loadDirection(const std::string& text);
 
 // Returns the figures of one item; all 0 if it has no layers. Interfaces are between layers: none
-// is below the first layer. Prime, skirts, supports and tapes are not part of the figures. `load`:
+// is below the first layer. Prime, skirts, supports, tapes and shots are not part of the figures. `load`:
 // a unit vector, work frame.
 plan::StrengthStatistics strengthOf(const layers::LayerStack& stack, const plan::ToolPlan& plan,
                                     int item, const Eigen::Vector3d& load);

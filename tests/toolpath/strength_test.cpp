@@ -162,6 +162,7 @@ TEST(Strength, BeadsAreWeighedByTheirVolume) {
   add(29.0, 20.0, plan::PathKind::Infill);
   add(90.0, 500.0, plan::PathKind::Support);
   add(90.0, 500.0, plan::PathKind::Skirt);
+  add(90.0, 500.0, plan::PathKind::Shot); // the way into a pocket and out again
   const plan::StrengthStatistics s =
       strengthOf(barStack(100, 10, 10, 4, 4), plan, 0, Vector3d::UnitX());
   EXPECT_NEAR(s.angleMeanDeg, (40.0 * 90.0 + 20.0 * 29.0) / 100.0, 1e-5);
