@@ -22,7 +22,7 @@
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
-#include "process/bead_model.h"
+#include "process/bead_to.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,21 +42,12 @@ constexpr int kRounds = 10;
 // Rounds of planning transfers again because the arm waits on some of them
 constexpr int kWaitRounds = 3;
 
-// Returns the volume of the bead from the previous waypoint to this one [mm3].
-double beadTo(const plan::ToolPlan& plan, std::size_t i) {
-  const auto section = [&](std::size_t w) {
-    return process::beadArea(plan.widthMm[w], plan.heightMm[w]);
-  };
-  return process::beadVolume(section(i - 1), section(i),
-                             (plan.position[i] - plan.position[i - 1]).norm());
-}
-
 double materialOf(const plan::ToolPlan& plan) {
   double volume = 0.0;
   for (const plan::ToolPath& path : plan.paths)
     if (path.kind != plan::PathKind::Shot)
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-        volume += beadTo(plan, i);
+        volume += process::beadTo(plan, i);
   return volume;
 }
 
@@ -70,9 +61,9 @@ public:
     if (std::exchange(isLost_[waypoint], 1) || path.kind == plan::PathKind::Shot)
       return;
     if (waypoint > path.first && !isLost_[waypoint - 1])
-      mm3_ += beadTo(plan_, waypoint);
+      mm3_ += process::beadTo(plan_, waypoint);
     if (waypoint + 1 < path.first + path.count && !isLost_[waypoint + 1])
-      mm3_ += beadTo(plan_, waypoint + 1);
+      mm3_ += process::beadTo(plan_, waypoint + 1);
   }
   bool exceeds(double share) const { return mm3_ > (share + kRounding) * planned_; }
 

@@ -3,7 +3,7 @@
 #include "geometry/measures.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
-#include "process/bead_model.h"
+#include "process/bead_to.h"
 #include "replay/verification.h"
 
 #include <cmath>
@@ -19,10 +19,6 @@ namespace {
 constexpr double kLeeway = 0.08;
 
 double partMaterial(const plan::ToolPlan& toolPlan) {
-  const auto section = [&](std::size_t i) {
-    return process::beadArea(static_cast<double>(toolPlan.widthMm[i]),
-                             static_cast<double>(toolPlan.heightMm[i]));
-  };
   double mm3 = 0.0;
   for (const plan::ToolPath& path : toolPlan.paths) {
     if (path.kind == plan::PathKind::Support || path.kind == plan::PathKind::Tape ||
@@ -33,8 +29,7 @@ double partMaterial(const plan::ToolPlan& toolPlan) {
       continue;
     }
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      mm3 += process::beadVolume(section(i - 1), section(i),
-                                 (toolPlan.position[i] - toolPlan.position[i - 1]).norm());
+      mm3 += process::beadTo(toolPlan, i);
   }
   return mm3;
 }

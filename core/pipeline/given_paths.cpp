@@ -8,6 +8,7 @@
 #include "pipeline/automatic.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
+#include "process/bead_to.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,11 +132,8 @@ plan::ToolpathStatistics statisticsOf(const plan::ToolPlan& plan) {
       r.materialMm3 += plan.shotMm3(path);
     }
     for (std::size_t i = path.first + 1; i < path.first + path.count && !isShot; ++i) {
-      const double way = (plan.position[i] - plan.position[i - 1]).norm();
-      r.lengthMm += way;
-      r.materialMm3 +=
-          process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
-                              process::beadArea(plan.widthMm[i], plan.heightMm[i]), way);
+      r.lengthMm += (plan.position[i] - plan.position[i - 1]).norm();
+      r.materialMm3 += process::beadTo(plan, i);
       const double cosine = std::clamp(plan.direction[i - 1].dot(plan.direction[i]), -1.0, 1.0);
       r.maxTurnDeg = std::max(r.maxTurnDeg, base::radiansToDegrees(std::acos(cosine)));
     }

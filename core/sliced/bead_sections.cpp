@@ -1,6 +1,7 @@
 #include "sliced/bead_sections.h"
 
 #include "process/bead_model.h"
+#include "process/bead_to.h"
 #include "sliced/layer_heights.h"
 
 #include <algorithm>
@@ -201,9 +202,7 @@ double beadsMm3(const plan::ToolPlan& plan) {
 double beadsMm3(const plan::ToolPlan& plan, const plan::ToolPath& path) {
   double volume = 0.0;
   for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-    volume += process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
-                                  process::beadArea(plan.widthMm[i], plan.heightMm[i]),
-                                  (plan.position[i] - plan.position[i - 1]).norm());
+    volume += process::beadTo(plan, i);
   return volume;
 }
 

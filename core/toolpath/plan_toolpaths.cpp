@@ -11,7 +11,7 @@
 #include "base/stopwatch.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
-#include "process/bead_model.h"
+#include "process/bead_to.h"
 #include "toolpath/directions.h"
 #include "toolpath/fibre/add_tapes.h"
 #include "toolpath/order/assemble.h"
@@ -121,14 +121,10 @@ void addPathFigures(const plan::ToolPlan& plan, std::size_t items, plan::Toolpat
     own.paths += plan::isWaste(path.kind) ? 0 : 1;
     for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
       const double length = (plan.position[i] - plan.position[i - 1]).norm();
-      const auto section = [&](std::size_t j) {
-        return process::beadArea(static_cast<double>(plan.widthMm[j]),
-                                 static_cast<double>(plan.heightMm[j]));
-      };
       s.lengthMm += length;
       if (plan::isWaste(path.kind))
         continue;
-      const double mm3 = process::beadVolume(section(i - 1), section(i), length);
+      const double mm3 = process::beadTo(plan, i);
       s.materialMm3 += mm3;
       own.lengthMm += length;
       own.materialMm3 += mm3;

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/number_list.h"
 #include "base/units.h"
-#include "process/bead_model.h"
+#include "process/bead_to.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -165,11 +165,7 @@ void addAngles(const plan::ToolPlan& plan, int item, const Vector3d& load,
       const double length = step.norm();
       if (length <= 0.0)
         continue;
-      const auto section = [&](std::size_t j) {
-        return process::beadArea(static_cast<double>(plan.widthMm[j]),
-                                 static_cast<double>(plan.heightMm[j]));
-      };
-      const double mm3 = process::beadVolume(section(i - 1), section(i), length);
+      const double mm3 = process::beadTo(plan, i);
       const double along = std::abs(step.dot(load)), aside = step.cross(load).norm();
       const double angleDeg = base::radiansToDegrees(std::atan2(aside, along));
       volume += mm3;

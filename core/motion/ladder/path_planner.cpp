@@ -12,7 +12,7 @@
 #include "motion/smoothing/local_filter.h"
 #include "motion/smoothing/smooth_run.h"
 #include "motion/timed_points.h"
-#include "process/bead_model.h"
+#include "process/bead_to.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,11 +115,7 @@ bool Stretch::fill(const Course& course, const JointVector& start, std::vector<R
     const Vector3d a = plan.position[i - 1], b = plan.position[i];
     const int n = scene_.divisions(a, b, angleBetween(from, to));
     const double volume =
-        plan.paths[run_.path].kind == plan::PathKind::Shot
-            ? 0.0
-            : process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
-                                  process::beadArea(plan.widthMm[i], plan.heightMm[i]),
-                                  (b - a).norm());
+        plan.paths[run_.path].kind == plan::PathKind::Shot ? 0.0 : process::beadTo(plan, i);
     const RunPoint next{
         {b, to, {}, axesTo(i)}, i, i, volume, static_cast<double>(plan.speedMmPerS[i])};
     if (!appendDivided(scene_, next, n, points)) {
