@@ -347,6 +347,20 @@ std::vector<Contact> CellCollision::clearancePairs() const {
   return pairs;
 }
 
+double CellCollision::distanceBetween(const Assembly& first, const Isometry3d& common_T_first,
+                                      const Assembly& second, const Isometry3d& common_T_second,
+                                      double capMm) {
+  const double balls =
+      (common_T_first * first.ball.centre - common_T_second * second.ball.centre).norm() -
+      first.ball.radius - second.ball.radius;
+  if (balls > capMm)
+    return balls;
+  std::vector<PosedSolid> a, b;
+  placeSolids(first, common_T_first, a);
+  placeSolids(second, common_T_second, b);
+  return distance(a, b, capMm);
+}
+
 double CellCollision::distanceOf(const Contact& pair, const Frames& base_T_frame,
                                  const GrowingPart& part, std::size_t before, double capMm) const {
   const auto poseOf = [&](int body) -> const Isometry3d& {
@@ -364,17 +378,8 @@ double CellCollision::distanceOf(const Contact& pair, const Frames& base_T_frame
       least = std::min(least, part.distance(solid.shape, work_T_first, least, before));
     return least;
   }
-  const Assembly& second = assemblies_[static_cast<std::size_t>(pair.second)];
-  const Isometry3d& base_T_second = poseOf(pair.second);
-  const double balls =
-      (base_T_first * first.ball.centre - base_T_second * second.ball.centre).norm() -
-      first.ball.radius - second.ball.radius;
-  if (balls > capMm)
-    return balls;
-  std::vector<PosedSolid> a, b;
-  placeSolids(first, base_T_first, a);
-  placeSolids(second, base_T_second, b);
-  return distance(a, b, capMm);
+  return distanceBetween(first, base_T_first, assemblies_[static_cast<std::size_t>(pair.second)],
+                         poseOf(pair.second), capMm);
 }
 
 double CellCollision::distanceToOther(int body, const Isometry3d& common_T_body,
@@ -385,16 +390,8 @@ double CellCollision::distanceToOther(int body, const Isometry3d& common_T_body,
         of.cell_.bodies()[static_cast<std::size_t>(i)].role == robot::BodyRole::Head;
     return isHead ? *of.erodedHead_ : of.assemblies_[static_cast<std::size_t>(i)];
   };
-  const Assembly &first = assemblyOf(*this, body), &second = assemblyOf(other, otherBody);
-  const double balls =
-      (common_T_body * first.ball.centre - common_T_other * second.ball.centre).norm() -
-      first.ball.radius - second.ball.radius;
-  if (balls > capMm)
-    return balls;
-  std::vector<PosedSolid> a, b;
-  placeSolids(first, common_T_body, a);
-  placeSolids(second, common_T_other, b);
-  return distance(a, b, capMm);
+  return distanceBetween(assemblyOf(*this, body), common_T_body, assemblyOf(other, otherBody),
+                         common_T_other, capMm);
 }
 
 std::vector<robot::Shape> CellCollision::erodedHead() const {

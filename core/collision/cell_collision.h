@@ -111,6 +111,10 @@ private:
   static double distance(const PosedSolid& a, const PosedSolid& b, double enough);
   static double distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
                          double enough);
+  // The same of two bodies that are placed in a common frame.
+  static double distanceBetween(const Assembly& first, const Eigen::Isometry3d& common_T_first,
+                                const Assembly& second, const Eigen::Isometry3d& common_T_second,
+                                double capMm);
   // Returns whether it is closer than marginMm to the plate or its carrier.
   bool touchesPlatform(const Assembly& assembly, const Eigen::Isometry3d& work_T_assembly,
                        double marginMm) const;
