@@ -1,6 +1,7 @@
 #include "planar/slicing/corrected_mesh.h"
 
 #include "geometry/measures.h"
+#include "geometry/triangle_queries.h"
 #include "planar/slicing/section_paths.h"
 
 #include <Eigen/Eigenvalues>
@@ -15,13 +16,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-double squaredDistance(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d way = b - a;
-  const double length = way.squaredNorm();
-  const double share = length > 0.0 ? std::clamp((p - a).dot(way) / length, 0.0, 1.0) : 0.0;
-  return (p - a - share * way).squaredNorm();
-}
-
 // Which contours of a solid's horizontal sections are holes.
 class Contours {
 public:
@@ -34,14 +28,15 @@ public:
     auto found = loops_.find(level);
     if (found == loops_.end())
       found = loops_.emplace(level, loopsOf(sections_.at(p.z()), frame_)).first;
-    const Vector2d at = kPathUnits * Vector2d(frame_.across.dot(p), frame_.along.dot(p));
+    const Vector3d at = kPathUnits * Vector3d(frame_.across.dot(p), frame_.along.dot(p), 0.0);
     double least = std::numeric_limits<double>::infinity();
     bool hole = false;
     for (const ClipperLib::Path& loop : found->second)
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const ClipperLib::IntPoint &a = loop[i], &b = loop[(i + 1) % loop.size()];
-        const double d = squaredDistance(at, {static_cast<double>(a.X), static_cast<double>(a.Y)},
-                                         {static_cast<double>(b.X), static_cast<double>(b.Y)});
+        const double d = geometry::distanceToSegment(
+            at, {static_cast<double>(a.X), static_cast<double>(a.Y), 0.0},
+            {static_cast<double>(b.X), static_cast<double>(b.Y), 0.0});
         if (d < least) {
           least = d;
           hole = !ClipperLib::Orientation(loop);
