@@ -2,6 +2,7 @@
 // are packed here, so that changes reach what stands in the package; such as are packages already
 // are taken as they are.
 #include "fuzz_target.h"
+#include "sound_tool_plan.h"
 
 #include "base/run_context.h"
 #include "build3mf/build_reader.h"
@@ -54,23 +55,6 @@ std::string packed(const std::string& input) {
   return zip.bytes();
 }
 
-void expectSound(const plan::ToolPlan& plan) {
-  std::size_t next = 0;
-  for (const plan::ToolPath& path : plan.paths) {
-    fuzz::expect(path.first == next && path.count >= 2, "paths cover the points in turn");
-    next += path.count;
-  }
-  fuzz::expect(next == plan.waypointCount(), "paths cover all points");
-  for (std::size_t i = 0; i < plan.waypointCount(); ++i) {
-    fuzz::expect(plan.position[i].allFinite(), "positions are finite");
-    fuzz::expect(std::abs(plan.direction[i].norm() - 1.0) < 1e-6, "directions are unit vectors");
-    fuzz::expect(std::isfinite(plan.widthMm[i]) && plan.widthMm[i] >= 0.0f, "widths are sound");
-    fuzz::expect(std::isfinite(plan.heightMm[i]) && plan.heightMm[i] >= 0.0f, "heights are sound");
-    fuzz::expect(std::isfinite(plan.speedMmPerS[i]) && plan.speedMmPerS[i] >= 0.0f,
-                 "speeds are sound");
-  }
-}
-
 } // namespace
 
 std::vector<std::string> fuzz::seeds() {
@@ -83,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::takenOrRefused([&] {
     const std::string package = input.starts_with("PK") ? input : packed(input);
     build3mf::holdsToolpaths(package);
-    expectSound(build3mf::readBuild(package, "input.build.3mf", base::RunContext()).plan);
+    fuzz::expectSound(build3mf::readBuild(package, "input.build.3mf", base::RunContext()).plan);
   });
   return 0;
 }

@@ -6,7 +6,7 @@
 #include "base/run_context.h"
 #include "geometry/formats/mesh_reader.h"
 #include "helpers/temporary_folder.h"
-#include "plan/finding_kinds.h"
+#include "pipeline/plan_reasons.h"
 #include "project/specimens.h"
 
 #include <Eigen/Geometry>
@@ -17,6 +17,8 @@
 
 namespace voluta::pipeline {
 namespace {
+
+using test::reasons;
 
 using Values = std::map<std::string, std::string>;
 
@@ -32,13 +34,6 @@ PlanRequest fibreRequest(const char* sample, const char* mode, const Values& val
   request.choices.item().parameters["fibreLayers"] = "1";
   request.choices.item().parameters["output.proof"] = "false";
   return request;
-}
-
-std::string reasons(const PlanResult& plan) {
-  std::string all;
-  for (const plan::Finding& finding : plan.job.report.findings)
-    all += plan::englishReason(finding) + "\n";
-  return all;
 }
 
 std::size_t eventsOf(const plan::Trajectory& trajectory, plan::EventKind kind) {

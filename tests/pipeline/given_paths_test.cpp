@@ -8,6 +8,7 @@
 #include "geometry/measures.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/outputs.h"
+#include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
 #include "plan/finding_kinds.h"
 #include "process/bead_model.h"
@@ -24,13 +25,6 @@ using namespace voluta::pipeline;
 namespace {
 
 const base::RunContext kCtx;
-
-std::string findingsOf(const PlanResult& planned) {
-  std::string all;
-  for (const plan::Finding& f : planned.job.report.findings)
-    all += plan::englishReason(f) + "\n";
-  return all;
-}
 
 // What a slicer for a router with a tilting spindle may write: tenths of a millimetre in inches'
 // place taken by centimetres, one long line a row and no points between, frames that look down into
@@ -90,8 +84,8 @@ PlanResult plannedFrom(const std::string& bytes, const std::string& name = "rout
 
 TEST(GivenPaths, AnotherToolsFileEndsAsACheckedProgram) {
   const PlanResult planned = plannedFrom(routersFile(true));
-  EXPECT_TRUE(nothingBlocks(planned.job.report)) << findingsOf(planned);
-  EXPECT_TRUE(planned.job.report.replay.passed) << findingsOf(planned);
+  EXPECT_TRUE(nothingBlocks(planned.job.report)) << test::reasons(planned);
+  EXPECT_TRUE(planned.job.report.replay.passed) << test::reasons(planned);
   for (const auto& checked : planned.checked)
     EXPECT_TRUE(checked->passed) << checked->program.format;
   EXPECT_EQ(planned.job.report.toolpath.paths, 6u);
@@ -112,7 +106,7 @@ TEST(GivenPaths, AnotherToolsFileEndsAsACheckedProgram) {
 
 TEST(GivenPaths, WithoutAnObjectTheyAreJudgedByWhatTheirBeadsMake) {
   const PlanResult planned = plannedFrom(routersFile(false));
-  EXPECT_TRUE(nothingBlocks(planned.job.report)) << findingsOf(planned);
+  EXPECT_TRUE(nothingBlocks(planned.job.report)) << test::reasons(planned);
   EXPECT_NEAR(planned.job.report.replay.massRatio, 1.0, 0.03);
 }
 
@@ -121,13 +115,13 @@ TEST(GivenPaths, APlanOfOursIsPrintedAlongTheSameBeads) {
   request.choices.item().placement.centreMm = {12, -5}; // the work frame is kept, wherever it lies
   request.choices.item().parameters["output.build3mf"] = "true";
   PlanResult planned = planPart(request, kCtx);
-  ASSERT_TRUE(nothingBlocks(planned.job.report)) << findingsOf(planned);
+  ASSERT_TRUE(nothingBlocks(planned.job.report)) << test::reasons(planned);
   const test::TemporaryFolder folder;
   writeOutputs(planned, folder.path(), kCtx);
   const std::string name = buildName(planned);
   ASSERT_TRUE(std::filesystem::exists(folder / name));
   const PlanResult again = plannedFrom(base::readFile(folder / name), name);
-  EXPECT_TRUE(nothingBlocks(again.job.report)) << findingsOf(again);
+  EXPECT_TRUE(nothingBlocks(again.job.report)) << test::reasons(again);
   const plan::ToolPlan &a = *planned.job.toolPlan, &b = *again.job.toolPlan;
   ASSERT_EQ(a.waypointCount(), b.waypointCount());
   ASSERT_EQ(a.paths.size(), b.paths.size());

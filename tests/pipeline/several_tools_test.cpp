@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "box_request.h"
 #include "pipeline/choices.h"
+#include "pipeline/plan_reasons.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>
@@ -12,6 +13,8 @@
 
 namespace voluta::pipeline {
 namespace {
+
+using test::reasons;
 
 using Json = nlohmann::json;
 
@@ -31,13 +34,6 @@ PlanRequest request(std::size_t parts = 1) {
   request.choices.tools = {{"fdm-1.0"}, {"fdm-1.0"}};
   request.choices.formats = {"urscript"};
   return request;
-}
-
-std::string reasons(const PlanResult& plan) {
-  std::string all;
-  for (const plan::Finding& finding : plan.job.report.findings)
-    all += plan::englishReason(finding) + "\n";
-  return all;
 }
 
 void expectPassed(const PlanResult& plan, const std::vector<std::string>& formats) {

@@ -10,8 +10,8 @@
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/outputs.h"
+#include "pipeline/plan_reasons.h"
 #include "pipeline/road.h"
-#include "plan/finding_kinds.h"
 #include "process/bead_model.h"
 #include "project/job.h"
 #include "sliced/slicer_writer.h"
@@ -38,13 +38,6 @@ struct Ground {
 const Ground kGrounds[] = {{"plate", {}},
                            {"30 degrees", {{"pathsOn", "plane"}}, 30.0},
                            {"cylinder", {{"pathsOn", "cylinder"}, {"pathsRadiusMm", "80"}}}};
-
-std::string findingsOf(const PlanResult& planned) {
-  std::string all;
-  for (const plan::Finding& f : planned.job.report.findings)
-    all += plan::englishReason(f) + "\n";
-  return all;
-}
 
 PlanRequest requestFor(const std::filesystem::path& file, const Ground& ground = kGrounds[0]) {
   PlanRequest request;
@@ -96,8 +89,8 @@ void expectAllManners(const plan::ToolPlan& paths) {
       const bool replayed = &ground == &kGrounds[turn % std::size(kGrounds)];
       const PlanResult planned = plannedFrom(
           written.text, ground, replayed ? project::Stage::Replay : project::Stage::Toolpath);
-      EXPECT_TRUE(nothingBlocks(planned.job.report)) << name << findingsOf(planned);
-      EXPECT_EQ(planned.job.report.replay.passed, replayed) << name << findingsOf(planned);
+      EXPECT_TRUE(nothingBlocks(planned.job.report)) << name << test::reasons(planned);
+      EXPECT_EQ(planned.job.report.replay.passed, replayed) << name << test::reasons(planned);
       EXPECT_NEAR(planned.job.report.toolpath.lengthMm, written.lengthMm, 1e-3 * written.lengthMm)
           << name;
       EXPECT_NEAR(planned.job.report.toolpath.materialMm3, written.volumeMm3,
@@ -187,7 +180,7 @@ TEST(SlicedPaths, ByPrusaSlicer) {
     for (const Ground& ground : kGrounds) {
       const PlanResult planned = planPart(requestFor(file, ground), kCtx);
       EXPECT_TRUE(planned.job.report.replay.passed)
-          << part << ", " << ground.name << ": " << findingsOf(planned);
+          << part << ", " << ground.name << ": " << test::reasons(planned);
       EXPECT_NEAR(planned.job.report.toolpath.materialMm3, usedMm3, 1e-3 * usedMm3)
           << part << ", " << ground.name;
     }

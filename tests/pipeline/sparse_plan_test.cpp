@@ -3,6 +3,7 @@
 #include "box_request.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/outputs.h"
+#include "pipeline/plan_reasons.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 namespace voluta::pipeline {
 namespace {
 
+using test::reasons;
+
 PlanRequest sparseRequest(const std::string& mode, const std::string& pattern,
                           const std::string& density = "0.2") {
   PlanRequest request;
@@ -20,13 +23,6 @@ PlanRequest sparseRequest(const std::string& mode, const std::string& pattern,
   request.choices.formats = {"gcode-extended"};
   request.choices.item().parameters = {{"infillDensity", density}, {"sparsePattern", pattern}};
   return request;
-}
-
-std::string reasons(const PlanResult& plan) {
-  std::string all;
-  for (const plan::Finding& finding : plan.job.report.findings)
-    all += plan::englishReason(finding) + "\n";
-  return all;
 }
 
 class SparsePlans : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
@@ -48,7 +44,8 @@ std::string nameOf(const testing::TestParamInfo<std::tuple<const char*, const ch
 INSTANTIATE_TEST_SUITE_P(Modes, SparsePlans,
                          testing::Values(std::tuple("flat", "gyroid"), std::tuple("flat", "lines"),
                                          std::tuple("flat", "grid"),
-                                         std::tuple("flat", "honeycomb"), std::tuple("flat", "pith"),
+                                         std::tuple("flat", "honeycomb"),
+                                         std::tuple("flat", "pith"),
                                          std::tuple("planar", "triangles"),
                                          std::tuple("curved", "gyroid")),
                          nameOf);

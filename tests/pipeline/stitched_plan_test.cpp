@@ -5,7 +5,7 @@
 #include "base/run_context.h"
 #include "helpers/loaded_box.h"
 #include "helpers/temporary_folder.h"
-#include "plan/finding_kinds.h"
+#include "pipeline/plan_reasons.h"
 #include "program/dialect.h"
 
 #include <algorithm>
@@ -14,6 +14,8 @@
 
 namespace voluta::pipeline {
 namespace {
+
+using test::reasons;
 
 // A block with one pocket in its middle.
 PlanRequest stitchedRequest(std::vector<std::string> formats) {
@@ -28,13 +30,6 @@ PlanRequest stitchedRequest(std::vector<std::string> formats) {
                                        {"stitchLayers", "9"},
                                        {"output.proof", "false"}};
   return request;
-}
-
-std::string reasons(const PlanResult& plan) {
-  std::string all;
-  for (const plan::Finding& finding : plan.job.report.findings)
-    all += plan::englishReason(finding) + "\n";
-  return all;
 }
 
 std::vector<std::string> formatsWithShots() {

@@ -3,7 +3,7 @@
 
 #include "base/run_context.h"
 #include "base/units.h"
-#include "plan/finding_kinds.h"
+#include "pipeline/plan_reasons.h"
 #include "project/loaded_part.h"
 
 #include <cmath>
@@ -13,6 +13,8 @@
 
 namespace voluta::pipeline {
 namespace {
+
+using test::reasons;
 
 using Eigen::Vector2d;
 
@@ -58,13 +60,6 @@ PlanRequest tracedRequest(geometry::TriangleMesh body) {
   request.choices.item().mode = "trace";
   request.choices.item().parameters = {{"output.proof", "false"}};
   return request;
-}
-
-std::string reasons(const PlanResult& plan) {
-  std::string all;
-  for (const plan::Finding& finding : plan.job.report.findings)
-    all += plan::englishReason(finding) + "\n";
-  return all;
 }
 
 // The length of the beads' middles that are no waste.

@@ -3,7 +3,7 @@
 
 #include "base/run_context.h"
 #include "base/units.h"
-#include "plan/finding_kinds.h"
+#include "pipeline/plan_reasons.h"
 #include "process/bead_model.h"
 #include "project/loaded_part.h"
 
@@ -63,10 +63,7 @@ TEST(TreeDPlans, AYIsDenseAlongItsPith) {
                                        {"bottomLayers", "0"},    {"output.proof", "false"}};
   const PlanResult plan = planPart(request, {});
   ASSERT_EQ(plan.checked.size(), 1u);
-  std::string reasons;
-  for (const plan::Finding& finding : plan.job.report.findings)
-    reasons += plan::englishReason(finding) + "\n";
-  EXPECT_TRUE(plan.checked[0]->passed) << reasons;
+  EXPECT_TRUE(plan.checked[0]->passed) << test::reasons(plan);
   // Of an arm's sparse lines, far from the branching: more within the middle third than outside.
   const plan::ToolPlan& beads = *plan.job.toolPlan;
   double middle = 0.0, outside = 0.0;

@@ -1,13 +1,9 @@
 // Marks in programs of every dialect that has them, and both programs of a pair in one time.
 #include "plan/finding_kinds.h"
 #include "plan/marks.h"
-#include "program/dialect.h"
-#include "program/text_damage.h"
-#include "replay/dialects_for.h"
-#include "replay/scene.h"
+#include "replay/event_programs.h"
 #include "replay/told.h"
 #include "replay/two_machines.h"
-#include "replay/verification.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -19,7 +15,7 @@ namespace {
 constexpr std::size_t kMarks = 6;
 
 // A box of four layers with marks in lifted travels, two of them at one place, and one at the end.
-class MarkedPrograms : public ::testing::Test {
+class MarkedPrograms : public EventPrograms {
 protected:
   void SetUp() override {
     plan::Trajectory& t = scene_.trajectory;
@@ -38,30 +34,10 @@ protected:
   void add(std::size_t point) {
     scene_.trajectory.events.push_back({.point = point, .kind = plan::EventKind::Mark});
   }
-  static std::vector<std::string_view> formats() {
-    std::vector<std::string_view> ids;
-    for (const program::Dialect& dialect : test::dialectsFor("urscript"))
-      if (dialect.tiltsNozzle &&
-          std::ranges::find(dialect.events, plan::EventKind::Mark) != dialect.events.end())
-        ids.push_back(dialect.id);
-    return ids;
-  }
-  plan::Program programFor(std::string_view format) const {
-    return program::writeProgram(format,
-                                 {scene_.plan, scene_.trajectory, scene_.cell, tooling_, "box"});
-  }
-  plan::ReadProgram read(const test::ProgramText& text) const { return test::read(text, tooling_); }
-  Verification verify(plan::ReadProgram program) const {
-    return replayProgram({std::move(program), scene_.plan, scene_.trajectory, scene_.cell, tooling_,
-                          scene_.part, scene_.platform},
-                         ReplayThresholds{}, {});
-  }
+  static std::vector<std::string_view> formats() { return formatsWith(plan::EventKind::Mark); }
   static bool isMark(const plan::StatedFact& fact) {
     return fact.kind == plan::FactKind::MarkSet || fact.kind == plan::FactKind::MarkAwaited;
   }
-
-  test::Scene scene_ = test::boxScene();
-  process::Tooling tooling_{scene_.process};
 };
 
 TEST_F(MarkedPrograms, AreReadBackAndPassInEveryDialect) {

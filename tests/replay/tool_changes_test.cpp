@@ -2,12 +2,8 @@
 // missing, added or wrong tool, a missing pause and a missing or changed purge are refused.
 #include "plan/finding_kinds.h"
 #include "plan/waypoints.h"
-#include "program/dialect.h"
-#include "program/text_damage.h"
-#include "replay/dialects_for.h"
-#include "replay/scene.h"
+#include "replay/event_programs.h"
 #include "replay/told.h"
-#include "replay/verification.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -19,7 +15,7 @@ namespace {
 constexpr double kPurgeMm3 = 50.0, kPurgeS = 4.0;
 
 // A box of four layers, the second and the third of them by tool 2.
-class ToolChanges : public ::testing::Test {
+class ToolChanges : public EventPrograms {
 protected:
   void SetUp() override {
     for (plan::ToolPath& path : scene_.plan.paths)
@@ -46,22 +42,7 @@ protected:
     ASSERT_EQ(t.events.size(), 6u);
   }
   static std::vector<std::string_view> formats() {
-    std::vector<std::string_view> ids;
-    for (const program::Dialect& dialect : test::dialectsFor("urscript"))
-      if (dialect.tiltsNozzle &&
-          std::ranges::find(dialect.events, plan::EventKind::ToolChange) != dialect.events.end())
-        ids.push_back(dialect.id);
-    return ids;
-  }
-  plan::Program programFor(std::string_view format) const {
-    return program::writeProgram(format,
-                                 {scene_.plan, scene_.trajectory, scene_.cell, tooling_, "box"});
-  }
-  plan::ReadProgram read(const test::ProgramText& text) const { return test::read(text, tooling_); }
-  Verification verify(plan::ReadProgram program) const {
-    return replayProgram({std::move(program), scene_.plan, scene_.trajectory, scene_.cell, tooling_,
-                          scene_.part, scene_.platform},
-                         ReplayThresholds{}, {});
+    return formatsWith(plan::EventKind::ToolChange);
   }
 
   // Selects the other tool right after a change.
@@ -71,9 +52,6 @@ protected:
     other.tool = 1 - other.tool;
     program.facts.insert(change + 1, std::move(other));
   }
-
-  test::Scene scene_ = test::boxScene();
-  process::Tooling tooling_{scene_.process};
 };
 
 TEST_F(ToolChanges, AreReadBackAndReplayedInEveryDialect) {

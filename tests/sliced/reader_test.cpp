@@ -9,6 +9,7 @@
 #include "sliced/bead_sections.h"
 #include "sliced/gcode_machine.h"
 #include "sliced/layer_solid.h"
+#include "sliced/plan_measures.h"
 #include "sliced/sliced_reader.h"
 #include "sliced/slicer_comments.h"
 #include "sliced/slicer_writer.h"
@@ -26,14 +27,6 @@ using test::Manner;
 namespace {
 
 const base::RunContext kCtx;
-
-double lengthOf(const plan::ToolPlan& plan) {
-  double length = 0.0;
-  for (const plan::ToolPath& path : plan.paths)
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      length += (plan.position[i] - plan.position[i - 1]).norm();
-  return length;
-}
 
 void addPath(plan::ToolPlan& plan, PathKind kind, int layer, const std::vector<Vector3d>& points,
              double width, double height, int ring = 0) {
@@ -112,7 +105,7 @@ TEST(SlicedReader, LengthAndVolumeAreTheFiles) {
     const sliced::SlicedFile file = sliced::followGcode(written.text, "part.gcode", kCtx);
     EXPECT_DOUBLE_EQ(file.header.filamentMm > 0.0 ? file.header.filamentMm : 1.75, filamentMm);
     const plan::ToolPlan read = sliced::beadsOf(file, base::kPi / 4.0 * filamentMm * filamentMm);
-    EXPECT_NEAR(lengthOf(read), written.lengthMm, 1e-6 * written.lengthMm) << round;
+    EXPECT_NEAR(test::lengthOf(read), written.lengthMm, 1e-6 * written.lengthMm) << round;
     EXPECT_NEAR(sliced::beadsMm3(read), written.volumeMm3, 1e-5 * written.volumeMm3) << round;
     ASSERT_EQ(read.paths.size(), plan.paths.size()) << round;
     for (std::size_t p = 0; p < plan.paths.size(); ++p) {

@@ -7,6 +7,7 @@
 #include "process/bead_model.h"
 #include "sliced/ground_body.h"
 #include "sliced/path_shape.h"
+#include "sliced/plan_measures.h"
 #include "sliced/sliced_reader.h"
 #include "sliced/slicer_writer.h"
 
@@ -92,30 +93,15 @@ sliced::ReadSliced rows() {
   return sliced::readSliced(text, "rows.gcode", kCtx);
 }
 
-double lengthOf(const plan::ToolPlan& plan) {
-  double length = 0.0;
-  for (const plan::ToolPath& path : plan.paths)
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      length += (plan.position[i] - plan.position[i - 1]).norm();
-  return length;
-}
-double volumeOf(const plan::ToolPlan& plan) {
-  double volume = 0.0;
-  for (const plan::ToolPath& path : plan.paths)
-    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i)
-      volume += process::beadVolume(process::beadArea(plan.widthMm[i - 1], plan.heightMm[i - 1]),
-                                    process::beadArea(plan.widthMm[i], plan.heightMm[i]),
-                                    (plan.position[i] - plan.position[i - 1]).norm());
-  return volume;
-}
-
 TEST(PathShape, ACylinderKeepsLengthVolumeAndSections) {
   const sliced::ReadSliced read = rows();
   sliced::PathShape shape;
   shape.ground = {GroundShape::Cylinder, 40.0, false};
   const sliced::ShapedPaths bent = sliced::shaped(read.plan, read.solid, shape, kCtx);
-  EXPECT_NEAR(lengthOf(bent.plan), lengthOf(read.plan), 1e-3 * lengthOf(read.plan));
-  EXPECT_NEAR(volumeOf(bent.plan), volumeOf(read.plan), 1e-3 * volumeOf(read.plan));
+  EXPECT_NEAR(test::lengthOf(bent.plan), test::lengthOf(read.plan),
+              1e-3 * test::lengthOf(read.plan));
+  EXPECT_NEAR(test::volumeOf(bent.plan), test::volumeOf(read.plan),
+              1e-3 * test::volumeOf(read.plan));
   EXPECT_NEAR(geometry::volume(bent.solid), geometry::volume(read.solid),
               2e-3 * geometry::volume(read.solid));
   ASSERT_TRUE(bent.ground);
@@ -128,9 +114,11 @@ TEST(PathShape, KeptAnglesGrowWithTheRadius) {
   shape.ground = {GroundShape::Cylinder, 40.0, true};
   const sliced::ShapedPaths bent = sliced::shaped(read.plan, read.solid, shape, kCtx);
   // Rows are along the axis: the lengths stay, areas grow by (r + h) / r.
-  EXPECT_NEAR(lengthOf(bent.plan), lengthOf(read.plan), 1e-9 * lengthOf(read.plan));
+  EXPECT_NEAR(test::lengthOf(bent.plan), test::lengthOf(read.plan),
+              1e-9 * test::lengthOf(read.plan));
   const double mean = (40.5 + 41.0 + 41.5) / 3.0 / 40.0;
-  EXPECT_NEAR(volumeOf(bent.plan), mean * volumeOf(read.plan), 1e-4 * volumeOf(read.plan));
+  EXPECT_NEAR(test::volumeOf(bent.plan), mean * test::volumeOf(read.plan),
+              1e-4 * test::volumeOf(read.plan));
 }
 
 TEST(PathShape, LayersTurnAndTurnBack) {
@@ -151,7 +139,8 @@ TEST(PathShape, LayersTurnAndTurnBack) {
   EXPECT_NEAR(angles[0], 0.0, 1e-9);
   EXPECT_NEAR(angles[1], 10.0, 1e-9); // Up to 1 mm
   EXPECT_NEAR(angles[2], 0.0, 1e-9);
-  EXPECT_NEAR(volumeOf(turned.plan), volumeOf(read.plan), 1e-9 * volumeOf(read.plan));
+  EXPECT_NEAR(test::volumeOf(turned.plan), test::volumeOf(read.plan),
+              1e-9 * test::volumeOf(read.plan));
 }
 
 TEST(PathShape, AmountsAndFramesAreTaken) {
@@ -161,7 +150,8 @@ TEST(PathShape, AmountsAndFramesAreTaken) {
   shape.frame = Eigen::Translation3d(1.0, 2.0, 3.0) *
                 Eigen::AngleAxisd(base::degreesToRadians(90.0), Vector3d::UnitX());
   const sliced::ShapedPaths made = sliced::shaped(read.plan, read.solid, shape, kCtx);
-  EXPECT_NEAR(volumeOf(made.plan), 1.5 * volumeOf(read.plan), 1e-5 * volumeOf(read.plan));
+  EXPECT_NEAR(test::volumeOf(made.plan), 1.5 * test::volumeOf(read.plan),
+              1e-5 * test::volumeOf(read.plan));
   EXPECT_LT((made.plan.direction[0] - Vector3d(0.0, -1.0, 0.0)).norm(), 1e-12);
   EXPECT_FALSE(made.ground);
   EXPECT_TRUE(sliced::PathShape().changesNothing());
