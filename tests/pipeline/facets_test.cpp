@@ -41,7 +41,7 @@ TEST(Facets, DoNotDecideWhetherABarIsCovered) {
     covered.push_back(coveredBar(facetDeg, folder.path()));
   const auto [least, most] = std::ranges::minmax(covered);
   EXPECT_GT(least, 0.985);
-  EXPECT_LT(most - least, 0.004);
+  EXPECT_LT(most - least, 0.003);
 }
 
 } // namespace
