@@ -215,6 +215,78 @@
         <translation>Un vaso scanalato alto 60 mm</translation>
     </message>
     <message>
+        <source>Mushroom</source>
+        <translation>Fungo</translation>
+    </message>
+    <message>
+        <source>A wide cap on a stem, made of voxels</source>
+        <translation>Un cappello largo su un gambo, fatto di voxel</translation>
+    </message>
+    <message>
+        <source>Fork</source>
+        <translation>Forca</translation>
+    </message>
+    <message>
+        <source>A stem with two branches, made of voxels</source>
+        <translation>Un gambo con due rami, fatto di voxel</translation>
+    </message>
+    <message>
+        <source>Dumb-bell for tension</source>
+        <translation>Provino di trazione</translation>
+    </message>
+    <message>
+        <source>A specimen of 165 × 19 × 3 mm</source>
+        <translation>Un provino di 165 × 19 × 3 mm</translation>
+    </message>
+    <message>
+        <source>Bar for bending</source>
+        <translation>Barra di flessione</translation>
+    </message>
+    <message>
+        <source>A specimen of 250 × 10 × 5 mm</source>
+        <translation>Un provino di 250 × 10 × 5 mm</translation>
+    </message>
+    <message>
+        <source>Plate with a hole</source>
+        <translation>Piastra forata</translation>
+    </message>
+    <message>
+        <source>A specimen of 120 × 60 × 3 mm</source>
+        <translation>Un provino di 120 × 60 × 3 mm</translation>
+    </message>
+    <message>
+        <source>Curved bar on its mould</source>
+        <translation>Barra curva sul suo stampo</translation>
+    </message>
+    <message>
+        <source>Seven layers around a cylinder of 60 mm radius</source>
+        <translation>Sette strati attorno a un cilindro di raggio 60 mm</translation>
+    </message>
+    <message>
+        <source>Rib on a gable roof</source>
+        <translation>Nervatura su un tetto a due falde</translation>
+    </message>
+    <message>
+        <source>Ten layers over both slopes; the nozzle tilts by 60°</source>
+        <translation>Dieci strati sulle due falde; l&apos;ugello si inclina di 60°</translation>
+    </message>
+    <message>
+        <source>Rib on a half cylinder</source>
+        <translation>Nervatura su un mezzo cilindro</translation>
+    </message>
+    <message>
+        <source>Ten layers around it; the nozzle tilts by 87°</source>
+        <translation>Dieci strati attorno ad esso; l&apos;ugello si inclina di 87°</translation>
+    </message>
+    <message>
+        <source>Accuracy plate</source>
+        <translation>Piastra di precisione</translation>
+    </message>
+    <message>
+        <source>Slots and a hole of known sizes, to be measured</source>
+        <translation>Cave e un foro di misure note, da misurare</translation>
+    </message>
+    <message>
         <source>&amp;Save</source>
         <translation>&amp;Salva</translation>
     </message>
@@ -11929,6 +12001,10 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
 <context>
     <name>voluta::window::ProjectFiles</name>
     <message>
+        <source>settings of the sample</source>
+        <translation>impostazioni dell&apos;esempio</translation>
+    </message>
+    <message>
         <source>Opening %1</source>
         <translation>Apertura di %1</translation>
     </message>
@@ -12571,8 +12647,8 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Vista non disponibile</translation>
     </message>
     <message>
-        <source>Drop a mesh here (STL, OBJ, PLY, OFF or 3MF), or a Voluta project.</source>
-        <translation>Trascina qui una mesh (STL, OBJ, PLY, OFF o 3MF) o un progetto Voluta.</translation>
+        <source>Drop a mesh (STL, OBJ, PLY, OFF or 3MF), a slicer&apos;s G-code or a Voluta project here.</source>
+        <translation>Trascina qui una mesh (STL, OBJ, PLY, OFF o 3MF), il G-code di uno slicer o un progetto Voluta.</translation>
     </message>
     <message>
         <source>Open…</source>

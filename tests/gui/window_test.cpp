@@ -4,6 +4,7 @@
 #include "panels/findings_panel.h"
 #include "timeline/layer_range_slider.h"
 #include "timeline/timeline_bar.h"
+#include "window/samples.h"
 #include "window/view_options.h"
 
 #include <QAbstractSpinBox>
@@ -255,6 +256,26 @@ TEST_F(WindowTest, AProjectComesBackAsItWas) {
   EXPECT_EQ(document().choices().item().parameters.at("walls"), "1");
   EXPECT_TRUE(document().upToDate(Stage::Motion));
   EXPECT_FALSE(document().dirty());
+}
+
+TEST_F(WindowTest, EverySampleOpensWithTheChoicesItRequires) {
+  for (const window::Sample& sample : window::samples()) {
+    find<QAction>(sample.id)->trigger();
+    const std::string file = QFileInfo(sample.path()).fileName().toStdString();
+    const std::string part = file.substr(file.find(':') + 1);
+    ASSERT_TRUE(waitFor([&] {
+      return document().source() && document().source()->name.starts_with(part) &&
+             !window().presenter().busy();
+    })) << sample.id;
+    const project::Choices& choices = document().choices();
+    const project::Choices required = sample.required(choices);
+    EXPECT_EQ(choices.item().mode, required.item().mode) << sample.id;
+    EXPECT_EQ(choices.item().platform, required.item().platform) << sample.id;
+    EXPECT_EQ(choices.item().parameters, required.item().parameters) << sample.id;
+    EXPECT_EQ(choices.tool().process, required.tool().process) << sample.id;
+    EXPECT_EQ(choices.cell, required.cell) << sample.id;
+    document().undoStack()->setClean();
+  }
 }
 
 TEST_F(WindowTest, WhatIsNoMeshIsToldInOneLineAndChangesNothing) {

@@ -154,6 +154,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::buildCommands() {
   commands_->add(files_.commands());
+  commands_->add(files_.sampleCommands());
   commands_->add(undoCommands(*document_.undoStack()));
   commands_->add(pages_->commands());
   commands_->add(ownCommands());

@@ -58,10 +58,12 @@ void ProjectFiles::listen() {
   });
   connect(&opening_, &Opening::cancelled, this, [this] {
     toAdd_.clear();
+    pendingSample_ = nullptr;
     emit said(tr("Cancelled."));
   });
   connect(&opening_, &Opening::failed, this, [this](const QString& path, const QString& message) {
     toAdd_.clear();
+    pendingSample_ = nullptr;
     emit said(message);
     emit messageRaised(tr("%1 cannot be opened").arg(nameOf(path)), message);
   });
@@ -82,6 +84,15 @@ void ProjectFiles::listen() {
           [this](const QString&, const QString& message) {
             emit messageRaised(tr("Open recent"), message);
           });
+}
+
+std::vector<Command> ProjectFiles::sampleCommands() {
+  std::vector<Command> commands;
+  for (const Sample& sample : samples())
+    commands.push_back({sample.id, "samplesMenu", 0, sample.text, sample.tip, {}, [this, &sample] {
+                          openSample(sample);
+                        }});
+  return commands;
 }
 
 std::vector<Command> ProjectFiles::commands() {
@@ -112,13 +123,6 @@ std::vector<Command> ProjectFiles::commands() {
        {QKeySequence("Ctrl+I")},
        [this] { chooseToAdd(); },
        [this] { return document_.partCount() > 0; }},
-      {"sampleVase",
-       "samplesMenu",
-       0,
-       QT_TRANSLATE_NOOP("Commands", "Vase"),
-       QT_TRANSLATE_NOOP("Commands", "A fluted vase, 60 mm high"),
-       {},
-       [this] { open("sample:vase"); }},
       {"importArm",
        "fileMenu",
        0,
@@ -173,9 +177,15 @@ void ProjectFiles::open(const QString& path, const QStringList& more) {
     importArm(path);
     return;
   }
-  const auto start = [this, path, more] {
+  startOpening(path, more, nullptr);
+}
+
+void ProjectFiles::startOpening(const QString& path, const QStringList& more,
+                                const Sample* sample) {
+  const auto start = [this, path, more, sample] {
     planning_.cancel();
     toAdd_ = more;
+    pendingSample_ = sample;
     opening_.open(path);
   };
   // Undo can restore a replaced part, but opening another project clears the undo stack.
@@ -183,6 +193,10 @@ void ProjectFiles::open(const QString& path, const QStringList& more) {
     afterSaved(start);
   else
     start();
+}
+
+void ProjectFiles::openSample(const Sample& sample) {
+  startOpening(sample.path(), {}, &sample);
 }
 
 void ProjectFiles::choose() {
@@ -315,6 +329,8 @@ void ProjectFiles::noteOpened(const QString& path, bool project) {
     recent_.add(path);
   if (project)
     emit said(tr("Opened %1").arg(document_.name()));
+  if (const Sample* sample = std::exchange(pendingSample_, nullptr))
+    document_.setChoices(sample->required(document_.choices()), tr("settings of the sample"));
   emit opened(project);
 }
 

@@ -6,6 +6,7 @@
 #include "document/recent_files.h"
 #include "document/saving.h"
 #include "window/commands.h"
+#include "window/samples.h"
 
 #include <QObject>
 #include <QString>
@@ -34,11 +35,14 @@ public:
 
   document::Opening& opening() { return opening_; }
   std::vector<Command> commands();
+  std::vector<Command> sampleCommands();
   // Fills the menu of recent files, now and whenever they change.
   void setRecentMenu(QMenu* menu);
 
   // Opens a part, a project or "sample:NAME", and adds the parts `more`.
   void open(const QString& path, const QStringList& more = {});
+  // Opens a sample and sets the choices that it requires.
+  void openSample(const Sample& sample);
   void choose();
   // Adds a part to those that are open, or opens the first one: from a file the user chooses.
   void chooseToAdd();
@@ -64,6 +68,7 @@ signals:
 
 private:
   void listen();
+  void startOpening(const QString& path, const QStringList& more, const Sample* sample);
   void noteOpened(const QString& path, bool project);
   void newProject();
   void chooseArm();
@@ -83,6 +88,7 @@ private:
   std::unique_ptr<document::Autosave> autosave_;
   std::function<void()> afterSave_;
   QStringList toAdd_; // once the part before them is read
+  const Sample* pendingSample_ = nullptr; // being opened
   QMenu* recentMenu_ = nullptr;
 };
 

@@ -48,8 +48,8 @@ void Welcome::setMessage(const QString& message) {
 
 void Welcome::retranslate() {
   title_->setText(message_.isEmpty() ? tr("Print a part with a robot") : tr("No picture"));
-  text_->setText(message_.isEmpty() ? tr("Drop a mesh here (STL, OBJ, PLY, OFF or 3MF), "
-                                         "or a Voluta project.")
+  text_->setText(message_.isEmpty() ? tr("Drop a mesh (STL, OBJ, PLY, OFF or 3MF), a slicer's "
+                                         "G-code or a Voluta project here.")
                                     : message_);
   open_->setText(tr("Open…"));
   sample_->setText(tr("Sample vase"));
