@@ -20,6 +20,7 @@ enum Column { Place, Way, FirstFigure };
 enum Role { EntryRole = Qt::UserRole };
 constexpr int kPictureWidth = 88, kPictureHeight = 66, kMargin = 6, kGap = 8, kLineGap = 3;
 constexpr int kMinText = 92;    // of the column that names the way
+constexpr int kMaxText = 220;   // longer names are elided
 constexpr int kAmpleText = 120; // wider than this: the rest goes to the figures
 constexpr int kMaxSpare = 28;
 
@@ -295,7 +296,12 @@ void CompareTable::layColumns() {
       wide = std::max(wide, fontMetrics().horizontalAdvance(tr("In use")) + 2 * kMargin);
     left -= wide;
   }
-  const int least = kPictureWidth + kGap + 2 * kMargin + kMinText;
+  QFont bold = font();
+  bold.setBold(true);
+  int text = kMinText;
+  for (const CompareEntry& entry : entries())
+    text = std::max(text, QFontMetrics(bold).horizontalAdvance(entry.way));
+  const int least = kPictureWidth + kGap + 2 * kMargin + std::min(text, kMaxText);
   const int spare =
       figures > 0 ? std::clamp((left - least - kAmpleText) / figures, 0, kMaxSpare) : 0;
   for (int column = 0; column < columns; ++column)
