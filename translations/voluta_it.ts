@@ -12693,8 +12693,8 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
         <translation>Piastra da %1</translation>
     </message>
     <message>
-        <source>Print the sample accuracy-plate with this process, and measure it.</source>
-        <translation>Stampa il campione accuracy-plate con questo processo e misuralo.</translation>
+        <source>Print the sample plate (File &gt; Samples) with this process, and measure it.</source>
+        <translation>Stampa la piastra di esempio (File &gt; Esempi) con questo processo e misurala.</translation>
     </message>
     <message>
         <source>Nominal</source>

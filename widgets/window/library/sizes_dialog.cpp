@@ -55,7 +55,7 @@ SizesDialog::SizesDialog(const process::Process& process, QWidget* parent)
   for (const double length : kLengthsMm)
     plate_->addItem(tr("Plate of %1").arg(mm(length)), length);
   auto* note =
-      new QLabel(tr("Print the sample accuracy-plate with this process, and measure it."), this);
+      new QLabel(tr("Print the sample plate (File > Samples) with this process, and measure it."), this);
   note->setWordWrap(true);
   auto* grid = new QGridLayout;
   grid->addWidget(new QLabel(tr("Nominal"), this), 0, 1);
