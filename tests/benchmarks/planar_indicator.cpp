@@ -1,16 +1,18 @@
 // The learned indicator on a planar arm of three joints (Dai 2020, 4.4.3, figs. 4.5 and 4.6):
-// planar_indicator [--seed N] [--penalty C] [--first M]. The tip follows a line among three discs.
-// Samples of algorithm 7 after each phase, as many random samples on the contact space, and as many
-// as give the same number of kernels. Judged on 100,000 other poses of the contact space. Columns:
-// samples n, kernels N; of what is free, how much is called free (eq. 4.16); of what is called
-// free, how much is (the words beside it); of what collides, how much is called free; of all, how
-// much is right.
+// planar_indicator [--seed N] [--penalty C] [--gamma G] [--first M]. The tip follows a line among
+// three discs. Samples of algorithm 7 after each phase, as many random samples on the contact space
+// and in the whole joint space, and as many as give the same number of kernels. Judged on 100,000
+// other poses of the contact space, for a bias of 1 (the source's) and of 0. Columns: samples n,
+// kernels N; TNR: share of free poses that are called free (eq. 4.16); right: share of poses called
+// free that are free (the words beside the equation); missed: share of colliding poses that are
+// called free; all: share of poses that are judged correctly.
 #include "base/run_context.h"
 #include "indicator/contact_samples.h"
 #include "indicator/learned_indicator.h"
 #include "indicator/planar_arm.h"
 
 #include <cstdio>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,21 @@ void row(const char* name, std::size_t n, const LearnedIndicator& learned,
               100.0 * missed / hit, (right + hit - missed) / static_cast<double>(checks.size()));
 }
 
+void rows(const char* name, std::size_t n, const LearnedIndicator& learned, double bias,
+          const std::vector<JudgedJoints>& checks) {
+  row(name, n, learned, checks);
+  row("  bias 0", n, learned.withBias(-bias), checks);
+}
+
+std::vector<JointVector> inJointSpace(std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<double> angle(-base::kPi, base::kPi);
+  std::vector<JointVector> all;
+  while (all.size() < count)
+    all.push_back(Eigen::Vector3d(angle(engine), angle(engine), angle(engine)));
+  return all;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -67,6 +84,8 @@ int main(int argc, char** argv) {
       first = std::stoul(argv[i + 1]);
     else if (word == "--penalty")
       learning.penalty = std::stod(argv[i + 1]);
+    else if (word == "--gamma")
+      learning.gamma = std::stod(argv[i + 1]);
   }
   const auto limits = test::PlanarArm().limits();
   const std::vector<JudgedJoints> checks = judged(test::PlanarArm::onTheLine(100000, 99));
@@ -80,20 +99,25 @@ int main(int argc, char** argv) {
         test::PlanarArm::onTheLine(first, seed), limits, collides,
         [](const JointVector& q) { return test::PlanarArm::project(q); }, sampling, {});
     const LearnedIndicator learned(chosen, limits, learning);
-    row(phases == 1   ? "up-scaled once"
-        : phases == 2 ? "and refined once"
-                      : "algorithm 7",
-        chosen.size(), learned, checks);
+    rows(phases == 1   ? "up-scaled once"
+         : phases == 2 ? "and refined once"
+                       : "algorithm 7",
+         chosen.size(), learned, learning.bias, checks);
     samples = chosen.size();
     kernels = learned.kernels();
   }
-  const auto random = [&](std::size_t count) {
-    return LearnedIndicator(judged(test::PlanarArm::onTheLine(count, seed + 50)), limits, learning);
-  };
-  row("as many random samples", samples, random(samples), checks);
-  std::size_t count = samples;
-  while (count < 64 * samples && random(count).kernels() < kernels)
-    count += count / 4;
-  row("random, as many kernels", count, random(count), checks);
+  using Draw = std::vector<JointVector> (*)(std::size_t, std::uint64_t);
+  for (const auto& [where, draw] :
+       {std::pair<std::string, Draw>("contact", test::PlanarArm::onTheLine),
+        {"joint space", inJointSpace}}) {
+    const auto random = [&](std::size_t count) {
+      return LearnedIndicator(judged(draw(count, seed + 50)), limits, learning);
+    };
+    rows((where + ", as many samples").c_str(), samples, random(samples), learning.bias, checks);
+    std::size_t count = samples;
+    while (count < 64 * samples && random(count).kernels() < kernels)
+      count += count / 4;
+    rows((where + ", as many kernels").c_str(), count, random(count), learning.bias, checks);
+  }
   return 0;
 }
