@@ -4,6 +4,7 @@
 #include "base/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace voluta::motion {
@@ -22,6 +23,10 @@ constexpr int kNewtonSteps = 6;
 constexpr double kMostPerRound = 1.5, kBeyond = 1.002;    // stretch of a step in one round
 constexpr std::size_t kFirstWindow = 2, kLastWindow = 40; // steps on both sides of a place
 constexpr int kRoundsPerWindow = 2; // rounds after which the windows grow by a step
+// Of shortening again what was slowed too far: steps on both sides, shares of a step, passes
+constexpr std::array<std::size_t, 5> kShortenHalves{32, 16, 8, 4, 2};
+constexpr double kMostShortened = 0.2, kLeastShortened = 0.01, kShortenEnough = 1e-3;
+constexpr int kShortenPasses = 4;
 
 class Slower {
 public:
@@ -45,6 +50,7 @@ public:
     if (count_ > 3)
       lowerSpeeds();
     stretchSteps();
+    shortenSteps();
     std::vector<double> times(count_, 0.0);
     for (std::size_t i = 1; i < count_; ++i)
       times[i] = times[i - 1] + step_[i];
@@ -172,6 +178,68 @@ private:
     }
   }
 
+  // Shortens steps that are longer than the own ones, in windows of several widths, as far as the
+  // limit allows: lowerSpeeds() and stretchSteps() slow more than they must.
+  void shortenSteps() {
+    std::vector<double> jerk(count_ + 1, 0.0), steps;
+    for (std::size_t i = 1; i <= count_; ++i)
+      jerk[i] = std::max(jerkAt(i), maxJerk_);
+    for (int pass = 0; pass < kShortenPasses; ++pass) {
+      double before = 0.0, gained = 0.0;
+      for (std::size_t k = 1; k < count_; ++k)
+        before += step_[k];
+      for (const std::size_t half : kShortenHalves)
+        for (std::size_t centre = 1; centre < count_; centre += std::max<std::size_t>(1, half / 2))
+          gained += shorten(centre, half, jerk, steps);
+      if (gained < kShortenEnough * before)
+        return;
+    }
+  }
+
+  // Shortens the steps about one, the less the further they are away. Returns by how much [s].
+  // `jerk`: what each stencil may have.
+  double shorten(std::size_t centre, std::size_t half, const std::vector<double>& jerk,
+                 std::vector<double>& steps) {
+    const std::size_t first = centre > half ? centre - half : 1;
+    const std::size_t last = std::min(count_ - 1, centre + half);
+    const auto isLonger = [&](std::size_t k) { return step_[k] > own_[k] * kBeyond; };
+    bool any = false;
+    for (std::size_t k = first; k <= last && !any; ++k)
+      any = isLonger(k);
+    if (!any)
+      return 0.0;
+    const auto at = [](std::vector<double>& of, std::size_t k) {
+      return of.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    double gained = 0.0;
+    for (double share = kMostShortened; share >= kLeastShortened;) {
+      steps.assign(at(step_, first), at(step_, last + 1));
+      double gain = 0.0;
+      for (std::size_t k = first; k <= last; ++k) {
+        const double shorter = std::max(own_[k], step_[k] * (1.0 - share * bump(k, centre, half)));
+        gain += std::max(0.0, step_[k] - shorter);
+        step_[k] = std::min(step_[k], shorter);
+      }
+      bool keeps = gain > 0.0;
+      for (std::size_t i = first; i <= std::min(count_, last + 2) && keeps; ++i)
+        keeps = jerkAt(i) <= jerk[i];
+      if (keeps) {
+        gained += gain;
+      } else {
+        std::copy(steps.begin(), steps.end(), at(step_, first));
+        share *= 0.5;
+      }
+    }
+    return gained;
+  }
+
+  // Returns a weight that falls from 1 at the centre to 0 beyond the window.
+  static double bump(std::size_t k, std::size_t centre, std::size_t half) {
+    const double away =
+        k > centre ? static_cast<double>(k - centre) : static_cast<double>(centre - k);
+    return 0.5 * (1.0 + std::cos(base::kPi * away / static_cast<double>(half + 1)));
+  }
+
   // Velocities are those of the steps 1 .. count_ - 1, at their middles; 0 at both ends.
   double velocity(std::size_t i, Eigen::Index j) const {
     return i == 0 || i >= count_ ? 0.0 : (q_[i][j] - q_[i - 1][j]) / step_[i];
@@ -201,12 +269,8 @@ private:
     const std::size_t centre = std::min(std::max<std::size_t>(i, 2) - 1, count_ - 1);
     const std::size_t first = centre > window ? centre - window : 1;
     const std::size_t last = std::min(count_ - 1, centre + window);
-    for (std::size_t k = first; k <= last; ++k) {
-      const double away =
-          k > centre ? static_cast<double>(k - centre) : static_cast<double>(centre - k);
-      const double share = away / static_cast<double>(window + 1);
-      longer[k] = std::max(longer[k], 1.0 + (by - 1.0) * 0.5 * (1.0 + std::cos(base::kPi * share)));
-    }
+    for (std::size_t k = first; k <= last; ++k)
+      longer[k] = std::max(longer[k], 1.0 + (by - 1.0) * bump(k, centre, window));
   }
 
   const std::vector<JointVector>& q_;
