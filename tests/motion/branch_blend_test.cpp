@@ -12,6 +12,7 @@
 #include "motion/timed_points.h"
 #include "motion/timing.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -199,4 +200,130 @@ TEST_F(BranchBlend, RunsThatDoNotMeetAreRefused) {
       motion::blendBranches(scene, runOf(plan, joints, 0, 20), runOf(plan, joints, 30, 60), 0.05)
           .why,
       BlendRefusal::Apart);
+}
+
+namespace {
+
+// A spiral of three turns in a plane that faces an IRB 2400 so that its wrist, which carries a
+// straight nozzle, is nearly stretched: joint 4 turns once per turn of the spiral, by more than its
+// range of 400 degrees in all.
+class BranchBlendOnASpiral : public testing::Test {
+protected:
+  process::Process process_ = process::loadProcess("fdm-1.0");
+  robot::Cell cell_ = irb2400();
+  plan::ToolPlan plan_ = spiral(0.0);
+
+  robot::Cell irb2400() const {
+    platform::PlatformSolid plate;
+    plate.polygon = test::disc(20.0);
+    return robot::loadCell("irb2400-moving", process_, plate);
+  }
+
+  // Returns the pose with a stretched wrist and its tip above the plate's middle.
+  Eigen::Isometry3d stretched() const {
+    JointVector q = cell_.home();
+    q[4] = 0.0;
+    const auto missing = [&](const JointVector& at) {
+      const Vector3d left = Vector3d(0.0, 0.0, 60.0) - cell_.work_T_tool(at).translation();
+      return Eigen::Vector2d(left.x(), left.z());
+    };
+    for (int step = 0; step < 50; ++step) {
+      constexpr double kStep = 1e-6;
+      Eigen::Matrix2d rates;
+      for (Eigen::Index j = 0; j < 2; ++j) {
+        JointVector beside = q;
+        beside[1 + j] += kStep;
+        rates.col(j) = (missing(q) - missing(beside)) / kStep;
+      }
+      q.segment<2>(1) += rates.partialPivLu().solve(missing(q));
+    }
+    EXPECT_LT(missing(q).norm(), 1e-6);
+    return cell_.work_T_tool(q);
+  }
+
+  // `asideMm`: distance of the stretched pose from the spiral's middle.
+  plan::ToolPlan spiral(double asideMm) const {
+    constexpr double kTurns = 3.0, kRadius = 12.0, kPitch = 1.3, kStepMm = 0.8;
+    const Eigen::Isometry3d middle = stretched();
+    std::vector<Vector3d> points;
+    for (double angle = 0.0; angle < kTurns * base::kTurn;) {
+      const double radius = kRadius + kPitch * angle / base::kTurn;
+      points.push_back(middle *
+                       Vector3d(radius * std::cos(angle) + asideMm, radius * std::sin(angle), 0.0));
+      angle += kStepMm / radius;
+    }
+    plan::ToolPlan plan;
+    test::appendPath(plan, points, std::vector<Vector3d>(points.size(), -middle.linear().col(2)),
+                     0);
+    return plan;
+  }
+
+  motion::MotionResult planned(const plan::ToolPlan& plan, bool blends) const {
+    const collision::GrowingPart part(plan, 1.0, {});
+    motion::MotionOptions options;
+    options.blendsBranches = blends;
+    return motion::MotionPlanner(plan, cell_, process::Tooling(process_), part, options).plan({});
+  }
+};
+
+} // namespace
+
+TEST_F(BranchBlendOnASpiral, IsCutWithoutAndPrintedInOnePieceWith) {
+  const motion::MotionResult cut = planned(plan_, false), blended = planned(plan_, true);
+  EXPECT_EQ(cut.statistics.waypoints, plan_.waypointCount());
+  EXPECT_GT(cut.statistics.splits, 0u) << "no branch reaches all waypoints";
+  EXPECT_EQ(blended.statistics.splits, 0u);
+  EXPECT_EQ(blended.statistics.waypoints, plan_.waypointCount());
+  EXPECT_EQ(blended.statistics.collisions, 0u);
+  EXPECT_EQ(blended.statistics.unreachable, 0u);
+  EXPECT_LT(blended.statistics.transfers, cut.statistics.transfers);
+
+  const plan::Trajectory& t = blended.trajectory;
+  double greatest = 0.0;
+  std::size_t printed = 0;
+  for (std::size_t i = 0; i < t.pointCount(); ++i) {
+    const std::size_t w = t.waypoint[i];
+    if (w == plan::kNoWaypoint || t.move[i] != plan::MoveKind::Print)
+      continue;
+    ++printed;
+    const Eigen::Isometry3d pose =
+        cell_.work_T_tool(Eigen::Map<const JointVector>(t.at(i), cell_.dof()));
+    EXPECT_LT((pose.translation() - plan_.position[w]).norm(), 1e-3) << w;
+    greatest = std::max(
+        greatest, std::acos(std::clamp(-pose.linear().col(2).dot(plan_.direction[w]), -1.0, 1.0)));
+  }
+  EXPECT_EQ(printed, plan_.waypointCount() - 1) << "all but the one where the bead begins";
+  EXPECT_LE(greatest, motion::MotionOptions().leanRad + 1e-6);
+  EXPECT_GT(greatest, 1e-3) << "the wrist passes its stretched pose";
+}
+
+// Programs round directions. Where the wrist is almost stretched, joint 4 follows every
+// microradian.
+TEST_F(BranchBlendOnASpiral, RoundedDirectionsLeadToTheSameJoints) {
+  std::size_t blends = 0;
+  for (int k = 0; k < 8; ++k) {
+    const plan::ToolPlan plan = spiral(1.1 * k);
+    const motion::MotionResult result = planned(plan, true);
+    blends += result.statistics.splits == 0;
+    const plan::Trajectory& t = result.trajectory;
+    std::vector<JointVector> solutions;
+    for (std::size_t i = 0; i < t.pointCount(); ++i) {
+      if (t.move[i] != plan::MoveKind::Print)
+        continue;
+      const JointVector q = Eigen::Map<const JointVector>(t.at(i), cell_.dof());
+      if (cell_.limits()[3].max - std::abs(q[3]) < 0.05)
+        continue; // The rounded pose may be beyond the limit
+      Eigen::Isometry3d pose = cell_.work_T_tool(q);
+      Quaterniond rounded(pose.linear());
+      for (double& part : rounded.coeffs())
+        part = 1e-6 * std::round(1e6 * part);
+      pose.linear() = rounded.normalized().toRotationMatrix();
+      cell_.inverse(pose, q, solutions);
+      double nearest = base::kTurn;
+      for (const JointVector& s : solutions)
+        nearest = std::min(nearest, robot::largestTurn(s - q, cell_.robot().limits));
+      EXPECT_LT(nearest, 0.05) << "spiral " << k << ", point " << i;
+    }
+  }
+  EXPECT_GT(blends, 0u);
 }
