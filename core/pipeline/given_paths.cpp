@@ -38,14 +38,15 @@ Laid laidBy(const project::LoadedPart& loaded, const modes::LoadStage& placed) {
 
 class Taking {
 public:
-  Taking(const plan::ToolPlan& given, const Laid& laid, const process::Process& process)
-      : given_(given), laid_(laid), process_(process) {}
+  Taking(const plan::ToolPlan& given, const Laid& laid, const process::Tooling& tooling)
+      : given_(given), laid_(laid), tooling_(tooling) {}
 
   plan::ToolPlan take(const base::RunContext& ctx) {
     for (const plan::ToolPath& path : given_.paths) {
       ctx.checkpoint();
       plan::ToolPath mine = path;
       mine.first = plan_.waypointCount();
+      takeTool(path, mine);
       for (std::size_t i = path.first; i < path.first + path.count; ++i) {
         if (i > path.first)
           divide(i);
@@ -60,15 +61,21 @@ public:
   }
 
   std::size_t filled = 0, slowed = 0; // Numbers of waypoints
+  std::optional<Vector3d> fastestAt;  // Where the limit of the flow is exceeded most
 
 private:
+  void takeTool(const plan::ToolPath& path, plan::ToolPath& mine) {
+    mine.tool = path.tool < static_cast<int>(tooling_.tools().size()) ? path.tool : 0;
+    process_ = &tooling_.of(mine).process;
+  }
+
   // Subdivides a long segment that ends at waypoint `i`. Segments up to 1.5 steps stay undivided.
   void divide(std::size_t i) {
     constexpr double kSlack = 1.5;
     const double way = (given_.position[i] - given_.position[i - 1]).norm();
-    if (way <= kSlack * process_.stepMm)
+    if (way <= kSlack * process_->stepMm)
       return;
-    const auto steps = static_cast<int>(std::ceil(way / process_.stepMm));
+    const auto steps = static_cast<int>(std::ceil(way / process_->stepMm));
     for (int k = 1; k < steps; ++k)
       add(i - 1, i, static_cast<double>(k) / steps);
   }
@@ -86,9 +93,9 @@ private:
     float speed = given_.speedMmPerS[b];
     if (!(width > 0.0f) || !(height > 0.0f) || !(speed > 0.0f))
       ++filled;
-    height = height > 0.0f ? height : static_cast<float>(process_.layerHeightMm);
-    width = width > 0.0f ? width : static_cast<float>(process_.beadWidthMm);
-    speed = speed > 0.0f ? speed : static_cast<float>(process_.speedMmPerS);
+    height = height > 0.0f ? height : static_cast<float>(process_->layerHeightMm);
+    width = width > 0.0f ? width : static_cast<float>(process_->beadWidthMm);
+    speed = speed > 0.0f ? speed : static_cast<float>(process_->speedMmPerS);
     // The bead model needs height <= width: use a square of equal area.
     if (height > width)
       height = width = std::sqrt(height * width);
@@ -104,20 +111,80 @@ private:
     for (const plan::ToolPath& path : plan_.paths)
       for (std::size_t i = path.first + 1;
            i < path.first + path.count && path.kind != plan::PathKind::Shot; ++i) {
-        const double most =
-            process::flowLimit(process_) / std::max({section(i - 1), section(i), 1e-9});
+        const double most = process::flowLimit(tooling_.of(path).process) /
+                            std::max({section(i - 1), section(i), 1e-9});
+        const double excess = plan_.speedMmPerS[i] / most;
         if (plan_.speedMmPerS[i] > most) {
           plan_.speedMmPerS[i] = static_cast<float>(most);
           ++slowed;
+          if (excess > fastest_) {
+            fastest_ = excess;
+            fastestAt = plan_.position[i];
+          }
         }
       }
   }
 
   const plan::ToolPlan& given_;
   const Laid& laid_;
-  const process::Process& process_;
+  const process::Tooling& tooling_;
+  const process::Process* process_ = nullptr; // Of the path that is taken
   plan::ToolPlan plan_;
+  double fastest_ = 0.0;
 };
+
+// Beads whose section the process does not allow.
+struct OutsideLimits {
+  double lengthMm = 0.0;
+  double worst = 1.0;      // Ratio to the limit that is exceeded most; > 1
+  std::size_t worstAt = 0; // Waypoint
+  int tool = 0;            // That prints it
+};
+
+// Returns by which factor a section exceeds the limit that it exceeds most; <= 1: none.
+double excessOf(const plan::ToolPlan& plan, std::size_t i, const process::Process& process) {
+  const auto width = static_cast<double>(plan.widthMm[i]),
+             height = static_cast<double>(plan.heightMm[i]);
+  return std::max({width / process.beadWidthMaxMm, process.beadWidthMinMm / width,
+                   height / process.layerHeightMaxMm, process.layerHeightMinMm / height});
+}
+
+OutsideLimits outsideLimits(const plan::ToolPlan& plan, const process::Tooling& tooling) {
+  constexpr double kRounding = 1.01; // Amounts and heights have few decimals in files
+  OutsideLimits out;
+  for (const plan::ToolPath& path : plan.paths) {
+    if (plan::isWaste(path.kind) || path.kind == plan::PathKind::Tape ||
+        path.kind == plan::PathKind::Shot)
+      continue;
+    for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+      const double excess = excessOf(plan, i, tooling.of(path).process);
+      if (excess <= kRounding)
+        continue;
+      out.lengthMm += (plan.position[i] - plan.position[i - 1]).norm();
+      if (excess > out.worst) {
+        out.worst = excess;
+        out.worstAt = i;
+        out.tool = path.tool;
+      }
+    }
+  }
+  return out;
+}
+
+plan::Finding limitFinding(const OutsideLimits& outside, const plan::ToolPlan& plan,
+                           const process::Process& process) {
+  return plan::makeFinding(
+      plan::FindingKind::GivenOutsideLimits,
+      {{"length", base::mm(outside.lengthMm)},
+       {"process", process.id},
+       {"widthMin", base::number(process.beadWidthMinMm)},
+       {"widthMax", base::mm(process.beadWidthMaxMm)},
+       {"heightMin", base::number(process.layerHeightMinMm)},
+       {"heightMax", base::mm(process.layerHeightMaxMm)},
+       {"width", base::mm(static_cast<double>(plan.widthMm[outside.worstAt]))},
+       {"height", base::mm(static_cast<double>(plan.heightMm[outside.worstAt]))}},
+      plan.position[outside.worstAt]);
+}
 
 plan::ToolpathStatistics statisticsOf(const plan::ToolPlan& plan) {
   plan::ToolpathStatistics r;
@@ -200,12 +267,13 @@ std::shared_ptr<const modes::LayersStage> layersOfGiven(const plan::ToolPlan& gi
 
 std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPart& loaded,
                                                         const modes::LoadStage& placed,
-                                                        const process::Process& process,
+                                                        const process::Tooling& tooling,
                                                         const base::RunContext& ctx) {
   const base::Stopwatch watch;
+  const process::Process& process = tooling.first().process;
   auto stage = std::make_shared<ToolpathStage>();
   const Laid laid = laidBy(loaded, placed);
-  Taking taking(*loaded.toolPaths, laid, process);
+  Taking taking(*loaded.toolPaths, laid, tooling);
   stage->toolPlan = std::make_shared<plan::ToolPlan>(taking.take(ctx));
   stage->report = statisticsOf(*stage->toolPlan);
   if (taking.filled > 0)
@@ -217,7 +285,11 @@ std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPar
         plan::FindingKind::GivenTooFast,
         {{"points", taking.slowed},
          {"limit", base::Quantity{process::flowLimit(process), base::Unit::Mm3PerS}}},
-        std::nullopt, taking.slowed));
+        taking.fastestAt, taking.slowed));
+  const OutsideLimits outside = outsideLimits(*stage->toolPlan, tooling);
+  if (outside.lengthMm > 0.0)
+    stage->findings.push_back(
+        limitFinding(outside, *stage->toolPlan, tooling.at(outside.tool).process));
   stage->timings.toolpath = watch.seconds();
   return stage;
 }

@@ -7,7 +7,7 @@
 #include "geometry/triangle_mesh.h"
 #include "modes/stages.h"
 #include "pipeline/stages.h"
-#include "process/process.h"
+#include "process/tooling.h"
 #include "project/choices.h"
 #include "project/loaded_part.h"
 
@@ -41,11 +41,13 @@ std::shared_ptr<const modes::LayersStage> layersOfGiven(const plan::ToolPlan& gi
 
 // Returns the tool-paths transformed to the pose of `placed`. Waypoints are at most a step of the
 // process apart (1.5 steps count as one), missing sections and speeds are taken from the process,
-// and speeds are limited to the extruder's maximum flow; findings report the last two. Throws
+// and speeds are limited to the extruder's maximum flow. The file's tool T n is the job's tool n +
+// 1, with its process; the first tool prints the beads of tools that the job does not have.
+// Findings report missing values, speeds, and beads outside the limits of their process. Throws
 // Cancelled.
 std::shared_ptr<const ToolpathStage> givenToolpathStage(const project::LoadedPart& loaded,
                                                         const modes::LoadStage& placed,
-                                                        const process::Process& process,
+                                                        const process::Tooling& tooling,
                                                         const base::RunContext& ctx);
 
 } // namespace voluta::pipeline

@@ -217,7 +217,7 @@ private:
     const bool given = first().hasGivenPaths();
     const auto stage = cachedOrMade<ToolpathStage>([&] {
       if (given)
-        return givenToolpathStage(*items_.front()->shaped().part, first().placed(), process(),
+        return givenToolpathStage(*items_.front()->shaped().part, first().placed(), tooling_,
                                   span(project::Stage::Toolpath));
       const auto joined = joinedLayers();
       std::vector<toolpath::ItemLayers> items;

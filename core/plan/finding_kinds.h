@@ -82,6 +82,7 @@ enum class FindingKind : std::uint8_t {
   // toolpath
   GivenWithoutSection,
   GivenTooFast,
+  GivenOutsideLimits,
   PatchWithoutBead,
   ThinWallsWidened,
   ThinWallsLeftOut,

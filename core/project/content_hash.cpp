@@ -34,6 +34,9 @@ std::string contentHash(const plan::ToolPlan& plan) {
   for (const plan::ToolPath& p : plan.paths)
     text += fmt::format("{} {} {} {} {} {} {}\n", p.first, p.count, static_cast<int>(p.kind),
                         p.layer, p.patch, p.group, p.closed);
+  for (const plan::ToolPath& p : plan.paths)
+    if (p.tool != 0) // Files of one tool keep their hash
+      text += fmt::format("tool {} {}\n", p.first, p.tool);
   if (!plan.isSolid())
     for (const plan::FillIntent& fill : plan.fill)
       text += fmt::format("{} {}\n", fill.shellMm, fill.openMm3);

@@ -194,6 +194,30 @@ TEST(GivenPaths, NoMoreThanTheExtruderGives) {
   }));
 }
 
+TEST(GivenPaths, BeadsOutsideTheProcessAreReportedWithTheWorst) {
+  const auto findingFor = [](const std::string& section) -> std::optional<plan::Finding> {
+    const PlanResult planned =
+        beadOfProfile("uuid=\"00000000-0000-0000-0000-00000000000a\" name=\"n\" " + section);
+    const plan::Findings& all = planned.job.report.findings;
+    const auto found =
+        std::ranges::find(all, plan::FindingKind::GivenOutsideLimits, &plan::Finding::kind);
+    return found == all.end() ? std::nullopt : std::optional(*found);
+  };
+  // fdm-1.0: width 1 to 2, height 0.4 to 1
+  EXPECT_FALSE(findingFor("beadheight=\"0.8\" beadwidth=\"1.2\""));
+  for (const char* section :
+       {"beadheight=\"0.8\" beadwidth=\"2.5\"", "beadheight=\"0.6\" beadwidth=\"0.8\"",
+        "beadheight=\"0.3\" beadwidth=\"1.2\"", "beadheight=\"1.2\" beadwidth=\"1.8\""}) {
+    const std::optional<plan::Finding> finding = findingFor(section);
+    ASSERT_TRUE(finding) << section;
+    EXPECT_FALSE(finding->blocking);
+    ASSERT_TRUE(finding->where) << section;
+    EXPECT_NE(plan::englishReason(*finding).find("9 mm of the file's beads are outside"),
+              std::string::npos)
+        << plan::englishReason(*finding);
+  }
+}
+
 TEST(GivenPaths, AProjectKeepsThem) {
   const test::TemporaryFolder folder;
   base::writeFile(folder / "router.build.3mf", routersFile(true));
