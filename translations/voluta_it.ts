@@ -714,6 +714,14 @@
         <translation>cordoni</translation>
     </message>
     <message>
+        <source>an arc on a table that tilts is not understood</source>
+        <translation>un arco su una tavola che si inclina non è compreso</translation>
+    </message>
+    <message>
+        <source>export straight lines</source>
+        <translation>esporta linee rette</translation>
+    </message>
+    <message>
         <source>Number of beads along the outline of each layer.</source>
         <translation>Numero di cordoni lungo il contorno di ogni strato.</translation>
     </message>
@@ -1108,6 +1116,10 @@ mm³</translation>
         <translation>adattamento ad archi</translation>
     </message>
     <message>
+        <source>choose the process that the file was sliced for, or slice it with beads of this process</source>
+        <translation>scegli il processo per cui il file è stato preparato, oppure preparalo con cordoni di questo processo</translation>
+    </message>
+    <message>
         <source>movec needs two poses</source>
         <translation>movec richiede due pose</translation>
     </message>
@@ -1118,6 +1130,14 @@ mm³</translation>
     <message>
         <source>the end of an arc is not at the distance of its start from the centre</source>
         <translation>la fine di un arco non ha la stessa distanza dal centro del suo inizio</translation>
+    </message>
+    <message>
+        <source>the file heats {heat}: programs heat as the material states, choose one that fits</source>
+        <translation>il file scalda a {heat}: i programmi scaldano come indica il materiale, scegline uno adatto</translation>
+    </message>
+    <message>
+        <source>the file prints with tools up to T{number}: the job&apos;s first tool prints the beads of tools that the job does not have</source>
+        <translation>il file stampa con utensili fino a T{number}: il primo utensile del lavoro stampa i cordoni di quelli che il lavoro non ha</translation>
     </message>
     <message>
         <source>the three points of an arc are on a line</source>
@@ -1467,6 +1487,10 @@ mm³</translation>
             <numerusform>un altro punto: {what}</numerusform>
             <numerusform>altri {count} punti, il primo: {what}</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>{length:.0f} of the file&apos;s beads are outside the limits of process {process} (width {widthMin:.3g} to {widthMax:.3g}, height {heightMin:.3g} to {heightMax:.3g}): the worst is {width:.2f} wide and {height:.2f} high</source>
+        <translation>{length:.0f} dei cordoni del file sono fuori dai limiti del processo {process} (larghezza da {widthMin:.3g} a {widthMax:.3g}, altezza da {heightMin:.3g} a {heightMax:.3g}): il peggiore è largo {width:.2f} e alto {height:.2f}</translation>
     </message>
     <message numerus="yes">
         <source>{what}; {more} more voxels depend on this</source>
@@ -6837,8 +6861,8 @@ mm³</translation>
         <translation>una lunghezza di filamento di più di un chilometro</translation>
     </message>
     <message>
-        <source>a motion with a word A, B, C, U, V or W is not understood</source>
-        <translation>un movimento con una parola A, B, C, U, V o W non è compreso</translation>
+        <source>a motion with a word A, U, V or W is not understood</source>
+        <translation>un movimento con una parola A, U, V o W non è compreso</translation>
     </message>
     <message>
         <source>a position more than a kilometre away</source>
@@ -6917,8 +6941,8 @@ mm³</translation>
         <translation>dare nX nY nZ come vettore unitario</translation>
     </message>
     <message>
-        <source>give the nozzle&apos;s direction as nX nY nZ</source>
-        <translation>dare la direzione dell&apos;ugello come nX nY nZ</translation>
+        <source>give the nozzle&apos;s direction as nX nY nZ, or the table&apos;s angles as B and C</source>
+        <translation>dare la direzione dell&apos;ugello come nX nY nZ, o gli angoli della tavola come B e C</translation>
     </message>
     <message>
         <source>ground</source>
@@ -6999,13 +7023,6 @@ mm³</translation>
     <message>
         <source>{volume:.1f} extruded at rest are left out</source>
         <translation>{volume:.1f} estrusi da fermo sono omessi</translation>
-    </message>
-    <message numerus="yes">
-        <source>{changes} tool changes are left out: one tool prints everything</source>
-        <translation>
-            <numerusform>{changes} cambio di utensile è omesso: un solo utensile stampa tutto</numerusform>
-            <numerusform>{changes} cambi di utensile sono omessi: un solo utensile stampa tutto</numerusform>
-        </translation>
     </message>
     <message>
         <source>Open surfaces</source>

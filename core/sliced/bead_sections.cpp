@@ -3,9 +3,11 @@
 #include "process/bead_model.h"
 #include "process/bead_to.h"
 #include "sliced/layer_heights.h"
+#include "sliced/rising_heights.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace voluta::sliced {
@@ -24,7 +26,34 @@ struct Segment {
   double lengthMm, areaMm2, heightMm, speedMmPerS;
 };
 
-std::vector<Segment> segmentsOf(const SlicedPath& path, double filamentMm2, double layerMm) {
+// Returns the areas of the sections on the way to each point of a path.
+std::vector<double> areasOf(const SlicedPath& path, double filamentMm2) {
+  std::vector<double> areas(path.points.size(), 0.0);
+  for (std::size_t i = 1; i < areas.size(); ++i) {
+    const double way = (path.points[i].position - path.points[i - 1].position).norm();
+    areas[i] = way < kMinWayMm ? 0.0 : path.points[i].extruded * filamentMm2 / way;
+  }
+  return areas;
+}
+
+// Returns the usual width of a bead, for a bead three times as wide as high.
+double usualWidth(const SlicedFile& file, double filamentMm2) {
+  std::vector<double> areas;
+  for (const SlicedPath& path : file.paths)
+    for (const double area : areasOf(path, filamentMm2))
+      if (area > 0.0)
+        areas.push_back(area);
+  if (areas.empty())
+    return 1.0;
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  std::nth_element(areas.begin(), middle, areas.end());
+  constexpr double kWidthPerHeight = 3.0;
+  return std::sqrt(kWidthPerHeight * *middle);
+}
+
+// `rising`: heights on the way to each point that replace those of the file; 0 or empty: none.
+std::vector<Segment> segmentsOf(const SlicedPath& path, double filamentMm2, double layerMm,
+                                const std::vector<double>& rising) {
   std::vector<Segment> segments;
   Vector3d at = path.points.front().position;
   double carried = 0.0; // Volume of ways that are too short
@@ -34,8 +63,9 @@ std::vector<Segment> segmentsOf(const SlicedPath& path, double filamentMm2, doub
     carried += p.extruded * filamentMm2;
     if (way < kMinWayMm)
       continue;
+    const double stated = p.heightMm > 0.0 ? p.heightMm : layerMm;
     segments.push_back({p.position, p.direction, way, carried / way,
-                        p.heightMm > 0.0 ? p.heightMm : layerMm, p.speedMmPerS});
+                        !rising.empty() && rising[i] > 0.0 ? rising[i] : stated, p.speedMmPerS});
     carried = 0.0;
     at = p.position;
   }
@@ -45,8 +75,10 @@ std::vector<Segment> segmentsOf(const SlicedPath& path, double filamentMm2, doub
 }
 
 bool isStep(const Segment& a, const Segment& b) {
-  return std::abs(a.areaMm2 - b.areaMm2) > kSameShare * std::max(a.areaMm2, b.areaMm2) ||
-         a.heightMm != b.heightMm;
+  const auto differ = [](double x, double y) {
+    return std::abs(x - y) > kSameShare * std::max(x, y);
+  };
+  return differ(a.areaMm2, b.areaMm2) || differ(a.heightMm, b.heightMm);
 }
 
 // Divides segments beside a step, so that it does not spread over all their length.
@@ -157,6 +189,23 @@ bool isZigzag(const plan::ToolPlan& plan, const plan::ToolPath& path) {
   return turns >= kLeastTurns && rows > 0.5 * all;
 }
 
+// Returns whether a path goes round while it rises, as a spiral vase does.
+bool isSpiral(const plan::ToolPlan& plan, const plan::ToolPath& path) {
+  constexpr double kRoundingMm = 1e-4, kSlope = 0.2;
+  double length = 0.0;
+  for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
+    const Vector3d way = plan.position[i] - plan.position[i - 1];
+    if (way.z() < -kRoundingMm)
+      return false;
+    length += way.norm();
+  }
+  const double rise =
+      plan.position[path.first + path.count - 1].z() - plan.position[path.first].z();
+  return path.count >= 4 &&
+         rise > static_cast<double>(plan.heightMm[path.first + path.count - 1]) &&
+         rise < kSlope * length && !isZigzag(plan, path);
+}
+
 bool isLoop(const plan::ToolPlan& plan, const plan::ToolPath& path) {
   const double gap =
       (plan.position[path.first + path.count - 1] - plan.position[path.first]).norm();
@@ -169,9 +218,17 @@ plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2) {
   plan::ToolPlan plan;
   const LayerHeights heights(file);
   Laying laying(plan);
+  std::optional<BeadTops> tops;
+  if (std::ranges::any_of(file.paths, isRising))
+    tops.emplace(usualWidth(file, filamentMm2));
   for (const SlicedPath& path : file.paths) {
     const LayerHeights::Layer layer = heights.of(path);
-    const std::vector<Segment> segments = segmentsOf(path, filamentMm2, layer.heightMm);
+    const double lastStated = path.points.back().heightMm;
+    const std::vector<Segment> segments =
+        segmentsOf(path, filamentMm2, layer.heightMm,
+                   tops ? tops->add(path, areasOf(path, filamentMm2),
+                                    lastStated > 0.0 ? lastStated : layer.heightMm)
+                        : std::vector<double>());
     if (segments.empty())
       continue;
     plan::ToolPath made;
@@ -182,9 +239,10 @@ plan::ToolPlan beadsOf(const SlicedFile& file, double filamentMm2) {
     made.closed = made.count >= 4 && gap <= kClosedMm;
     if (made.closed)
       plan.position.back() = plan.position[made.first];
-    made.kind = path.kind            ? *path.kind
-                : isLoop(plan, made) ? plan::PathKind::Wall
-                                     : plan::PathKind::Infill;
+    made.kind = path.kind                                    ? *path.kind
+                : isLoop(plan, made) || isSpiral(plan, made) ? plan::PathKind::Wall
+                                                             : plan::PathKind::Infill;
+    made.tool = path.tool;
     made.layer = path.layer >= 0 ? path.layer : layer.index;
     made.ring = made.kind == plan::PathKind::Wall && path.kind && !path.outermost ? 1 : 0;
     plan.paths.push_back(made);

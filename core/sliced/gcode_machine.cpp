@@ -6,11 +6,13 @@
 #include "program/gcode/gcode_line.h"
 #include "sliced/gcode_arc.h"
 #include "sliced/slicer_comments.h"
+#include "sliced/table_axes.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace voluta::sliced {
@@ -58,6 +60,9 @@ public:
       code(program::trimmed(line.substr(0, std::min(semicolon, line.find('*')))));
     }
     endPath();
+    for (const auto& [tool, amounts] : amountAt_)
+      file_.nozzleC[tool] =
+          std::ranges::max_element(amounts, {}, [](const auto& at) { return at.second; })->first;
     return std::move(file_);
   }
 
@@ -68,6 +73,7 @@ private:
   }
 
   void remark(std::string_view comment) {
+    table_.note(comment);
     const CommentFacts facts = factsOf(comment);
     if (facts.layerChange) {
       ++layer_;
@@ -103,7 +109,7 @@ private:
       return skip();
     }
     if (letter == 'T')
-      file_.toolChanges += std::exchange(tool_, number) != number;
+      changeTool(number);
     else if (letter == 'M')
       executeM(number, text);
     else
@@ -111,6 +117,22 @@ private:
   }
 
   void skip() { ++file_.skippedLines; }
+
+  // Returns nullopt for larger numbers, which are commands of firmwares, such as T255.
+  static std::optional<int> toolOf(double number) {
+    constexpr double kMostTools = 16.0;
+    if (!(number >= 0.0) || number >= kMostTools || number != std::floor(number))
+      return std::nullopt;
+    return static_cast<int>(number);
+  }
+
+  void changeTool(double number) {
+    const std::optional<int> tool = toolOf(number);
+    if (!tool)
+      return skip();
+    if (*tool != std::exchange(tool_, *tool))
+      endPath();
+  }
 
   GcodeWords words(std::string_view text) const {
     GcodeWords words;
@@ -121,16 +143,30 @@ private:
   }
 
   void executeM(double m, std::string_view text) {
-    constexpr std::array kUsed{82.0, 83.0, 200.0, 220.0, 221.0};
+    constexpr std::array kUsed{82.0, 83.0, 104.0, 109.0, 140.0, 190.0, 200.0, 220.0, 221.0};
     if (std::ranges::find(kUsed, m) == kUsed.end())
       return;
     GcodeWords w = words(text);
     if (m == 82.0 || m == 83.0)
       relativeE_ = m == 83.0;
+    else if (m < 200.0)
+      heat(m, w);
     else if (m == 200.0 && w['D'])
       file_.volumetric = *w['D'] > 0.0;
     else if (m > 200.0 && w['S'] && *w['S'] > 0.0)
       (m == 220.0 ? speedShare_ : flowShare_) = *w['S'] / 100.0;
+  }
+
+  // M109 and M190 with R also wait for cooling.
+  void heat(double m, GcodeWords& w) {
+    const std::optional<double> celsius = w['S'] ? w['S'] : w['R'];
+    constexpr double kHottest = 1000.0;
+    if (!celsius || !(*celsius > 0.0) || *celsius > kHottest)
+      return;
+    if (m == 140.0 || m == 190.0)
+      file_.bedC = std::max(file_.bedC, static_cast<int>(*celsius));
+    else if (const std::optional<int> tool = w['T'] ? toolOf(*w['T']) : tool_)
+      nozzleC_[*tool] = static_cast<int>(*celsius);
   }
 
   void executeG(double g, std::string_view text) {
@@ -138,6 +174,8 @@ private:
       unitMm_ = g == 20.0 ? kInchMm : 1.0;
     } else if (g == 90.0 || g == 91.0) {
       relative_ = g == 91.0;
+    } else if (g == 93.0 || g == 94.0) {
+      inverseTime_ = g == 93.0;
     } else if (g == 28.0) {
       home(text);
     } else if (g == 10.0 || g == 11.0) {
@@ -174,9 +212,11 @@ private:
         shift_[axis] = position_[axis] - unitMm_ * *value;
         known_[k] = true;
       }
+    if (w['C'])
+      table_.setCount(*w['C']);
     if (w['E'])
       e_ = unitMm_ * *w['E'];
-    else if (!w.any("XYZ"))
+    else if (!w.any("XYZC"))
       e_ = 0.0;
   }
 
@@ -207,12 +247,13 @@ private:
     return flowShare_ * filament_.push(length);
   }
 
-  void takeSpeed(GcodeWords& w) {
+  // `wayMm`: of this motion; with G93 F is its inverse time.
+  void takeSpeed(GcodeWords& w, double wayMm) {
     if (!w['F'])
       return;
     if (!(*w['F'] > 0.0))
       fail("a speed that is not positive"_text, "give F in mm per minute"_text);
-    speedMmPerS_ = unitMm_ * *w['F'] / 60.0;
+    speedMmPerS_ = (inverseTime_ ? wayMm : unitMm_) * *w['F'] / 60.0;
   }
 
   void takeDirection(const GcodeWords& w) {
@@ -230,17 +271,23 @@ private:
     if (!w.bare.empty())
       fail(base::message("the letter {letter} has no number"_text, w.bare),
            "the file may be damaged; export it again"_text);
-    if (w.any("ABCUVW"))
-      fail("a motion with a word A, B, C, U, V or W is not understood"_text,
-           "give the nozzle's direction as nX nY nZ"_text);
-    takeSpeed(w);
-    const Vector3d from = position_, fromDirection = direction_;
+    if (w.any("AUVW"))
+      fail("a motion with a word A, U, V or W is not understood"_text,
+           "give the nozzle's direction as nX nY nZ, or the table's angles as B and C"_text);
+    const program::TablePose poseBefore = table_.poseAt(position_);
+    const plan::NozzlePoint before = nozzle();
+    const Vector3d from = before.position, fromDirection = before.direction;
     const std::array<bool, 3> knownBefore = known_;
-    const Vector3d to = targetOf(w);
+    const Vector3d target = targetOf(w);
     takeDirection(w);
+    table_.take(w);
     const double extruded = extrudedBy(w);
-    position_ = to;
+    position_ = target;
+    const Vector3d to = nozzle().position;
+    takeSpeed(w, (to - from).norm());
     const bool isArc = g > 1.0;
+    if (isArc && table_.isUsed())
+      fail("an arc on a table that tilts is not understood"_text, "export straight lines"_text);
     if ((to - from).norm() < kMinWayMm && !isArc) {
       extrudeAtRest(extruded);
       return;
@@ -259,10 +306,27 @@ private:
     }
     if (!joins())
       beginPath(from, fromDirection);
+    if (const auto set = nozzleC_.find(tool_); set != nozzleC_.end())
+      amountAt_[tool_][set->second] += extruded;
     if (isArc)
       addArc(from, fromDirection, g, w, extruded);
+    else if (table_.isUsed())
+      addLine(poseBefore, extruded);
     else
       addPoint(to, direction_, extruded);
+  }
+
+  plan::NozzlePoint nozzle() const {
+    return table_.isUsed() ? table_.nozzleAt(table_.poseAt(position_))
+                           : plan::NozzlePoint{position_, direction_};
+  }
+
+  // All axes move linearly: on a table that turns meanwhile, the nozzle's way is bent.
+  void addLine(const program::TablePose& from, double extruded) {
+    std::vector<plan::NozzlePoint> way = table_.way(from, table_.poseAt(position_));
+    way.push_back(nozzle());
+    for (const plan::NozzlePoint& point : way)
+      addPoint(point.position, point.direction, extruded / static_cast<double>(way.size()));
   }
 
   void extrudeAtRest(double extruded) {
@@ -289,6 +353,7 @@ private:
     endPath();
     SlicedPath path;
     path.layer = layer_;
+    path.tool = tool_;
     path.line = line_;
     if (feature_) {
       path.kind = feature_->kind;
@@ -341,10 +406,13 @@ private:
   Vector3d position_ = Vector3d::Zero(), shift_ = Vector3d::Zero(); // shift_: by G92
   Vector3d direction_ = Vector3d::UnitZ(), stated_ = Vector3d::UnitZ();
   std::array<bool, 3> known_{};
+  TableAxes table_;
   Filament filament_;
   double e_ = 0.0, unitMm_ = 1.0, speedMmPerS_ = 0.0, speedShare_ = 1.0, flowShare_ = 1.0;
-  double tool_ = 0.0;
-  bool relative_ = false, relativeE_ = false;
+  int tool_ = 0;
+  std::map<int, int> nozzleC_;                    // By tool, as set last [°C]
+  std::map<int, std::map<int, double>> amountAt_; // Extruded, by tool and temperature
+  bool relative_ = false, relativeE_ = false, inverseTime_ = false;
 
   const Feature *feature_ = nullptr, *pathFeature_ = nullptr;
   bool open_ = false; // The last move extruded

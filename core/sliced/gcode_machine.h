@@ -18,7 +18,9 @@ namespace voluta::sliced {
 //   of x and y by centre or radius, with a rising z; retraction by E or by G10 and G11; M200
 //   (volumes instead of lengths), M220 and M221 (percentages of speed and flow).
 // - With G91 filament lengths are relative too; G90 leaves them as M82 and M83 set them.
-// - nX nY nZ: direction of the nozzle.
+// - B C: angles of a table that tilts and turns; G93 (F is an inverse time), G92 C.
+// - nX nY nZ: direction of the nozzle. T: tool of the paths that follow.
+// - M104, M109, M140, M190: temperatures that the file sets.
 // - Other M commands, macros and G commands that do not move are skipped.
 //
 // Throws Error{UnreadableFile} with the line for a motion that is not understood, a position beyond

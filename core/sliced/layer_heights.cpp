@@ -38,6 +38,11 @@ void sortDistinct(std::vector<double>& tops) {
 }
 } // namespace
 
+bool isRising(const SlicedPath& path) {
+  const Range range = rangeOf(path);
+  return range.upright && !isFlat(range);
+}
+
 LayerHeights::LayerHeights(const SlicedFile& file) : header_(file.header) {
   for (const SlicedPath& path : file.paths)
     if (const Range range = rangeOf(path); isFlat(range))

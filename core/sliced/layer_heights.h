@@ -7,6 +7,10 @@
 
 namespace voluta::sliced {
 
+// Returns whether a path with upright nozzles rises or falls along its way by more than the
+// rounding of its file.
+bool isRising(const SlicedPath& path);
+
 class LayerHeights {
 public:
   explicit LayerHeights(const SlicedFile& file);

@@ -1,9 +1,6 @@
 #include "sliced/layer_mask.h"
 
-#include "process/bead_model.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace voluta::sliced {
 
@@ -16,28 +13,7 @@ std::size_t LayerMask::cellOf(const Vector2d& point) const {
 }
 
 void LayerMask::mark(const plan::ToolPlan& plan, std::size_t end, std::uint8_t with) {
-  const Vector2d a = plan.position[end - 1].head<2>(), b = plan.position[end].head<2>();
-  const double width = 0.5 * (plan.widthMm[end - 1] + plan.widthMm[end]);
-  const double height = 0.5 * (plan.heightMm[end - 1] + plan.heightMm[end]);
-  const double half = 0.5 * process::hatchOf(width, height);
-  const Vector2d along = b - a;
-  const double length2 = along.squaredNorm();
-  const auto at = [&](double mm, int axis, int most) {
-    return static_cast<int>(
-        std::clamp(std::floor((mm - field.origin[axis]) / field.pitch), 0.0, most - 1.0));
-  };
-  const int left = at(std::min(a.x(), b.x()) - half, 0, field.width);
-  const int right = at(std::max(a.x(), b.x()) + half, 0, field.width);
-  const int low = at(std::min(a.y(), b.y()) - half, 1, field.depth);
-  const int high = at(std::max(a.y(), b.y()) + half, 1, field.depth);
-  for (int j = low; j <= high; ++j)
-    for (int i = left; i <= right; ++i) {
-      const Vector2d centre = field.origin + field.pitch * Vector2d(i + 0.5, j + 0.5);
-      const double t =
-          length2 > 0.0 ? std::clamp((centre - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-      if ((centre - a - t * along).squaredNorm() <= half * half)
-        bits[index(i, j)] |= with;
-    }
+  eachNear(field, plan, end, 0.0, [&](std::size_t c, double, double) { bits[c] |= with; });
 }
 
 LayerMask::Region LayerMask::regionFrom(std::size_t seed) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "plan/tool_plan.h"
+#include "process/bead_model.h"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -35,6 +38,12 @@ struct LayerMask {
   std::size_t cellOf(const Eigen::Vector2d& point) const;
   // Marks the cells whose centres are within half a hatch of the segment that ends at a waypoint.
   void mark(const plan::ToolPlan& plan, std::size_t end, std::uint8_t with);
+  // Calls take(cell, distance from the outline [mm], share of the segment) for the cells whose
+  // centres are within half a hatch and `marginMm` of the segment that ends at waypoint `end`.
+  // Distances are negative within the bead.
+  template <typename Take>
+  static void eachNear(const Field& field, const plan::ToolPlan& plan, std::size_t end,
+                       double marginMm, const Take& take);
   // Returns whether a cell is of no wall and of no region found so far.
   bool isOpen(std::size_t c) const { return (bits[c] & (kReached | kOfWall)) == 0; }
   bool isSolid(std::size_t c) const { return (bits[c] & (kBead | kFilled)) != 0; }
@@ -60,5 +69,35 @@ private:
   }
   int runThrough(std::size_t c, int di, int dj, int most) const;
 };
+
+template <typename Take>
+void LayerMask::eachNear(const Field& field, const plan::ToolPlan& plan, std::size_t end,
+                         double marginMm, const Take& take) {
+  const Eigen::Vector2d a = plan.position[end - 1].head<2>(), b = plan.position[end].head<2>();
+  const double width = 0.5 * (plan.widthMm[end - 1] + plan.widthMm[end]);
+  const double height = 0.5 * (plan.heightMm[end - 1] + plan.heightMm[end]);
+  const double half = 0.5 * process::hatchOf(width, height), reach = half + marginMm;
+  const Eigen::Vector2d along = b - a;
+  const double length2 = along.squaredNorm();
+  const auto at = [&](double mm, int axis, int most) {
+    return static_cast<int>(
+        std::clamp(std::floor((mm - field.origin[axis]) / field.pitch), 0.0, most - 1.0));
+  };
+  const int left = at(std::min(a.x(), b.x()) - reach, 0, field.width);
+  const int right = at(std::max(a.x(), b.x()) + reach, 0, field.width);
+  const int low = at(std::min(a.y(), b.y()) - reach, 1, field.depth);
+  const int high = at(std::max(a.y(), b.y()) + reach, 1, field.depth);
+  for (int j = low; j <= high; ++j)
+    for (int i = left; i <= right; ++i) {
+      const Eigen::Vector2d centre = field.origin + field.pitch * Eigen::Vector2d(i + 0.5, j + 0.5);
+      const double t =
+          length2 > 0.0 ? std::clamp((centre - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+      const double distance2 = (centre - a - t * along).squaredNorm();
+      if (distance2 <= reach * reach)
+        take(static_cast<std::size_t>(i) +
+                 static_cast<std::size_t>(field.width) * static_cast<std::size_t>(j),
+             std::sqrt(distance2) - half, t);
+    }
+}
 
 } // namespace voluta::sliced

@@ -61,15 +61,27 @@ LayerSlabs::LayerSlabs(const plan::ToolPlan& plan, bool (*takes)(plan::PathKind)
       for (std::size_t i = path.first + 1; i < path.first + path.count; ++i) {
         const Span span = spanOf(plan, i);
         const auto from = std::ranges::upper_bound(bounds_, span.low) - bounds_.begin() - 1;
+        bool found = false;
         for (auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(from, 0)); k < count();
              ++k) {
           const double centre = 0.5 * (bounds_[k] + bounds_[k + 1]);
           if (centre > span.high)
             break;
-          if (centre >= span.low)
+          if (centre >= span.low) {
             segments_[k].push_back({p, i});
+            found = true;
+          }
         }
+        // A bead thinner than its slab, e.g. where a spiral begins
+        if (!found)
+          segments_[slabAt(0.5 * (span.low + span.high))].push_back({p, i});
       }
+}
+
+std::size_t LayerSlabs::slabAt(double z) const {
+  const auto above = std::ranges::upper_bound(bounds_, z) - bounds_.begin();
+  return static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(count()) - 1));
 }
 
 double LayerSlabs::heightAt(double slabs) const {

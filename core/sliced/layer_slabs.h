@@ -24,6 +24,9 @@ public:
   double heightAt(double slabs) const;
 
 private:
+  // Returns the slab that contains a height, or the nearest.
+  std::size_t slabAt(double z) const;
+
   std::vector<double> bounds_; // Ascending
   std::vector<std::vector<Segment>> segments_;
 };

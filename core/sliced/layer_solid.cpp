@@ -7,6 +7,7 @@
 #include "sliced/bead_sections.h"
 #include "sliced/layer_mask.h"
 #include "sliced/layer_slabs.h"
+#include "sliced/layer_surface.h"
 #include "voxel/voxel_object.h"
 
 #include <Eigen/Geometry>
@@ -66,7 +67,7 @@ public:
     for (std::size_t p = 0; p < plan_.paths.size(); ++p)
       if (plan_.paths[p].kind == plan::PathKind::Infill && 2 * sparseVotes[p] > votes[p])
         plan_.paths[p].kind = plan::PathKind::SparseInfill;
-    return solidOf(object, slabs);
+    return solidOf(object, slabs, ctx);
   }
 
 private:
@@ -188,12 +189,10 @@ private:
     }
   }
 
-  LayerSolid solidOf(const voxel::VoxelObject& object, const LayerSlabs& slabs) const {
+  LayerSolid solidOf(const voxel::VoxelObject& object, const LayerSlabs& slabs,
+                     const base::RunContext& ctx) const {
     LayerSolid solid;
-    solid.mesh = voxel::surfaceOf(object);
-    for (Vector3d& v : solid.mesh.vertices)
-      v = {field_.origin.x() + field_.pitch * v.x(), field_.origin.y() + field_.pitch * v.y(),
-           slabs.heightAt(v.z())};
+    solid.mesh = surfaceOfLayers(object, plan_, slabs, field_, ctx);
     const bool hasSparse = std::ranges::any_of(plan_.paths, [](const plan::ToolPath& path) {
       return path.kind == plan::PathKind::SparseInfill;
     });

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct SlicedPath {
   bool ofPart = true;     // false: a wipe tower
   bool outermost = false; // An outer wall, by a comment
   int layer = -1;         // Counted by comments from 0; -1: none yet
+  int tool = 0;           // Number of the last T word
   std::size_t line = 0;
 };
 
@@ -44,7 +46,9 @@ struct SlicedFile {
   bool volumetric = false; // Amounts are volumes
   // Amounts outside of paths, in the file's unit: pushed at rest; before the first layer
   double atRest = 0.0, inStartCode = 0.0;
-  std::size_t toolChanges = 0, skippedLines = 0;
+  std::map<int, int> nozzleC; // By tool: the temperature at which most material is printed [°C]
+  int bedC = 0;               // The highest that is set [°C]; 0: none
+  std::size_t skippedLines = 0;
 };
 
 } // namespace voluta::sliced

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 namespace voluta::sliced {
 
@@ -22,6 +23,18 @@ using base::ErrorCode;
 
 constexpr double kUsualFilamentMm = 1.75;
 constexpr double kSparseShare = 0.9; // Infill without comments is solid from here on
+
+// Returns the temperatures that the file sets, "215 °C, 230 °C (T1), 60 °C (M140)"; empty if none.
+std::string heatOf(const SlicedFile& file) {
+  std::string text;
+  for (const auto& [tool, celsius] : file.nozzleC) {
+    text += (text.empty() ? "" : ", ") + std::to_string(celsius) + " °C";
+    text += tool > 0 ? " (T" + std::to_string(tool) + ")" : "";
+  }
+  if (file.bedC > 0)
+    text += (text.empty() ? "" : ", ") + std::to_string(file.bedC) + " °C (M140)";
+  return text;
+}
 
 std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   std::vector<base::Message> notes;
@@ -35,11 +48,18 @@ std::vector<base::Message> notesOf(const SlicedFile& file, double filamentMm2) {
   if (file.atRest > 0.0)
     notes.push_back(base::message("{volume:.1f} extruded at rest are left out"_text,
                                   base::mm3(file.atRest * filamentMm2)));
-  if (file.toolChanges > 0)
-    notes.push_back(
-        base::message("{changes} tool change is left out: one tool prints everything|"
-                      "{changes} tool changes are left out: one tool prints everything"_plural,
-                      file.toolChanges));
+  std::set<int> tools;
+  for (const SlicedPath& path : file.paths)
+    tools.insert(path.tool);
+  if (!tools.empty() && *tools.rbegin() > 0)
+    notes.push_back(base::message("the file prints with tools up to T{number}: the job's first "
+                                  "tool prints the beads of tools that the job does not have"_text,
+                                  *tools.rbegin()));
+  const std::string heat = heatOf(file);
+  if (!heat.empty())
+    notes.push_back(base::message(
+        "the file heats {heat}: programs heat as the material states, choose one that fits"_text,
+        heat));
   return notes;
 }
 } // namespace

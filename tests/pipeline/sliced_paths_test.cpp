@@ -15,6 +15,7 @@
 #include "process/bead_model.h"
 #include "project/job.h"
 #include "sliced/slicer_writer.h"
+#include "sliced/spiral_writer.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -152,6 +153,25 @@ TEST(SlicedPaths, AVaseInEveryManner) {
   expectAllManners(vasePaths());
 }
 
+// One wall that rises without a stop, in every manner; one of them each on every ground.
+TEST(SlicedPaths, SpiralVases) {
+  const test::Spiral kSpirals[] = {test::cylinderSpiral(), test::squareSpiral(),
+                                   test::twistedSpiral()};
+  std::size_t turn = 0;
+  for (const test::Spiral& spiral : kSpirals)
+    for (const Manner manner : test::kManners) {
+      const test::Written written = test::spiralBy(manner, spiral);
+      const Ground& ground = kGrounds[turn++ % 2];
+      const std::string name = std::string(test::nameOf(manner)) + ", " + ground.name +
+                               ", spiral " + std::to_string((turn - 1) / 3) + ": ";
+      const PlanResult planned = plannedFrom(written.text, ground, project::Stage::Replay);
+      EXPECT_TRUE(planned.job.report.replay.passed) << name << test::reasons(planned);
+      EXPECT_NEAR(planned.job.report.toolpath.materialMm3, written.volumeMm3,
+                  1e-3 * written.volumeMm3)
+          << name;
+    }
+}
+
 TEST(SlicedPaths, AKittenInEveryManner) {
   VOLUTA_MODEL_OR_SKIP(kitten, "kitten.stl");
   expectAllManners(flatPaths(kitten.string(), kPlain, "0.4"));
@@ -185,6 +205,44 @@ TEST(SlicedPaths, ByPrusaSlicer) {
           << part << ", " << ground.name;
     }
   }
+}
+
+// The block's infill by T1.
+std::string twoToolBlock() {
+  plan::ToolPlan paths = blockPaths(kPlain);
+  const std::string text = test::writtenBy(Manner::Cura, paths).text;
+  std::string two;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find('\n', from), text.size() - 1);
+    const std::string line = text.substr(from, to + 1 - from);
+    if (line.starts_with(";TYPE:"))
+      two += line.starts_with(";TYPE:WALL") ? "T0\n" : "T1\n";
+    two += line;
+    from = to + 1;
+  }
+  return two;
+}
+
+TEST(SlicedPaths, ToolsOfTheFileAreThoseOfTheJob) {
+  const test::TemporaryFolder folder;
+  base::writeFile(folder / "part.gcode", twoToolBlock());
+  PlanRequest request = requestFor(folder / "part.gcode");
+  {
+    PlanRequest one = request;
+    one.until = project::Stage::Toolpath;
+    const PlanResult planned = planPart(one, kCtx);
+    EXPECT_TRUE(std::ranges::any_of(planned.job.item().loaded->notes, [](const base::Message& note) {
+      return base::english(note).find("tools up to T1") != std::string::npos;
+    }));
+    EXPECT_TRUE(std::ranges::all_of(planned.job.toolPlan->paths,
+                                    [](const plan::ToolPath& path) { return path.tool == 0; }));
+  }
+  request.choices.tools.push_back(project::ToolChoice{});
+  const PlanResult planned = planPart(request, kCtx);
+  for (const plan::ToolPath& path : planned.job.toolPlan->paths)
+    EXPECT_EQ(path.tool, path.kind == plan::PathKind::Wall ? 0 : 1);
+  EXPECT_TRUE(planned.job.report.replay.passed) << test::reasons(planned);
+  EXPECT_GT(planned.job.report.motion.toolChanges, 3u);
 }
 
 TEST(SlicedPaths, AProjectKeepsThemAsTheyWereRead) {

@@ -2,10 +2,13 @@
 #include "base/error.h"
 #include "base/run_context.h"
 #include "base/units.h"
+#include "program/gcode/tilting_table.h"
 #include "sliced/gcode_machine.h"
 
 #include <cmath>
+#include <cstdio>
 #include <gtest/gtest.h>
+#include <random>
 
 using namespace voluta;
 using Eigen::Vector3d;
@@ -139,12 +142,62 @@ TEST(GcodeMachine, BadLinesAreRefusedWithTheirPlaceAndHelp) {
       {"G28\nG1 X9999999 F60", "line 2: a position more than a kilometre away"},
       {"G28\nG18", "line 2: G18 is not understood (export straight lines"},
       {"G28\nG5 X1 Y1", "line 2: G5 is not understood"},
-      {"G28\nG1 X1 B30 E1 F60", "line 2: a motion with a word A, B, C, U, V or W"},
+      {"G28\nG1 X1 A30 E1 F60", "line 2: a motion with a word A, U, V or W"},
       {"G28\nX10 Y10 E1", "line 2: a position without G0 or G1"},
       {"G28\nG1 X1 nX0 nY0 nZ0 E1 F60", "line 2: a direction of length 0"},
   };
   for (const auto& c : kCases)
     EXPECT_NE(refusal(c.text).find(c.says), std::string::npos) << c.text << ": " << refusal(c.text);
+}
+
+// Random beads on a table that tilts and turns come back as points and directions on the part.
+TEST(GcodeMachine, ATableThatTiltsGivesDirections) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> at(-40.0, 40.0), tilt(-1.2, 1.2), turn(-6.0, 6.0);
+  for (const double sense : {1.0, -1.0}) {
+    const program::TableFrame frame{3.0, 12.5};
+    std::string text = "; plate over the tilt axis, mm: X3.000 Z12.500\n";
+    if (sense < 0.0)
+      text += "; B and C count the tool's turn, not the part's\n";
+    text += "G28\nM83\nG93\n";
+    std::vector<plan::NozzlePoint> expected;
+    for (int k = 0; k < 40; ++k) {
+      const Eigen::Vector3d tip(at(random), at(random), std::abs(at(random)));
+      const program::TablePose pose = program::tablePose(frame, tip, {tilt(random), turn(random)});
+      expected.push_back(program::nozzleAt(frame, pose));
+      char line[160];
+      std::snprintf(line, sizeof line, "G1 X%.6f Y%.6f Z%.6f B%.7f C%.7f F12%s\n", pose.axesMm.x(),
+                    pose.axesMm.y(), pose.axesMm.z(),
+                    sense * base::radiansToDegrees(pose.angles.tilt),
+                    sense * base::radiansToDegrees(pose.angles.turn), k > 0 ? " E1" : "");
+      text += line;
+    }
+    const sliced::SlicedFile file = followed(text);
+    ASSERT_EQ(file.paths.size(), 1u);
+    std::size_t next = 0;
+    for (const sliced::SlicedPoint& point : file.paths[0].points)
+      if (next < expected.size() && (point.position - expected[next].position).norm() < 1e-4 &&
+          (point.direction - expected[next].direction).norm() < 1e-5)
+        ++next;
+    EXPECT_EQ(next, expected.size()) << sense;
+    EXPECT_NEAR(totalsOf(file).extruded, 39.0, 1e-9);
+    // F12 under G93: a twelfth of a minute.
+    EXPECT_NEAR(file.paths[0].points.back().speedMmPerS,
+                (expected[39].position - expected[38].position).norm() / 5.0, 1e-3);
+  }
+}
+
+TEST(GcodeMachine, ToolsAndTemperaturesAreKept) {
+  const sliced::SlicedFile file = sliced::followGcode(
+      "M104 S230\nM140 S65\nM104 T1 S180\nG28\nM83\nG1 X0 Y0 Z.2 F600\nG1 X2 E1\nM104 S215\n"
+      "G1 X20 E9\nT1\nG1 X30 E5\nT255\nM190 R60\nT0\nG1 X40 E5\nM104 S0\nM140 S0\n",
+      "part.gcode", base::RunContext());
+  ASSERT_EQ(file.paths.size(), 3u);
+  EXPECT_EQ(file.paths[0].tool, 0);
+  EXPECT_EQ(file.paths[1].tool, 1);
+  EXPECT_EQ(file.paths[2].tool, 0);
+  EXPECT_EQ(file.nozzleC, (std::map<int, int>{{0, 215}, {1, 180}}));
+  EXPECT_EQ(file.bedC, 65);
 }
 
 } // namespace

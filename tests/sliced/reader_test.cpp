@@ -198,7 +198,7 @@ TEST(SlicedReader, ASpiralIsOnePathOfTheStatedHeight) {
             std::to_string(0.4 * 0.1 * k / (2.0 * base::kPi)) + " E0.1\n";
   const sliced::ReadSliced read = sliced::readSliced(text, "vase.gcode", kCtx);
   ASSERT_EQ(read.plan.paths.size(), 1u);
-  EXPECT_NEAR(read.plan.heightMm[100], 0.4, 1e-6);
+  EXPECT_NEAR(read.plan.heightMm[100], 0.4, 0.005);
   EXPECT_TRUE(geometry::isWatertight(read.solid));
 }
 
@@ -248,7 +248,7 @@ TEST(SlicedReader, FilesWithoutBeadsAreRefused) {
   EXPECT_NE(refusal("GCDE\1").find("is binary G-code"), std::string::npos);
   EXPECT_NE(refusal("G28\nG1 X10 F600\n").find("no motion extrudes"), std::string::npos);
   EXPECT_NE(refusal("").find("no motion extrudes"), std::string::npos);
-  EXPECT_NE(refusal("G28\nM83\nG1 X1 Y1 Z0 F600\nG1 X9 E1\nG1 Z3 X8 E1").find("not known"),
+  EXPECT_NE(refusal("G28\nM83\nG1 X1 Y1 Z0 F600\nG1 X9 E1\nG1 X8 E1").find("not known"),
             std::string::npos);
 }
 
