@@ -9181,18 +9181,6 @@ previsto</translation>
         <translation>la fresa asporta fino a {depth} dal pezzo</translation>
     </message>
     <message>
-        <source>the machines are too close to each other before they move, at {where}: place them further apart, or give one another home</source>
-        <translation>le macchine sono troppo vicine prima di muoversi, in {where}: posizionarle più distanti, o dare a una un&apos;altra posa di riposo</translation>
-    </message>
-    <message>
-        <source>{body} of machine {machine} meets {other} of the other machine at {where} ({layer}): place the machines further apart, or the part further from the border</source>
-        <translation>{body} della macchina {machine} urta {other} dell&apos;altra macchina in {where} ({layer}): posizionare le macchine più distanti, o il pezzo più lontano dal confine</translation>
-    </message>
-    <message>
-        <source>no order of work keeps the machines apart: {first} of machine 1 and {second} of machine 2 hinder each other at {where}: place the machines further apart, the parts further from the border, or the arms at rest further from it</source>
-        <translation>nessun ordine di lavoro tiene separate le macchine: {first} della macchina 1 e {second} della macchina 2 si ostacolano in {where}: posizionare le macchine più distanti, i pezzi più lontano dal confine, o i bracci a riposo più lontano da esso</translation>
-    </message>
-    <message>
         <source>the way home</source>
         <translation>il ritorno a riposo</translation>
     </message>
@@ -9217,16 +9205,72 @@ previsto</translation>
         <translation>usare il lavoro intero</translation>
     </message>
     <message>
-        <source>comparing the motions of both machines</source>
-        <translation>confronto dei movimenti delle due macchine</translation>
-    </message>
-    <message>
         <source>looking for an order of work</source>
         <translation>ricerca di un ordine di lavoro</translation>
     </message>
     <message>
-        <source>running both programs in one time</source>
-        <translation>esecuzione dei due programmi nello stesso tempo</translation>
+        <source>every two machines can work together, but no order of work was found for all: place the machines or the parts further apart</source>
+        <translation>ogni due macchine possono lavorare insieme, ma non si è trovato un ordine di lavoro per tutte: posizionare le macchine o i pezzi più distanti</translation>
+    </message>
+    <message>
+        <source>the part of machine {one} or {two} is inside the part, the plate or an obstacle of the other at {where}: place the machines or the parts further apart</source>
+        <translation>il pezzo della macchina {one} o {two} è dentro il pezzo, il piatto o un ostacolo dell&apos;altra in {where}: posizionare le macchine o i pezzi più distanti</translation>
+    </message>
+    <message>
+        <source>machines {one} and {two} are too close to each other before they move, at {where}: place them further apart, or give one another home</source>
+        <translation>le macchine {one} e {two} sono troppo vicine prima di muoversi, in {where}: posizionarle più distanti, o dare a una un&apos;altra posa di riposo</translation>
+    </message>
+    <message>
+        <source>{body} of machine {one} meets {obstacle} of machine {two} at {where} ({layer}): place the machines further apart, or the part further from the border</source>
+        <translation>{body} della macchina {one} urta {obstacle} della macchina {two} in {where} ({layer}): posizionare le macchine più distanti, o il pezzo più lontano dal confine</translation>
+    </message>
+    <message>
+        <source>no order of work keeps the machines apart: {first} of machine {one} and {second} of machine {two} hinder each other at {where}: place the machines further apart, the parts further from the border, or the arms at rest further from it</source>
+        <translation>nessun ordine di lavoro tiene separate le macchine: {first} della macchina {one} e {second} della macchina {two} si ostacolano in {where}: posizionare le macchine più distanti, i pezzi più lontano dal confine, o i bracci a riposo più lontano da esso</translation>
+    </message>
+    <message>
+        <source>{count} jobs: two to {most} machines can work together</source>
+        <translation>{count} lavori: possono lavorare insieme da due a {most} macchine</translation>
+    </message>
+    <message>
+        <source>a finding of machine {machine} blocks (see its report.json)</source>
+        <translation>un rilievo della macchina {machine} blocca (vedere il suo report.json)</translation>
+    </message>
+    <message>
+        <source>a program was refused, or does not state the arm</source>
+        <translation>un programma è stato rifiutato, o non indica il braccio</translation>
+    </message>
+    <message>
+        <source>machine {machine} waits in line {line} for a mark that the other does not reach</source>
+        <translation>la macchina {machine} attende alla riga {line} un segnale che l&apos;altra non raggiunge</translation>
+    </message>
+    <message>
+        <source>collisions of the machines: {count}, first at {time}</source>
+        <translation>urti delle macchine: {count}, il primo a {time}</translation>
+    </message>
+    <message>
+        <source>machine {machine}: {reason}</source>
+        <translation>macchina {machine}: {reason}</translation>
+    </message>
+    <message>
+        <source>machine {machine}: the program is refused</source>
+        <translation>macchina {machine}: il programma è rifiutato</translation>
+    </message>
+    <message>
+        <source>the file names no programs that work together</source>
+        <translation>il file non nomina programmi che lavorano insieme</translation>
+    </message>
+    <message>
+        <source>name a folder that &apos;together&apos; wrote</source>
+        <translation>indicare una cartella scritta da &apos;together&apos;</translation>
+    </message>
+    <message>
+        <source>comparing the motions of the machines</source>
+        <translation>confronto dei movimenti delle macchine</translation>
+    </message>
+    <message>
+        <source>running all programs in one time</source>
+        <translation>esecuzione di tutti i programmi nello stesso tempo</translation>
     </message>
     <message>
         <source>a mark for the other machine</source>
@@ -9239,10 +9283,6 @@ previsto</translation>
     <message>
         <source>dense at the pith</source>
         <translation>denso al midollo</translation>
-    </message>
-    <message>
-        <source>the part of one machine is inside the part, the plate or an obstacle of the other at {where}: place the machines or the parts further apart</source>
-        <translation>il pezzo di una macchina è dentro il pezzo, il piano o un ostacolo dell&apos;altra in {where}: posizionare le macchine o i pezzi più distanti</translation>
     </message>
     <message>
         <source>mean step height</source>

@@ -4,36 +4,50 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace voluta::cli {
 
 void addTogether(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   struct Values {
     TogetherOptions options;
-    std::string place;
+    std::vector<std::string> places;
   };
   static const std::map<std::string, ProgressStyle> kStyles{
       {"bar", ProgressStyle::Bar}, {"json", ProgressStyle::Json}, {"none", ProgressStyle::None}};
   auto values = std::make_shared<Values>();
   values->options.threads = threads;
-  pipeline::TogetherRequest& request = values->options.request;
   CLI::App* together =
-      app.add_subcommand("together", "plan two jobs whose machines work in one cell");
-  together->add_option("FIRST", values->options.jobs[0], "job.voluta of the first machine")
-      ->required();
-  together->add_option("SECOND", values->options.jobs[1], "job.voluta of the second machine")
-      ->required();
+      app.add_subcommand("together", "plan jobs whose machines work in one cell, or verify them");
+  CLI::Option* jobs =
+      together->add_option("JOBS", values->options.jobs, "job.voluta of each machine");
+  CLI::Option* places = together
+                            ->add_option("--place", values->places,
+                                         "X,Y,Z,TURN for each machine but the first: its base in "
+                                         "the frame of the first one's, in mm, and its rotation "
+                                         "about z in degrees")
+                            ->allow_extra_args(false);
+  CLI::Option* clearance =
+      together
+          ->add_option("--clearance", values->options.limits.distances.clearanceMm,
+                       "least distance of moving bodies of two machines in mm")
+          ->check(CLI::Range(0.0, 500.0));
+  CLI::Option* amidBeads =
+      together
+          ->add_option("--pause-in-beads", values->options.limits.amidBeadsS,
+                       "lets a machine wait amid a bead, with the extruder off, where it has had "
+                       "no other place to wait for so many seconds")
+          ->check(CLI::Range(0.1, 1e6));
+  CLI::Option* folder =
+      together->add_option("-o", values->options.folder, "folder for all jobs and together.json");
   together
-      ->add_option("--place", values->place,
-                   "X,Y,Z,TURN: base of the second machine in the frame of the first one's, in mm, "
-                   "and its rotation about z in degrees")
-      ->required();
-  together
-      ->add_option("--clearance", request.options.distances.clearanceMm,
-                   "least distance of moving bodies of both machines in mm")
-      ->check(CLI::Range(0.0, 500.0));
-  together->add_option("-o", values->options.folder, "folder for both jobs and together.json")
-      ->required();
+      ->add_option("--verify", values->options.verified,
+                   "folder written before: reads its programs and replays them in one time")
+      ->excludes(jobs)
+      ->excludes(places)
+      ->excludes(clearance)
+      ->excludes(amidBeads)
+      ->excludes(folder);
   together->add_option("--threads", values->options.threads, "threads to use")
       ->check(CLI::Range(1, 256));
   together
@@ -44,7 +58,10 @@ void addTogether(CLI::App& app, std::function<ExitCode()>& run, int threads) {
       ->check(CLI::IsMember({"bar", "json", "none"}));
   together->callback([values, &run] {
     run = [values] {
-      values->options.request.first_T_second = pipeline::parsedMachinePlace(values->place);
+      if (!values->options.verified.empty())
+        return verifyTogetherCommand(values->options);
+      for (const std::string& place : values->places)
+        values->options.places.push_back(pipeline::parsedMachinePlace(place));
       return togetherCommand(values->options);
     };
   });

@@ -5,9 +5,9 @@
 #include "cli/progress.h"
 #include "pipeline/together.h"
 
-#include <array>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -16,14 +16,18 @@ class App;
 namespace voluta::cli {
 
 struct TogetherOptions {
-  std::array<std::filesystem::path, 2> jobs;
-  pipeline::TogetherRequest request; // without the jobs
+  std::vector<std::filesystem::path> jobs;
+  std::vector<Eigen::Isometry3d> places; // of the second job and the following ones
+  together::Options limits;
   std::filesystem::path folder;
+  std::filesystem::path verified; // a folder that was written before: verified instead
   int threads = 1;
   ProgressStyle progress = ProgressStyle::Bar;
 };
-// Plans two jobs whose machines work in one cell.
+// Plans jobs whose machines work in one cell. Throws Error{Usage} if their numbers do not agree.
 ExitCode togetherCommand(const TogetherOptions& options);
+// Verifies the programs in `options.verified`.
+ExitCode verifyTogetherCommand(const TogetherOptions& options);
 
 // Adds the sub-command; sets `run` if it is chosen.
 void addTogether(CLI::App& app, std::function<ExitCode()>& run, int threads);

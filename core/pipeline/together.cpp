@@ -11,11 +11,14 @@
 #include "pipeline/replay_stage.h"
 #include "pipeline/resume.h"
 #include "pipeline/road.h"
+#include "pipeline/together_check.h"
+#include "plan/marks.h"
 #include "plan/waypoints.h"
 #include "program/dialect.h"
 #include "together/marks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace voluta::pipeline {
@@ -57,35 +60,41 @@ base::Message layerIn(const project::Job& job, const together::Rests& rests, std
 }
 
 base::Message inWords(const TogetherResult& result, const together::Obstruction& obstruction) {
+  using Kind = together::Obstruction::Kind;
+  if (obstruction.kind == Kind::All)
+    return "every two machines can work together, but no order of work was found for all: place "
+           "the machines or the parts further apart"_text;
   const Eigen::Vector3d& p = obstruction.where;
   const base::Point where{p.x(), p.y(), p.z()};
-  using Kind = together::Obstruction::Kind;
+  const auto [one, other] = obstruction.machines;
+  const auto layer = [&](std::size_t machine, std::size_t segment) {
+    return layerIn(result.plans[machine].job, result.work.rests[machine], segment);
+  };
   if (obstruction.kind == Kind::Overlap)
-    return base::message("the part of one machine is inside the part, the plate or an obstacle of "
-                         "the other at {where}: place the machines or the parts further apart"_text,
-                         where);
+    return base::message("the part of machine {one} or {two} is inside the part, the plate or an "
+                         "obstacle of the other at {where}: place the machines or the parts "
+                         "further apart"_text,
+                         one + 1, other + 1, where);
   if (obstruction.kind == Kind::AtStart)
-    return base::message("the machines are too close to each other before they move, at {where}: "
-                         "place them further apart, or give one another home"_text,
-                         where);
+    return base::message("machines {one} and {two} are too close to each other before they move, "
+                         "at {where}: place them further apart, or give one another home"_text,
+                         one + 1, other + 1, where);
   if (obstruction.kind == Kind::AtRest) {
-    const auto own = static_cast<std::size_t>(obstruction.machine);
-    const auto& bodies = result.plans[own].cell->bodies();
-    const auto& others = result.plans[1 - own].cell->bodies();
+    const auto& bodies = result.plans[one].cell->bodies();
+    const auto& others = result.plans[other].cell->bodies();
     return base::message(
-        "{body} of machine {machine} meets {other} of the other machine at {where} ({layer}): "
-        "place the machines further apart, or the part further from the border"_text,
-        robot::nameOf(bodies[static_cast<std::size_t>(obstruction.contact.body)]), own + 1,
-        robot::nameOf(others[static_cast<std::size_t>(obstruction.contact.other)]), where,
-        layerIn(result.plans[own].job, own == 0 ? result.work.a : result.work.b,
-                obstruction.contact.segment));
+        "{body} of machine {one} meets {obstacle} of machine {two} at {where} ({layer}): place "
+        "the machines further apart, or the part further from the border"_text,
+        robot::nameOf(bodies[static_cast<std::size_t>(obstruction.contact.body)]), one + 1,
+        robot::nameOf(others[static_cast<std::size_t>(obstruction.contact.other)]), other + 1,
+        where, layer(one, obstruction.contact.segment));
   }
   return base::message(
-      "no order of work keeps the machines apart: {first} of machine 1 and {second} of machine 2 "
-      "hinder each other at {where}: place the machines further apart, the parts further from the "
-      "border, or the arms at rest further from it"_text,
-      layerIn(result.plans[0].job, result.work.a, obstruction.aSegment),
-      layerIn(result.plans[1].job, result.work.b, obstruction.bSegment), where);
+      "no order of work keeps the machines apart: {first} of machine {one} and {second} of machine "
+      "{two} hinder each other at {where}: place the machines further apart, the parts further "
+      "from the border, or the arms at rest further from it"_text,
+      layer(one, obstruction.segments[0]), one + 1, layer(other, obstruction.segments[1]),
+      other + 1, where);
 }
 
 // Chooses formats that have words for marks; formats that the user chose have to have them.
@@ -103,24 +112,28 @@ void takeFormats(PlanResult& result) {
     program::requireEvents(program::findDialect(id), *result.job.trajectory);
 }
 
-void mark(PlanResult& result, const std::vector<std::size_t>& points) {
-  if (points.empty())
+void mark(PlanResult& result, const std::vector<together::MarkPlace>& marks) {
+  if (marks.empty())
     return;
   result.job.trajectory =
-      std::make_shared<const plan::Trajectory>(together::withMarks(*result.job.trajectory, points));
+      std::make_shared<const plan::Trajectory>(together::withMarks(*result.job.trajectory, marks));
   takeFormats(result);
 }
 } // namespace
 
+void requireJoinable(const project::Job& job, const std::string& name) {
+  if (!job.item().part || !job.toolPlan || !job.trajectory)
+    throw Error(ErrorCode::UnusableInput, "the job has no motion"_text, name,
+                "plan it without --until"_text);
+  if (job.resumedAt > 0)
+    throw Error(ErrorCode::UnusableInput, "the job is the rest of a print"_text, name,
+                "use the whole job"_text);
+}
+
 project::Job jobToJoin(const std::filesystem::path& file) {
   base::finishStaged(std::filesystem::absolute(file).parent_path());
   project::Job job = project::readJob(file);
-  if (!job.item().part || !job.toolPlan || !job.trajectory)
-    throw Error(ErrorCode::UnusableInput, "the job has no motion"_text, file.string(),
-                "plan it without --until"_text);
-  if (job.resumedAt > 0)
-    throw Error(ErrorCode::UnusableInput, "the job is the rest of a print"_text, file.string(),
-                "use the whole job"_text);
+  requireJoinable(job, file.string());
   return job;
 }
 
@@ -135,71 +148,105 @@ Eigen::Isometry3d parsedMachinePlace(const std::string& text) {
   return place;
 }
 
-namespace {
-// Returns the first program that passed, read back from its text; nullopt if there is none.
-std::optional<plan::ReadProgram> readBack(const PlanResult& result, const base::RunContext& ctx) {
-  for (const auto& checked : result.checked)
-    if (checked->passed && checked->armChecked)
-      return program::readProgram(checked->program.format, checked->program.files, *result.tooling,
-                                  ctx);
-  return std::nullopt;
+double machineTurnDeg(const Eigen::Isometry3d& place) {
+  const Eigen::Vector3d x = place.linear().col(0);
+  return base::radiansToDegrees(std::atan2(x.y(), x.x()));
 }
 
-std::optional<replay::TwoMachines> replayTogether(const TogetherResult& result,
-                                                  const base::RunContext& ctx) {
-  std::array<std::optional<plan::ReadProgram>, 2> read;
-  std::vector<replay::RunningMachine> machines;
-  for (std::size_t k = 0; k < 2; ++k) {
-    read[k] = readBack(result.plans[k], ctx.quiet());
-    if (!read[k])
+namespace {
+std::optional<plan::ReadProgram> readBack(const PlanResult& result, const base::RunContext& ctx) {
+  const CheckedProgram* checked = replayedTogether(result);
+  if (!checked)
+    return std::nullopt;
+  return program::readProgram(checked->program.format, checked->program.files, *result.tooling,
+                              ctx);
+}
+
+std::optional<replay::SharedRun> replayTogether(const TogetherResult& result,
+                                                const base::RunContext& ctx) {
+  std::vector<plan::ReadProgram> read;
+  for (const PlanResult& plan : result.plans) {
+    std::optional<plan::ReadProgram> program = readBack(plan, ctx.quiet());
+    if (!program)
       return std::nullopt;
-    machines.push_back({*read[k], *result.plans[k].cell, result.plans[k].tooling->first().process,
-                        result.shared_T_world[k]});
+    read.push_back(std::move(*program));
   }
-  return replay::runTogether(machines[0], machines[1], ctx);
+  std::vector<replay::RunningMachine> machines;
+  for (std::size_t k = 0; k < read.size(); ++k)
+    machines.push_back({read[k], *result.plans[k].cell, result.plans[k].tooling->first().process,
+                        result.shared_T_world[k]});
+  return replay::runTogether(machines, ctx);
 }
 } // namespace
 
 TogetherResult planTogether(TogetherRequest request, const base::RunContext& ctx) {
+  const std::size_t count = request.machines.size();
+  if (count < 2 || count > plan::kMostMachines)
+    throw Error(ErrorCode::Usage,
+                base::message("{count} jobs: two to {most} machines can work together"_text, count,
+                              plan::kMostMachines),
+                {}, {});
   TogetherResult result;
-  result.shared_T_world = {Eigen::Isometry3d::Identity(), request.first_T_second};
-  std::array<std::unique_ptr<OwnedMachine>, 2> machines;
-  for (std::size_t k = 0; k < 2; ++k) {
-    project::Job& job = request.jobs[k];
-    base::require(job.item().part && job.toolPlan && job.trajectory, "jobs with motions");
-    dropMarks(job);
-    result.plans[k] = resultOf(project::upTo(std::move(job), project::Stage::Motion));
-    machines[k] = std::make_unique<OwnedMachine>(result.plans[k], result.shared_T_world[k], ctx);
+  std::vector<std::unique_ptr<OwnedMachine>> owned;
+  std::vector<together::Machine> machines;
+  for (JoinedJob& joined : request.machines) {
+    requireJoinable(joined.job, joined.job.item().partName);
+    dropMarks(joined.job);
+    PlanResult& plan = result.plans.emplace_back(
+        resultOf(project::upTo(std::move(joined.job), project::Stage::Motion)));
+    result.shared_T_world.push_back(joined.shared_T_world);
+    owned.push_back(std::make_unique<OwnedMachine>(plan, joined.shared_T_world, ctx));
+    machines.push_back(owned.back()->machine);
   }
-  result.work = together::planTogether(machines[0]->machine, machines[1]->machine, request.options,
-                                       ctx.sub(0.05, 0.5));
-  if (!result.work.schedule) {
+  result.work = together::planTogether(machines, request.options, ctx.sub(0.05, 0.5));
+  if (!result.work.order) {
     result.obstruction = inWords(result, *result.work.obstruction);
     return result;
   }
-  mark(result.plans[0], together::marksOfA(*result.work.schedule, result.work.a));
-  mark(result.plans[1], together::marksOfB(*result.work.schedule, result.work.b));
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double from = 0.5 + 0.15 * static_cast<double>(k);
-    result.plans[k] = written(std::move(result.plans[k].job), ctx.sub(from, from + 0.15));
+  const double share = 0.3 / static_cast<double>(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    mark(result.plans[k], together::marksOf(*result.work.order, k, result.work.rests[k]));
+    const double from = 0.5 + share * static_cast<double>(k);
+    result.plans[k] = written(std::move(result.plans[k].job), ctx.sub(from, from + share));
   }
   result.replay = replayTogether(result, ctx.sub(0.8, 1.0));
   return result;
 }
 
+const CheckedProgram* replayedTogether(const PlanResult& plan) {
+  for (const auto& checked : plan.checked)
+    if (checked->passed && checked->armChecked)
+      return checked.get();
+  return nullptr;
+}
+
+std::optional<base::Message> refusal(const TogetherResult& result) {
+  if (result.obstruction)
+    return result.obstruction;
+  for (std::size_t k = 0; k < result.plans.size(); ++k)
+    if (!nothingBlocks(result.plans[k].job.report))
+      return base::message("a finding of machine {machine} blocks (see its report.json)"_text,
+                           k + 1);
+  if (!result.replay)
+    return "a program was refused, or does not state the arm"_text;
+  return refusal(*result.replay);
+}
+
 bool passed(const TogetherResult& result) {
-  return !result.obstruction && result.replay && !result.replay->clock.stuck &&
-         result.replay->collisions == 0 && nothingBlocks(result.plans[0].job.report) &&
-         nothingBlocks(result.plans[1].job.report);
+  return !refusal(result);
+}
+
+std::string togetherFolder(std::size_t machine) {
+  return "machine" + std::to_string(machine + 1);
 }
 
 void writeTogether(TogetherResult& result, const std::filesystem::path& folder,
                    const base::RunContext& ctx) {
-  constexpr std::array kFolders = {"first", "second"};
   if (!result.obstruction)
-    for (std::size_t k = 0; k < 2; ++k) {
-      std::filesystem::create_directories(folder / kFolders[k]);
-      writeOutputs(result.plans[k], folder / kFolders[k], ctx.quiet());
+    for (std::size_t k = 0; k < result.plans.size(); ++k) {
+      const std::filesystem::path own = folder / togetherFolder(k);
+      std::filesystem::create_directories(own);
+      writeOutputs(result.plans[k], own, ctx.quiet());
     }
   base::writeFile(folder / "together.json", togetherJson(result));
 }

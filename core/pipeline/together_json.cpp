@@ -1,7 +1,8 @@
-#include "base/units.h"
 #include "pipeline/together.h"
+#include "plan/marks.h"
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 namespace voluta::pipeline {
 
@@ -12,43 +13,26 @@ Json pointJson(const Eigen::Vector3d& p) {
   return Json{p.x(), p.y(), p.z()};
 }
 
-Json machineJson(const TogetherResult& result, std::size_t k) {
-  const project::Job& job = result.plans[k].job;
-  const Eigen::Isometry3d& place = result.shared_T_world[k];
-  const Eigen::Vector3d x = place.linear().col(0);
-  Json json{{"part", job.item().partName},
-            {"cell", result.plans[k].cell->id()},
-            {"placeMm", pointJson(place.translation())},
-            {"turnDeg", base::radiansToDegrees(std::atan2(x.y(), x.x()))},
-            {"segments", (k == 0 ? result.work.a : result.work.b).segments()}};
-  const std::vector<double>& seconds = k == 0 ? result.work.aS : result.work.bS;
-  double aloneS = 0.0;
-  for (const double s : seconds)
-    aloneS += s;
-  json["aloneS"] = aloneS;
-  if (result.replay) {
-    const replay::MachineClock& clock = result.replay->clock.machines[k];
-    json["marks"] = clock.marks;
-    json["waitS"] = clock.waitS;
-    json["endS"] = clock.totalS;
+// The outputs and inputs at which the machine has to be wired to the others (plan/marks.h), counted
+// from 1 in the order in which its program's head lists them.
+Json wiringJson(const plan::Trajectory& trajectory, std::size_t own) {
+  Json wiring = Json::array();
+  for (const int signal : plan::markSignalsOf(trajectory)) {
+    const std::size_t other = plan::markPeer(own, signal / 2);
+    wiring.push_back({{"signal", signal + 1},
+                      {"otherMachine", other + 1},
+                      {"otherSignal", 2 * plan::markChannel(other, own) + signal % 2 + 1}});
   }
-  return json;
+  return wiring;
 }
 
-Json scheduleJson(const together::Schedule& schedule) {
-  Json phases = Json::array();
-  for (const together::Phase& p : schedule.phases)
-    phases.push_back({{"first", {p.aFrom, p.aTo}}, {"second", {p.bFrom, p.bTo}}});
-  return {{"marks", schedule.marks()}, {"seconds", schedule.seconds}, {"phases", phases}};
-}
-
-Json replayJson(const replay::TwoMachines& run) {
+Json runJson(const replay::SharedRun& run) {
   Json meetings = Json::array();
   for (const replay::Meeting& m : run.meetings)
     meetings.push_back({{"atS", m.whenS},
                         {"whereMm", pointJson(m.where)},
-                        {"first", base::english(m.first)},
-                        {"second", base::english(m.second)}});
+                        {"machines", {m.machines[0] + 1, m.machines[1] + 1}},
+                        {"bodies", {base::english(m.bodies[0]), base::english(m.bodies[1])}}});
   return {{"makespanS", run.makespanS},
           {"stuck", run.clock.stuck.has_value()},
           {"collisions", run.collisions},
@@ -56,14 +40,45 @@ Json replayJson(const replay::TwoMachines& run) {
           {"leastDistanceMm", run.leastDistanceMm},
           {"leastAtS", run.leastAtS}};
 }
+
+Json machineJson(const TogetherResult& result, std::size_t k) {
+  const PlanResult& plan = result.plans[k];
+  const Eigen::Isometry3d& place = result.shared_T_world[k];
+  Json json{{"part", plan.job.item().partName}, {"cell", plan.cell->id()},
+            {"folder", togetherFolder(k)},      {"placeMm", pointJson(place.translation())},
+            {"turnDeg", machineTurnDeg(place)}, {"segments", result.work.rests[k].segments()}};
+  const std::vector<double>& seconds = result.work.seconds[k];
+  json["aloneS"] = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  if (const CheckedProgram* replayed = replayedTogether(plan))
+    json["program"] = replayed->program.files.front().name;
+  if (result.replay) {
+    const replay::MachineClock& clock = result.replay->clock.machines[k];
+    json["marks"] = clock.marks.size();
+    json["waitS"] = clock.waitS();
+    json["endS"] = clock.totalS;
+    json["wiring"] = wiringJson(*plan.job.trajectory, k);
+  }
+  return json;
+}
+
+Json orderJson(const together::Order& order) {
+  Json meetings = Json::array();
+  for (const together::Rendezvous& r : order.meetings)
+    meetings.push_back(
+        {{"machines", {r.first + 1, r.second + 1}}, {"segmentsDone", {r.firstRest, r.secondRest}}});
+  return {{"marks", order.meetings.size()}, {"seconds", order.seconds}, {"meetings", meetings}};
+}
 } // namespace
 
 std::string togetherJson(const TogetherResult& result) {
-  Json json{{"passed", passed(result)},
-            {"obstruction", result.obstruction ? Json(base::english(*result.obstruction)) : Json()},
-            {"machines", {machineJson(result, 0), machineJson(result, 1)}}};
-  json["schedule"] = result.work.schedule ? scheduleJson(*result.work.schedule) : Json();
-  json["replay"] = result.replay ? replayJson(*result.replay) : Json();
+  const auto why = refusal(result);
+  Json machines = Json::array();
+  for (std::size_t k = 0; k < result.plans.size(); ++k)
+    machines.push_back(machineJson(result, k));
+  Json json{{"passed", !why}, {"refusal", why ? Json(base::english(*why)) : Json()}};
+  json["machines"] = machines;
+  json["order"] = result.work.order ? orderJson(*result.work.order) : Json();
+  json["replay"] = result.replay ? runJson(*result.replay) : Json();
   return json.dump(2) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #include "program/job_head.h"
 
 #include "base/units.h"
+#include "plan/marks.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/motion_targets.h"
 #include "program/common/text.h"
@@ -126,14 +127,20 @@ std::vector<int> usedOutputs(const ProgramInput& input) {
   if (hasEvent(input, plan::EventKind::Lock))
     outputs.push_back(kChangerOutput);
   if (hasEvent(input, plan::EventKind::Mark))
-    outputs.insert(outputs.end(), {kMarkOutput, kMarkOutput + 1});
+    for (const int signal : plan::markSignalsOf(input.trajectory))
+      outputs.push_back(kMarkOutput + signal);
   return outputs;
+}
+
+std::string otherMachine(int channel) {
+  return channel == 0 ? std::string("the other machine")
+                      : joined({"the other machine on channel ", std::to_string(channel + 1)});
 }
 
 std::string outputName(const ProgramInput& input, int output) {
   if (output >= kMarkOutput)
-    return joined({"signal ", std::to_string(output - kMarkOutput + 1),
-                   " for the other machine, its input there"});
+    return joined({"signal ", std::to_string((output - kMarkOutput) % 2 + 1), " for ",
+                   otherMachine((output - kMarkOutput) / 2), ", its input there"});
   return output == kChangerOutput ? std::string("tool changer locked")
                                   : toolName(input.tooling, output);
 }

@@ -190,7 +190,7 @@ void ProgramBuilder::selectTool(int tool) {
 
 namespace {
 bool isMark(int signal) {
-  return signal == kMarkOutput || signal == kMarkOutput + 1;
+  return signal >= kMarkOutput && signal < kMarkOutput + plan::kMarkSignals;
 }
 } // namespace
 

@@ -75,7 +75,7 @@ public:
   void selectTool(int tool);
   int selectedTool() const { return selected_; }
   // Sets the output of a tool but the first, that of the tool changer (kChangerOutput), or one that
-  // announces marks (kMarkOutput and the next). The tool
+  // announces marks (kMarkOutput and following). The tool
   // whose output alone is on deposits from the next motion, pause or statement on; the first one if
   // all are off. Returns false if the job has no such tool: then the output is another one.
   bool toolOutput(int tool, bool on);

@@ -1,5 +1,7 @@
 #include "project/job_blocks.h"
 
+#include "plan/marks.h"
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -96,10 +98,10 @@ bool soundTrajectory(const plan::Trajectory& t, const plan::ToolPlan* toolPlan) 
                              [&](const plan::TrajectoryEvent& e) {
                                const bool mayEnd = e.kind == plan::EventKind::Mark;
                                return e.point > 0 && (e.point < n || (mayEnd && e.point == n)) &&
-                                      e.tool >= 0 && std::isfinite(e.feedMm) &&
-                                      e.kind <= plan::EventKind::Mark && std::isfinite(e.seconds) &&
-                                      e.seconds >= 0.0 && std::isfinite(e.volumeMm3) &&
-                                      e.volumeMm3 >= 0.0;
+                                      e.tool >= 0 && (!mayEnd || e.tool < plan::kMarkChannels) &&
+                                      std::isfinite(e.feedMm) && e.kind <= plan::EventKind::Mark &&
+                                      std::isfinite(e.seconds) && e.seconds >= 0.0 &&
+                                      std::isfinite(e.volumeMm3) && e.volumeMm3 >= 0.0;
                              }) &&
          std::all_of(t.waypoint.begin(), t.waypoint.end(), [&](std::size_t w) {
            return w == plan::kNoWaypoint || (toolPlan && w < toolPlan->waypointCount());

@@ -1,7 +1,10 @@
+#include "base/error.h"
 #include "plan/marks.h"
-#include "replay/two_machines.h"
+#include "replay/shared_run.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <utility>
 
 namespace voluta::replay {
@@ -66,15 +69,16 @@ struct Signal {
 
 class Machine {
 public:
-  Machine(std::vector<Action> actions, MachineClock& clock)
-      : actions_(std::move(actions)), clock_(clock) {}
+  Machine(std::size_t own, std::vector<Action> actions, MachineClock& clock)
+      : own_(own), actions_(std::move(actions)), clock_(clock) {}
 
   double now() const { return now_; }
   bool ended() const { return next_ == actions_.size(); }
   const Action& next() const { return actions_[next_]; }
 
-  // Does the next action. Returns false if it waits for a signal that the other has not given yet.
-  bool step(const Machine& other) {
+  // Does the next action. Returns false if it waits for a signal that is not given yet.
+  // Precondition: it has not ended.
+  bool step(const std::vector<Machine>& all) {
     const Action& action = actions_[next_];
     switch (action.kind) {
     case Action::Kind::Move:
@@ -86,18 +90,17 @@ public:
       now_ += action.seconds;
       break;
     case Action::Kind::Set:
-      signals_[static_cast<std::size_t>(plan::markSignal(action.place))].changes.emplace_back(
-          now_, plan::markIsOn(action.place));
+      signals_.at(static_cast<std::size_t>(plan::markSignal(action.place)))
+          .changes.emplace_back(now_, plan::markIsOn(action.place));
       break;
     case Action::Kind::Await: {
-      const Signal& signal =
-          other.signals_[static_cast<std::size_t>(plan::markSignal(action.place))];
-      const auto when = signal.when(plan::markIsOn(action.place), now_);
+      const std::size_t peer = plan::markPeer(own_, plan::markChannelOf(action.place));
+      const auto when =
+          peer < all.size() ? all[peer].shows(own_, action.place, now_) : std::optional<double>();
       if (!when)
         return false;
-      clock_.waitS += *when + kSignalS - now_;
+      clock_.marks.push_back({peer, now_, *when + kSignalS});
       now_ = *when + kSignalS;
-      ++clock_.marks;
       break;
     }
     }
@@ -107,33 +110,51 @@ public:
   }
 
 private:
+  // Returns when the machine shows another one the signal of a place of that one's channel.
+  std::optional<double> shows(std::size_t to, int place, double fromS) const {
+    const int signal = 2 * plan::markChannel(own_, to) + plan::markSignal(place) % 2;
+    return signals_.at(static_cast<std::size_t>(signal)).when(plan::markIsOn(place), fromS);
+  }
+
+  std::size_t own_;
   std::vector<Action> actions_;
   MachineClock& clock_;
   std::size_t next_ = 0;
   double now_ = 0.0;
-  std::array<Signal, 2> signals_;
+  std::array<Signal, plan::kMarkSignals> signals_;
 };
 
 } // namespace
 
-CommonClock commonClock(const std::array<const plan::ReadProgram*, 2>& programs,
-                        const std::array<std::vector<double>, 2>& motionS) {
+double MachineClock::waitS() const {
+  return std::accumulate(marks.begin(), marks.end(), 0.0, [](double sum, const PassedMark& mark) {
+    return sum + mark.toS - mark.fromS;
+  });
+}
+
+CommonClock commonClock(std::span<const plan::ReadProgram* const> programs,
+                        std::span<const std::vector<double>> motionS) {
+  base::require(programs.size() > 1 && programs.size() <= plan::kMostMachines &&
+                    motionS.size() == programs.size(),
+                "commonClock: machines with times");
   CommonClock clock;
-  std::array<Machine, 2> machines{Machine(actionsOf(*programs[0], motionS[0]), clock.machines[0]),
-                                  Machine(actionsOf(*programs[1], motionS[1]), clock.machines[1])};
+  clock.machines.resize(programs.size());
+  std::vector<Machine> machines;
+  for (std::size_t k = 0; k < programs.size(); ++k)
+    machines.emplace_back(k, actionsOf(*programs[k], motionS[k]), clock.machines[k]);
   for (;;) {
-    // The one that is behind goes on, so that the signals of the other are known by then.
-    std::size_t behind = machines[0].now() <= machines[1].now() ? 0 : 1;
-    if (machines[behind].ended())
-      behind = 1 - behind;
-    if (machines[behind].ended())
+    // The one that is behind goes on first, so that the signals of the others are known by then.
+    std::vector<std::size_t> running;
+    for (std::size_t k = 0; k < machines.size(); ++k)
+      if (!machines[k].ended())
+        running.push_back(k);
+    if (running.empty())
       return clock;
-    if (machines[behind].step(machines[1 - behind]))
+    std::ranges::stable_sort(running, {}, [&](std::size_t k) { return machines[k].now(); });
+    if (std::ranges::any_of(running, [&](std::size_t k) { return machines[k].step(machines); }))
       continue;
-    const std::size_t ahead = 1 - behind;
-    if (!machines[ahead].ended() && machines[ahead].step(machines[behind]))
-      continue;
-    clock.stuck = Stuck{behind, machines[behind].next().file, machines[behind].next().line};
+    const Action& waits = machines[running.front()].next();
+    clock.stuck = Stuck{running.front(), waits.file, waits.line};
     return clock;
   }
 }

@@ -126,10 +126,11 @@ private:
       int place;
     };
     std::vector<Wanted> wanted;
-    std::size_t number = 0;
+    std::array<std::size_t, plan::kMarkChannels> numbers{};
     for (std::size_t e = 0; e < trajectory_.events.size(); ++e)
       if (trajectory_.events[e].kind == EventKind::Mark) {
-        const int place = plan::markPlace(++number);
+        const int channel = trajectory_.events[e].tool;
+        const int place = plan::markPlace(channel, ++numbers.at(static_cast<std::size_t>(channel)));
         wanted.push_back({e, FactKind::MarkSet, place});
         wanted.push_back({e, FactKind::MarkAwaited, place});
         found_[e] = true;
@@ -165,9 +166,9 @@ private:
     if (!wanted.empty() && !withdrawsSignals())
       found_[wanted.front().event] = false;
   }
-  // Whether both signals are off before the first motion: an earlier run may have left one.
+  // Whether all signals are off before the first motion: an earlier run may have left one.
   bool withdrawsSignals() const {
-    return std::ranges::all_of(std::array{0, 1}, [&](int signal) {
+    return std::ranges::all_of(plan::markSignalsOf(trajectory_), [&](int signal) {
       return std::ranges::any_of(program_.facts, [&](const StatedFact& fact) {
         return fact.kind == FactKind::MarkSet && fact.before <= program_.firstMotion &&
                static_cast<int>(fact.number) == plan::markPlaceOf(signal, false);

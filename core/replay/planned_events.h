@@ -15,7 +15,7 @@ namespace voluta::replay {
 // motion that is not planned. Selecting a tool is no tool change if that tool is selected already.
 // Before the first motion only the last selection counts: a program begins with tool 0.
 // Marks (plan/marks.h) have to be announced and awaited in their order, each with its own signal;
-// before the first motion both signals have to be off.
+// before the first motion the signals of all channels used have to be off.
 // The pauses at a planned wait may differ from it in all by 2 % or 0.05 s, the volume of a purge or
 // a shot by 2 %.
 std::vector<TextFinding> compareEvents(const plan::ReadProgram& program,

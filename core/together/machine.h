@@ -1,5 +1,5 @@
-// One of two machines that work in one cell: each is planned alone, in its own cell, and placed in
-// a frame that both share.
+// One of the machines that work in one cell: each is planned alone, in its own cell, and placed in
+// a frame that all share.
 #pragma once
 
 #include "collision/cell_collision.h"

@@ -9,6 +9,23 @@
 
 namespace voluta::together {
 
+bool isFree(const Conflicts& c, const Phase& p) {
+  if (p.aFrom == p.aTo || p.bFrom == p.bTo) {
+    for (std::size_t n = p.bFrom; n < p.bTo; ++n)
+      if (c.aRests.at(p.aFrom, n))
+        return false;
+    for (std::size_t m = p.aFrom; m < p.aTo; ++m)
+      if (c.bRests.at(m, p.bFrom))
+        return false;
+    return true;
+  }
+  for (std::size_t m = p.aFrom; m < p.aTo; ++m)
+    for (std::size_t n = p.bFrom; n < p.bTo; ++n)
+      if (c.moving.at(m, n))
+        return false;
+  return true;
+}
+
 namespace {
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
@@ -93,23 +110,6 @@ private:
     return phases;
   }
 
-  bool isFree(const Phase& p) const {
-    if (p.aFrom == p.aTo || p.bFrom == p.bTo) {
-      for (std::size_t n = p.bFrom; n < p.bTo; ++n)
-        if (c_.aRests.at(p.aFrom, n))
-          return false;
-      for (std::size_t m = p.aFrom; m < p.aTo; ++m)
-        if (c_.bRests.at(m, p.bFrom))
-          return false;
-      return true;
-    }
-    for (std::size_t m = p.aFrom; m < p.aTo; ++m)
-      for (std::size_t n = p.bFrom; n < p.bTo; ++n)
-        if (c_.moving.at(m, n))
-          return false;
-    return true;
-  }
-
   // A window can end a phase early.
   Schedule joined(const std::vector<Phase>& phases) const {
     Schedule schedule;
@@ -117,7 +117,7 @@ private:
       if (!schedule.phases.empty()) {
         const Phase& last = schedule.phases.back();
         const Phase both{last.aFrom, p.aTo, last.bFrom, p.bTo};
-        if (isFree(both)) {
+        if (isFree(c_, both)) {
           schedule.phases.back() = both;
           continue;
         }

@@ -38,6 +38,9 @@ struct Conflicts {
 struct Phase {
   std::size_t aFrom = 0, aTo = 0, bFrom = 0, bTo = 0;
 };
+// Returns whether no segments of the phase conflict; of a machine that runs none, its rest counts.
+bool isFree(const Conflicts& conflicts, const Phase& phase);
+
 struct Schedule {
   std::vector<Phase> phases;
   double seconds = 0.0; // sum of the longer of both times of each phase

@@ -16,12 +16,23 @@ bool isLifted(const plan::Trajectory& t, std::size_t point) {
   return point > 1 && point + 2 < t.pointCount() && isTravel(t, point) && isTravel(t, point + 1);
 }
 
-std::vector<std::size_t> liftedEnds(const plan::Trajectory& t) {
-  std::vector<std::size_t> ends;
-  for (std::size_t i = 0; i < t.pointCount(); ++i)
-    if (isLifted(t, i) && !(isLifted(t, i - 1) && isLifted(t, i + 1)))
-      ends.push_back(i);
-  return ends;
+// Whether the point is amid a bead.
+bool isAmidBead(const plan::Trajectory& t, std::size_t point) {
+  return point + 1 < t.pointCount() && t.move[point] == plan::MoveKind::Print &&
+         t.move[point + 1] == plan::MoveKind::Print;
+}
+
+std::vector<std::size_t> candidates(const plan::Trajectory& t, double amidBeadsS) {
+  std::vector<std::size_t> points;
+  double last = 0.0;
+  for (std::size_t i = 0; i < t.pointCount(); ++i) {
+    const bool isEnd = isLifted(t, i) && !(isLifted(t, i - 1) && isLifted(t, i + 1));
+    if (!isEnd && !(isAmidBead(t, i) && t.timeS[i] - last >= amidBeadsS))
+      continue;
+    points.push_back(i);
+    last = t.timeS[i];
+  }
+  return points;
 }
 
 // Keeps the rests that are furthest apart in time.
@@ -41,11 +52,11 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& rests, const pl
 }
 } // namespace
 
-Rests restsOf(const plan::Trajectory& trajectory, std::size_t most) {
+Rests restsOf(const plan::Trajectory& trajectory, std::size_t most, double amidBeadsS) {
   base::require(trajectory.pointCount() > 1, "restsOf: a motion");
   Rests rests;
   rests.point = {0};
-  for (const std::size_t i : thinned(liftedEnds(trajectory), trajectory, most))
+  for (const std::size_t i : thinned(candidates(trajectory, amidBeadsS), trajectory, most))
     rests.point.push_back(i);
   rests.point.push_back(trajectory.pointCount() - 1);
   std::size_t filled = 0, next = 0;

@@ -4,6 +4,7 @@
 #include "plan/trajectory.h"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace voluta::together {
@@ -18,8 +19,10 @@ struct Rests {
 };
 
 // Returns the first and the last point of each travel between two beads that are neither at a bead
-// nor on the way down to one; of these at most `most`, the longest segments cut first.
-Rests restsOf(const plan::Trajectory& trajectory, std::size_t most);
+// nor on the way down to one; of these at most `most`, the longest segments cut first. amidBeadsS:
+// a point amid a bead too, where the last one is that long ago [s]; infinite: never.
+Rests restsOf(const plan::Trajectory& trajectory, std::size_t most,
+              double amidBeadsS = std::numeric_limits<double>::infinity());
 
 // Returns the duration of each segment, waits included [s].
 std::vector<double> secondsOf(const plan::Trajectory& trajectory, const Rests& rests);

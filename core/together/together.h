@@ -1,15 +1,18 @@
-// Plans the work of two machines in one cell: an order of their segments in which they do not meet,
-// whatever their speeds, with marks at which they wait for each other.
+// Plans the work of several machines in one cell: an order of their segments in which they do not
+// meet, whatever their speeds, with marks at which they wait for each other.
 #pragma once
 
 #include "together/conflicts.h"
 #include "together/machine.h"
-#include "together/schedule.h"
+#include "together/order.h"
 #include "together/segments.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace voluta::base {
@@ -20,35 +23,42 @@ namespace voluta::together {
 
 struct Options {
   Distances distances;
-  double markS = 1.0;             // cost of a mark
+  double markS = 1.0;             // cost of a rendezvous
   std::size_t mostSegments = 300; // of each machine
+  // A machine may wait amid a bead, with the extruder off, where its last rest is that long ago
+  // [s]; infinite: never.
+  double amidBeadsS = std::numeric_limits<double>::infinity();
 };
 
-// Why there is no schedule.
+// Why there is no order of work.
 struct Obstruction {
   enum class Kind {
-    Overlap, // the parts overlap, or one of them and a body at rest of the other machine
-    AtRest,  // `machine` meets a body at rest of the other, in `contact`
-    AtStart, // the two are too close at their first points
-    Moving   // neither machine gets further than its segment without meeting the other
+    Overlap, // the parts of both overlap, or one of them and a body at rest of the other machine
+    AtRest,  // the first machine meets a body at rest of the second, in `contact`
+    AtStart, // both are too close at their first points
+    Moving,  // neither of both gets further than its segment without meeting the other
+    All      // every two machines have an order, but none was found for all
   };
   Kind kind = Kind::Moving;
-  int machine = 0;                                 // 0 or 1
+  std::array<std::size_t, 2> machines{};           // not of All
   StaticContact contact;                           // AtRest
-  std::size_t aSegment = 0, bSegment = 0;          // Moving: the first ones that cannot be run
-  Eigen::Vector3d where = Eigen::Vector3d::Zero(); // shared frame [mm]
+  std::array<std::size_t, 2> segments{};           // Moving: the first ones that cannot be run
+  Eigen::Vector3d where = Eigen::Vector3d::Zero(); // shared frame [mm]; not of All
 };
 
 struct Plan {
-  Rests a, b;
-  std::vector<double> aS, bS; // durations of the segments
-  Conflicts conflicts;
-  std::optional<Schedule> schedule;
-  std::optional<Obstruction> obstruction; // without a schedule
+  std::vector<Rests> rests;                 // per machine
+  std::vector<std::vector<double>> seconds; // durations of the segments of each
+  std::optional<PairConflicts> conflicts;
+  std::optional<Order> order;
+  // Per rendezvous: a place at which both would meet without it; nullopt if that is printed
+  // material. Shared frame [mm].
+  std::vector<std::optional<Eigen::Vector3d>> conflictPlaces;
+  std::optional<Obstruction> obstruction; // without an order
 };
 
-// Throws Cancelled.
-Plan planTogether(const Machine& a, const Machine& b, const Options& options,
+// Precondition: at least two machines. Throws Cancelled.
+Plan planTogether(std::span<const Machine> machines, const Options& options,
                   const base::RunContext& ctx);
 
 } // namespace voluta::together

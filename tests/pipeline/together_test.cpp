@@ -1,13 +1,17 @@
-// Two UR5 that print side by side: without marks they collide, with marks they do not.
+// Arms that print side by side: without marks they collide, with marks they do not.
 #include "base/error.h"
+#include "base/files.h"
 #include "box_request.h"
 #include "helpers/temporary_folder.h"
 #include "pipeline/resume.h"
 #include "pipeline/together.h"
+#include "pipeline/together_check.h"
 #include "program/dialect.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 using namespace voluta;
 using namespace voluta::pipeline;
@@ -37,45 +41,54 @@ PlanResult towers(bool nearFirst) {
   return planPart(request, kCtx);
 }
 
-// Both programs without their marks.
-replay::TwoMachines unmarked(const TogetherResult& result) {
-  std::array<plan::ReadProgram, 2> read;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const CheckedProgram& checked = *result.plans[k].checked.front();
-    read[k] = program::readProgram(checked.program.format, checked.program.files,
-                                   *result.plans[k].tooling, kCtx);
-    std::erase_if(read[k].facts, [](const plan::StatedFact& fact) {
+// All programs without their marks.
+replay::SharedRun unmarked(const TogetherResult& result) {
+  std::vector<plan::ReadProgram> read;
+  for (const PlanResult& plan : result.plans) {
+    const CheckedProgram& checked = *plan.checked.front();
+    read.push_back(
+        program::readProgram(checked.program.format, checked.program.files, *plan.tooling, kCtx));
+    std::erase_if(read.back().facts, [](const plan::StatedFact& fact) {
       return fact.kind == plan::FactKind::MarkSet || fact.kind == plan::FactKind::MarkAwaited;
     });
   }
-  const auto machine = [&](std::size_t k) {
-    return replay::RunningMachine{read[k], *result.plans[k].cell,
-                                  result.plans[k].tooling->first().process,
-                                  result.shared_T_world[k]};
-  };
-  return replay::runTogether(machine(0), machine(1), kCtx);
+  std::vector<replay::RunningMachine> machines;
+  for (std::size_t k = 0; k < read.size(); ++k)
+    machines.push_back({read[k], *result.plans[k].cell, result.plans[k].tooling->first().process,
+                        result.shared_T_world[k]});
+  return replay::runTogether(machines, kCtx);
 }
 
 TogetherResult together(const PlanResult& first, const PlanResult& second, const char* place) {
   TogetherRequest request;
-  request.jobs = {first.job, second.job};
-  request.first_T_second = parsedMachinePlace(place);
+  request.machines = {{first.job}, {second.job, parsedMachinePlace(place)}};
   return planTogether(std::move(request), kCtx);
 }
 
+// A pair that has to wait for each other, planned once.
+const TogetherResult& pair() {
+  static const TogetherResult kPair = [] {
+    const PlanResult one = towers(true);
+    return together(one, one, kOpposite);
+  }();
+  return kPair;
+}
+
+std::size_t marksOf(const PlanResult& plan) {
+  return static_cast<std::size_t>(std::ranges::count(
+      plan.job.trajectory->events, plan::EventKind::Mark, &plan::TrajectoryEvent::kind));
+}
+
 TEST(Together, MarksKeepTwoArmsApart) {
-  const PlanResult towers = ::towers(true);
-  ASSERT_TRUE(nothingBlocks(towers.job.report));
-  const TogetherResult result = together(towers, towers, kOpposite);
-  ASSERT_TRUE(result.work.schedule)
-      << (result.obstruction ? base::english(*result.obstruction) : "");
-  EXPECT_GT(result.work.schedule->marks(), 0u);
+  const TogetherResult& result = pair();
+  ASSERT_TRUE(result.work.order) << (result.obstruction ? base::english(*result.obstruction) : "");
+  EXPECT_GT(result.work.order->meetings.size(), 0u);
   ASSERT_TRUE(result.replay);
   EXPECT_TRUE(passed(result));
   EXPECT_EQ(result.replay->collisions, 0u);
   EXPECT_GE(result.replay->leastDistanceMm, 10.0);
   for (const replay::MachineClock& clock : result.replay->clock.machines)
-    EXPECT_EQ(clock.marks, result.work.schedule->marks());
+    EXPECT_EQ(clock.marks.size(), result.work.order->meetings.size());
   EXPECT_GT(unmarked(result).collisions, 0u);
 }
 
@@ -84,8 +97,8 @@ TEST(Together, FarApartBothWorkAllTheTime) {
   const TogetherResult result = together(towers, towers, "3000,0,0,180");
   ASSERT_TRUE(result.replay);
   EXPECT_TRUE(passed(result));
-  EXPECT_EQ(result.work.schedule->marks(), 0u);
-  EXPECT_DOUBLE_EQ(result.replay->clock.machines[0].waitS, 0.0);
+  EXPECT_TRUE(result.work.order->meetings.empty());
+  EXPECT_DOUBLE_EQ(result.replay->clock.machines[0].waitS(), 0.0);
   // Without marks the programs are those of the jobs alone, byte for byte.
   for (std::size_t k = 0; k < 2; ++k)
     EXPECT_EQ(result.plans[k].checked.front()->program.files.front().text,
@@ -101,16 +114,10 @@ TEST(Together, MachinesInOnePlaceHaveAReason) {
 }
 
 TEST(Together, AMarkedJobIsReadAgain) {
-  const PlanResult towers = ::towers(true);
-  TogetherResult result = together(towers, towers, kOpposite);
-  ASSERT_TRUE(result.work.schedule);
+  TogetherResult result = pair();
   const test::TemporaryFolder folder;
   writeTogether(result, folder.path(), kCtx);
-  const std::filesystem::path job = folder.path() / "first" / "job.voluta";
-  const VerifyResult again = verifyProgram(
-      folder.path() / "first" / result.plans[0].checked.front()->program.files.front().name, job,
-      kCtx);
-  EXPECT_TRUE(again.replay.passed);
+  const std::filesystem::path job = folder.path() / togetherFolder(0) / "job.voluta";
   // Its rest would count other marks than the second machine.
   ResumeRequest rest;
   rest.job = job;
@@ -119,9 +126,146 @@ TEST(Together, AMarkedJobIsReadAgain) {
   // Joined again, the old marks are dropped.
   const TogetherResult same =
       together(resultOf(jobToJoin(job)),
-               resultOf(jobToJoin(folder.path() / "second" / "job.voluta")), kOpposite);
-  ASSERT_TRUE(same.work.schedule);
-  EXPECT_EQ(same.work.schedule->marks(), result.work.schedule->marks());
+               resultOf(jobToJoin(folder.path() / togetherFolder(1) / "job.voluta")), kOpposite);
+  ASSERT_TRUE(same.work.order);
+  EXPECT_EQ(same.work.order->meetings.size(), result.work.order->meetings.size());
+}
+
+// A mark of a program on disk as lines of its text.
+class WrittenPair : public ::testing::Test {
+protected:
+  void SetUp() override {
+    TogetherResult result = pair();
+    writeTogether(result, folder_.path(), kCtx);
+    file_ = folder_.path() / togetherFolder(0) /
+            replayedTogether(result.plans[0])->program.files.front().name;
+    std::istringstream text(base::readFile(file_));
+    for (std::string line; std::getline(text, line);)
+      lines_.push_back(line);
+  }
+  // Returns the lines of the n-th mark, counted from 0: remark, signal, three lines that wait.
+  std::size_t markAt(std::size_t n) const {
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (lines_[i].find("# mark ") != std::string::npos && n-- == 0)
+        return i;
+    ADD_FAILURE() << "no such mark";
+    return 0;
+  }
+  TogetherCheck verified() const {
+    std::string text;
+    for (const std::string& line : lines_)
+      text += line + "\n";
+    base::writeFile(file_, text);
+    return verifyTogether(folder_.path(), kCtx);
+  }
+  static bool isAtLine(const TogetherCheck& check, std::size_t first, std::size_t last) {
+    return std::ranges::any_of(check.machines[0].alone.findings, [&](const plan::Finding& f) {
+      return f.blocking && f.program.line >= first && f.program.line <= last;
+    });
+  }
+  static constexpr std::size_t kLines = 5; // of a mark
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path file_;
+  std::vector<std::string> lines_;
+};
+
+TEST_F(WrittenPair, PassesFromDisk) {
+  const TogetherCheck check = verified();
+  EXPECT_FALSE(refusal(check)) << base::english(*refusal(check));
+  EXPECT_EQ(check.replay.collisions, 0u);
+  EXPECT_EQ(check.replay.clock.machines[0].marks.size(), pair().work.order->meetings.size());
+  EXPECT_NEAR(check.replay.makespanS, pair().replay->makespanS, 0.1);
+}
+
+TEST_F(WrittenPair, ARemovedMarkIsRefusedAtItsLine) {
+  const std::size_t at = markAt(1);
+  lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(at),
+               lines_.begin() + static_cast<std::ptrdiff_t>(at + kLines));
+  const TogetherCheck check = verified();
+  ASSERT_TRUE(refusal(check));
+  EXPECT_NE(base::english(*refusal(check)).find("machine 1"), std::string::npos);
+  EXPECT_TRUE(isAtLine(check, at, at + kLines + 1));
+  EXPECT_TRUE(check.replay.clock.stuck || check.replay.collisions > 0);
+}
+
+TEST_F(WrittenPair, SwappedMarksAreRefusedAtTheirLine) {
+  const std::size_t one = markAt(0), other = markAt(1);
+  for (std::size_t k = 1; k < kLines; ++k)
+    std::swap(lines_[one + k], lines_[other + k]);
+  const TogetherCheck check = verified();
+  ASSERT_TRUE(refusal(check));
+  EXPECT_TRUE(isAtLine(check, one + 1, one + kLines) || isAtLine(check, other + 1, other + kLines));
+}
+
+TEST(Together, AFolderWithoutProgramsIsRefused) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(verifyTogether(folder.path(), kCtx), base::Error);
+  for (const char* const text : {"", "{}", R"({"machines": 3})", R"({"machines": [{}, {}]})"}) {
+    base::writeFile(folder.path() / "together.json", text);
+    EXPECT_THROW(verifyTogether(folder.path(), kCtx), base::Error) << text;
+  }
+}
+
+// ---- four SCARAs around one plate
+
+// A T3-401S whose arm is folded aside at home and whose plate is 320 mm ahead of it.
+std::filesystem::path foldedScara(const std::filesystem::path& folder) {
+  auto json = nlohmann::json::parse(base::readFile(base::resourceFolder() / "cells" / "t3.json"));
+  json["id"] = "t3-folded";
+  json["homeDeg"] = {-21, 138, 0, 0};
+  json["platform"]["pose"]["xyzMm"] = {0, 320, -275};
+  const std::filesystem::path file = folder / "t3-folded.json";
+  base::writeFile(file, json.dump(2));
+  return file;
+}
+
+// A quarter of one print: a box in the quarter of the plate that is next to the arm.
+PlanResult quarter(const std::filesystem::path& cell) {
+  PlanRequest request;
+  project::Choices& choices = request.choices;
+  choices.cell = cell.string();
+  choices.formats = {"spel"};
+  choices.item().mode = "flat";
+  choices.item().automatic = false;
+  choices.item().platformStays = true;
+  choices.item().placement.centreMm = {-34.0, 0.0}; // towards the arm
+  request.item().loaded = test::loadedBox({-9, -9, 0}, {9, 9, 2.4});
+  return planPart(request, kCtx);
+}
+
+TEST(Together, FourScarasPrintFourQuartersOfOnePlate) {
+  const test::TemporaryFolder folder;
+  const PlanResult job = quarter(foldedScara(folder.path()));
+  ASSERT_TRUE(nothingBlocks(job.job.report));
+  TogetherRequest request;
+  const Eigen::Vector3d centre(0.0, 320.0, 0.0);
+  for (int k = 0; k < 4; ++k) {
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+    place.translate(centre);
+    place.rotate(Eigen::AngleAxisd(k * M_PI / 2.0, Eigen::Vector3d::UnitZ()));
+    place.translate(-centre);
+    request.machines.push_back({job.job, place});
+  }
+  const TogetherResult result = planTogether(std::move(request), kCtx);
+  ASSERT_TRUE(result.work.order) << (result.obstruction ? base::english(*result.obstruction) : "");
+  ASSERT_TRUE(result.replay);
+  EXPECT_FALSE(refusal(result)) << base::english(*refusal(result));
+  EXPECT_EQ(result.replay->collisions, 0u);
+  EXPECT_GT(unmarked(result).collisions, 0u);
+  EXPECT_GE(result.replay->leastDistanceMm, 10.0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_GT(marksOf(result.plans[k]), 0u);
+    EXPECT_EQ(result.replay->clock.machines[k].marks.size(), marksOf(result.plans[k]));
+  }
+}
+
+TEST(Together, FiveMachinesAreTooMany) {
+  const PlanResult job = towers(true);
+  TogetherRequest request;
+  for (int k = 0; k < 5; ++k)
+    request.machines.push_back({job.job});
+  EXPECT_THROW(planTogether(std::move(request), kCtx), base::Error);
 }
 
 TEST(Together, PlacesThatAreNoneAreRefused) {

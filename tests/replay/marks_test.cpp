@@ -2,10 +2,11 @@
 #include "plan/finding_kinds.h"
 #include "plan/marks.h"
 #include "replay/event_programs.h"
+#include "replay/shared_run.h"
 #include "replay/told.h"
-#include "replay/two_machines.h"
 
 #include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -53,7 +54,7 @@ TEST_F(MarkedPrograms, AreReadBackAndPassInEveryDialect) {
         marks.emplace_back(fact.kind, static_cast<int>(fact.number));
     for (std::size_t number = 1; number <= kMarks; ++number)
       for (const auto kind : {plan::FactKind::MarkSet, plan::FactKind::MarkAwaited})
-        wanted.emplace_back(kind, plan::markPlace(number));
+        wanted.emplace_back(kind, plan::markPlace(0, number));
     EXPECT_EQ(marks, wanted);
     const Verification v = verify(read);
     EXPECT_TRUE(v.passed) << told(v);
@@ -129,6 +130,31 @@ TEST_F(MarkedPrograms, ADeletedLineIsRefused) {
   }
 }
 
+// Each mark is for another machine, in turn.
+TEST_F(MarkedPrograms, ThreeChannelsPassInEveryDialect) {
+  int channel = 0;
+  for (plan::TrajectoryEvent& event : scene_.trajectory.events)
+    event.tool = channel++ % plan::kMarkChannels;
+  for (const std::string_view format : formats()) {
+    SCOPED_TRACE(format);
+    const test::ProgramText text = test::textOf(programFor(format));
+    const plan::ReadProgram read = this->read(text);
+    EXPECT_TRUE(read.defects.empty())
+        << (read.defects.empty() ? "" : base::english(read.defects[0].reason));
+    const Verification v = verify(read);
+    EXPECT_TRUE(v.passed) << told(v);
+    // Two marks of different channels, with each other's signals.
+    std::vector<std::size_t> sets;
+    for (std::size_t f = 0; f < read.facts.size(); ++f)
+      if (read.facts[f].kind == plan::FactKind::MarkSet && read.facts[f].before > read.firstMotion)
+        sets.push_back(f);
+    ASSERT_EQ(sets.size(), kMarks);
+    plan::ReadProgram swapped = read;
+    std::swap(swapped.facts[sets[0]].number, swapped.facts[sets[1]].number);
+    EXPECT_FALSE(verify(swapped).passed);
+  }
+}
+
 // ---- the common clock
 
 struct Timed {
@@ -136,32 +162,40 @@ struct Timed {
   std::vector<double> seconds;
 };
 
-// Motions with marks before some of them; `at`: ascending, up to the number of motions.
-Timed run(std::vector<double> seconds, const std::vector<std::size_t>& at) {
+struct TimedMark {
+  std::size_t before = 0; // a motion
+  int channel = 0;
+};
+
+// Motions with marks before some of them, up to the number of motions.
+Timed run(std::vector<double> seconds, const std::vector<TimedMark>& marks) {
   Timed r{{}, std::move(seconds)};
   r.program.motions.resize(r.seconds.size());
-  for (std::size_t k = 0; k < at.size(); ++k)
+  std::array<std::size_t, plan::kMarkChannels> numbers{};
+  for (const TimedMark& mark : marks) {
+    const std::size_t number = ++numbers.at(static_cast<std::size_t>(mark.channel));
     for (const auto kind : {plan::FactKind::MarkSet, plan::FactKind::MarkAwaited}) {
       plan::StatedFact& fact = r.program.facts.emplace_back();
       fact.kind = kind;
-      fact.before = at[k];
-      fact.number = static_cast<double>(plan::markPlace(k + 1));
+      fact.before = mark.before;
+      fact.number = static_cast<double>(plan::markPlace(mark.channel, number));
     }
+  }
   return r;
 }
 
 CommonClock clockOf(const Timed& a, const Timed& b) {
-  return commonClock({&a.program, &b.program}, {a.seconds, b.seconds});
+  return commonClock(std::array{&a.program, &b.program}, std::array{a.seconds, b.seconds});
 }
 
 TEST(CommonClocks, WaitForTheLaterOne) {
-  const Timed a = run({2.0, 3.0, 1.0}, {1, 2}), b = run({5.0, 1.0, 4.0}, {1, 2});
+  const Timed a = run({2.0, 3.0, 1.0}, {{1}, {2}}), b = run({5.0, 1.0, 4.0}, {{1}, {2}});
   const CommonClock clock = clockOf(a, b);
   EXPECT_FALSE(clock.stuck);
   EXPECT_NEAR(clock.machines[0].beginS[1], 5.0, 2 * kSignalS);
   EXPECT_NEAR(clock.machines[1].beginS[2], 8.0, 4 * kSignalS);
-  EXPECT_NEAR(clock.machines[0].waitS, 3.0, 4 * kSignalS);
-  EXPECT_EQ(clock.machines[0].marks, 2u);
+  EXPECT_NEAR(clock.machines[0].waitS(), 3.0, 4 * kSignalS);
+  EXPECT_EQ(clock.machines[0].marks.size(), 2u);
 }
 
 // Any number of marks at one place: no signal gets lost, and neither machine is a mark ahead.
@@ -178,7 +212,7 @@ TEST(CommonClocks, KeepBothTogetherAtEveryMark) {
       for (std::size_t& m : at)
         m = random() % (seconds.size() + 1);
       std::ranges::sort(at);
-      return std::pair(run(seconds, at), at);
+      return std::pair(run(seconds, std::vector<TimedMark>(at.begin(), at.end())), at);
     };
     const auto [a, aAt] = one();
     const auto [b, bAt] = one();
@@ -201,8 +235,33 @@ TEST(CommonClocks, KeepBothTogetherAtEveryMark) {
   }
 }
 
+// The second machine meets the first and then the third; those two never meet.
+TEST(CommonClocks, OfThreeWaitForTheirOwnPartnersOnly) {
+  const Timed a = run({2.0, 3.0}, {{1, 0}}), b = run({5.0, 1.0, 4.0}, {{1, 0}, {2, 1}}),
+              c = run({1.0, 1.0}, {{1, 1}});
+  const CommonClock clock = commonClock(std::array{&a.program, &b.program, &c.program},
+                                        std::array{a.seconds, b.seconds, c.seconds});
+  ASSERT_FALSE(clock.stuck);
+  EXPECT_NEAR(clock.machines[0].beginS[1], 5.0, 2 * kSignalS);
+  EXPECT_NEAR(clock.machines[2].beginS[1], 6.0, 3 * kSignalS);
+  ASSERT_EQ(clock.machines[1].marks.size(), 2u);
+  EXPECT_EQ(clock.machines[1].marks[0].other, 0u);
+  EXPECT_EQ(clock.machines[1].marks[1].other, 2u);
+  EXPECT_NEAR(clock.machines[0].waitS(), 3.0, 2 * kSignalS);
+}
+
+// A ring of three, each of which waits first for the next one.
+TEST(CommonClocks, ARingThatWaitsForEachOtherIsStuck) {
+  const Timed a = run({1.0, 1.0}, {{1, 0}, {1, 1}}), // second, third
+      b = run({1.0, 1.0}, {{1, 1}, {1, 0}}),         // third, first
+      c = run({1.0, 1.0}, {{1, 0}, {1, 1}});         // first, second
+  const CommonClock clock = commonClock(std::array{&a.program, &b.program, &c.program},
+                                        std::array{a.seconds, b.seconds, c.seconds});
+  EXPECT_TRUE(clock.stuck);
+}
+
 TEST(CommonClocks, AMissingMarkLeavesTheOtherWaiting) {
-  const Timed a = run({2.0, 3.0}, {1}), b = run({1.0, 1.0}, {});
+  const Timed a = run({2.0, 3.0}, {{1}}), b = run({1.0, 1.0}, {});
   const CommonClock clock = clockOf(a, b);
   ASSERT_TRUE(clock.stuck);
   EXPECT_EQ(clock.stuck->machine, 0u);

@@ -5,6 +5,7 @@
 #include "together/together.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -130,15 +131,15 @@ TEST(Machines, SegmentsConflictWhereTheyComeClose) {
 
 TEST(Machines, FarApartTheyNeedNoMarks) {
   const Arm a(1, Isometry3d::Identity()), b(2, opposite(4000.0));
-  const Plan plan = planTogether(a.machine, b.machine, {}, {});
-  ASSERT_TRUE(plan.schedule);
-  EXPECT_EQ(plan.schedule->marks(), 0u);
+  const Plan plan = planTogether(std::array{a.machine, b.machine}, {}, {});
+  ASSERT_TRUE(plan.order);
+  EXPECT_TRUE(plan.order->meetings.empty());
 }
 
 TEST(Machines, OnTopOfEachOtherThereIsAnObstruction) {
   const Arm a(1, Isometry3d::Identity()), b(1, Isometry3d::Identity());
-  const Plan plan = planTogether(a.machine, b.machine, {}, {});
-  EXPECT_FALSE(plan.schedule);
+  const Plan plan = planTogether(std::array{a.machine, b.machine}, {}, {});
+  EXPECT_FALSE(plan.order);
   ASSERT_TRUE(plan.obstruction);
 }
 

@@ -51,7 +51,7 @@ Case randomCase(unsigned seed, double share) {
   return c;
 }
 
-bool isFree(const Conflicts& c, const Phase& p) {
+bool haveNoConflict(const Conflicts& c, const Phase& p) {
   if (p.aFrom == p.aTo)
     for (std::size_t j = p.bFrom; j < p.bTo; ++j)
       if (c.aRests.at(p.aFrom, j))
@@ -87,7 +87,7 @@ public:
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t m = i; m <= c_.conflicts.a; ++m)
       for (std::size_t n = j; n <= c_.conflicts.b; ++n)
-        if ((m > i || n > j) && isFree(c_.conflicts, {i, m, j, n}))
+        if ((m > i || n > j) && haveNoConflict(c_.conflicts, {i, m, j, n}))
           least = std::min(least,
                            std::max(sum(c_.aS, i, m), sum(c_.bS, j, n)) + markS_ + leastFrom(m, n));
     return known_[{i, j}] = least;
@@ -116,7 +116,7 @@ TEST(Schedule, IsTheBestOfAll) {
     for (const Phase& p : schedule->phases) {
       EXPECT_EQ(p.aFrom, i);
       EXPECT_EQ(p.bFrom, j);
-      EXPECT_TRUE(isFree(c.conflicts, p));
+      EXPECT_TRUE(haveNoConflict(c.conflicts, p));
       seconds += std::max(sum(c.aS, p.aFrom, p.aTo), sum(c.bS, p.bFrom, p.bTo));
       i = p.aTo;
       j = p.bTo;

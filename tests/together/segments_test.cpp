@@ -1,6 +1,7 @@
 // Where a motion is cut.
 #include "together/segments.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -83,6 +84,30 @@ TEST(Segments, AreNoMoreThanWanted) {
   const plan::Trajectory t = beads(5, 200);
   EXPECT_LE(restsOf(t, 20).segments(), 21u);
   EXPECT_GE(restsOf(t, 20).segments(), 8u);
+}
+
+TEST(Segments, ALongBeadCanBeInterrupted) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(seed);
+    const plan::Trajectory t = beads(seed, 1 + seed % 5);
+    constexpr double kApartS = 3.0;
+    const Rests rests = restsOf(t, 1000, kApartS), lifted = restsOf(t, 1000);
+    EXPECT_TRUE(std::ranges::includes(rests.point, lifted.point));
+    for (std::size_t i = 1; i + 1 < rests.point.size(); ++i) {
+      const std::size_t p = rests.point[i];
+      if (t.move[p] != plan::MoveKind::Print)
+        continue;
+      EXPECT_EQ(t.move[p + 1], plan::MoveKind::Print);
+      EXPECT_GE(t.timeS[p] - t.timeS[rests.point[i - 1]], kApartS);
+      EXPECT_EQ(rests.filledFrom[i], t.waypoint[p] + 1);
+    }
+    // Within beads there is no longer segment than that and the motion to one point.
+    for (std::size_t i = 0; i < rests.segments(); ++i)
+      for (std::size_t p = rests.point[i] + 1; p < rests.point[i + 1]; ++p)
+        if (t.move[p] == plan::MoveKind::Print && t.move[p + 1] == plan::MoveKind::Print) {
+          EXPECT_LT(t.timeS[p] - t.timeS[rests.point[i]], kApartS);
+        }
+  }
 }
 
 } // namespace

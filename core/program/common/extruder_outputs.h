@@ -20,8 +20,8 @@ std::pair<double, double> pushedOut(double mm3, double drawnMm3);
 // The output that locks the tool of a tool changer. Output k selects tool k, counted from 0; the
 // first tool has none.
 inline constexpr int kChangerOutput = 4;
-// The first of the two outputs that announce marks, and of the two inputs that await them
-// (plan/marks.h).
+// The first of the outputs that announce marks, and of the inputs that await them
+// (plan/marks.h): plan::kMarkSignals each.
 inline constexpr int kMarkOutput = 5;
 
 // Share of the full flow as written to programs, in [0, 1]: four significant digits.

@@ -11,6 +11,7 @@
 #include "program/job_head.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -135,7 +136,7 @@ private:
         emitter_.wait(event.seconds);
         break;
       case plan::EventKind::Mark:
-        mark();
+        mark(event.tool);
         break;
       case plan::EventKind::StartLag:
         startLag(i, event.seconds);
@@ -154,18 +155,18 @@ private:
 
   // An earlier run may have left the signals of a mark.
   void withdrawMarks() {
-    const auto& events = in_.trajectory.events;
-    if (std::ranges::find(events, plan::EventKind::Mark, &plan::TrajectoryEvent::kind) ==
-        events.end())
-      return;
-    emitter_.setOutput(kMarkOutput, false);
-    emitter_.setOutput(kMarkOutput + 1, false);
+    for (const int signal : plan::markSignalsOf(in_.trajectory))
+      emitter_.setOutput(kMarkOutput + signal, false);
   }
 
-  void mark() {
-    const int place = plan::markPlace(++marks_);
+  void mark(int channel) {
+    std::size_t& number = marks_.at(static_cast<std::size_t>(channel));
+    const int place = plan::markPlace(channel, ++number);
     const int signal = kMarkOutput + plan::markSignal(place);
-    emitter_.remark("mark " + std::to_string(marks_));
+    std::string name = "mark " + std::to_string(number);
+    if (channel > 0)
+      name += " of channel " + std::to_string(channel + 1);
+    emitter_.remark(name);
     emitter_.setOutput(signal, plan::markIsOn(place));
     emitter_.awaitInput(signal, plan::markIsOn(place));
   }
@@ -308,9 +309,9 @@ private:
   const Extruder& extruder_;
   double flow_ = 0.0; // wanted flow
   bool drawn_ = false;
-  int tool_ = 0;          // selected
-  std::size_t marks_ = 0; // reached
-  std::size_t path_ = 0;  // printed last
+  int tool_ = 0;                                         // selected
+  std::array<std::size_t, plan::kMarkChannels> marks_{}; // reached, by channel
+  std::size_t path_ = 0;                                 // printed last
   double fan_ = 0.0;
   std::size_t lastPrint_ = 0;      // point
   std::string said_;               // last text sent

@@ -42,14 +42,16 @@ namespace voluta::program {
 
 inline constexpr int kMelfaExtruder = 10, kMelfaFlow = 16;
 // Returns the number of an output or input of ProgramEmitter; those of marks come before the
-// extruder's, as the flow begins where they would be.
+// extruder's, as the flow begins where they would be: a channel (plan/marks.h) before the other.
 constexpr int melfaSignal(int signal) {
-  return signal < kMarkOutput ? kMelfaExtruder + signal : kMelfaExtruder - 2 + signal - kMarkOutput;
+  const int mark = signal - kMarkOutput;
+  return mark < 0 ? kMelfaExtruder + signal : kMelfaExtruder - 2 - mark / 2 * 2 + mark % 2;
 }
 // The inverse of melfaSignal().
 constexpr int melfaOutputOf(double number) {
   const int output = static_cast<int>(number) - kMelfaExtruder;
-  return output >= 0 ? output : output + 2 + kMarkOutput;
+  const int channel = (-output - 1) / 2; // of a mark
+  return output >= 0 ? output : kMarkOutput + 2 * channel + output + 2 * (channel + 1);
 }
 inline constexpr double kMelfaFullFlow = 10000.0;
 // Assumed speed of 100 % joint motion: programs do not state their arm's speeds.

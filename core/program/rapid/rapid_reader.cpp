@@ -1,4 +1,5 @@
 #include "base/units.h"
+#include "plan/marks.h"
 #include "program/common/extruder_outputs.h"
 #include "program/common/text.h"
 #include "program/program_builder.h"
@@ -296,7 +297,7 @@ private:
       return false;
     if (!name.starts_with(kMarkSignal) ||
         !parseNumber(std::string_view(name).substr(kMarkSignal.size()), number) ||
-        !(number >= 1.0 && number <= 2.0))
+        !(number >= 1.0 && number <= plan::kMarkSignals))
       return out_.wordAt("WaitDI", kAside), skipStatement();
     return takeMark(',') && takeNumberToken(value) && takeEnd() &&
            out_.awaitInput(kMarkOutput - 1 + static_cast<int>(number), value == 1.0);
@@ -339,10 +340,12 @@ private:
       return take(value);
     if (name == "dotoollocked" && out_.toolOutput(kChangerOutput, value == 1.0))
       return true;
-    if (name == "domark1" || name == "domark2")
-      return out_.toolOutput(name.back() == '1' ? kMarkOutput : kMarkOutput + 1, value == 1.0);
-    constexpr std::string_view kToolSignal = "dotool";
-    double tool = 0.0;
+    constexpr std::string_view kMarkSignal = "domark", kToolSignal = "dotool";
+    double mark = 0.0, tool = 0.0;
+    if (name.starts_with(kMarkSignal) &&
+        parseNumber(std::string_view(name).substr(kMarkSignal.size()), mark) && mark >= 1.0 &&
+        mark <= plan::kMarkSignals)
+      return out_.toolOutput(kMarkOutput - 1 + static_cast<int>(mark), value == 1.0);
     if (name.starts_with(kToolSignal) &&
         parseNumber(std::string_view(name).substr(kToolSignal.size()), tool) && tool <= 255.0 &&
         out_.toolOutput(static_cast<int>(tool) - 1, value == 1.0))

@@ -6,6 +6,7 @@
 #include "program/full_flow.h"
 #include "program/program_builder.h"
 #include "program/urscript/urscript.h"
+#include "program/urscript/urscript_outputs.h"
 #include "program/urscript/urscript_values.h"
 
 #include <algorithm>
@@ -245,19 +246,24 @@ private:
     running_.pop_back();
   }
 
-  // while (get_standard_digital_in(n)!=value): sync() end, in three lines: moves i behind them.
+  // while (get_standard_digital_in(n)!=value): sync() end, in three lines: moves i behind them. The
+  // same with a configurable input.
   bool awaitInput(std::size_t& i, std::size_t end) {
     UrscriptScanner scanner{lines()[i].code, variables_};
     if (i + 2 >= end || scanner.name() != "while" || lines()[i + 1].code != "sync()" ||
-        lines()[i + 2].code != "end")
+        lines()[i + 2].code != "end" || !scanner.take('('))
       return false;
+    const std::string_view function = scanner.name();
+    const bool isConfigurable = function == "get_configurable_digital_in";
+    const int first = isConfigurable ? kConfigurableFrom : 0;
+    const double last = isConfigurable ? 31.0 : kConfigurableFrom - 1.0;
     Value input, value;
-    if (!scanner.take('(') || scanner.name() != "get_standard_digital_in" || !scanner.take('(') ||
+    if ((!isConfigurable && function != "get_standard_digital_in") || !scanner.take('(') ||
         !scanner.value(input) || input.kind != ValueKind::Number || !scanner.take(')') ||
         !scanner.take('!') || !scanner.take('=') || !scanner.value(value) ||
         value.kind != ValueKind::Boolean || !scanner.take(')') || !scanner.take(':') ||
-        !scanner.ended() || !(input.number >= 0.0 && input.number <= 31.0) ||
-        !out_.awaitInput(static_cast<int>(input.number), value.number > 0.0))
+        !scanner.ended() || !(input.number >= 0.0 && input.number <= last) ||
+        !out_.awaitInput(first + static_cast<int>(input.number), value.number > 0.0))
       return false;
     i += 3;
     return true;
@@ -298,7 +304,9 @@ private:
     else if (name == "movec")
       arc(call);
     else if (name == "set_standard_digital_out" || name == "set_digital_out")
-      digitalOut(call);
+      digitalOut(call, 0);
+    else if (name == "set_configurable_digital_out")
+      digitalOut(call, kConfigurableFrom);
     else if (name == "set_standard_analog_out" || name == "set_analog_out")
       analogOut(call);
     else if (name == "socket_send_string")
@@ -500,17 +508,22 @@ private:
     value = call.arguments[1].value.number;
     return true;
   }
-  void digitalOut(const Call& call) {
+  // firstOutput: the number of ProgramEmitter for output 0 of this kind.
+  void digitalOut(const Call& call, int firstOutput) {
     int channel = 0;
     double value = 0.0;
     if (!outputOf(call, ValueKind::Boolean, channel, value))
       return;
-    if (channel == 0)
+    if (firstOutput > 0) {
+      if (!out_.toolOutput(firstOutput + channel, value > 0.0))
+        out_.wordAt(call.name, kAside);
+    } else if (channel == 0) {
       out_.turn(value > 0.0);
-    else if (channel == kCutOutput)
+    } else if (channel == kCutOutput) {
       cut(value > 0.0);
-    else if (!out_.toolOutput(channel, value > 0.0))
+    } else if (channel > kCutOutput || !out_.toolOutput(channel, value > 0.0)) {
       out_.wordAt(call.name, kAside);
+    }
   }
   // The cutter works when its output turns on.
   void cut(bool on) {

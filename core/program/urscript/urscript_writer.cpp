@@ -12,12 +12,22 @@
 #include "program/gcode/gcode_text.h"
 #include "program/job_head.h"
 #include "program/urscript/urscript.h"
+#include "program/urscript/urscript_outputs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace voluta::program {
+
+namespace {
+// Returns e.g. "standard_digital_out(5".
+std::string urscriptSignal(int signal, std::string_view way) {
+  const bool isStandard = signal < kConfigurableFrom;
+  return joined({isStandard ? "standard_digital_" : "configurable_digital_", way, "(",
+                 std::to_string(isStandard ? signal : signal - kConfigurableFrom)});
+}
+} // namespace
 
 namespace {
 // 1e-7 m is 0.0001 mm; 1e-7 rad moves a point of the part at 300 mm by 0.00003 mm.
@@ -178,7 +188,9 @@ private:
          extruderNote(in_, joined({"extruder on: digital output 0; flow: analogue output 0, ",
                                    fullFlowText("1", in_.tooling)}))}));
     for (const std::string& note : toolNotes(in_, [](int k) {
-           return joined({"digital output ", std::to_string(k)});
+           return k < kConfigurableFrom
+                      ? joined({"digital output ", std::to_string(k)})
+                      : joined({"configurable output ", std::to_string(k - kConfigurableFrom)});
          }))
       line(joined({"  # ", note}));
     aboutCutter();
@@ -191,12 +203,10 @@ private:
   }
 
   void setOutput(int output, bool on) override {
-    line(
-        joined({"  set_standard_digital_out(", std::to_string(output), on ? ",True)" : ",False)"}));
+    line(joined({"  set_", urscriptSignal(output, "out"), on ? ",True)" : ",False)"}));
   }
   void awaitInput(int input, bool on) override {
-    line(joined({"  while (get_standard_digital_in(", std::to_string(input),
-                 on ? ")!=True):" : ")!=False):"}));
+    line(joined({"  while (get_", urscriptSignal(input, "in"), on ? ")!=True):" : ")!=False):"}));
     line("    sync()");
     line("  end");
   }

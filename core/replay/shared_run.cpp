@@ -1,4 +1,4 @@
-#include "replay/two_machines.h"
+#include "replay/shared_run.h"
 
 #include "base/error.h"
 #include "base/run_context.h"
@@ -7,6 +7,7 @@
 #include "replay/executed_path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -212,9 +213,12 @@ private:
 
 constexpr int kPartBody = -1;
 
+// Looks at two of the machines.
 class Watch {
 public:
-  Watch(Follower& a, Follower& b, TwoMachines& out) : a_(a), b_(b), out_(out) {}
+  Watch(std::size_t first, std::size_t second, const std::vector<Follower>& followers,
+        SharedRun& out)
+      : machines_{first, second}, a_(followers[first]), b_(followers[second]), out_(out) {}
 
   void look(double nowS) {
     now_ = nowS;
@@ -292,40 +296,51 @@ private:
       return;
     ++out_.collisions;
     if (out_.meetings.size() < kMostMeetings)
-      out_.meetings.push_back({now_, where, std::move(one), std::move(other)});
+      out_.meetings.push_back({now_, where, machines_, {std::move(one), std::move(other)}});
   }
 
-  Follower &a_, &b_;
-  TwoMachines& out_;
+  std::array<std::size_t, 2> machines_;
+  const Follower &a_, &b_;
+  SharedRun& out_;
   double now_ = 0.0;
   std::vector<std::pair<int, int>> before_, touching_; // at the last sample, at this one
 };
 
 } // namespace
 
-TwoMachines runTogether(const RunningMachine& a, const RunningMachine& b,
-                        const base::RunContext& ctx) {
-  TwoMachines out;
-  const ExecutedPath aPath = executeProgram(a.program, a.cell, ctx),
-                     bPath = executeProgram(b.program, b.cell, ctx);
-  out.clock =
-      commonClock({&a.program, &b.program}, {controllerTimes(a.program, aPath, TurnLaw::Text),
-                                             controllerTimes(b.program, bPath, TurnLaw::Text)});
-  const auto& machines = out.clock.machines;
-  out.makespanS = std::max(machines[0].totalS, machines[1].totalS);
-  if (machines[0].beginS.empty() || machines[1].beginS.empty())
-    return out;
-  Follower first(a, aPath, machines[0]), second(b, bPath, machines[1]);
-  Watch watch(first, second, out);
+SharedRun runTogether(std::span<const RunningMachine> machines, const base::RunContext& ctx) {
+  SharedRun out;
+  std::vector<ExecutedPath> paths;
+  std::vector<const plan::ReadProgram*> programs;
+  std::vector<std::vector<double>> times;
+  for (const RunningMachine& machine : machines) {
+    programs.push_back(&machine.program);
+    paths.push_back(executeProgram(machine.program, machine.cell, ctx));
+    times.push_back(controllerTimes(machine.program, paths.back(), TurnLaw::Text));
+  }
+  out.clock = commonClock(programs, times);
+  for (const MachineClock& clock : out.clock.machines)
+    out.makespanS = std::max(out.makespanS, clock.totalS);
+  std::vector<Follower> followers;
+  for (std::size_t k = 0; k < machines.size(); ++k) {
+    if (out.clock.machines[k].beginS.empty())
+      return out;
+    followers.emplace_back(machines[k], paths[k], out.clock.machines[k]);
+  }
+  std::vector<Watch> watches;
+  for (std::size_t j = 1; j < followers.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      watches.emplace_back(i, j, followers, out);
   const auto steps = static_cast<std::size_t>(std::ceil(out.makespanS / kTogetherStepS));
   for (std::size_t k = 0; k <= steps; ++k) {
     const double nowS = std::min(out.makespanS, static_cast<double>(k) * kTogetherStepS);
     if (k % 512 == 0)
       ctx.report(static_cast<double>(k) / static_cast<double>(steps + 1),
-                 "running both programs in one time"_text);
-    first.moveTo(nowS);
-    second.moveTo(nowS);
-    watch.look(nowS);
+                 "running all programs in one time"_text);
+    for (Follower& follower : followers)
+      follower.moveTo(nowS);
+    for (Watch& watch : watches)
+      watch.look(nowS);
   }
   return out;
 }
