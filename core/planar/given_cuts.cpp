@@ -76,36 +76,52 @@ double thinnest(const Piece& piece) {
                     base::message("cut {number}"_text, index + 1), remedy);
 }
 
-// The intersection of a cut's plane with the remaining pieces that is nearest to the cut's point.
+// The intersection of a cut's plane with the remaining pieces that is nearest to a point.
 struct Place {
   std::size_t piece = 0;
   geometry::TriangleMesh solid; // the solid above the plane there
   double distanceMm = std::numeric_limits<double>::infinity();
 };
 
-std::optional<Place> placeOf(const GivenCut& cut, std::int32_t tag,
-                             const std::vector<Piece>& pieces, std::size_t index) {
-  std::optional<Place> best;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    if (!crosses(pieces[p].solid.mesh, cut.plane))
-      continue;
-    PlaneCut sides;
-    try {
-      sides = cutByPlane(pieces[p].solid, cut.plane, tag);
-    } catch (const base::Error& e) {
-      wrongCut(index, e.message(), "move or tilt the plane slightly"_text);
-    }
-    for (std::size_t s = 0; s < sides.above.size(); ++s) {
-      const geometry::TriangleMesh section =
-          sectionOf(sides.above[s], tag + static_cast<std::int32_t>(s));
-      if (section.empty())
-        continue;
-      const double distance = geometry::MeshQuery(section).closest(cut.point).distance;
-      if (!best || distance < best->distanceMm)
-        best = Place{p, std::move(sides.above[s].mesh), distance};
-    }
+// Updates the places of the points where sections of pieces[number] are nearer.
+void findPlaces(const Plane& plane, const std::vector<Vector3d>& points, std::int32_t tag,
+                const std::vector<Piece>& pieces, std::size_t number, std::size_t index,
+                std::vector<Place>& places) {
+  const Piece& piece = pieces[number];
+  if (!crosses(piece.solid.mesh, plane))
+    return;
+  PlaneCut sides;
+  try {
+    sides = cutByPlane(piece.solid, plane, tag);
+  } catch (const base::Error& e) {
+    wrongCut(index, e.message(), "move or tilt the plane slightly"_text);
   }
-  return best;
+  for (std::size_t s = 0; s < sides.above.size(); ++s) {
+    const geometry::TriangleMesh section =
+        sectionOf(sides.above[s], tag + static_cast<std::int32_t>(s));
+    if (section.empty())
+      continue;
+    const geometry::MeshQuery query(section);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (const double distance = query.closest(points[p]).distance;
+          distance < places[p].distanceMm)
+        places[p] = {number, sides.above[s].mesh, distance};
+  }
+}
+
+// Returns the places of the cut's point and of its further points, all in one piece; none if the
+// plane misses the part.
+std::vector<Place> placesOf(const GivenCut& cut, std::int32_t tag, const std::vector<Piece>& pieces,
+                            std::size_t index) {
+  std::vector<Place> first(1);
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    findPlaces(cut.plane, {cut.point}, tag, pieces, p, index, first);
+  if (first[0].solid.empty())
+    return {};
+  std::vector<Place> more(cut.also.size());
+  findPlaces(cut.plane, cut.also, tag, pieces, first[0].piece, index, more);
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
 }
 
 void requireBead(const Piece& piece, std::size_t index, double leastMm) {
@@ -117,16 +133,45 @@ void requireBead(const Piece& piece, std::size_t index, double leastMm) {
              "move the plane or remove it"_text);
 }
 
+// Returns the point of a section nearest to its centroid, which is not on it if it is a ring.
+std::optional<Vector3d> sectionMiddle(const geometry::TriangleMesh& section) {
+  Vector3d middle = Vector3d::Zero();
+  double area = 0.0;
+  for (std::size_t t = 0; t < section.triangles.size(); ++t) {
+    const double a = geometry::triangleArea(section, t);
+    middle += a * triangleMiddle(section, t);
+    area += a;
+  }
+  if (!(area > 0.0))
+    return std::nullopt;
+  return geometry::MeshQuery(section).closest(middle / area).point;
+}
+
+// Returns the points "also" of an entry.
+std::vector<Vector3d> furtherPoints(const Json& entry, const std::string& where) {
+  std::vector<Vector3d> points;
+  if (!entry.contains("also") || entry["also"].empty())
+    return points;
+  Json planes = Json::array();
+  for (const Json& point : entry["also"])
+    planes.push_back({{"point", point}, {"normal", entry["normal"]}});
+  for (const UserPlane& p : readUserPlanes(planes.dump(), where))
+    points.push_back(p.point);
+  return points;
+}
+
 } // namespace
 
 std::vector<GivenCut> readGivenCuts(const std::string& json, const std::string& where) {
   std::vector<GivenCut> cuts;
-  for (const UserPlane& p : readUserPlanes(json, where)) {
+  const std::vector<UserPlane> planes = readUserPlanes(json, where);
+  const Json list = Json::parse(json);
+  for (const UserPlane& p : planes) {
     if (!p.corners.empty())
       throw base::Error(base::ErrorCode::UnusableInput, "a quadrilateral cannot cut a part"_text,
                         base::message("{where}, entry {number}"_text, where, cuts.size() + 1),
                         "give planes: {\"point\": [x, y, z], \"normal\": [x, y, z]}"_text);
-    cuts.push_back({p.point, p.plane});
+    cuts.push_back({p.point, p.plane, furtherPoints(list[cuts.size()], where)});
   }
   return cuts;
 }
@@ -136,6 +181,8 @@ std::string givenCutsText(const std::vector<GivenCut>& cuts) {
   for (const GivenCut& cut : cuts) {
     const Vector3d &p = cut.point, &n = cut.plane.normal;
     list.push_back({{"point", {p.x(), p.y(), p.z()}}, {"normal", {n.x(), n.y(), n.z()}}});
+    for (const Vector3d& q : cut.also)
+      list.back()["also"].push_back({q.x(), q.y(), q.z()});
   }
   return list.dump();
 }
@@ -155,19 +202,15 @@ std::vector<GivenCut> cutsOf(const std::vector<Piece>& pieces) {
   std::vector<GivenCut> cuts;
   for (const std::size_t p : cutPieces(pieces)) {
     const Piece& piece = pieces[p];
-    const geometry::TriangleMesh section = sectionOf(piece.solid, piece.baseTag);
-    Vector3d middle = Vector3d::Zero();
-    double area = 0.0;
-    for (std::size_t t = 0; t < section.triangles.size(); ++t) {
-      const double a = geometry::triangleArea(section, t);
-      middle += a * triangleMiddle(section, t);
-      area += a;
+    GivenCut cut{piece.base.offsetMm * piece.base.normal, piece.base, {}};
+    for (const TaggedMesh& solid : solids(piece.solid))
+      if (const auto middle = sectionMiddle(sectionOf(solid, piece.baseTag)))
+        cut.also.push_back(*middle);
+    if (!cut.also.empty()) {
+      cut.point = cut.also.front();
+      cut.also.erase(cut.also.begin());
     }
-    // The centroid of a ring is not on it; therefore the nearest point of the section is used.
-    GivenCut cut{piece.base.offsetMm * piece.base.normal, piece.base};
-    if (area > 0.0)
-      cut.point = geometry::MeshQuery(section).closest(middle / area).point;
-    cuts.push_back(cut);
+    cuts.push_back(std::move(cut));
   }
   return cuts;
 }
@@ -179,23 +222,25 @@ std::vector<Piece> cutApart(Piece whole, const std::vector<GivenCut>& cuts, cons
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     ctx.report(static_cast<double>(i) / static_cast<double>(cuts.size()), "cutting"_text);
     const auto tag = static_cast<std::int32_t>(i);
-    const auto place = placeOf(cuts[i], tag, pieces, i);
-    if (!place)
+    const std::vector<Place> places = placesOf(cuts[i], tag, pieces, i);
+    if (places.empty())
       wrongCut(i, "the plane misses the part"_text, "move it so that it crosses the part"_text);
-    Piece& piece = pieces[place->piece];
+    Piece& piece = pieces[places.front().piece];
     const Wanted wanted = [&](const TaggedMesh& solid) {
-      return solid.mesh.vertices == place->solid.vertices;
+      return std::any_of(places.begin(), places.end(), [&](const Place& place) {
+        return solid.mesh.vertices == place.solid.vertices;
+      });
     };
     std::optional<PieceCut> cut = splitPiece(piece, cuts[i].plane, tag, wanted, rule);
     if (!cut)
       wrongCut(i, "leaves a piece without a base"_text,
                "move the plane, or point its normal to the side to cut off"_text);
     requireBead(cut->below, i, leastMm);
-    piece = std::move(cut->below);
-    for (Piece& above : cut->above) {
+    for (const Piece& above : cut->above)
       requireBead(above, i, leastMm);
-      pieces.push_back(std::move(above));
-    }
+    PieceCut one = joined(std::move(*cut));
+    piece = std::move(one.below);
+    pieces.push_back(std::move(one.above.front()));
   }
   return pieces;
 }

@@ -13,15 +13,18 @@
 namespace voluta::planar {
 
 // The solid above the plane at the section nearest to the point becomes a separate piece, printed
-// along the plane's normal. Work frame [mm]; the point is on the plane.
+// along the plane's normal. Work frame [mm]; the points are on the plane.
 struct GivenCut {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Plane plane;
+  // Solids at these points belong to the same piece; those nearest to them above the same
+  // remaining piece.
+  std::vector<Eigen::Vector3d> also;
 };
 
 // Parses a JSON list of {"point": [x, y, z], "normal": [x, y, z]} like readUserPlanes, but without
-// quadrilaterals. `where` names the text in errors. Throws Error{UnusableInput} that names the
-// entry.
+// quadrilaterals and optionally with "also": [points]. `where` names the text in errors. Throws
+// Error{UnusableInput} that names the entry.
 std::vector<GivenCut> readGivenCuts(const std::string& json, const std::string& where);
 std::string givenCutsText(const std::vector<GivenCut>& cuts);
 

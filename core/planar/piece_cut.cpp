@@ -1,6 +1,7 @@
 #include "planar/piece_cut.h"
 
 #include "base/error.h"
+#include "geometry/append_mesh.h"
 #include "geometry/measures.h"
 
 #include <algorithm>
@@ -37,6 +38,21 @@ bool allStands(const Piece& piece, const RiskRule& rule) {
       return false;
   }
   return true;
+}
+
+PieceCut joined(PieceCut cut) {
+  Piece& one = cut.above.front();
+  for (std::size_t i = 1; i < cut.above.size(); ++i) {
+    TaggedMesh& more = cut.above[i].solid;
+    const std::int32_t own = cut.above[i].baseTag;
+    std::replace(more.tag.begin(), more.tag.end(), own, one.baseTag);
+    std::replace(cut.below.solid.tag.begin(), cut.below.solid.tag.end(), own, one.baseTag);
+    geometry::appendMesh(one.solid.mesh, more.mesh);
+    one.solid.tag.insert(one.solid.tag.end(), more.tag.begin(), more.tag.end());
+  }
+  cut.above.resize(1);
+  cut.sectionMiddles = {sectionMiddle(one.solid, one.baseTag)};
+  return cut;
 }
 
 std::optional<PieceCut> cutPiece(const Piece& piece, const Plane& plane, std::int32_t tag,

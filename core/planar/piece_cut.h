@@ -45,6 +45,11 @@ std::optional<PieceCut> cutOffAt(const Piece& piece, const Plane& plane, std::in
                                  const std::vector<Eigen::Vector3d>& sectionMiddles,
                                  const RiskRule& rule);
 
+// Returns the cut with all solids above the plane as one piece, whose layers are printed together.
+// Solids that are printed one after the other may block the head for each other. Precondition:
+// `above` is not empty.
+PieceCut joined(PieceCut cut);
+
 // Returns whether every solid of the piece has contact with the piece's base.
 bool allStands(const Piece& piece, const RiskRule& rule);
 

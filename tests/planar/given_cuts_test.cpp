@@ -29,7 +29,7 @@ TriangleMesh fork() {
 }
 
 GivenCut cut(const Vector3d& point, const Vector3d& normal) {
-  return {point, {normal.normalized(), normal.normalized().dot(point)}};
+  return {point, {normal.normalized(), normal.normalized().dot(point)}, {}};
 }
 
 PlanarDecomposition decomposed(const TriangleMesh& part, const std::vector<GivenCut>& cuts) {
@@ -76,6 +76,20 @@ TEST(GivenCuts, OnlyWhatHangsOnTheSectionNearestToThePointIsCutOff) {
   EXPECT_NEAR(both.sectionMm2, 2 * 100.0, 1e-9);
 }
 
+TEST(GivenCuts, SolidsAtFurtherPointsBelongToTheSamePiece) {
+  GivenCut posts = cut({12, 0, 15}, {0, 0, 1});
+  posts.also = {{-12, 0, 15}};
+  const PlanarDecomposition d = decomposed(fork(), readGivenCuts(givenCutsText({posts}), "posts"));
+  ASSERT_EQ(d.pieces.size(), 2u);
+  EXPECT_NEAR(geometry::volume(d.pieces[1].solid.mesh), 2 * 10 * 10 * 10, 1e-9);
+  EXPECT_NEAR(d.sectionMm2, 2 * 100.0, 1e-9);
+  EXPECT_EQ(d.pieces[1].parent, 0);
+  const std::vector<GivenCut> again = cutsOf(d.pieces);
+  ASSERT_EQ(again.size(), 1u);
+  ASSERT_EQ(again[0].also.size(), 1u);
+  EXPECT_NEAR(again[0].point.x() + again[0].also[0].x(), 0.0, 1e-9);
+}
+
 TEST(GivenCuts, WhatASearchFoundComesBackFromItsPlanes) {
   const TriangleMesh part = tee();
   const PlanarDecomposition found = beamDecompose(part, {}, {});
@@ -109,6 +123,8 @@ TEST(GivenCuts, WrongOnesAreRefusedInOneLineThatNamesThem) {
             std::string::npos);
   for (const char* wrong :
        {"", "[]", R"([{"point": [0,0,1]}])", R"([{"point": [0,0,1], "normal": [0,0,0]}])",
+        R"([{"point": [0,0,1], "normal": [0,0,1], "also": [[1,2]]}])",
+        R"([{"point": [0,0,1], "normal": [0,0,1], "also": 3}])",
         R"([{"corners": [[-1,-1,4],[8,-1,4],[8,11,4],[-1,11,4]]}])"})
     EXPECT_THROW(readGivenCuts(wrong, "here"), base::Error) << wrong;
   TriangleMesh open = part;

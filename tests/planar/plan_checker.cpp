@@ -152,15 +152,34 @@ std::vector<Vector3d> plateTop(const std::vector<Vector2d>& polygon, double spac
 // Samples of the piece at which the head has an obstacle inside it.
 std::size_t hits(const std::vector<Vector3d>& tips, const std::vector<Vector3d>& obstacles,
                  const Vector3d& direction, const process::HeadShape& head) {
-  std::size_t count = 0;
+  double widest = 0.0, lowest = 1e300;
+  for (const process::HeadSection& s : head.sections)
+    widest = std::max(widest, s.radiusMm - kTouchesMm);
   for (const Vector3d& tip : tips)
-    count += std::any_of(obstacles.begin(), obstacles.end(), [&](const Vector3d& o) {
-      const double z = direction.dot(o - tip);
-      if (z <= kTouchesMm || z > head.sections.back().zMm)
-        return false;
+    lowest = std::min(lowest, direction.dot(tip));
+  std::vector<std::pair<double, Vector3d>> falling; // obstacles by height along the direction
+  for (const Vector3d& o : obstacles)
+    if (const double height = direction.dot(o); height - lowest > kTouchesMm)
+      falling.emplace_back(height, o);
+  std::sort(falling.begin(), falling.end(),
+            [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::size_t count = 0;
+  for (const Vector3d& tip : tips) {
+    const double height = direction.dot(tip);
+    for (const auto& [above, o] : falling) {
+      const double z = above - height;
+      if (z <= kTouchesMm)
+        break;
+      const double squared = (o - tip).squaredNorm() - z * z;
+      if (z > head.sections.back().zMm || squared >= widest * widest)
+        continue;
       const double reach = headRadius(head, z) - kTouchesMm;
-      return reach > 0.0 && (o - tip).squaredNorm() - z * z < reach * reach;
-    });
+      if (reach > 0.0 && squared < reach * reach) {
+        ++count;
+        break;
+      }
+    }
+  }
   return count;
 }
 

@@ -59,9 +59,11 @@ std::size_t holderOf(const RegionPlane& at, const std::vector<Piece>& pieces) {
   return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
-// Returns nullopt if no plane near the border faces up and allows printing on its section.
+// Returns nullopt if no plane near the border may be used (PlanarOptions::lowestZ) and allows
+// printing on its section.
 std::optional<Plane> bestNear(const RegionPlane& at, const Piece& piece, int top, double shiftMm,
-                              const RiskRule& rule, std::mt19937& random) {
+                              const PlanarOptions& options, std::mt19937& random) {
+  const RiskRule& rule = options.rule;
   const FaceTable faces = faceTable(piece, rule);
   Vector3d middle = Vector3d::Zero();
   for (const Vector3d& p : at.rim)
@@ -71,7 +73,7 @@ std::optional<Plane> bestNear(const RegionPlane& at, const Piece& piece, int top
   double gain = 0.0;
   const auto consider = [&](const Plane& plane) {
     const PlaneGain planned = planeGain(piece, faces, rule, plane, top, kAnyFoot);
-    if (plane.normal.z() >= kFacesUp && planned.allowed && planned.sectionMm2 <= most &&
+    if (plane.normal.z() >= options.lowestZ && planned.allowed && planned.sectionMm2 <= most &&
         (!best || planned.gainMm2 > gain)) {
       gain = planned.gainMm2;
       best = plane;
@@ -153,7 +155,7 @@ std::vector<Piece> coarsePieces(Piece whole, const std::vector<RegionPlane>& pla
     ctx.report(static_cast<double>(i) / static_cast<double>(planes.size()), "pieces"_text);
     const std::size_t at = holderOf(planes[i], pieces);
     const int top = geometry::MeshQuery(pieces[at].solid.mesh).closest(planes[i].beyond).triangle;
-    const auto plane = bestNear(planes[i], pieces[at], top, shiftMm, options.rule, random);
+    const auto plane = bestNear(planes[i], pieces[at], top, shiftMm, options, random);
     if (!plane)
       continue;
     auto cut = cutAt(pieces[at], *plane, planes[i].beyond, firstTag, options, footing);

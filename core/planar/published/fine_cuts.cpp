@@ -170,7 +170,7 @@ public:
               std::int32_t& firstTag, const base::RunContext& ctx)
       : levelOptions_{options, withLessContact(options)}, fine_(fine), tag_(firstTag), ctx_(ctx),
         sections_(options.head.sections.empty() ? Sections::Apart : Sections::MayTouch),
-        normals_(evenDirections(fine.normals, kFacesUp)), ways_(options, fine.spacingMm) {
+        normals_(evenDirections(fine.normals, options.lowestZ)), ways_(options, fine.spacingMm) {
     for (Piece& piece : pieces)
       queue_.push_back(queued(std::move(piece)));
     blocked_ = blockedWith({}, queue_.size());
@@ -184,22 +184,8 @@ public:
       ctx_.checkpoint();
       const Plane plane = queue_[best].candidates.back().plane;
       queue_[best].candidates.pop_back();
-      auto made = bestCut(queue_[best], plane);
-      if (!made)
-        continue;
-      const std::size_t blocked = blockedWith(*made, best);
-      if (blocked > blocked_) {
-        for (const Queued& q : *made)
-          ways_.remove(q.way);
-        continue;
-      }
-      blocked_ = blocked;
-      tag_ += static_cast<std::int32_t>(made->size()) - 1;
-      ways_.remove(queue_[best].way);
-      queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(best));
-      queue_.insert(queue_.end(), std::make_move_iterator(made->begin()),
-                    std::make_move_iterator(made->end()));
-      return true;
+      if (cutBy(best, plane))
+        return true;
     }
     return false;
   }
@@ -226,6 +212,28 @@ private:
   // The options of the level that the piece's candidates are from.
   const PlanarOptions& optionsFor(const Queued& q) const {
     return levelOptions_[q.level > 0 && kLevels[q.level - 1].lessContact ? 1 : 0];
+  }
+
+  // Replaces a piece by the two sides of its cut. Returns false if that would increase the number
+  // of pieces that the head does not reach.
+  bool replaced(std::size_t at, PieceCut cut) {
+    std::vector<Queued> made;
+    made.push_back(queued(std::move(cut.below)));
+    for (Piece& piece : cut.above)
+      made.push_back(queued(std::move(piece)));
+    const std::size_t blocked = blockedWith(made, at);
+    if (blocked > blocked_) {
+      for (const Queued& q : made)
+        ways_.remove(q.way);
+      return false;
+    }
+    blocked_ = blocked;
+    tag_ += static_cast<std::int32_t>(made.size()) - 1;
+    ways_.remove(queue_[at].way);
+    queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(at));
+    queue_.insert(queue_.end(), std::make_move_iterator(made.begin()),
+                  std::make_move_iterator(made.end()));
+    return true;
   }
 
   // Returns the index of the piece, among the first of the queue that can be cut, with the largest
@@ -291,32 +299,30 @@ private:
     return Halves{std::move(*cut), risky};
   }
 
-  // Cuts off everything above the plane. If that would leave a solid without a base, or is not
-  // worthwhile, cuts off the one solid above the plane with the largest gain.
-  std::optional<std::vector<Queued>> bestCut(const Queued& q, const Plane& plane) {
+  // Cuts off everything above the plane, each solid as a piece or, if the head does not reach them
+  // so, all as one. If that is not possible or not worthwhile, cuts off the one solid above the
+  // plane with the largest gain. Returns false if no cut is possible.
+  bool cutBy(std::size_t at, const Plane& plane) {
     std::size_t solids = 0;
     const auto large = [&](const TaggedMesh& solid) {
       return geometry::volume(solid.mesh) >= levelOptions_[0].leastVolumeMm3;
     };
-    auto best = halves(q, plane, [&](const TaggedMesh& solid) {
+    const auto all = halves(queue_[at], plane, [&](const TaggedMesh& solid) {
       ++solids;
       return large(solid);
     });
-    if (!best && solids > 1)
-      for (std::size_t only = 0; only < solids; ++only) {
-        std::size_t place = 0;
-        auto one = halves(q, plane,
-                          [&](const TaggedMesh& solid) { return place++ == only && large(solid); });
-        if (one && (!best || one->riskyMm2 < best->riskyMm2))
-          best = std::move(one);
-      }
-    if (!best)
-      return std::nullopt;
-    std::vector<Queued> out;
-    out.push_back(queued(std::move(best->cut.below)));
-    for (Piece& piece : best->cut.above)
-      out.push_back(queued(std::move(piece)));
-    return out;
+    if (all &&
+        (replaced(at, all->cut) || (all->cut.above.size() > 1 && replaced(at, joined(all->cut)))))
+      return true;
+    std::optional<Halves> best;
+    for (std::size_t only = 0; only < solids && solids > 1; ++only) {
+      std::size_t place = 0;
+      auto one = halves(queue_[at], plane,
+                        [&](const TaggedMesh& solid) { return place++ == only && large(solid); });
+      if (one && (!best || one->riskyMm2 < best->riskyMm2))
+        best = std::move(one);
+    }
+    return best && replaced(at, best->cut);
   }
 
   // Returns the number of pieces that the head does not reach if `made` replaces a piece.

@@ -8,6 +8,7 @@
 #include "planar/published/fine_cuts.h"
 #include "planar/published/piece_graph.h"
 #include "planar/published/region_planes.h"
+#include "planar/published/section_cut.h"
 #include "planar/published/shape_diameter.h"
 #include "planar/published/skeleton.h"
 #include "planar/published/surface_regions.h"
@@ -54,11 +55,13 @@ std::vector<RegionPlane> planesOutwards(const geometry::TriangleMesh& part, cons
 } // namespace
 
 PlanarDecomposition greedyDecompose(const geometry::TriangleMesh& part,
-                                    const PlanarOptions& options, const GreedyOptions& greedy,
+                                    const PlanarOptions& given, const GreedyOptions& greedy,
                                     const base::RunContext& ctx) {
   if (part.empty() || !isClosed(part))
     throw base::Error(base::ErrorCode::UnusableInput, "the mesh is not closed"_text, {},
                       "repair it, or use curved mode, which takes any mesh"_text);
+  PlanarOptions options = given;
+  options.lowestZ = kFacesUp;
   PlanarDecomposition out;
   const base::Stopwatch watch;
   Piece whole = wholePart(part, options.rule);

@@ -32,7 +32,7 @@ bool meetsOther(const Piece& piece) {
 std::optional<PieceCut> constrainedCut(const Piece& piece, const Plane& plane, std::int32_t tag,
                                        const Wanted& wanted, const PlanarOptions& options,
                                        const Footing& footing, Sections sections) {
-  if (plane.normal.z() < kFacesUp)
+  if (plane.normal.z() < options.lowestZ)
     return std::nullopt;
   try {
     auto cut = splitPiece(piece, plane, tag, wanted, options.rule);

@@ -10,7 +10,7 @@
 
 namespace voluta::planar {
 
-// Minimum z of a base plane's normal for constraint II (RoboFDM, phase III: all base planes need to
+// PlanarOptions::lowestZ for constraint II (RoboFDM, phase III: all base planes need to
 // face up).
 inline constexpr double kFacesUp = 0.0;
 
@@ -20,9 +20,9 @@ enum class Sections {
   MayTouch, // a new one may end at an old one; none passes through another
 };
 
-// As splitPiece, but returns nullopt if no nearby plane can be closed, if the plane faces down, if
-// the sections would violate `sections`, or if the remaining contact with the plate would be less
-// than options.keptContact and keptHull of the part's `footing`.
+// As splitPiece, but returns nullopt if no nearby plane can be closed, if the plane's normal is
+// lower than options.lowestZ, if the sections would violate `sections`, or if the remaining contact
+// with the plate would be less than options.keptContact and keptHull of the part's `footing`.
 std::optional<PieceCut> constrainedCut(const Piece& piece, const Plane& plane, std::int32_t tag,
                                        const Wanted& wanted, const PlanarOptions& options,
                                        const Footing& footing, Sections sections);

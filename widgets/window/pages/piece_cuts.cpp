@@ -47,6 +47,8 @@ planar::GivenCut moved(const planar::GivenCut& cut, const viewer::GizmoChange& c
   out.point = cut.point + change.moveMm;
   out.plane.normal = (change.turn * cut.plane.normal).normalized();
   out.plane.offsetMm = out.plane.normal.dot(out.point);
+  for (const Eigen::Vector3d& p : cut.also)
+    out.also.push_back(out.point + change.turn * (p - cut.point));
   return out;
 }
 
