@@ -860,8 +860,8 @@ sioni</translation>
         <translation>Distanza massima fra i punti di un percorso utensile.</translation>
     </message>
     <message>
-        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, or along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling).</source>
-        <translation>Cerca un orientamento migliore del pezzo: con la minore area a sbalzo, con il minor numero di voxel mancati dalla crescita, o lungo gli assi, così che le proiezioni su XY e XZ lascino vuota la minore area dei loro rettangoli circoscritti (grezzi da fresare).</translation>
+        <source>Searches for a better orientation of the part: with the smallest overhanging area, with the fewest voxels missed by growth, along the axes, so that the projections on XY and XZ leave the least area of their bounding rectangles empty (blanks for milling), or with the smallest overhanging area after the part is cut into pieces (mode planar).</source>
+        <translation>Cerca un orientamento migliore del pezzo: con la minore area a sbalzo, con il minor numero di voxel mancati dalla crescita, lungo gli assi, così che le proiezioni su XY e XZ lascino vuota la minore area dei loro rettangoli circoscritti (grezzi da fresare), o con la minore area a sbalzo dopo il taglio in parti (modo planar).</translation>
     </message>
     <message>
         <source>Missed
@@ -2115,6 +2115,10 @@ mm³</translation>
         <translation>meno area a sbalzo</translation>
     </message>
     <message>
+        <source>least overhang of pieces</source>
+        <translation>minor sbalzo delle parti</translation>
+    </message>
+    <message>
         <source>least residual area</source>
         <translation>minore area residua</translation>
     </message>
@@ -3180,6 +3184,10 @@ mm³</translation>
             <numerusform>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): {missed} voxel mancato (largo {voxel:.2f}) invece di {missedBefore}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</numerusform>
             <numerusform>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): {missed} voxel mancati (larghi {voxel:.2f}) invece di {missedBefore}, sbalzo {overhang:.0f} invece di {overhangBefore:.0f#}</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): estimated overhang after cutting {left:.0f} (pieces: {pieces}) instead of {leftBefore:.0f#} (pieces: {piecesBefore}); uncut {overhang:.0f} instead of {overhangBefore:.0f#}</source>
+        <translation>il pezzo è stato girato di {angle:.0f} attorno a ({x}, {y}, {z}): sbalzo stimato dopo i tagli {left:.0f} (parti: {pieces}) invece di {leftBefore:.0f#} (parti: {piecesBefore}); senza tagli {overhang:.0f} invece di {overhangBefore:.0f#}</translation>
     </message>
     <message>
         <source>the part was turned by {angle:.0f} about ({x}, {y}, {z}): overhang {overhang:.0f} instead of {overhangBefore:.0f#}</source>

@@ -149,7 +149,7 @@ std::shared_ptr<const modes::LoadStage> loadStage(const project::LoadedPart& loa
               : placementByHandOrMode(*loaded.mesh, scaleFor(choices.item().placement) * unit, in));
   if (values.text("orient") != "none") {
     TurnedPart turned =
-        turnedPart(*stage->part, choices.item().placement, turnPlan(choices, values),
+        turnedPart(*stage->part, choices.item().placement, turnPlan(in),
                    loaded.cells ? stage->scale * unit : values.number("voxelMm"),
                    loaded.cells != nullptr, ctx);
     place(turned.placement);

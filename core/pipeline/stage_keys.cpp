@@ -106,6 +106,13 @@ ProcessKeys keysOf(const process::Tooling& tooling) {
   return all;
 }
 
+// Without cuts as in older projects.
+std::string keyOfTurn(const TurnPlan& plan) {
+  const auto& [objective, voxelMm, overhangRad, platform, cuts] = plan;
+  return base::keyText(objective, voxelMm, overhangRad, platform) +
+         (cuts ? base::keyText(*cuts) : std::string());
+}
+
 bool isMended(const project::LoadedPart& loaded, const project::Choices& choices) {
   return choices.item().repair && !loaded.found.clean(); // A clean mesh needs no repair.
 }
@@ -119,7 +126,7 @@ std::string loadText(const project::LoadedPart& loaded, const modes::ModeChoices
   if (const double unit = unitMm(loaded, c); loaded.cells || unit != 1.0)
     text += base::keyText(unit);
   text += openSurfacesKey(in.choices, in.values, in.process);
-  text += base::keyText(turnPlan(c, in.values));
+  text += keyOfTurn(turnPlan(in));
   if (takesGivenPaths(loaded, in.values))
     text += "along given paths\n" + pathShapeKey(in.values);
   if (c.item().platform.isOfCell()) {

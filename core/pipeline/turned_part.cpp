@@ -3,6 +3,7 @@
 
 #include "base/stopwatch.h"
 #include "base/units.h"
+#include "geometry/simplify.h"
 #include "pipeline/choices.h"
 #include "placement/orient.h"
 #include "plan/finding_kinds.h"
@@ -29,10 +30,11 @@ struct ObjectiveRow {
 const ObjectiveRow& objectiveNamed(std::string_view name) {
   using placement::Objective;
   using plan::FindingKind;
-  static constexpr std::array<ObjectiveRow, 3> kRows{
+  static constexpr std::array<ObjectiveRow, 4> kRows{
       {{"leastRisky", Objective::LeastRisky, FindingKind::TurnedLeastRisky},
        {"fewestMissed", Objective::FewestMissed, FindingKind::TurnedFewestMissed},
-       {"leastResidual", Objective::LeastResidual, FindingKind::TurnedLeastResidual}}};
+       {"leastResidual", Objective::LeastResidual, FindingKind::TurnedLeastResidual},
+       {"leastAfterCuts", Objective::LeastAfterCuts, FindingKind::TurnedLeastAfterCuts}}};
   const auto row = std::find_if(kRows.begin(), kRows.end(),
                                 [&](const ObjectiveRow& r) { return r.name == name; });
   base::require(row != kRows.end(), "objectiveNamed: a value of orient");
@@ -64,20 +66,30 @@ plan::Finding findingOf(const placement::Orientation& found, const ObjectiveRow&
     values.push_back({"voxel", base::mm(found.searchMm)});
     values.push_back({"missedBefore", found.missedBefore});
   }
+  if (row.objective == Objective::LeastAfterCuts) {
+    values.push_back({"left", base::mm2(found.cuts.riskyMm2)});
+    values.push_back({"pieces", found.cuts.pieces});
+    values.push_back({"leftBefore", base::mm2(found.cutsBefore.riskyMm2)});
+    values.push_back({"piecesBefore", found.cutsBefore.pieces});
+  }
   return plan::makeFinding(row.turned, std::move(values), std::nullopt, found.tried);
 }
 
 } // namespace
 
-TurnPlan turnPlan(const project::Choices& choices, const base::ParameterValues& values) {
-  const std::string objective = values.text("orient");
-  if (objective == "none")
-    return {objective, 0.0, 0.0, {}};
-  return {objective, values.number("voxelMm"),
-          base::degreesToRadians(values.number("overhangAngle")),
-          objectiveNamed(objective).objective == placement::Objective::FewestMissed
-              ? choices.item().platform
-              : project::Platform()};
+TurnPlan turnPlan(const modes::ModeChoices& in) {
+  TurnPlan plan;
+  plan.objective = in.values.text("orient");
+  if (plan.objective == "none")
+    return plan;
+  plan.voxelMm = in.values.number("voxelMm");
+  plan.overhangRad = base::degreesToRadians(in.values.number("overhangAngle"));
+  const placement::Objective objective = objectiveNamed(plan.objective).objective;
+  if (objective == placement::Objective::FewestMissed)
+    plan.platform = in.choices.item().platform;
+  if (objective == placement::Objective::LeastAfterCuts)
+    plan.cuts = modes::cutEstimateOptions(in);
+  return plan;
 }
 
 TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Placement& placement,
@@ -97,6 +109,15 @@ TurnedPart turnedPart(const geometry::TriangleMesh& placed, const geometry::Plac
   options.platform = [&](const voxel::SolidVoxels& part) {
     return modes::plateOf(plan.platform, part);
   };
+  geometry::TriangleMesh coarse;
+  if (plan.cuts) {
+    coarse = geometry::simplified(placed, modes::kCutEstimateTriangles);
+    options.cutOutcome = [&plan, &coarse, quiet = ctx.quiet()](const Eigen::Quaterniond& turn) {
+      const modes::CutEstimate cut = modes::estimatedCuts(
+          geometry::place(coarse, 1.0, {turn, Eigen::Vector2d::Zero(), 0.0}), *plan.cuts, quiet);
+      return placement::CutOutcome{cut.riskyMm2, cut.pieces};
+    };
+  }
   const placement::Orientation found =
       placement::bestOrientation(placed, row.objective, options, ctx);
   const bool turned = found.turn.angularDistance(Eigen::Quaterniond::Identity()) > kSame;

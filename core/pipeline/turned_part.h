@@ -5,9 +5,12 @@
 #include "base/run_context.h"
 #include "geometry/placement.h"
 #include "geometry/triangle_mesh.h"
+#include "modes/cut_estimate.h"
+#include "modes/from_options.h"
 #include "plan/finding.h"
 #include "project/choices.h"
 
+#include <optional>
 #include <string>
 
 namespace voluta::pipeline {
@@ -23,10 +26,11 @@ struct TurnPlan {
   std::string objective; // value of the parameter orient; "none": keep the orientation
   double voxelMm = 0.0;  // voxel width for growing the part
   double overhangRad = 0.0;
-  project::Platform platform; // on which missed voxels are counted
+  project::Platform platform;                    // on which missed voxels are counted
+  std::optional<modes::CutEstimateOptions> cuts; // of leastAfterCuts
 };
 // If no search is required, the values that only a search uses are left at zero.
-TurnPlan turnPlan(const project::Choices& choices, const base::ParameterValues& values);
+TurnPlan turnPlan(const modes::ModeChoices& in);
 
 // Searches for the orientation. `placed`: the part placed by `placement`. `voxelMm`: replaces the
 // plan's voxel width. `onlyQuarters`: only quarter turns, which keep the part's own cells. Without

@@ -1,6 +1,7 @@
 #include "placement/orient.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/units.h"
 #include "geometry/placement.h"
 
@@ -15,8 +16,9 @@ namespace voluta::placement {
 namespace {
 
 constexpr std::size_t kFlatPlaces = 8, kRefined = 3, kChecked = 4;
-constexpr double kSmallTurn = 12.0; // degrees
-constexpr double kStays = 1.25;     // of the best's risky area
+constexpr double kSmallTurn = 12.0;  // degrees
+constexpr double kStays = 1.25;      // of the best's risky area
+constexpr double kPieceCost = 0.002; // of the present risky area
 constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
 
 struct Candidate {
@@ -106,6 +108,27 @@ public:
     return out;
   }
 
+  Orientation leastAfterCuts() {
+    const std::vector<CutOutcome> outcomes = cutAll();
+    const auto cost = [&](std::size_t n) {
+      return outcomes[n].riskyMm2 +
+             kPieceCost * found_[0].score.riskyMm2 * static_cast<double>(outcomes[n].pieces);
+    };
+    const auto key = [&](std::size_t n) {
+      return std::tuple(!found_[n].score.stands, cost(n), found_[n].score.heightMm);
+    };
+    std::size_t winner = 0;
+    for (std::size_t n = 1; n < found_.size(); ++n)
+      if (key(n) < key(winner))
+        winner = n;
+    if (found_[0].score.stands && cost(0) <= kStays * cost(winner))
+      winner = 0;
+    Orientation out = chosen(winner);
+    out.cuts = outcomes[winner];
+    out.cutsBefore = outcomes[0];
+    return out;
+  }
+
 private:
   // Returns false if the part would not stand or has that orientation already.
   bool add(const Eigen::Quaterniond& turn) {
@@ -165,6 +188,15 @@ private:
 
   CoarseGrid grid(double pitchMm) const { return {pitchMm, options_.centreMm, options_.platform}; }
 
+  // Cuts the part in each orientation.
+  std::vector<CutOutcome> cutAll() const {
+    std::vector<CutOutcome> out(found_.size());
+    base::parallelWithProgress(ctx_, out.size(), 1.0, "orientation"_text, [&](std::size_t n) {
+      out[n] = options_.cutOutcome(found_[n].turn);
+    });
+    return out;
+  }
+
   // Computes the missed voxels of the candidates from `first` on.
   void growCoarse(std::size_t first, double from, double to) {
     std::vector<Eigen::Quaterniond> turns;
@@ -192,12 +224,15 @@ base::ParameterTable orientParameters() {
                             {{"none", "none"_text},
                              {"leastRisky", "minimum overhang"_text},
                              {"fewestMissed", "fewest missed voxels"_text},
-                             {"leastResidual", "least residual area"_text}},
+                             {"leastResidual", "least residual area"_text},
+                             {"leastAfterCuts", "least overhang of pieces"_text}},
                             "Placement"_text, "Turn the part"_text,
                             "Searches for a better orientation of the part: with the smallest "
-                            "overhanging area, with the fewest voxels missed by growth, or along "
+                            "overhanging area, with the fewest voxels missed by growth, along "
                             "the axes, so that the projections on XY and XZ leave the least area "
-                            "of their bounding rectangles empty (blanks for milling)."_text,
+                            "of their bounding rectangles empty (blanks for milling), or with the "
+                            "smallest overhanging area after the part is cut into pieces (mode "
+                            "planar)."_text,
                             true),
   });
 }
@@ -205,11 +240,15 @@ base::ParameterTable orientParameters() {
 Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,
                             const OrientOptions& options, const base::RunContext& ctx) {
   base::require(!mesh.empty() && options.voxelMm > 0.0, "bestOrientation: facets, voxelMm > 0");
+  base::require(objective != Objective::LeastAfterCuts || options.cutOutcome,
+                "bestOrientation: cutOutcome");
   const auto found = [&] {
     if (objective == Objective::LeastResidual)
       return leastResidual(mesh, options);
     OrientSearch search(mesh, options, ctx);
-    return objective == Objective::LeastRisky ? search.leastRisky() : search.fewestMissed();
+    return objective == Objective::LeastRisky     ? search.leastRisky()
+           : objective == Objective::FewestMissed ? search.fewestMissed()
+                                                  : search.leastAfterCuts();
   };
   Orientation out = found();
   ctx.report(1.0, "orientation"_text);

@@ -9,13 +9,25 @@
 #include "placement/residual_area.h"
 
 #include <Eigen/Geometry>
+#include <cstddef>
+#include <functional>
 
 namespace voluta::placement {
 
-// Returns the parameter orient (none, leastRisky, fewestMissed, leastResidual).
+// Returns the parameter orient (none, leastRisky, fewestMissed, leastResidual,
+// leastAfterCuts).
 base::ParameterTable orientParameters();
 
-enum class Objective { LeastRisky, FewestMissed, LeastResidual };
+enum class Objective { LeastRisky, FewestMissed, LeastResidual, LeastAfterCuts };
+
+// What remains of a part's risky area if it is cut into pieces.
+struct CutOutcome {
+  double riskyMm2 = 0.0;
+  std::size_t pieces = 1;
+};
+// Returns the result for the part rotated by `turn` and placed on the plate. Called on several
+// threads.
+using CutOutcomeOf = std::function<CutOutcome(const Eigen::Quaterniond& turn)>;
 
 struct OrientOptions {
   double voxelMm = 0.8;                    // voxel width for growing the part
@@ -24,6 +36,7 @@ struct OrientOptions {
   bool quarterTurns = false;               // true: quarter turns only
   std::size_t searchVoxels = 18000;        // of the coarse grid
   PlatformOf platform = {};
+  CutOutcomeOf cutOutcome = {}; // required by LeastAfterCuts
 };
 
 struct Orientation {
@@ -36,6 +49,7 @@ struct Orientation {
   std::size_t missed = 0, missedBefore = 0;
   std::size_t missedAtVoxelMm = 0;        // ... and rotated, at voxelMm
   ResidualAreas residual, residualBefore; // LeastResidual only
+  CutOutcome cuts, cutsBefore;            // LeastAfterCuts only
 };
 
 // Returns the best orientation of `mesh` (mm). Compares the present one; each of 26 directions
@@ -48,9 +62,13 @@ struct Orientation {
 //   grown at full width, and the first that misses nothing is chosen, else the best. The present
 //   orientation is kept if it misses no more voxels than the best one and has at most a quarter
 //   more risky area;
+//   LeastAfterCuts: minimum risky area after cutting, where a piece counts as 0.2 % of the present
+//   risky area, then minimum height; no small rotations. The present orientation is kept if it is
+//   at most a quarter worse than the best one;
 //   LeastResidual: compares other orientations instead, see leastResidualTurn().
 // Same result for any number of threads. Preconditions (Error{Internal}): mesh not empty, voxelMm
-// > 0. Throws Error{Usage} as voxel::solidVoxels(); Cancelled.
+// > 0, cutOutcome for LeastAfterCuts. Throws Error{Usage} as voxel::solidVoxels(), and what
+// cutOutcome throws; Cancelled.
 Orientation bestOrientation(const geometry::TriangleMesh& mesh, Objective objective,
                             const OrientOptions& options, const base::RunContext& ctx);
 

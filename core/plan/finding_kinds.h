@@ -36,6 +36,7 @@ enum class FindingKind : std::uint8_t {
   TurnedLeastRisky,
   TurnedFewestMissed,
   TurnedLeastResidual,
+  TurnedLeastAfterCuts,
   NotTurned,
   CellCannotPrint,
   LargerThanPlates,

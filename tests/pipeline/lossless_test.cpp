@@ -193,6 +193,14 @@ TEST(Lossless, LeastResidualStatesBothAreas) {
   EXPECT_NE(text.find("residual area on XY 0 mm2 instead of"), std::string::npos) << text;
 }
 
+TEST(Lossless, LeastAfterCutsStatesWhatPiecesLeave) {
+  const PlanResult plan = planned({{"orient", "leastAfterCuts"}}, Stage::Load);
+  ASSERT_EQ(countOf(plan.job.report, "turned"), 1u);
+  const std::string text = plan::englishReason(plan.job.report.findings.back());
+  EXPECT_NE(text.find("estimated overhang after cutting 0 mm2 (pieces: 1)"), std::string::npos)
+      << text;
+}
+
 TEST(Lossless, OddValuesAreNamed) {
   for (const char* key : {"supports", "orient"}) {
     Choices choices;

@@ -273,6 +273,11 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
   default_ = stageKeys(turned);
   turned.choices.item().parameters["overhangAngle"] = "40";
   expectChangesFrom(turned, 0, "overhangAngle where the part is turned");
+  // The contact of pieces with the plate depends on the layer height.
+  turned = boxRequest({{"orient", "leastAfterCuts"}});
+  default_ = stageKeys(turned);
+  turned.choices.item().parameters["layerHeightMm"] = "0.7";
+  expectChangesFrom(turned, 0, "layerHeightMm where the part is cut to be turned");
 }
 
 TEST_F(StageKeysOf, ParametersOfGroundsMatterToTheirModes) {

@@ -116,6 +116,34 @@ TEST(Orient, ProgressNeverFalls) {
   EXPECT_EQ(last, 1.0);
 }
 
+// Upside down the tee stands on its beam; `upsideDown` is the outcome there, `otherwise` elsewhere.
+Orientation teeAfterCuts(const CutOutcome& upsideDown, const CutOutcome& otherwise) {
+  OrientOptions options = atOneMm();
+  options.cutOutcome = [&](const Eigen::Quaterniond& turn) {
+    return (turn * Eigen::Vector3d::UnitZ()).z() < -0.99 ? upsideDown : otherwise;
+  };
+  return bestOrientation(teeMesh(), Objective::LeastAfterCuts, options, kQuiet);
+}
+
+TEST(Orient, LeastAfterCutsChoosesWhatThePiecesLeave) {
+  const Orientation found = teeAfterCuts({1.0, 2}, {9.0, 2});
+  EXPECT_NEAR((found.turn * Eigen::Vector3d::UnitZ()).z(), -1.0, 1e-9);
+  EXPECT_EQ(found.cuts.riskyMm2, 1.0);
+  EXPECT_EQ(found.cutsBefore.riskyMm2, 9.0);
+  EXPECT_GT(found.tried, 3u);
+  // Of equal outcomes the present orientation is kept, as it is up to a quarter above the best.
+  for (const double left : {1.0, 0.81})
+    EXPECT_TRUE(teeAfterCuts({left, 2}, {1.0, 2}).turn.isApprox(Eigen::Quaterniond::Identity()));
+}
+
+TEST(Orient, LeastAfterCutsCountsPieces) {
+  // A piece costs 0.2 % of the present 50 mm2: 0.1 mm2.
+  const CutOutcome few{0.0, 2}, many{0.0, 3};
+  EXPECT_NEAR((teeAfterCuts(few, many).turn * Eigen::Vector3d::UnitZ()).z(), -1.0, 1e-9);
+  const CutOutcome saves{0.0, 4}, leaves{0.15, 2};
+  EXPECT_TRUE(teeAfterCuts(saves, leaves).turn.isApprox(Eigen::Quaterniond::Identity()));
+}
+
 TEST(Orient, CanBeCancelled) {
   const base::CancelToken token;
   token.cancel();

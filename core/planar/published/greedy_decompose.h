@@ -20,7 +20,8 @@ struct GreedyOptions {
 // diameters of a skeleton, ordered from a root, with perturbed planes and merged pieces, followed
 // by greedy fine cuts until options.target or no further gain. Without a skeleton there are only
 // fine cuts. Deviations from the source:
-// - The part keeps its orientation; the source turns it to the root's best direction.
+// - The part keeps its orientation; the source turns it to the root's best direction (see
+//   placement::Objective::LeastAfterCuts).
 // - Constraint I, a substitute for the head's shape, holds in the coarse cuts. In the fine cuts, if
 //   options.head is given, sections may end at one another, and a cut is refused if it increases
 //   the number of pieces that the head's true shape does not reach past the others. Without a head
