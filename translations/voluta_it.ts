@@ -9554,6 +9554,22 @@ facce %</translation>
         <source>resume the job from which it was made, and print its rest alone</source>
         <translation>riprendere il lavoro da cui è stato fatto, e stampare il resto da solo</translation>
     </message>
+    <message>
+        <source>milling passes</source>
+        <translation>passate di fresatura</translation>
+    </message>
+    <message>
+        <source>milling the block</source>
+        <translation>fresatura del blocco</translation>
+    </message>
+    <message>
+        <source>another motion than planned</source>
+        <translation>un movimento diverso da quello pianificato</translation>
+    </message>
+    <message>
+        <source>motions of the plan are missing</source>
+        <translation>mancano movimenti del piano</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -125,17 +125,17 @@ void addLoop(const std::vector<Vector2d>& loop, double heightMm, double stripY, 
     const Vector2d& p = at(start + k);
     if (p.y() < stripY) {
       if (isDown)
-        moves.push_back({{moves.back().to.x(), moves.back().to.y(), clearMm}, true});
+        moves.push_back({{moves.back().to.x(), moves.back().to.y(), clearMm}, MillStep::Rapid});
       isDown = false;
       continue;
     }
     if (!isDown)
-      moves.push_back({{p.x(), p.y(), clearMm}, true});
-    moves.push_back({{p.x(), p.y(), heightMm}, false});
+      moves.push_back({{p.x(), p.y(), clearMm}, MillStep::Rapid});
+    moves.push_back({{p.x(), p.y(), heightMm}, MillStep::Contour});
     isDown = true;
   }
   if (isDown)
-    moves.push_back({{moves.back().to.x(), moves.back().to.y(), clearMm}, true});
+    moves.push_back({{moves.back().to.x(), moves.back().to.y(), clearMm}, MillStep::Rapid});
 }
 
 } // namespace

@@ -9,7 +9,7 @@ double dropHeight(const HeightMap& part, const Cutter& cutter, const Eigen::Vect
   const double r = cutter.radiusMm();
   double tip = HeightMap::kNone;
   visitAround(part.grid, at, r, [&](std::size_t cell, double squared) {
-    if (part.isPart(cell))
+    if (part.top[cell] > tip) // the ball is lowest at its middle
       tip = std::max(tip, part.top[cell] + std::sqrt(r * r - squared) - r);
   });
   return tip;

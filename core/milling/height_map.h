@@ -5,6 +5,8 @@
 #include "geometry/triangle_mesh.h"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -44,7 +46,8 @@ struct HeightMap {
 HeightMap heightMap(const geometry::TriangleMesh& part, const CellGrid& grid,
                     const base::RunContext& ctx);
 
-// Calls visit(cell, offset) for all cells whose middle is within `radiusMm` of a point.
+// Calls visit(cell, squared) for all cells whose middle is within `radiusMm` of a point, with the
+// square of its distance.
 template <typename Visit>
 void visitAround(const CellGrid& grid, const Eigen::Vector2d& at, double radiusMm,
                  const Visit& visit) {
@@ -63,6 +66,35 @@ void visitAround(const CellGrid& grid, const Eigen::Vector2d& at, double radiusM
       if (const double squared = off.squaredNorm(); squared <= radiusMm * radiusMm)
         visit(grid.index(i, j), squared);
     }
+}
+
+// Calls visit(cell, offset) for all cells whose middle is within `radiusMm` of the line between two
+// points, and for some others around its ends; `offset`: of the middle from `from`.
+template <typename Visit>
+void visitAlong(const CellGrid& grid, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                double radiusMm, const Visit& visit) {
+  constexpr double kAlongX = 1e-9;
+  const auto bound = [&](double value, int count) {
+    return static_cast<int>(std::clamp(value / grid.pitchMm, 0.0, static_cast<double>(count)));
+  };
+  const Eigen::Vector2d low = (from.cwiseMin(to) - grid.low).array() - radiusMm,
+                        high = (from.cwiseMax(to) - grid.low).array() + radiusMm, way = to - from;
+  const double length = way.norm();
+  const int j0 = bound(low.y(), grid.countY), j1 = bound(high.y() + grid.pitchMm, grid.countY);
+  for (int j = j0; j < j1; ++j) {
+    double left = low.x(), right = high.x();
+    if (std::abs(way.y()) > kAlongX * length) {
+      // The strip of that half width about the endless line.
+      const double aboveMm = grid.middle(0, j).y() - from.y(),
+                   middle = from.x() - grid.low.x() + aboveMm * way.x() / way.y(),
+                   half = radiusMm * length / std::abs(way.y());
+      left = std::max(left, middle - half);
+      right = std::min(right, middle + half);
+    }
+    const int i0 = bound(left, grid.countX), i1 = bound(right + grid.pitchMm, grid.countX);
+    for (int i = i0; i < i1; ++i)
+      visit(grid.index(i, j), grid.middle(i, j) - from);
+  }
 }
 
 } // namespace voluta::milling

@@ -1,6 +1,7 @@
 #include "milling/mill_passes.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "geometry/measures.h"
 #include "milling/contour.h"
 #include "milling/drop_cutter.h"
@@ -76,26 +77,37 @@ public:
   }
 
   std::vector<MillMove> plan(const base::RunContext& ctx) {
-    const double r = rule_.cutter.radiusMm(), step = rule_.distanceMm();
-    double y = block_.max().y() - r;
-    const double last = block_.min().y() + r;
-    while (true) {
-      ctx.checkpoint();
-      line(y);
-      if (y <= last)
-        break;
-      y = std::max(last, y - step);
-    }
+    std::vector<Line> lines = linesOf();
+    base::parallelWithProgress(ctx, lines.size(), 1.0, "milling passes"_text,
+                               [&](std::size_t i) { measure(lines[i]); });
+    for (const Line& line : lines)
+      mill(line);
     rise();
     return std::move(moves_);
   }
 
 private:
+  struct Line {
+    double y = 0.0;
+    std::vector<double> height;    // of the tip on the part, at xAt()
+    std::vector<Vector3d> surface; // the tip along the part
+  };
+
   double xAt(int i) const { return first_ + part_.grid.pitchMm * i; }
+
+  std::vector<Line> linesOf() const {
+    const double r = rule_.cutter.radiusMm(), step = rule_.distanceMm();
+    const double last = block_.min().y() + r;
+    std::vector<Line> lines{{block_.max().y() - r, {}, {}}};
+    while (lines.back().y > last)
+      lines.push_back({std::max(last, lines.back().y - step), {}, {}});
+    return lines;
+  }
 
   // The floor holds the part until the contour is milled; it begins outside the silhouette.
   double heightAt(double x, double y) const {
-    const double drop = dropHeight(part_, rule_.cutter, {x, y});
+    const Cutter larger{rule_.cutter.diameterMm + 2.0 * kMarginMm, rule_.cutter.teeth};
+    const double drop = dropHeight(part_, larger, {x, y}) + kMarginMm;
     const CellGrid& grid = part_.grid;
     const int i = static_cast<int>(std::floor((x - grid.low.x()) / grid.pitchMm)),
               j = static_cast<int>(std::floor((y - grid.low.y()) / grid.pitchMm));
@@ -104,19 +116,26 @@ private:
     return isInside ? drop : std::max(drop, floor_);
   }
 
-  void line(double y) {
-    std::vector<double> height;
+  void measure(Line& line) const {
     for (int i = 0; i <= count_; ++i)
-      height.push_back(heightAt(xAt(i), y));
-    const double highest = *std::ranges::max_element(height),
-                 lowest = *std::ranges::min_element(height), fine = finePass();
+      line.height.push_back(heightAt(xAt(i), line.y));
+    line.surface.emplace_back(xAt(0), line.y, line.height[0]);
+    for (int i = 1; i <= count_; ++i)
+      refine({xAt(i), line.y, line.height[static_cast<std::size_t>(i)]}, line.surface);
+  }
+
+  void mill(const Line& line) {
+    const double highest = *std::ranges::max_element(line.height),
+                 lowest = *std::ranges::min_element(line.height), fine = finePass();
     double level = block_.max().z();
     while (level > lowest + kSameMm) {
       const double rough = level - rule_.roughingMm;
-      level = std::max(lowest, rough >= highest ? rough : level - fine);
-      pass(y, level, height);
+      step_ = rough >= highest ? MillStep::Roughing : MillStep::Fine;
+      level = std::max(lowest, step_ == MillStep::Roughing ? rough : level - fine);
+      pass(line.y, level, line.height);
     }
-    follow(y, height);
+    step_ = MillStep::Surface;
+    follow(line.surface);
   }
   double finePass() const { return finePassMm(rule_.cutter, rule_.data); }
 
@@ -142,10 +161,7 @@ private:
   }
 
   // Follows the part's surface, with as few points as keep the cutter within kSameMm of it.
-  void follow(double y, const std::vector<double>& height) {
-    std::vector<Vector3d> points{{xAt(0), y, height[0]}};
-    for (int i = 1; i <= count_; ++i)
-      refine({xAt(i), y, height[static_cast<std::size_t>(i)]}, points);
+  void follow(std::vector<Vector3d> points) {
     if (isBackwards_)
       std::ranges::reverse(points);
     enter(points.front());
@@ -158,21 +174,29 @@ private:
     }
     isBackwards_ = !isBackwards_;
   }
-  // Appends a point, and points before it where a straight line would cut into the part.
+  // Appends a point, and points before it where a straight line could cut into the part. The tip's
+  // height jumps where the ball meets a wall: there the cutter goes straight up or down beside it.
   void refine(const Vector3d& to, std::vector<Vector3d>& points) const {
-    constexpr double kLeastMm = 0.004;
+    constexpr double kLeastMm = 0.004, kJumpMm = 0.05, kSteep = 2.0;
     const Vector3d from = points.back();
-    const double x = 0.5 * (from.x() + to.x()), z = heightAt(x, to.y());
-    if (to.x() - from.x() > kLeastMm && z > 0.5 * (from.z() + to.z()) + kSameMm) {
-      refine({x, to.y(), z}, points);
-      refine(to, points);
-      return;
+    const double width = to.x() - from.x(), rise = to.z() - from.z(), x = 0.5 * (from.x() + to.x());
+    if (width > kLeastMm) {
+      const double z = heightAt(x, to.y());
+      if (std::abs(rise) > kSteep * width || z > 0.5 * (from.z() + to.z()) + kSameMm) {
+        refine({x, to.y(), z}, points);
+        refine(to, points);
+        return;
+      }
+    } else if (std::abs(rise) > kJumpMm) {
+      points.emplace_back(rise > 0.0 ? from.x() : to.x(), to.y(), std::max(from.z(), to.z()));
     }
     points.push_back(to);
   }
   static bool isStraight(const std::vector<Vector3d>& points, std::size_t from, std::size_t to) {
     const Vector3d &a = points[from], &b = points[to];
     for (std::size_t k = from + 1; k < to; ++k) {
+      if (!(b.x() != a.x() && points[k].x() != a.x() && points[k].x() != b.x()))
+        return false; // straight up or down
       const double share = (points[k].x() - a.x()) / (b.x() - a.x());
       if (std::abs(a.z() + share * (b.z() - a.z()) - points[k].z()) > kSameMm)
         return false;
@@ -186,26 +210,29 @@ private:
                         moves_.back().to.z() >= at.z();
     if (!isHere) {
       rise();
-      moves_.push_back({{at.x(), at.y(), clear_}, true});
+      moves_.push_back({{at.x(), at.y(), clear_}, MillStep::Rapid});
     }
     cut(at);
   }
   void rise() {
     if (!moves_.empty() && moves_.back().to.z() < clear_)
-      moves_.push_back({{moves_.back().to.x(), moves_.back().to.y(), clear_}, true});
+      moves_.push_back({{moves_.back().to.x(), moves_.back().to.y(), clear_}, MillStep::Rapid});
   }
   void cut(const Vector3d& to) {
     if (moves_.empty() || (moves_.back().to - to).norm() > kSameMm)
-      moves_.push_back({to, false});
+      moves_.push_back({to, step_});
   }
 
   static constexpr double kSameMm = 0.002;
+  // Beside a wall the digits of the program must not bring the ball into it.
+  static constexpr double kMarginMm = 0.003;
   const HeightMap& part_;
   Eigen::AlignedBox3d block_;
   const MillRule& rule_;
   double floor_, clear_, first_ = 0.0;
   int count_ = 0;
   bool isBackwards_ = false;
+  MillStep step_ = MillStep::Roughing;
   std::vector<MillMove> moves_;
 };
 

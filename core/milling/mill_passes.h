@@ -28,9 +28,17 @@ struct MillRule {
   double distanceMm() const { return lineMm > 0.0 ? lineMm : lineDistanceMm(cutter, data); }
 };
 
+enum class MillStep {
+  Rapid,    // above the block
+  Roughing, // above the part
+  Fine,     // down to the part
+  Surface,  // along the part's surface
+  Contour
+};
+
 struct MillMove {
   Eigen::Vector3d to = Eigen::Vector3d::Zero(); // the cutter's tip [mm]
-  bool rapid = false;
+  MillStep step = MillStep::Rapid;
 };
 
 enum class MillSide { A, B, Contour };

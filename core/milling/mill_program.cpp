@@ -51,8 +51,8 @@ std::string writeMilling(const MillPlan& plan, const MillRule& rule, const std::
     const Eigen::Vector3d origin = originOf(passes.side, plan.block);
     for (const MillMove& move : passes.moves) {
       const Eigen::Vector3d at = move.to - origin;
-      fmt::format_to(to, "{} X{:.3f} Y{:.3f} Z{:.3f}\n", move.rapid ? "G0" : "G1", at.x(), at.y(),
-                     at.z());
+      fmt::format_to(to, "{} X{:.3f} Y{:.3f} Z{:.3f}\n", move.step == MillStep::Rapid ? "G0" : "G1",
+                     at.x(), at.y(), at.z());
     }
   }
   out += "G53 G0 Z0\nM5\nM30\n";

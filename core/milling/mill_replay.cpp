@@ -1,7 +1,6 @@
 #include "milling/mill_replay.h"
 
 #include "milling/mill_program.h"
-#include "milling/stock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,28 +12,39 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kBelowMm = 0.01;  // rounding
-constexpr double kTouchMm3 = 1e-3; // rounding
+constexpr double kBelowMm = 0.01;      // rounding
+constexpr double kTouchMm3 = 1e-3;     // rounding
+constexpr double kSamePlaceMm = 0.002; // digits of the text
 constexpr double kSameShare = 0.01;
+constexpr std::size_t kReported = 256;
 constexpr double kSecondsPerMinute = 60.0;
 
 class Run {
 public:
   Run(const MillPlan& plan, const MillRule& rule, const base::RunContext& ctx)
-      : plan_(plan), rule_(rule), ctx_(ctx), stock_(plan.block, rule.pitchMm) {}
+      : plan_(plan), rule_(rule), ctx_(ctx), stock_(plan.block, rule.pitchMm) {
+    for (const MillPasses& passes : plan.sides)
+      for (const MillMove& move : passes.moves)
+        planned_.push_back(&move);
+  }
 
   MillVerdict run(const ReadMilling& program) {
     verdict_.refusals = program.defects;
     if (!program.complete)
       refuse(0, "the program does not end"_text);
     const double whole = stock_.volumeMm3();
-    for (const ReadMove& move : program.moves) {
-      ctx_.checkpoint();
-      take(move);
+    for (std::size_t i = 0; i < program.moves.size(); ++i) {
+      if (i % kReported == 0)
+        ctx_.report(static_cast<double>(i) / static_cast<double>(program.moves.size()),
+                    "milling the block"_text);
+      take(program.moves[i]);
     }
+    if (!isOther_ && next_ < planned_.size())
+      refuse(0, "motions of the plan are missing"_text);
     verdict_.removedMm3 = whole - stock_.volumeMm3();
     measure();
     verdict_.passed = verdict_.refusals.empty();
+    verdict_.rest = isTurned_ ? stock_.turned() : std::move(stock_);
     return std::move(verdict_);
   }
 
@@ -58,6 +68,7 @@ private:
     const Vector3d to = move.to + originOf(isTurned_ ? MillSide::B : MillSide::A, plan_.block);
     // From the reference position the machine comes from above.
     const Vector3d from = isKnown_ ? at_ : to;
+    compare(move, to);
     const double removed = stock_.cut(rule_.cutter, from, to);
     if (removed > kTouchMm3 && (move.rapid || !isKnown_))
       refuse(move.line, "a rapid move through the block"_text);
@@ -74,6 +85,16 @@ private:
       verdict_.seconds += kSecondsPerMinute * (to - from).norm() / speed;
     at_ = to;
     isKnown_ = true;
+  }
+  // Refuses the first motion that is not the next one of the plan.
+  void compare(const ReadMove& move, const Vector3d& to) {
+    if (isOther_)
+      return;
+    isOther_ = next_ == planned_.size() || (planned_[next_]->to - to).norm() > kSamePlaceMm ||
+               (planned_[next_]->step == MillStep::Rapid) != move.rapid;
+    if (isOther_)
+      refuse(move.line, "another motion than planned"_text);
+    ++next_;
   }
   static bool isSame(double value, double planned) {
     return std::abs(value - planned) <= kSameShare * planned;
@@ -120,6 +141,9 @@ private:
   const MillRule& rule_;
   const base::RunContext& ctx_;
   Stock stock_;
+  std::vector<const MillMove*> planned_; // of all sides
+  std::size_t next_ = 0;                 // of them
+  bool isOther_ = false;
   Vector3d at_ = Vector3d::Zero();
   bool isKnown_ = false, isTurned_ = false;
   MillVerdict verdict_;

@@ -4,8 +4,10 @@
 #include "base/run_context.h"
 #include "milling/mill_passes.h"
 #include "milling/mill_reader.h"
+#include "milling/stock.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace voluta::milling {
@@ -18,15 +20,17 @@ struct MillVerdict {
   double deepestMm = 0.0;     // greatest depth of material missing from the part, along z
   double residueMm = 0.0;     // greatest thickness of material left on the part
   double sideResidueMm = 0.0; // of it, on the part's lower side
+  std::optional<Stock> rest;  // the block afterwards, as side A sees it
 };
 
 inline constexpr double kRapidMmPerMin = 1500.0; // an assumption
 // Depth up to which missing material counts as rounding: cells of the map, digits of the text.
 inline constexpr double kGougeMm = 0.02;
 
-// Moves the cutter through the block. Refuses text that is not understood or ends early; a rapid
-// move, or a move with the spindle at rest, that touches the block; another feed or speed than
-// planned; the cutter below the block; and material missing from the part. Throws Cancelled.
+// Moves the cutter through the block. Refuses text that is not understood or ends early; motions
+// that are not those of the plan, in its order; a rapid move, or a move with the spindle at rest,
+// that touches the block; another feed or speed than planned; the cutter below the block; and
+// material missing from the part. Throws Cancelled.
 MillVerdict replayMilling(const ReadMilling& program, const MillPlan& plan, const MillRule& rule,
                           const base::RunContext& ctx);
 

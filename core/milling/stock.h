@@ -20,8 +20,8 @@ public:
   double lowAt(std::size_t cell) const { return low_[cell]; }
   double volumeMm3() const;
 
-  // Removes the material that the cutter sweeps on its way between two positions of its tip.
-  // Returns the removed volume [mm3].
+  // Removes the material that the cutter sweeps on a straight line between two positions of its
+  // tip. Returns the removed volume [mm3].
   double cut(const Cutter& cutter, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
   // Returns the block turned upside down about the x axis.
@@ -30,6 +30,7 @@ public:
 private:
   CellGrid grid_;
   std::vector<double> low_, high_;
+  double top_; // no material is higher
 };
 
 } // namespace voluta::milling

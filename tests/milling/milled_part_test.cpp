@@ -180,6 +180,55 @@ TEST(MilledPart, HarmfulChangesAreRefused) {
   }
 }
 
+// Beside a wall the ball's height jumps: a motion that leads up it on a slope cuts into it.
+TEST(MilledPart, WallsAreNotCut) {
+  geometry::TriangleMesh posts = test::box({-9, -6, 0}, {9, 6, 3});
+  test::append(posts, test::box({-3, -2.03, 3}, {4.07, 3, 14}));
+  for (const double degrees : {0.0, 17.0, 60.0}) {
+    geometry::TriangleMesh part = posts;
+    const Eigen::AngleAxisd turn(base::degreesToRadians(degrees), Vector3d::UnitZ());
+    for (Vector3d& v : part.vertices)
+      v = turn * v;
+    const MillRule rule = ruleFor("soft-plastic");
+    const MillPlan plan = planMilling(part, rule, kOne);
+    const MillVerdict v =
+        replayMilling(readMilling(writeMilling(plan, rule, "posts")), plan, rule, kOne);
+    EXPECT_TRUE(v.passed) << degrees
+                          << (v.refusals.empty() ? "" : base::english(v.refusals[0].reason));
+    EXPECT_LT(v.deepestMm, kGougeMm);
+  }
+}
+
+// A motion is left out, or 0.2 mm higher or lower.
+TEST(MilledPart, ChangedMotionsAreRefused) {
+  std::vector<std::string> lines;
+  std::istringstream in(dome().text);
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  std::mt19937 random(5);
+  for (int changed = 0; changed < 24;) {
+    const std::size_t at = random() % lines.size();
+    const std::size_t height = lines[at].find(" Z");
+    if (height == std::string::npos || lines[at].find(" X") == std::string::npos)
+      continue;
+    const double z = std::stod(lines[at].substr(height + 2));
+    const double off = changed % 3 == 1 ? 0.2 : -0.2;
+    std::string text;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (i != at)
+        text += lines[i] + "\n";
+      else if (changed % 3 > 0)
+        text += lines[i].substr(0, height) + " Z" + std::to_string(z + off) + "\n";
+    const MillVerdict v = replayed(text);
+    EXPECT_FALSE(v.passed) << lines[at] << ", change " << changed % 3;
+    ASSERT_FALSE(v.refusals.empty());
+    if (v.refusals.front().line > 0) {
+      EXPECT_NEAR(static_cast<double>(v.refusals.front().line), static_cast<double>(at + 1), 1.0);
+    }
+    ++changed;
+  }
+}
+
 TEST(MilledPart, BadValuesAreRefusedInOneLine) {
   MillRule rule = ruleFor("soft-plastic");
   rule.acrossMm = 2.0;
