@@ -9570,6 +9570,10 @@ facce %</translation>
         <source>motions of the plan are missing</source>
         <translation>mancano movimenti del piano</translation>
     </message>
+    <message>
+        <source>laying the part down</source>
+        <translation>orientamento del pezzo nel blocco</translation>
+    </message>
 </context>
 <context>
     <name>Gizmo</name>

@@ -3,9 +3,7 @@
 #include "base/files.h"
 #include "base/staged_folder.h"
 #include "cli/run_interruptibly.h"
-#include "milling/mill_passes.h"
-#include "milling/mill_program.h"
-#include "milling/mill_replay.h"
+#include "pipeline/mill_part.h"
 #include "project/loaded_part.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 struct MillOptions {
   std::string part, material = "soft-plastic";
-  milling::MillRule rule;
+  pipeline::MillOrder order;
   std::filesystem::path folder;
   int threads = 1;
 };
@@ -32,45 +30,43 @@ std::string materialIds() {
   return ids;
 }
 
-struct Milled {
-  milling::MillVerdict verdict;
-  std::size_t moves = 0;
-};
-
-Json reportOf(const MillOptions& options, const milling::MillPlan& plan, const Milled& milled) {
+Json reportOf(const MillOptions& options, const pipeline::MilledPart& milled) {
   const milling::MillVerdict& v = milled.verdict;
-  const Eigen::Vector3d size = plan.block.sizes();
+  const milling::MillRule& rule = options.order.rule;
+  const Eigen::Vector3d size = milled.plan.block.sizes();
+  const Eigen::Quaterniond& turn = milled.laid.turn;
   Json refusals = Json::array();
   for (const milling::MillDefect& d : v.refusals)
     refusals.push_back({{"line", d.line}, {"reason", base::english(d.reason)}});
-  return {{"part", options.part},
-          {"material", options.rule.data.id},
-          {"blockMm", {size.x(), size.y(), size.z()}},
-          {"rpm", options.rule.data.rpm},
-          {"feedMmPerMin", milling::feedMmPerMin(options.rule.cutter, options.rule.data)},
-          {"lineMm", options.rule.distanceMm()},
-          {"finePassMm", milling::finePassMm(options.rule.cutter, options.rule.data)},
-          {"moves", milled.moves},
-          {"passed", v.passed},
-          {"durationS", v.seconds},
-          {"removedMm3", v.removedMm3},
-          {"deepestMm", v.deepestMm},
-          {"residueMm", v.residueMm},
-          {"refusals", std::move(refusals)}};
+  Json report{{"part", options.part}, {"material", rule.data.id}};
+  if (options.order.layDown)
+    report["laidDown"] = {{"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}},
+                          {"rounds", milled.laid.rounds},
+                          {"scrapBeforeMm3", milled.laid.scrapBeforeMm3},
+                          {"scrapMm3", milled.laid.scrapMm3}};
+  report.update(Json{{"blockMm", {size.x(), size.y(), size.z()}},
+                     {"rpm", rule.data.rpm},
+                     {"feedMmPerMin", milling::feedMmPerMin(rule.cutter, rule.data)},
+                     {"lineMm", rule.distanceMm()},
+                     {"finePassMm", milling::finePassMm(rule.cutter, rule.data)},
+                     {"moves", milled.motions},
+                     {"passed", v.passed},
+                     {"durationS", v.seconds},
+                     {"removedMm3", v.removedMm3},
+                     {"deepestMm", v.deepestMm},
+                     {"residueMm", v.residueMm},
+                     {"refusals", std::move(refusals)}});
+  return report;
 }
 
-Milled mill(const MillOptions& options, const std::filesystem::path& folder,
-            const base::RunContext& ctx) {
+pipeline::MilledPart mill(MillOptions options, const std::filesystem::path& folder,
+                          const base::RunContext& ctx) {
   const auto loaded = project::loadPart(options.part, true, ctx.sub(0.0, 0.1));
-  const milling::MillPlan plan =
-      milling::planMilling(*loaded->mesh, options.rule, ctx.sub(0.1, 0.6));
-  const std::string text = milling::writeMilling(plan, options.rule, loaded->name);
-  const milling::ReadMilling read = milling::readMilling(text);
-  const Milled milled{milling::replayMilling(read, plan, options.rule, ctx.sub(0.6, 1.0)),
-                      read.moves.size()};
-  base::writeFile(folder / "report.json", reportOf(options, plan, milled).dump(2) + "\n");
+  options.order.name = loaded->name;
+  pipeline::MilledPart milled = pipeline::millPart(*loaded->mesh, options.order, ctx.sub(0.1, 1.0));
+  base::writeFile(folder / "report.json", reportOf(options, milled).dump(2) + "\n");
   if (milled.verdict.passed)
-    base::writeFile(folder / "mill.nc", text);
+    base::writeFile(folder / "mill.nc", milled.program);
   return milled;
 }
 
@@ -80,7 +76,7 @@ ExitCode millCommand(MillOptions options) {
     throw base::Error(base::ErrorCode::Usage,
                       base::message("unknown material '{id}'"_text, options.material), {},
                       base::message("give one of {ids}"_text, materialIds()));
-  options.rule.data = *data;
+  options.order.rule.data = *data;
   base::StagedFolder staged(options.folder);
   const auto milled =
       settled(runInterruptibly(
@@ -91,7 +87,7 @@ ExitCode millCommand(MillOptions options) {
     return kCancelled;
   const milling::MillVerdict& v = milled->verdict;
   fmt::print("{} moves, {:.0f} min, {:.0f} mm3 removed; deepest {:.3f} mm, residue {:.3f} mm\n",
-             milled->moves, v.seconds / 60.0, v.removedMm3, v.deepestMm, v.residueMm);
+             milled->motions, v.seconds / 60.0, v.removedMm3, v.deepestMm, v.residueMm);
   if (!v.passed)
     fmt::print(stderr, "voluta-cli: the program was refused: {} (line {})\n",
                base::english(v.refusals.front().reason), v.refusals.front().line);
@@ -103,9 +99,9 @@ ExitCode millCommand(MillOptions options) {
 void addMill(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   auto options = std::make_shared<MillOptions>();
   options->threads = threads;
-  milling::MillRule& rule = options->rule;
+  milling::MillRule& rule = options->order.rule;
   CLI::App* mill = app.add_subcommand("mill", "mill a part out of a block");
-  mill->add_option("PART", options->part, "mesh file, in mm; milled along z")->required();
+  mill->add_option("PART", options->part, "mesh file, in mm")->required();
   mill->add_option("-o,--output", options->folder, "folder for the program and the report")
       ->required();
   mill->add_option("--cut", options->material, "material of the block: " + materialIds());
@@ -118,6 +114,8 @@ void addMill(CLI::App& app, std::function<ExitCode()>& run, int threads) {
   mill->add_option("--skin", rule.skinMm, "block above and below the part [mm]");
   mill->add_option("--clearance", rule.clearanceMm, "height of moves above the block [mm]");
   mill->add_option("--pitch", rule.pitchMm, "cells of the part's map [mm]");
+  mill->add_flag("!--as-it-lies", options->order.layDown,
+                 "keep the part's orientation; by default the part is laid down first");
   mill->add_option("--threads", options->threads, "threads to use")->check(CLI::Range(1, 256));
   mill->callback([options, &run] { run = [options] { return millCommand(*options); }; });
 }

@@ -54,7 +54,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"geometry", "platform", "process",   "voxel",   "plan",      "build3mf", "layers",
       "curved",   "planar",   "substrate", "support", "placement", "robot",    "collision",
       "cells",    "toolpath", "together",  "motion",  "program",   "record",   "replay",
-      "project",  "modes",    "page",      "sliced"}},
+      "project",  "modes",    "page",      "sliced",  "milling"}},
 };
 
 struct Include {

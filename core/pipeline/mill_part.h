@@ -1,0 +1,34 @@
+// A part milled out of a block: laid down, planned, written as G-code, and replayed on its block.
+#pragma once
+
+#include "base/run_context.h"
+#include "geometry/triangle_mesh.h"
+#include "milling/mill_passes.h"
+#include "milling/mill_replay.h"
+#include "placement/laying_down.h"
+
+#include <cstddef>
+#include <string>
+
+namespace voluta::pipeline {
+
+struct MillOrder {
+  std::string name; // of the part, for the program's first comment
+  milling::MillRule rule;
+  bool layDown = true; // false: the part keeps its orientation
+};
+
+struct MilledPart {
+  placement::LaidDown laid;    // no turn if it was not wanted
+  geometry::TriangleMesh part; // as milled
+  milling::MillPlan plan;
+  std::string program;
+  std::size_t motions = 0; // of the program
+  milling::MillVerdict verdict;
+};
+
+// Throws as milling::planMilling(). Precondition: the part is closed and faces outward.
+MilledPart millPart(geometry::TriangleMesh part, const MillOrder& order,
+                    const base::RunContext& ctx);
+
+} // namespace voluta::pipeline
