@@ -590,6 +590,14 @@
         <source>Lays a run that the controller recorded beside the plan shown</source>
         <translation>Affianca al piano mostrato un&apos;esecuzione registrata dal controllore</translation>
     </message>
+    <message>
+        <source>&amp;Mill from a block…</source>
+        <translation>&amp;Fresa da un blocco…</translation>
+    </message>
+    <message>
+        <source>Mills the part out of a block and writes the G-code, checked on the block</source>
+        <translation>Ricava il pezzo da un blocco per fresatura e scrive il G-code, verificato sul blocco</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -9610,6 +9618,104 @@ facce %</translation>
     </message>
 </context>
 <context>
+    <name>MillForm</name>
+    <message>
+        <source>Cutter diameter</source>
+        <translation>Diametro della fresa</translation>
+    </message>
+    <message>
+        <source>The cutter has a round end</source>
+        <translation>La fresa ha punta sferica</translation>
+    </message>
+    <message>
+        <source>Distance of lines</source>
+        <translation>Distanza delle linee</translation>
+    </message>
+    <message>
+        <source>0: side load of the material; less leaves lower ridges</source>
+        <translation>0: passo laterale del materiale; un valore minore lascia creste più basse</translation>
+    </message>
+    <message>
+        <source>Roughing depth</source>
+        <translation>Profondità di sgrossatura</translation>
+    </message>
+    <message>
+        <source>Depth of one pass that stays above the part</source>
+        <translation>Profondità di una passata che resta sopra il pezzo</translation>
+    </message>
+    <message>
+        <source>Block beyond the part, y</source>
+        <translation>Blocco oltre il pezzo, y</translation>
+    </message>
+    <message>
+        <source>Across the lines; more than the cutter&apos;s diameter</source>
+        <translation>Di traverso alle linee; più del diametro della fresa</translation>
+    </message>
+    <message>
+        <source>Block beyond the part, x</source>
+        <translation>Blocco oltre il pezzo, x</translation>
+    </message>
+    <message>
+        <source>Along the lines, with the ends that hold the block; more than the cutter&apos;s diameter</source>
+        <translation>Lungo le linee, con le estremità che tengono il blocco; più del diametro della fresa</translation>
+    </message>
+    <message>
+        <source>Block above and below</source>
+        <translation>Blocco sopra e sotto</translation>
+    </message>
+    <message>
+        <source>Thickness that is milled away over the whole part</source>
+        <translation>Spessore asportato su tutto il pezzo</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Distanza di sicurezza</translation>
+    </message>
+    <message>
+        <source>Height of rapid moves above the block</source>
+        <translation>Altezza dei movimenti rapidi sopra il blocco</translation>
+    </message>
+    <message>
+        <source>Strip that holds the part</source>
+        <translation>Striscia che tiene il pezzo</translation>
+    </message>
+    <message>
+        <source>Of the contour, at the part&apos;s lower end along y; cut by hand</source>
+        <translation>Del contorno, all&apos;estremità inferiore del pezzo lungo y; si taglia a mano</translation>
+    </message>
+</context>
+<context>
+    <name>MillPicture</name>
+    <message>
+        <source>Block</source>
+        <translation>Blocco</translation>
+    </message>
+    <message>
+        <source>Rapid moves</source>
+        <translation>Movimenti rapidi</translation>
+    </message>
+    <message>
+        <source>Side A, roughing</source>
+        <translation>Lato A, sgrossatura</translation>
+    </message>
+    <message>
+        <source>Side A, finishing</source>
+        <translation>Lato A, finitura</translation>
+    </message>
+    <message>
+        <source>Side B, roughing</source>
+        <translation>Lato B, sgrossatura</translation>
+    </message>
+    <message>
+        <source>Side B, finishing</source>
+        <translation>Lato B, finitura</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Contorno</translation>
+    </message>
+</context>
+<context>
     <name>ModeSwitch</name>
     <message>
         <source>This way of building does not support that platform.</source>
@@ -11956,6 +12062,112 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Rows</source>
         <translation>Righe</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::MillDialog</name>
+    <message>
+        <source>Mill %1 from a block</source>
+        <translation>Fresa %1 da un blocco</translation>
+    </message>
+    <message>
+        <source>Save G-code…</source>
+        <translation>Salva il G-code…</translation>
+    </message>
+    <message>
+        <source>Compute passes</source>
+        <translation>Calcola le passate</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pezzo</translation>
+    </message>
+    <message>
+        <source>Milled block</source>
+        <translation>Blocco fresato</translation>
+    </message>
+    <message>
+        <source>Computing the passes and running them on the block…</source>
+        <translation>Calcolo delle passate ed esecuzione sul blocco…</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annullato.</translation>
+    </message>
+    <message>
+        <source>Values have changed: compute the passes again.</source>
+        <translation>I valori sono cambiati: calcola di nuovo le passate.</translation>
+    </message>
+    <message>
+        <source>Passed: the program was read back and run on the block.</source>
+        <translation>Superato: il programma è stato riletto ed eseguito sul blocco.</translation>
+    </message>
+    <message>
+        <source>Refused: %1 (line %2)</source>
+        <translation>Rifiutato: %1 (riga %2)</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Rifiutato: %1</translation>
+    </message>
+    <message>
+        <source>Block %1 × %2 × %3 mm</source>
+        <translation>Blocco %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Time %1, %2 moves</source>
+        <translation>Tempo %1, %2 movimenti</translation>
+    </message>
+    <message>
+        <source>Removed %1 of %2 cm³</source>
+        <translation>Asportati %1 di %2 cm³</translation>
+    </message>
+    <message>
+        <source>Left on the part: at most %1 mm</source>
+        <translation>Rimasto sul pezzo: al massimo %1 mm</translation>
+    </message>
+    <message>
+        <source>Missing from the part: at most %1 mm</source>
+        <translation>Mancante dal pezzo: al massimo %1 mm</translation>
+    </message>
+    <message>
+        <source>Save the G-code</source>
+        <translation>Salva il G-code</translation>
+    </message>
+    <message>
+        <source>G-code (*.nc)</source>
+        <translation>G-code (*.nc)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Salvato %1</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::MillForm</name>
+    <message>
+        <source>Material</source>
+        <translation>Materiale</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Denti</translation>
+    </message>
+    <message>
+        <source>Lay the part down</source>
+        <translation>Adagia il pezzo</translation>
+    </message>
+    <message>
+        <source>Turns the part so that the least material is milled away; otherwise it keeps its orientation on the plate</source>
+        <translation>Ruota il pezzo in modo da asportare meno materiale; altrimenti resta orientato come sul piano</translation>
+    </message>
+    <message>
+        <source>%1 rpm, feed %2 mm/min, lines every %3 mm, fine passes of %4 mm</source>
+        <translation>%1 giri/min, avanzamento %2 mm/min, linee ogni %3 mm, passate fini di %4 mm</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 #include "robot/cell_draft.h"
 #include "window/cell/cell_editor.h"
 #include "window/mesh_summary.h"
+#include "window/milling/mill_dialog.h"
 #include "window/pages/cell_view.h"
 #include "window/pages/parts_view.h"
 #include "window/pages/reach_view.h"
@@ -155,7 +156,27 @@ std::vector<Command> PreparePage::commands() {
                                      "materials"),
        {},
        [this] { choices_->openLibrary(process::Shelf::Processes); }});
+  commands.push_back({"millPart",
+                      "exportMenu",
+                      2,
+                      QT_TRANSLATE_NOOP("Commands", "&Mill from a block…"),
+                      QT_TRANSLATE_NOOP("Commands", "Mills the part out of a block and writes the "
+                                                    "G-code, checked on the block"),
+                      {},
+                      [this] { millPart(); },
+                      [this] { return placedPart() != nullptr; }});
   return commands;
+}
+
+std::shared_ptr<const geometry::TriangleMesh> PreparePage::placedPart() const {
+  const document::Document& document = work().document;
+  const auto placed = document.itemResult(Stage::Load);
+  return placed && document.upToDate(Stage::Load) ? placed->job.item().part : nullptr;
+}
+
+void PreparePage::millPart() {
+  if (const auto part = placedPart())
+    (new MillDialog(part, work().document.name(), work().viewport.window()))->open();
 }
 
 void PreparePage::editCell() {

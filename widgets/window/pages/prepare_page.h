@@ -45,6 +45,8 @@ private:
   void build();
   void listen();
   void editCell();
+  std::shared_ptr<const geometry::TriangleMesh> placedPart() const;
+  void millPart();
   void setParameter(const QString& key, const QString& text);
   void showChoices();
   void showProblems();
