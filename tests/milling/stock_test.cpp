@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 // The height that a ball leaves over a place, at the lowest of many positions on its way.
 double lowestBall(double radius, const Vector3d& from, const Vector3d& to, const Vector2d& place) {
-  constexpr int kPositions = 2000;
+  constexpr int kPositions = 500;
   double lowest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= kPositions; ++i) {
     const Vector3d tip = from + (to - from) * i / kPositions;
@@ -51,7 +51,7 @@ TEST(Stock, LosesWhatABallSweeps) {
                      ball = std::min(8.0, lowestBall(1.5, from, to, stock.grid().middle(i, j)));
         ASSERT_LE(left, ball + 1e-9) << k;
         // Near the edge of the sweep the ball is steep, and positions are few.
-        ASSERT_GE(left, ball - 0.15) << k;
+        ASSERT_GE(left, ball - 0.3) << k;
       }
   }
 }
