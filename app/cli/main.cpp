@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/compare_run_options.h"
 #include "cli/mill_command.h"
+#include "cli/pith_command.h"
 #include "cli/render_command.h"
 #include "cli/run_interruptibly.h"
 #include "cli/together_options.h"
@@ -563,6 +564,7 @@ int run(int argc, char** argv) {
   addProcess(app, parsed);
   addList(app, parsed);
   addMill(app, parsed.run, threads);
+  addPith(app, parsed.run, threads);
   std::vector<std::string> words = joinedNegativeValues(argc, argv);
   std::reverse(words.begin(), words.end());
   try {

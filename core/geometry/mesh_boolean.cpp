@@ -21,7 +21,9 @@ std::optional<TriangleMesh> meshBoolean(BooleanOperation operation, const Triang
   if (!pmp::remove_degenerate_faces(*a) || !pmp::remove_degenerate_faces(*b))
     return std::nullopt;
   const std::size_t slot = operation == BooleanOperation::Union ? pmp::Corefinement::UNION
-                                                                : pmp::Corefinement::TM1_MINUS_TM2;
+                           : operation == BooleanOperation::Intersection
+                               ? pmp::Corefinement::INTERSECTION
+                               : pmp::Corefinement::TM1_MINUS_TM2;
   CgalMesh result;
   std::array<boost::optional<CgalMesh*>, 4> wanted;
   wanted[slot] = &result;

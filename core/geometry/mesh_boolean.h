@@ -1,4 +1,4 @@
-// Union and difference of closed meshes; compiles CGAL's corefinement once for both.
+// Union, difference and intersection of closed meshes; compiles CGAL's corefinement once for all.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -7,7 +7,7 @@
 
 namespace voluta::geometry {
 
-enum class BooleanOperation { Union, Difference };
+enum class BooleanOperation { Union, Difference, Intersection };
 
 // Returns the result of the operation on two meshes (CGAL Polygon_mesh_processing, corefinement).
 // Triangles without area are removed first. Returns nullopt if one of the meshes or the result is

@@ -1,0 +1,112 @@
+// The pith of parts whose skeletons are known (TreeD printing, Castelli 6.4.4).
+#include "planar/pith_body.h"
+
+#include "base/error.h"
+#include "base/run_context.h"
+#include "base/units.h"
+#include "geometry/measures.h"
+#include "geometry/mesh_boolean.h"
+#include "geometry/mesh_query.h"
+#include "helpers/shapes.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace voluta::planar {
+namespace {
+
+using Eigen::Vector3d;
+
+// A round rod from one point to another, with rings along it so that the flow has vertices.
+geometry::TriangleMesh rod(const Vector3d& from, const Vector3d& to, double radius) {
+  constexpr int kSides = 32, kRings = 24;
+  const Vector3d along = (to - from).normalized(), u = along.unitOrthogonal(), v = along.cross(u);
+  geometry::TriangleMesh mesh;
+  for (int ring = 0; ring <= kRings; ++ring)
+    for (int k = 0; k < kSides; ++k) {
+      const double a = base::kTurn * k / kSides;
+      mesh.vertices.push_back(from + (to - from) * ring / kRings +
+                              radius * (std::cos(a) * u + std::sin(a) * v));
+    }
+  for (int ring = 0; ring < kRings; ++ring)
+    for (int k = 0; k < kSides; ++k) {
+      const int a = ring * kSides + k, b = ring * kSides + (k + 1) % kSides;
+      mesh.triangles.push_back({a, b, b + kSides});
+      mesh.triangles.push_back({a, b + kSides, a + kSides});
+    }
+  const int low = static_cast<int>(mesh.vertices.size()), last = kRings * kSides;
+  mesh.vertices.push_back(from);
+  mesh.vertices.push_back(to);
+  for (int k = 0; k < kSides; ++k) {
+    const int next = (k + 1) % kSides;
+    mesh.triangles.push_back({low, next, k});
+    mesh.triangles.push_back({low + 1, last + k, last + next});
+  }
+  return mesh;
+}
+
+geometry::TriangleMesh joined(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b) {
+  return geometry::meshBoolean(geometry::BooleanOperation::Union, a, b, false).value();
+}
+
+// A trunk of 40 mm with two branches of 40 mm at 40 degrees to it.
+geometry::TriangleMesh tree(double radius) {
+  const Vector3d fork(0, 0, 40);
+  const double lean = base::degreesToRadians(40.0);
+  geometry::TriangleMesh mesh = rod({0, 0, 0}, fork, radius);
+  for (const double side : {-1.0, 1.0})
+    mesh = joined(mesh, rod(fork - Vector3d(0, 0, 2),
+                            fork + 40.0 * Vector3d(side * std::sin(lean), 0.01, std::cos(lean)),
+                            radius - 0.05));
+  return mesh;
+}
+
+TEST(PithBody, OfARodIsAThinnerRod) {
+  PithRule rule;
+  rule.share = 0.4;
+  const PithBody body = pithBody(rod({0, 0, 0}, {0, 0, 60}, 8.0), rule, {});
+  EXPECT_EQ(body.limbs, 1);
+  EXPECT_NEAR(body.lengthMm, 60.0, 0.5);
+  EXPECT_NEAR(body.leastRadiusMm, 3.2, 0.1);
+  EXPECT_NEAR(body.greatestRadiusMm, 3.2, 0.1);
+  const double volume = base::kPi * 3.2 * 3.2 * 60.0;
+  EXPECT_NEAR(geometry::volume(body.mesh), volume, 0.05 * volume);
+  // It reaches both ends and is cut there.
+  const Eigen::AlignedBox3d box = geometry::bounds(body.mesh);
+  EXPECT_NEAR(box.min().z(), 0.0, 1e-6);
+  EXPECT_NEAR(box.max().z(), 60.0, 1e-6);
+}
+
+TEST(PithBody, OfATreeBranchesAndIsThickerThere) {
+  const geometry::TriangleMesh part = tree(6.0);
+  PithRule rule;
+  rule.share = 0.4;
+  rule.leastRadiusMm = 1.0;
+  const PithBody body = pithBody(part, rule, {});
+  EXPECT_EQ(body.limbs, 3);
+  EXPECT_EQ(geometry::components(body.mesh).count, 1);
+  EXPECT_NEAR(body.lengthMm, 120.0, 8.0);
+  EXPECT_NEAR(body.leastRadiusMm, 2.4, 0.25);
+  EXPECT_GT(body.greatestRadiusMm, 1.25 * body.leastRadiusMm);
+  // It is within the part.
+  const auto beyond = geometry::meshBoolean(geometry::BooleanOperation::Difference, body.mesh,
+                                            part, false);
+  if (beyond)
+    EXPECT_LT(geometry::volume(*beyond), 1e-3);
+  // Its ends are those of the branches.
+  const geometry::MeshQuery query(body.mesh);
+  const double lean = base::degreesToRadians(40.0);
+  for (const double side : {-1.0, 1.0})
+    EXPECT_TRUE(query.inside(Vector3d(0, 0, 40) +
+                             38.5 * Vector3d(side * std::sin(lean), 0.01, std::cos(lean))));
+}
+
+TEST(PithBody, AnOpenPartIsRefused) {
+  geometry::TriangleMesh open = test::box({0, 0, 0}, {10, 10, 40});
+  open.triangles.pop_back();
+  EXPECT_THROW(pithBody(open, {}, {}), base::Error);
+}
+
+} // namespace
+} // namespace voluta::planar
