@@ -35,6 +35,10 @@ TracePlan tracePlan(const ModeChoices& in) {
   if (plan.rule.spacingMm <= 0.0)
     plan.rule.spacingMm = p.beadWidthMm;
   plan.rule.curves = static_cast<int>(in.values.integer("tracePasses"));
+  plan.rule.sideCurves = static_cast<int>(in.values.integer("traceSidePasses"));
+  plan.rule.sideDepthMm = in.values.number("traceSideDepth");
+  plan.rule.fillLines = static_cast<int>(in.values.integer("traceFillLines"));
+  plan.rule.fillRad = base::degreesToRadians(in.values.number("traceFillAngle"));
   plan.rule.stepMm = p.stepMm;
   plan.rule.leastMm = kLeastWidths * p.beadWidthMm;
   // The width at which beads fill a layer, so that the strip has the volume of one bead.
@@ -116,7 +120,8 @@ Mode traceMode() {
       {tracePlan, decompose},
       {tracePlan, layersOf},
       project::ResultKind::OnGround,
-      {"overhangAngle", "traceAngle", "traceInset", "traceSpacing", "tracePasses", "traceClosing"}};
+      {"overhangAngle", "traceAngle", "traceInset", "traceSpacing", "tracePasses", "traceClosing",
+       "traceSidePasses", "traceSideDepth", "traceFillLines", "traceFillAngle"}};
   mode.onPart = true;
   mode.platform = {bodyPlan, bodyOf};
   mode.defaults = {{"walls", "1"}};
@@ -141,6 +146,22 @@ base::ParameterTable traceParameters() {
       base::numberParameter("traceSpacing", "mm", 0.0, 0.0, 1000.0, "Trace"_text,
                             "distance of seams"_text,
                             "Distance between beads, seen from above. 0: the bead's width."_text),
+      base::integerParameter("traceSidePasses", d.sideCurves, 0, 1000, "Trace"_text,
+                             "side passes"_text,
+                             "Number of beads on the side of the part, below the outline."_text,
+                             true),
+      base::numberParameter("traceSideDepth", "mm", d.sideDepthMm, 0.0, 1000.0, "Trace"_text,
+                            "depth of side passes"_text,
+                            "Height of the outline above the first side pass."_text, true),
+      base::integerParameter("traceFillLines", d.fillLines, 0, 1000, "Trace"_text,
+                             "lines at heel and toe"_text,
+                             "Number of parallel beads that fill each of the two ends inside the "
+                             "innermost seam."_text,
+                             true),
+      base::numberParameter("traceFillAngle", "deg", base::radiansToDegrees(d.fillRad), -180.0,
+                            180.0, "Trace"_text, "angle of lines"_text,
+                            "Angle of the lines at heel and toe to the x axis, seen from "
+                            "above."_text),
       base::numberParameter("traceClosing", "mm", d.closingMm, 0.0, 100.0, "Trace"_text,
                             "radius of the outline's hull"_text,
                             "Gaps of the outline through which no disc of this radius passes are "

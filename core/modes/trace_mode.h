@@ -8,7 +8,8 @@ namespace voluta::modes {
 
 Mode traceMode();
 
-// Parameters traceAngle, traceInset, traceSpacing, tracePasses and traceClosing.
+// Parameters traceAngle, traceInset, traceSpacing, tracePasses, traceSidePasses, traceSideDepth,
+// traceFillLines, traceFillAngle and traceClosing.
 base::ParameterTable traceParameters();
 
 } // namespace voluta::modes

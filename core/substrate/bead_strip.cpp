@@ -19,8 +19,12 @@ std::vector<Vector3d> asides(const SeamCurve& curve, double widthMm) {
   const std::size_t n = curve.points.size();
   std::vector<Vector3d> out(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Vector3d before = (curve.points[i] - curve.points[(i + n - 1) % n]).normalized(),
-                   after = (curve.points[(i + 1) % n] - curve.points[i]).normalized();
+    Vector3d before = (curve.points[i] - curve.points[(i + n - 1) % n]).normalized(),
+             after = (curve.points[(i + 1) % n] - curve.points[i]).normalized();
+    if (!curve.isClosed && i == 0)
+      before = after;
+    if (!curve.isClosed && i + 1 == n)
+      after = before;
     const Vector3d side = curve.normals[i].cross(before + after).normalized();
     const double half = std::sqrt(std::max(0.0, 0.5 * (1.0 + before.dot(after))));
     out[i] = 0.5 * widthMm / std::max(kSharpest, half) * side;
@@ -33,6 +37,7 @@ std::vector<Vector3d> asides(const SeamCurve& curve, double widthMm) {
 layers::Patch stripPatch(const SeamCurve& curve, const StripSize& size) {
   const std::vector<Vector3d> aside = asides(curve, size.widthMm);
   const int n = static_cast<int>(curve.points.size());
+  const int pieces = curve.isClosed ? n : n - 1;
   layers::Patch patch;
   for (std::size_t i = 0; i < curve.points.size(); ++i)
     for (const double side : {1.0, -1.0}) {
@@ -40,7 +45,7 @@ layers::Patch stripPatch(const SeamCurve& curve, const StripSize& size) {
                                        0.5 * size.heightMm * curve.normals[i]);
       patch.direction.push_back(curve.normals[i]);
     }
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < pieces; ++i) {
     const int left = 2 * i, right = left + 1, nextLeft = 2 * ((i + 1) % n),
               nextRight = nextLeft + 1;
     patch.surface.triangles.push_back({left, right, nextRight});
@@ -54,6 +59,7 @@ layers::Patch stripPatch(const SeamCurve& curve, const StripSize& size) {
 geometry::TriangleMesh stripSolid(const SeamCurve& curve, const StripSize& size) {
   const std::vector<Vector3d> aside = asides(curve, size.widthMm);
   const int n = static_cast<int>(curve.points.size());
+  const int pieces = curve.isClosed ? n : n - 1;
   geometry::TriangleMesh solid;
   // Around the section: low left, low right, high right, high left.
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -62,12 +68,18 @@ geometry::TriangleMesh stripSolid(const SeamCurve& curve, const StripSize& size)
          std::array<Vector3d, 4>{aside[i], -aside[i], up - aside[i], up + aside[i]})
       solid.vertices.push_back(curve.points[i] + corner);
   }
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i < pieces; ++i)
     for (int k = 0; k < 4; ++k) {
       const int a = 4 * i + k, b = 4 * i + (k + 1) % 4, next = 4 * ((i + 1) % n);
       const int c = next + k, d = next + (k + 1) % 4;
       solid.triangles.push_back({a, d, b});
       solid.triangles.push_back({a, c, d});
+    }
+  if (!curve.isClosed)
+    for (const auto& t : {std::array<int, 3>{0, 1, 2}, {0, 2, 3}}) {
+      const int last = 4 * (n - 1);
+      solid.triangles.push_back(t);
+      solid.triangles.push_back({last + t[0], last + t[2], last + t[1]});
     }
   return solid;
 }

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kUnits = 1e4; // Clipper's per mm
 constexpr double kLeastClosingMm = 0.01;
+constexpr double kLeastReachMm = 10.0; // of the search for the side beside an outline
 constexpr double kArcMm = 0.002, kCleanMm = 0.004;
 constexpr std::size_t kUnionOf = 256; // polygons that are united at a time
 
@@ -100,15 +101,19 @@ public:
 
   std::vector<SeamCurve> trace() const {
     std::vector<SeamCurve> curves;
-    for (const Path& outline : outlines())
-      for (int k = 0; k < rule_.curves; ++k) {
-        const double inset = rule_.insetMm + k * rule_.spacingMm;
-        const Paths inner = inset > 0.0 ? grown({outline}, -inset) : Paths{outline};
-        for (const Path& path : inner)
-          if (std::optional<SeamCurve> curve = lifted(path);
-              curve && curve->lengthMm() >= rule_.leastMm)
-            curves.push_back(std::move(*curve));
-      }
+    const auto keep = [&](std::optional<SeamCurve> curve) {
+      if (curve && curve->lengthMm() >= rule_.leastMm)
+        curves.push_back(std::move(*curve));
+    };
+    for (const Path& outline : outlines()) {
+      for (int k = 0; k < rule_.curves; ++k)
+        for (const Path& path : inset(outline, k))
+          keep(lifted(path, true));
+      for (int k = 0; k < rule_.sideCurves; ++k)
+        keep(onSide(outline, rule_.sideDepthMm + k * rule_.spacingMm));
+      for (const Path& line : endLines(inset(outline, rule_.curves)))
+        keep(lifted(line, false));
+    }
     return curves;
   }
 
@@ -133,17 +138,91 @@ private:
     return closed;
   }
 
-  // Returns the curve on the surface below the path; nullopt if the surface has a gap there.
-  std::optional<SeamCurve> lifted(const Path& path) const {
-    SeamCurve curve;
-    for (std::size_t i = 0; i < path.size(); ++i) {
+  // Returns the outline moved inwards to the place of curve k.
+  Paths inset(const Path& outline, int k) const {
+    const double mm = rule_.insetMm + k * rule_.spacingMm;
+    return mm > 0.0 ? grown({outline}, -mm) : Paths{outline};
+  }
+
+  // Returns points of a path, at most a step apart.
+  std::vector<Vector2d> stepped(const Path& path, bool isClosed) const {
+    std::vector<Vector2d> points;
+    const std::size_t pieces = path.size() - (isClosed ? 0 : 1);
+    for (std::size_t i = 0; i < pieces; ++i) {
       const Vector2d from = fromClipper(path[i]), to = fromClipper(path[(i + 1) % path.size()]);
       const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / rule_.stepMm)));
       for (int s = 0; s < steps; ++s)
-        if (!lift(from + (to - from) * s / steps, curve))
-          return std::nullopt;
+        points.emplace_back(from + (to - from) * s / steps);
     }
+    if (!isClosed)
+      points.push_back(fromClipper(path.back()));
+    return points;
+  }
+
+  // Returns the curve on the surface below the path; nullopt if the surface has a gap there.
+  std::optional<SeamCurve> lifted(const Path& path, bool isClosed) const {
+    SeamCurve curve;
+    curve.isClosed = isClosed;
+    for (const Vector2d& point : stepped(path, isClosed))
+      if (!lift(point, curve))
+        return std::nullopt;
     return curve;
+  }
+
+  // Returns the section of the surface with the ribbon that the outline, lowered along z, spans
+  // with its copies further out and in; nullopt if the section has a gap.
+  std::optional<SeamCurve> onSide(const Path& outline, double depthMm) const {
+    const double reach = std::max(kLeastReachMm, 2.0 * depthMm);
+    const std::vector<Vector2d> points = stepped(outline, true);
+    SeamCurve seam, side;
+    for (std::size_t i = 0, n = points.size(); i < n; ++i) {
+      if (!lift(points[i], seam))
+        return std::nullopt;
+      const Vector2d along = points[(i + 1) % n] - points[(i + n - 1) % n];
+      const Vector3d outward = Vector3d(along.y(), -along.x(), 0.0).normalized(),
+                     low = seam.points.back() - depthMm * Vector3d::UnitZ(),
+                     from = low + reach * outward, to = low - reach * outward;
+      const auto hit = query_.firstHit(from, to);
+      if (!hit)
+        return std::nullopt;
+      append(from + hit->t * (to - from), static_cast<std::size_t>(hit->triangle), side);
+    }
+    return side;
+  }
+
+  // Returns lines across both ends of the areas, from the ends inwards.
+  Paths endLines(const Paths& areas) const {
+    Paths lines;
+    const Vector2d along(std::cos(rule_.fillRad), std::sin(rule_.fillRad)),
+        across(along.y(), -along.x());
+    for (const Path& area : areas) {
+      double low = std::numeric_limits<double>::infinity(), high = -low, reach = 0.0;
+      for (const ClipperLib::IntPoint& corner : area) {
+        const Vector2d p = fromClipper(corner);
+        low = std::min(low, p.dot(across));
+        high = std::max(high, p.dot(across));
+        reach = std::max(reach, std::abs(p.dot(along)) + 1.0);
+      }
+      for (int end = 0; end < 2; ++end)
+        for (int k = 0; k < rule_.fillLines; ++k) {
+          const double in = (k + 0.5) * rule_.spacingMm;
+          // The ends do not share lines.
+          constexpr double kSlackMm = 1e-3;
+          if (in > 0.5 * (high - low) - (end == 0 ? 0.0 : 0.5 * rule_.spacingMm) + kSlackMm)
+            break;
+          const Vector2d middle = (end == 0 ? high - in : low + in) * across;
+          const Path line{toClipper(middle - reach * along), toClipper(middle + reach * along)};
+          ClipperLib::Clipper clipper;
+          clipper.AddPath(line, ClipperLib::ptSubject, false);
+          clipper.AddPath(area, ClipperLib::ptClip, true);
+          ClipperLib::PolyTree inside;
+          clipper.Execute(ClipperLib::ctIntersection, inside);
+          Paths pieces;
+          ClipperLib::OpenPathsFromPolyTree(inside, pieces);
+          lines.insert(lines.end(), pieces.begin(), pieces.end());
+        }
+    }
+    return lines;
   }
 
   // Rounding may put a point on the rim just outside the surface.
@@ -180,8 +259,8 @@ private:
 
 double SeamCurve::lengthMm() const {
   double length = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    length += (points[(i + 1) % points.size()] - points[i]).norm();
+  for (std::size_t i = isClosed ? 0 : 1; i < points.size(); ++i)
+    length += (points[i] - points[(i + points.size() - 1) % points.size()]).norm();
   return length;
 }
 

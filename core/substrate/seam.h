@@ -1,5 +1,5 @@
-// The seam of a shoe's upper (Castelli 7.1.2): the outline of the surface that faces up, and copies
-// of it further inside.
+// The seam of a shoe's upper (Castelli 7.1.2): the outline of the surface that faces up, copies of
+// it further inside, passes on the side below it, and parallel lines that fill heel and toe.
 #pragma once
 
 #include "base/run_context.h"
@@ -17,13 +17,18 @@ struct SeamRule {
   double spacingMm = 3.0;               // between curves, seen from above
   int curves = 1;                       // from outside inwards
   double stepMm = 1.0;                  // greatest distance of points
-  double leastMm = 10.0;                // shorter outlines are left out
+  double leastMm = 10.0;                // shorter curves are left out
+  int sideCurves = 0;                   // on the side, from above downwards
+  double sideDepthMm = 5.0;             // of the first of them below the outline, along z
+  int fillLines = 0;                    // at each of the two ends, inside the innermost curve
+  double fillRad = 1.5707963267948966;  // angle of these lines to x, seen from above
 };
 
-// A closed curve on a surface; the first point is not repeated.
+// A curve on a surface; the first point of a closed one is not repeated.
 struct SeamCurve {
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> normals; // unit, of the surface
+  bool isClosed = true;
   double lengthMm() const;
 };
 
@@ -31,7 +36,9 @@ struct SeamCurve {
 // of the places whose normal is within the angle of z, seen from above (the hull of their alpha
 // shape: gaps are closed, holes filled); curves follow the highest surface below them. Normals are
 // smooth where faces meet at less than 40 deg. Fewer curves are returned where there is no room.
-// Throws Cancelled.
+// The curves of an outline are followed by those on its side, where the surface beside the outline
+// is that far below it, and by its lines. The ends are where the space inside the innermost curve
+// ends across the lines; the lines are as far apart as the curves. Throws Cancelled.
 std::vector<SeamCurve> seamCurves(const geometry::TriangleMesh& surface, const SeamRule& rule,
                                   const base::RunContext& ctx);
 

@@ -89,6 +89,63 @@ TEST(Seam, OfABoxIsTheRimOfItsTop) {
     EXPECT_NEAR(normal.z(), 1.0, 1e-9);
 }
 
+// The side of a box is vertical: a pass on it is the rim's copy further down.
+TEST(Seam, SidePassesAreBelowTheOutline) {
+  SeamRule rule;
+  rule.curves = 0;
+  rule.sideCurves = 2;
+  rule.sideDepthMm = 1.5;
+  rule.spacingMm = 2.0;
+  const std::vector<SeamCurve> sides =
+      seamCurves(test::box({-10, -6, 0}, {10, 6, 5}), rule, kOne);
+  ASSERT_EQ(sides.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(sides[k].lengthMm(), 64.0, 0.1);
+    for (std::size_t i = 0; i < sides[k].points.size(); ++i) {
+      EXPECT_NEAR(sides[k].points[i].z(), k == 0 ? 3.5 : 1.5, 1e-6);
+      EXPECT_NEAR(sides[k].normals[i].z(), 0.0, 1e-9);
+    }
+  }
+}
+
+// Below the 35 deg circle of a sphere, a side pass is a circle of latitude.
+TEST(Seam, SidePassesOfASphereAreCircles) {
+  const double radius = 40.0, depth = 4.0;
+  SeamRule rule;
+  rule.curves = 0;
+  rule.sideCurves = 1;
+  rule.sideDepthMm = depth;
+  const std::vector<SeamCurve> sides = seamCurves(cap(radius), rule, kOne);
+  ASSERT_EQ(sides.size(), 1u);
+  const double z = radius * std::cos(rule.steepRad) - depth,
+               length = base::kTurn * std::sqrt(radius * radius - z * z);
+  EXPECT_NEAR(sides[0].lengthMm(), length, 0.005 * length);
+  for (const Vector3d& p : sides[0].points)
+    EXPECT_NEAR(p.z(), z, 0.1);
+}
+
+// Inside the first curve of a box of 20 x 12 there are 14 x 6 mm; lines across it are 6 mm long.
+TEST(Seam, LinesFillBothEnds) {
+  SeamRule rule;
+  rule.leastMm = 1.0;
+  rule.fillLines = 2;
+  const TriangleMesh box = test::box({-10, -6, 0}, {10, 6, 5});
+  const std::vector<SeamCurve> curves = seamCurves(box, rule, kOne);
+  ASSERT_EQ(curves.size(), 5u);
+  const double at[] = {5.5, 2.5, -5.5, -2.5};
+  for (std::size_t k = 1; k < curves.size(); ++k) {
+    EXPECT_FALSE(curves[k].isClosed);
+    EXPECT_NEAR(curves[k].lengthMm(), 6.0, 0.02);
+    for (const Vector3d& p : curves[k].points)
+      EXPECT_NEAR(p.x(), at[k - 1], 1e-3);
+  }
+  // More than there is room for: lines 3 mm apart fill the length of 14 once.
+  rule.fillLines = 100;
+  EXPECT_EQ(seamCurves(box, rule, kOne).size(), 1u + 4u);
+  rule.fillRad = 0.0; // along x
+  EXPECT_EQ(seamCurves(box, rule, kOne).size(), 1u + 2u);
+}
+
 TEST(Seam, WithoutAGentleSurfaceThereIsNone) {
   const TriangleMesh roof =
       surfaceOver(20.0, 10, 60, [](const Vector2d& p) { return 60.0 - 2.0 * p.norm(); });
@@ -141,6 +198,19 @@ TEST(BeadStrip, HasTheVolumeOfItsBead) {
     }
     EXPECT_NEAR(area * size.heightMm, volume, 0.003 * volume);
   }
+}
+
+TEST(BeadStrip, OfAnOpenCurveHasEnds) {
+  SeamCurve line;
+  line.isClosed = false;
+  for (int i = 0; i <= 10; ++i) {
+    line.points.emplace_back(2.0 * i, 1.0, 3.0);
+    line.normals.emplace_back(0, 0, 1);
+  }
+  EXPECT_NEAR(line.lengthMm(), 20.0, 1e-9);
+  const StripSize size{3.0, 0.5};
+  EXPECT_NEAR(geometry::volume(stripSolid(line, size)), 20.0 * 3.0 * 0.5, 1e-9);
+  EXPECT_EQ(stripPatch(line, size).surface.triangles.size(), 20u);
 }
 
 } // namespace
