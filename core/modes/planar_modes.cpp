@@ -61,6 +61,8 @@ std::string givenPlanes(const ModeChoices& in, const char* key) {
 planar::StitchRule stitchRule(const ModeChoices& in) {
   constexpr double kWalls = 2.0;
   return {in.values.number("stitchSpacing"), in.values.number("stitchDiameter"),
+          in.values.text("stitchShape") == "cone" ? planar::PocketShape::Cone
+                                                  : planar::PocketShape::Dovetail,
           static_cast<int>(in.values.integer("stitchLayers")), kWalls * in.process.beadWidthMm};
 }
 
@@ -288,7 +290,7 @@ Mode flatMode() {
                project::ResultKind::InPieces,
                {"voxelMm", "overhangAngle", "pieceMaterials", "adaptiveLayers", "cuspMm",
                 "firstLayerMm", "layerPlanes", "supports", "stitchSpacing", "stitchDiameter",
-                "stitchLayers"}};
+                "stitchShape", "stitchLayers"}};
   mode.upright = true;
   return mode;
 }
@@ -324,8 +326,13 @@ base::ParameterTable planarModeParameters() {
                             "and lock the layers together. 0: none."_text),
       base::numberParameter("stitchDiameter", "mm", planar::StitchRule{}.diameterMm, 2.0, 200.0,
                             "Stitches"_text, "diameter of stitches"_text,
-                            "Diameter of a pocket's chamber. The pocket is three quarters of it "
-                            "high, its opening half of it wide."_text),
+                            "Diameter of a pocket where it is widest. Its opening is half of it "
+                            "wide."_text),
+      base::choiceParameter("stitchShape", "dovetail",
+                            {{"dovetail", "dovetail"_text}, {"cone", "cone"_text}},
+                            "Stitches"_text, "shape of stitches"_text,
+                            "Dovetail: chamber, cone and opening, three quarters of the diameter "
+                            "high. Cone: half of the diameter high."_text),
       base::integerParameter("stitchLayers", planar::StitchRule{}.everyLayers, 2, 10000,
                              "Stitches"_text, "stitches after every n-th layer"_text,
                              "Pockets end at the top of these layers."_text),

@@ -78,6 +78,10 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"traceSpacing", {"4", kStageCount}},
     {"tracePasses", {"2", kStageCount}},
     {"traceClosing", {"1", kStageCount}},
+    {"traceSidePasses", {"1", kStageCount}},
+    {"traceSideDepth", {"4", kStageCount}},
+    {"traceFillLines", {"1", kStageCount}},
+    {"traceFillAngle", {"45", kStageCount}},
     {"walls", {"3", 3}},
     {"infill", {"concentric", 3}},
     {"infillDensity", {"0.5", 3}},
@@ -141,6 +145,7 @@ const std::map<std::string, std::pair<std::string, std::size_t>> kParameters{
     {"fibreField", {"0,0,0,1,0,0", 3}},
     {"stitchSpacing", {"25", kStageCount}}, // of mode flat, see below
     {"stitchDiameter", {"6", kStageCount}}, // of mode flat, see below
+    {"stitchShape", {"cone", kStageCount}}, // of mode flat, see below
     {"stitchLayers", {"3", kStageCount}},   // of mode flat, see below
     {"stitchExcess", {"0.1", 3}},
     {"stitchDepth", {"0.5", 3}},
@@ -259,7 +264,8 @@ TEST_F(StageKeysOf, ParametersOfPiecesMatterToTheirModes) {
       {"flat", "layerPlanes", 2},      {"flat", "voxelMm", 1},
       {"flat", "frontShape", 6},       {"flat", "layerHeightMm", 1},
       {"flat", "stitchSpacing", 2},    {"flat", "stitchDiameter", 2},
-      {"flat", "stitchLayers", 2},     {"planar", "stitchSpacing", 6}};
+      {"flat", "stitchLayers", 2},     {"flat", "stitchShape", 2},
+      {"planar", "stitchSpacing", 6}};
   for (const auto& [mode, key, first] : rows) {
     PlanRequest request = boxRequest();
     request.choices.item().mode = mode;
@@ -294,6 +300,8 @@ TEST_F(StageKeysOf, ParametersOfGroundsMatterToTheirModes) {
       {"trace", "traceAngle", 1},     {"trace", "traceInset", 1},
       {"trace", "traceSpacing", 1},   {"trace", "tracePasses", 1},
       {"trace", "traceClosing", 1},   {"trace", "layerShape", 6},
+      {"trace", "traceSidePasses", 1}, {"trace", "traceSideDepth", 1},
+      {"trace", "traceFillLines", 1}, {"trace", "traceFillAngle", 1},
       {"substrate", "traceAngle", 6}};
   for (const auto& [mode, key, first] : rows) {
     PlanRequest request = boxRequest();

@@ -29,7 +29,7 @@ std::vector<double> uniform(double height, int layers) {
 
 // The test body of 6.3.1: chamber 8 x 2, opening 4 x 2, 6 in all, 184.3 mm3, 26 mm of filament.
 TEST(Stitches, ThePocketIsCastellis) {
-  const layers::Pocket pocket = dovetailPocket({0, 0, 20}, 8.0);
+  const layers::Pocket pocket = pocketAt({0, 0, 20}, 8.0);
   EXPECT_NEAR(pocket.volumeMm3, 184.3, 0.05);
   EXPECT_NEAR(4.0 * pocket.volumeMm3 / (base::kPi * 9.0), 26.0, 0.1);
   EXPECT_DOUBLE_EQ(pocket.depthMm, 6.0);
@@ -39,8 +39,20 @@ TEST(Stitches, ThePocketIsCastellis) {
   EXPECT_DOUBLE_EQ(pocketRadius(pocket, 5.0), 2.0);
 }
 
+// The simpler chamber of 6.3.2: a truncated cone of 49.5 mm3.
+TEST(Stitches, TheConeIsCastellis) {
+  const layers::Pocket cone = pocketAt({0, 0, 20}, 6.0, PocketShape::Cone);
+  EXPECT_NEAR(cone.volumeMm3, 49.5, 0.05);
+  EXPECT_DOUBLE_EQ(cone.depthMm, 3.0);
+  EXPECT_DOUBLE_EQ(cone.openingMm, 3.0);
+  EXPECT_DOUBLE_EQ(pocketRadius(cone, 0.0, PocketShape::Cone), 3.0);
+  EXPECT_DOUBLE_EQ(pocketRadius(cone, 1.5, PocketShape::Cone), 2.25);
+  const geometry::TriangleMesh surface = pocketSurfaces({cone}, PocketShape::Cone);
+  EXPECT_NEAR(geometry::volume(surface), -cone.volumeMm3, 1e-3 * cone.volumeMm3);
+}
+
 TEST(Stitches, SurfacesFaceInwardsAndEncloseThePocket) {
-  const layers::Pocket pocket = dovetailPocket({3, -2, 20}, 8.0);
+  const layers::Pocket pocket = pocketAt({3, -2, 20}, 8.0);
   const geometry::TriangleMesh surface = pocketSurfaces({pocket});
   EXPECT_NEAR(geometry::volume(surface), -pocket.volumeMm3, 1e-3 * pocket.volumeMm3);
   EXPECT_NEAR(geometry::bounds(surface).max().z(), 20.0, 1e-12);
@@ -49,7 +61,7 @@ TEST(Stitches, SurfacesFaceInwardsAndEncloseThePocket) {
 
 TEST(Stitches, ASlabHasThemOnAGrid) {
   const Piece slab = pieceOf(test::box({-30, -30, 0}, {30, 30, 12}));
-  const StitchRule rule{20.0, 8.0, 8, 2.0};
+  const StitchRule rule{20.0, 8.0, PocketShape::Dovetail, 8, 2.0};
   const std::vector<layers::Pocket> pockets = placePockets(slab, uniform(1.0, 12), rule);
   ASSERT_EQ(pockets.size(), 9u);
   for (const layers::Pocket& pocket : pockets) {
@@ -69,7 +81,7 @@ TEST(Stitches, RandomRulesKeepTheirMargins) {
     const Vector3d half(8 + 20 * share(random), 8 + 20 * share(random), 0.0);
     const double height = 10.0 + 20.0 * share(random);
     const Piece part = pieceOf(test::box(-half, half + Vector3d(0, 0, height)));
-    const StitchRule rule{6.0 + 20.0 * share(random), 3.0 + 7.0 * share(random),
+    const StitchRule rule{6.0 + 20.0 * share(random), 3.0 + 7.0 * share(random), PocketShape::Dovetail,
                           2 + static_cast<int>(8 * share(random)), 0.5 + 2.0 * share(random)};
     const int layers = 10 + static_cast<int>(20 * share(random));
     const auto pockets = placePockets(part, uniform(height / layers, layers), rule);

@@ -196,7 +196,7 @@ SliceResult slicePieces(const std::vector<Piece>& pieces, const SliceOptions& op
       result.stack.pockets = placePockets(pieces[p], bounds, options.stitches);
     if (!result.stack.pockets.empty()) {
       pocketed = pieces[p].solid.mesh;
-      geometry::appendMesh(pocketed, pocketSurfaces(result.stack.pockets));
+      geometry::appendMesh(pocketed, pocketSurfaces(result.stack.pockets, options.stitches.shape));
     }
     sections.emplace_back(pocketed.empty() ? pieces[p].solid.mesh : pocketed,
                           pieces[p].base.normal);

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace voluta::planar {
 
@@ -15,8 +17,19 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Heights of chamber, cone and sprue, and the radii at their ends, in diameters of the chamber.
-constexpr double kPart = 0.25, kChamber = 0.5, kSprue = 0.25, kHeight = 3.0 * kPart;
+// A pocket's outline from its bottom to its top: heights and radii in diameters.
+struct Corner {
+  double height, radius;
+};
+constexpr std::array<Corner, 4> kDovetail{{{0.0, 0.5}, {0.25, 0.5}, {0.5, 0.25}, {0.75, 0.25}}};
+constexpr std::array<Corner, 2> kCone{{{0.0, 0.5}, {0.5, 0.25}}};
+
+std::span<const Corner> outlineOf(PocketShape shape) {
+  if (shape == PocketShape::Cone)
+    return kCone;
+  return kDovetail;
+}
+
 constexpr int kSides = 96;    // inscribed: 0.07 % less than the round section
 constexpr int kAzimuths = 24; // at which the material around a pocket is probed
 
@@ -25,8 +38,8 @@ Vector3d around(double radius, int k, int of) {
   return {radius * std::cos(angle), radius * std::sin(angle), 0.0};
 }
 
-double diameterOf(const layers::Pocket& pocket) {
-  return pocket.depthMm / kHeight;
+double diameterOf(const layers::Pocket& pocket, PocketShape shape) {
+  return pocket.depthMm / outlineOf(shape).back().height;
 }
 
 class Placer {
@@ -51,7 +64,7 @@ private:
       for (int i = -across; i <= across; ++i) {
         const Vector3d top(middle.x() + (i + shift) * rule_.spacingMm,
                            middle.y() + (j + shift) * rule_.spacingMm, bounds_[bound]);
-        layers::Pocket pocket = dovetailPocket(top, rule_.diameterMm);
+        layers::Pocket pocket = pocketAt(top, rule_.diameterMm, rule_.shape);
         pocket.layer = static_cast<int>(bound) - 1;
         if (isInside(pocket, bound) && isApart(pocket))
           pockets_.push_back(pocket);
@@ -74,11 +87,12 @@ private:
           return false;
       return true;
     };
-    if (!isSolid(floor, pocketRadius(pocket, 0.0)) || !isSolid(roof, 0.5 * pocket.openingMm))
+    if (!isSolid(floor, pocketRadius(pocket, 0.0, rule_.shape)) || !isSolid(roof, 0.5 * pocket.openingMm))
       return false;
     for (int l = 0; l < kLevels; ++l) {
       const double height = pocket.depthMm * (l + 0.5) / kLevels;
-      if (!isSolid(bottom.z() + height, pocketRadius(pocket, height) + rule_.marginMm))
+      if (!isSolid(bottom.z() + height,
+                   pocketRadius(pocket, height, rule_.shape) + rule_.marginMm))
         return false;
     }
     return true;
@@ -99,17 +113,16 @@ private:
   std::vector<layers::Pocket> pockets_;
 };
 
-geometry::TriangleMesh surfaceOf(const layers::Pocket& pocket) {
-  const double d = diameterOf(pocket);
-  constexpr std::array<std::array<double, 2>, 4> kProfile{
-      {{0.0, kChamber}, {kPart, kChamber}, {2.0 * kPart, kSprue}, {kHeight, kSprue}}};
+geometry::TriangleMesh surfaceOf(const layers::Pocket& pocket, PocketShape shape) {
+  const double d = diameterOf(pocket, shape);
+  const std::span<const Corner> outline = outlineOf(shape);
   const Vector3d bottom = pocket.top - pocket.depthMm * Vector3d::UnitZ();
   geometry::TriangleMesh mesh;
-  for (const auto& [height, radius] : kProfile)
+  for (const auto& [height, radius] : outline)
     for (int k = 0; k < kSides; ++k)
       mesh.vertices.push_back(bottom + around(radius * d, k, kSides) +
                               height * d * Vector3d::UnitZ());
-  const auto rings = static_cast<int>(kProfile.size());
+  const auto rings = static_cast<int>(outline.size());
   for (int ring = 0; ring + 1 < rings; ++ring)
     for (int k = 0; k < kSides; ++k) {
       const int a = ring * kSides + k, b = ring * kSides + (k + 1) % kSides;
@@ -130,24 +143,31 @@ geometry::TriangleMesh surfaceOf(const layers::Pocket& pocket) {
 
 } // namespace
 
-layers::Pocket dovetailPocket(const Vector3d& top, double diameterMm) {
+layers::Pocket pocketAt(const Vector3d& top, double diameterMm, PocketShape shape) {
+  const std::span<const Corner> outline = outlineOf(shape);
   layers::Pocket pocket;
   pocket.top = top;
-  pocket.depthMm = kHeight * diameterMm;
-  pocket.openingMm = 2.0 * kSprue * diameterMm;
-  // Of chamber, cone and sprue, in cubes of the diameter.
-  constexpr double kShare =
-      base::kPi * kPart *
-      (kChamber * kChamber + (kChamber * kChamber + kChamber * kSprue + kSprue * kSprue) / 3.0 +
-       kSprue * kSprue);
-  pocket.volumeMm3 = kShare * std::pow(diameterMm, 3);
+  pocket.depthMm = outline.back().height * diameterMm;
+  pocket.openingMm = 2.0 * outline.back().radius * diameterMm;
+  double share = 0.0; // of the diameter's cube: the sum of frusta
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    const double a = outline[i - 1].radius, b = outline[i].radius;
+    share += base::kPi * (outline[i].height - outline[i - 1].height) * (a * a + a * b + b * b) / 3.0;
+  }
+  pocket.volumeMm3 = share * std::pow(diameterMm, 3);
   return pocket;
 }
 
-double pocketRadius(const layers::Pocket& pocket, double heightMm) {
-  const double d = diameterOf(pocket);
-  const double taper = std::clamp(heightMm / (kPart * d) - 1.0, 0.0, 1.0);
-  return d * (kChamber + taper * (kSprue - kChamber));
+double pocketRadius(const layers::Pocket& pocket, double heightMm, PocketShape shape) {
+  const double d = diameterOf(pocket, shape), at = heightMm / d;
+  const std::span<const Corner> outline = outlineOf(shape);
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    const Corner &low = outline[i - 1], &high = outline[i];
+    if (at <= high.height)
+      return d * (low.radius + std::max(0.0, at - low.height) / (high.height - low.height) *
+                                   (high.radius - low.radius));
+  }
+  return d * outline.back().radius;
 }
 
 std::vector<layers::Pocket> placePockets(const Piece& piece, const std::vector<double>& bounds,
@@ -157,10 +177,11 @@ std::vector<layers::Pocket> placePockets(const Piece& piece, const std::vector<d
   return Placer(piece, bounds, rule).place();
 }
 
-geometry::TriangleMesh pocketSurfaces(const std::vector<layers::Pocket>& pockets) {
+geometry::TriangleMesh pocketSurfaces(const std::vector<layers::Pocket>& pockets,
+                                      PocketShape shape) {
   geometry::TriangleMesh all;
   for (const layers::Pocket& pocket : pockets)
-    geometry::appendMesh(all, surfaceOf(pocket));
+    geometry::appendMesh(all, surfaceOf(pocket, shape));
   return all;
 }
 
