@@ -18,6 +18,7 @@
 #include "process/joined_heads.h"
 #include "process/library.h"
 #include "program/dialect.h"
+#include "program/press_words.h"
 #include "program/program_options.h"
 #include "project/length_unit.h"
 #include "project/platform_kinds.h"
@@ -192,10 +193,26 @@ base::ParameterValues parameterValues(const project::Choices& choices) {
   return values;
 }
 
+namespace {
+// Returns whether the beads of a tool need statements, which exist for some formats only.
+bool needsBeadWords(const project::Choices& choices) {
+  for (std::size_t i = 0; i < choices.tools.size(); ++i)
+    try {
+      if (!process::loadProcess(choices.tool(i).process).beadWords.empty())
+        return true;
+    } catch (const base::Error&) {
+      // The stage that loads the process reports its error.
+    }
+  return false;
+}
+} // namespace
+
 std::vector<std::string> chosenFormats(const project::Choices& choices, const robot::Cell& cell) {
   if (!choices.formats.empty())
     return choices.formats;
   std::vector<std::string> formats{cell.robot().controller};
+  if (needsBeadWords(choices))
+    return formats;
   for (const program::Dialect& dialect : program::dialects())
     if (dialect.forAnyCell && dialect.id != formats.front())
       formats.emplace_back(dialect.id);
@@ -300,6 +317,13 @@ process::Tooling chosenTooling(const project::Choices& choices,
     tools.push_back({std::move(other)});
   }
   joinHeads(tools);
+  if (std::ranges::any_of(tools, [](const process::Tool& tool) {
+        return !tool.process.beadWords.empty();
+      })) {
+    const robot::Cell cell = modes::cellOnAnyPlatform(choices, tools.front().process);
+    for (process::Tool& tool : tools)
+      program::fillPressWords(tool.process, cell);
+  }
   return process::Tooling(std::move(tools));
 }
 

@@ -21,6 +21,7 @@
 #include "pipeline/stage_keys.h"
 #include "plan/blocking_share.h"
 #include "plan/finding_kinds.h"
+#include "program/bead_words.h"
 #include "program/dialect.h"
 #include "program/extruder.h"
 #include "toolpath/strength.h"
@@ -154,6 +155,7 @@ private:
     for (const std::string& format : chosenFormats(choices_, *result_.cell)) {
       program::requireOwnRobot(program::findDialect(format), *result_.cell);
       program::requireRodTurns(program::findDialect(format), *result_.cell);
+      program::requireBeadWords(format, tooling_);
       program::requireExtruder(format, program::findDialect(format).extruders, *result_.cell,
                                program::programOptions(values_));
     }

@@ -1,5 +1,6 @@
 #include "program/bead_words.h"
 
+#include "base/error.h"
 #include "program/common/text.h"
 
 #include <algorithm>
@@ -70,6 +71,22 @@ void uncoverBeadWords(std::vector<plan::ProgramFile>& files, std::string_view re
         else
           out.append(line);
       });
+}
+
+void requireBeadWords(std::string_view format, const process::Tooling& tooling) {
+  for (const process::Tool& tool : tooling.tools()) {
+    if (tool.process.beadWords.empty() || tool.process.wordsFor(format))
+      continue;
+    std::string formats;
+    for (const process::BeadWords& words : tool.process.beadWords)
+      formats += joined({formats.empty() ? "" : ", ", words.format});
+    throw base::Error(
+        base::ErrorCode::Usage,
+        base::message("process {process} has no statements (beadWords) for format {format}, "
+                      "which its beads need"_text,
+                      tool.process.id, format),
+        {}, base::message("use {formats}, or add the statements to the process"_text, formats));
+  }
 }
 
 ReadBeadWords takeBeadWords(const std::vector<plan::ProgramFile>& files, std::string_view format,

@@ -18,6 +18,10 @@ std::string beadWordRemark(std::string_view statement);
 // Replaces these remarks by their statements. `remark`: prefix of the dialect's comments.
 void uncoverBeadWords(std::vector<plan::ProgramFile>& files, std::string_view remark);
 
+// Throws Error{Usage} if a tool's process has statements, but none for the format: its beads need
+// them.
+void requireBeadWords(std::string_view format, const process::Tooling& tooling);
+
 // The statements of a text, and the files in which they are remarks.
 struct ReadBeadWords {
   std::vector<plan::ProgramFile> files; // empty if the tools have no statements for the format

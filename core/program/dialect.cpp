@@ -486,6 +486,7 @@ plan::Program writeProgram(std::string_view id, const ProgramInput& input,
   const Dialect& dialect = findDialect(id);
   requireOwnRobot(dialect, input.cell);
   requireRodTurns(dialect, input.cell);
+  requireBeadWords(dialect.id, input.tooling);
   requireEvents(dialect, input.trajectory);
   requireExtruder(dialect.id, dialect.extruders, input.cell, input.options);
   ProgramInput own = input;

@@ -100,6 +100,37 @@ TEST(TracedPlans, AnUpperHasTwoSeams) {
   EXPECT_EQ(plan.job.items[0].layers->patches.size(), 2u);
 }
 
+// The same crown with a pass on its side, lines at heel and toe, and the force words of both
+// controllers that have them.
+TEST(TracedPlans, AnUpperIsGluedOnItsSideAndAtItsEnds) {
+  PlanRequest request = tracedRequest(bodyOver(
+      {90.0, 38.0}, 90, 240, [](double share) { return 45.0 - 18.0 * std::pow(share, 6); }));
+  request.choices.formats = {"urscript", "melfa"};
+  auto& parameters = request.choices.item().parameters;
+  parameters["traceSpacing"] = "6";
+  parameters["traceSidePasses"] = "1";
+  parameters["traceSideDepth"] = "3";
+  parameters["traceFillLines"] = "2";
+  const PlanResult plan = planPart(request, {});
+  ASSERT_EQ(plan.checked.size(), 2u) << reasons(plan);
+  for (const auto& checked : plan.checked) {
+    EXPECT_TRUE(checked->passed) << checked->program.format << "\n" << reasons(plan);
+    const std::string& text = checked->program.files.front().text;
+    const bool isUrscript = checked->program.format == "urscript";
+    EXPECT_NE(text.find(isUrscript ? "force_mode(tool_pose()" : "P_FsFCd0=(0,0,5,0,0,0)(0,0)"),
+              std::string::npos);
+    EXPECT_NE(text.find(isUrscript ? "end_force_mode()" : "Fsc Off"), std::string::npos);
+  }
+  EXPECT_EQ(plan.job.items[0].layers->patches.size(), 1u + 1u + 4u);
+}
+
+TEST(TracedPlans, AFormatWithoutForceWordsIsRefused) {
+  PlanRequest request =
+      tracedRequest(bodyOver({20.0, 20.0}, 10, 60, [](double) { return 10.0; }));
+  request.choices.formats = {"gcode-extended"};
+  EXPECT_THROW(planPart(request, {}), base::Error);
+}
+
 TEST(TracedPlans, WithoutAGentleSurfaceTheReasonIsGiven) {
   const PlanRequest request =
       tracedRequest(bodyOver({20.0, 20.0}, 10, 60, [](double s) { return 80.0 - 70.0 * s; }));
