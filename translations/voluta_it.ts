@@ -9001,10 +9001,6 @@ previsto</translation>
         <translation>diametro dei punti di cucitura</translation>
     </message>
     <message>
-        <source>Diameter of a pocket&apos;s chamber. The pocket is three quarters of it high, its opening half of it wide.</source>
-        <translation>Diametro della camera di una tasca. La tasca è alta tre quarti di esso, la sua apertura è larga la metà.</translation>
-    </message>
-    <message>
         <source>stitches after every n-th layer</source>
         <translation>punti di cucitura dopo ogni n-esimo strato</translation>
     </message>
@@ -9099,6 +9095,114 @@ previsto</translation>
     <message>
         <source>Number of beads from the outline inwards.</source>
         <translation>Numero di cordoni dal contorno verso l&apos;interno.</translation>
+    </message>
+    <message>
+        <source>side passes</source>
+        <translation>passate laterali</translation>
+    </message>
+    <message>
+        <source>Number of beads on the side of the part, below the outline.</source>
+        <translation>Numero di cordoni sul fianco del pezzo, sotto il contorno.</translation>
+    </message>
+    <message>
+        <source>depth of side passes</source>
+        <translation>profondità delle passate laterali</translation>
+    </message>
+    <message>
+        <source>Height of the outline above the first side pass.</source>
+        <translation>Altezza del contorno sopra la prima passata laterale.</translation>
+    </message>
+    <message>
+        <source>lines at heel and toe</source>
+        <translation>linee a tacco e punta</translation>
+    </message>
+    <message>
+        <source>Number of parallel beads that fill each of the two ends inside the innermost seam.</source>
+        <translation>Numero di cordoni paralleli che riempiono ciascuna delle due estremità dentro la cucitura più interna.</translation>
+    </message>
+    <message>
+        <source>angle of lines</source>
+        <translation>angolo delle linee</translation>
+    </message>
+    <message>
+        <source>Angle of the lines at heel and toe to the x axis, seen from above.</source>
+        <translation>Angolo delle linee a tacco e punta rispetto all&apos;asse x, visto dall&apos;alto.</translation>
+    </message>
+    <message>
+        <source>dovetail</source>
+        <translation>coda di rondine</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>cono</translation>
+    </message>
+    <message>
+        <source>shape of stitches</source>
+        <translation>forma dei punti</translation>
+    </message>
+    <message>
+        <source>Dovetail: chamber, cone and opening, three quarters of the diameter high. Cone: half of the diameter high.</source>
+        <translation>Coda di rondine: camera, cono e apertura, alta tre quarti del diametro. Cono: alto metà del diametro.</translation>
+    </message>
+    <message>
+        <source>Diameter of a pocket where it is widest. Its opening is half of it wide.</source>
+        <translation>Diametro di una tasca dove è più larga. La sua apertura è larga la metà.</translation>
+    </message>
+    <message>
+        <source>process {process} has no statements (beadWords) for format {format}, which its beads need</source>
+        <translation>il processo {process} non ha istruzioni (beadWords) per il formato {format}, di cui i suoi cordoni hanno bisogno</translation>
+    </message>
+    <message>
+        <source>use {formats}, or add the statements to the process</source>
+        <translation>usa {formats}, o aggiungi le istruzioni al processo</translation>
+    </message>
+    <message>
+        <source>beadWords: &apos;{word}&apos; is not a word for a force</source>
+        <translation>beadWords: &apos;{word}&apos; non è una parola per una forza</translation>
+    </message>
+    <message>
+        <source>write {pressFrame}, {pressSpace}, {press 5} or {pressAxis 20}</source>
+        <translation>scrivi {pressFrame}, {pressSpace}, {press 5} o {pressAxis 20}</translation>
+    </message>
+    <message>
+        <source>the nozzle of cell {cell} is along no axis of the arm&apos;s base, so that MELFA cannot press along it</source>
+        <translation>l&apos;ugello della cella {cell} non è lungo un asse della base del braccio, quindi MELFA non può premere lungo di esso</translation>
+    </message>
+    <message>
+        <source>use a cell whose nozzle is upright, or another format</source>
+        <translation>usa una cella il cui ugello è verticale, o un altro formato</translation>
+    </message>
+    <message>
+        <source>find the skeleton</source>
+        <translation>trova lo scheletro</translation>
+    </message>
+    <message>
+        <source>pith</source>
+        <translation>midollo</translation>
+    </message>
+    <message>
+        <source>the part is not closed</source>
+        <translation>il pezzo non è chiuso</translation>
+    </message>
+    <message>
+        <source>the part has no limbs</source>
+        <translation>il pezzo non ha rami</translation>
+    </message>
+    <message>
+        <source>use infill that is dense along the part&apos;s middle (sparsePattern=pith)</source>
+        <translation>usa un riempimento denso lungo il mezzo del pezzo (sparsePattern=pith)</translation>
+    </message>
+    <message>
+        <source>the limbs of the pith cannot be joined</source>
+        <translation>i rami del midollo non si possono unire</translation>
+    </message>
+    <message>
+        <source>change the pith&apos;s share</source>
+        <translation>cambia la quota del midollo</translation>
+    </message>
+    <message>
+        <source>the pith cannot be cut at the part&apos;s surface</source>
+        <translation>il midollo non si può tagliare alla superficie del pezzo</translation>
     </message>
     <message>
         <source>distance of seams</source>
