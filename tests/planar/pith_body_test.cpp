@@ -87,9 +87,6 @@ TEST(PithBody, OfATreeBranchesAndIsThickerThere) {
   EXPECT_EQ(body.limbs, 3);
   EXPECT_EQ(geometry::components(body.mesh).count, 1);
   EXPECT_NEAR(body.lengthMm, 120.0, 8.0);
-  // The skeleton is up to 1.2 mm beside the axis of a limb, near a branching and at an end.
-  EXPECT_LE(body.leastRadiusMm, 2.4);
-  EXPECT_GT(body.leastRadiusMm, 0.4 * (6.0 - 1.3));
   EXPECT_GT(body.greatestRadiusMm, 1.25 * body.leastRadiusMm);
   // It is within the part.
   const geometry::MeshQuery whole(part);
