@@ -598,6 +598,14 @@
         <source>Mills the part out of a block and writes the G-code, checked on the block</source>
         <translation>Ricava il pezzo da un blocco per fresatura e scrive il G-code, verificato sul blocco</translation>
     </message>
+    <message>
+        <source>Print to&amp;gether with other machines…</source>
+        <translation>Stampa insie&amp;me ad altre macchine…</translation>
+    </message>
+    <message>
+        <source>Places other machines beside this one and finds an order of work in which they do not meet</source>
+        <translation>Posiziona altre macchine accanto a questa e trova un ordine di lavoro in cui non si urtano</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -13112,6 +13120,123 @@ Spunta a destra i modi da confrontare, poi premi Confronta.</translation>
     <message>
         <source>Size factors %1 (x) and %2 (y), outlines %3, holes %4; the measured sizes fit within %5.</source>
         <translation>Fattori di misura %1 (x) e %2 (y), contorni %3, fori %4; le misure rilevate si adattano entro %5.</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::JoinedMachines</name>
+    <message>
+        <source>Machine %1</source>
+        <translation>Macchina %1</translation>
+    </message>
+    <message>
+        <source>Waits %1 for machine %2</source>
+        <translation>Attende %1 la macchina %2</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::MachineTable</name>
+    <message>
+        <source>Job</source>
+        <translation>Lavoro</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Cella</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotazione</translation>
+    </message>
+</context>
+<context>
+    <name>voluta::window::TogetherDialog</name>
+    <message>
+        <source>Print together with other machines</source>
+        <translation>Stampa insieme ad altre macchine</translation>
+    </message>
+    <message>
+        <source>Add project…</source>
+        <translation>Aggiungi progetto…</translation>
+    </message>
+    <message>
+        <source>Add this job again</source>
+        <translation>Aggiungi ancora questo lavoro</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Find order of work</source>
+        <translation>Trova l&apos;ordine di lavoro</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Save programs…</source>
+        <translation>Salva i programmi…</translation>
+    </message>
+    <message>
+        <source>Least distance of moving arms</source>
+        <translation>Distanza minima dei bracci in moto</translation>
+    </message>
+    <message>
+        <source>Waits, and what they keep apart</source>
+        <translation>Attese, e che cosa tengono separato</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Avvia o ferma</translation>
+    </message>
+    <message>
+        <source>The programs were saved in %1.</source>
+        <translation>I programmi sono stati salvati in %1.</translation>
+    </message>
+    <message>
+        <source>Project of another machine</source>
+        <translation>Progetto di un&apos;altra macchina</translation>
+    </message>
+    <message>
+        <source>Voluta projects (*.voluta)</source>
+        <translation>Progetti di Voluta (*.voluta)</translation>
+    </message>
+    <message>
+        <source>Add the project of a machine that works beside this one.</source>
+        <translation>Aggiungere il progetto di una macchina che lavora accanto a questa.</translation>
+    </message>
+    <message>
+        <source>Place the machines, then find an order of work.</source>
+        <translation>Posizionare le macchine, poi trovare un ordine di lavoro.</translation>
+    </message>
+    <message>
+        <source>Together %1; one after the other %2; the longest alone %3</source>
+        <translation>Insieme %1; una dopo l&apos;altra %2; la più lunga da sola %3</translation>
+    </message>
+    <message>
+        <source>Machine %1: marks %2, waits %3, ends after %4</source>
+        <translation>Macchina %1: segnali %2, attende %3, finisce dopo %4</translation>
+    </message>
+    <message>
+        <source>Least distance %1 mm; collisions: %2</source>
+        <translation>Distanza minima %1 mm; urti: %2</translation>
+    </message>
+    <message>
+        <source>Collision: %1 of machine %2 with %3 of machine %4</source>
+        <translation>Urto: %1 della macchina %2 con %3 della macchina %4</translation>
+    </message>
+    <message>
+        <source>Machine %1 waits %2 for machine %3</source>
+        <translation>La macchina %1 attende %2 la macchina %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>Folder for all programs</source>
+        <translation>Cartella per tutti i programmi</translation>
     </message>
 </context>
 <context>

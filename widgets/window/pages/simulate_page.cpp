@@ -12,6 +12,7 @@
 #include "window/pages/resumable.h"
 #include "window/presenters/presenter.h"
 #include "window/run_dialog.h"
+#include "window/together/together_dialog.h"
 
 #include <QCheckBox>
 #include <QFileDialog>
@@ -71,6 +72,15 @@ std::vector<Command> SimulatePage::commands() {
                              "Lays a run that the controller recorded beside the plan shown"),
            {},
            [this] { compareRun(); },
+           [this] { return comparable() != nullptr; }},
+          {"printTogether",
+           "runMenu",
+           3,
+           QT_TRANSLATE_NOOP("Commands", "Print to&gether with other machines…"),
+           QT_TRANSLATE_NOOP("Commands", "Places other machines beside this one and finds an "
+                                         "order of work in which they do not meet"),
+           {},
+           [this] { printTogether(); },
            [this] { return comparable() != nullptr; }}};
 }
 
@@ -93,6 +103,16 @@ void SimulatePage::compareRun() {
             runPlaces_ = places;
             showRunPlaces();
           });
+  dialog->open();
+}
+
+void SimulatePage::printTogether() {
+  const auto plan = comparable();
+  if (!plan)
+    return;
+  auto* dialog =
+      new TogetherDialog(QString::fromStdString(plan->job.item().partName),
+                         std::make_shared<const project::Job>(plan->job), side_->window());
   dialog->open();
 }
 

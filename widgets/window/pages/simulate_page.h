@@ -40,9 +40,11 @@ public:
 
 private:
   void showMotion();
-  // Returns the plan that a recorded run can be compared with; null: none.
+  // Returns the plan that a recorded run can be compared with and other machines can join; null:
+  // none.
   std::shared_ptr<const pipeline::PlanResult> comparable() const;
   void compareRun();
+  void printTogether();
   void showRunPlaces();
   void goToPoint(std::size_t point);
   // Returns the start of the bead at the time-line's position; none if the print cannot be resumed
