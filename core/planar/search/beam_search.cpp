@@ -58,7 +58,7 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
       continue;
     const Piece& piece = at->second;
     auto cut = cutOffAt(piece, step.plane, tag, step.sectionMiddles, options.rule);
-    if (!step.clears && (!cut || cut->above.size() != step.sectionMiddles.size())) {
+    if (!step.clears && (!cut || cut->above.size() != step.above.size())) {
       const FaceTable faces = faceTable(piece, options.rule);
       PolishOptions polish;
       polish.shiftMm = options.stepMm;
@@ -77,10 +77,10 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
       any.leastGainMm2 = 0.0;
       any.maxContactLossMm2 = std::max(polish.maxContactLossMm2, 0.5 * faces.standsMm2);
       for (const double shift : {0.0, 0.4, -0.4, 0.8, -0.8, 1.6, -1.6})
-        if (!cut || cut->above.size() != step.sectionMiddles.size())
+        if (!cut || cut->above.size() != step.above.size())
           if (auto near =
                   cutPiece(piece, {step.plane.normal, step.plane.offsetMm + shift}, tag, any);
-              near && (!cut || near->above.size() == step.sectionMiddles.size()))
+              near && (!cut || near->above.size() == step.above.size()))
             cut = std::move(near);
     }
     tag += kTagsPerCut;
@@ -89,8 +89,6 @@ Pieces onThePart(const Piece& part, const std::vector<CutStep>& steps, const Pla
       pieces.erase(step.piece);
       continue;
     }
-    if (step.together)
-      cut = joined(std::move(*cut));
     pieces.erase(at);
     pieces[step.below] = std::move(cut->below);
     std::vector<bool> selected(cut->above.size(), false);

@@ -285,41 +285,6 @@ CutSearch::State CutSearch::after(const Option& option) {
   return made;
 }
 
-std::optional<CutSearch::State> CutSearch::withLastJoined(const State& state) {
-  const std::shared_ptr<const Cutting>& last = state.cuts.back();
-  if (last->above.size() < 2)
-    return std::nullopt;
-  std::shared_ptr<const Cutting>& known = joined_[last->below->id];
-  if (!known) {
-    PieceCut cut;
-    cut.below = last->below->piece;
-    for (const NodePtr& n : last->above)
-      cut.above.push_back(n->piece);
-    cut = joined(std::move(cut));
-    auto made = std::make_shared<Cutting>();
-    made->step = last->step;
-    made->step.together = true;
-    made->below = node(std::move(cut.below));
-    made->above = {node(std::move(cut.above.front()))};
-    made->below->id = made->step.below = ids_++;
-    made->above.front()->id = ids_++;
-    made->step.above = {made->above.front()->id};
-    known = std::move(made);
-  }
-  State out = state;
-  out.cuts.pop_back();
-  std::erase(out.nodes, last->below);
-  std::erase_if(out.nodes, [&](const NodePtr& n) {
-    return std::find(last->above.begin(), last->above.end(), n) != last->above.end();
-  });
-  out.nodes.push_back(known->below);
-  out.nodes.push_back(known->above.front());
-  out.cuts.push_back(known);
-  weigh(out);
-  weighHead(out);
-  return out;
-}
-
 void CutSearch::weigh(State& state) {
   state.risky = 0.0;
   state.cost = kPieceCost * before_ * static_cast<double>(state.nodes.size());
@@ -470,12 +435,8 @@ std::vector<CutSearch::State> CutSearch::bestFrom(State start, std::size_t width
             made.pop_back();
         }
       weighHead(made);
-      for (State& state : made) {
-        if (state.blocked > blockedBefore)
-          if (auto one = withLastJoined(state); one && one->blocked <= blockedBefore)
-            state = std::move(*one);
+      for (State& state : made)
         (state.blocked <= blockedBefore ? next : hidden).push_back(std::move(state));
-      }
     }
     std::stable_sort(hidden.begin(), hidden.end(),
                      [](const State& a, const State& b) { return a.cost < b.cost; });

@@ -14,7 +14,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -30,8 +29,7 @@ struct CutStep {
   Eigen::Vector3d topMm = Eigen::Vector3d::Zero(); // on the surface of the part cut off
   int below = 0;
   std::vector<int> above;
-  std::vector<Eigen::Vector3d> sectionMiddles; // of each solid above
-  bool together = false;                       // the solids above are one piece (joined())
+  std::vector<Eigen::Vector3d> sectionMiddles; // of each piece above
   // A clearing: gains nothing itself, but the part cut off is printed after the piece it would hide
   bool clears = false;
 };
@@ -84,8 +82,6 @@ private:
   std::vector<Option> optionsOf(const std::vector<State>& beam, int firstId);
   void tryCuts(const std::vector<Option>& options, std::size_t begin, std::size_t end);
   State after(const Option& option);
-  // Returns the state with the solids of its last cut as one piece; nullopt if it is one solid.
-  std::optional<State> withLastJoined(const State& state);
   static void replace(State& state, const NodePtr& cut, std::shared_ptr<const Cutting> cutting);
   bool inTheWay(const Node& of, const Node& what) const;
   bool carrierInTheWay(const Node& of) const;
@@ -128,7 +124,6 @@ private:
   std::int32_t tags_ = 0;
   std::map<std::pair<int, int>, bool> ways_; // cached results of inTheWay; second -1: the carrier
   std::map<std::pair<int, int>, std::shared_ptr<Cutting>> clearings_; // tried clearings: of, what
-  std::map<int, std::shared_ptr<const Cutting>> joined_;              // by the piece below
   std::set<std::pair<int, int>> moved_, anew_; // pairs of pieces tried before, lower and upper
 };
 
