@@ -17,14 +17,6 @@ using Eigen::Vector3d;
 
 constexpr int kDecimals = 4;
 
-std::string shortNumber(double value) {
-  std::string text = fixedText(value, kDecimals);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.'))
-    text.pop_back();
-  return text == "-0" ? "0" : text;
-}
-
 class PressWords {
 public:
   explicit PressWords(const robot::Cell& cell)
@@ -68,9 +60,9 @@ private:
     const Vector3d vector = rotationVector(turn);
     std::string text = "p[";
     for (int k = 0; k < 3; ++k)
-      text += joined({k > 0 ? "," : "", shortNumber(nozzle.translation()[k] / 1000.0)});
+      text += joined({k > 0 ? "," : "", fixedText(nozzle.translation()[k] / 1000.0, kDecimals)});
     for (int k = 0; k < 3; ++k)
-      text += joined({",", shortNumber(vector[k])});
+      text += joined({",", fixedText(vector[k], kDecimals)});
     return text + "]";
   }
 
@@ -91,7 +83,7 @@ private:
     }
     std::string text;
     for (int k = 0; k < 6; ++k)
-      text += joined({k > 0 ? "," : "", k == axis ? shortNumber(value) : "0"});
+      text += joined({k > 0 ? "," : "", k == axis ? fixedText(value, kDecimals) : "0"});
     return text;
   }
 
