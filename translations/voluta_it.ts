@@ -9748,6 +9748,10 @@ facce %</translation>
         <translation>0: passo laterale del materiale; un valore minore lascia creste più basse</translation>
     </message>
     <message>
+        <source>by material</source>
+        <translation>dal materiale</translation>
+    </message>
+    <message>
         <source>Roughing depth</source>
         <translation>Profondità di sgrossatura</translation>
     </message>

@@ -19,7 +19,7 @@ std::vector<planar::Piece> ball(bool cut) {
   planar::Piece whole = planar::wholePart(test::sphere({0, 0, 20}, 20), {});
   if (!cut)
     return {whole};
-  return planar::cutApart(whole, {{{0, 0, 30}, {Vector3d::UnitZ(), 30.0}}}, {}, 1.2, {});
+  return planar::cutApart(whole, {{{0, 0, 30}, {Vector3d::UnitZ(), 30.0}, {}}}, {}, 1.2, {});
 }
 
 scene::Colour distanceTo(const scene::Colour& a, const scene::Colour& b) {

@@ -23,6 +23,7 @@ struct NumberRow {
   const char *id, *label, *tip; // source texts of the context "MillForm"
   double& (*value)(MillRule&);
   double least, most, step;
+  const char* atLeast = nullptr; // shown instead of the least value
 };
 
 const std::array<NumberRow, 8> kNumbers{{
@@ -31,7 +32,8 @@ const std::array<NumberRow, 8> kNumbers{{
      [](MillRule& r) -> double& { return r.cutter.diameterMm; }, 0.2, 50.0, 0.5},
     {"millLine", QT_TRANSLATE_NOOP("MillForm", "Distance of lines"),
      QT_TRANSLATE_NOOP("MillForm", "0: side load of the material; less leaves lower ridges"),
-     [](MillRule& r) -> double& { return r.lineMm; }, 0.0, 50.0, 0.1},
+     [](MillRule& r) -> double& { return r.lineMm; }, 0.0, 50.0, 0.1,
+     QT_TRANSLATE_NOOP("MillForm", "by material")},
     {"millRoughing", QT_TRANSLATE_NOOP("MillForm", "Roughing depth"),
      QT_TRANSLATE_NOOP("MillForm", "Depth of one pass that stays above the part"),
      [](MillRule& r) -> double& { return r.roughingMm; }, 0.1, 50.0, 0.5},
@@ -102,6 +104,8 @@ void MillForm::addNumbers(QFormLayout& form) {
     box->setDecimals(3);
     box->setRange(row.least, row.most);
     box->setSingleStep(row.step);
+    if (row.atLeast)
+      box->setSpecialValueText(text(row.atLeast));
     box->setValue(row.value(rule));
     box->setToolTip(text(row.tip));
     form.addRow(text(row.label), box);

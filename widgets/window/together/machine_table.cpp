@@ -47,6 +47,7 @@ void MachineTable::addMachine(const QString& job, const QString& cell,
     box->setUnit(isTurn ? QStringLiteral("deg") : QStringLiteral("mm"));
     box->setValue(values[column - X]);
     box->setFrame(false);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons); // all columns fit beside the view
     box->setEnabled(row > 0);
     setCellWidget(row, column, box);
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, box, column] {

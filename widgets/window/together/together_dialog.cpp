@@ -26,6 +26,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace voluta::window {
 
@@ -38,8 +39,8 @@ QString number(double value, int decimals = 0) {
   return QLocale().toString(value, 'f', decimals);
 }
 QString placeText(const Eigen::Vector3d& place) {
-  return QStringLiteral("(%1, %2, %3)")
-      .arg(number(place.x()), number(place.y()), number(place.z()));
+  const auto whole = [](double mm) { return number(std::round(mm) + 0.0); }; // no -0
+  return QStringLiteral("(%1, %2, %3)").arg(whole(place.x()), whole(place.y()), whole(place.z()));
 }
 } // namespace
 
