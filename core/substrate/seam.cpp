@@ -101,18 +101,18 @@ public:
 
   std::vector<SeamCurve> trace() const {
     std::vector<SeamCurve> curves;
-    const auto keep = [&](std::optional<SeamCurve> curve) {
-      if (curve && curve->lengthMm() >= rule_.leastMm)
+    const auto keep = [&](std::optional<SeamCurve> curve, double leastMm) {
+      if (curve && curve->lengthMm() >= leastMm)
         curves.push_back(std::move(*curve));
     };
     for (const Path& outline : outlines()) {
       for (int k = 0; k < rule_.curves; ++k)
         for (const Path& path : inset(outline, k))
-          keep(lifted(path, true));
+          keep(lifted(path, true), rule_.leastMm);
       for (int k = 0; k < rule_.sideCurves; ++k)
-        keep(onSide(outline, rule_.sideDepthMm + k * rule_.spacingMm));
+        keep(onSide(outline, rule_.sideDepthMm + k * rule_.spacingMm), rule_.leastMm);
       for (const Path& line : endLines(inset(outline, rule_.curves)))
-        keep(lifted(line, false));
+        keep(lifted(line, false), rule_.spacingMm); // ends are narrow
     }
     return curves;
   }

@@ -17,11 +17,12 @@ struct SeamRule {
   double spacingMm = 3.0;               // between curves, seen from above
   int curves = 1;                       // from outside inwards
   double stepMm = 1.0;                  // greatest distance of points
-  double leastMm = 10.0;                // shorter curves are left out
+  double leastMm = 10.0;                // shorter curves are left out, but not fillLines
   int sideCurves = 0;                   // on the side, from above downwards
   double sideDepthMm = 5.0;             // of the first of them below the outline, along z
-  int fillLines = 0;                    // at each of the two ends, inside the innermost curve
-  double fillRad = 1.5707963267948966;  // angle of these lines to x, seen from above
+  // At each of the two ends, inside the innermost curve; none that is shorter than spacingMm.
+  int fillLines = 0;
+  double fillRad = 1.5707963267948966; // angle of these lines to x, seen from above
 };
 
 // A curve on a surface; the first point of a closed one is not repeated.

@@ -224,7 +224,7 @@ std::filesystem::path foldedScara(const std::filesystem::path& folder) {
 PlanResult quarter(const std::filesystem::path& cell) {
   PlanRequest request;
   project::Choices& choices = request.choices;
-  choices.cell = cell.string();
+  choices.cell = base::readFile(cell);
   choices.formats = {"spel"};
   choices.item().mode = "flat";
   choices.item().automatic = false;

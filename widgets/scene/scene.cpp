@@ -40,7 +40,6 @@ constexpr double kMarkerShare = 0.022;  // relative to the picture's height
 constexpr int kRingCorners = 48;
 constexpr double kChosenPathPixels = 3.0;
 constexpr double kFrontOpacity = 0.28;
-constexpr double kPlatformBesideShare = 1.0; // relative to the part's diagonal
 
 // The state for which the colours of a range actor were set.
 struct ColourState {
@@ -56,17 +55,6 @@ void setColours(const RangeActor& shown, const std::vector<std::uint8_t>& rgb) {
   if (!rgb.empty())
     std::memcpy(colours->GetPointer(0), rgb.data(), rgb.size());
   shown.mapper->GetInput()->GetPointData()->SetScalars(colours);
-}
-
-// Returns the box of the platform near the part, so that a small part on a large plate fills the
-// picture.
-Eigen::AlignedBox3d nearPart(const Eigen::AlignedBox3d& platform,
-                             const Eigen::AlignedBox3d& part) {
-  if (part.isEmpty())
-    return platform;
-  const Eigen::Vector3d beside =
-      Eigen::Vector3d::Constant(kPlatformBesideShare * part.diagonal().norm());
-  return platform.intersection({part.min() - beside, part.max() + beside});
 }
 
 // Returns a flat ring about z, through which the marked place stays visible.
@@ -387,28 +375,33 @@ struct Scene::Impl : Drawn {
 
   // Box of everything visible except the cell, in the world frame.
   Eigen::AlignedBox3d printedBox() const {
-    Eigen::AlignedBox3d box; // in the work frame
+    Eigen::AlignedBox3d box;
+    const auto extend = [&](const Eigen::AlignedBox3d& inWork) {
+      for (int corner = 0; corner < 8 && !inWork.isEmpty(); ++corner)
+        box.extend(world_T_work *
+                   inWork.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    };
     if (shows(view.part, part.get()))
-      box.extend(part->box);
+      extend(part->box);
     for (const auto& other : others)
       if (shows(view.otherParts, other.get()))
-        box.extend(other->box);
+        extend(other->box);
     if (const VoxelDrawing* drawing = shownVoxels())
-      box.extend(drawing->box);
+      extend(drawing->box);
     if (shows(view.pieces, pieces.get())) {
       const std::vector<Eigen::Vector3d> offsets = pieceOffsets(*pieces, view.explodeMm);
       for (std::size_t i = 0; i < offsets.size(); ++i)
-        box.extend(pieces->pieces[i].solid->box.translated(offsets[i]));
+        extend(pieces->pieces[i].solid->box.translated(offsets[i]));
     }
     if (shows(view.layers, layers.get()))
-      box.extend(layers->box);
+      extend(layers->box);
     if (shows(view.paths, paths.get()))
-      box.extend(paths->box);
+      extend(paths->box);
     if (shows(view.platform, platform.get()))
-      box.extend(nearPart(platform->box, box));
+      extend(platform->box);
     if (platformActors->showsRod() && !view.cell)
-      box.extend(platformActors->rodBeside(box));
-    return box.isEmpty() ? box : box.transformed(world_T_work);
+      extend(platformActors->rodBeside(box));
+    return box;
   }
 
   void frameAll() const {
