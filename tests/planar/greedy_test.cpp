@@ -93,9 +93,9 @@ TEST(Greedy, CutsAreCheckedOnAFewMadeParts) {
 
 TEST(Greedy, CutsAreCheckedOnMadeParts) {
   std::size_t pieces = 0;
-  for (unsigned seed = 100; seed < 200; ++seed)
+  for (unsigned seed = 100; seed < 200; seed += 4)
     pieces += checkMadePart(seed);
-  EXPECT_GT(pieces, 100U);
+  EXPECT_GT(pieces, 25U);
 }
 
 } // namespace

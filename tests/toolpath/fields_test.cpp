@@ -157,7 +157,7 @@ TEST(SurfaceFields, EvenIsolinesAreThoseOfEachLevel) {
 // that a search through all triangles finds.
 TEST(PatchSurface, ProjectsToTheNearestPointAround) {
   const auto s = toolpath::PatchSurface::refine(
-      test::patchOver({test::circle(12)}, 0.8, test::onSphere(25)), 0.6);
+      test::patchOver({test::circle(7)}, 0.8, test::onSphere(25)), 0.6);
   for (std::size_t t = 0; t < s.triangles.size(); t += 7) {
     const auto corner = [&](std::size_t k) {
       return s.position[static_cast<std::size_t>(s.triangles[t][k])];
