@@ -1,4 +1,4 @@
-// Constants shared by the rows of finding_rows.h: the remedies that each kind of finding offers,
+// Constants shared by the rows of finding_kinds.cpp: the remedies that each kind of finding offers,
 // why some kinds have none, help texts, and the reasons of findings that also stand for further
 // ones.
 #pragma once
