@@ -108,7 +108,8 @@ TEST_F(TogetherTest, AFileWithoutMotionSaysSo) {
   planBox();
   window::TogetherDialog& dialog = open();
   dialog.addFile(path("none.voluta"));
-  ASSERT_TRUE(waitFor([&] { return figures().contains("none.voluta"); }));
+  ASSERT_TRUE(waitFor([&] { return figures().contains("none.voluta"); }, 20000))
+      << figures().toStdString();
   EXPECT_EQ(dialog.machines().all().size(), 1u);
 }
 

@@ -37,7 +37,7 @@ void JoinedMachines::drawNext() {
   const auto next = std::ranges::find_if(
       machines_, [](const JoinedMachine& machine) { return !machine.drawing.cell; });
   if (next == machines_.end()) {
-    emit changed();
+    emit drawn();
     return;
   }
   inBackground(

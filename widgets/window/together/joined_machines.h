@@ -30,7 +30,7 @@ public:
   ~JoinedMachines() override;
 
   const std::vector<JoinedMachine>& all() const { return machines_; }
-  // Adds a machine; changed() follows once it is drawn. The first stands at the origin; `shared`
+  // Adds a machine; drawn() follows once it is drawn. The first stands at the origin; `shared`
   // places the others.
   void add(const QString& name, std::shared_ptr<const project::Job> job,
            const Eigen::Isometry3d& shared_T_world);
@@ -51,7 +51,8 @@ public:
   std::vector<timeline::Lane> lanes() const;
 
 signals:
-  void changed(); // machines, places or drawings
+  void changed(); // machines or places
+  void drawn();   // all machines have a drawing
 
 private:
   void drawNext();

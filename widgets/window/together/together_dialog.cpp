@@ -179,7 +179,12 @@ void TogetherDialog::listen() {
     machines_->setResult(nullptr);
     showResult();
   });
-  connect(machines_, &JoinedMachines::changed, this, &TogetherDialog::showMachines);
+  connect(machines_, &JoinedMachines::changed, this, [this] {
+    showMachines();
+    showResult();
+  });
+  // Leaves a message about a file as it is.
+  connect(machines_, &JoinedMachines::drawn, this, &TogetherDialog::showMachines);
   connect(places_, &QListWidget::currentItemChanged, this, &TogetherDialog::goTo);
   connect(&joining_, &document::Joining::jobRead, this,
           [this](const QString& file, const std::shared_ptr<const project::Job>& job) {
@@ -256,7 +261,6 @@ void TogetherDialog::showMachines() {
   if (isMore)
     view_->frameAll();
   view_->requestFrame();
-  showResult();
 }
 
 void TogetherDialog::refresh() {
