@@ -3,6 +3,7 @@
 #include "planar/hand_parts.h"
 #include "planar/head_reach.h"
 #include "planar/piece_cut.h"
+#include "planar/plan_check_of.h"
 #include "planar/plan_checker.h"
 #include "planar/plate.h"
 #include "planar/print_order.h"
@@ -58,11 +59,7 @@ TEST(Clearing, WhatHidesAnArmIsPrintedAfterIt) {
   EXPECT_GT(d.pieces[2].base.normal.z(), 0.7);
   EXPECT_NEAR(geometry::bounds(d.pieces[2].solid.mesh).max().z(), 130.0, 1e-9);
 
-  test::PlanCheck check;
-  check.overhangRad = options.rule.overhangRad;
-  check.contactMm = options.rule.contactMm;
-  check.head = options.head;
-  check.plate = plateOf(d.pieces, options);
+  const test::PlanCheck check = test::checkOf(d.pieces, options);
   const test::PlanVerdict verdict = test::checkPlan(part, d.pieces, check);
   EXPECT_TRUE(verdict.faults.empty());
   EXPECT_EQ(verdict.blockedPieces, 0U);

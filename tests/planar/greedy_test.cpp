@@ -6,6 +6,7 @@
 #include "helpers/made_parts.h"
 #include "helpers/shapes.h"
 #include "planar/hand_parts.h"
+#include "planar/plan_check_of.h"
 #include "planar/plan_checker.h"
 #include "process/process.h"
 
@@ -66,11 +67,7 @@ std::size_t checkMadePart(unsigned seed) {
     return 0;
   const PlanarOptions options = withHead();
   const PlanarDecomposition d = greedyDecompose(part.mesh, options, {}, base::RunContext({}, 2));
-  test::PlanCheck check;
-  check.overhangRad = options.rule.overhangRad;
-  check.contactMm = options.rule.contactMm;
-  check.head = options.head;
-  check.plate = plateOf(d.pieces, options);
+  const test::PlanCheck check = test::checkOf(d.pieces, options);
   const test::PlanVerdict verdict = test::checkPlan(part.mesh, d.pieces, check);
   for (const std::string& fault : verdict.faults)
     ADD_FAILURE() << part.name << ": " << fault;

@@ -3,6 +3,7 @@
 
 #include "helpers/made_solids.h"
 #include "helpers/shapes.h"
+#include "planar/plan_check_of.h"
 #include "planar/plan_checker.h"
 #include "planar/plate.h"
 #include "process/process.h"
@@ -41,11 +42,7 @@ TEST(Joined, LugsThatHideEachOtherFromTheHeadArePrintedTogether) {
   EXPECT_LT(d.riskyMm2, d.riskyBeforeMm2);
   EXPECT_EQ(d.blockedPieces, 0U);
   EXPECT_EQ(mostSolids(d), 2U);
-  test::PlanCheck check;
-  check.overhangRad = options.rule.overhangRad;
-  check.contactMm = options.rule.contactMm;
-  check.head = options.head;
-  check.plate = plateOf(d.pieces, options);
+  const test::PlanCheck check = test::checkOf(d.pieces, options);
   const test::PlanVerdict verdict = test::checkPlan(part, d.pieces, check);
   EXPECT_TRUE(verdict.faults.empty());
   EXPECT_EQ(verdict.blockedPieces, 0U);

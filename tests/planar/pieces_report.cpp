@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "geometry/formats/mesh_reader.h"
 #include "geometry/measures.h"
+#include "planar/plan_check_of.h"
 #include "planar/plan_checker.h"
 #include "planar/published/greedy_decompose.h"
 #include "planar/search/beam_search.h"
@@ -87,11 +88,7 @@ int main(int argc, char** argv) try {
                                               : planar::beamDecompose(part, options, ctx);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     const double clock = watch.seconds();
-    test::PlanCheck check;
-    check.overhangRad = options.rule.overhangRad;
-    check.contactMm = options.rule.contactMm;
-    check.head = options.head;
-    check.plate = planar::plateOf(d.pieces, options);
+    const test::PlanCheck check = test::checkOf(d.pieces, options);
     const test::PlanVerdict verdict = test::checkPlan(part, d.pieces, check);
     std::printf(
         "%s: %zu triangles, risky %.1f -> %.2f mm2 (%.2f %%), %zu pieces, blocked %zu, "

@@ -7,6 +7,7 @@
 #include "helpers/models.h"
 #include "helpers/shapes.h"
 #include "planar/hand_parts.h"
+#include "planar/plan_check_of.h"
 #include "planar/plan_checker.h"
 #include "process/process.h"
 
@@ -22,18 +23,10 @@ using geometry::TriangleMesh;
 
 constexpr double kDegree = base::degreesToRadians(1.0);
 
-test::PlanCheck checkOf(const PlanarDecomposition& d, const PlanarOptions& options) {
-  test::PlanCheck check;
-  check.overhangRad = options.rule.overhangRad;
-  check.contactMm = options.rule.contactMm;
-  check.head = options.head;
-  check.plate = plateOf(d.pieces, options);
-  return check;
-}
-
 void expectValid(const TriangleMesh& part, const PlanarDecomposition& d,
                  const PlanarOptions& options) {
-  const test::PlanVerdict verdict = test::checkPlan(part, d.pieces, checkOf(d, options));
+  const test::PlanVerdict verdict =
+      test::checkPlan(part, d.pieces, test::checkOf(d.pieces, options));
   for (const std::string& fault : verdict.faults)
     ADD_FAILURE() << fault;
   EXPECT_NEAR(verdict.riskyMm2, d.riskyMm2, 0.02 * d.riskyMm2 + 1.0);
