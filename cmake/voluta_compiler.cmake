@@ -23,7 +23,14 @@ if(VOLUTA_MOLD)
 endif()
 
 add_library(voluta_flags INTERFACE)
-target_compile_options(voluta_flags INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+target_compile_options(voluta_flags INTERFACE -Wall -Wextra -Wnon-virtual-dtor)
+if(NOT VOLUTA_UNITY)
+  target_compile_options(voluta_flags INTERFACE -Wshadow)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # There a local name of one source may be a name at file scope of another, and GCC takes every source
+  # for a header.
+  target_compile_options(voluta_flags INTERFACE -Wno-subobject-linkage)
+endif()
 # Behind a precompiled header GCC 12 warns of the insides of the standard library's strings, where
 # nothing is wrong (its bugs 105329, 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -46,10 +53,14 @@ if(VOLUTA_SANITIZE)
 endif()
 
 # voluta_heavy_templates(FILE ...): files that are little else than calls of large template libraries.
-# A sanitizer would find nothing of ours in them and take many minutes to build them.
+# Each is compiled alone, and its compiler is short of memory rather than of time. A sanitizer would find
+# nothing of ours in them and take many minutes to build them.
 function(voluta_heavy_templates)
+  set(options "--param=ggc-min-expand=20;--param=ggc-min-heapsize=65536")
   if(VOLUTA_SANITIZE)
-    set_source_files_properties(${ARGN} PROPERTIES
-      COMPILE_OPTIONS "-fno-sanitize=all;-O1" SKIP_PRECOMPILE_HEADERS ON)
+    set(options "-fno-sanitize=all;-O1")
+  elseif(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    return()
   endif()
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()

@@ -8,6 +8,10 @@
 set(voluta_common_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <functional>
   <map> <memory> <optional> <string> <string_view> <utility> <variant> <vector> <Eigen/Core>
   <Eigen/Geometry>)
+# Not <QtWidgets> as a whole, whose precompiled header takes 400 MB of each compiler.
+set(voluta_qt_headers <QApplication> <QComboBox> <QEvent> <QFileInfo> <QHBoxLayout> <QLabel> <QLineEdit>
+  <QLocale> <QObject> <QPainter> <QPushButton> <QSignalBlocker> <QString> <QTimer> <QToolButton> <QVBoxLayout>
+  <QWidget>)
 
 # voluta_headers(NAME HEADERS <a> ... LINK lib ... DEFINITIONS X ...)
 function(voluta_headers name)

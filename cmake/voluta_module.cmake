@@ -16,30 +16,40 @@ function(voluta_module name)
   install(TARGETS voluta_${name} EXPORT Voluta ARCHIVE DESTINATION lib/voluta)
 endfunction()
 
-# voluta_test(NAME [QT] SOURCES a.cpp ... LINK voluta::geometry ... SLOW Suite.Case ...): bin/test_NAME, one
-# ctest a case. QT: what it links has Qt in it. SLOW: cases (or patterns of gtest) that get the label
-# slow; all others are fast.
+# voluta_test(NAME [QT] SOURCES a_test.cpp ... LINK voluta::geometry ... SLOW a_test.cpp ...): bin/test_NAME,
+# and an entry of ctest for each source with tests, NAME.a, so that what the cases of a source share is
+# made once. bin/test_NAME --gtest_filter=Suite.Case runs one case. QT: what it links has Qt in it. SLOW:
+# sources that take more than ten seconds; they get the label slow, all others fast.
 function(voluta_test name)
   cmake_parse_arguments(ARG "QT" "" "SOURCES;LINK;SLOW" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-  target_link_libraries(test_${name} PRIVATE ${ARG_LINK} voluta_flags GTest::gtest_main GTest::gmock)
+  target_link_libraries(test_${name} PRIVATE ${ARG_LINK} voluta_flags voluta_test_main)
   if(ARG_QT)
     target_precompile_headers(test_${name} REUSE_FROM voluta_headers_qt_test)
   else()
     target_precompile_headers(test_${name} REUSE_FROM voluta_headers_test)
   endif()
-  list(JOIN ARG_SLOW ":" slow)
-  set(fast "*")
-  if(slow)
-    set(fast "-${slow}")
-    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_FILTER ${slow}
-      PROPERTIES TIMEOUT 600 LABELS slow)
-    # A case that was renamed would be fast unnoticed.
-    add_test(NAME slow_cases_of_${name} COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:test_${name}>
-      -D PATTERNS=${slow} -P ${CMAKE_SOURCE_DIR}/cmake/slow_cases.cmake)
-    set_tests_properties(slow_cases_of_${name} PROPERTIES TIMEOUT 120 LABELS fast)
+  foreach(source IN LISTS ARG_SLOW)
+    if(NOT source IN_LIST ARG_SOURCES)
+      message(FATAL_ERROR "${source} is slow, but no source of test_${name}")
+    endif()
+  endforeach()
+  foreach(source IN LISTS ARG_SOURCES)
+    if(source MATCHES "^([^/]*)_test\\.cpp$")
+      voluta_add_test(${name}.${CMAKE_MATCH_1} "${ARG_SLOW}" ${source} $<TARGET_FILE:test_${name}>)
+    endif()
+  endforeach()
+endfunction()
+
+# voluta_add_test(ENTRY "a_test.cpp ..." SOURCE COMMAND ...): the entry of ctest for the cases of SOURCE,
+# slow if it is in the list. Slow ones start first, so that none is left alone at the end.
+function(voluta_add_test entry slow source)
+  add_test(NAME ${entry} COMMAND ${ARGN} --source=${source})
+  set_tests_properties(${entry} PROPERTIES TIMEOUT 1800)
+  if(source IN_LIST slow)
+    set_tests_properties(${entry} PROPERTIES LABELS slow COST 100)
+  else()
+    set_tests_properties(${entry} PROPERTIES LABELS fast)
   endif()
-  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_FILTER ${fast}
-    PROPERTIES TIMEOUT 600 LABELS fast)
 endfunction()

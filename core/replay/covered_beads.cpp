@@ -40,7 +40,7 @@ std::vector<TimedPiece> timedPieces(const std::vector<LaidPiece>& pieces,
   return timed;
 }
 
-CoveredPlace placeOf(const TimedPiece& piece, double timeS, const ExecutedPath& path) {
+CoveredPlace coveredPlace(const TimedPiece& piece, double timeS, const ExecutedPath& path) {
   const std::size_t first = path.firstSample[piece.motion],
                     count = path.firstSample[piece.motion + 1] - first;
   CoveredPlace place{timeS, piece.motion};
@@ -99,8 +99,8 @@ CoveredBeads coveredBeads(const std::vector<LaidPiece>& pieces,
   if (length == 0.0)
     return out;
   figures.meanS = sum / length;
-  out.shortest = placeOf(timed[shortest], figures.shortestS, run.path);
-  out.longest = placeOf(timed[longest], figures.longestS, run.path);
+  out.shortest = coveredPlace(timed[shortest], figures.shortestS, run.path);
+  out.longest = coveredPlace(timed[longest], figures.longestS, run.path);
   return out;
 }
 

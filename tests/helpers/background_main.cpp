@@ -1,3 +1,5 @@
+#include "helpers/kept_source.h"
+
 #include <QGuiApplication>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -6,6 +8,8 @@
 // Nothing is shown: no display is needed. Settings and copies go to a folder of their own.
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
+  if (!voluta::test::keepCasesOfSource(argc, argv))
+    return 1;
   qputenv("QT_QPA_PLATFORM", "offscreen");
   const QTemporaryDir state;
   qputenv("XDG_CONFIG_HOME", state.path().toLocal8Bit());

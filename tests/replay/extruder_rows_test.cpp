@@ -35,9 +35,9 @@ const test::Scene& sceneFor(const std::string& format) {
   return test::cellFor(format) == usual.cell.id() ? usual : other;
 }
 
-using Lines = std::vector<std::string>;
+using TextLines = std::vector<std::string>;
 // Changes the lines from `at` on (an index); where, or nothing.
-using Harm = std::function<std::optional<std::size_t>(Lines&, std::size_t at)>;
+using Harm = std::function<std::optional<std::size_t>(TextLines&, std::size_t at)>;
 struct Kind {
   std::string name;
   Harm harm;
@@ -46,7 +46,7 @@ struct Kind {
 std::ptrdiff_t offset(std::size_t i) {
   return static_cast<std::ptrdiff_t>(i);
 }
-std::optional<std::size_t> next(const Lines& lines, std::size_t at, const std::string& pattern) {
+std::optional<std::size_t> next(const TextLines& lines, std::size_t at, const std::string& pattern) {
   const std::regex words(pattern);
   for (std::size_t i = at; i < lines.size(); ++i)
     if (std::regex_search(lines[i], words))
@@ -55,7 +55,7 @@ std::optional<std::size_t> next(const Lines& lines, std::size_t at, const std::s
 }
 Kind replaced(const std::string& name, const std::string& pattern, const std::string& by,
               bool fromTop = false) {
-  return {name, [=](Lines& lines, std::size_t at) {
+  return {name, [=](TextLines& lines, std::size_t at) {
             const auto i = next(lines, fromTop ? 0 : at, pattern);
             if (i)
               lines[*i] = std::regex_replace(lines[*i], std::regex(pattern), by);
@@ -63,7 +63,7 @@ Kind replaced(const std::string& name, const std::string& pattern, const std::st
           }};
 }
 Kind erased(const std::string& name, const std::string& pattern, bool fromTop = false) {
-  return {name, [=](Lines& lines, std::size_t at) {
+  return {name, [=](TextLines& lines, std::size_t at) {
             const auto i = next(lines, fromTop ? 0 : at, pattern);
             if (i)
               lines.erase(lines.begin() + offset(*i));
@@ -72,7 +72,7 @@ Kind erased(const std::string& name, const std::string& pattern, bool fromTop = 
 }
 // So many lines behind one that the pattern is in.
 Kind inserted(const std::string& line, const std::string& pattern, std::size_t behind) {
-  return {"amid: " + line, [=](Lines& lines, std::size_t at) {
+  return {"amid: " + line, [=](TextLines& lines, std::size_t at) {
             auto i = next(lines, at, pattern);
             if (i)
               lines.insert(lines.begin() + offset(*i = *i + behind), line);
@@ -80,7 +80,7 @@ Kind inserted(const std::string& line, const std::string& pattern, std::size_t b
           }};
 }
 Kind later(const std::string& name, const std::string& pattern) {
-  return {name, [=](Lines& lines, std::size_t at) -> std::optional<std::size_t> {
+  return {name, [=](TextLines& lines, std::size_t at) -> std::optional<std::size_t> {
             const auto i = next(lines, at, pattern);
             if (!i || *i + 4 > lines.size())
               return std::nullopt;
@@ -92,7 +92,7 @@ Kind later(const std::string& name, const std::string& pattern) {
 // Each number that the pattern has in brackets, over so many lines.
 Kind scaled(const std::string& name, const std::string& pattern, double by, std::size_t count,
             int decimals) {
-  return {name, [=](Lines& lines, std::size_t at) {
+  return {name, [=](TextLines& lines, std::size_t at) {
             const std::regex words(pattern);
             const auto first = next(lines, at, pattern);
             for (std::size_t i = first.value_or(lines.size());
@@ -162,11 +162,11 @@ std::vector<Kind> streamKinds() {
       erased("the end is missing", "^end", true)};
   for (const char* line : {"on 5", "off 5", "end", "5 0 0", "G1 E5", "stop"})
     all.push_back(inserted(line, step, 0));
-  all.push_back({"the file ends early", [](Lines& lines, std::size_t at) {
+  all.push_back({"the file ends early", [](TextLines& lines, std::size_t at) {
                    lines.resize(at);
                    return std::optional(at - 1);
                  }});
-  all.push_back({"two lines have changed places", [=](Lines& lines, std::size_t at) {
+  all.push_back({"two lines have changed places", [=](TextLines& lines, std::size_t at) {
                    const auto i = next(lines, at, step);
                    if (i)
                      std::swap(lines[*i], lines[*i + 1]);
@@ -208,11 +208,11 @@ std::vector<Kind> axisKinds(const std::string& dialect) {
                            erased("nobody knows which axis it is",
                                   krl ? "^EXTRUDER_AXIS=" : "^    ActUnit extruder", true),
                            {"the file ends early",
-                            [](Lines& lines, std::size_t at) {
+                            [](TextLines& lines, std::size_t at) {
                               lines.resize(at);
                               return std::optional(at - 1);
                             }},
-                           {"two lines have changed places", [=](Lines& lines, std::size_t at) {
+                           {"two lines have changed places", [=](TextLines& lines, std::size_t at) {
                               const auto i = next(lines, at, bead);
                               const auto other = i ? next(lines, *i + 1, bead) : std::nullopt;
                               if (other)
@@ -222,7 +222,7 @@ std::vector<Kind> axisKinds(const std::string& dialect) {
   // The prime stands before all beads.
   for (Kind& kind : all)
     if (kind.name.starts_with("the prime is ten"))
-      kind.harm = [harm = kind.harm](Lines& lines, std::size_t) { return harm(lines, 0); };
+      kind.harm = [harm = kind.harm](TextLines& lines, std::size_t) { return harm(lines, 0); };
   if (krl)
     all.push_back(replaced("another axis", "E1 ([0-9.]+)\\}", "E2 $1}"));
   else
@@ -262,8 +262,8 @@ protected:
                          ReplayThresholds{}, {});
   }
   std::size_t harmed() const { return stream_.value_or(0); }
-  Lines lines() const {
-    Lines all;
+  TextLines lines() const {
+    TextLines all;
     std::istringstream in(files_[harmed()].text);
     for (std::string line; std::getline(in, line);)
       all.push_back(line);
@@ -271,7 +271,7 @@ protected:
   }
 
   // At the line or the one beside it, or at the motion that it concerns, or that follows it.
-  bool named(const Verification& v, const Lines& lines, std::size_t at) const {
+  bool named(const Verification& v, const TextLines& lines, std::size_t at) const {
     const std::size_t line = at + 1;
     const auto near = [](std::size_t a, std::size_t b) { return a + 1 >= b && a <= b + 1; };
     std::size_t concerned = 0;
@@ -324,7 +324,7 @@ TEST_P(ExtruderRows, HarmIsFoundAtItsLine) {
   std::string missed;
   for (const Kind& kind : kinds)
     for (const double share : {0.3, 0.6}) {
-      Lines text = lines();
+      TextLines text = lines();
       const auto at =
           kind.harm(text, static_cast<std::size_t>(share * static_cast<double>(text.size())));
       if (!at) {
@@ -356,7 +356,7 @@ TEST_P(ExtruderRows, WhatDoesNoHarmBringsNoAlarm) {
   int alarms = 0, tried = 0;
   for (std::size_t at = 5; at + 5 < lines().size(); at += 17)
     for (const char* line : {"", "   ", "MARK seen"}) {
-      Lines text = lines();
+      TextLines text = lines();
       std::string extra = line;
       if (extra.starts_with("MARK"))
         extra = std::string(streams() ? "#" : program::findDialect(GetParam().dialect).remark) +

@@ -12,9 +12,9 @@ namespace voluta::test {
 
 namespace {
 
-using Lines = std::vector<std::string>;
+using TextLines = std::vector<std::string>;
 
-Lines::iterator lineAt(Subject& s, std::size_t line) { // 1-based
+TextLines::iterator lineAt(Subject& s, std::size_t line) { // 1-based
   return s.text.lines.begin() + at(line);
 }
 
@@ -63,7 +63,7 @@ Mutation movedBehindFirstMotion(const std::string& kind, const std::string& patt
 }
 
 // What makes the arm stand behind motion m, and what it then needs to go on.
-Lines waitBehind(const Subject& s, std::size_t m, const std::string& seconds) {
+TextLines waitBehind(const Subject& s, std::size_t m, const std::string& seconds) {
   const std::string& format = s.text.format;
   static const std::map<std::string, std::array<std::string, 2>> kWords = {
       {"urscript", {"  sleep(", ")"}},  {"rapid", {"    WaitTime ", ";"}},
@@ -90,7 +90,7 @@ Lines waitBehind(const Subject& s, std::size_t m, const std::string& seconds) {
   return {place.str() + ",-" + seconds + (format == "krl-eki" ? ",0,0,0" : ",0,0")};
 }
 Line insertWait(Subject& s, std::size_t m, const std::string& seconds) {
-  Lines wait = waitBehind(s, m, seconds);
+  TextLines wait = waitBehind(s, m, seconds);
   const std::size_t line = s.read.motions[m].line;
   for (std::string& one : wait)
     one = ended(s, one);

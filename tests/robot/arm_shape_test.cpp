@@ -6,6 +6,7 @@
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/json_node.h"
+#include "base/units.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_query.h"
 #include "robot/planning_text.h"
@@ -17,7 +18,6 @@
 
 #include <gmock/gmock.h>
 #include <map>
-#include <numbers>
 #include <tuple>
 
 namespace voluta::robot {
@@ -26,7 +26,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kPi = std::numbers::pi;
+using base::kPi;
 
 // Edges used once in each direction, vertices at one place taken as one.
 bool isClosed(const geometry::TriangleMesh& mesh) {

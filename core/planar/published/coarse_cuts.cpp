@@ -101,14 +101,14 @@ std::optional<PieceCut> cutAt(const Piece& piece, const Plane& plane, const Vect
         least = std::min(least, distance(solid));
         return false;
       },
-      options, footing, Sections::Apart);
+      options, footing, SectionContact::Apart);
   return constrainedCut(
       piece, plane, tag,
       [&](const TaggedMesh& solid) {
         return distance(solid) <= least + kMovedMm &&
                geometry::volume(solid.mesh) >= options.leastVolumeMm3;
       },
-      options, footing, Sections::Apart);
+      options, footing, SectionContact::Apart);
 }
 
 void mergePieces(std::vector<Piece>& pieces, const RiskRule& rule, const base::RunContext& ctx) {

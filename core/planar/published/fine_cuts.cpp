@@ -169,7 +169,7 @@ public:
   FineCutting(std::vector<Piece> pieces, const PlanarOptions& options, const FineCutOptions& fine,
               std::int32_t& firstTag, const base::RunContext& ctx)
       : levelOptions_{options, withLessContact(options)}, fine_(fine), tag_(firstTag), ctx_(ctx),
-        sections_(options.head.sections.empty() ? Sections::Apart : Sections::MayTouch),
+        sections_(options.head.sections.empty() ? SectionContact::Apart : SectionContact::MayTouch),
         normals_(evenDirections(fine.normals, options.lowestZ)), ways_(options, fine.spacingMm) {
     for (Piece& piece : pieces)
       queue_.push_back(queued(std::move(piece)));
@@ -262,7 +262,7 @@ private:
     const FaceTable faces = faceTable(q.piece, rule());
     PlaneLimits limits;
     limits.stepMm = level.stepShare * fine_.stepMm;
-    limits.mayTouch = sections_ == Sections::MayTouch;
+    limits.mayTouch = sections_ == SectionContact::MayTouch;
     limits.leastMm2 = fine_.leastMm2;
     limits.leastStands = optionsFor(q).keptContact *
                          (q.piece.baseTag == kPlate ? fine_.footing.contactMm2 : faces.standsMm2);
@@ -340,7 +340,7 @@ private:
   const FineCutOptions& fine_;
   std::int32_t& tag_;
   const base::RunContext& ctx_;
-  Sections sections_;
+  SectionContact sections_;
   std::vector<Vector3d> normals_;
   PieceWays ways_;
   std::vector<Queued> queue_;

@@ -31,12 +31,12 @@ bool meetsOther(const Piece& piece) {
 
 std::optional<PieceCut> constrainedCut(const Piece& piece, const Plane& plane, std::int32_t tag,
                                        const Wanted& wanted, const PlanarOptions& options,
-                                       const Footing& footing, Sections sections) {
+                                       const Footing& footing, SectionContact sections) {
   if (plane.normal.z() < options.lowestZ)
     return std::nullopt;
   try {
     auto cut = splitPiece(piece, plane, tag, wanted, options.rule);
-    if (!cut || (sections == Sections::Apart &&
+    if (!cut || (sections == SectionContact::Apart &&
                  std::any_of(cut->above.begin(), cut->above.end(), meetsOther)))
       return std::nullopt;
     if (piece.baseTag == kPlate) {

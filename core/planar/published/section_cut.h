@@ -15,7 +15,7 @@ namespace voluta::planar {
 inline constexpr double kFacesUp = 0.0;
 
 // Constraint I (RoboFDM, phase III): base cross-sections should not intersect each other.
-enum class Sections {
+enum class SectionContact {
   Apart,    // they have no point in common
   MayTouch, // a new one may end at an old one; none passes through another
 };
@@ -25,6 +25,6 @@ enum class Sections {
 // with the plate would be less than options.keptContact and keptHull of the part's `footing`.
 std::optional<PieceCut> constrainedCut(const Piece& piece, const Plane& plane, std::int32_t tag,
                                        const Wanted& wanted, const PlanarOptions& options,
-                                       const Footing& footing, Sections sections);
+                                       const Footing& footing, SectionContact sections);
 
 } // namespace voluta::planar

@@ -160,9 +160,9 @@ private:
     }
     std::string table(kTableNote);
     table += "X";
-    appendFixed(table, frame_.xMm, kPositionDecimals, true);
+    appendFixed(table, frame_.xMm, kGcodePositionDecimals, true);
     table += " Z";
-    appendFixed(table, frame_.zMm, kPositionDecimals, true);
+    appendFixed(table, frame_.zMm, kGcodePositionDecimals, true);
     std::vector<std::string> all = {std::move(table)};
     if (sense_ < 0.0)
       all.emplace_back(kReversedNote);
@@ -206,7 +206,7 @@ private:
   void start() {
     const TablePose first = poseAt(0);
     const double travel = in_.process().travelSpeedMmPerS * 60.0;
-    text_.word("G1 Z", upMm_, kPositionDecimals);
+    text_.word("G1 Z", upMm_, kGcodePositionDecimals);
     text_.word(" F", travel, 3, true);
     text_.word("\nG1 B", sense_ * base::radiansToDegrees(first.angles.tilt), kAngleDecimals);
     text_.word(" C", sense_ * base::radiansToDegrees(first.angles.turn), kAngleDecimals);
@@ -283,9 +283,9 @@ private:
 
   // The motion takes `s` seconds; 0: untimed.
   void line(const TablePose& pose, double s, std::optional<double> filamentMm) {
-    text_.word("G1 X", pose.axesMm.x(), kPositionDecimals);
-    text_.word(" Y", pose.axesMm.y(), kPositionDecimals);
-    text_.word(" Z", pose.axesMm.z(), kPositionDecimals);
+    text_.word("G1 X", pose.axesMm.x(), kGcodePositionDecimals);
+    text_.word(" Y", pose.axesMm.y(), kGcodePositionDecimals);
+    text_.word(" Z", pose.axesMm.z(), kGcodePositionDecimals);
     text_.word(" B", sense_ * base::radiansToDegrees(pose.angles.tilt), kAngleDecimals);
     text_.word(" C", sense_ * base::radiansToDegrees(pose.angles.turn) - countedDeg_,
                kAngleDecimals);

@@ -82,22 +82,22 @@ private:
             std::optional<double> filamentMm = std::nullopt, const ArcVia* via = nullptr) {
     Eigen::Vector3d tip;
     for (int k = 0; k < 3; ++k)
-      tip[k] = roundedTo(target.tipMm[k], kPositionDecimals);
+      tip[k] = roundedTo(target.tipMm[k], kGcodePositionDecimals);
     const std::optional<Arc> arc = via ? arcTo(tip, *via) : std::nullopt;
     if (arc)
       command = arc->u.cross(arc->v).z() > 0.0 ? "G3" : "G2";
     text_.out += command;
-    text_.word(" X", tip.x(), kPositionDecimals);
-    text_.word(" Y", tip.y(), kPositionDecimals);
-    text_.word(" Z", tip.z(), kPositionDecimals);
+    text_.word(" X", tip.x(), kGcodePositionDecimals);
+    text_.word(" Y", tip.y(), kGcodePositionDecimals);
+    text_.word(" Z", tip.z(), kGcodePositionDecimals);
     if (kind_.directions) {
       text_.word(" nX", target.direction.x(), kDirectionDecimals);
       text_.word(" nY", target.direction.y(), kDirectionDecimals);
       text_.word(" nZ", target.direction.z(), kDirectionDecimals);
     }
     if (arc) {
-      text_.word(" I", arc->centre.x() - lastTip_.x(), kPositionDecimals);
-      text_.word(" J", arc->centre.y() - lastTip_.y(), kPositionDecimals);
+      text_.word(" I", arc->centre.x() - lastTip_.x(), kGcodePositionDecimals);
+      text_.word(" J", arc->centre.y() - lastTip_.y(), kGcodePositionDecimals);
     }
     if (filamentMm)
       text_.amount(*filamentMm);

@@ -14,7 +14,7 @@
 
 namespace voluta::program {
 
-inline constexpr int kPositionDecimals = 4, kDirectionDecimals = 6;
+inline constexpr int kGcodePositionDecimals = 4, kDirectionDecimals = 6;
 inline constexpr double kGcodeFullFan = 255.0;
 // Pin of the tape's cutter (M42), which cuts when it turns on.
 inline constexpr int kGcodeCutPin = 1;

@@ -25,7 +25,7 @@ Vector3d along(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size
   return plan.position[after] - plan.position[before];
 }
 
-Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
+Vector3d sideAcross(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
                 const Vector3d& direction) {
   const Vector3d side = direction.cross(along(plan, path, waypoint));
   return side.squaredNorm() > 1e-12 ? side.normalized() : direction.unitOrthogonal();
@@ -70,7 +70,7 @@ void dropShort(const plan::ToolPlan& plan, const plan::ToolPath& path, char valu
 } // namespace
 
 Vector3d sideOf(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint) {
-  return sideOf(plan, path, waypoint, plan.direction[waypoint]);
+  return sideAcross(plan, path, waypoint, plan.direction[waypoint]);
 }
 
 int supportedSamples(const plan::ToolPlan& plan, const plan::ToolPath& path, std::size_t waypoint,
@@ -78,7 +78,7 @@ int supportedSamples(const plan::ToolPlan& plan, const plan::ToolPath& path, std
                      const collision::GrowingPart& part, const platform::PlatformSolid& platform,
                      int enough) {
   const auto height = static_cast<double>(plan.heightMm[waypoint]);
-  const Vector3d side = sideOf(plan, path, waypoint, direction);
+  const Vector3d side = sideAcross(plan, path, waypoint, direction);
   const std::size_t before = softSince(plan, path, waypoint);
   int places = 0;
   for (int k = 0; k < kPlacesAcross && places < enough; ++k) {
